@@ -1,0 +1,11 @@
+#pragma once
+// The whole public API.
+#include "glint/conventions.h"
+#include "glint/diagnostic.h"
+#include "glint/image.h"
+#include "glint/load.h"
+#include "glint/render.h"
+#include "glint/scene.h"
+#include "glint/shapes.h"
+#include "glint/vec.h"
+#include "glint/version.h"

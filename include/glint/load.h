@@ -1,0 +1,58 @@
+#pragma once
+// Text to Scene. The library opens no file of its own accord: texts come from the caller or from the Sources given.
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "glint/diagnostic.h"
+#include "glint/scene.h"
+
+namespace glint {
+
+/// One text to read. The text must outlive the call.
+struct SceneText {
+    std::string name;         ///< as messages name it; its extension chooses the format unless `format` does
+    std::string_view text;
+    std::string format;       ///< "cgfs", "epfl", ...; empty: by the name's extension
+};
+
+/// Where `include` finds other texts. load() calls nothing else to reach a file.
+class Sources {
+  public:
+    virtual ~Sources() = default;
+    /// The text of `name` as seen from the text `from`, or nothing and why (e.g. "no such file").
+    virtual std::optional<std::string> read(std::string_view name, std::string_view from, std::string& why) = 0;
+};
+
+struct LoadOptions {
+    std::string profile;     ///< replaces the format's own profile; empty: the format's
+    std::string scene_name;  ///< for files that hold several scenes
+    /// KEY=VALUE pairs, applied last, with origin `command`.
+    std::vector<std::pair<std::string, std::string>> settings;
+    /// The text of a profile file (`key = value` lines) applied after `profile`, and its name for messages.
+    std::optional<SceneText> profile_text;
+    std::uint32_t max_errors = 20;  ///< reading stops after this many
+};
+
+struct LoadResult {
+    std::optional<Scene> scene;           ///< absent if any diagnostic is an error
+    std::vector<Diagnostic> diagnostics;  ///< in the order of the text
+};
+
+/// Reads the texts as one scene, in their order, and validates it. Never throws; memory is bounded by a small multiple
+/// of the texts' length.
+LoadResult load(std::span<const SceneText> texts, const LoadOptions& options = {}, Sources* sources = nullptr);
+
+/// A scene format that load() reads.
+struct FormatInfo {
+    std::string_view name;        ///< "cgfs"
+    std::string_view extensions;  ///< ".cgfs", space-separated
+    std::string_view profile;     ///< the conventions it starts from
+    std::string_view description;
+};
+std::span<const FormatInfo> formats();
+
+}  // namespace glint

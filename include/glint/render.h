@@ -1,0 +1,77 @@
+#pragma once
+// Scene -> World -> Image.
+#include <atomic>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "glint/diagnostic.h"
+#include "glint/image.h"
+#include "glint/scene.h"
+
+namespace glint {
+
+/// A scene prepared for tracing: shapes packed by kind, the hierarchy over them, materials, lights, camera. Immutable;
+/// any number of threads may render from it. It does not refer to the Scene it was made from.
+class World;
+
+struct WorldDeleter {
+    void operator()(const World* world) const;
+};
+using WorldPtr = std::unique_ptr<const World, WorldDeleter>;
+
+struct PrepareResult {
+    WorldPtr world;                       ///< null if the scene has errors or memory ran out
+    std::vector<Diagnostic> diagnostics;  ///< what validate() says
+};
+
+/// Validates and prepares. threads: 0 = one a processor. Never throws.
+PrepareResult prepare(const Scene& scene, int threads = 0);
+
+/// Bytes of a prepared World, by part.
+struct WorldMemory {
+    std::size_t shapes = 0, hierarchy = 0, materials = 0;
+    std::size_t total() const { return shapes + hierarchy + materials; }
+};
+WorldMemory memory(const World& world);
+
+/// The box around all bounded shapes; min > max if there are none.
+struct Bounds {
+    Vec3 min, max;
+};
+Bounds bounds(const World& world);
+
+struct RayCounts {
+    std::uint64_t camera = 0, shadow = 0, mirror = 0, transmitted = 0;
+    std::uint64_t total() const { return camera + shadow + mirror + transmitted; }
+};
+
+struct RenderOptions {
+    int threads = 0;           ///< 0 = one a processor
+    std::string isa;           ///< one of isa_names(); empty: the best
+    std::optional<Crop> crop;  ///< only this part of the picture; the Image has the crop's size
+    /// Called from any thread, now and then, with the fraction done (0 to 1). Must not throw.
+    std::function<void(double)> progress;
+    const std::atomic<bool>* cancel = nullptr;  ///< looked at between tiles
+};
+
+struct RenderResult {
+    std::optional<Image> image;  ///< absent if cancelled or an error
+    bool cancelled = false;
+    std::string error;           ///< "no such instruction set 'avx9'", "out of memory: ..."; empty if none
+    RayCounts rays;
+    std::string isa;             ///< what was used
+    int threads = 0;
+};
+
+/// Draws the picture. The same bits for any threads, instruction set and crop. Never throws.
+RenderResult render(const World& world, const RenderOptions& options = {});
+
+/// The instruction sets this machine has and this build knows, best first: "avx512", "avx2", "sse4", "scalar".
+std::vector<std::string> isa_names();
+
+}  // namespace glint

@@ -1,0 +1,94 @@
+#include "base/diagnostics.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace glint {
+namespace {
+
+constexpr std::size_t k_max_shown = 160;  // bytes of a source line that a message shows
+
+}  // namespace
+
+LineColumn line_column(std::string_view text, std::size_t offset) {
+    offset = std::min(offset, text.size());
+    const auto before = text.substr(0, offset);
+    const auto line = static_cast<std::uint32_t>(std::count(before.begin(), before.end(), '\n') + 1);
+    const std::size_t start = before.rfind('\n') + 1;  // npos + 1 == 0
+    return {line, static_cast<std::uint32_t>(offset - start + 1)};
+}
+
+Diagnostic make_diagnostic(Severity severity, TextPlace where, std::size_t offset, std::size_t length,
+                           std::string message) {
+    offset = std::min(offset, where.text.size());
+    const auto [line, column] = line_column(where.text, offset);
+    const std::size_t start = offset - (column - 1);
+    std::size_t end = where.text.find_first_of("\r\n", offset);
+    if (end == std::string_view::npos) end = where.text.size();
+    // A line of 100 MB is shown only around the place.
+    const std::size_t shown = std::max(start, offset > k_max_shown / 2 ? offset - k_max_shown / 2 : 0);
+    const std::size_t shown_end = std::min(end, shown + k_max_shown);
+    Diagnostic d;
+    d.severity = severity;
+    d.file = std::string(where.name);
+    d.line = line;
+    d.column = column;
+    d.length = static_cast<std::uint32_t>(std::clamp<std::size_t>(length, 1, std::max<std::size_t>(1, shown_end - offset)));
+    d.message = std::move(message);
+    for (const char c : where.text.substr(shown, shown_end - shown)) {
+        // Control characters would move the caret, or the reader's terminal.
+        d.source_line += static_cast<unsigned char>(c) < 0x20 || c == 0x7f ? ' ' : c;
+    }
+    d.caret = static_cast<std::uint32_t>(offset - shown);
+    return d;
+}
+
+void Diagnostics::add(Diagnostic diagnostic) {
+    if (diagnostic.severity == Severity::error) {
+        if (full()) return;
+        ++errors_;
+    } else if (++warnings_ > 100) {
+        return;
+    }
+    list_.push_back(std::move(diagnostic));
+}
+
+void Diagnostics::error(TextPlace where, std::size_t offset, std::size_t length, std::string message) {
+    if (!full()) add(make_diagnostic(Severity::error, where, offset, length, std::move(message)));
+}
+
+void Diagnostics::warn(TextPlace where, std::size_t offset, std::size_t length, std::string message) {
+    if (warnings_ < 100) add(make_diagnostic(Severity::warning, where, offset, length, std::move(message)));
+}
+
+void Diagnostics::warn_once(std::string_view key, TextPlace where, std::size_t offset, std::size_t length,
+                            std::string message) {
+    if (std::find(once_.begin(), once_.end(), key) != once_.end()) return;
+    once_.emplace_back(key);
+    warn(where, offset, length, std::move(message));
+}
+
+std::string to_string(const Diagnostic& d) {
+    std::string out;
+    if (!d.file.empty()) {
+        out += d.file;
+        if (d.line != 0) out += fmt::format(":{}:{}", d.line, d.column);
+        out += ": ";
+    }
+    out += d.severity == Severity::error ? "error: " : "warning: ";
+    out += d.message;
+    out += '\n';
+    if (!d.source_line.empty()) {
+        out += fmt::format("  {}\n  {}{}\n", d.source_line, std::string(d.caret, ' '),
+                           '^' + std::string(d.length - 1, '~'));
+    }
+    return out;
+}
+
+bool has_errors(const std::vector<Diagnostic>& diagnostics) {
+    return std::any_of(diagnostics.begin(), diagnostics.end(),
+                       [](const Diagnostic& d) { return d.severity == Severity::error; });
+}
+
+}  // namespace glint

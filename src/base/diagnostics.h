@@ -1,0 +1,48 @@
+#pragma once
+// Collecting messages while reading a text: places are byte offsets until a message is made.
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "glint/diagnostic.h"
+
+namespace glint {
+
+/// Line and column (from 1, in bytes) of byte `offset` of `text`.
+struct LineColumn {
+    std::uint32_t line = 1, column = 1;
+};
+LineColumn line_column(std::string_view text, std::size_t offset);
+
+/// A text under reading: knows its name and makes diagnostics from byte offsets.
+struct TextPlace {
+    std::string_view name;
+    std::string_view text;
+};
+
+/// The diagnostic for bytes [offset, offset + length) of a text, with its source line, shortened around the place.
+Diagnostic make_diagnostic(Severity severity, TextPlace where, std::size_t offset, std::size_t length,
+                           std::string message);
+
+/// A list of diagnostics that stops growing. Warnings that `warn_once` gives with the same key appear once.
+class Diagnostics {
+  public:
+    explicit Diagnostics(std::uint32_t max_errors = 20) : max_errors_(max_errors) {}
+    void add(Diagnostic diagnostic);
+    void error(TextPlace where, std::size_t offset, std::size_t length, std::string message);
+    void warn(TextPlace where, std::size_t offset, std::size_t length, std::string message);
+    void warn_once(std::string_view key, TextPlace where, std::size_t offset, std::size_t length, std::string message);
+    /// True when reading should stop: as many errors as anyone reads.
+    bool full() const { return errors_ >= max_errors_; }
+    bool any_errors() const { return errors_ != 0; }
+    std::vector<Diagnostic> take() { return std::move(list_); }
+    const std::vector<Diagnostic>& list() const { return list_; }
+
+  private:
+    std::vector<Diagnostic> list_;
+    std::vector<std::string> once_;
+    std::uint32_t errors_ = 0, warnings_ = 0, max_errors_;
+};
+
+}  // namespace glint

@@ -1,0 +1,77 @@
+#include "base/parallel_for.h"
+
+#include <algorithm>
+
+#include "base/fp_environment.h"
+#if !defined(__wasm__)
+#include <oneapi/tbb/info.h>
+#include <oneapi/tbb/parallel_for.h>
+#include <oneapi/tbb/parallel_invoke.h>
+#include <oneapi/tbb/task_arena.h>
+#endif
+
+namespace glint {
+
+#if defined(__wasm__)
+
+int thread_count(int) { return 1; }
+
+void parallel_for(std::size_t count, int, const std::function<void(std::size_t)>& body) {
+    for (std::size_t i = 0; i < count; ++i) body(i);
+}
+
+void parallel_invoke(const std::function<void()>& a, const std::function<void()>& b) {
+    a();
+    b();
+}
+
+void run_with_threads(int, const std::function<void()>& body) { body(); }
+
+#else
+
+int thread_count(int requested) {
+    return requested > 0 ? std::min(requested, 1024) : std::max(1, oneapi::tbb::info::default_concurrency());
+}
+
+void parallel_for(std::size_t count, int threads, const std::function<void(std::size_t)>& body) {
+    const int n = thread_count(threads);
+    if (n == 1 || count <= 1) {
+        const DefaultFpEnvironment environment;
+        for (std::size_t i = 0; i < count; ++i) body(i);
+        return;
+    }
+    oneapi::tbb::task_arena arena(n);
+    arena.execute([&] {
+        oneapi::tbb::parallel_for(
+            oneapi::tbb::blocked_range<std::size_t>(0, count, 1),
+            [&](const oneapi::tbb::blocked_range<std::size_t>& range) {
+                const DefaultFpEnvironment environment;
+                for (std::size_t i = range.begin(); i != range.end(); ++i) body(i);
+            },
+            oneapi::tbb::simple_partitioner{});
+    });
+}
+
+void parallel_invoke(const std::function<void()>& a, const std::function<void()>& b) {
+    oneapi::tbb::parallel_invoke(
+        [&] {
+            const DefaultFpEnvironment environment;
+            a();
+        },
+        [&] {
+            const DefaultFpEnvironment environment;
+            b();
+        });
+}
+
+void run_with_threads(int threads, const std::function<void()>& body) {
+    oneapi::tbb::task_arena arena(thread_count(threads));
+    arena.execute([&] {
+        const DefaultFpEnvironment environment;
+        body();
+    });
+}
+
+#endif
+
+}  // namespace glint

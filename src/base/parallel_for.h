@@ -1,0 +1,21 @@
+#pragma once
+// The only door to threads (oneTBB). In the browser a worker has one thread and the loops are serial.
+#include <cstddef>
+#include <functional>
+
+namespace glint {
+
+/// The number of threads that `requested` (0 = one a processor) stands for; at least 1, at most 1024.
+int thread_count(int requested);
+
+/// Calls body(i) for every i < count, each once, on up to `threads` threads; returns when all are done. Every call runs
+/// with round-to-nearest and gradual underflow, whatever the caller's floating-point state. body must not throw.
+void parallel_for(std::size_t count, int threads, const std::function<void(std::size_t)>& body);
+
+/// Runs a and b, possibly at the same time, with the threads of the enclosing run_with_threads.
+void parallel_invoke(const std::function<void()>& a, const std::function<void()>& b);
+
+/// Runs `body` so that parallel_invoke inside it uses up to `threads` threads.
+void run_with_threads(int threads, const std::function<void()>& body);
+
+}  // namespace glint

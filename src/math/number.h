@@ -1,0 +1,46 @@
+#pragma once
+// What a formula may ask of a number, for the plain kinds: the same names that simd/lanes-inl.h gives to lanes. Formulas are
+// templates over the kind of number and use these, the operators, and nothing else, so that every kind computes the same bits.
+#include <bit>
+#include <cmath>
+#include <cstdint>
+
+namespace glint::number {
+
+// A formula's `auto m = a < b` is a bool here and a mask of lanes there.
+template <class T> T select(bool m, T yes, T no) { return m ? yes : no; }
+inline bool any(bool m) { return m; }
+inline bool all(bool m) { return m; }
+inline bool and_not(bool a, bool b) { return a && !b; }  // a and not b
+
+// IEEE 754 requires this one to be exact to the last bit, as it does + - * /.
+inline float sqrt(float x) { return std::sqrt(x); }
+inline double sqrt(double x) { return std::sqrt(x); }
+inline long double sqrt(long double x) { return std::sqrt(x); }
+
+template <class T> T abs(T x) { return x < T(0) ? -x : x == T(0) ? T(0) : x; }
+template <class T> T min(T a, T b) { return a < b ? a : b; }
+template <class T> T max(T a, T b) { return a < b ? b : a; }
+
+/// The sign bit of `s` on the magnitude of x >= 0.
+template <class T> T with_sign_of(T x, T s) { return s < T(0) ? -x : x; }
+
+/// For finite x > 0, normal: x = mantissa * 2^e, 1 <= mantissa < 2. Returns e.
+inline double split_exponent(double x, double& mantissa) {
+    const auto bits = std::bit_cast<std::uint64_t>(x);
+    mantissa = std::bit_cast<double>((bits & 0x000fffffffffffffu) | 0x3ff0000000000000u);
+    return static_cast<double>(static_cast<std::int64_t>(bits >> 52) - 1023);
+}
+
+/// 2^k for a whole number k, -1022 <= k <= 1023.
+inline double exp2_whole(double k) {
+    return std::bit_cast<double>(static_cast<std::uint64_t>(static_cast<std::int64_t>(k) + 1023) << 52);
+}
+
+/// The nearest whole number (ties to even), |x| < 2^51, by IEEE addition alone.
+inline double round_whole(double x) {
+    constexpr double shift = 6755399441055744.0;  // 1.5 * 2^52
+    return (x + shift) - shift;
+}
+
+}  // namespace glint::number

@@ -1,0 +1,140 @@
+// Lanes<T>: as many numbers as the instruction set computes at once, with the operators and the names of math/number.h.
+// The only file that includes Highway. Included once a target, inside foreach_target.h (trace/kernels.cpp).
+// Of Highway, only what IEEE 754 defines exactly: no MulAdd family, no Approximate*, no SumOfLanes, no Min / Max.
+#if defined(GLINT_SIMD_LANES_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef GLINT_SIMD_LANES_INL_H_
+#undef GLINT_SIMD_LANES_INL_H_
+#else
+#define GLINT_SIMD_LANES_INL_H_
+#endif
+
+#include <hwy/highway.h>
+
+#include <cstdint>
+#include <type_traits>
+
+#include "math/number.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace glint {
+namespace HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+template <class T> using Tag = hn::ScalableTag<T>;
+
+/// How many T fit in a vector of this instruction set.
+template <class T> HWY_INLINE constexpr int lane_count() { return static_cast<int>(HWY_MAX_LANES_D(Tag<T>)); }
+
+template <class T>
+struct LaneMask {
+    hn::Mask<Tag<T>> m;
+    friend HWY_INLINE LaneMask operator&(LaneMask a, LaneMask b) { return {hn::And(a.m, b.m)}; }
+    friend HWY_INLINE LaneMask operator|(LaneMask a, LaneMask b) { return {hn::Or(a.m, b.m)}; }
+    friend HWY_INLINE LaneMask operator!(LaneMask a) { return {hn::Not(a.m)}; }
+};
+
+template <class T>
+struct Lanes {
+    hn::Vec<Tag<T>> v;
+
+    HWY_INLINE Lanes() : v(hn::Zero(Tag<T>())) {}
+    HWY_INLINE Lanes(T x) : v(hn::Set(Tag<T>(), x)) {}  // implicit: formulas mix lanes with constants
+    HWY_INLINE explicit Lanes(hn::Vec<Tag<T>> x) : v(x) {}
+    // Whole-number constants in formulas (T(0), 2) are exact in both kinds.
+    HWY_INLINE Lanes(int x) requires(!std::is_same_v<T, int>) : v(hn::Set(Tag<T>(), static_cast<T>(x))) {}
+
+    friend HWY_INLINE Lanes operator+(Lanes a, Lanes b) { return Lanes(hn::Add(a.v, b.v)); }
+    friend HWY_INLINE Lanes operator-(Lanes a, Lanes b) { return Lanes(hn::Sub(a.v, b.v)); }
+    friend HWY_INLINE Lanes operator*(Lanes a, Lanes b) { return Lanes(hn::Mul(a.v, b.v)); }
+    friend HWY_INLINE Lanes operator/(Lanes a, Lanes b) { return Lanes(hn::Div(a.v, b.v)); }
+    friend HWY_INLINE Lanes operator-(Lanes a) { return Lanes(hn::Neg(a.v)); }
+    HWY_INLINE Lanes& operator+=(Lanes b) { return *this = *this + b; }
+    HWY_INLINE Lanes& operator*=(Lanes b) { return *this = *this * b; }
+
+    friend HWY_INLINE LaneMask<T> operator<(Lanes a, Lanes b) { return {hn::Lt(a.v, b.v)}; }
+    friend HWY_INLINE LaneMask<T> operator<=(Lanes a, Lanes b) { return {hn::Le(a.v, b.v)}; }
+    friend HWY_INLINE LaneMask<T> operator>(Lanes a, Lanes b) { return {hn::Gt(a.v, b.v)}; }
+    friend HWY_INLINE LaneMask<T> operator>=(Lanes a, Lanes b) { return {hn::Ge(a.v, b.v)}; }
+    friend HWY_INLINE LaneMask<T> operator==(Lanes a, Lanes b) { return {hn::Eq(a.v, b.v)}; }
+};
+
+using Doubles = Lanes<double>;
+using Floats = Lanes<float>;
+
+// The names of math/number.h, for the plain kinds too: a formula inside this namespace finds both.
+using number::abs;
+using number::all;
+using number::and_not;
+using number::any;
+using number::exp2_whole;
+using number::max;
+using number::min;
+using number::round_whole;
+using number::select;
+using number::split_exponent;
+using number::sqrt;
+using number::with_sign_of;
+
+template <class T> HWY_INLINE Lanes<T> select(LaneMask<T> m, Lanes<T> yes, Lanes<T> no) {
+    return Lanes<T>(hn::IfThenElse(m.m, yes.v, no.v));
+}
+template <class T> HWY_INLINE bool any(LaneMask<T> m) { return !hn::AllFalse(Tag<T>(), m.m); }
+template <class T> HWY_INLINE bool all(LaneMask<T> m) { return hn::AllTrue(Tag<T>(), m.m); }
+template <class T> HWY_INLINE LaneMask<T> and_not(LaneMask<T> a, LaneMask<T> b) { return {hn::AndNot(b.m, a.m)}; }
+template <class T> HWY_INLINE Lanes<T> sqrt(Lanes<T> x) { return Lanes<T>(hn::Sqrt(x.v)); }
+template <class T> HWY_INLINE Lanes<T> abs(Lanes<T> x) { return Lanes<T>(hn::Abs(x.v)); }
+template <class T> HWY_INLINE Lanes<T> min(Lanes<T> a, Lanes<T> b) { return select(a < b, a, b); }
+template <class T> HWY_INLINE Lanes<T> max(Lanes<T> a, Lanes<T> b) { return select(a < b, b, a); }
+template <class T> HWY_INLINE Lanes<T> with_sign_of(Lanes<T> x, Lanes<T> s) { return select(s < Lanes<T>(0), -x, x); }
+
+HWY_INLINE Doubles split_exponent(Doubles x, Doubles& mantissa) {
+    const Tag<double> d;
+    const hn::RebindToUnsigned<Tag<double>> du;
+    const auto bits = hn::BitCast(du, x.v);
+    const auto fraction = hn::And(bits, hn::Set(du, 0x000fffffffffffffu));
+    mantissa = Doubles(hn::BitCast(d, hn::Or(fraction, hn::Set(du, 0x3ff0000000000000u))));
+    // The biased exponent, as the low bits of 2^52 + e: exact without an integer conversion.
+    const auto biased = hn::Or(hn::ShiftRight<52>(bits), hn::Set(du, 0x4330000000000000u));
+    return Doubles(hn::BitCast(d, biased)) - Doubles(4503599627370496.0 + 1023.0);
+}
+
+HWY_INLINE Doubles exp2_whole(Doubles k) {
+    const Tag<double> d;
+    const hn::RebindToUnsigned<Tag<double>> du;
+    const auto biased = hn::BitCast(du, (k + Doubles(4503599627370496.0 + 1023.0)).v);  // low bits: k + 1023
+    return Doubles(hn::BitCast(d, hn::ShiftLeft<52>(biased)));
+}
+
+HWY_INLINE Doubles round_whole(Doubles x) {
+    const Doubles shift(6755399441055744.0);
+    return (x + shift) - shift;
+}
+
+template <class T> HWY_INLINE Lanes<T> load(const T* from) { return Lanes<T>(hn::LoadU(Tag<T>(), from)); }
+template <class T> HWY_INLINE void store(Lanes<T> x, T* to) { hn::StoreU(x.v, Tag<T>(), to); }
+
+/// Lane i of the result is base[index[i]]; index holds lane_count<double>() entries.
+HWY_INLINE Doubles gather(const double* base, const std::uint32_t* index) {
+    alignas(64) double lanes[lane_count<double>()];
+    for (int i = 0; i < lane_count<double>(); ++i) lanes[i] = base[index[i]];
+    return load(lanes);
+}
+
+/// Bit i of the result is lane i.
+template <class T> HWY_INLINE std::uint32_t to_bits(LaneMask<T> m) {
+    std::uint8_t bytes[8] = {};
+    hn::StoreMaskBits(Tag<T>(), m.m, bytes);
+    const std::uint32_t bits = bytes[0] | static_cast<std::uint32_t>(bytes[1]) << 8;
+    return bits & ((1u << lane_count<T>()) - 1);
+}
+template <class T> HWY_INLINE LaneMask<T> from_bits(std::uint32_t bits) {
+    const std::uint8_t bytes[8] = {static_cast<std::uint8_t>(bits), static_cast<std::uint8_t>(bits >> 8)};
+    return {hn::LoadMaskBits(Tag<T>(), bytes)};
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace glint
+HWY_AFTER_NAMESPACE();
+
+#endif
