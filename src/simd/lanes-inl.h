@@ -24,7 +24,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 template <class T> using Tag = hn::ScalableTag<T>;
 
 /// How many T fit in a vector of this instruction set.
-template <class T> HWY_INLINE constexpr int lane_count() { return static_cast<int>(HWY_MAX_LANES_D(Tag<T>)); }
+template <class T> HWY_INLINE constexpr int lane_count() { return static_cast<int>(hn::MaxLanes(Tag<T>())); }
 
 template <class T>
 struct LaneMask {
