@@ -1,29 +1,63 @@
 #pragma once
-// What a formula may ask of a number, for the plain kinds: the same names that simd/lanes-inl.h gives to lanes. Formulas are
-// templates over the kind of number and use these, the operators, and nothing else, so that every kind computes the same bits.
+// What a formula may ask of a number, for the plain kinds: the same names that simd/lanes-inl.h gives to
+// lanes. Formulas are templates over the kind of number and use these, the operators, and nothing else, so
+// that every kind computes the same bits.
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <limits>
+
+// Formulas over lanes must be inlined into code of the lanes' instruction set.
+#define GLINT_INLINE inline __attribute__((always_inline))
 
 namespace glint::number {
 
+inline constexpr double k_infinity = std::numeric_limits<double>::infinity();
+
 // A formula's `auto m = a < b` is a bool here and a mask of lanes there.
-template <class T> T select(bool m, T yes, T no) { return m ? yes : no; }
-inline bool any(bool m) { return m; }
-inline bool all(bool m) { return m; }
-inline bool and_not(bool a, bool b) { return a && !b; }  // a and not b
+template <class T>
+T select(bool m, T yes, T no) {
+    return m ? yes : no;
+}
+inline bool any(bool m) {
+    return m;
+}
+inline bool all(bool m) {
+    return m;
+}
+inline bool and_not(bool a, bool b) {
+    return a && !b;
+}  // a and not b
 
 // IEEE 754 requires this one to be exact to the last bit, as it does + - * /.
-inline float sqrt(float x) { return std::sqrt(x); }
-inline double sqrt(double x) { return std::sqrt(x); }
-inline long double sqrt(long double x) { return std::sqrt(x); }
+inline float sqrt(float x) {
+    return std::sqrt(x);
+}
+inline double sqrt(double x) {
+    return std::sqrt(x);
+}
+inline long double sqrt(long double x) {
+    return std::sqrt(x);
+}
 
-template <class T> T abs(T x) { return x < T(0) ? -x : x == T(0) ? T(0) : x; }
-template <class T> T min(T a, T b) { return a < b ? a : b; }
-template <class T> T max(T a, T b) { return a < b ? b : a; }
+template <class T>
+T abs(T x) {
+    return x < T(0) ? -x : x == T(0) ? T(0) : x;
+}
+template <class T>
+T min(T a, T b) {
+    return a < b ? a : b;
+}
+template <class T>
+T max(T a, T b) {
+    return a < b ? b : a;
+}
 
 /// The sign bit of `s` on the magnitude of x >= 0.
-template <class T> T with_sign_of(T x, T s) { return s < T(0) ? -x : x; }
+template <class T>
+T with_sign_of(T x, T s) {
+    return s < T(0) ? -x : x;
+}
 
 /// For finite x > 0, normal: x = mantissa * 2^e, 1 <= mantissa < 2. Returns e.
 inline double split_exponent(double x, double& mantissa) {

@@ -68,6 +68,7 @@ using number::all;
 using number::and_not;
 using number::any;
 using number::exp2_whole;
+using number::k_infinity;
 using number::max;
 using number::min;
 using number::round_whole;

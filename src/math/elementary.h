@@ -1,0 +1,30 @@
+#pragma once
+// The elementary functions of plain numbers. Ours, since those of the C library differ between machines
+// (docs/architecture.md); the formulas are in elementary_templates-inl.h and give lanes the same bits
+// (simd/elementary-inl.h).
+
+namespace glint {
+
+/// Natural logarithm of a finite x > 0; minus infinity at 0 and below. Error below 0.51 ulp.
+double log(double x);
+
+/// e^x for finite x; infinity above the largest double, 0 below 2^-1022. Error below 0.7 ulp.
+double exp(double x);
+
+/// x^y for finite y and finite x >= 0: x^0 = 1; 0^y = 0 for y > 0, infinity for y < 0; infinity above the
+/// largest double, 0 below 2^-1022. 0 for x < 0. Error below 0.7 ulp.
+double pow(double x, double y);
+
+/// Of |x| <= 1e5 radians; any other angle counts as 0. The tangent's poles give infinity. Error below 0.81
+/// ulp, the tangent's below 1 ulp.
+double sin(double x);
+double cos(double x);
+double tan(double x);
+
+/// Of |x| <= 2^45 degrees; any other angle counts as 0. Exact where the value is 0, 1/2 or 1 in size:
+/// cos_degrees(60) = 0.5. The tangent's poles give infinity. Error below 0.81 ulp, the tangent's below 1 ulp.
+double sin_degrees(double x);
+double cos_degrees(double x);
+double tan_degrees(double x);
+
+}  // namespace glint
