@@ -29,8 +29,8 @@ template <class T> HWY_INLINE constexpr int lane_count() { return static_cast<in
 template <class T>
 struct LaneMask {
     hn::Mask<Tag<T>> m;
-    friend HWY_INLINE LaneMask operator&(LaneMask a, LaneMask b) { return {hn::And(a.m, b.m)}; }
-    friend HWY_INLINE LaneMask operator|(LaneMask a, LaneMask b) { return {hn::Or(a.m, b.m)}; }
+    friend HWY_INLINE LaneMask operator&&(LaneMask a, LaneMask b) { return {hn::And(a.m, b.m)}; }
+    friend HWY_INLINE LaneMask operator||(LaneMask a, LaneMask b) { return {hn::Or(a.m, b.m)}; }
     friend HWY_INLINE LaneMask operator!(LaneMask a) { return {hn::Not(a.m)}; }
 };
 
@@ -114,6 +114,12 @@ HWY_INLINE Doubles round_whole(Doubles x) {
 
 template <class T> HWY_INLINE Lanes<T> load(const T* from) { return Lanes<T>(hn::LoadU(Tag<T>(), from)); }
 template <class T> HWY_INLINE void store(Lanes<T> x, T* to) { hn::StoreU(x.v, Tag<T>(), to); }
+
+/// lane_count<double>() floats as doubles.
+HWY_INLINE Doubles widen(const float* from) {
+    const hn::Rebind<float, Tag<double>> d;
+    return Doubles(hn::PromoteTo(Tag<double>(), hn::LoadU(d, from)));
+}
 
 /// Lane i of the result is base[index[i]]; index holds lane_count<double>() entries.
 HWY_INLINE Doubles gather(const double* base, const std::uint32_t* index) {

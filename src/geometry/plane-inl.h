@@ -1,0 +1,43 @@
+// The infinite plane: packing, hit, normal.
+#if defined(GLINT_GEOMETRY_PLANE_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef GLINT_GEOMETRY_PLANE_INL_H_
+#undef GLINT_GEOMETRY_PLANE_INL_H_
+#else
+#define GLINT_GEOMETRY_PLANE_INL_H_
+#endif
+
+#include "geometry/ray-inl.h"
+#include "glint/shapes.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace glint {
+namespace HWY_NAMESPACE {
+
+struct PlaneGeometry {
+    static constexpr int k_values = 6;  // point, unit normal
+    static constexpr bool k_bounded = false;
+    static constexpr bool k_filtered = false;
+
+    static void pack(const Plane& plane, double* p) {
+        const Vec3 n = plane.normal / number::sqrt(glint::dot(plane.normal, plane.normal));
+        p[0] = plane.point.x, p[1] = plane.point.y, p[2] = plane.point.z;
+        p[3] = n.x, p[4] = n.y, p[5] = n.z;
+    }
+    static bool open(const Plane&) { return true; }
+    static void bounds(const Plane&, Vec3&, Vec3&) {}
+
+    template <class T> static HWY_INLINE Candidate<T> hit(const T* p, const Ray<T>& ray, T t_min) {
+        const Triple<T> n = triple(p + 3);
+        const T t = dot(triple(p) - ray.origin, n) / dot(ray.direction, n);
+        // A ray within the plane gives NaN or infinity: no hit.
+        return {(t > t_min) && (t < T(1e300)), t};
+    }
+
+    template <class T> static HWY_INLINE Triple<T> normal(const T* p, Triple<T>) { return triple(p + 3); }
+};
+
+}  // namespace HWY_NAMESPACE
+}  // namespace glint
+HWY_AFTER_NAMESPACE();
+
+#endif

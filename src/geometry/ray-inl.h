@@ -1,0 +1,48 @@
+// Rays and what a shape's formula answers, for any kind of number.
+#if defined(GLINT_GEOMETRY_RAY_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef GLINT_GEOMETRY_RAY_INL_H_
+#undef GLINT_GEOMETRY_RAY_INL_H_
+#else
+#define GLINT_GEOMETRY_RAY_INL_H_
+#endif
+
+#include "simd/vec3-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace glint {
+namespace HWY_NAMESPACE {
+
+/// Points origin + t direction; the direction has any length but 0.
+template <class T>
+struct Ray {
+    Triple<T> origin, direction;
+};
+
+/// A formula's answer: the least t > t_min at which the ray meets the shape, where `hit` says so.
+template <class T>
+struct Candidate {
+    decltype(T() < T()) hit;
+    T t;
+};
+
+/// The roots b - h and b + h of |q + t d|^2 = r^2, about the point of closest approach: q + b d is perpendicular to d, so that
+/// nothing large is subtracted from something large (Haines et al., Precision Improvements for Ray/Sphere Intersection, 2019).
+template <class T>
+struct Roots {
+    decltype(T() < T()) real;
+    T b, h;
+};
+template <class T> HWY_INLINE Roots<T> closest_approach(Triple<T> q, Triple<T> d, T radius) {
+    const T dd = dot(d, d);
+    const T b = -(dot(q, d) / dd);
+    const Triple<T> f = q + d * b;
+    const T discriminant = radius * radius - dot(f, f);
+    const auto real = discriminant >= T(0);
+    return {real, b, sqrt(max(discriminant, T(0)) / dd)};
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace glint
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,56 @@
+// The sphere: packing, bounds, hit, filter, normal.
+#if defined(GLINT_GEOMETRY_SPHERE_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef GLINT_GEOMETRY_SPHERE_INL_H_
+#undef GLINT_GEOMETRY_SPHERE_INL_H_
+#else
+#define GLINT_GEOMETRY_SPHERE_INL_H_
+#endif
+
+#include "geometry/ray-inl.h"
+#include "glint/shapes.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace glint {
+namespace HWY_NAMESPACE {
+
+struct SphereGeometry {
+    static constexpr int k_values = 4;  // center, radius
+    static constexpr bool k_bounded = true;
+    static constexpr bool k_filtered = true;
+
+    static void pack(const Sphere& s, double* p) {
+        p[0] = s.center.x, p[1] = s.center.y, p[2] = s.center.z, p[3] = s.radius;
+    }
+    static bool open(const Sphere&) { return false; }
+    static void bounds(const Sphere& s, Vec3& lo, Vec3& hi) {
+        const Vec3 r{s.radius, s.radius, s.radius};
+        lo = s.center - r, hi = s.center + r;
+    }
+
+    template <class T> static HWY_INLINE Candidate<T> hit(const T* p, const Ray<T>& ray, T t_min) {
+        const auto roots = closest_approach(ray.origin - triple(p), ray.direction, p[3]);
+        const T near = roots.b - roots.h, far = roots.b + roots.h;
+        const T t = select(near > t_min, near, far);
+        return {roots.real && (t > t_min), t};
+    }
+
+    /// In single precision: false only where `hit` in double is false. With u = 2^-24, the coordinates' conversions, q, b and
+    /// f are wrong by less than 16 u (|o| + |c|) in each coordinate; the test allows for twice that.
+    template <class F> static HWY_INLINE auto may_hit(const F* p, const Ray<F>& ray) {
+        const Triple<F> c = triple(p), q = ray.origin - c, d = ray.direction;
+        const Triple<F> f = q - d * (dot(q, d) / dot(d, d));
+        const F magnitude = (abs(ray.origin.x) + abs(ray.origin.y) + abs(ray.origin.z)) + (abs(c.x) + abs(c.y) + abs(c.z));
+        const F reach = p[3] * F(1 + 0x1p-20f) + magnitude * F(0x1p-19f);
+        return !(dot(f, f) * F(1 - 0x1p-20f) > reach * reach);  // a NaN may hit
+    }
+
+    template <class T> static HWY_INLINE Triple<T> normal(const T* p, Triple<T> point) {
+        return normalize(point - triple(p));
+    }
+};
+
+}  // namespace HWY_NAMESPACE
+}  // namespace glint
+HWY_AFTER_NAMESPACE();
+
+#endif

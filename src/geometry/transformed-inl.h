@@ -1,0 +1,48 @@
+// Any shape under an affine map: the ray goes into the shape's own space, where t means the same.
+#if defined(GLINT_GEOMETRY_TRANSFORMED_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef GLINT_GEOMETRY_TRANSFORMED_INL_H_
+#undef GLINT_GEOMETRY_TRANSFORMED_INL_H_
+#else
+#define GLINT_GEOMETRY_TRANSFORMED_INL_H_
+#endif
+
+#include "geometry/ray-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace glint {
+namespace HWY_NAMESPACE {
+
+/// Packed as the shape's own values, then object_from_world row by row (12 values).
+template <class Geometry>
+struct Transformed {
+    static constexpr int k_values = Geometry::k_values + 12;
+    static constexpr bool k_bounded = Geometry::k_bounded;
+    static constexpr bool k_filtered = false;
+
+    template <class T> static HWY_INLINE Triple<T> linear(const T* m, Triple<T> v) {
+        return {m[0] * v.x + m[1] * v.y + m[2] * v.z, m[4] * v.x + m[5] * v.y + m[6] * v.z,
+                m[8] * v.x + m[9] * v.y + m[10] * v.z};
+    }
+    template <class T> static HWY_INLINE Triple<T> affine(const T* m, Triple<T> v) {
+        return linear(m, v) + Triple<T>{m[3], m[7], m[11]};
+    }
+
+    template <class T> static HWY_INLINE Candidate<T> hit(const T* p, const Ray<T>& ray, T t_min) {
+        const T* m = p + Geometry::k_values;
+        return Geometry::hit(p, Ray<T>{affine(m, ray.origin), linear(m, ray.direction)}, t_min);
+    }
+
+    /// Normals go by the transpose of object_from_world.
+    template <class T> static HWY_INLINE Triple<T> normal(const T* p, Triple<T> point) {
+        const T* m = p + Geometry::k_values;
+        const Triple<T> n = Geometry::normal(p, affine(m, point));
+        return normalize(Triple<T>{m[0] * n.x + m[4] * n.y + m[8] * n.z, m[1] * n.x + m[5] * n.y + m[9] * n.z,
+                                   m[2] * n.x + m[6] * n.y + m[10] * n.z});
+    }
+};
+
+}  // namespace HWY_NAMESPACE
+}  // namespace glint
+HWY_AFTER_NAMESPACE();
+
+#endif

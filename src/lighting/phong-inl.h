@@ -1,0 +1,87 @@
+// The lighting equation (docs/lighting.md): one light's diffuse and specular terms at a surface point. Pure functions.
+#if defined(GLINT_LIGHTING_PHONG_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef GLINT_LIGHTING_PHONG_INL_H_
+#undef GLINT_LIGHTING_PHONG_INL_H_
+#else
+#define GLINT_LIGHTING_PHONG_INL_H_
+#endif
+
+#include "glint/conventions.h"
+#include "simd/elementary-inl.h"
+#include "simd/vec3-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace glint {
+namespace HWY_NAMESPACE {
+
+/// What of the conventions the lighting equation depends on.
+struct LightingRules {
+    Shading shading = Shading::blinn_phong;
+    bool specular_gate = true;   // the highlight needs N·L > 0
+    bool clamp_cosines = true;   // N·L and S below 0 add nothing
+    bool normalize = true;       // L, V, R, H are normalised before use
+};
+
+/// The two cosines of the model: N·L, and S = R·V (Phong) or N·H (Blinn-Phong).
+template <class T>
+struct Cosines {
+    T n_l, s;
+};
+
+/// R = 2 N (N·L) - L (LIGHT-6; CGFS "ReflectRay"; RT2).
+template <class T> HWY_INLINE Triple<T> mirrored(Triple<T> l, Triple<T> n) { return n * (T(2) * dot(n, l)) - l; }
+
+/// N is unit; l and v, from the surface point to the light and to the eye, are unit if the rules normalise.
+template <class T>
+HWY_INLINE Cosines<T> cosines(Triple<T> normal, Triple<T> l, Triple<T> v, const LightingRules& rules) {
+    const T n_l = dot(normal, l);
+    if (rules.shading == Shading::phong) return {n_l, dot(mirrored(l, normal), v)};
+    if (rules.shading == Shading::blinn_phong) {
+        const Triple<T> h = l + v;
+        const T size = length(h);
+        // Light from straight behind: H does not exist, and there is no highlight.
+        const T s = dot(normal, h);
+        return {n_l, rules.normalize ? select(size > T(0), s / select(size > T(0), size, T(1)), T(0)) : s};
+    }
+    return {n_l, T(0)};
+}
+
+/// What multiplies k_d I_l,d and k_s I_l,s of a visible light, attenuation aside: N·L and S^n.
+template <class T>
+struct Terms {
+    T diffuse, specular;
+};
+
+/// Where the specular term may be other than 0.
+template <class T>
+HWY_INLINE auto has_highlight(const Cosines<T>& c, const LightingRules& rules) {
+    const auto positive = rules.clamp_cosines ? c.s > T(0) : !(c.s == T(0));
+    return rules.specular_gate ? positive && (c.n_l > T(0)) : positive;
+}
+
+template <class T>
+HWY_INLINE Terms<T> terms(const Cosines<T>& c, T shininess, const LightingRules& rules) {
+    const T diffuse = rules.clamp_cosines ? max(c.n_l, T(0)) : c.n_l;
+    if (rules.shading == Shading::diffuse) return {diffuse, T(0)};
+    T power = pow(abs(c.s), shininess);
+    if (!rules.clamp_cosines) {
+        // (-x)^n of an odd n is negative, of other whole n positive, and of others it does not exist.
+        const T half = shininess * T(0.5);
+        const auto whole = round_whole(shininess) == shininess, even = round_whole(half) == half;
+        power = select(c.s < T(0), select(whole, select(even, power, -power), T(0)), power);
+    }
+    // Without normalisation S may be large: keep the film finite.
+    power = min(power, T(1e30));
+    return {diffuse, select(has_highlight(c, rules), power, T(0))};
+}
+
+/// f_att = min(1 / (c0 + c1 d + c2 d^2), 1) (LIGHT-12).
+template <class T> HWY_INLINE T attenuation(T c0, T c1, T c2, T distance) {
+    return min(T(1) / (c0 + c1 * distance + c2 * (distance * distance)), T(1));
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace glint
+HWY_AFTER_NAMESPACE();
+
+#endif

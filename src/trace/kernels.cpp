@@ -1,0 +1,51 @@
+// The kernels, compiled once for every instruction set: foreach_target includes this file again for each.
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "trace/kernels.cpp"
+#include <hwy/foreach_target.h>  // must come before what follows
+
+#include "simd/targets.h"
+#include "trace/kernels.h"
+#include "trace/tile-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace glint {
+namespace HWY_NAMESPACE {
+
+Kernels kernels(const char* isa) { return {isa, &nearest_hit, &any_hit, &render_tile}; }
+
+}  // namespace HWY_NAMESPACE
+}  // namespace glint
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace glint {
+
+const std::vector<Kernels>& available_kernels() {
+    static const std::vector<Kernels> list = [] {
+        std::vector<Kernels> found;
+        [[maybe_unused]] const auto supported = supported_targets();
+#if HWY_TARGETS & HWY_AVX3
+        if (supported & HWY_AVX3) found.push_back(N_AVX3::kernels("avx512"));
+#endif
+#if HWY_TARGETS & HWY_AVX2
+        if (supported & HWY_AVX2) found.push_back(N_AVX2::kernels("avx2"));
+#endif
+#if HWY_TARGETS & HWY_SSE4
+        if (supported & HWY_SSE4) found.push_back(N_SSE4::kernels("sse4"));
+#endif
+#if HWY_TARGETS & HWY_NEON
+        if (supported & HWY_NEON) found.push_back(N_NEON::kernels("neon"));
+#endif
+#if HWY_TARGETS & HWY_WASM
+        found.push_back(N_WASM::kernels("simd128"));
+#endif
+#if HWY_TARGETS & HWY_SCALAR
+        found.push_back(N_SCALAR::kernels("scalar"));
+#endif
+        return found;
+    }();
+    return list;
+}
+
+}  // namespace glint
+#endif

@@ -1,0 +1,116 @@
+// World -> Image: tiles to threads.
+#include <algorithm>
+#include <atomic>
+#include <memory>
+
+#include "base/guard.h"
+#include "base/parallel_for.h"
+#include "glint/render.h"
+#include "trace/kernels.h"
+
+namespace glint {
+namespace {
+
+const Kernels* find_kernels(std::string_view isa) {
+    for (const Kernels& k : available_kernels()) {
+        if (isa.empty() || isa == k.isa) return &k;
+    }
+    return nullptr;
+}
+
+std::string known_isas() {
+    std::string list;
+    for (const Kernels& k : available_kernels()) list += (list.empty() ? "" : ", ") + std::string(k.isa);
+    return list;
+}
+
+// Why a crop cannot be had, or nothing.
+std::string crop_error(const Crop& c, const RenderSettings& settings) {
+    if (c.width < 1 || c.height < 1 || c.x < 0 || c.y < 0 || c.x > settings.width - c.width ||
+        c.y > settings.height - c.height) {
+        return "the crop is not within the picture";
+    }
+    return {};
+}
+
+TileScratch& thread_scratch() {
+    thread_local const auto scratch = std::make_unique<TileScratch>();
+    return *scratch;
+}
+
+struct AtomicCounts {
+    std::atomic<std::uint64_t> camera{0}, shadow{0}, mirror{0}, transmitted{0};
+    void add(const RayCounts& counts) {
+        camera += counts.camera;
+        shadow += counts.shadow;
+        mirror += counts.mirror;
+        transmitted += counts.transmitted;
+    }
+    RayCounts get() const { return {camera, shadow, mirror, transmitted}; }
+};
+
+void render_into(const World& world, const RenderOptions& options, const Kernels& kernels, const Crop& crop,
+                 RenderResult& result) {
+    Image image;
+    image.width = crop.width;
+    image.height = crop.height;
+    image.rgb.resize(3 * static_cast<std::size_t>(crop.width) * static_cast<std::size_t>(crop.height));
+
+    const int across = (crop.width + k_tile_side - 1) / k_tile_side, down = (crop.height + k_tile_side - 1) / k_tile_side;
+    const auto tiles = static_cast<std::size_t>(across) * static_cast<std::size_t>(down);
+    AtomicCounts rays;
+    std::atomic<std::size_t> done{0};
+    const auto cancelled = [&] { return options.cancel != nullptr && options.cancel->load(std::memory_order_relaxed); };
+    parallel_for(tiles, result.threads, [&](std::size_t tile) {
+        if (cancelled()) return;
+        const int column = static_cast<int>(tile % static_cast<std::size_t>(across)) * k_tile_side;
+        const int row = static_cast<int>(tile / static_cast<std::size_t>(across)) * k_tile_side;
+        TileJob job;
+        job.x = crop.x + column;
+        job.y = crop.y + row;
+        job.width = std::min(k_tile_side, crop.width - column);
+        job.height = std::min(k_tile_side, crop.height - row);
+        job.rgb = image.rgb.data() + 3 * (static_cast<std::size_t>(row) * static_cast<std::size_t>(crop.width) +
+                                          static_cast<std::size_t>(column));
+        job.row_pixels = crop.width;
+        TileScratch& scratch = thread_scratch();
+        scratch.counts = {};
+        kernels.render_tile(world, job, scratch);
+        rays.add(scratch.counts);
+        const std::size_t now = ++done;
+        if (options.progress) options.progress(static_cast<double>(now) / static_cast<double>(tiles));
+    });
+    result.rays = rays.get();
+    if (done < tiles) {
+        result.cancelled = true;
+    } else {
+        result.image = std::move(image);
+    }
+}
+
+}  // namespace
+
+RenderResult render(const World& world, const RenderOptions& options) {
+    RenderResult result;
+    const Kernels* kernels = find_kernels(options.isa);
+    if (kernels == nullptr) {
+        result.error = "this machine has no instruction set '" + options.isa + "'; it has " + known_isas();
+        return result;
+    }
+    const Crop crop = options.crop.value_or(Crop{world.settings.width, world.settings.height, 0, 0});
+    result.error = crop_error(crop, world.settings);
+    if (!result.error.empty()) return result;
+    result.isa = kernels->isa;
+    result.threads = thread_count(options.threads);
+    result.error = guard([&] { render_into(world, options, *kernels, crop, result); });
+    if (!result.error.empty()) result.image.reset();
+    return result;
+}
+
+std::vector<std::string> isa_names() {
+    std::vector<std::string> names;
+    for (const Kernels& k : available_kernels()) names.emplace_back(k.isa);
+    return names;
+}
+
+}  // namespace glint
