@@ -220,7 +220,7 @@ GLINT_INLINE T sin_of(ReducedAngle<T> a) {
     const T s = sin_in_quadrant(a.hi, a.lo).hi;
     const T c = cos_in_quadrant(a.hi, a.lo).hi;
     const T size = select(abs(a.quadrant) == 1.0, c, s);
-    return select((a.quadrant < 0.0) | (a.quadrant == 2.0), -size, size);
+    return select((a.quadrant < 0.0) || (a.quadrant == 2.0), -size, size);
 }
 
 template <class T>
@@ -228,7 +228,7 @@ GLINT_INLINE T cos_of(ReducedAngle<T> a) {
     const T s = sin_in_quadrant(a.hi, a.lo).hi;
     const T c = cos_in_quadrant(a.hi, a.lo).hi;
     const T size = select(abs(a.quadrant) == 1.0, s, c);
-    return select((a.quadrant > 0.0) | (a.quadrant == -2.0), -size, size);
+    return select((a.quadrant > 0.0) || (a.quadrant == -2.0), -size, size);
 }
 
 template <class T>
