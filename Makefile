@@ -1,0 +1,38 @@
+# The short way in: make demo, make test. CMakePresets.json has every configuration.
+PREFIX ?= /usr/local
+glint = build/release/glint
+
+.PHONY: help demo test build install tidy format clean
+
+help:
+	@echo 'make demo     installs what is missing, builds glint and draws castle.png'
+	@echo 'make test     installs what is missing, builds everything and runs every test'
+	@echo 'make build    builds $(glint)'
+	@echo 'make install  installs the command and the library (PREFIX=$(PREFIX), DESTDIR=$(DESTDIR))'
+	@echo 'make tidy     runs clang-tidy; make format: clang-format'
+	@echo 'make clean    removes build/'
+
+demo: build
+	@tools/demo
+
+test:
+	@tools/install-dependencies tests
+	@tools/run-tests
+
+build:
+	@tools/install-dependencies command
+	@[ -e build/release/build.ninja ] || cmake --preset release -DGLINT_TESTS=OFF >/dev/null
+	@cmake --build --preset release --target glint_command
+
+install: build
+	@cmake --build --preset release
+	@DESTDIR='$(DESTDIR)' cmake --install build/release --prefix '$(PREFIX)'
+
+tidy:
+	@tools/run-tidy
+
+format:
+	@git ls-files '*.cpp' '*.h' | xargs clang-format-14 -i
+
+clean:
+	rm -rf build

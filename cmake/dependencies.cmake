@@ -1,0 +1,23 @@
+# The libraries that glint uses (NOTICE says what for), as the same targets natively and for the browser.
+if(NOT GLINT_BROWSER)
+  find_package(Threads REQUIRED)
+  find_package(hwy REQUIRED)
+  find_package(TBB REQUIRED)
+  find_package(fmt REQUIRED)
+  return()
+endif()
+
+# For the browser: the header-only parts of the host's packages, and those alone, from a folder of their own.
+set(headers ${PROJECT_BINARY_DIR}/include)
+file(MAKE_DIRECTORY ${headers})
+foreach(library hwy fmt fast_float nlohmann)
+  if(NOT EXISTS /usr/include/${library})
+    message(FATAL_ERROR "/usr/include/${library} is missing: run tools/install-dependencies test")
+  endif()
+  file(CREATE_LINK /usr/include/${library} ${headers}/${library} SYMBOLIC)
+endforeach()
+foreach(target hwy::hwy fmt::fmt)
+  add_library(${target} INTERFACE IMPORTED)
+  target_include_directories(${target} SYSTEM INTERFACE ${headers})
+endforeach()
+target_compile_definitions(fmt::fmt INTERFACE FMT_HEADER_ONLY)

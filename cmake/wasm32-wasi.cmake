@@ -1,0 +1,20 @@
+# The browser build: Debian's clang 14 for wasm32-wasi (lld-14, wasi-libc, libc++-14-dev-wasm32, libc++abi-14-dev-wasm32,
+# libclang-rt-14-dev-wasm32).
+set(CMAKE_SYSTEM_NAME Generic)
+set(CMAKE_SYSTEM_PROCESSOR wasm32)
+set(CMAKE_CXX_COMPILER clang++-14)
+set(CMAKE_CXX_COMPILER_TARGET wasm32-wasi)
+set(CMAKE_AR llvm-ar-14)
+set(CMAKE_RANLIB llvm-ranlib-14)
+set(CMAKE_TRY_COMPILE_TARGET_TYPE STATIC_LIBRARY)
+set(CMAKE_EXECUTABLE_SUFFIX .wasm)
+
+# clang's own list of folders ends with the host's /usr/include, where a header that wasi-libc lacks would be taken from
+# glibc. So the folders are named here, in clang's order: libc++, the compiler's own, wasi-libc.
+set(CMAKE_CXX_FLAGS_INIT "-nostdlibinc -isystem /usr/include/wasm32-wasi/c++/v1 -idirafter /usr/include/wasm32-wasi \
+-msimd128 -fno-exceptions")
+# A reactor: no main, the host calls what is exported. The stack is 1 MiB, below the data, so that running over its end
+# is a trap and not other data overwritten.
+set(CMAKE_EXE_LINKER_FLAGS_INIT "-mexec-model=reactor -Wl,--stack-first -Wl,-z,stack-size=1048576")
+
+set(CMAKE_FIND_ROOT_PATH_MODE_PROGRAM NEVER)

@@ -1,0 +1,128 @@
+#include "includes/rules.h"
+
+#include <algorithm>
+#include <array>
+#include <regex>
+
+namespace glint::includes {
+namespace {
+
+using Names = std::set<std::string_view>;
+
+Names all_but(const Names& removed) {
+    Names names;
+    for (const std::string_view name : {"base", "math", "simd", "scene", "formats", "geometry", "lighting",
+                                        "bvh", "world", "trace", "inspect", "image", "cli", "wasm"}) {
+        if (!removed.contains(name)) names.insert(name);
+    }
+    return names;
+}
+
+// Headers of the standard library that libc++ 14 for wasm32-wasi lacks, or that need a system below.
+const Names k_not_in_browser = {"thread", "mutex",   "shared_mutex", "condition_variable",
+                                "future", "fstream", "filesystem",   "source_location",
+                                "ranges", "format"};
+// The library never prints.
+const Names k_printing = {"iostream", "print"};
+
+bool starts_with_any(std::string_view name, const Names& prefixes) {
+    return std::any_of(prefixes.begin(), prefixes.end(),
+                       [&](std::string_view p) { return name.starts_with(p); });
+}
+
+// <vector> or <cstdint>: one word without a dot or a slash.
+bool is_standard(std::string_view name) {
+    return std::all_of(name.begin(), name.end(), [](char c) { return (c >= 'a' && c <= 'z') || c == '_'; });
+}
+
+std::string quoted(std::string_view name) {
+    return "<" + std::string(name) + ">";
+}
+
+std::optional<std::string> check_public(const Include& include) {
+    if (include.name.starts_with("glint/")) return std::nullopt;
+    if (!include.quoted && is_standard(include.name)) return std::nullopt;
+    return "a public header includes only the standard library and glint/, not " + quoted(include.name);
+}
+
+std::optional<std::string> check_library(std::string_view path, const Room& room, const Include& include) {
+    const std::string_view name = include.name;
+    const bool is_face = room.name == "cli" || room.name == "wasm";
+    if (is_standard(name)) {
+        if (room.in_browser && k_not_in_browser.contains(name))
+            return quoted(name) + " does not exist in the browser build";
+        if (!is_face && k_printing.contains(name))
+            return "the library never prints, but includes " + quoted(name);
+        return std::nullopt;
+    }
+    // The one file that puts the kernels of every instruction set together.
+    if (path == "src/trace/kernels.cpp" && name == "hwy/foreach_target.h") return std::nullopt;
+    if (starts_with_any(name, room.libraries)) return std::nullopt;
+    return std::string(room.name) + " may not include " + quoted(name);
+}
+
+}  // namespace
+
+const std::vector<Room>& rooms() {
+    static const std::vector<Room> list = {
+        {"base", {}, {"oneapi/tbb/", "fmt/", "immintrin.h"}},
+        {"math", {"base"}, {}},
+        {"simd", {"base", "math"}, {"hwy/"}},
+        {"geometry", {"base", "math", "simd"}, {}},
+        {"lighting", {"base", "math", "simd"}, {}},
+        {"bvh", {"base", "math", "simd"}, {}},
+        {"scene", {"base", "math"}, {"fmt/", "fast_float/"}},
+        {"formats", {"base", "math", "scene"}, {"fmt/", "fast_float/"}},
+        {"world", all_but({"trace", "inspect", "image", "cli", "wasm"}), {"fmt/"}},
+        {"trace", all_but({"inspect", "image", "cli", "wasm"}), {"fmt/"}},
+        {"inspect", all_but({"image", "cli", "wasm"}), {"fmt/", "nlohmann/"}},
+        {"image", {"base", "math"}, {"fmt/", "zlib.h", "OpenEXR/", "Imath/"}, false},
+        {"cli",
+         all_but({"wasm"}),
+         {"fmt/", "nlohmann/", "CLI/", "sys/", "unistd.h", "fcntl.h", "csignal", "signal.h", "termios.h"},
+         false},
+        {"wasm", all_but({"cli"}), {"fmt/", "nlohmann/"}},
+    };
+    return list;
+}
+
+std::vector<Include> find_includes(std::string_view text) {
+    std::vector<Include> found;
+    int line = 0;
+    while (!text.empty()) {
+        ++line;
+        const std::size_t end = std::min(text.find('\n'), text.size());
+        const std::string row(text.substr(0, end));
+        text.remove_prefix(std::min(end + 1, text.size()));
+        static const std::regex pattern(R"(^\s*#\s*include\s*([<"])([^">]+)[">])");
+        std::smatch match;
+        if (std::regex_search(row, match, pattern)) found.push_back({line, match[2], match[1] == "\""});
+    }
+    return found;
+}
+
+std::optional<std::string> check_include(std::string_view path, const Include& include) {
+    if (path.starts_with("include/")) return check_public(include);
+    const std::string_view inside = path.substr(std::string_view("src/").size());
+    const std::string_view room_name = inside.substr(0, inside.find('/'));
+    const auto room =
+        std::find_if(rooms().begin(), rooms().end(), [&](const Room& r) { return r.name == room_name; });
+    if (room == rooms().end())
+        return "no room is called " + std::string(room_name) + ": give it a line in tests/includes/rules.cpp";
+    if (!include.quoted) return check_library(path, *room, include);
+    const std::string_view target = std::string_view(include.name).substr(0, include.name.find('/'));
+    if (target == "glint" || target == room_name || room->sees.contains(target)) return std::nullopt;
+    return std::string(room_name) + " may not see \"" + include.name + "\"";
+}
+
+std::vector<std::string> find_libm_calls(std::string_view text) {
+    static const std::regex pattern(
+        R"(\bstd::(a?(?:sin|cos|tan)h?|atan2|exp|exp2|expm1|log|log2|log10|log1p|pow|cbrt|hypot|fmod|remainder|fma|lerp)f?\s*\()");
+    std::vector<std::string> found;
+    const std::string copy(text);
+    for (std::sregex_iterator i(copy.begin(), copy.end(), pattern), end; i != end; ++i)
+        found.push_back((*i)[1]);
+    return found;
+}
+
+}  // namespace glint::includes

@@ -1,0 +1,38 @@
+#pragma once
+// Which room may include what: the arrows of docs/architecture.md, as data.
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace glint::includes {
+
+struct Room {
+    std::string_view name;
+    std::set<std::string_view> sees;       ///< other rooms of src/
+    std::set<std::string_view> libraries;  ///< what a third-party or system include may begin with
+    bool in_browser = true;                ///< compiled for WebAssembly too
+};
+
+/// The rooms of src/.
+const std::vector<Room>& rooms();
+
+/// One #include of a file, as written.
+struct Include {
+    int line = 0;
+    std::string name;
+    bool quoted = false;
+};
+
+/// The #include lines of a text.
+std::vector<Include> find_includes(std::string_view text);
+
+/// What is wrong with an include of the file at `path` (relative to the project: "src/bvh/build.cpp"), or
+/// nothing.
+std::optional<std::string> check_include(std::string_view path, const Include& include);
+
+/// The functions of libm that a text calls, by name: their bits differ between machines.
+std::vector<std::string> find_libm_calls(std::string_view text);
+
+}  // namespace glint::includes
