@@ -1,9 +1,11 @@
 #include "base/parallel_for.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "base/fp_environment.h"
 #if !defined(__wasm__)
+#include <oneapi/tbb/global_control.h>
 #include <oneapi/tbb/info.h>
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/parallel_invoke.h>
@@ -29,6 +31,24 @@ void run_with_threads(int, const std::function<void()>& body) { body(); }
 
 #else
 
+namespace {
+
+// More threads than processors: oneTBB would give fewer and print a warning.
+class AllowThreads {
+  public:
+    explicit AllowThreads(int threads) {
+        using oneapi::tbb::global_control;
+        if (threads > oneapi::tbb::info::default_concurrency()) {
+            control_.emplace(global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
+        }
+    }
+
+  private:
+    std::optional<oneapi::tbb::global_control> control_;
+};
+
+}  // namespace
+
 int thread_count(int requested) {
     return requested > 0 ? std::min(requested, 1024) : std::max(1, oneapi::tbb::info::default_concurrency());
 }
@@ -40,6 +60,7 @@ void parallel_for(std::size_t count, int threads, const std::function<void(std::
         for (std::size_t i = 0; i < count; ++i) body(i);
         return;
     }
+    const AllowThreads allow(n);
     oneapi::tbb::task_arena arena(n);
     arena.execute([&] {
         oneapi::tbb::parallel_for(
@@ -65,6 +86,7 @@ void parallel_invoke(const std::function<void()>& a, const std::function<void()>
 }
 
 void run_with_threads(int threads, const std::function<void()>& body) {
+    const AllowThreads allow(thread_count(threads));
     oneapi::tbb::task_arena arena(thread_count(threads));
     arena.execute([&] {
         const DefaultFpEnvironment environment;

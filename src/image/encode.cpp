@@ -1,0 +1,100 @@
+// Choosing the encoder, and the whole numbers that a file holds.
+#include <cmath>
+#include <cstddef>
+#include <utility>
+
+#include "base/guard.h"
+#include "glint/image.h"
+#include "image/encoders.h"
+#include "image/quantize.h"
+
+namespace glint {
+namespace {
+
+// The cube root of x in [0.003, 1] by Newton's method from above: + * / only, so the same bits everywhere.
+double cube_root(double x) {
+    double y = 1;
+    for (int i = 0; i < 10; ++i) y = (2 * y + x / (y * y)) / 3;
+    return y;
+}
+
+// What no encoder could write, or an empty string.
+std::string fault(const Image& image, const EncodeOptions& options) {
+    if (image.width < 1 || image.height < 1 || image.width > k_max_size || image.height > k_max_size) {
+        return "a picture has 1 to " + std::to_string(k_max_size) + " pixels a side";
+    }
+    if (image.rgb.size() != std::size_t{3} * image.width * image.height) {
+        return "the picture's numbers do not fit its size";
+    }
+    if (options.bits != 8 && options.bits != 16) return "a channel has 8 or 16 bits";
+    return {};
+}
+
+}  // namespace
+
+double srgb_encode(double linear) {
+    if (!(linear > 0)) return 0;
+    if (linear >= 1) return 1;
+    if (linear <= 0.0031308) return 12.92 * linear;
+    const double twelfth = std::sqrt(std::sqrt(cube_root(linear)));
+    const double squared = twelfth * twelfth;
+    return 1.055 * (squared * squared * twelfth) - 0.055;  // linear^(1/2.4) = linear^(5/12)
+}
+
+std::uint8_t to_byte(float value, Transfer transfer) {
+    std::uint8_t byte = 0;
+    quantize_row(&value, 1, 8, transfer, &byte);
+    return byte;
+}
+
+void quantize_row(const float* values, std::size_t count, int bits, Transfer transfer, std::uint8_t* out) {
+    const auto each = [=](auto curve) {
+        if (bits == 8) {
+            for (std::size_t i = 0; i < count; ++i) {
+                out[i] = static_cast<std::uint8_t>(quantize(curve(static_cast<double>(values[i])), 255));
+            }
+            return;
+        }
+        for (std::size_t i = 0; i < count; ++i) {
+            const std::uint32_t word = quantize(curve(static_cast<double>(values[i])), 65535);
+            out[2 * i] = static_cast<std::uint8_t>(word >> 8);
+            out[2 * i + 1] = static_cast<std::uint8_t>(word);
+        }
+    };
+    if (transfer == Transfer::srgb) {
+        each(srgb_encode);
+    } else {
+        each([](double value) { return value; });
+    }
+}
+
+EncodeResult encode(const Image& image, const EncodeOptions& options) {
+    EncodeResult result;
+    std::string error = guard([&] {
+        result.error = fault(image, options);
+        if (!result.error.empty()) return;
+        switch (options.format) {
+            case FileFormat::png:
+#if defined(GLINT_WITH_PNG)
+                result = encode_png(image, options);
+#else
+                result.error = "this build writes no PNG";
+#endif
+                break;
+            case FileFormat::ppm:
+                result = encode_ppm(image, options);
+                break;
+            case FileFormat::exr:
+#if defined(GLINT_WITH_EXR)
+                result = encode_exr(image);
+#else
+                result.error = "this build writes no OpenEXR";
+#endif
+                break;
+        }
+    });
+    if (!error.empty()) result = {{}, std::move(error)};
+    return result;
+}
+
+}  // namespace glint

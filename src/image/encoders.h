@@ -1,0 +1,13 @@
+#pragma once
+// One function a file format, for a picture and options that encode() has checked. They throw bad_alloc, and
+// what their libraries throw; encode() guards them.
+#include "glint/conventions.h"
+#include "glint/image.h"
+
+namespace glint {
+
+EncodeResult encode_png(const Image& image, const EncodeOptions& options);
+EncodeResult encode_ppm(const Image& image, const EncodeOptions& options);
+EncodeResult encode_exr(const Image& image);
+
+}  // namespace glint

@@ -1,0 +1,71 @@
+// OpenEXR: the floats come back as they were, whatever they are.
+#include <ImfChannelList.h>
+#include <ImfFrameBuffer.h>
+#include <ImfHeader.h>
+#include <ImfIO.h>
+#include <ImfInputFile.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstring>
+
+#include "image/pictures.h"
+
+namespace glint {
+namespace {
+
+class MemoryInput : public Imf::IStream {
+  public:
+    explicit MemoryInput(const std::vector<std::uint8_t>& bytes) : Imf::IStream("memory"), bytes_(bytes) {}
+    bool read(char out[], int count) override {
+        if (position_ + static_cast<std::size_t>(count) > bytes_.size())
+            throw std::runtime_error("end of file");
+        std::memcpy(out, bytes_.data() + position_, static_cast<std::size_t>(count));
+        position_ += static_cast<std::size_t>(count);
+        return position_ < bytes_.size();
+    }
+    uint64_t tellg() override { return position_; }
+    void seekg(uint64_t position) override { position_ = position; }
+
+  private:
+    const std::vector<std::uint8_t>& bytes_;
+    std::size_t position_ = 0;
+};
+
+TEST(Exr, ReadsBackEqual) {
+    for (const auto& [width, height] :
+         {std::pair{1, 1}, std::pair{1, 100}, std::pair{33, 77}, std::pair{300, 20}}) {
+        Image image = test::make_picture(width, height);
+        image.rgb[0] = 1e30f;
+        image.rgb[1] = -1e-40f;
+        const EncodeResult encoded = encode(image, {FileFormat::exr});
+        ASSERT_EQ(encoded.error, "");
+        MemoryInput stream(encoded.bytes);
+        Imf::InputFile file(stream, 0);
+        std::vector<float> read(image.rgb.size());
+        Imf::FrameBuffer channels;
+        const char* names[] = {"R", "G", "B"};
+        for (int c = 0; c < 3; ++c) {
+            ASSERT_NE(file.header().channels().findChannel(names[c]), nullptr);
+            EXPECT_EQ(file.header().channels()[names[c]].type, Imf::FLOAT);
+            channels.insert(names[c], Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(&read[c]), 12,
+                                                 12 * static_cast<std::size_t>(width)));
+        }
+        const auto window = file.header().dataWindow();
+        ASSERT_EQ(window.max.x - window.min.x + 1, width);
+        ASSERT_EQ(window.max.y - window.min.y + 1, height);
+        file.setFrameBuffer(channels);
+        file.readPixels(window.min.y, window.max.y);
+        EXPECT_EQ(std::memcmp(read.data(), image.rgb.data(), read.size() * sizeof(float)), 0);
+    }
+}
+
+TEST(Exr, HasTheSameBytesForAnyThreads) {
+    const Image image = test::make_picture(100, 100);
+    const auto one = encode(image, {FileFormat::exr, 8, Transfer::none, 1}).bytes;
+    EXPECT_EQ(one, encode(image, {FileFormat::exr, 8, Transfer::none, 7}).bytes);
+    EXPECT_EQ(one, encode(image, {FileFormat::exr, 16, Transfer::srgb, 2}).bytes) << "always linear floats";
+}
+
+}  // namespace
+}  // namespace glint
