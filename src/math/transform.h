@@ -1,0 +1,40 @@
+#pragma once
+// Affine maps and vectors, in double, by + - * / and sqrt alone.
+#include <optional>
+
+#include "glint/vec.h"
+#include "math/number.h"
+
+namespace glint {
+
+inline double length(Vec3 v) { return number::sqrt(dot(v, v)); }
+
+/// v / |v|; v is not 0.
+inline Vec3 normalize(Vec3 v) { return v / length(v); }
+
+/// p -> M p + t.
+Vec3 transform_point(const Affine& map, Vec3 p);
+
+/// v -> M v.
+Vec3 transform_vector(const Affine& map, Vec3 v);
+
+/// A normal under world_from_object, given object_from_world: its transpose. Not unit.
+Vec3 transform_normal(const Affine& object_from_world, Vec3 n);
+
+/// c_from_a = compose(c_from_b, b_from_a).
+Affine compose(const Affine& outer, const Affine& inner);
+
+double determinant(const Affine& map);
+
+/// Nothing if the map is singular: its determinant is 0 or not finite, or its inverse is not finite.
+std::optional<Affine> inverse(const Affine& map);
+
+Affine translation(Vec3 by);
+Affine scaling(Vec3 by);
+
+/// Rotations by the right-hand rule about an axis through the origin, in degrees; exact at multiples of 90.
+Affine rotation_x(double degrees);
+Affine rotation_y(double degrees);
+Affine rotation_z(double degrees);
+
+}  // namespace glint
