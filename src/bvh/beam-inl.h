@@ -71,7 +71,7 @@ inline void make_beam(const RaySpan& rays, int first, int count, Beam& beam) {
         for (int i = 0; i < count; ++i) {
             // A direction of 0 along an axis becomes tiny: the slab then covers all t, or none.
             double d = directions[a][i];
-            if (number::abs(d) < 1e-20) d = d < 0 ? -1e-20 : 1e-20;
+            if (number::abs(d) < 1e-30) d = d < 0 ? -1e-30 : 1e-30;
             const bool ahead = d > 0;
             forward += ahead;
             beam.origin[a][i] = static_cast<float>(origins[a][i]);

@@ -1,10 +1,9 @@
 #pragma once
 // Axis-aligned boxes in single precision that contain what they were made from in double.
-#include <bit>
-#include <cstdint>
 #include <limits>
 
 #include "glint/vec.h"
+#include "math/number.h"
 
 namespace glint {
 
@@ -30,18 +29,17 @@ struct Box {
     }
 };
 
-/// A float below x by one to two units in the last place: padding for what a double formula's rounding may move.
-inline float padded_below(double x) {
-    const float f = static_cast<float>(x);
-    return f - ((f < 0 ? -f : f) * 0x1p-23f + 1e-35f);
-}
-inline float padded_above(double x) { return -padded_below(-x); }
-
-/// The padded box of a box given in double.
+/// The box in single precision of a box in double, padded by what rounding may move a shape's surface: a formula's error is
+/// relative to the magnitudes it computes with, so both sides are padded by the larger one's.
 inline Box padded_box(Vec3 lo, Vec3 hi) {
+    const double low[3] = {lo.x, lo.y, lo.z}, high[3] = {hi.x, hi.y, hi.z};
     Box box;
-    box.lo[0] = padded_below(lo.x), box.lo[1] = padded_below(lo.y), box.lo[2] = padded_below(lo.z);
-    box.hi[0] = padded_above(hi.x), box.hi[1] = padded_above(hi.y), box.hi[2] = padded_above(hi.z);
+    for (int a = 0; a < 3; ++a) {
+        const double magnitude = number::max(number::abs(low[a]), number::abs(high[a]));
+        const double pad = magnitude * 0x1p-23 + 1e-30;  // two to four units in the last place of a float
+        box.lo[a] = static_cast<float>(low[a] - pad);
+        box.hi[a] = static_cast<float>(high[a] + pad);
+    }
     return box;
 }
 
