@@ -8,6 +8,7 @@
 
 #include "geometry/ray-inl.h"
 #include "glint/shapes.h"
+#include "math/transform.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace glint {
@@ -20,8 +21,8 @@ struct CylinderGeometry {
 
     static void pack(const Cylinder& c, double* p) {
         const Vec3 axis = c.to - c.from;
-        const double height = number::sqrt(glint::dot(axis, axis));
-        const Vec3 a = axis / height;
+        const double height = glint::length(axis);
+        const Vec3 a = glint::normalize(axis);
         p[0] = c.from.x, p[1] = c.from.y, p[2] = c.from.z;
         p[3] = a.x, p[4] = a.y, p[5] = a.z;
         p[6] = height, p[7] = c.radius, p[8] = c.caps ? 1 : 0;

@@ -8,6 +8,7 @@
 
 #include "geometry/ray-inl.h"
 #include "glint/shapes.h"
+#include "math/transform.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace glint {
@@ -19,7 +20,7 @@ struct PlaneGeometry {
     static constexpr bool k_filtered = false;
 
     static void pack(const Plane& plane, double* p) {
-        const Vec3 n = plane.normal / number::sqrt(glint::dot(plane.normal, plane.normal));
+        const Vec3 n = glint::normalize(plane.normal);
         p[0] = plane.point.x, p[1] = plane.point.y, p[2] = plane.point.z;
         p[3] = n.x, p[4] = n.y, p[5] = n.z;
     }

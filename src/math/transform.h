@@ -7,10 +7,19 @@
 
 namespace glint {
 
-inline double length(Vec3 v) { return number::sqrt(dot(v, v)); }
+/// |v|, of any finite v: squares of very small or large components neither vanish nor overflow.
+inline double length(Vec3 v) {
+    const double largest = number::max(number::max(number::abs(v.x), number::abs(v.y)), number::abs(v.z));
+    if (!(largest > 0)) return 0;
+    v = v / largest;
+    return number::sqrt(dot(v, v)) * largest;
+}
 
 /// v / |v|; v is not 0.
-inline Vec3 normalize(Vec3 v) { return v / length(v); }
+inline Vec3 normalize(Vec3 v) {
+    v = v / number::max(number::max(number::abs(v.x), number::abs(v.y)), number::abs(v.z));
+    return v / number::sqrt(dot(v, v));
+}
 
 /// p -> M p + t.
 Vec3 transform_point(const Affine& map, Vec3 p);
