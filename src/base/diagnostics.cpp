@@ -4,10 +4,13 @@
 
 #include <algorithm>
 
+#include "base/text.h"
+
 namespace glint {
 namespace {
 
 constexpr std::size_t k_max_shown = 160;  // bytes of a source line that a message shows
+constexpr std::uint32_t k_max_warnings = 100;
 
 }  // namespace
 
@@ -34,11 +37,19 @@ Diagnostic make_diagnostic(Severity severity, TextPlace where, std::size_t offse
     d.file = std::string(where.name);
     d.line = line;
     d.column = column;
-    d.length = static_cast<std::uint32_t>(std::clamp<std::size_t>(length, 1, std::max<std::size_t>(1, shown_end - offset)));
+    d.length = static_cast<std::uint32_t>(
+        std::clamp<std::size_t>(length, 1, std::max<std::size_t>(1, shown_end - offset)));
     d.message = std::move(message);
-    for (const char c : where.text.substr(shown, shown_end - shown)) {
-        // Control characters would move the caret, or the reader's terminal.
-        d.source_line += static_cast<unsigned char>(c) < 0x20 || c == 0x7f ? ' ' : c;
+    for (auto rest = where.text.substr(shown, shown_end - shown); !rest.empty();) {
+        // Control characters would move the caret, or the reader's terminal; what is not UTF-8 would break
+        // JSON.
+        const std::size_t n = utf8_length(rest);
+        const auto c = static_cast<unsigned char>(rest.front());
+        const bool control =
+            c < 0x20 || c == 0x7f || (n == 2 && c == 0xc2 && static_cast<unsigned char>(rest[1]) < 0xa0);
+        const std::size_t taken = n == 0 ? 1 : n;
+        d.source_line += control ? std::string(taken, ' ') : n == 0 ? "?" : std::string(rest.substr(0, n));
+        rest.remove_prefix(taken);
     }
     d.caret = static_cast<std::uint32_t>(offset - shown);
     return d;
@@ -48,8 +59,10 @@ void Diagnostics::add(Diagnostic diagnostic) {
     if (diagnostic.severity == Severity::error) {
         if (full()) return;
         ++errors_;
-    } else if (++warnings_ > 100) {
+    } else if (warnings_ == k_max_warnings) {
         return;
+    } else {
+        ++warnings_;
     }
     list_.push_back(std::move(diagnostic));
 }
@@ -59,12 +72,18 @@ void Diagnostics::error(TextPlace where, std::size_t offset, std::size_t length,
 }
 
 void Diagnostics::warn(TextPlace where, std::size_t offset, std::size_t length, std::string message) {
-    if (warnings_ < 100) add(make_diagnostic(Severity::warning, where, offset, length, std::move(message)));
+    if (warnings_ < k_max_warnings)
+        add(make_diagnostic(Severity::warning, where, offset, length, std::move(message)));
+}
+
+bool Diagnostics::warned(std::string_view key) const {
+    // Once the list is full, the keys must stop growing with the text too.
+    return warnings_ == k_max_warnings || std::find(once_.begin(), once_.end(), key) != once_.end();
 }
 
 void Diagnostics::warn_once(std::string_view key, TextPlace where, std::size_t offset, std::size_t length,
                             std::string message) {
-    if (std::find(once_.begin(), once_.end(), key) != once_.end()) return;
+    if (warned(key)) return;
     once_.emplace_back(key);
     warn(where, offset, length, std::move(message));
 }

@@ -21,21 +21,27 @@ struct TextPlace {
     std::string_view text;
 };
 
-/// The diagnostic for bytes [offset, offset + length) of a text, with its source line, shortened around the place.
+/// The diagnostic for bytes [offset, offset + length) of a text, with its source line, shortened around the
+/// place.
 Diagnostic make_diagnostic(Severity severity, TextPlace where, std::size_t offset, std::size_t length,
                            std::string message);
 
-/// A list of diagnostics that stops growing. Warnings that `warn_once` gives with the same key appear once.
+/// A list of diagnostics that stops growing: at most max_errors errors and 100 warnings. Warnings that
+/// `warn_once` gives with the same key appear once.
 class Diagnostics {
   public:
     explicit Diagnostics(std::uint32_t max_errors = 20) : max_errors_(max_errors) {}
     void add(Diagnostic diagnostic);
     void error(TextPlace where, std::size_t offset, std::size_t length, std::string message);
     void warn(TextPlace where, std::size_t offset, std::size_t length, std::string message);
-    void warn_once(std::string_view key, TextPlace where, std::size_t offset, std::size_t length, std::string message);
+    void warn_once(std::string_view key, TextPlace where, std::size_t offset, std::size_t length,
+                   std::string message);
+    /// True if warn_once with this key would add nothing.
+    bool warned(std::string_view key) const;
     /// True when reading should stop: as many errors as anyone reads.
     bool full() const { return errors_ >= max_errors_; }
     bool any_errors() const { return errors_ != 0; }
+    std::uint32_t error_count() const { return errors_; }
     std::vector<Diagnostic> take() { return std::move(list_); }
     const std::vector<Diagnostic>& list() const { return list_; }
 

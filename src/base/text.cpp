@@ -1,0 +1,97 @@
+#include "base/text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+namespace glint {
+namespace {
+
+constexpr std::size_t k_max_quoted = 40;  // bytes
+constexpr std::size_t k_max_word = 32;    // a longer word is no misspelling of ours
+constexpr std::size_t k_max_candidates = 1000;
+
+// Optimal string alignment distance: insertions, deletions, changes, swaps of neighbours.
+std::size_t distance(std::string_view a, std::string_view b) {
+    using Row = std::array<std::size_t, k_max_word + 1>;
+    Row before{}, above{}, row{};
+    for (std::size_t j = 0; j <= b.size(); ++j) above[j] = j;
+    for (std::size_t i = 1; i <= a.size(); ++i) {
+        row[0] = i;
+        for (std::size_t j = 1; j <= b.size(); ++j) {
+            const std::size_t change = above[j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1);
+            row[j] = std::min({above[j] + 1, row[j - 1] + 1, change});
+            if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1]) {
+                row[j] = std::min(row[j], before[j - 2] + 1);
+            }
+        }
+        before = above;
+        above = row;
+    }
+    return above[b.size()];
+}
+
+bool is_continuation(char c) { return (static_cast<unsigned char>(c) & 0xc0) == 0x80; }
+
+}  // namespace
+
+std::size_t utf8_length(std::string_view text) {
+    if (text.empty()) return 0;
+    const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
+    const unsigned char c = byte(0);
+    if (c < 0x80) return 1;
+    const std::size_t length = c >= 0xc2 && c <= 0xdf   ? 2
+                               : (c & 0xf0) == 0xe0     ? 3
+                               : c >= 0xf0 && c <= 0xf4 ? 4
+                                                        : 0;
+    if (length == 0 || text.size() < length) return 0;
+    for (std::size_t i = 1; i < length; ++i) {
+        if (!is_continuation(text[i])) return 0;
+    }
+    // Overlong forms, surrogates, and what is above U+10FFFF.
+    if ((c == 0xe0 && byte(1) < 0xa0) || (c == 0xed && byte(1) > 0x9f)) return 0;
+    if ((c == 0xf0 && byte(1) < 0x90) || (c == 0xf4 && byte(1) > 0x8f)) return 0;
+    return length;
+}
+
+std::string quoted(std::string_view text) {
+    std::string out = "'";
+    while (!text.empty() && out.size() <= k_max_quoted) {
+        const std::size_t n = utf8_length(text);
+        const auto c = static_cast<unsigned char>(text.front());
+        // U+0080 to U+009F are control characters too.
+        const bool control =
+            c < 0x20 || c == 0x7f || (n == 2 && c == 0xc2 && static_cast<unsigned char>(text[1]) < 0xa0);
+        if (n == 0 || control) {
+            out += fmt::format("\\x{:02x}", c);
+            text.remove_prefix(1);
+        } else {
+            out += text.substr(0, n);
+            text.remove_prefix(n);
+        }
+    }
+    return out + (text.empty() ? "'" : "...'");
+}
+
+std::string_view nearest_word(std::string_view word, std::span<const std::string_view> candidates) {
+    std::string_view best;
+    std::size_t best_distance = word.size() / 3 + 1;
+    if (word.empty() || word.size() > k_max_word) return best;
+    for (const auto candidate : candidates.first(std::min(candidates.size(), k_max_candidates))) {
+        if (candidate.size() > k_max_word) continue;
+        const std::size_t d = distance(word, candidate);
+        if (d < best_distance) {
+            best = candidate;
+            best_distance = d;
+        }
+    }
+    return best;
+}
+
+std::string did_you_mean(std::string_view word, std::span<const std::string_view> candidates) {
+    const auto near = nearest_word(word, candidates);
+    return near.empty() ? std::string() : fmt::format("; did you mean `{}`?", near);
+}
+
+}  // namespace glint

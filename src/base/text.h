@@ -1,0 +1,22 @@
+#pragma once
+// Words of the user's text inside messages.
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace glint {
+
+/// 'text' for a message: at most about 40 bytes, without control characters or broken UTF-8.
+std::string quoted(std::string_view text);
+
+/// The candidate that `word` is most likely a misspelling of, or an empty view: at most a third of the
+/// letters differ (a swap of neighbours counts as one). Looks at the first 1000 candidates.
+std::string_view nearest_word(std::string_view word, std::span<const std::string_view> candidates);
+
+/// "; did you mean `radius`?", or an empty string if there is no near word.
+std::string did_you_mean(std::string_view word, std::span<const std::string_view> candidates);
+
+/// Length in bytes of the well-formed UTF-8 character that `text` begins with; 0 if it begins with none.
+std::size_t utf8_length(std::string_view text);
+
+}  // namespace glint

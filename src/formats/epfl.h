@@ -1,0 +1,16 @@
+#pragma once
+// One scene object of RT2.
+#include <string_view>
+
+#include "formats/parser.h"
+#include "formats/reading.h"
+
+namespace glint {
+
+inline constexpr Field k_epfl_scene_fields[] = {{"name"},    {"camera"}, {"materials"}, {"lights"},
+                                                {"spheres"}, {"planes"}, {"cylinders"}};
+
+/// Reads the scene object that begins at the parser's token into the scene of `reading`. False if it is none.
+bool read_epfl_scene(Reading& reading, const ReadText& text, Parser& parser);
+
+}  // namespace glint

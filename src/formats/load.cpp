@@ -1,0 +1,161 @@
+// Texts to one Scene: each by its format's reader, then the settings, then the check of every number.
+#include "glint/load.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "base/guard.h"
+#include "formats/profile_file.h"
+#include "formats/registry.h"
+#include "scene/findings.h"
+
+namespace glint {
+namespace {
+
+constexpr std::size_t k_max_texts = 65534;  // SourcePlace::file, and one more for a profile
+
+Diagnostic without_place(Severity severity, std::string_view file, std::string message) {
+    Diagnostic d;
+    d.severity = severity;
+    d.file = std::string(file);
+    d.message = std::move(message);
+    return d;
+}
+
+// Byte offset of a place; the end of the text if it has no such line.
+std::size_t offset_of(std::string_view text, SourcePlace place) {
+    std::size_t start = 0;
+    for (std::uint32_t line = 1; line < place.line; ++line) {
+        const std::size_t end = text.find('\n', start);
+        if (end == std::string_view::npos) return text.size();
+        start = end + 1;
+    }
+    return std::min(start + place.column - 1, text.size());
+}
+
+class Loader {
+  public:
+    Loader(std::span<const SceneText> texts, const LoadOptions& options)
+        : texts_(texts), options_(options), reading_(options, std::max(1u, options.max_errors)) {}
+
+    LoadResult run() {
+        if (texts_.empty()) {
+            add(Severity::error, "", "no text to read a scene from");
+        } else if (texts_.size() > k_max_texts) {
+            add(Severity::error, "",
+                fmt::format("{} texts: at most {} make a scene", texts_.size(), k_max_texts));
+        } else if (find_formats()) {
+            set_profile();
+            for (std::size_t i = 0; i < texts_.size() && !reading_.diagnostics.full(); ++i) read(i);
+            if (reading_.camera_wanted && !reading_.camera_given && !reading_.scene.camera.frame) {
+                reading_.diagnostics.add(*reading_.camera_wanted);
+            }
+            apply_settings();
+        }
+        if (!reading_.diagnostics.any_errors()) check();
+        LoadResult result;
+        if (!reading_.diagnostics.any_errors()) result.scene = std::move(reading_.scene);
+        result.diagnostics = reading_.diagnostics.take();
+        sort(result.diagnostics);
+        return result;
+    }
+
+  private:
+    void add(Severity severity, std::string_view file, std::string message) {
+        reading_.diagnostics.add(without_place(severity, file, std::move(message)));
+    }
+
+    bool find_formats() {
+        for (const SceneText& text : texts_) {
+            std::string why;
+            formats_.push_back(find_format(text, why));
+            if (!formats_.back()) add(Severity::error, text.name, why);
+            reading_.scene.files.push_back(text.name);
+        }
+        return !reading_.diagnostics.any_errors();
+    }
+
+    // The texts of a scene may be of several formats; the conventions are the first one's.
+    void set_profile() {
+        const auto own = formats_.front()->info.profile;
+        const std::string wrong = set_named_profile(
+            reading_.scene, options_.profile.empty() ? own : std::string_view(options_.profile));
+        if (!wrong.empty()) add(Severity::error, "", wrong);
+        formats_.front()->set_defaults(reading_.scene);
+        if (options_.profile_text) {
+            reading_.scene.files.push_back(options_.profile_text->name);
+            read_profile_file(reading_, {{options_.profile_text->name, options_.profile_text->text},
+                                         static_cast<std::uint16_t>(texts_.size())});
+        }
+        for (std::size_t i = 1; i < texts_.size() && options_.profile.empty(); ++i) {
+            if (formats_[i]->info.profile == own) continue;
+            add(Severity::warning, texts_[i].name,
+                fmt::format("read with the conventions of {}, as the first text is", own));
+        }
+    }
+
+    void read(std::size_t i) {
+        const SceneText& text = texts_[i];
+        formats_[i]->read(reading_, {{text.name, text.text}, static_cast<std::uint16_t>(i)});
+    }
+
+    void apply_settings() {
+        for (const auto& [key, value] : options_.settings) {
+            const std::string wrong =
+                set_named_setting(reading_.scene, key, value, {SettingOrigin::Kind::command, {}});
+            if (!wrong.empty()) add(Severity::error, "", wrong);
+        }
+    }
+
+    void check() {
+        for (Finding& finding : find_mistakes(reading_.scene)) {
+            const SourcePlace place = finding.place;
+            const bool is_profile = place.file == texts_.size() && options_.profile_text;
+            if (place.line == 0 || (place.file >= texts_.size() && !is_profile)) {
+                add(finding.severity, "", std::move(finding.message));
+                continue;
+            }
+            const SceneText& text = is_profile ? *options_.profile_text : texts_[place.file];
+            const std::size_t offset = offset_of(text.text, place);
+            const auto word_end = text.text.find_first_of(" \t\r\n{[(:=,", offset);
+            const std::size_t length = std::min(word_end, text.text.size()) - offset;
+            reading_.diagnostics.add(make_diagnostic(finding.severity, {text.name, text.text}, offset, length,
+                                                     std::move(finding.message)));
+        }
+    }
+
+    // In the order of the texts; what has no place comes last.
+    void sort(std::vector<Diagnostic>& diagnostics) const {
+        const auto file = [&](const Diagnostic& d) {
+            const auto at = std::find_if(texts_.begin(), texts_.end(),
+                                         [&](const SceneText& t) { return t.name == d.file; });
+            return at - texts_.begin();
+        };
+        std::stable_sort(diagnostics.begin(), diagnostics.end(),
+                         [&](const Diagnostic& a, const Diagnostic& b) {
+                             const auto fa = file(a), fb = file(b);
+                             if (fa != fb) return fa < fb;
+                             return a.line != b.line ? a.line < b.line : a.column < b.column;
+                         });
+    }
+
+    std::span<const SceneText> texts_;
+    const LoadOptions& options_;
+    std::vector<const Format*> formats_;
+    Reading reading_;
+};
+
+}  // namespace
+
+LoadResult load(std::span<const SceneText> texts, const LoadOptions& options, Sources*) {
+    LoadResult result;
+    const std::string failure = guard([&] { result = Loader(texts, options).run(); });
+    if (failure.empty()) return result;
+    LoadResult failed;
+    // If there is no memory for a message either, the caller finds no scene and no message.
+    guard([&] { failed.diagnostics.push_back(without_place(Severity::error, "", failure)); });
+    return failed;
+}
+
+}  // namespace glint

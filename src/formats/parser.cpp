@@ -1,0 +1,242 @@
+#include "formats/parser.h"
+
+#include <fmt/format.h>
+
+#include "base/text.h"
+
+namespace glint {
+namespace {
+
+bool opens(const Token& t) { return t.is('{') || t.is('[') || t.is('('); }
+bool closes(const Token& t) { return t.is('}') || t.is(']') || t.is(')'); }
+char closer(char open) { return open == '{' ? '}' : open == '[' ? ']' : ')'; }
+
+}  // namespace
+
+Parser::Parser(TextPlace place, Dialect dialect, Diagnostics& diagnostics)
+    : place_(place), diagnostics_(diagnostics), tokenizer_(place.text, dialect) {
+    if (place.text.starts_with("\xff\xfe") || place.text.starts_with("\xfe\xff")) {
+        error({}, "expected UTF-8, found UTF-16");
+        stop();
+    } else {
+        advance();
+    }
+}
+
+void Parser::advance() {
+    token_ = tokenizer_.next();
+    switch (token_.kind) {
+        case TokenKind::open_string:
+            error(token_, "expected a closing quote before the end of the line");
+            token_.kind = TokenKind::string;
+            break;
+        case TokenKind::open_comment:
+            error(token_, "expected `*/`: the comment has no end");
+            stop();
+            break;
+        case TokenKind::bad_byte:
+            error(token_, fmt::format("expected text, found the byte 0x{:02x}",
+                                      static_cast<unsigned char>(place_.text[token_.offset])));
+            stop();
+            break;
+        default:
+            break;
+    }
+}
+
+Token Parser::take() {
+    const Token taken = token_;
+    if (!at_end()) advance();
+    return taken;
+}
+
+Token Parser::peek() const {
+    Tokenizer ahead = tokenizer_;
+    return ahead.next();
+}
+
+std::string Parser::name(const Token& token) const {
+    return token.kind == TokenKind::string ? string_value(text(token)) : std::string(text(token));
+}
+
+bool Parser::accept(char symbol) {
+    if (!token_.is(symbol)) return false;
+    advance();
+    return true;
+}
+
+bool Parser::expect(char symbol) {
+    if (accept(symbol)) return true;
+    expected(fmt::format("`{}`", symbol));
+    return false;
+}
+
+void Parser::expected(std::string_view what) {
+    error(token_, fmt::format("expected {}, found {}{}", what, describe(token_),
+                              refuse_code_ && looks_like_code() ? ": glint reads data, not code" : ""));
+}
+
+bool Parser::looks_like_code() const {
+    constexpr std::string_view operators = ".(+-*/%?<>=`&|!";
+    if (token_.kind == TokenKind::symbol) return operators.find(token_.symbol) != std::string_view::npos;
+    if (token_.kind != TokenKind::word) return false;
+    const Token after = peek();
+    return after.kind == TokenKind::symbol && operators.find(after.symbol) != std::string_view::npos;
+}
+
+void Parser::error(const Token& token, std::string message) {
+    if (stopped_) return;
+    diagnostics_.error(place_, token.offset, token.length, std::move(message));
+    if (diagnostics_.full()) stop();
+}
+
+void Parser::warn(const Token& token, std::string message) {
+    if (!stopped_) diagnostics_.warn(place_, token.offset, token.length, std::move(message));
+}
+
+void Parser::warn_once(std::string_view key, const Token& token, std::string message) {
+    if (!stopped_) diagnostics_.warn_once(key, place_, token.offset, token.length, std::move(message));
+}
+
+std::string Parser::describe(const Token& token) const {
+    if (token.kind == TokenKind::end) return "the end of the text";
+    return quoted(text(token));
+}
+
+void Parser::stop() {
+    stopped_ = true;
+    tokenizer_.stop();
+    const std::size_t end = place_.text.size();
+    token_ = Token{.line = token_.line, .column = token_.column, .offset = end};
+}
+
+bool Parser::number(double& value, const Range& range) {
+    if (token_.kind != TokenKind::number) {
+        expected("a number");
+        return false;
+    }
+    value = token_.number;
+    if (!(value >= -1.7976931348623157e308 && value <= 1.7976931348623157e308)) {
+        error(token_, fmt::format("number out of range: {} (doubles end at 1.8e308)", quoted(text(token_))));
+    } else if (!range.contains(value)) {
+        expected(range.text);
+    }
+    advance();
+    return true;
+}
+
+bool Parser::triple(double (&values)[3], const Range& range, char open, char close) {
+    if (!token_.is(open)) {
+        expected(fmt::format("`{}` and three numbers", open));
+        return false;
+    }
+    advance();
+    for (int i = 0; i < 3; ++i) {
+        const bool begun = i == 0 || accept(',');
+        if (begun && number(values[i], range)) continue;
+        if (!begun) expected("`,` and three numbers in all");
+        skip_to_close(close);
+        return true;
+    }
+    accept(',');
+    if (!accept(close)) {
+        expected(fmt::format("`{}` after three numbers", close));
+        skip_to_close(close);
+    }
+    return true;
+}
+
+bool Parser::point(Vec3& value, const Range& range, char open, char close) {
+    double v[3] = {};
+    if (!triple(v, range, open, close)) return false;
+    value = {v[0], v[1], v[2]};
+    return true;
+}
+
+int Parser::field(FieldSet& set, const Token& key, std::string_view key_name) {
+    const auto fields = set.fields();
+    for (std::size_t i = 0; i < fields.size(); ++i) {
+        if (fields[i].name != key_name) continue;
+        const int index = static_cast<int>(i);
+        if (set.has(index)) {
+            warn(key, fmt::format("`{}` is given twice in one {}: the last one holds", key_name, set.what()));
+        }
+        set.add(index);
+        return index;
+    }
+    // A text may have millions of unknown keys: nothing is made ready for a warning that was given.
+    const std::string once = fmt::format("{}.{}", set.what(), key_name);
+    if (diagnostics_.warned(once)) return -1;
+    std::array<std::string_view, 32> names;
+    for (std::size_t i = 0; i < fields.size(); ++i) names[i] = fields[i].name;
+    warn_once(once, key,
+              fmt::format("glint ignores {} of a {}{}", quoted(key_name), set.what(),
+                          did_you_mean(key_name, std::span(names).first(fields.size()))));
+    return -1;
+}
+
+bool Parser::check_required(const FieldSet& set, const Token& block) {
+    std::string missing;
+    const auto fields = set.fields();
+    for (std::size_t i = 0; i < fields.size(); ++i) {
+        if (!fields[i].required || set.has(static_cast<int>(i))) continue;
+        missing += fmt::format("{}`{}`", missing.empty() ? "" : ", ", fields[i].name);
+    }
+    if (missing.empty()) return true;
+    error(block, fmt::format("expected {} in the {}", missing, set.what()));
+    return false;
+}
+
+bool Parser::skip_value() {
+    if (closes(token_) || at_end()) {
+        expected("a value");
+        return false;
+    }
+    std::array<char, k_max_nesting> closers;
+    int depth = 0;
+    do {
+        if (at_end()) {
+            expected(fmt::format("`{}`", closers[depth - 1]));
+            return false;
+        }
+        const Token token = take();
+        if (opens(token)) {
+            if (depth == k_max_nesting) {
+                stop_at_nesting(token);
+                return false;
+            }
+            closers[depth++] = closer(token.symbol);
+        } else if (closes(token) && !token.is(closers[--depth])) {
+            error(token, fmt::format("expected `{}`, found '{}'", closers[depth], token.symbol));
+            return false;
+        }
+    } while (depth > 0);
+    return true;
+}
+
+void Parser::skip_to_close(char close) {
+    skip_until([](const Token& t) { return closes(t); });
+    accept(close);
+}
+
+void Parser::skip_to_separator() {
+    skip_until([](const Token& t) { return t.is(',') || closes(t); });
+}
+
+// Before the first token outside further brackets that is an end.
+template <class IsEnd>
+void Parser::skip_until(IsEnd&& is_end) {
+    for (int depth = 0; !at_end();) {
+        if (depth == 0 && is_end(token_)) return;
+        const Token token = take();
+        if (opens(token) && ++depth > k_max_nesting) return stop_at_nesting(token);
+        if (closes(token)) --depth;
+    }
+}
+
+void Parser::stop_at_nesting(const Token& token) {
+    error(token, fmt::format("brackets are nested more than {} deep", k_max_nesting));
+    stop();
+}
+
+}  // namespace glint

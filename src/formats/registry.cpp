@@ -1,0 +1,78 @@
+#include "formats/registry.h"
+
+#include <fmt/format.h>
+
+#include <array>
+
+#include "base/text.h"
+
+namespace glint {
+namespace {
+
+constexpr Format k_formats[] = {
+    {{"cgfs", ".cgfs", "cgfs", "the listings of \"Computer Graphics from Scratch\""},
+     set_cgfs_defaults,
+     read_cgfs},
+    {{"epfl", ".json .js", "epfl", "RT2's scenes, as JSON or as the homework's JavaScript"},
+     set_epfl_defaults,
+     read_epfl},
+};
+
+constexpr auto k_infos = [] {
+    std::array<FormatInfo, std::size(k_formats)> infos;
+    for (std::size_t i = 0; i < infos.size(); ++i) infos[i] = k_formats[i].info;
+    return infos;
+}();
+
+bool equal_without_case(std::string_view a, std::string_view b) {
+    if (a.size() != b.size()) return false;
+    const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; };
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        if (lower(a[i]) != lower(b[i])) return false;
+    }
+    return true;
+}
+
+bool has_extension(std::string_view name, std::string_view extensions) {
+    while (!extensions.empty()) {
+        const auto extension = extensions.substr(0, extensions.find(' '));
+        if (name.size() > extension.size() &&
+            equal_without_case(name.substr(name.size() - extension.size()), extension)) {
+            return true;
+        }
+        extensions.remove_prefix(std::min(extension.size() + 1, extensions.size()));
+    }
+    return false;
+}
+
+std::string known(std::string_view FormatInfo::*column) {
+    std::string all;
+    for (const Format& f : k_formats) {
+        all += all.empty() ? "" : ", ";
+        all += f.info.*column;
+    }
+    return all;
+}
+
+}  // namespace
+
+std::span<const Format> all_formats() { return k_formats; }
+
+std::span<const FormatInfo> formats() { return k_infos; }
+
+const Format* find_format(const SceneText& text, std::string& why) {
+    for (const Format& f : k_formats) {
+        if (text.format.empty() ? has_extension(text.name, f.info.extensions) : text.format == f.info.name)
+            return &f;
+    }
+    if (text.format.empty()) {
+        why = fmt::format("expected a name that ends in one of {}, or the name of a format ({})",
+                          known(&FormatInfo::extensions), known(&FormatInfo::name));
+    } else {
+        why = fmt::format("expected one of the formats {}, found {}", known(&FormatInfo::name),
+                          quoted(text.format));
+    }
+    return nullptr;
+}
+
+}  // namespace glint

@@ -1,0 +1,217 @@
+// Every field of Conventions and RenderSettings as text: one row a key.
+#include "glint/conventions.h"
+
+#include <fast_float/fast_float.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "base/text.h"
+#include "glint/scene.h"
+#include "scene/ranges.h"
+
+namespace glint {
+namespace {
+
+constexpr std::string_view k_pixel_samples[] = {"center", "corner", "whole"};
+constexpr std::string_view k_ray_directions[] = {"unit", "viewport"};
+constexpr std::string_view k_offsets[] = {"ray", "normal", "facing", "direction", "scale"};
+constexpr std::string_view k_mirrors[] = {"blend", "add"};
+constexpr std::string_view k_limits[] = {"keep", "drop"};
+constexpr std::string_view k_misses[] = {"background", "black"};
+constexpr std::string_view k_facings[] = {"none", "open", "all"};
+constexpr std::string_view k_shadings[] = {"phong", "blinn-phong", "diffuse", "color", "normals"};
+
+std::string found(std::string_view expected, std::string_view text) {
+    return fmt::format("expected {}, found {}", expected, quoted(text));
+}
+
+bool parse_number(std::string_view text, double& value) {
+    if (!text.empty() && text.front() == '+') text.remove_prefix(1);
+    const auto [end, error] = fast_float::from_chars(text.data(), text.data() + text.size(), value);
+    return error == std::errc() && end == text.data() + text.size();
+}
+
+bool parse_whole(std::string_view text, std::int32_t& value) {
+    if (text.empty() || text.size() > 9) return false;
+    std::int32_t n = 0;
+    for (const char c : text) {
+        if (c < '0' || c > '9') return false;
+        n = n * 10 + (c - '0');
+    }
+    value = n;
+    return true;
+}
+
+std::string_view trimmed(std::string_view text) {
+    while (!text.empty() && (text.front() == ' ' || text.front() == '\t')) text.remove_prefix(1);
+    while (!text.empty() && (text.back() == ' ' || text.back() == '\t')) text.remove_suffix(1);
+    return text;
+}
+
+// A parser returns an empty string, or what is wrong; a printer gives the text that the parser takes.
+using Parse = std::string (*)(Conventions&, RenderSettings&, const SettingKey&, std::string_view);
+using Print = std::string (*)(const Conventions&, const RenderSettings&);
+
+struct Row {
+    SettingKey key;
+    Parse parse;
+    Print print;
+};
+
+// The field, in whichever of the two has it.
+template <auto Member, class C, class S> auto& field(C& conventions, S& settings) {
+    if constexpr (requires { conventions.*Member; }) {
+        return conventions.*Member;
+    } else {
+        return settings.*Member;
+    }
+}
+
+template <auto Member, const auto& Words>
+constexpr Row word_row(std::string_view name, std::string_view values, std::string_view description,
+                       bool convention) {
+    return {
+        {name, values, description, convention},
+        [](Conventions& c, RenderSettings& s, const SettingKey& key, std::string_view text) -> std::string {
+            auto& value = field<Member>(c, s);
+            const auto* at = std::find(std::begin(Words), std::end(Words), text);
+            if (at == std::end(Words)) return found(key.values, text) + did_you_mean(text, Words);
+            value = static_cast<std::remove_reference_t<decltype(value)>>(at - std::begin(Words));
+            return {};
+        },
+        [](const Conventions& c, const RenderSettings& s) {
+            const auto i = static_cast<std::size_t>(field<Member>(c, s));
+            return std::string(i < std::size(Words) ? Words[i] : "?");  // code can put any number there
+        }};
+}
+
+template <auto Member>
+constexpr Row bool_row(std::string_view name, std::string_view description, bool convention) {
+    return {{name, "true | false", description, convention},
+            [](Conventions& c, RenderSettings& s, const SettingKey&, std::string_view text) -> std::string {
+                if (text != "true" && text != "false") return found("true or false", text);
+                field<Member>(c, s) = text == "true";
+                return {};
+            },
+            [](const Conventions& c, const RenderSettings& s) {
+                return std::string(field<Member>(c, s) ? "true" : "false");
+            }};
+}
+
+template <auto Member, const Range& Allowed>
+constexpr Row number_row(std::string_view name, std::string_view description) {
+    return {{name, Allowed.text, description, true},
+            [](Conventions& c, RenderSettings&, const SettingKey& key, std::string_view text) -> std::string {
+                double value = 0;
+                if (!parse_number(text, value) || !Allowed.contains(value)) return found(key.values, text);
+                c.*Member = value;
+                return {};
+            },
+            [](const Conventions& c, const RenderSettings&) { return fmt::format("{}", c.*Member); }};
+}
+
+template <auto Member, std::int32_t Min, std::int32_t Max>
+constexpr Row whole_row(std::string_view name, std::string_view values, std::string_view description) {
+    return {{name, values, description, false},
+            [](Conventions&, RenderSettings& s, const SettingKey& key, std::string_view text) -> std::string {
+                std::int32_t value = 0;
+                if (!parse_whole(text, value) || value < Min || value > Max) return found(key.values, text);
+                s.*Member = value;
+                return {};
+            },
+            [](const Conventions&, const RenderSettings& s) { return fmt::format("{}", s.*Member); }};
+}
+
+std::string parse_size(Conventions&, RenderSettings& s, const SettingKey& key, std::string_view text) {
+    const std::size_t x = text.find('x');
+    std::int32_t width = 0, height = 0;
+    const bool ok = x != std::string_view::npos && parse_whole(trimmed(text.substr(0, x)), width) &&
+                    parse_whole(trimmed(text.substr(x + 1)), height);
+    if (!ok || width < 1 || height < 1 || width > k_max_size || height > k_max_size)
+        return found(key.values, text);
+    s.width = width;
+    s.height = height;
+    return {};
+}
+
+std::string print_size(const Conventions&, const RenderSettings& s) {
+    return fmt::format("{}x{}", s.width, s.height);
+}
+
+using C = Conventions;
+using S = RenderSettings;
+
+constexpr Row k_rows[] = {
+    word_row<&C::pixel_sample, k_pixel_samples>(
+        "pixel_sample", "center | corner | whole",
+        "where in its pixel a camera ray passes; whole: at whole units from the picture's middle", true),
+    word_row<&C::ray_direction, k_ray_directions>(
+        "ray_direction", "unit | viewport", "the length of a camera ray's direction, which scales its t",
+        true),
+    number_row<&C::camera_t_min, k_not_negative>("camera_t_min", "camera rays hit only at t above this"),
+    bool_row<&C::specular_gate>("specular_gate", "the highlight needs N.L > 0", true),
+    bool_row<&C::clamp_cosines>(
+        "clamp_cosines", "negative cosines add nothing; false: a classic fault, and LIGHT's own code", true),
+    bool_row<&C::normalize>("normalize", "L, V, R and H are normalised; false: a classic fault", true),
+    word_row<&C::offset, k_offsets>(
+        "offset", "ray | normal | facing | direction | scale",
+        "what epsilon means for a ray that leaves a surface: its least t, or where it starts", true),
+    number_row<&C::epsilon, k_not_negative>("epsilon", "how far a ray leaves a surface; 0: a classic fault"),
+    bool_row<&C::shadow_stops_at_light>(
+        "shadow_stops_at_light", "only what is before the light casts shadows; false: a classic fault", true),
+    word_row<&C::mirror, k_mirrors>("mirror", "blend | add",
+                                    "blend: (1-a) local + a reflected; add: local + a reflected", true),
+    word_row<&C::limit, k_limits>(
+        "limit", "keep | drop",
+        "the last permitted surface gives its local colour whole, or as if its mirror saw black", true),
+    word_row<&C::mirror_miss, k_misses>("mirror_miss", "background | black",
+                                        "what a mirror ray that leaves the scene sees", true),
+    number_row<&C::min_weight, k_fraction>("min_weight", "a ray that weighs less than this is not traced"),
+    word_row<&C::facing, k_facings>(
+        "facing", "none | open | all",
+        "which normals are turned to the incoming ray; open: those of surfaces that enclose nothing", true),
+    {{"size", "WIDTHxHEIGHT, each from 1 to 65536", "pixels of the picture", false}, parse_size, print_size},
+    word_row<&S::shading, k_shadings>("shading", "phong | blinn-phong | diffuse | color | normals",
+                                      "the lighting equation, or part of it", false),
+    bool_row<&S::shadows>("shadows", "lights can be blocked", false),
+    whole_row<&S::reflections, 0, k_max_reflections>("reflections", "a whole number from 0 to 1000",
+                                                     "the most mirror generations"),
+    whole_row<&S::samples, 1, k_max_samples>("aa", "a whole number from 1 to 64",
+                                             "n: n x n regular samples a pixel"),
+};
+constexpr std::size_t k_count = std::size(k_rows);
+
+constexpr auto k_keys = [] {
+    std::array<SettingKey, k_count> keys{};
+    for (std::size_t i = 0; i < k_count; ++i) keys[i] = k_rows[i].key;
+    return keys;
+}();
+
+}  // namespace
+
+std::span<const SettingKey> setting_keys() { return k_keys; }
+
+std::optional<std::size_t> find_setting(std::string_view name) {
+    for (std::size_t i = 0; i < k_count; ++i) {
+        if (k_keys[i].name == name) return i;
+    }
+    return std::nullopt;
+}
+
+std::string set_setting(Scene& scene, std::size_t key, std::string_view value, SettingOrigin origin) {
+    if (key >= k_count) return "no such setting";
+    const Row& row = k_rows[key];
+    std::string wrong = row.parse(scene.conventions, scene.settings, row.key, trimmed(value));
+    if (!wrong.empty()) return wrong;
+    scene.origins.resize(k_count);
+    scene.origins[key] = origin;
+    return {};
+}
+
+std::string get_setting(const Scene& scene, std::size_t key) {
+    return key < k_count ? k_rows[key].print(scene.conventions, scene.settings) : std::string();
+}
+
+}  // namespace glint

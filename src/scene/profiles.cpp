@@ -1,0 +1,65 @@
+// What each source means, as data. docs/conventions.md has the same table and says why.
+#include <array>
+
+#include "scene/settings.h"
+
+namespace glint {
+namespace {
+
+constexpr Profile k_profiles[] = {
+    {"cgfs",
+     {.pixel_sample = PixelSample::corner,
+      .ray_direction = RayDirection::viewport,
+      .camera_t_min = 1,
+      .specular_gate = false,
+      .offset = Offset::ray,
+      .epsilon = 0.001,
+      .facing = Facing::none},
+     {.width = 600, .height = 600, .shading = Shading::phong, .reflections = 3}},
+    {"epfl",
+     {.offset = Offset::normal, .epsilon = 0.001, .mirror_miss = MissRule::black, .facing = Facing::open},
+     {.width = 640, .height = 640}},
+    {"lecture5",
+     {.offset = Offset::direction, .epsilon = 0.001, .facing = Facing::none},
+     {.shading = Shading::phong}},
+    {"light",
+     {.pixel_sample = PixelSample::whole, .facing = Facing::none},
+     {.width = 43, .height = 43, .shading = Shading::phong, .shadows = false, .reflections = 0}},
+    {"csc473",
+     {.specular_gate = false,
+      .offset = Offset::facing,
+      .epsilon = 0.001,
+      .limit = LimitRule::drop,
+      .facing = Facing::none},
+     {.reflections = 6}},
+    {"nff",
+     {.mirror = MirrorRule::add, .limit = LimitRule::drop, .min_weight = 0.01},
+     {.width = 512, .height = 512, .shading = Shading::phong, .reflections = 5}},
+    {"glint", {}, {}},
+};
+
+constexpr auto k_names = [] {
+    std::array<std::string_view, std::size(k_profiles)> names;
+    for (std::size_t i = 0; i < names.size(); ++i) names[i] = k_profiles[i].name;
+    return names;
+}();
+
+}  // namespace
+
+std::span<const Profile> profiles() { return k_profiles; }
+
+std::span<const std::string_view> profile_names() { return k_names; }
+
+bool apply_profile(Scene& scene, std::string_view profile) {
+    for (const Profile& p : k_profiles) {
+        if (p.name != profile) continue;
+        scene.conventions = p.conventions;
+        scene.settings = p.settings;
+        scene.profile = p.name;
+        scene.origins.assign(setting_keys().size(), SettingOrigin{});
+        return true;
+    }
+    return false;
+}
+
+}  // namespace glint

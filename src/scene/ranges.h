@@ -1,0 +1,34 @@
+#pragma once
+// What the numbers of a scene may be: one table for the readers, which point at the number, and for
+// validate().
+#include <string_view>
+
+namespace glint {
+
+/// The numbers from min to max. `open`: without min (and, if both_open, without max).
+struct Range {
+    double min, max;
+    bool open, both_open;
+    std::string_view text;  ///< "a number > 0"
+
+    /// False for NaN and infinity.
+    constexpr bool contains(double x) const {
+        return (open ? x > min : x >= min) && (both_open ? x < max : x <= max);
+    }
+};
+
+// Beyond these a double has no digits left for the shapes, or a square overflows on its way through the
+// formulas.
+inline constexpr Range k_coordinate{-1e12, 1e12, false, false, "a number from -1e12 to 1e12"};
+inline constexpr Range k_length{0, 1e12, true, false, "a number > 0 and at most 1e12"};
+/// Channels of lights and materials. Negative ones are drawn as written.
+inline constexpr Range k_channel{-1e6, 1e6, false, false, "a number from -1e6 to 1e6"};
+inline constexpr Range k_tint{0, 1e6, false, false, "a number from 0 to 1e6"};
+inline constexpr Range k_fraction{0, 1, false, false, "a number from 0 to 1"};
+inline constexpr Range k_exponent{0, 1e9, false, false, "a number from 0 to 1e9"};
+inline constexpr Range k_angle{0, 180, true, true, "an angle between 0 and 180 degrees"};
+inline constexpr Range k_index_of_refraction{0, 1e6, true, false, "a number > 0 and at most 1e6"};
+inline constexpr Range k_attenuation{0, 1e12, false, false, "a number from 0 to 1e12"};
+inline constexpr Range k_not_negative{0, 1e12, false, false, "a number from 0 to 1e12"};
+
+}  // namespace glint

@@ -1,0 +1,25 @@
+#include "glint/scene.h"
+
+namespace glint {
+
+std::string_view ItemTexts::name(std::uint32_t index) const {
+    const auto at = names.find(index);
+    return at == names.end() ? std::string_view() : std::string_view(at->second);
+}
+
+SourcePlace ItemTexts::place(std::uint32_t index) const {
+    return index < places.size() ? places[index] : SourcePlace{};
+}
+
+std::string_view shape_word(ShapeKind kind) {
+    switch (kind) {
+#define GLINT_KIND(Type, word) \
+    case ShapeKind::word:      \
+        return #word;
+        GLINT_SHAPES(GLINT_KIND)
+#undef GLINT_KIND
+    }
+    return "unknown shape";
+}
+
+}  // namespace glint

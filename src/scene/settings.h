@@ -1,0 +1,17 @@
+#pragma once
+// The table of settings (conventions and render settings) as this room sees it.
+#include "glint/scene.h"
+
+namespace glint {
+
+/// The conventions and render settings of a named profile, as data.
+struct Profile {
+    std::string_view name;
+    Conventions conventions;
+    RenderSettings settings;
+};
+
+/// All profiles, in the order of profile_names().
+std::span<const Profile> profiles();
+
+}  // namespace glint

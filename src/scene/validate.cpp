@@ -1,0 +1,293 @@
+// Every number and index of a scene, checked once, so that no later room has to.
+#include <fmt/format.h>
+
+#include "math/number.h"
+#include "scene/findings.h"
+#include "scene/ranges.h"
+#include "scene/settings.h"
+
+namespace glint {
+namespace {
+
+constexpr std::size_t k_max_errors = 20;
+// Sine of the angle under which two directions count as parallel, and the like for three.
+constexpr double k_parallel = 1e-9;
+
+bool is_coordinate(Vec3 p) {
+    return k_coordinate.contains(p.x) && k_coordinate.contains(p.y) && k_coordinate.contains(p.z);
+}
+
+// Dividing by the largest component keeps squares from underflowing: 1e-200 is a direction like any other.
+Vec3 unit_or_zero(Vec3 v) {
+    const double largest = number::max(number::max(number::abs(v.x), number::abs(v.y)), number::abs(v.z));
+    if (!(largest > 0)) return {0, 0, 0};
+    // The smallest double's reciprocal is infinite; dividing is not.
+    v = v / largest;
+    return v / number::sqrt(dot(v, v));
+}
+
+bool is_zero(Vec3 v) { return v == Vec3{0, 0, 0}; }
+
+bool are_parallel(Vec3 a, Vec3 b) {
+    const Vec3 c = cross(unit_or_zero(a), unit_or_zero(b));
+    return dot(c, c) < k_parallel * k_parallel;
+}
+
+std::string text(Vec3 v) { return fmt::format("({}, {}, {})", v.x, v.y, v.z); }
+
+class Validator {
+  public:
+    explicit Validator(const Scene& scene) : scene_(scene) {}
+
+    std::vector<Finding> run() {
+        check_settings();
+        check_camera();
+        check_color(k_channel, scene_.background, scene_.background_place, "the scene", "background");
+        for (std::uint32_t i = 0; !full() && i < scene_.lights.size(); ++i) check_light(i);
+        for (std::uint32_t i = 0; !full() && i < scene_.materials.size(); ++i) check_material(i);
+        for (std::uint32_t i = 0; !full() && i < scene_.transforms.size(); ++i) check_transform(i);
+        check_counts();
+        for (std::size_t i = 0; !full() && i < scene_.shapes.size(); ++i)
+            check_shape(static_cast<std::uint32_t>(i));
+        if (findings_.empty()) warn();
+        return std::move(findings_);
+    }
+
+  private:
+    bool full() const { return findings_.size() >= k_max_errors; }
+
+    void error(SourcePlace place, std::string message) {
+        if (!full()) findings_.push_back({Severity::error, place, std::move(message)});
+    }
+
+    void check(const Range& range, double x, SourcePlace place, std::string_view of, std::string_view what) {
+        if (!range.contains(x))
+            error(place, fmt::format("{}: {}: expected {}, found {}", of, what, range.text, x));
+    }
+
+    void check_point(Vec3 p, SourcePlace place, std::string_view of, std::string_view what) {
+        if (!is_coordinate(p)) {
+            error(place, fmt::format("{}: {}: expected coordinates from -1e12 to 1e12, found {}", of, what,
+                                     text(p)));
+        }
+    }
+
+    void check_direction(Vec3 v, SourcePlace place, std::string_view of, std::string_view what) {
+        check_point(v, place, of, what);
+        if (is_zero(v)) error(place, fmt::format("{}: {}: expected a direction, found (0, 0, 0)", of, what));
+    }
+
+    void check_color(const Range& range, Color c, SourcePlace place, std::string_view of,
+                     std::string_view what) {
+        if (!range.contains(c.r) || !range.contains(c.g) || !range.contains(c.b)) {
+            error(place, fmt::format("{}: {}: expected each channel to be {}, found ({}, {}, {})", of, what,
+                                     range.text, c.r, c.g, c.b));
+        }
+    }
+
+    // Each setting must be one that its own text form can say.
+    void check_settings() {
+        Scene copy;
+        const auto keys = setting_keys();
+        for (std::size_t i = 0; i < keys.size(); ++i) {
+            const std::string wrong = set_setting(copy, i, get_setting(scene_, i), {});
+            const SourcePlace place = i < scene_.origins.size() ? scene_.origins[i].place : SourcePlace{};
+            if (!wrong.empty()) error(place, fmt::format("{}: {}", keys[i].name, wrong));
+        }
+    }
+
+    void check_camera() {
+        const Camera& c = scene_.camera;
+        const SourcePlace place = scene_.camera_place;
+        constexpr std::string_view of = "the camera";
+        if (c.projection > Projection::orthographic || c.fov_axis > FovAxis::y) {
+            error(place, "the camera: no such projection or fov axis");
+        }
+        check_point(c.position, place, of, "position");
+        if (c.lighting_eye) check_point(*c.lighting_eye, place, of, "lighting eye");
+        if (c.frame) {
+            check_frame(*c.frame, place);
+            return;
+        }
+        check_point(c.look_at, place, of, "target");
+        check_direction(c.up, place, of, "up");
+        if (c.projection == Projection::perspective) {
+            check(k_angle, c.fov_degrees, place, of, "field of view");
+        } else {
+            check(k_length, c.width, place, of, "width");
+        }
+        const Vec3 forward = c.look_at - c.position;
+        if (is_zero(forward)) {
+            error(place, "the camera is on its target: position and target must differ");
+        } else if (!is_zero(c.up) && are_parallel(forward, c.up)) {
+            error(place, fmt::format("the camera's up {} is along its view direction {}", text(c.up),
+                                     text(forward)));
+        }
+    }
+
+    void check_frame(const CameraFrame& frame, SourcePlace place) {
+        check_direction(frame.right, place, "the camera", "right");
+        check_direction(frame.up, place, "the camera", "up");
+        check_direction(frame.forward, place, "the camera", "forward");
+        const Vec3 normal = cross(unit_or_zero(frame.right), unit_or_zero(frame.up));
+        const double volume = dot(normal, unit_or_zero(frame.forward));
+        if (!(number::abs(volume) >= k_parallel)) {
+            error(place, fmt::format("the camera's right {}, up {} and forward {} lie in one plane",
+                                     text(frame.right), text(frame.up), text(frame.forward)));
+        }
+    }
+
+    void check_light(std::uint32_t i) {
+        const Light& l = scene_.lights[i];
+        const SourcePlace place = scene_.light_texts.place(i);
+        const std::string of = item("light", i, scene_.light_texts.name(i));
+        if (l.kind > LightKind::directional) error(place, of + ": no such kind of light");
+        check_color(k_channel, l.color, place, of, "color");
+        if (l.kind == LightKind::ambient) return;
+        check_color(k_channel, l.specular_color, place, of, "specular color");
+        if (l.kind == LightKind::directional) {
+            check_direction(l.to_light, place, of, "direction");
+            return;
+        }
+        check_point(l.position, place, of, "position");
+        const Attenuation& a = l.attenuation;
+        for (const double c : {a.c0, a.c1, a.c2}) check(k_attenuation, c, place, of, "attenuation");
+        if (a == Attenuation{0, 0, 0})
+            error(place, of + ": attenuation: expected one of its numbers to be > 0");
+    }
+
+    void check_material(std::uint32_t i) {
+        const Material& m = scene_.materials[i];
+        const SourcePlace place = scene_.material_texts.place(i);
+        const std::string of = item("material", i, scene_.material_texts.name(i));
+        check_color(k_channel, m.color, place, of, "color");
+        check_color(k_channel, m.ambient, place, of, "ambient");
+        check_color(k_channel, m.diffuse, place, of, "diffuse");
+        check_color(k_channel, m.specular, place, of, "specular");
+        check(k_exponent, m.shininess, place, of, "shininess");
+        check(k_fraction, m.mirror, place, of, "mirror");
+        check_color(k_tint, m.mirror_tint, place, of, "mirror tint");
+        check(k_fraction, m.transmission, place, of, "transmission");
+        check(k_index_of_refraction, m.ior, place, of, "index of refraction");
+        check_color(k_tint, m.transmission_tint, place, of, "transmission tint");
+    }
+
+    void check_transform(std::uint32_t i) {
+        const auto& m = scene_.transforms[i].m;
+        bool finite = true;
+        Vec3 rows[3];
+        for (int r = 0; r < 3; ++r) {
+            for (const double x : m[r]) finite = finite && k_coordinate.contains(x);
+            rows[r] = {m[r][0], m[r][1], m[r][2]};
+        }
+        if (!finite)
+            return error({}, fmt::format("transform {}: expected numbers from -1e12 to 1e12", i + 1));
+        const double volume = dot(cross(unit_or_zero(rows[0]), unit_or_zero(rows[1])), unit_or_zero(rows[2]));
+        if (!(number::abs(volume) >= k_parallel)) {
+            error({}, fmt::format("transform {} flattens what it transforms: it has no inverse", i + 1));
+        }
+    }
+
+    void check_counts() {
+        const auto limited = [&](std::size_t n, std::string_view what) {
+            if (n >= k_none) error({}, fmt::format("{} {}: at most {} are possible", n, what, k_none - 1));
+        };
+        limited(scene_.shapes.size(), "shapes");
+        limited(scene_.materials.size(), "materials");
+        limited(scene_.lights.size(), "lights");
+        limited(scene_.transforms.size(), "transforms");
+    }
+
+    void check_shape(std::uint32_t i) {
+        const Shape& s = scene_.shapes[i];
+        const auto indexed = [](std::uint32_t index, std::size_t n) { return index == k_none || index < n; };
+        if (!indexed(s.material, scene_.materials.size())) shape_error(i, "no such material");
+        if (!indexed(s.transform, scene_.transforms.size())) shape_error(i, "no such transform");
+        switch (s.kind) {
+#define GLINT_KIND(Type, word)                                                                 \
+    case ShapeKind::word:                                                                      \
+        if (s.index >= scene_.get<Type>().size()) return shape_error(i, "no such parameters"); \
+        return check_parameters(i, scene_.get<Type>()[s.index]);
+            GLINT_SHAPES(GLINT_KIND)
+#undef GLINT_KIND
+        }
+        shape_error(i, "no such kind of shape");
+    }
+
+    // The text of a shape is made only when there is something to say: there may be millions.
+    void shape_error(std::uint32_t i, std::string_view message) {
+        const std::string of = item(shape_word(scene_.shapes[i].kind), i, scene_.shape_texts.name(i));
+        error(scene_.shape_texts.place(i), fmt::format("{}: {}", of, message));
+    }
+
+    void check_parameters(std::uint32_t i, const Sphere& s) {
+        if (!is_coordinate(s.center))
+            shape_error(i, "expected a center within 1e12, found " + text(s.center));
+        check_radius(i, s.radius);
+    }
+
+    void check_parameters(std::uint32_t i, const Plane& p) {
+        if (!is_coordinate(p.point)) shape_error(i, "expected a point within 1e12, found " + text(p.point));
+        if (!is_coordinate(p.normal) || is_zero(p.normal)) {
+            shape_error(i, "expected a normal other than (0, 0, 0) and within 1e12, found " + text(p.normal));
+        }
+    }
+
+    void check_parameters(std::uint32_t i, const Cylinder& c) {
+        if (!is_coordinate(c.from) || !is_coordinate(c.to)) {
+            shape_error(
+                i, fmt::format("expected an axis within 1e12, found {} to {}", text(c.from), text(c.to)));
+        } else if (c.from == c.to) {
+            shape_error(i, "expected an axis of some length, found two equal ends " + text(c.from));
+        }
+        check_radius(i, c.radius);
+    }
+
+    void check_radius(std::uint32_t i, double radius) {
+        if (!k_length.contains(radius)) {
+            shape_error(i, fmt::format("radius: expected {}, found {}", k_length.text, radius));
+        }
+    }
+
+    static std::string item(std::string_view word, std::uint32_t i, std::string_view name) {
+        return name.empty() ? fmt::format("{} {}", word, std::uint64_t{i} + 1)
+                            : fmt::format("{} `{}`", word, name);
+    }
+
+    void warn() {
+        const Shading shading = scene_.settings.shading;
+        if (scene_.shapes.empty()) {
+            findings_.push_back(
+                {Severity::warning, {}, "the scene has no shapes: the picture shows only its background"});
+        } else if (scene_.lights.empty() && shading != Shading::color && shading != Shading::normals) {
+            findings_.push_back(
+                {Severity::warning, {}, "the scene has no lights: every surface will be black"});
+        }
+    }
+
+    const Scene& scene_;
+    std::vector<Finding> findings_;
+};
+
+}  // namespace
+
+std::vector<Finding> find_mistakes(const Scene& scene) { return Validator(scene).run(); }
+
+std::vector<Diagnostic> validate(const Scene& scene) {
+    std::vector<Diagnostic> diagnostics;
+    for (Finding& finding : find_mistakes(scene)) {
+        Diagnostic d;
+        d.severity = finding.severity;
+        d.message = std::move(finding.message);
+        if (finding.place.line != 0 && finding.place.file < scene.files.size()) {
+            d.file = scene.files[finding.place.file];
+            d.line = finding.place.line;
+            d.column = finding.place.column;
+            d.length = 1;
+        }
+        diagnostics.push_back(std::move(d));
+    }
+    return diagnostics;
+}
+
+}  // namespace glint
