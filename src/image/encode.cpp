@@ -1,5 +1,4 @@
 // Choosing the encoder, and the whole numbers that a file holds.
-#include <cmath>
 #include <cstddef>
 #include <utility>
 
@@ -7,16 +6,10 @@
 #include "glint/image.h"
 #include "image/encoders.h"
 #include "image/quantize.h"
+#include "math/elementary.h"
 
 namespace glint {
 namespace {
-
-// The cube root of x in [0.003, 1] by Newton's method from above: + * / only, so the same bits everywhere.
-double cube_root(double x) {
-    double y = 1;
-    for (int i = 0; i < 10; ++i) y = (2 * y + x / (y * y)) / 3;
-    return y;
-}
 
 // What no encoder could write, or an empty string.
 std::string fault(const Image& image, const EncodeOptions& options) {
@@ -36,9 +29,7 @@ double srgb_encode(double linear) {
     if (!(linear > 0)) return 0;
     if (linear >= 1) return 1;
     if (linear <= 0.0031308) return 12.92 * linear;
-    const double twelfth = std::sqrt(std::sqrt(cube_root(linear)));
-    const double squared = twelfth * twelfth;
-    return 1.055 * (squared * squared * twelfth) - 0.055;  // linear^(1/2.4) = linear^(5/12)
+    return 1.055 * pow(linear, 1 / 2.4) - 0.055;
 }
 
 std::uint8_t to_byte(float value, Transfer transfer) {

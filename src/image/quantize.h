@@ -15,8 +15,8 @@ inline std::uint32_t quantize(double value, double scale) {
     const double scaled = clamped * scale;
     const auto whole = static_cast<std::int32_t>(scaled);
     const double rest = scaled - whole;
-    const bool up = rest > 0.5 || (rest == 0.5 && (whole & 1) != 0);
-    return static_cast<std::uint32_t>(whole + (up ? 1 : 0));
+    const int above_half = rest > 0.5, at_half = rest == 0.5;  // without branches: values are anywhere
+    return static_cast<std::uint32_t>(whole + (above_half | (at_half & whole)));
 }
 
 /// The sRGB transfer curve (IEC 61966-2-1) of a linear value; 0 and 1 stay, NaN and below are 0, above are 1.

@@ -6,9 +6,7 @@
 namespace glint::test {
 namespace {
 
-std::string temporary(const std::string& name) {
-    return ::testing::TempDir() + "glint_golden_" + name;
-}
+std::string temporary(const std::string& name) { return ::testing::TempDir() + "glint_golden_" + name; }
 
 TEST(Golden, EqualPicturesPass) {
     const Picture picture = decode_png(encode(make_picture(20, 10)).bytes);

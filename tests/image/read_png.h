@@ -97,8 +97,6 @@ inline Picture decode_png(const std::vector<std::uint8_t>& file) {
     return picture;
 }
 
-inline Picture read_png(const std::string& path) {
-    return decode_png(read_bytes(path));
-}
+inline Picture read_png(const std::string& path) { return decode_png(read_bytes(path)); }
 
 }  // namespace glint::test
