@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "base/fp_environment.h"
+#include "base/handover.h"
 #if !defined(__wasm__)
 #include <oneapi/tbb/global_control.h>
 #include <oneapi/tbb/info.h>
@@ -47,6 +48,13 @@ class AllowThreads {
     std::optional<oneapi::tbb::global_control> control_;
 };
 
+template <class Body> void run_as_task(Handover& handover, const Body& body) {
+    handover.task_starts();
+    const DefaultFpEnvironment environment;
+    body();
+    handover.task_ends();
+}
+
 }  // namespace
 
 int thread_count(int requested) {
@@ -62,36 +70,32 @@ void parallel_for(std::size_t count, int threads, const std::function<void(std::
     }
     const AllowThreads allow(n);
     oneapi::tbb::task_arena arena(n);
+    Handover handover;
     arena.execute([&] {
         oneapi::tbb::parallel_for(
             oneapi::tbb::blocked_range<std::size_t>(0, count, 1),
             [&](const oneapi::tbb::blocked_range<std::size_t>& range) {
-                const DefaultFpEnvironment environment;
-                for (std::size_t i = range.begin(); i != range.end(); ++i) body(i);
+                run_as_task(handover, [&] {
+                    for (std::size_t i = range.begin(); i != range.end(); ++i) body(i);
+                });
             },
             oneapi::tbb::simple_partitioner{});
     });
+    handover.all_ended();
 }
 
 void parallel_invoke(const std::function<void()>& a, const std::function<void()>& b) {
-    oneapi::tbb::parallel_invoke(
-        [&] {
-            const DefaultFpEnvironment environment;
-            a();
-        },
-        [&] {
-            const DefaultFpEnvironment environment;
-            b();
-        });
+    Handover handover;
+    oneapi::tbb::parallel_invoke([&] { run_as_task(handover, a); }, [&] { run_as_task(handover, b); });
+    handover.all_ended();
 }
 
 void run_with_threads(int threads, const std::function<void()>& body) {
     const AllowThreads allow(thread_count(threads));
     oneapi::tbb::task_arena arena(thread_count(threads));
-    arena.execute([&] {
-        const DefaultFpEnvironment environment;
-        body();
-    });
+    Handover handover;
+    arena.execute([&] { run_as_task(handover, body); });
+    handover.all_ended();
 }
 
 #endif

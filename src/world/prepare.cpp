@@ -20,9 +20,6 @@ using namespace HWY_NAMESPACE;
 constexpr int k_classes = 2 * k_shape_kinds;
 int class_number(const Shape& s) { return 2 * static_cast<int>(s.kind) + (s.transform != k_none ? 1 : 0); }
 
-template <class Geometry> constexpr bool k_is_transformed = false;
-template <class Geometry> constexpr bool k_is_transformed<Transformed<Geometry>> = true;
-
 // What a kind says of itself, whatever its type: how many values, its box, its packed values, whether it is open.
 struct KindFacts {
     int values = 0;
