@@ -96,6 +96,7 @@ struct Scene {
     std::vector<Light> lights;
     std::vector<Material> materials;
     std::vector<Affine> transforms;  ///< world_from_object, invertible
+    std::vector<Vec3> polygon_vertices;  ///< what Polygons refer to
     std::vector<Shape> shapes;       ///< in scene order: of two shapes hit at the same t, the earlier is seen
 
     Conventions conventions;

@@ -6,6 +6,7 @@
 #define GLINT_GEOMETRY_CYLINDER_INL_H_
 #endif
 
+#include "geometry/extent.h"
 #include "geometry/ray-inl.h"
 #include "glint/shapes.h"
 #include "math/transform.h"
@@ -29,18 +30,12 @@ struct CylinderGeometry {
     }
     static bool open(const Cylinder& c) { return !c.caps; }
 
-    /// The box of the two end discs: a disc of unit normal a reaches r sqrt(1 - a_i^2) along axis i.
     static void bounds(const Cylinder& c, Vec3& lo, Vec3& hi) {
-        double p[k_values];
-        pack(c, p);
-        const auto reach = [&](double a) { return c.radius * number::sqrt(number::max(0.0, 1 - a * a)); };
-        // The height is rounded: take what the packed form reaches, and what was written.
-        const Vec3 end = Vec3{p[0], p[1], p[2]} + Vec3{p[3], p[4], p[5]} * p[6];
-        const auto least = [](double a, double b, double d) { return number::min(number::min(a, b), d); };
-        const auto most = [](double a, double b, double d) { return number::max(number::max(a, b), d); };
-        const Vec3 r{reach(p[3]), reach(p[4]), reach(p[5])};
-        lo = Vec3{least(c.from.x, c.to.x, end.x), least(c.from.y, c.to.y, end.y), least(c.from.z, c.to.z, end.z)} - r;
-        hi = Vec3{most(c.from.x, c.to.x, end.x), most(c.from.y, c.to.y, end.y), most(c.from.z, c.to.z, end.z)} + r;
+        const Vec3 axis = glint::normalize(c.to - c.from);
+        Extent extent;
+        extent.add_disc(c.from, axis, c.radius);
+        extent.add_disc(c.to, axis, c.radius);
+        lo = extent.lo, hi = extent.hi;
     }
 
     template <class T> static HWY_INLINE Candidate<T> hit(const T* p, const Ray<T>& ray, T t_min) {

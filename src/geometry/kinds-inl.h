@@ -6,14 +6,21 @@
 #define GLINT_GEOMETRY_KINDS_INL_H_
 #endif
 
+#include "geometry/cone-inl.h"
+#include "geometry/cuboid-inl.h"
 #include "geometry/cylinder-inl.h"
+#include "geometry/disc-inl.h"
 #include "geometry/plane-inl.h"
 #include "geometry/sphere-inl.h"
 #include "geometry/transformed-inl.h"
+#include "geometry/triangle-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace glint {
 namespace HWY_NAMESPACE {
+
+/// Polygons are cut into triangles before anything is packed: a world has none.
+struct PolygonGeometry : TriangleGeometry {};
 
 /// Calls visitor.visit<Geometry>() for the geometry of a kind, under a transform or not.
 template <class Visitor>

@@ -1,6 +1,9 @@
 // Every number and index of a scene, checked once, so that no later room has to.
 #include <fmt/format.h>
 
+#include <array>
+#include <span>
+
 #include "math/number.h"
 #include "scene/findings.h"
 #include "scene/ranges.h"
@@ -241,6 +244,55 @@ class Validator {
             shape_error(i, "expected an axis of some length, found two equal ends " + text(c.from));
         }
         check_radius(i, c.radius);
+    }
+
+    void check_parameters(std::uint32_t i, const Cone& c) {
+        check_parameters(i, Cylinder{c.from, c.to, 1, c.caps});
+        if (!k_not_negative.contains(c.from_radius) || !k_not_negative.contains(c.to_radius)) {
+            shape_error(i, fmt::format("radius: expected {}, found ({}, {})", k_not_negative.text, c.from_radius, c.to_radius));
+        } else if (c.from_radius == 0 && c.to_radius == 0) {
+            shape_error(i, "expected a radius > 0 at one end at least, found (0, 0)");
+        }
+    }
+
+    void check_parameters(std::uint32_t i, const Disc& d) {
+        check_parameters(i, Plane{d.center, d.normal});
+        check_radius(i, d.radius);
+    }
+
+    void check_parameters(std::uint32_t i, const Cuboid& c) {
+        check_vertices(i, std::array{c.min, c.max});
+        if (c.min.x > c.max.x || c.min.y > c.max.y || c.min.z > c.max.z) {
+            shape_error(i, fmt::format("expected min at most max in each coordinate, found {} and {}", text(c.min), text(c.max)));
+        }
+    }
+
+    void check_parameters(std::uint32_t i, const Triangle& t) { check_vertices(i, t.vertices); }
+
+    void check_parameters(std::uint32_t i, const SmoothTriangle& t) {
+        check_vertices(i, t.vertices);
+        for (const Vec3& n : t.normals) {
+            if (!is_coordinate(n) || is_zero(n)) {
+                return shape_error(i, "expected a normal other than (0, 0, 0) and within 1e12, found " + text(n));
+            }
+        }
+    }
+
+    void check_parameters(std::uint32_t i, const Polygon& p) {
+        const std::size_t known = scene_.polygon_vertices.size();
+        if (p.first > known || p.count > known - p.first) return shape_error(i, "no such vertices");
+        if (p.count < 3) return shape_error(i, fmt::format("expected at least 3 vertices, found {}", p.count));
+        if (p.count > k_max_polygon_vertices) {
+            return shape_error(i, fmt::format("expected at most {} vertices, found {}: cut it into smaller polygons",
+                                              k_max_polygon_vertices, p.count));
+        }
+        check_vertices(i, std::span(scene_.polygon_vertices).subspan(p.first, p.count));
+    }
+
+    void check_vertices(std::uint32_t i, std::span<const Vec3> vertices) {
+        for (const Vec3& v : vertices) {
+            if (!is_coordinate(v)) return shape_error(i, "expected a vertex within 1e12, found " + text(v));
+        }
     }
 
     void check_radius(std::uint32_t i, double radius) {

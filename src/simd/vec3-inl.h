@@ -23,6 +23,9 @@ struct Triple {
 };
 
 template <class T> HWY_INLINE T dot(Triple<T> a, Triple<T> b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+template <class T> HWY_INLINE Triple<T> cross(Triple<T> a, Triple<T> b) {
+    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
 template <class T> HWY_INLINE T length(Triple<T> a) { return sqrt(dot(a, a)); }
 template <class T> HWY_INLINE Triple<T> normalize(Triple<T> a) { return a / length(a); }
 

@@ -1,14 +1,18 @@
 // Scene -> World.
 #include <algorithm>
 #include <array>
+#include <span>
+#include <type_traits>
 
 #include "base/fp_environment.h"
 #include "base/guard.h"
 #include "base/parallel_for.h"
 #include "bvh/rays.h"
+#include "geometry/extent.h"
 #include "geometry/kinds-inl.h"
 #include "math/transform.h"
 #include "world/prepare_camera.h"
+#include "world/triangulate.h"
 #include "world/world.h"
 
 namespace glint {
@@ -18,9 +22,18 @@ using namespace HWY_NAMESPACE;
 
 // A class is a kind, transformed or not.
 constexpr int k_classes = 2 * k_shape_kinds;
-int class_number(const Shape& s) { return 2 * static_cast<int>(s.kind) + (s.transform != k_none ? 1 : 0); }
 
-// What a kind says of itself, whatever its type: how many values, its box, its packed values, whether it is open.
+// What is packed: a shape, or a piece of one (a polygon's triangle).
+struct Item {
+    std::uint32_t shape = 0;
+    std::uint32_t piece = k_none;  // into Items::pieces
+};
+struct Items {
+    std::vector<Item> list;
+    std::vector<Triangle> pieces;
+};
+
+// What a kind says of itself: how many values, whether it has a box.
 struct KindFacts {
     int values = 0;
     bool bounded = true;
@@ -29,49 +42,12 @@ struct KindFacts {
         bounded = Geometry::k_bounded;
     }
 };
-KindFacts kind_facts(int class_number) {
-    KindFacts facts;
-    visit_geometry(static_cast<ShapeKind>(class_number / 2), class_number % 2 == 1, facts);
+
+using Facts = std::array<KindFacts, k_classes>;
+Facts all_facts() {
+    Facts facts;
+    for (int c = 0; c < k_classes; ++c) visit_geometry(static_cast<ShapeKind>(c / 2), c % 2 == 1, facts[c]);
     return facts;
-}
-
-template <class Visit>
-void with_parameters(const Scene& scene, const Shape& shape, Visit&& visit) {
-    switch (shape.kind) {
-#define GLINT_KIND(Type, word)                                         \
-    case ShapeKind::word:                                              \
-        visit(scene.get<Type>()[shape.index], Type##Geometry());       \
-        break;
-        GLINT_SHAPES(GLINT_KIND)
-#undef GLINT_KIND
-    }
-}
-
-// The box of a box's corners under a map.
-void transform_bounds(const Affine& map, Vec3& lo, Vec3& hi) {
-    Vec3 new_lo, new_hi;
-    for (int corner = 0; corner < 8; ++corner) {
-        const Vec3 p = transform_point(map, {corner & 1 ? hi.x : lo.x, corner & 2 ? hi.y : lo.y, corner & 4 ? hi.z : lo.z});
-        if (corner == 0) new_lo = new_hi = p;
-        new_lo = {std::min(new_lo.x, p.x), std::min(new_lo.y, p.y), std::min(new_lo.z, p.z)};
-        new_hi = {std::max(new_hi.x, p.x), std::max(new_hi.y, p.y), std::max(new_hi.z, p.z)};
-    }
-    lo = new_lo;
-    hi = new_hi;
-}
-
-Box shape_box(const Scene& scene, const Shape& shape) {
-    Vec3 lo, hi;
-    with_parameters(scene, shape, [&](const auto& parameters, auto geometry) { geometry.bounds(parameters, lo, hi); });
-    if (shape.transform != k_none) transform_bounds(scene.transforms[shape.transform], lo, hi);
-    return padded_box(lo, hi);
-}
-
-bool turns_normal(const Scene& scene, const Shape& shape) {
-    if (scene.conventions.facing != Facing::open) return scene.conventions.facing == Facing::all;
-    bool open = false;
-    with_parameters(scene, shape, [&](const auto& parameters, auto geometry) { open = geometry.open(parameters); });
-    return open;
 }
 
 void put(std::vector<double>& to, Color c) { to.insert(to.end(), {c.r, c.g, c.b}); }
@@ -88,69 +64,165 @@ std::vector<double> pack_materials(const Scene& scene) {
     return packed;
 }
 
-// Lays the shapes out by class and, within a class, in the order given; fills everything that is by slot.
+Items list_items(const Scene& scene) {
+    Items items;
+    items.list.reserve(scene.shapes.size());
+    for (std::uint32_t i = 0; i < scene.shapes.size(); ++i) {
+        const Shape& shape = scene.shapes[i];
+        if (shape.kind != ShapeKind::polygon) {
+            items.list.push_back({i, k_none});
+            continue;
+        }
+        const Polygon& polygon = scene.get<Polygon>()[shape.index];
+        const auto first = static_cast<std::uint32_t>(items.pieces.size());
+        triangulate(std::span(scene.polygon_vertices).subspan(polygon.first, polygon.count), items.pieces);
+        for (auto piece = first; piece < items.pieces.size(); ++piece) items.list.push_back({i, piece});
+    }
+    return items;
+}
+
+// Packs a scene's items into a world.
 class Packer {
   public:
-    Packer(const Scene& scene, World& world) : scene_(scene), world_(world) {}
+    Packer(const Scene& scene, World& world, int threads)
+        : scene_(scene), world_(world), threads_(threads), items_(list_items(scene)), facts_(all_facts()) {}
 
-    // items: indices into Scene::shapes in the order wanted within each class, bounded ones only.
-    void pack(const std::vector<std::uint32_t>& items, int threads) {
-        std::array<std::uint32_t, k_classes> count{};
-        for (const Shape& s : scene_.shapes) ++count[class_number(s)];
-        std::array<int, k_classes> order{};
-        for (int c = 0; c < k_classes; ++c) order[c] = c;
-        std::stable_partition(order.begin(), order.end(), [](int c) { return kind_facts(c).bounded; });
-        std::array<std::uint32_t, k_classes> next{};
-        for (const int c : order) {
-            const KindFacts facts = kind_facts(c);
-            next[c] = world_.count;
-            world_.count += count[c];
-            if (facts.bounded) world_.bounded = world_.count;
-            if (count[c] == 0) continue;
-            ShapeClass packed;
-            packed.kind = static_cast<ShapeKind>(c / 2);
-            packed.transformed = c % 2 == 1;
-            packed.first = next[c];
-            packed.count = count[c];
-            packed.stride = count[c] + k_ray_padding;
-            packed.values.resize(static_cast<std::size_t>(packed.stride) * facts.values);
-            world_.classes.push_back(std::move(packed));
+    void run() {
+        build_hierarchy();
+        lay_out_classes();
+        lay_out_slots();
+        for_all(items_.list.size(), [&](std::size_t i) { fill(i); });
+        // A leaf's items are of one class and consecutive in leaf order, so their slots are consecutive too.
+        for (BvhNode& node : world_.bvh.nodes) {
+            for (BvhChild& child : node.child) {
+                if (child.is_leaf()) child = BvhChild::leaf(slot_[in_leaf_order(child.first())], child.count());
+            }
         }
-        const std::size_t padded = world_.count + k_ray_padding;
-        for (int a = 0; a < 3; ++a) {
-            world_.box_lo[a].assign(padded, 0);
-            world_.box_hi[a].assign(padded, 0);
-        }
-        world_.shape_index.assign(padded, 0);
-        world_.material.assign(padded, 0);
-        slot_.resize(scene_.shapes.size());
-        for (const std::uint32_t i : items) slot_[i] = next[class_number(scene_.shapes[i])]++;
-        for (std::uint32_t i = 0; i < scene_.shapes.size(); ++i) {
-            const int c = class_number(scene_.shapes[i]);
-            if (!kind_facts(c).bounded) slot_[i] = next[c]++;
-        }
+        world_.bvh.order = {};
+    }
+
+  private:
+    int class_of(const Item& item) const {
+        const Shape& s = scene_.shapes[item.shape];
+        const ShapeKind kind = item.piece == k_none ? s.kind : ShapeKind::triangle;
+        return 2 * static_cast<int>(kind) + (s.transform != k_none ? 1 : 0);
+    }
+
+    template <class Body>
+    void for_all(std::size_t count, Body&& body) const {
         constexpr std::size_t chunk = 16384;
-        parallel_for((scene_.shapes.size() + chunk - 1) / chunk, threads, [&](std::size_t block) {
-            const std::size_t end = std::min(scene_.shapes.size(), (block + 1) * chunk);
-            for (std::size_t i = block * chunk; i < end; ++i) fill(static_cast<std::uint32_t>(i));
+        parallel_for((count + chunk - 1) / chunk, threads_, [&](std::size_t block) {
+            const std::size_t end = std::min(count, (block + 1) * chunk);
+            for (std::size_t i = block * chunk; i < end; ++i) body(i);
         });
     }
 
-    std::uint32_t slot(std::uint32_t shape) const { return slot_[shape]; }
+    // Calls visit(parameters, geometry) for the item's kind.
+    template <class Visit>
+    void with_parameters(const Item& item, Visit&& visit) const {
+        if (item.piece != k_none) return visit(items_.pieces[item.piece], TriangleGeometry());
+        const Shape& shape = scene_.shapes[item.shape];
+        switch (shape.kind) {
+#define GLINT_KIND(Type, word)                                                                     \
+    case ShapeKind::word:                                                                          \
+        if constexpr (!std::is_same_v<Type, Polygon>) {                                            \
+            visit(scene_.get<Type>()[shape.index], Type##Geometry());                              \
+        }                                                                                          \
+        break;
+            GLINT_SHAPES(GLINT_KIND)
+#undef GLINT_KIND
+        }
+    }
 
-  private:
-    void fill(std::uint32_t i) {
-        const Shape& shape = scene_.shapes[i];
+    Aabb box_of(const Item& item) const {
+        Vec3 lo, hi;
+        with_parameters(item, [&](const auto& parameters, auto geometry) { geometry.bounds(parameters, lo, hi); });
+        const std::uint32_t transform = scene_.shapes[item.shape].transform;
+        if (transform != k_none) {
+            Extent extent;  // of the box's corners
+            for (int corner = 0; corner < 8; ++corner) {
+                extent.add(transform_point(scene_.transforms[transform], {corner & 1 ? hi.x : lo.x, corner & 2 ? hi.y : lo.y,
+                                                                          corner & 4 ? hi.z : lo.z}));
+            }
+            lo = extent.lo, hi = extent.hi;
+        }
+        return padded_box(lo, hi);
+    }
+
+    bool turns_normal(const Item& item) const {
+        if (scene_.conventions.facing != Facing::open) return scene_.conventions.facing == Facing::all;
+        bool open = false;
+        with_parameters(item, [&](const auto& parameters, auto geometry) { open = geometry.open(parameters); });
+        return open;
+    }
+
+    void build_hierarchy() {
+        std::vector<std::uint8_t> classes;
+        for (std::uint32_t i = 0; i < items_.list.size(); ++i) {
+            const int c = class_of(items_.list[i]);
+            if (!facts_[c].bounded) continue;
+            bounded_.push_back(i);
+            classes.push_back(static_cast<std::uint8_t>(c));
+        }
+        std::vector<Aabb> boxes(bounded_.size());
+        for_all(boxes.size(), [&](std::size_t i) { boxes[i] = box_of(items_.list[bounded_[i]]); });
+        world_.bvh = build_bvh(boxes, classes, threads_);
+    }
+
+    std::uint32_t in_leaf_order(std::uint32_t i) const { return bounded_[world_.bvh.order[i]]; }
+
+    // Bounded classes first; an empty class is left out.
+    void lay_out_classes() {
+        std::array<std::uint32_t, k_classes> count{};
+        for (const Item& item : items_.list) ++count[class_of(item)];
+        for (const bool bounded : {true, false}) {
+            for (int c = 0; c < k_classes; ++c) {
+                if (facts_[c].bounded != bounded || count[c] == 0) continue;
+                ShapeClass packed;
+                packed.kind = static_cast<ShapeKind>(c / 2);
+                packed.transformed = c % 2 == 1;
+                packed.first = world_.count;
+                packed.count = count[c];
+                packed.stride = count[c] + k_ray_padding;
+                packed.values.resize(static_cast<std::size_t>(packed.stride) * facts_[c].values);
+                next_slot_[c] = world_.count;
+                class_index_[c] = world_.classes.size();
+                world_.classes.push_back(std::move(packed));
+                world_.count += count[c];
+            }
+            if (bounded) world_.bounded = world_.count;
+        }
+    }
+
+    // Within a class, bounded items in leaf order, the others in the scene's.
+    void lay_out_slots() {
+        slot_.resize(items_.list.size());
+        const auto place = [&](std::uint32_t i) { slot_[i] = next_slot_[class_of(items_.list[i])]++; };
+        for (std::uint32_t i = 0; i < bounded_.size(); ++i) place(in_leaf_order(i));
+        for (std::uint32_t i = 0; i < items_.list.size(); ++i) {
+            if (!facts_[class_of(items_.list[i])].bounded) place(i);
+        }
+        const std::size_t padded = world_.count + k_ray_padding;
+        for (int a = 0; a < 3; ++a) {
+            world_.box_lo[a].assign(world_.bounded + k_ray_padding, 0);
+            world_.box_hi[a].assign(world_.bounded + k_ray_padding, 0);
+        }
+        world_.shape_index.assign(padded, 0);
+        world_.material.assign(padded, 0);
+    }
+
+    void fill(std::size_t i) {
+        const Item& item = items_.list[i];
+        const Shape& shape = scene_.shapes[item.shape];
         const std::uint32_t slot = slot_[i];
-        world_.shape_index[slot] = i;
+        world_.shape_index[slot] = item.shape;
         const auto last = static_cast<std::uint32_t>(scene_.materials.size());  // the default material
-        world_.material[slot] = (shape.material == k_none ? last : shape.material) |
-                                (turns_normal(scene_, shape) ? k_turn_normal : 0);
-        auto& packed = const_cast<ShapeClass&>(world_.class_of(slot));
-        std::array<double, 64> values;
+        world_.material[slot] = (shape.material == k_none ? last : shape.material) | (turns_normal(item) ? k_turn_normal : 0);
+
+        std::array<double, k_max_values> values;
         int n = 0;
-        with_parameters(scene_, shape, [&](const auto& parameters, auto geometry) {
-            static_assert(decltype(geometry)::k_values + 12 <= 64);
+        with_parameters(item, [&](const auto& parameters, auto geometry) {
+            static_assert(Transformed<decltype(geometry)>::k_values <= k_max_values);
             geometry.pack(parameters, values.data());
             n = decltype(geometry)::k_values;
         });
@@ -161,52 +233,30 @@ class Packer {
                 for (const double value : row) values[n++] = value;
             }
         }
+        ShapeClass& packed = world_.classes[class_index_[class_of(item)]];
         for (int k = 0; k < n; ++k) {
             packed.values[static_cast<std::size_t>(k) * packed.stride + (slot - packed.first)] = values[k];
         }
         if (slot >= world_.bounded) return;
-        const Box box = shape_box(scene_, shape);
+        const Aabb box = box_of(item);
         for (int a = 0; a < 3; ++a) {
             world_.box_lo[a][slot] = box.lo[a];
             world_.box_hi[a][slot] = box.hi[a];
         }
     }
 
+    static constexpr int k_max_values = 64;
+
     const Scene& scene_;
     World& world_;
-    std::vector<std::uint32_t> slot_;
+    int threads_;
+    Items items_;
+    Facts facts_;
+    std::vector<std::uint32_t> bounded_;  // the items with boxes
+    std::vector<std::uint32_t> slot_;     // by item
+    std::array<std::uint32_t, k_classes> next_slot_{};
+    std::array<std::size_t, k_classes> class_index_{};
 };
-
-void build_geometry(const Scene& scene, World& world, int threads) {
-    std::vector<std::uint32_t> items;
-    std::vector<Box> boxes;
-    std::vector<std::uint8_t> item_class;
-    for (std::uint32_t i = 0; i < scene.shapes.size(); ++i) {
-        const int c = class_number(scene.shapes[i]);
-        if (!kind_facts(c).bounded) continue;
-        items.push_back(i);
-        item_class.push_back(static_cast<std::uint8_t>(c));
-    }
-    boxes.resize(items.size());
-    constexpr std::size_t chunk = 16384;
-    parallel_for((items.size() + chunk - 1) / chunk, threads, [&](std::size_t block) {
-        const std::size_t end = std::min(items.size(), (block + 1) * chunk);
-        for (std::size_t i = block * chunk; i < end; ++i) boxes[i] = shape_box(scene, scene.shapes[items[i]]);
-    });
-    world.bvh = build_bvh(boxes, item_class, threads);
-
-    std::vector<std::uint32_t> leaf_order(items.size());
-    for (std::size_t i = 0; i < items.size(); ++i) leaf_order[i] = items[world.bvh.order[i]];
-    Packer packer(scene, world);
-    packer.pack(leaf_order, threads);
-    // A leaf's items are of one class and consecutive in leaf order, so their slots are consecutive too.
-    for (BvhNode& node : world.bvh.nodes) {
-        for (BvhChild& child : node.child) {
-            if (child.is_leaf()) child = BvhChild::leaf(packer.slot(leaf_order[child.first()]), child.count());
-        }
-    }
-    world.bvh.order = {};
-}
 
 }  // namespace
 
@@ -237,7 +287,7 @@ PrepareResult prepare(const Scene& scene, int threads) {
                 world->lights.push_back(light);
             }
         }
-        build_geometry(scene, *world, threads);
+        Packer(scene, *world, threads).run();
         result.world = std::move(world);
     });
     if (!failure.empty()) {
@@ -260,7 +310,7 @@ WorldMemory memory(const World& world) {
 }
 
 Bounds bounds(const World& world) {
-    const Box& b = world.bvh.bounds;
+    const Aabb& b = world.bvh.bounds;
     return {{b.lo[0], b.lo[1], b.lo[2]}, {b.hi[0], b.hi[1], b.hi[2]}};
 }
 

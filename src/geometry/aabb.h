@@ -8,13 +8,13 @@
 namespace glint {
 
 /// Empty until something is added: lo > hi.
-struct Box {
+struct Aabb {
     float lo[3] = {std::numeric_limits<float>::infinity(), std::numeric_limits<float>::infinity(),
                    std::numeric_limits<float>::infinity()};
     float hi[3] = {-std::numeric_limits<float>::infinity(), -std::numeric_limits<float>::infinity(),
                    -std::numeric_limits<float>::infinity()};
 
-    void add(const Box& b) {
+    void add(const Aabb& b) {
         for (int a = 0; a < 3; ++a) {
             if (b.lo[a] < lo[a]) lo[a] = b.lo[a];
             if (b.hi[a] > hi[a]) hi[a] = b.hi[a];
@@ -31,9 +31,9 @@ struct Box {
 
 /// The box in single precision of a box in double, padded by what rounding may move a shape's surface: a formula's error is
 /// relative to the magnitudes it computes with, so both sides are padded by the larger one's.
-inline Box padded_box(Vec3 lo, Vec3 hi) {
+inline Aabb padded_box(Vec3 lo, Vec3 hi) {
     const double low[3] = {lo.x, lo.y, lo.z}, high[3] = {hi.x, hi.y, hi.z};
-    Box box;
+    Aabb box;
     for (int a = 0; a < 3; ++a) {
         const double magnitude = number::max(number::abs(low[a]), number::abs(high[a]));
         const double pad = magnitude * 0x1p-23 + 1e-30;  // two to four units in the last place of a float

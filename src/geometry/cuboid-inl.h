@@ -1,0 +1,62 @@
+// The axis-aligned box: packing, bounds, hit, normal.
+#if defined(GLINT_GEOMETRY_CUBOID_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef GLINT_GEOMETRY_CUBOID_INL_H_
+#undef GLINT_GEOMETRY_CUBOID_INL_H_
+#else
+#define GLINT_GEOMETRY_CUBOID_INL_H_
+#endif
+
+#include "geometry/ray-inl.h"
+#include "glint/shapes.h"
+#include "math/transform.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace glint {
+namespace HWY_NAMESPACE {
+
+struct CuboidGeometry {
+    static constexpr int k_values = 6;  // min, max
+    static constexpr bool k_bounded = true;
+    static constexpr bool k_filtered = false;
+
+    static void pack(const Cuboid& c, double* p) {
+        p[0] = c.min.x, p[1] = c.min.y, p[2] = c.min.z;
+        p[3] = c.max.x, p[4] = c.max.y, p[5] = c.max.z;
+    }
+    static bool open(const Cuboid&) { return false; }
+    static void bounds(const Cuboid& c, Vec3& lo, Vec3& hi) { lo = c.min, hi = c.max; }
+
+    template <class T> static HWY_INLINE Candidate<T> hit(const T* p, const Ray<T>& ray, T t_min) {
+        T enter = T(-1e300), leave = T(1e300);
+        const auto slab = [&](T lo, T hi, T o, T d) HWY_ATTR {
+            const auto parallel = d == T(0);
+            const auto inside = (o >= lo) && (o <= hi);
+            const T a = (lo - o) / d, b = (hi - o) / d;
+            enter = select(parallel, select(inside, enter, T(1e300)), max(enter, min(a, b)));
+            leave = select(parallel, select(inside, leave, T(-1e300)), min(leave, max(a, b)));
+        };
+        slab(p[0], p[3], ray.origin.x, ray.direction.x);
+        slab(p[1], p[4], ray.origin.y, ray.direction.y);
+        slab(p[2], p[5], ray.origin.z, ray.direction.z);
+        const T t = select(enter > t_min, enter, leave);
+        return {(enter <= leave) && (t > t_min), t};
+    }
+
+    /// Of the face whose plane is nearest to the point.
+    template <class T> static HWY_INLINE Triple<T> normal(const T* p, Triple<T> point) {
+        const auto depth = [](T lo, T hi, T x) HWY_ATTR { return min(abs(x - lo), abs(hi - x)); };
+        const auto side = [](T lo, T hi, T x) HWY_ATTR { return select(abs(x - lo) < abs(hi - x), T(-1), T(1)); };
+        const T x = depth(p[0], p[3], point.x), y = depth(p[1], p[4], point.y), z = depth(p[2], p[5], point.z);
+        const T zero(0);
+        const auto is_x = (x <= y) && (x <= z), is_y = y <= z;
+        return select_triple(is_x, Triple<T>{side(p[0], p[3], point.x), zero, zero},
+                             select_triple(is_y, Triple<T>{zero, side(p[1], p[4], point.y), zero},
+                                           Triple<T>{zero, zero, side(p[2], p[5], point.z)}));
+    }
+};
+
+}  // namespace HWY_NAMESPACE
+}  // namespace glint
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,51 @@
+// The disc: packing, bounds, hit, normal.
+#if defined(GLINT_GEOMETRY_DISC_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef GLINT_GEOMETRY_DISC_INL_H_
+#undef GLINT_GEOMETRY_DISC_INL_H_
+#else
+#define GLINT_GEOMETRY_DISC_INL_H_
+#endif
+
+#include "geometry/extent.h"
+#include "geometry/ray-inl.h"
+#include "glint/shapes.h"
+#include "math/transform.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace glint {
+namespace HWY_NAMESPACE {
+
+struct DiscGeometry {
+    static constexpr int k_values = 7;  // center, unit normal, radius
+    static constexpr bool k_bounded = true;
+    static constexpr bool k_filtered = false;
+
+    static void pack(const Disc& disc, double* p) {
+        const Vec3 n = glint::normalize(disc.normal);
+        p[0] = disc.center.x, p[1] = disc.center.y, p[2] = disc.center.z;
+        p[3] = n.x, p[4] = n.y, p[5] = n.z;
+        p[6] = disc.radius;
+    }
+    static bool open(const Disc&) { return true; }
+    static void bounds(const Disc& disc, Vec3& lo, Vec3& hi) {
+        Extent extent;
+        extent.add_disc(disc.center, glint::normalize(disc.normal), disc.radius);
+        lo = extent.lo, hi = extent.hi;
+    }
+
+    template <class T> static HWY_INLINE Candidate<T> hit(const T* p, const Ray<T>& ray, T t_min) {
+        const Triple<T> q = ray.origin - triple(p), n = triple(p + 3);
+        // A ray within the disc's plane gives NaN or infinity: no hit.
+        const T t = -dot(q, n) / dot(ray.direction, n);
+        const Triple<T> across = q + ray.direction * t;
+        return {t > t_min && (dot(across, across) <= p[6] * p[6]), t};
+    }
+
+    template <class T> static HWY_INLINE Triple<T> normal(const T* p, Triple<T>) { return triple(p + 3); }
+};
+
+}  // namespace HWY_NAMESPACE
+}  // namespace glint
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,90 @@
+// The triangle, flat or with vertex normals: packing, bounds, hit, normal.
+#if defined(GLINT_GEOMETRY_TRIANGLE_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef GLINT_GEOMETRY_TRIANGLE_INL_H_
+#undef GLINT_GEOMETRY_TRIANGLE_INL_H_
+#else
+#define GLINT_GEOMETRY_TRIANGLE_INL_H_
+#endif
+
+#include "geometry/extent.h"
+#include "geometry/ray-inl.h"
+#include "glint/shapes.h"
+#include "math/transform.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace glint {
+namespace HWY_NAMESPACE {
+
+/// Its normal is that of the counter-clockwise side: (b - a) × (c - a).
+struct TriangleGeometry {
+    static constexpr int k_values = 9;  // a, b, c
+    static constexpr bool k_bounded = true;
+    static constexpr bool k_filtered = false;
+
+    static void pack(const Triangle& triangle, double* p) {
+        for (const Vec3& v : triangle.vertices) *p++ = v.x, *p++ = v.y, *p++ = v.z;
+    }
+    static bool open(const Triangle&) { return true; }
+    static void bounds(const Triangle& triangle, Vec3& lo, Vec3& hi) {
+        Extent extent;
+        for (const Vec3& v : triangle.vertices) extent.add(v);
+        lo = extent.lo, hi = extent.hi;
+    }
+
+    /// From the point of the ray's line that is nearest to the world's origin, so that a distant ray costs no digits.
+    /// The ray passes on one side of all three edges. An edge's side is (p × q)·d with p, q its ends seen from the origin:
+    /// swapping them changes the sign and no bit, so that two triangles with a common edge leave no gap.
+    template <class T> static HWY_INLINE Candidate<T> hit(const T* p, const Ray<T>& ray, T t_min) {
+        const Triple<T> d = ray.direction;
+        const T start = -(dot(ray.origin, d) / dot(d, d));
+        const Triple<T> origin = ray.origin + d * start;
+        const Triple<T> a = triple(p) - origin, b = triple(p + 3) - origin, c = triple(p + 6) - origin;
+        const T u = dot(cross(b, c), d), v = dot(cross(c, a), d), w = dot(cross(a, b), d);
+        const T zero(0);
+        const auto inside = ((u >= zero) && (v >= zero) && (w >= zero)) || ((u <= zero) && (v <= zero) && (w <= zero));
+        const Triple<T> n = cross(triple(p + 3) - triple(p), triple(p + 6) - triple(p));
+        // A ray within the plane gives NaN or infinity: no hit.
+        const T t = start + dot(a, n) / dot(d, n);
+        return {inside && (t > t_min) && (t < T(1e300)), t};
+    }
+
+    template <class T> static HWY_INLINE Triple<T> normal(const T* p, Triple<T>) {
+        return normalize(cross(triple(p + 3) - triple(p), triple(p + 6) - triple(p)));
+    }
+};
+
+/// As the triangle, with the vertices' normals mixed by the point's barycentric coordinates.
+struct SmoothTriangleGeometry {
+    static constexpr int k_values = 18;  // a, b, c, and their normals
+    static constexpr bool k_bounded = true;
+    static constexpr bool k_filtered = false;
+
+    static void pack(const SmoothTriangle& triangle, double* p) {
+        for (const Vec3& v : triangle.vertices) *p++ = v.x, *p++ = v.y, *p++ = v.z;
+        for (const Vec3& v : triangle.normals) {
+            const Vec3 n = glint::normalize(v);
+            *p++ = n.x, *p++ = n.y, *p++ = n.z;
+        }
+    }
+    static bool open(const SmoothTriangle&) { return true; }
+    static void bounds(const SmoothTriangle& triangle, Vec3& lo, Vec3& hi) {
+        TriangleGeometry::bounds({{triangle.vertices[0], triangle.vertices[1], triangle.vertices[2]}}, lo, hi);
+    }
+
+    template <class T> static HWY_INLINE Candidate<T> hit(const T* p, const Ray<T>& ray, T t_min) {
+        return TriangleGeometry::hit(p, ray, t_min);
+    }
+
+    template <class T> static HWY_INLINE Triple<T> normal(const T* p, Triple<T> point) {
+        const Triple<T> a = triple(p) - point, b = triple(p + 3) - point, c = triple(p + 6) - point;
+        const Triple<T> n = cross(triple(p + 3) - triple(p), triple(p + 6) - triple(p));
+        const T u = dot(cross(b, c), n), v = dot(cross(c, a), n), w = dot(cross(a, b), n);
+        return normalize(triple(p + 9) * u + triple(p + 12) * v + triple(p + 15) * w);
+    }
+};
+
+}  // namespace HWY_NAMESPACE
+}  // namespace glint
+HWY_AFTER_NAMESPACE();
+
+#endif
