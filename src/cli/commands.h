@@ -1,0 +1,15 @@
+#pragma once
+// The commands of glint. Each adds its subcommand and returns what runs it: the exit code, or a Failure.
+#include <CLI/CLI.hpp>
+#include <functional>
+
+namespace glint::cli {
+
+/// Runs a command that has been parsed; returns the exit code.
+using Run = std::function<int()>;
+
+Run add_render(CLI::App& app);
+Run add_info(CLI::App& app);
+Run add_completion(CLI::App& app);
+
+}  // namespace glint::cli

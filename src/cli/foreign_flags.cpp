@@ -1,0 +1,198 @@
+#include "cli/foreign_flags.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <string_view>
+#include <vector>
+
+namespace glint::cli {
+namespace {
+
+// What the answer is made of, flag by flag.
+struct Answer {
+    std::string lines;                 // "+A: glint says --aa 3"
+    std::vector<std::string> command;  // glint's own arguments
+    std::string size_flags, width, height;
+
+    void say(std::string_view flag, std::string_view what) { lines += fmt::format("{}: {}\n", flag, what); }
+    void use(std::string_view flag, const std::string& ours) {
+        say(flag, "glint says " + ours);
+        command.push_back(ours);
+    }
+    void dimension(const std::string& flag, std::string& which, std::string value) {
+        size_flags += (size_flags.empty() ? "" : " ") + flag;
+        which = std::move(value);
+    }
+};
+
+bool is_number(std::string_view text) {
+    return !text.empty() &&
+           std::all_of(text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; });
+}
+
+std::string or_else(std::string_view text, std::string_view otherwise) {
+    return std::string(text.empty() ? otherwise : text);
+}
+
+// POV-Ray: a sign, a letter, and the value without a space. Upper and lower case are the same.
+void answer_povray(const std::string& flag, Answer& answer) {
+    const char letter =
+        flag.size() > 1 ? static_cast<char>(std::toupper(static_cast<unsigned char>(flag[1]))) : '\0';
+    const std::string value = flag.size() > 2 ? flag.substr(2) : "";
+    const char second =
+        value.empty() ? '\0' : static_cast<char>(std::toupper(static_cast<unsigned char>(value[0])));
+    const bool off = flag[0] == '-';
+    switch (letter) {
+        case 'W':
+            if (second == 'T') return answer.use(flag, "--threads " + or_else(value.substr(1), "0"));
+            return answer.dimension(flag, answer.width, value);
+        case 'H':
+            return answer.dimension(flag, answer.height, value);
+        case 'I':
+            return answer.use(flag, or_else(value, "SCENE"));
+        case 'O':
+            return answer.use(flag, "--output " + or_else(value, "OUT"));
+        case 'A':
+            if (off) return answer.say(flag, "one sample a pixel is glint's default");
+            return answer.use(flag, "--aa 3");
+        case 'R':
+            return answer.use(flag, fmt::format("--aa {}", is_number(value) ? value : "3"));
+        case 'D':
+            if (off) return answer.say(flag, "glint opens no window; leave it out");
+            return answer.use(flag, "--show");
+        case 'Q':
+            if (is_number(value) && value.size() == 1 && value[0] <= '1')
+                return answer.use(flag, "--shading color");
+            if (is_number(value) && value.size() == 1 && value[0] <= '3')
+                return answer.use(flag, "--no-shadows");
+            return answer.say(
+                flag,
+                "full quality is glint's default; less is --no-shadows, --reflections 0, --shading color");
+        case 'S':
+        case 'E':
+            return answer.say(flag, "a part of the picture is --crop WxH+X+Y");
+        case 'F':
+            return answer.say(flag,
+                              "the file's type is OUT's extension: .png .ppm .exr; 16 bits are --bits 16");
+        case 'V':
+            if (off) return answer.use(flag, "--quiet");
+            return answer.say(
+                flag, "glint shows its progress on a terminal; figures are written by --stats FILE.json");
+        case 'G':
+            return answer.say(flag,
+                              "messages go to standard error; figures are written by --stats FILE.json");
+        case 'L':
+            return answer.say(flag, "included files are found beside the file that names them; leave it out");
+        case 'K':
+            return answer.say(flag, "glint has no animation clock");
+        case 'P':
+        case 'C':
+        case 'B':
+        case 'M':
+        case 'U':
+        case 'J':
+            return answer.say(flag, "glint has no need of it; leave it out");
+        default:
+            return answer.say(flag, "glint's options begin with - or --; see 'glint render --help'");
+    }
+}
+
+struct Tachyon {
+    std::string_view flag;
+    int values;             // how many arguments it takes
+    std::string_view ours;  // an option, completed by the value if it ends in a space; a sentence if it does
+                            // not begin with -
+};
+constexpr Tachyon k_tachyon[] = {
+    {"-res", 2, "--size "},
+    {"-numthreads", 1, "--threads "},
+    {"-aasamples", 1, "--aa "},
+    {"-format", 1, "the file's type is OUT's extension: .png .ppm .exr; 16 bits are --bits 16"},
+    {"-fullshade", 0, "shadows and mirrors are glint's default; leave it out"},
+    {"-mediumshade", 0, "--no-shadows"},
+    {"-lowshade", 0, "--no-shadows --reflections 0"},
+    {"-lowestshade", 0, "--shading color"},
+    {"-shade_phong", 0, "--shading phong"},
+    {"-shade_blinn", 0, "--shading blinn-phong"},
+    {"-shade_blinn_fast", 0, "--shading blinn-phong"},
+    {"-shade_nullphong", 0, "--shading diffuse"},
+    {"-raydepth", 1, "--reflections "},
+    {"-verbose", 0, "figures are written by --stats FILE.json"},
+    {"-nosave", 0, "--output /dev/null"},
+    {"-gamma", 1, "--transfer srgb"},
+    {"-crop", 4, "a part of the picture is --crop WxH+X+Y"},
+    {"-clamp", 0, "glint clamps colours; leave it out"},
+    {"-nobounding", 0, "glint has no need of it; leave it out"},
+    {"-boundthresh", 1, "glint has no need of it; leave it out"},
+    {"-normalize", 0, "glint does not scale colours; an .exr picture keeps them whole"},
+    {"-rescale_lights", 1, "the lights are as the scene has them"},
+    {"-auto_skylight", 1, "glint has hard shadows and no sky light"},
+    {"-add_skylight", 1, "glint has hard shadows and no sky light"},
+    {"-skylight_samples", 1, "glint has hard shadows and no sky light"},
+    {"-camfile", 1, "glint draws one picture of a scene"},
+    {"-trans_max_surfaces", 1, "glint has no such limit; see --reflections N"},
+    {"-trans_raster3d", 0, "see --convention in 'glint render --help'"},
+    {"-trans_vmd", 0, "see --convention in 'glint render --help'"},
+};
+
+void answer_tachyon(const Tachyon& known, std::span<const std::string> values, Answer& answer) {
+    const auto flag = fmt::format("{}{}{}", known.flag, values.empty() ? "" : " ", fmt::join(values, " "));
+    std::string ours(known.ours);
+    if (ours[0] != '-') return answer.say(flag, ours);
+    if (ours.ends_with(' ')) {
+        if (known.flag == "-res") {
+            ours += values.size() == 2 ? values[0] + "x" + values[1] : "WxH";
+        } else if (known.flag == "-aasamples" && !values.empty() && is_number(values[0]) &&
+                   values[0].size() < 6) {
+            // Tachyon counts the samples beside the first one; glint the samples along a side.
+            const int samples = std::stoi(values[0]) + 1;
+            int side = 1;
+            while (side * side < samples) ++side;
+            ours += std::to_string(side);
+        } else {
+            ours += values.empty() ? "N" : values[0];
+        }
+    }
+    answer.use(flag, ours);
+}
+
+bool is_povray(const std::string& argument) {
+    if (argument.size() < 2) return false;
+    if (argument[0] == '+') return std::isalpha(static_cast<unsigned char>(argument[1])) != 0;
+    return argument[0] == '-' && argument[1] >= 'A' && argument[1] <= 'Z';
+}
+
+}  // namespace
+
+std::optional<std::string> answer_foreign_flags(std::span<const std::string> arguments) {
+    Answer answer;
+    bool any = false;
+    for (std::size_t i = 0; i < arguments.size() && arguments[i] != "--"; ++i) {
+        const std::string& argument = arguments[i];
+        const auto* known = std::find_if(std::begin(k_tachyon), std::end(k_tachyon),
+                                         [&](const Tachyon& t) { return t.flag == argument; });
+        if (is_povray(argument)) {
+            answer_povray(argument, answer);
+            any = true;
+        } else if (known != std::end(k_tachyon)) {
+            const std::size_t count = std::min<std::size_t>(known->values, arguments.size() - i - 1);
+            answer_tachyon(*known, arguments.subspan(i + 1, count), answer);
+            i += count;
+            any = true;
+        } else if (argument != "render") {
+            answer.command.push_back(argument);
+        }
+    }
+    if (!any) return std::nullopt;
+    if (!answer.size_flags.empty()) {
+        const std::string size = "--size " + or_else(answer.width, "W") + "x" + or_else(answer.height, "H");
+        answer.lines.insert(0, fmt::format("{}: glint says {}\n", answer.size_flags, size));
+        answer.command.push_back(size);
+    }
+    return fmt::format("{}so: glint render {}", answer.lines, fmt::join(answer.command, " "));
+}
+
+}  // namespace glint::cli

@@ -1,0 +1,116 @@
+#include "cli/input_file.h"
+
+#include <fcntl.h>
+#include <sys/mman.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <utility>
+
+namespace glint::cli {
+namespace {
+
+constexpr std::size_t k_looked_at = 4096;  // bytes in which a NUL shows that a file is no text
+constexpr std::size_t k_most_read = std::size_t{1} << 30;  // of a pipe or a device, which may never end
+
+class Descriptor {
+  public:
+    explicit Descriptor(int number) : number_(number) {}
+    ~Descriptor() {
+        if (number_ > 2) ::close(number_);
+    }
+    Descriptor(const Descriptor&) = delete;
+    Descriptor& operator=(const Descriptor&) = delete;
+    int number() const { return number_; }
+
+  private:
+    int number_;
+};
+
+bool is_text(std::string_view text) {
+    return text.substr(0, k_looked_at).find('\0') == std::string_view::npos;
+}
+
+std::string reason(int error) { return error == ENOENT ? "no such file" : std::strerror(error); }
+
+// Reads to the end; returns what is wrong, or an empty string.
+std::string read_all(int descriptor, std::string& text) {
+    constexpr std::size_t step = 1 << 16;
+    for (;;) {
+        const std::size_t size = text.size();
+        if (size >= k_most_read) return "goes on after 1 GiB; only a regular file may be longer";
+        text.resize(size + step);
+        const ssize_t count = ::read(descriptor, text.data() + size, step);
+        text.resize(size + static_cast<std::size_t>(count > 0 ? count : 0));
+        if (count < 0 && errno == EINTR) continue;
+        if (count < 0) return reason(errno);
+        if (!is_text(text)) return "is not text";
+        if (count == 0) return {};
+    }
+}
+
+}  // namespace
+
+std::optional<InputFile> InputFile::open(const std::string& path, std::string& why) {
+    const Descriptor file(path == "-" ? STDIN_FILENO : ::open(path.c_str(), O_RDONLY | O_CLOEXEC));
+    struct stat about {};
+    if (file.number() < 0 || ::fstat(file.number(), &about) != 0) {
+        why = reason(errno);
+        return std::nullopt;
+    }
+    if (S_ISDIR(about.st_mode)) {
+        why = "is a folder";
+        return std::nullopt;
+    }
+    InputFile input;
+    if (path != "-" && S_ISREG(about.st_mode) && about.st_size > 0) {
+        const auto size = static_cast<std::size_t>(about.st_size);
+        void* mapped = ::mmap(nullptr, size, PROT_READ, MAP_PRIVATE, file.number(), 0);
+        if (mapped != MAP_FAILED) {
+            input.mapped_ = mapped;
+            input.mapped_size_ = size;
+            if (is_text(input.text())) return input;
+            why = "is not text";
+            return std::nullopt;
+        }
+    }
+    why = read_all(file.number(), input.read_);
+    if (!why.empty()) return std::nullopt;
+    return input;
+}
+
+InputFile::InputFile(InputFile&& other) noexcept
+    : mapped_(std::exchange(other.mapped_, nullptr)),
+      mapped_size_(std::exchange(other.mapped_size_, 0)),
+      read_(std::move(other.read_)) {}
+
+InputFile& InputFile::operator=(InputFile&& other) noexcept {
+    std::swap(mapped_, other.mapped_);
+    std::swap(mapped_size_, other.mapped_size_);
+    std::swap(read_, other.read_);
+    return *this;
+}
+
+InputFile::~InputFile() {
+    if (mapped_ != nullptr) ::munmap(mapped_, mapped_size_);
+}
+
+std::string_view InputFile::text() const {
+    return mapped_ != nullptr ? std::string_view(static_cast<const char*>(mapped_), mapped_size_) : read_;
+}
+
+std::optional<std::string> FileSources::read(std::string_view name, std::string_view from, std::string& why) {
+    std::string path(name);
+    if (!name.starts_with('/')) path.insert(0, from.substr(0, from.rfind('/') + 1));
+    if (path.find('\0') != std::string::npos || path == "-") {
+        why = "no such file";
+        return std::nullopt;
+    }
+    const std::optional<InputFile> file = InputFile::open(path, why);
+    if (!file) return std::nullopt;
+    return std::string(file->text());
+}
+
+}  // namespace glint::cli

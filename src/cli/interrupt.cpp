@@ -1,0 +1,65 @@
+#include "cli/interrupt.h"
+
+#include <signal.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <cstring>
+#include <string_view>
+
+#include "cli/failure.h"
+
+namespace glint::cli {
+namespace {
+
+// What a signal handler may read: no std::string.
+char unfinished_path[4200];
+std::atomic<bool> has_unfinished{false};
+std::atomic<bool> progress_shown{false};
+static_assert(std::atomic<bool>::is_always_lock_free);
+
+void say(std::string_view text) {
+    // There is nothing to do about a failure here.
+    [[maybe_unused]] const ssize_t count = ::write(STDERR_FILENO, text.data(), text.size());
+}
+
+// Only async-signal-safe calls. Loading, preparing and rendering hold nothing that outlives the process, so
+// none of them needs to be asked to stop.
+void end_at_once(int signal) {
+    if (has_unfinished) ::unlink(unfinished_path);
+    if (progress_shown) say("\r\x1b[K");
+    if (signal == SIGBUS) {
+        say("glint: a scene file became shorter while it was read\n");
+        ::_exit(k_bad_input);
+    }
+    if (signal == SIGINT) say("glint: interrupted\n");
+    ::_exit(128 + signal);
+}
+
+}  // namespace
+
+void handle_signals() {
+    struct sigaction action {};
+    action.sa_handler = end_at_once;
+    ::sigfillset(&action.sa_mask);
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGBUS}) {
+        struct sigaction before {};
+        // What our parent ignores (nohup, a shell's background job) stays ignored.
+        if (::sigaction(signal, nullptr, &before) == 0 && before.sa_handler == SIG_IGN) continue;
+        ::sigaction(signal, &action, nullptr);
+    }
+    ::signal(SIGPIPE, SIG_IGN);
+    ::signal(SIGXFSZ, SIG_IGN);
+}
+
+UnfinishedFile::UnfinishedFile(const std::string& path) {
+    if (path.size() >= sizeof unfinished_path) return;
+    std::memcpy(unfinished_path, path.c_str(), path.size() + 1);
+    has_unfinished = true;
+}
+
+UnfinishedFile::~UnfinishedFile() { has_unfinished = false; }
+
+void set_progress_shown(bool shown) { progress_shown = shown; }
+
+}  // namespace glint::cli

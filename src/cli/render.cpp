@@ -1,0 +1,274 @@
+// glint render: a scene to a picture.
+#include <fmt/format.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <cstdio>
+#include <fstream>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "cli/commands.h"
+#include "cli/failure.h"
+#include "cli/output_file.h"
+#include "cli/progress.h"
+#include "cli/scene_arguments.h"
+#include "cli/show.h"
+#include "cli/terminal.h"
+#include "cli/text.h"
+
+namespace glint::cli {
+namespace {
+
+constexpr auto k_examples = R"(Examples:
+  glint render castle.json                              castle.png in the current folder
+  glint render spheres.cgfs lights.cgfs -s 600x600      two listings as one scene
+  glint render castle.json -o castle.exr --aa 3         9 samples a pixel, linear floats
+  glint render castle.json --shading phong --no-shadows --reflections 0
+  glint render castle.json --crop 100x80+320+200        only a part, as it is in the whole
+  glint render castle.json --convention limit=drop      one convention changed
+  glint render - --format cgfs -o - < a.cgfs > a.png    from standard input to standard output
+  glint render castle.json --show                       also as text, in the terminal)";
+
+constexpr double k_bytes_a_pixel = 12;  // three floats
+
+struct RenderArguments {
+    SceneArguments scene;
+    std::string output, size, shading, reflections, aa, crop, transfer = "none", isa, stats;
+    bool no_shadows = false, show = false, quiet = false;
+    int bits = 8, threads = 0;
+};
+
+using Clock = std::chrono::steady_clock;
+double seconds_since(Clock::time_point start) {
+    return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+struct Times {
+    double load = 0, prepare = 0, trace = 0, encode = 0;
+};
+
+// What limits this process: the machine's memory, or less by the container's rule.
+double memory_limit() {
+    double limit =
+        static_cast<double>(::sysconf(_SC_PHYS_PAGES)) * static_cast<double>(::sysconf(_SC_PAGE_SIZE));
+    for (const char* rule : {"/sys/fs/cgroup/memory.max", "/sys/fs/cgroup/memory/memory.limit_in_bytes"}) {
+        double bytes = 0;
+        if (std::ifstream(rule) >> bytes && bytes > 0 && bytes < limit) limit = bytes;
+    }
+    return limit;
+}
+
+void check_memory(double width, double height) {
+    const double needed = width * height * k_bytes_a_pixel, limit = memory_limit();
+    if (needed <= limit) return;
+    throw Failure(k_bad_input,
+                  fmt::format("a picture of {:.0f}x{:.0f} needs {} of memory ({} bytes a pixel), and this "
+                              "machine has {}; draw it in parts with --crop",
+                              width, height, bytes_text(needed), k_bytes_a_pixel, bytes_text(limit)));
+}
+
+FileFormat format_of(const std::string& path, const OutputFile& output) {
+    const std::string ending = extension(path);
+    if (ending == ".png") return FileFormat::png;
+    if (ending == ".ppm") return FileFormat::ppm;
+    if (ending == ".exr") return FileFormat::exr;
+    if (output.is_stream()) return FileFormat::png;
+    throw Failure(k_usage, fmt::format("--output '{}': glint writes .png, .ppm and .exr", path));
+}
+
+std::string default_output(const std::string& scene_file) {
+    return scene_file == "-" ? "picture.png" : stem(scene_file) + ".png";
+}
+
+// Fills in the settings that the command line overrides. Checks the size's memory first: a size too large for
+// any picture is answered by what it would need.
+void add_settings(RenderArguments& arguments) {
+    auto& settings = arguments.scene.settings;
+    if (!arguments.size.empty()) {
+        const auto size = parse_size(arguments.size);
+        if (size && size->width > 0 && size->height > 0 && arguments.crop.empty()) {
+            check_memory(static_cast<double>(size->width), static_cast<double>(size->height));
+        }
+        settings.emplace_back("size", arguments.size);
+    }
+    if (!arguments.shading.empty()) settings.emplace_back("shading", arguments.shading);
+    if (arguments.no_shadows) settings.emplace_back("shadows", "false");
+    if (!arguments.reflections.empty()) settings.emplace_back("reflections", arguments.reflections);
+    if (!arguments.aa.empty()) settings.emplace_back("aa", arguments.aa);
+}
+
+std::optional<Crop> crop_of(const RenderArguments& arguments, const RenderSettings& settings) {
+    if (arguments.crop.empty()) return std::nullopt;
+    const auto crop = parse_crop(arguments.crop);
+    if (!crop) {
+        throw Failure(k_usage,
+                      fmt::format("--crop: expected WxH+X+Y, as 320x240+10+20, found '{}'", arguments.crop));
+    }
+    if (crop->width > settings.width - crop->x || crop->height > settings.height - crop->y) {
+        throw Failure(k_usage, fmt::format("--crop {}: the picture has only {}x{} pixels", arguments.crop,
+                                           settings.width, settings.height));
+    }
+    return crop;
+}
+
+void check_isa(const std::string& isa) {
+    if (isa.empty()) return;
+    const auto names = isa_names();
+    if (std::find(names.begin(), names.end(), isa) != names.end()) return;
+    const std::vector<std::string_view> views(names.begin(), names.end());
+    throw Failure(k_usage,
+                  fmt::format("--isa: no instruction set '{}' here; there are {}", isa, joined(views)));
+}
+
+std::string stats_text(const RenderResult& result, const Times& times) {
+    rusage usage{};
+    ::getrusage(RUSAGE_SELF, &usage);
+    nlohmann::ordered_json stats = {
+        {"load_s", times.load},
+        {"prepare_s", times.prepare},
+        {"trace_s", times.trace},
+        {"encode_s", times.encode},
+        {"threads", result.threads},
+        {"isa", result.isa},
+        {"rays",
+         {{"camera", result.rays.camera},
+          {"shadow", result.rays.shadow},
+          {"mirror", result.rays.mirror},
+          {"transmitted", result.rays.transmitted}}},
+        {"peak_rss_bytes", std::uint64_t(usage.ru_maxrss) * 1024},
+    };
+    return stats.dump(2) + "\n";
+}
+
+std::span<const std::uint8_t> bytes_of(const std::string& text) {
+    return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
+}
+
+int render_command(RenderArguments& arguments) {
+    const auto start = Clock::now();
+    const std::string path =
+        arguments.output.empty() ? default_output(arguments.scene.files.front()) : arguments.output;
+    const OutputFile output(path);
+    EncodeOptions encoding;
+    encoding.format = format_of(path, output);
+    encoding.bits = arguments.bits;
+    encoding.transfer = arguments.transfer == "srgb" ? Transfer::srgb : Transfer::none;
+    encoding.threads = arguments.threads;
+    if (output.is_standard_output()) {
+        if (arguments.show)
+            throw Failure(k_usage, "--show and the picture cannot both go to standard output");
+        if (is_terminal(STDOUT_FILENO)) {
+            throw Failure(k_usage, "standard output is a terminal: redirect it to a file, or use --show");
+        }
+    }
+    std::optional<OutputFile> stats;
+    if (!arguments.stats.empty()) stats.emplace(arguments.stats);
+    if (stats && stats->is_standard_output() && output.is_standard_output()) {
+        throw Failure(k_usage, "--stats and the picture cannot both go to standard output");
+    }
+    check_isa(arguments.isa);
+    add_settings(arguments);
+
+    Times times;
+    LoadedScene loaded = load_scene(arguments.scene);
+    times.load = seconds_since(start);
+    RenderOptions options;
+    options.crop = crop_of(arguments, loaded.scene.settings);
+    const Crop drawn =
+        options.crop ? *options.crop : Crop{loaded.scene.settings.width, loaded.scene.settings.height};
+    check_memory(drawn.width, drawn.height);
+
+    auto stage = Clock::now();
+    const PrepareResult prepared = prepare(loaded.scene, arguments.threads);
+    times.prepare = seconds_since(stage);
+    add_warnings(loaded.warnings, prepared.diagnostics);
+    if (!arguments.quiet || !prepared.world) print(loaded.warnings);
+    if (!prepared.world) throw Failure(k_bad_input, {});
+
+    stage = Clock::now();
+    RenderResult result;
+    {
+        ProgressBar bar(!arguments.quiet);
+        options.threads = arguments.threads;
+        options.isa = arguments.isa;
+        options.progress = [&](double fraction) { bar.update(fraction); };
+        result = render(*prepared.world, options);
+    }
+    times.trace = seconds_since(stage);
+    if (!result.image) throw Failure(k_bad_input, result.error);
+
+    stage = Clock::now();
+    const EncodeResult encoded = encode(*result.image, encoding);
+    times.encode = seconds_since(stage);
+    if (!encoded.error.empty())
+        throw Failure(k_bad_input, fmt::format("cannot encode the picture: {}", encoded.error));
+    output.write(encoded.bytes);
+    if (stats) stats->write(bytes_of(stats_text(result, times)));
+    if (arguments.show) {
+        fmt::print("{}", half_blocks(*result.image, terminal_columns(), encoding.transfer));
+    }
+    if (!arguments.quiet) {
+        fmt::print(stderr, "{}  {}x{}  {} rays  {:.3f} s  {:.1f} Mray/s  (whole {:.3f} s, {}, {}, {})\n",
+                   path, result.image->width, result.image->height, with_commas(result.rays.total()),
+                   times.trace, static_cast<double>(result.rays.total()) / times.trace / 1e6,
+                   seconds_since(start), counted(std::uint64_t(result.threads), "thread"), result.isa,
+                   counted(loaded.warnings.size(), "warning"));
+    }
+    return k_done;
+}
+
+}  // namespace
+
+Run add_render(CLI::App& app) {
+    CLI::App& command = *app.add_subcommand("render", "Draw a scene");
+    const auto arguments = std::make_shared<RenderArguments>();
+    RenderArguments& a = *arguments;
+    add_scene_arguments(command, a.scene);
+    command
+        .add_option("-o,--output", a.output,
+                    "The picture: .png, .ppm or .exr; - is standard output (PNG). Default: SCENE's name with "
+                    ".png, in the "
+                    "current folder")
+        ->option_text("OUT");
+    command.add_option("-s,--size", a.size, "Pixels; default: the file's, or the profile's")
+        ->option_text("WxH");
+    command.add_option("--shading", a.shading, "What a surface shows")
+        ->check(CLI::IsMember({"phong", "blinn-phong", "diffuse", "color", "normals"}))
+        ->option_text("phong|blinn-phong|diffuse|color|normals");
+    command.add_flag("--no-shadows", a.no_shadows, "Every light reaches everything");
+    command.add_option("--reflections", a.reflections, "Most mirror generations; 0: no mirrors")
+        ->option_text("N");
+    command.add_option("--aa", a.aa, "N x N regular samples a pixel")->option_text("N");
+    command.add_option("--crop", a.crop, "Only this part of the picture; X and Y count from its top left")
+        ->option_text("WxH+X+Y");
+    command
+        .add_option("--transfer", a.transfer,
+                    "none: the numbers as computed (default); srgb: the sRGB curve, to mix with photographs. "
+                    "OpenEXR is "
+                    "always linear")
+        ->check(CLI::IsMember({"none", "srgb"}))
+        ->option_text("none|srgb");
+    command
+        .add_option("--bits", a.bits,
+                    "Bits a channel of PNG and PPM: 8 (default) or 16; OpenEXR is 32-bit float")
+        ->check(CLI::IsMember({8, 16}))
+        ->option_text("8|16");
+    command
+        .add_option("-t,--threads", a.threads,
+                    "Threads; 0 (default): one a processor. The picture is the same")
+        ->check(CLI::Range(0, 1024))
+        ->option_text("N");
+    command
+        .add_option("--isa", a.isa,
+                    "Instruction set (`glint info --isa` lists them). The picture is the same")
+        ->option_text("NAME");
+    command.add_option("--stats", a.stats, "Write times, rays and memory as JSON")->option_text("FILE.json");
+    command.add_flag("--show", a.show, "Also draw the picture in the terminal, in 24-bit colours");
+    command.add_flag("-q,--quiet", a.quiet, "Say nothing but errors");
+    command.footer(k_examples);
+    return [arguments] { return render_command(*arguments); };
+}
+
+}  // namespace glint::cli

@@ -1,0 +1,141 @@
+#include "cli/scene_arguments.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <optional>
+
+#include "cli/failure.h"
+#include "cli/input_file.h"
+#include "cli/text.h"
+
+namespace glint::cli {
+namespace {
+
+[[noreturn]] void fail_usage(const std::string& message) { throw Failure(k_usage, message); }
+
+// Tries a setting on an empty scene, so that a fault of the command line is told apart from one of a file.
+void check_setting(const std::string& key, const std::string& value, std::string_view option) {
+    const std::optional<std::size_t> index = find_setting(key);
+    if (!index) {
+        std::vector<std::string_view> names;
+        for (const SettingKey& known : setting_keys()) names.push_back(known.name);
+        fail_usage(fmt::format("{}: there is no '{}'; there are {}", option, key, joined(names)));
+    }
+    Scene scratch;
+    const std::string error = set_setting(scratch, *index, value, {SettingOrigin::Kind::command, {}});
+    if (!error.empty()) fail_usage(fmt::format("{}: {}", option, error));
+}
+
+void add_conventions(const SceneArguments& arguments, LoadOptions& options) {
+    for (const std::string& text : arguments.conventions) {
+        const std::size_t equals = text.find('=');
+        if (equals == std::string::npos)
+            fail_usage(fmt::format("--convention: expected KEY=VALUE, found '{}'", text));
+        options.settings.emplace_back(text.substr(0, equals), text.substr(equals + 1));
+        check_setting(options.settings.back().first, options.settings.back().second, "--convention " + text);
+    }
+    for (const auto& [key, value] : arguments.settings) {
+        check_setting(key, value, "--" + key);
+        options.settings.emplace_back(key, value);
+    }
+}
+
+// --profile NAME, or the name of a file of `key = value` lines, whose text `file` keeps.
+void add_profile(const std::string& profile, LoadOptions& options, std::optional<InputFile>& file) {
+    const auto names = profile_names();
+    if (profile.empty() || std::find(names.begin(), names.end(), profile) != names.end()) {
+        options.profile = profile;
+        return;
+    }
+    std::string why;
+    file = InputFile::open(profile, why);
+    if (!file) {
+        fail_usage(fmt::format("--profile: there is no profile '{}' (there are {}), and as a file: {}",
+                               profile, joined(names), why));
+    }
+    options.profile_text = SceneText{profile, file->text(), {}};
+}
+
+}  // namespace
+
+void add_scene_arguments(CLI::App& command, SceneArguments& arguments) {
+    std::vector<std::string> format_names;
+    for (const FormatInfo& format : formats()) format_names.emplace_back(format.name);
+    const auto profiles = profile_names();
+    command
+        .add_option("SCENE", arguments.files,
+                    "Scene files, read together as one scene; - is standard input (then --format is needed)")
+        ->required();
+    command.add_option("--format", arguments.format, "The scene's format, whatever its file is called")
+        ->check(CLI::IsMember(format_names))
+        ->option_text("NAME:{" + fmt::format("{}", fmt::join(format_names, ",")) + "}");
+    command.add_option("--scene", arguments.scene_name, "Which scene of a file that holds several")
+        ->option_text("NAME");
+    command
+        .add_option(
+            "--profile", arguments.profile,
+            fmt::format(
+                "Conventions to start from instead of the format's: {}; or a file of `key = value` lines",
+                joined(profiles)))
+        ->option_text("NAME|FILE");
+    command
+        .add_option(
+            "--convention", arguments.conventions,
+            "Set one convention (docs/conventions.md lists them; `glint info SCENE` shows what is in force); "
+            "may be repeated")
+        ->option_text("KEY=VALUE")
+        ->expected(1)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+}
+
+LoadedScene load_scene(const SceneArguments& arguments) {
+    LoadOptions options;
+    options.scene_name = arguments.scene_name;
+    std::optional<InputFile> profile_file;
+    add_profile(arguments.profile, options, profile_file);
+    add_conventions(arguments, options);
+    const auto inputs = std::count(arguments.files.begin(), arguments.files.end(), "-");
+    if (inputs > 1) fail_usage("standard input can be read only once");
+    if (inputs == 1 && arguments.format.empty()) fail_usage("a scene on standard input needs --format NAME");
+
+    std::vector<InputFile> files;
+    std::vector<SceneText> texts;
+    std::string problems;
+    for (const std::string& name : arguments.files) {
+        std::string why;
+        std::optional<InputFile> file = InputFile::open(name, why);
+        if (!file) {
+            problems += fmt::format("{}{}: {}", problems.empty() ? "" : "\n", name, why);
+            continue;
+        }
+        files.push_back(std::move(*file));
+    }
+    if (!problems.empty()) throw Failure(k_bad_input, problems);
+    for (std::size_t i = 0; i < files.size(); ++i) {
+        texts.push_back({arguments.files[i], files[i].text(), arguments.format});
+    }
+    FileSources sources;
+    LoadResult result = load(texts, options, &sources);
+    if (!result.scene) {
+        print(result.diagnostics);
+        throw Failure(k_bad_input, {});
+    }
+    return {std::move(*result.scene), std::move(result.diagnostics)};
+}
+
+void add_warnings(std::vector<Diagnostic>& warnings, const std::vector<Diagnostic>& more) {
+    for (const Diagnostic& d : more) {
+        const bool known = std::any_of(warnings.begin(), warnings.end(), [&](const Diagnostic& w) {
+            return w.message == d.message && w.file == d.file && w.line == d.line && w.column == d.column;
+        });
+        if (!known) warnings.push_back(d);
+    }
+}
+
+void print(const std::vector<Diagnostic>& diagnostics) {
+    for (const Diagnostic& d : diagnostics) fmt::print(stderr, "{}", to_string(d));
+}
+
+}  // namespace glint::cli

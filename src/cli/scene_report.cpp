@@ -1,0 +1,237 @@
+#include "cli/scene_report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <iterator>
+#include <nlohmann/json.hpp>
+
+#include "cli/text.h"
+
+namespace glint::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::size_t k_most_listed = 20;  // of lights and materials, in the text
+
+std::string vec(Vec3 v) { return fmt::format("({:.6g}, {:.6g}, {:.6g})", v.x, v.y, v.z); }
+std::string color(Color c) {
+    return c.r == c.g && c.g == c.b ? fmt::format("{:.6g}", c.r)
+                                    : fmt::format("({:.6g}, {:.6g}, {:.6g})", c.r, c.g, c.b);
+}
+Json vec_json(Vec3 v) { return {v.x, v.y, v.z}; }
+Json color_json(Color c) { return {c.r, c.g, c.b}; }
+
+std::string_view word(LightKind kind) {
+    constexpr std::array<std::string_view, 3> words = {"ambient", "point", "directional"};
+    return words[static_cast<std::size_t>(kind)];
+}
+
+std::array<std::size_t, k_shape_kinds> shape_counts(const Scene& scene) {
+    std::array<std::size_t, k_shape_kinds> counts{};
+    for (const Shape& shape : scene.shapes) ++counts[static_cast<std::size_t>(shape.kind)];
+    return counts;
+}
+
+std::array<std::size_t, 3> light_counts(const Scene& scene) {
+    std::array<std::size_t, 3> counts{};
+    for (const Light& light : scene.lights) ++counts[static_cast<std::size_t>(light.kind)];
+    return counts;
+}
+
+std::string place_text(const Scene& scene, SourcePlace place) {
+    if (place.line == 0 || place.file >= scene.files.size()) return {};
+    return fmt::format("{}:{}:{}", scene.files[place.file], place.line, place.column);
+}
+
+bool is_bounded(const Bounds& box) { return box.min.x <= box.max.x; }
+
+// What a light's kind needs beyond its colour.
+std::string light_details(const Light& light) {
+    std::string text;
+    if (light.kind == LightKind::point) {
+        text = "at " + vec(light.position);
+        if (!(light.attenuation == Attenuation{})) {
+            text += fmt::format("  attenuation ({:.6g}, {:.6g}, {:.6g})", light.attenuation.c0,
+                                light.attenuation.c1, light.attenuation.c2);
+        }
+    } else if (light.kind == LightKind::directional) {
+        text = "towards " + vec(light.to_light);
+    }
+    if (light.kind != LightKind::ambient && !(light.specular_color == light.color)) {
+        text += "  specular " + color(light.specular_color);
+    }
+    return text;
+}
+
+std::string camera_text(const Camera& camera) {
+    std::string text = camera.projection == Projection::perspective ? "perspective" : "orthographic";
+    text += " at " + vec(camera.position);
+    if (camera.frame) {
+        text += fmt::format(", frame right {} up {} forward {}", vec(camera.frame->right),
+                            vec(camera.frame->up), vec(camera.frame->forward));
+    } else {
+        text += fmt::format(" to {}, up {}, ", vec(camera.look_at), vec(camera.up));
+        text += camera.projection == Projection::orthographic
+                    ? fmt::format("{:.6g} wide", camera.width)
+                    : fmt::format("fov {:.6g} degrees along {}", camera.fov_degrees,
+                                  camera.fov_axis == FovAxis::x ? "x" : "y");
+    }
+    if (camera.lighting_eye) text += ", lit for an eye at " + vec(*camera.lighting_eye);
+    return text;
+}
+
+// "3 spheres, 1 plane  (4)".
+template <class Word, std::size_t N>
+std::string counts_text(const std::array<std::size_t, N>& counts, Word word_of) {
+    std::string text;
+    std::size_t total = 0;
+    for (std::size_t i = 0; i < N; ++i) {
+        total += counts[i];
+        if (counts[i] != 0) text += fmt::format("{}{}", text.empty() ? "" : ", ", word_of(counts[i], i));
+    }
+    return text.empty() ? "none" : fmt::format("{}  ({})", text, with_commas(total));
+}
+
+}  // namespace
+
+Color sum_of_lights(const Scene& scene) {
+    Color sum;
+    for (const Light& light : scene.lights) sum = sum + light.color;
+    return sum;
+}
+
+std::string origin_text(const Scene& scene, std::size_t key) {
+    const SettingOrigin origin = key < scene.origins.size() ? scene.origins[key] : SettingOrigin{};
+    switch (origin.kind) {
+        case SettingOrigin::Kind::profile:
+            return "profile " + scene.profile;
+        case SettingOrigin::Kind::file: {
+            const std::string place = place_text(scene, origin.place);
+            return place.empty() ? "file" : place;
+        }
+        case SettingOrigin::Kind::command:
+            return "command line";
+        case SettingOrigin::Kind::code:
+            break;
+    }
+    return "code";
+}
+
+std::string text_report(const SceneReport& report) {
+    const Scene& scene = report.scene;
+    std::string text;
+    auto out = std::back_inserter(text);
+    fmt::format_to(out, "scene       {}\n", fmt::join(scene.files, " "));
+    fmt::format_to(out, "shapes      {}\n",
+                   counts_text(shape_counts(scene), [](std::size_t n, std::size_t kind) {
+                       return counted(n, shape_word(static_cast<ShapeKind>(kind)));
+                   }));
+    const Bounds box = bounds(report.world);
+    fmt::format_to(
+        out, "bounds      {}\n",
+        is_bounded(box) ? fmt::format("{} to {}", vec(box.min), vec(box.max)) : "no bounded shapes");
+    fmt::format_to(out, "camera      {}\n", camera_text(scene.camera));
+    fmt::format_to(out, "background  {}\n", color(scene.background));
+    fmt::format_to(out, "lights      {}\n",
+                   counts_text(light_counts(scene), [](std::size_t n, std::size_t kind) {
+                       return fmt::format("{} {}", n, word(static_cast<LightKind>(kind)));
+                   }));
+    for (std::size_t i = 0; i < scene.lights.size() && i < k_most_listed; ++i) {
+        const Light& light = scene.lights[i];
+        const auto index = static_cast<std::uint32_t>(i);
+        std::string line =
+            fmt::format("  {:11} {:10} {}", word(light.kind), color(light.color), light_details(light));
+        if (!scene.light_texts.name(index).empty())
+            line += fmt::format("  \"{}\"", scene.light_texts.name(index));
+        const std::string place = place_text(scene, scene.light_texts.place(index));
+        if (!place.empty()) line += "  " + place;
+        fmt::format_to(out, "{}\n", line);
+    }
+    if (scene.lights.size() > k_most_listed) {
+        fmt::format_to(out, "  and {} more\n", with_commas(scene.lights.size() - k_most_listed));
+    }
+    fmt::format_to(out, "  sum of intensities {}\n", color(sum_of_lights(scene)));
+    fmt::format_to(out, "materials   {}", with_commas(scene.materials.size()));
+    std::size_t named = 0;
+    for (std::uint32_t i = 0; i < scene.materials.size() && named < k_most_listed; ++i) {
+        const std::string_view name = scene.material_texts.name(i);
+        if (!name.empty()) fmt::format_to(out, "{}{}", named++ == 0 ? ": " : ", ", name);
+    }
+    const WorldMemory used = memory(report.world);
+    fmt::format_to(out, "\nmemory      shapes {}, hierarchy {}, materials {}, together {}\n",
+                   bytes_text(double(used.shapes)), bytes_text(double(used.hierarchy)),
+                   bytes_text(double(used.materials)), bytes_text(double(used.total())));
+    for (const bool conventions : {false, true}) {
+        fmt::format_to(out, "{}\n", conventions ? "conventions" : "settings");
+        const auto keys = setting_keys();
+        for (std::size_t key = 0; key < keys.size(); ++key) {
+            if (keys[key].is_convention != conventions) continue;
+            fmt::format_to(out, "  {:22} {:12} {}\n", keys[key].name, get_setting(scene, key),
+                           origin_text(scene, key));
+        }
+    }
+    fmt::format_to(out, "warnings    {}\n", report.warnings.size());
+    for (const Diagnostic& warning : report.warnings) text += to_string(warning);
+    return text;
+}
+
+std::string json_report(const SceneReport& report) {
+    const Scene& scene = report.scene;
+    Json json;
+    json["files"] = scene.files;
+    json["profile"] = scene.profile;
+    Json shapes = Json::object();
+    const auto counts = shape_counts(scene);
+    for (std::size_t i = 0; i < counts.size(); ++i)
+        shapes[std::string(shape_word(static_cast<ShapeKind>(i)))] = counts[i];
+    json["shapes"] = std::move(shapes);
+    json["shape_count"] = scene.shapes.size();
+    const Bounds box = bounds(report.world);
+    if (is_bounded(box)) {
+        json["bounds"] = {{"min", vec_json(box.min)}, {"max", vec_json(box.max)}};
+    } else {
+        json["bounds"] = nullptr;
+    }
+    json["background"] = color_json(scene.background);
+    json["lights"] = Json::array();
+    for (std::uint32_t i = 0; i < scene.lights.size(); ++i) {
+        const Light& light = scene.lights[i];
+        Json item = {{"kind", word(light.kind)}, {"color", color_json(light.color)}};
+        if (light.kind == LightKind::point) {
+            item["position"] = vec_json(light.position);
+            item["attenuation"] = {light.attenuation.c0, light.attenuation.c1, light.attenuation.c2};
+        }
+        if (light.kind == LightKind::directional) item["to_light"] = vec_json(light.to_light);
+        if (light.kind != LightKind::ambient) item["specular_color"] = color_json(light.specular_color);
+        if (!scene.light_texts.name(i).empty()) item["name"] = scene.light_texts.name(i);
+        const std::string place = place_text(scene, scene.light_texts.place(i));
+        if (!place.empty()) item["place"] = place;
+        json["lights"].push_back(std::move(item));
+    }
+    json["light_sum"] = color_json(sum_of_lights(scene));
+    json["material_count"] = scene.materials.size();
+    const WorldMemory used = memory(report.world);
+    json["memory_bytes"] = {{"shapes", used.shapes},
+                            {"hierarchy", used.hierarchy},
+                            {"materials", used.materials},
+                            {"total", used.total()}};
+    const auto keys = setting_keys();
+    for (std::size_t key = 0; key < keys.size(); ++key) {
+        json[keys[key].is_convention ? "conventions" : "settings"][std::string(keys[key].name)] = {
+            {"value", get_setting(scene, key)}, {"from", origin_text(scene, key)}};
+    }
+    json["warnings"] = Json::array();
+    for (const Diagnostic& warning : report.warnings) {
+        json["warnings"].push_back({{"file", warning.file},
+                                    {"line", warning.line},
+                                    {"column", warning.column},
+                                    {"message", warning.message}});
+    }
+    // File names need not be UTF-8.
+    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace glint::cli

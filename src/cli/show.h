@@ -1,0 +1,12 @@
+#pragma once
+#include <string>
+
+#include "glint/image.h"
+
+namespace glint::cli {
+
+/// The picture as text for a terminal: 24-bit colours, two pixels a character ("▀": the upper half block),
+/// scaled down by averaging if it is wider than `columns`.
+std::string half_blocks(const Image& image, int columns, Transfer transfer);
+
+}  // namespace glint::cli

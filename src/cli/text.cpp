@@ -1,0 +1,89 @@
+#include "cli/text.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <charconv>
+#include <limits>
+
+namespace glint::cli {
+namespace {
+
+// Takes a whole number, and then the character `after` (0: the text's end).
+std::optional<std::int64_t> take_number(std::string_view& text, char after) {
+    std::int64_t number = 0;
+    const char* end = text.data() + text.size();
+    const auto [at, error] = std::from_chars(text.data(), end, number);
+    if (error != std::errc{} || (after == 0) != (at == end) || (at != end && *at != after))
+        return std::nullopt;
+    text = std::string_view(at, static_cast<std::size_t>(end - at));
+    if (after != 0) text.remove_prefix(1);
+    return number;
+}
+
+std::string_view file_name(std::string_view path) { return path.substr(path.rfind('/') + 1); }
+
+}  // namespace
+
+std::optional<Size> parse_size(std::string_view text) {
+    const auto width = take_number(text, 'x');
+    const auto height = width ? take_number(text, 0) : std::nullopt;
+    if (!height) return std::nullopt;
+    return Size{*width, *height};
+}
+
+std::optional<Crop> parse_crop(std::string_view text) {
+    std::array<std::int64_t, 4> numbers{};
+    constexpr std::array after = {'x', '+', '+', '\0'};
+    for (std::size_t i = 0; i < 4; ++i) {
+        const auto number = take_number(text, after[i]);
+        if (!number || *number < (i < 2 ? 1 : 0) || *number > k_max_size) return std::nullopt;
+        numbers[i] = *number;
+    }
+    const auto at = [&](std::size_t i) { return static_cast<std::int32_t>(numbers[i]); };
+    return Crop{at(0), at(1), at(2), at(3)};
+}
+
+std::string with_commas(std::uint64_t number) {
+    std::string digits = std::to_string(number);
+    for (std::size_t at = digits.size(); at > 3;) digits.insert(at -= 3, ",");
+    return digits;
+}
+
+std::string counted(std::uint64_t number, std::string_view noun) {
+    return fmt::format("{} {}{}", with_commas(number), noun, number == 1 ? "" : "s");
+}
+
+std::string bytes_text(double bytes) {
+    constexpr std::array units = {"kB", "MB", "GB", "TB", "PB", "EB"};
+    if (bytes < 1000) return fmt::format("{:.0f} bytes", bytes);
+    std::size_t unit = 0;
+    for (bytes /= 1000; bytes >= 1000 && unit + 1 < units.size(); ++unit) bytes /= 1000;
+    return fmt::format("{:.1f} {}", bytes, units[unit]);
+}
+
+std::string joined(std::span<const std::string_view> words) {
+    std::string text;
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        if (i != 0) text += i + 1 == words.size() ? " and " : ", ";
+        text += words[i];
+    }
+    return text;
+}
+
+std::string stem(std::string_view path) {
+    const std::string_view name = file_name(path);
+    const std::size_t dot = name.rfind('.');
+    return std::string(dot == 0 ? name : name.substr(0, dot));
+}
+
+std::string extension(std::string_view path) {
+    const std::string_view name = file_name(path);
+    const std::size_t dot = name.rfind('.');
+    if (dot == 0 || dot == std::string_view::npos) return {};
+    std::string text(name.substr(dot));
+    for (char& c : text) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c;
+    return text;
+}
+
+}  // namespace glint::cli

@@ -1,0 +1,41 @@
+#pragma once
+// Small texts: what the command line says and what the command prints.
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "glint/glint.h"
+
+namespace glint::cli {
+
+struct Size {
+    std::int64_t width = 0, height = 0;
+};
+
+/// "640x480"; nothing if it is not two whole numbers (which may be 0 or too large).
+std::optional<Size> parse_size(std::string_view text);
+
+/// "320x240+10+20".
+std::optional<Crop> parse_crop(std::string_view text);
+
+/// 1024311 -> "1,024,311".
+std::string with_commas(std::uint64_t number);
+
+/// "1 warning", "0 warnings".
+std::string counted(std::uint64_t number, std::string_view noun);
+
+/// 12300000000 -> "12.3 GB"; powers of 1000.
+std::string bytes_text(double bytes);
+
+/// "a, b and c".
+std::string joined(std::span<const std::string_view> words);
+
+/// The file name of a path without its last extension.
+std::string stem(std::string_view path);
+
+/// The last extension with its dot, in small letters; empty if there is none.
+std::string extension(std::string_view path);
+
+}  // namespace glint::cli
