@@ -224,8 +224,7 @@ void Parser::skip_to_separator() {
 }
 
 // Before the first token outside further brackets that is an end.
-template <class IsEnd>
-void Parser::skip_until(IsEnd&& is_end) {
+template <class IsEnd> void Parser::skip_until(IsEnd&& is_end) {
     for (int depth = 0; !at_end();) {
         if (depth == 0 && is_end(token_)) return;
         const Token token = take();

@@ -95,8 +95,7 @@ class Parser {
   private:
     void advance();
     bool looks_like_code() const;
-    template <class IsEnd>
-    void skip_until(IsEnd&& is_end);
+    template <class IsEnd> void skip_until(IsEnd&& is_end);
     void stop_at_nesting(const Token& token);
 
     TextPlace place_;
