@@ -11,32 +11,14 @@ using namespace number;  // what the templates below ask of their namespace
 
 namespace glint {
 
-double log(double x) {
-    return x > 0 ? plain::log_positive(x) : -number::k_infinity;
-}
-double exp(double x) {
-    return plain::exp(x);
-}
-double pow(double x, double y) {
-    return plain::pow(x, y);
-}
-double sin(double x) {
-    return plain::sin(x);
-}
-double cos(double x) {
-    return plain::cos(x);
-}
-double tan(double x) {
-    return plain::tan(x);
-}
-double sin_degrees(double x) {
-    return plain::sin_degrees(x);
-}
-double cos_degrees(double x) {
-    return plain::cos_degrees(x);
-}
-double tan_degrees(double x) {
-    return plain::tan_degrees(x);
-}
+double log(double x) { return x >= 0x1p-1022 ? plain::log_positive(x) : -number::k_infinity; }
+double exp(double x) { return plain::exp(x); }
+double pow(double x, double y) { return plain::pow(x, y); }
+double sin(double x) { return plain::sin(x); }
+double cos(double x) { return plain::cos(x); }
+double tan(double x) { return plain::tan(x); }
+double sin_degrees(double x) { return plain::sin_degrees(x); }
+double cos_degrees(double x) { return plain::cos_degrees(x); }
+double tan_degrees(double x) { return plain::tan_degrees(x); }
 
 }  // namespace glint

@@ -5,24 +5,26 @@
 
 namespace glint {
 
-/// Natural logarithm of a finite x > 0; minus infinity at 0 and below. Error below 0.51 ulp.
+/// Natural logarithm of a finite x >= 2^-1022, else minus infinity. Error below 0.51 ulp.
 double log(double x);
 
-/// e^x for finite x; infinity above the largest double, 0 below 2^-1022. Error below 0.7 ulp.
+/// e^x for finite x; infinity above the largest double, 0 below 2^-1022. Error below 0.68 ulp.
 double exp(double x);
 
 /// x^y for finite y and finite x >= 0: x^0 = 1; 0^y = 0 for y > 0, infinity for y < 0; infinity above the
-/// largest double, 0 below 2^-1022. 0 for x < 0. Error below 0.7 ulp.
+/// largest double. Numbers below 2^-1022 count as 0, in x and in the result. 0 for x < 0. Error below 0.66
+/// ulp.
 double pow(double x, double y);
 
 /// Of |x| <= 1e5 radians; any other angle counts as 0. The tangent's poles give infinity. Error below 0.81
-/// ulp, the tangent's below 1 ulp.
+/// ulp, the tangent's below 0.95 ulp.
 double sin(double x);
 double cos(double x);
 double tan(double x);
 
 /// Of |x| <= 2^45 degrees; any other angle counts as 0. Exact where the value is 0, 1/2 or 1 in size:
-/// cos_degrees(60) = 0.5. The tangent's poles give infinity. Error below 0.81 ulp, the tangent's below 1 ulp.
+/// cos_degrees(60) = 0.5. The tangent's poles give infinity. Error below 0.81 ulp, the tangent's below 0.95
+/// ulp.
 double sin_degrees(double x);
 double cos_degrees(double x);
 double tan_degrees(double x);

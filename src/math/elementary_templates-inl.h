@@ -19,145 +19,110 @@ namespace glint {
 namespace GLINT_NUMBER_NAMESPACE {
 
 /// The unevaluated sum of two numbers: hi + lo with |lo| far below |hi|.
-template <class T>
-struct HighLow {
-    T hi, lo;
-};
+template <class T> struct HighLow { T hi, lo; };
 
-/// The first 26 bits of x, |x| < 2^996 (Veltkamp): products of two heads are exact.
-template <class T>
-GLINT_INLINE T head(T x) {
-    const T scaled = x * 134217729.0;  // 2^27 + 1
-    return scaled - (scaled - x);
-}
-
-/// log2(x) for finite x > 0, with a relative error below 2^-65; hi has 26 bits.
-/// x = 2^e m; s = (m - c) / (m + c) for the nearer c of 1 and about sqrt(2), so |s| < 0.0865;
-/// log2(x) = e + log2(c) + 2/(3 ln 2) s (3 + s^2 + s^4 R(s^2)). The arrangement of the leading terms is that
-/// of FDLIBM's pow.
-template <class T>
-GLINT_INLINE HighLow<T> log2_high_low(T x) {
-    const auto subnormal = x < 0x1p-1022;
+/// log2(x) for finite x >= 2^-1022, with a relative error below 2^-65; hi is a head.
+/// x = 2^e m, 1 <= m < 2; s = (m - c) / (m + c) for the nearest c of 1, about sqrt(2) and 2, so |s| < 0.0866;
+/// log2(x) = e + log2(c) + s (A + A/3 s^2 + s^4 R(s^2)), A = 2 / ln 2. The c in the middle is the double near
+/// sqrt(2) whose log2 is nearest to one of 24 bits: 2^-73 away. Split into exact products as in FDLIBM's pow.
+template <class T> GLINT_INLINE HighLow<T> log2_high_low(T x) {
     T m;
-    T e = split_exponent(select(subnormal, x * 0x1p54, x), m);
-    e = select(subnormal, e - 54.0, e);
-    const auto upper = m > 1.681703;  // sqrt(2 c)
-    m = select(upper, m * 0.5, m);
-    e = select(upper, e + 1.0, e);
-    const auto middle = m > 1.189143;  // sqrt(c)
-    const T c = select(middle, T(1.4140625), T(1));
-    const T log2_c_hi = select(middle, T(0x1.ffd79ap-2), T(0));
-    const T log2_c_lo = select(middle, T(-0x1.5f0019518ce03p-28), T(0));
+    const T e = split_exponent(x, m);
+    const auto above_first = m > 1.1894549;   // sqrt(c)
+    const auto above_second = m > 1.6821432;  // sqrt(2 c)
+    const T c = select(above_second, T(2), select(above_first, T(0x1.6a3087d71aeb6p+0), T(1)));
+    const T base = e + select(above_second, T(1), select(above_first, T(0x1.004ecdp-1), T(0)));
 
     const T f = m - c;  // exact
     const T d = m + c;
     const T reciprocal = 1.0 / d;
     const T s = f * reciprocal;
     const T s_hi = head(s);
-    const T d_hi = (d + 0x1.8p28) - 0x1.8p28;   // to multiples of 2^-24
+    const T d_hi = head(d);
     const T d_lo = (d - d_hi) + (m - (d - c));  // d_hi + d_lo = m + c without rounding
     const T s_lo = ((f - s_hi * d_hi) - s_hi * d_lo) * reciprocal;
 
     const T z = s * s;
     const T z2 = z * z;
-    const T r = (0x1.3333333333dddp-1 + z * 0x1.b6db6dafc9ab2p-2) +
-                z2 * ((0x1.555562e4e27d2p-2 + z * 0x1.1739c235242fep-2) + z2 * 0x1.e2b69d5eae9a0p-3);
-    const T z_hi = s_hi * s_hi;  // exact
-    const T rest = z2 * r + s_lo * (s_hi + s);
-    const T sum_hi = ((3.0 + z_hi + rest) + 0x1.8p28) - 0x1.8p28;
-    const T sum_lo = rest - ((sum_hi - 3.0) - z_hi);
+    const T r = (0x1.2776c50efa657p-1 + z * 0x1.a61762a0d4d05p-2) +
+                z2 * ((0x1.484b20f4a8928p-2 + z * 0x1.0c8ee09ebf0d5p-2) + z2 * 0x1.d04a2417c0801p-3);
+    // (s_hi + s_lo)^2 = z_hi + z_lo; A = 0x1.715476p+1 + 0x1.4ae0bf85ddf44p-25; A/3 = 0x1.ec709d8p-1 +
+    // 0x1.0e80ff5d27f05p-27
+    const T z_hi = head(z);
+    const T z_lo = (s_hi * s_hi - z_hi) + s_lo * (s_hi + s);
+    const T cubic = z_hi * 0x1.ec709d8p-1;  // exact
+    const T rest =
+        z2 * r + (z_lo * 0x1.ec709dc3a03fdp-1 + (z_hi * 0x1.0e80ff5d27f05p-27 + 0x1.4ae0bf85ddf44p-25));
+    const T sum_hi = head((0x1.715476p+1 + cubic) + rest);
+    const T sum_lo = rest - ((sum_hi - 0x1.715476p+1) - cubic);
     const T u = s_hi * sum_hi;  // exact
-    const T v = s_lo * sum_hi + sum_lo * s;
-    const T p_hi = head(u + v);
-    const T p_lo = v - (p_hi - u);
-    const T log2_hi = p_hi * 0x1.ec709d8p-1;  // exact; 2 / (3 ln 2) = 0x1.ec709d8p-1 + 0x1.0e80ff5d27f05p-27
-    const T log2_lo = (p_hi * 0x1.0e80ff5d27f05p-27 + p_lo * 0x1.ec709dc3a03fdp-1) + log2_c_lo;
-    const T hi = head(((log2_hi + log2_lo) + log2_c_hi) + e);
-    return {hi, log2_lo - (((hi - e) - log2_c_hi) - log2_hi)};
+    const T v = s_lo * sum_hi + s * sum_lo;
+    const T hi = head((u + v) + base);
+    return {hi, v - ((hi - base) - u)};
 }
 
-/// 2^n e^(hi + lo) for |hi + lo| < 0.3467 and a whole n, -1022 <= n <= 1024; hi has at most 52 bits.
-template <class T>
-GLINT_INLINE T exp_scaled(T n, T hi, T lo) {
-    const T z = hi + lo;
-    const T z2 = z * z;
-    const T z4 = z2 * z2;
-    const T low = (0x1.5555555555501p-3 + z * 0x1.5555555553206p-5) +
-                  z2 * (0x1.1111111128866p-7 + z * 0x1.6c16c17cc35b1p-10);
-    const T high = (0x1.a01a011c2889cp-13 + z * 0x1.a019ab2cae0e3p-16) +
-                   z2 * (0x1.71df553686d25p-19 + z * 0x1.289f8b634110fp-22);
-    const T cubic = (z2 * z) * (low + z4 * (high + z4 * 0x1.ad20275be59bep-26));
-    const T rest = 0.5 * z2 + (cubic + lo);
-    const T one = 1.0 + hi;
-    const T power = one + ((hi - (one - 1.0)) + rest);
-    // 2^1024 is not a number: the last doubling goes to the other factor.
-    const auto last = n > 1023.0;
-    return select(last, power + power, power) * exp2_whole(select(last, T(1023), n));
-}
-
-/// 2^(hi + lo): infinity from 2^1024 on, 0 below 2^-1022 (no subnormal results). hi has at most 52 bits.
-template <class T>
-GLINT_INLINE T exp2_high_low(T hi, T lo) {
+/// 2^(hi + lo); infinity where that exceeds the largest double, 0 below 2^-1022 (so that no result is
+/// subnormal). hi has at most 52 bits; it may be infinite, and lo anything then.
+template <class T> GLINT_INLINE T exp2_high_low(T hi, T lo) {
     const T w = hi + lo;
-    const T n = round_whole(max(min(w, T(1024)), T(-1022)));
-    const T r = hi - n;  // exact
-    const T r_hi = head(r);
+    const T n = round_whole(w);
+    const T difference = hi - n;  // exact
+    const T r = difference + lo;  // 2^r = 1 + r ln 2 + r^2 P(r), |r| <= 1/2
+    const T r_hi = head(difference);
+    const T r_lo = (difference - r_hi) + lo;
     const T u = r_hi * 0x1.62e42f8p-1;  // exact; ln 2 = 0x1.62e42f8p-1 + 0x1.be8e7bcd5e4f2p-27
-    const T v = ((r - r_hi) + lo) * 0x1.62e42fefa39efp-1 + r_hi * 0x1.be8e7bcd5e4f2p-27;
-    const T power = exp_scaled(n, u, v);
-    return select(w < -1022.0, T(0), select(w < 1024.0, power, T(k_infinity)));
+    const T v = r_lo * 0x1.62e42fefa39efp-1 + r_hi * 0x1.be8e7bcd5e4f2p-27;
+    const T r2 = r * r;
+    const T r4 = r2 * r2;
+    const T low = (0x1.c6b08d704a046p-5 + r * 0x1.3b2ab6fba078ep-7) +
+                  r2 * (0x1.5d87fe78c3755p-10 + r * 0x1.4309130dc61f4p-13);
+    const T high = (0x1.ffcbfbc7c412ap-17 + r * 0x1.62bfc9f3a4bcep-20) +
+                   r2 * (0x1.b52652e16b68cp-24 + r * 0x1.e617b7fbd1691p-28);
+    const T cubic = (r2 * r) * (low + r4 * (high + r4 * 0x1.e7c6d50b3bd61p-32));
+    const T rest = r2 * 0x1.ebfbdff82c5a1p-3 + (cubic + v);
+    const T one = 1.0 + u;
+    const T power = one + ((u - (one - 1.0)) + rest);
+    // 2^1024 is not a number: the last doubling is done apart.
+    const T scaled = power * exp2_whole(min(n, T(1023))) * select(n > 1023.0, T(2), T(1));
+    const T beyond = select(hi > 0.0, T(k_infinity), T(0));
+    // Near the least normal number hi + 1022 is exact, so this asks for the sum before its rounding.
+    const auto normal = (hi + 1022.0) + lo >= 0.0;
+    return select(normal && (w <= 1024.0), scaled, beyond);
 }
 
-/// Natural logarithm of a finite x > 0 (subnormal too).
-template <class T>
-GLINT_INLINE T log_positive(T x) {
+/// Natural logarithm of a finite x >= 2^-1022.
+template <class T> GLINT_INLINE T log_positive(T x) {
     const auto log2 = log2_high_low(x);
     return log2.hi * 0x1.62e42f8p-1 + (log2.hi * 0x1.be8e7bcd5e4f2p-27 + log2.lo * 0x1.62e42fefa39efp-1);
 }
 
 /// e^x for finite x; infinity where that exceeds the largest double, 0 where it is below 2^-1022.
-template <class T>
-GLINT_INLINE T exp(T x) {
-    const T bounded = max(min(x, T(710)), T(-708.4));
-    const T n = round_whole(bounded * 0x1.71547652b82fep+0);
-    const T hi = bounded - n * 0x1.62e42fefa38p-1;  // exact; ln 2 = 0x1.62e42fefa38p-1 + 0x1.ef35793c7673p-45
-    const T lo = n * -0x1.ef35793c76730p-45;
-    const T power = exp_scaled(n, hi, lo);
-    const T least = -0x1.6232bdd7abcd2p+9;    // the least x with e^x >= 2^-1022
-    const T greatest = 0x1.62e42fefa39efp+9;  // the greatest x with a finite e^x
-    return select(x < least, T(0), select(x <= greatest, power, T(k_infinity)));
+template <class T> GLINT_INLINE T exp(T x) {
+    const T x_hi = head(x);  // log2 e = 0x1.715476p+0 + 0x1.4ae0bf85ddf44p-26
+    return exp2_high_low(x_hi * 0x1.715476p+0,
+                         (x - x_hi) * 0x1.71547652b82fep+0 + x_hi * 0x1.4ae0bf85ddf44p-26);
 }
 
 /// x^y for finite y and finite x >= 0: x^0 = 1, 0^y = 0 for y > 0 and infinity for y < 0; infinity where the
-/// result exceeds the largest double; 0 where it is below 2^-1022. 0 for x < 0 whatever y (a cosine that
-/// faces away).
-template <class T>
-GLINT_INLINE T pow(T x, T y) {
+/// result exceeds the largest double. Numbers below 2^-1022 count as 0, in x and in the result. 0 for x < 0
+/// whatever y (a cosine that faces away).
+template <class T> GLINT_INLINE T pow(T x, T y) {
     const auto log2 = log2_high_low(x);
-    // Beyond 2^70 nothing changes: the log2 of a double other than 1 is at least 2^-53 in size.
-    const T exponent = max(min(y, T(0x1p70)), T(-0x1p70));
-    const T y_hi = head(exponent);
-    const T power = exp2_high_low(y_hi * log2.hi, (exponent - y_hi) * log2.hi + exponent * log2.lo);
+    const T y_hi = head(y);
+    const T power = exp2_high_low(y_hi * log2.hi, (y - y_hi) * log2.hi + y * log2.lo);
     const T at_zero = select(y > 0.0, T(0), select(y < 0.0, T(k_infinity), T(1)));
-    return select(x > 0.0, power, select(x < 0.0, T(0), at_zero));
+    return select(x >= 0x1p-1022, power, select(x < 0.0, T(0), at_zero));
 }
 
 /// An angle as quadrant * 90 degrees + (hi + lo) radians, |hi| below 45.001 degrees, quadrant one of -2, -1,
 /// 0, 1, 2.
-template <class T>
-struct ReducedAngle {
-    T quadrant, hi, lo;
-};
+template <class T> struct ReducedAngle { T quadrant, hi, lo; };
 
-template <class T>
-GLINT_INLINE T quadrant_of(T n) {
-    return n - 4.0 * round_whole(n * 0.25);
-}
+template <class T> GLINT_INLINE T quadrant_of(T n) { return n - 4.0 * round_whole(n * 0.25); }
 
 /// |x| <= 1e5 radians; other angles are taken as 0. Cody and Waite's reduction: the first two of the three
 /// parts of pi/2 have 37 bits, so that their products with n < 2^16 are exact.
-template <class T>
-GLINT_INLINE ReducedAngle<T> reduce_radians(T angle) {
+template <class T> GLINT_INLINE ReducedAngle<T> reduce_radians(T angle) {
     const T x = select(abs(angle) <= 1e5, angle, T(0));
     const T n = round_whole(x * 0x1.45f306dc9c883p-1);
     const T a = x - n * 0x1.921fb5444p+0;  // exact
@@ -173,8 +138,7 @@ GLINT_INLINE ReducedAngle<T> reduce_radians(T angle) {
 
 /// |x| <= 2^45 degrees; other angles are taken as 0. The reduction is exact, so multiples of 90 degrees leave
 /// 0.
-template <class T>
-GLINT_INLINE ReducedAngle<T> reduce_degrees(T angle) {
+template <class T> GLINT_INLINE ReducedAngle<T> reduce_degrees(T angle) {
     const T x = select(abs(angle) <= 0x1p45, angle, T(0));
     const T n = round_whole(x * (1.0 / 90.0));
     const T degrees = x - n * 90.0;  // exact
@@ -186,8 +150,7 @@ GLINT_INLINE ReducedAngle<T> reduce_degrees(T angle) {
 }
 
 /// sin(hi + lo) within a quadrant.
-template <class T>
-GLINT_INLINE HighLow<T> sin_in_quadrant(T hi, T lo) {
+template <class T> GLINT_INLINE HighLow<T> sin_in_quadrant(T hi, T lo) {
     const T z = hi * hi;
     const T z2 = z * z;
     const T p = (-0x1.5555555555549p-3 + z * 0x1.111111110f87ap-7) +
@@ -199,8 +162,7 @@ GLINT_INLINE HighLow<T> sin_in_quadrant(T hi, T lo) {
 }
 
 /// cos(hi + lo) within a quadrant.
-template <class T>
-GLINT_INLINE HighLow<T> cos_in_quadrant(T hi, T lo) {
+template <class T> GLINT_INLINE HighLow<T> cos_in_quadrant(T hi, T lo) {
     const T z = hi * hi;
     const T z2 = z * z;
     const T p = (0x1.555555555554cp-5 - z * 0x1.6c16c16c1517ep-10) +
@@ -215,24 +177,21 @@ GLINT_INLINE HighLow<T> cos_in_quadrant(T hi, T lo) {
     return {sum, rest - (sum - one)};
 }
 
-template <class T>
-GLINT_INLINE T sin_of(ReducedAngle<T> a) {
+template <class T> GLINT_INLINE T sin_of(ReducedAngle<T> a) {
     const T s = sin_in_quadrant(a.hi, a.lo).hi;
     const T c = cos_in_quadrant(a.hi, a.lo).hi;
     const T size = select(abs(a.quadrant) == 1.0, c, s);
     return select((a.quadrant < 0.0) || (a.quadrant == 2.0), -size, size);
 }
 
-template <class T>
-GLINT_INLINE T cos_of(ReducedAngle<T> a) {
+template <class T> GLINT_INLINE T cos_of(ReducedAngle<T> a) {
     const T s = sin_in_quadrant(a.hi, a.lo).hi;
     const T c = cos_in_quadrant(a.hi, a.lo).hi;
     const T size = select(abs(a.quadrant) == 1.0, s, c);
     return select((a.quadrant > 0.0) || (a.quadrant == -2.0), -size, size);
 }
 
-template <class T>
-GLINT_INLINE T tan_of(ReducedAngle<T> a) {
+template <class T> GLINT_INLINE T tan_of(ReducedAngle<T> a) {
     const auto s = sin_in_quadrant(a.hi, a.lo);
     const auto c = cos_in_quadrant(a.hi, a.lo);
     const auto odd = abs(a.quadrant) == 1.0;
@@ -249,32 +208,14 @@ GLINT_INLINE T tan_of(ReducedAngle<T> a) {
 
 /// Sine, cosine and tangent of |x| <= 1e5 radians; of other angles, those of 0. Infinity where the tangent
 /// has a pole.
-template <class T>
-GLINT_INLINE T sin(T x) {
-    return sin_of(reduce_radians(x));
-}
-template <class T>
-GLINT_INLINE T cos(T x) {
-    return cos_of(reduce_radians(x));
-}
-template <class T>
-GLINT_INLINE T tan(T x) {
-    return tan_of(reduce_radians(x));
-}
+template <class T> GLINT_INLINE T sin(T x) { return sin_of(reduce_radians(x)); }
+template <class T> GLINT_INLINE T cos(T x) { return cos_of(reduce_radians(x)); }
+template <class T> GLINT_INLINE T tan(T x) { return tan_of(reduce_radians(x)); }
 
 /// The same of |x| <= 2^45 degrees, exact where the value is 0, 1/2 or 1 in size.
-template <class T>
-GLINT_INLINE T sin_degrees(T x) {
-    return sin_of(reduce_degrees(x));
-}
-template <class T>
-GLINT_INLINE T cos_degrees(T x) {
-    return cos_of(reduce_degrees(x));
-}
-template <class T>
-GLINT_INLINE T tan_degrees(T x) {
-    return tan_of(reduce_degrees(x));
-}
+template <class T> GLINT_INLINE T sin_degrees(T x) { return sin_of(reduce_degrees(x)); }
+template <class T> GLINT_INLINE T cos_degrees(T x) { return cos_of(reduce_degrees(x)); }
+template <class T> GLINT_INLINE T tan_degrees(T x) { return tan_of(reduce_degrees(x)); }
 
 }  // namespace GLINT_NUMBER_NAMESPACE
 }  // namespace glint

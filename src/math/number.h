@@ -15,49 +15,22 @@ namespace glint::number {
 inline constexpr double k_infinity = std::numeric_limits<double>::infinity();
 
 // A formula's `auto m = a < b` is a bool here and a mask of lanes there.
-template <class T>
-T select(bool m, T yes, T no) {
-    return m ? yes : no;
-}
-inline bool any(bool m) {
-    return m;
-}
-inline bool all(bool m) {
-    return m;
-}
-inline bool and_not(bool a, bool b) {
-    return a && !b;
-}  // a and not b
+template <class T> T select(bool m, T yes, T no) { return m ? yes : no; }
+inline bool any(bool m) { return m; }
+inline bool all(bool m) { return m; }
+inline bool and_not(bool a, bool b) { return a && !b; }  // a and not b
 
 // IEEE 754 requires this one to be exact to the last bit, as it does + - * /.
-inline float sqrt(float x) {
-    return std::sqrt(x);
-}
-inline double sqrt(double x) {
-    return std::sqrt(x);
-}
-inline long double sqrt(long double x) {
-    return std::sqrt(x);
-}
+inline float sqrt(float x) { return std::sqrt(x); }
+inline double sqrt(double x) { return std::sqrt(x); }
+inline long double sqrt(long double x) { return std::sqrt(x); }
 
-template <class T>
-T abs(T x) {
-    return x < T(0) ? -x : x == T(0) ? T(0) : x;
-}
-template <class T>
-T min(T a, T b) {
-    return a < b ? a : b;
-}
-template <class T>
-T max(T a, T b) {
-    return a < b ? b : a;
-}
+template <class T> T abs(T x) { return x < T(0) ? -x : x == T(0) ? T(0) : x; }
+template <class T> T min(T a, T b) { return a < b ? a : b; }
+template <class T> T max(T a, T b) { return a < b ? b : a; }
 
 /// The sign bit of `s` on the magnitude of x >= 0.
-template <class T>
-T with_sign_of(T x, T s) {
-    return s < T(0) ? -x : x;
-}
+template <class T> T with_sign_of(T x, T s) { return s < T(0) ? -x : x; }
 
 /// For finite x > 0, normal: x = mantissa * 2^e, 1 <= mantissa < 2. Returns e.
 inline double split_exponent(double x, double& mantissa) {
@@ -66,9 +39,14 @@ inline double split_exponent(double x, double& mantissa) {
     return static_cast<double>(static_cast<std::int64_t>(bits >> 52) - 1023);
 }
 
-/// 2^k for a whole number k, -1022 <= k <= 1023.
+/// 2^k for a whole number k, -1022 <= k <= 1023. For others some number, the same from every kind.
 inline double exp2_whole(double k) {
-    return std::bit_cast<double>(static_cast<std::uint64_t>(static_cast<std::int64_t>(k) + 1023) << 52);
+    return std::bit_cast<double>(std::bit_cast<std::uint64_t>(k + (4503599627370496.0 + 1023.0)) << 52);
+}
+
+/// x with the last 27 bits of its mantissa cleared: the product of two heads is exact.
+inline double head(double x) {
+    return std::bit_cast<double>(std::bit_cast<std::uint64_t>(x) & 0xfffffffff8000000u);
 }
 
 /// The nearest whole number (ties to even), |x| < 2^51, by IEEE addition alone.

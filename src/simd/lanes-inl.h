@@ -68,6 +68,7 @@ using number::all;
 using number::and_not;
 using number::any;
 using number::exp2_whole;
+using number::head;
 using number::k_infinity;
 using number::max;
 using number::min;
@@ -105,6 +106,12 @@ HWY_INLINE Doubles exp2_whole(Doubles k) {
     const hn::RebindToUnsigned<Tag<double>> du;
     const auto biased = hn::BitCast(du, (k + Doubles(4503599627370496.0 + 1023.0)).v);  // low bits: k + 1023
     return Doubles(hn::BitCast(d, hn::ShiftLeft<52>(biased)));
+}
+
+HWY_INLINE Doubles head(Doubles x) {
+    const Tag<double> d;
+    const hn::RebindToUnsigned<Tag<double>> du;
+    return Doubles(hn::And(x.v, hn::BitCast(d, hn::Set(du, 0xfffffffff8000000u))));
 }
 
 HWY_INLINE Doubles round_whole(Doubles x) {
