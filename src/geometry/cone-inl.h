@@ -18,6 +18,7 @@ namespace HWY_NAMESPACE {
 struct ConeGeometry {
     static constexpr int k_values = 10;  // from, unit axis, height, radius at from, growth of the radius a unit, caps (0 or 1)
     static constexpr bool k_bounded = true;
+    static constexpr bool k_takes_maps = false;
     static constexpr bool k_filtered = false;
 
     static void pack(const Cone& c, double* p) {

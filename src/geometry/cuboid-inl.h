@@ -17,6 +17,7 @@ namespace HWY_NAMESPACE {
 struct CuboidGeometry {
     static constexpr int k_values = 6;  // min, max
     static constexpr bool k_bounded = true;
+    static constexpr bool k_takes_maps = false;
     static constexpr bool k_filtered = false;
 
     static void pack(const Cuboid& c, double* p) {

@@ -18,6 +18,7 @@ namespace HWY_NAMESPACE {
 struct CylinderGeometry {
     static constexpr int k_values = 9;  // from, unit axis, height, radius, caps (0 or 1)
     static constexpr bool k_bounded = true;
+    static constexpr bool k_takes_maps = false;
     static constexpr bool k_filtered = false;
 
     static void pack(const Cylinder& c, double* p) {

@@ -18,6 +18,7 @@ namespace HWY_NAMESPACE {
 struct DiscGeometry {
     static constexpr int k_values = 7;  // center, unit normal, radius
     static constexpr bool k_bounded = true;
+    static constexpr bool k_takes_maps = false;
     static constexpr bool k_filtered = false;
 
     static void pack(const Disc& disc, double* p) {

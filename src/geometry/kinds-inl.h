@@ -6,6 +6,8 @@
 #define GLINT_GEOMETRY_KINDS_INL_H_
 #endif
 
+#include <type_traits>
+
 #include "geometry/cone-inl.h"
 #include "geometry/cuboid-inl.h"
 #include "geometry/cylinder-inl.h"
@@ -21,19 +23,24 @@ namespace HWY_NAMESPACE {
 
 /// Polygons are cut into triangles before anything is packed: a world has none.
 struct PolygonGeometry : TriangleGeometry {};
+template <class Geometry> inline constexpr bool k_is_packed = !std::is_same_v<Geometry, PolygonGeometry>;
 
-/// Calls visitor.visit<Geometry>() for the geometry of a kind, under a transform or not.
+/// Calls visitor.visit<Geometry>() for the geometry of a kind, under a transform or not. Kinds that take a map into their own
+/// parameters (k_takes_maps) are never packed with one.
+template <class Geometry, class Visitor>
+HWY_INLINE void visit_kind(bool transformed, Visitor&& visitor) {
+    if constexpr (k_is_packed<Geometry>) {
+        if constexpr (!Geometry::k_takes_maps) {
+            if (transformed) return visitor.template visit<Transformed<Geometry>>();
+        }
+        visitor.template visit<Geometry>();
+    }
+}
 template <class Visitor>
 HWY_INLINE void visit_geometry(ShapeKind kind, bool transformed, Visitor&& visitor) {
     switch (kind) {
-#define GLINT_KIND(Type, word)                                          \
-    case ShapeKind::word:                                               \
-        if (transformed) {                                              \
-            visitor.template visit<Transformed<Type##Geometry>>();      \
-        } else {                                                        \
-            visitor.template visit<Type##Geometry>();                   \
-        }                                                               \
-        break;
+#define GLINT_KIND(Type, word) \
+    case ShapeKind::word: return visit_kind<Type##Geometry>(transformed, visitor);
         GLINT_SHAPES(GLINT_KIND)
 #undef GLINT_KIND
     }

@@ -17,12 +17,16 @@ namespace HWY_NAMESPACE {
 struct PlaneGeometry {
     static constexpr int k_values = 6;  // point, unit normal
     static constexpr bool k_bounded = false;
+    static constexpr bool k_takes_maps = true;
     static constexpr bool k_filtered = false;
 
     static void pack(const Plane& plane, double* p) {
         const Vec3 n = glint::normalize(plane.normal);
         p[0] = plane.point.x, p[1] = plane.point.y, p[2] = plane.point.z;
         p[3] = n.x, p[4] = n.y, p[5] = n.z;
+    }
+    static Plane mapped(const Plane& plane, const Affine& world_from_object, const Affine& object_from_world) {
+        return {transform_point(world_from_object, plane.point), transform_normal(object_from_world, plane.normal)};
     }
     static bool open(const Plane&) { return true; }
     static void bounds(const Plane&, Vec3&, Vec3&) {}

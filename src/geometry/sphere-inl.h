@@ -16,6 +16,7 @@ namespace HWY_NAMESPACE {
 struct SphereGeometry {
     static constexpr int k_values = 4;  // center, radius
     static constexpr bool k_bounded = true;
+    static constexpr bool k_takes_maps = false;
     static constexpr bool k_filtered = true;
 
     static void pack(const Sphere& s, double* p) {

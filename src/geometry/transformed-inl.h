@@ -17,6 +17,7 @@ template <class Geometry>
 struct Transformed {
     static constexpr int k_values = Geometry::k_values + 12;
     static constexpr bool k_bounded = Geometry::k_bounded;
+    static constexpr bool k_takes_maps = false;
     static constexpr bool k_filtered = false;
 
     template <class T> static HWY_INLINE Triple<T> linear(const T* m, Triple<T> v) {

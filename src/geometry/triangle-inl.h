@@ -19,10 +19,16 @@ namespace HWY_NAMESPACE {
 struct TriangleGeometry {
     static constexpr int k_values = 9;  // a, b, c
     static constexpr bool k_bounded = true;
+    static constexpr bool k_takes_maps = true;
     static constexpr bool k_filtered = false;
 
     static void pack(const Triangle& triangle, double* p) {
         for (const Vec3& v : triangle.vertices) *p++ = v.x, *p++ = v.y, *p++ = v.z;
+    }
+    static Triangle mapped(const Triangle& triangle, const Affine& world_from_object, const Affine&) {
+        Triangle out;
+        for (int i = 0; i < 3; ++i) out.vertices[i] = transform_point(world_from_object, triangle.vertices[i]);
+        return out;
     }
     static bool open(const Triangle&) { return true; }
     static void bounds(const Triangle& triangle, Vec3& lo, Vec3& hi) {
@@ -57,6 +63,7 @@ struct TriangleGeometry {
 struct SmoothTriangleGeometry {
     static constexpr int k_values = 18;  // a, b, c, and their normals
     static constexpr bool k_bounded = true;
+    static constexpr bool k_takes_maps = true;
     static constexpr bool k_filtered = false;
 
     static void pack(const SmoothTriangle& triangle, double* p) {
@@ -65,6 +72,15 @@ struct SmoothTriangleGeometry {
             const Vec3 n = glint::normalize(v);
             *p++ = n.x, *p++ = n.y, *p++ = n.z;
         }
+    }
+    static SmoothTriangle mapped(const SmoothTriangle& triangle, const Affine& world_from_object,
+                                 const Affine& object_from_world) {
+        SmoothTriangle out;
+        for (int i = 0; i < 3; ++i) {
+            out.vertices[i] = transform_point(world_from_object, triangle.vertices[i]);
+            out.normals[i] = transform_normal(object_from_world, triangle.normals[i]);
+        }
+        return out;
     }
     static bool open(const SmoothTriangle&) { return true; }
     static void bounds(const SmoothTriangle& triangle, Vec3& lo, Vec3& hi) {

@@ -11,23 +11,28 @@
 
 #include "bvh/traverse-inl.h"
 #include "geometry/kinds-inl.h"
+#include "trace/hit_declarations-inl.h"
 #include "world/world.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace glint {
 namespace HWY_NAMESPACE {
 
-/// The answer of nearest_hit, as it grows. By ray of the beam.
-struct NearestResult {
-    static constexpr bool k_ordered = true;
+/// The answer of nearest_hit or any_hit, as it grows. By ray of the beam.
+struct HitResult {
     const World& world;
-    double* t;  // starts as t_max
-    std::uint32_t* slot;
+    double* t;               // the least so far; starts as t_max
+    std::uint32_t* slot;     // nearest_hit: k_none at first
+    std::uint8_t* occluded;  // any_hit; null for nearest_hit
 
-    HWY_INLINE double limit(int ray) const { return t[ray]; }
-    HWY_INLINE Doubles limits(int ray) const { return load(t + ray); }
-    /// new_t is at most limit(ray).
-    HWY_INLINE void accept(Beam& beam, int ray, double new_t, std::uint32_t new_slot) {
+    /// new_t is at most t[ray], which may be t_max itself.
+    HWY_INLINE void accept(Beam& beam, int ray, double new_t, std::uint32_t new_slot) const {
+        if (occluded != nullptr) {
+            if (new_t == t[ray]) return;
+            occluded[ray] = 1;
+            beam.t_max[ray] = -std::numeric_limits<float>::infinity();
+            return;
+        }
         if (new_t == t[ray] && (slot[ray] == k_none || world.shape_index[slot[ray]] < world.shape_index[new_slot])) return;
         t[ray] = new_t;
         slot[ray] = new_slot;
@@ -35,28 +40,12 @@ struct NearestResult {
     }
 };
 
-/// The answer of any_hit.
-struct AnyResult {
-    static constexpr bool k_ordered = false;
-    const double* t_max;
-    std::uint8_t* occluded;
-
-    HWY_INLINE double limit(int ray) const { return t_max[ray]; }
-    HWY_INLINE Doubles limits(int ray) const { return load(t_max + ray); }
-    HWY_INLINE void accept(Beam& beam, int ray, double new_t, std::uint32_t) {
-        if (new_t == t_max[ray]) return;
-        occluded[ray] = 1;
-        beam.t_max[ray] = -std::numeric_limits<float>::infinity();
-    }
-};
-
 /// Tests shapes against the rays of a beam. `rays` are the beam's.
-template <class Result>
 struct ShapeTests {
     const World& world;
     const RaySpan& rays;
     Beam& beam;
-    Result& result;
+    const HitResult& result;
 
     HWY_INLINE Ray<Doubles> ray_lanes(int i) const {
         return {{load(rays.ox + i), load(rays.oy + i), load(rays.oz + i)},
@@ -83,24 +72,28 @@ struct ShapeTests {
         ShapeTests& tests;
         const ShapeClass& shapes;
         std::uint32_t first, count;
+        // With few rays the lanes are filled with shapes, with many, with rays.
         template <class Geometry> HWY_INLINE void visit() {
-            // With few rays the lanes are filled with shapes, with many, with rays.
-            if (tests.beam.count <= 2) {
-                for (int i = 0; i < tests.beam.count; ++i) tests.template one_ray_many_shapes<Geometry>(shapes, first, count, i);
-            } else {
-                for (std::uint32_t s = first; s < first + count; ++s) tests.template many_rays_one_shape<Geometry>(shapes, s);
+            if constexpr (Geometry::k_bounded) {
+                if (tests.beam.count <= 2) {
+                    for (int i = 0; i < tests.beam.count; ++i) tests.one_ray_many_shapes<Geometry>(shapes, first, count, i);
+                } else {
+                    for (std::uint32_t s = first; s < first + count; ++s) tests.many_rays_one_shape<Geometry>(shapes, s);
+                }
+                tests.beam.update_t_max();
             }
-            tests.beam.update_t_max();
         }
     };
     struct UnboundedVisitor {
         ShapeTests& tests;
         const ShapeClass& shapes;
         template <class Geometry> HWY_INLINE void visit() {
-            for (std::uint32_t s = shapes.first; s < shapes.first + shapes.count; ++s) {
-                tests.template many_rays_unbounded<Geometry>(shapes, s);
+            if constexpr (!Geometry::k_bounded) {
+                for (std::uint32_t s = shapes.first; s < shapes.first + shapes.count; ++s) {
+                    tests.many_rays_unbounded<Geometry>(shapes, s);
+                }
+                tests.beam.update_t_max();
             }
-            tests.beam.update_t_max();
         }
     };
 
@@ -115,7 +108,7 @@ struct ShapeTests {
         const Doubles t_min = load(rays.t_min + i);
         const auto candidate = Geometry::hit(p, ray_lanes(i), t_min);
         const Doubles t = min(max(candidate.t, entry), exit);
-        bits &= to_bits(candidate.hit && t > t_min && t <= result.limits(i));
+        bits &= to_bits(candidate.hit && t > t_min && t <= load(result.t + i));
         if (bits == 0) return;
         alignas(64) double lanes[lane_count<double>()];
         store(t, lanes);
@@ -126,7 +119,7 @@ struct ShapeTests {
     }
 
     template <class Geometry>
-    HWY_INLINE void many_rays_one_shape(const ShapeClass& shapes, std::uint32_t slot) {
+    HWY_NOINLINE void many_rays_one_shape(const ShapeClass& shapes, std::uint32_t slot) {
         const float lo[3] = {world.box_lo[0][slot], world.box_lo[1][slot], world.box_lo[2][slot]};
         const float hi[3] = {world.box_hi[0][slot], world.box_hi[1][slot], world.box_hi[2][slot]};
         Doubles p[Geometry::k_values];
@@ -159,7 +152,7 @@ struct ShapeTests {
     }
 
     template <class Geometry>
-    HWY_INLINE void many_rays_unbounded(const ShapeClass& shapes, std::uint32_t slot) {
+    HWY_NOINLINE void many_rays_unbounded(const ShapeClass& shapes, std::uint32_t slot) {
         Doubles p[Geometry::k_values];
         broadcast_values<Geometry>(shapes, slot, p);
         const Doubles infinity(std::numeric_limits<double>::infinity());
@@ -170,7 +163,7 @@ struct ShapeTests {
     }
 
     template <class Geometry>
-    HWY_INLINE void one_ray_many_shapes(const ShapeClass& shapes, std::uint32_t first, std::uint32_t count, int i) {
+    HWY_NOINLINE void one_ray_many_shapes(const ShapeClass& shapes, std::uint32_t first, std::uint32_t count, int i) {
         const Ray<Doubles> ray = one_ray(i);
         const Doubles t_min(rays.t_min[i]);
         for (std::uint32_t s = 0; s < count; s += lane_count<float>()) {
@@ -193,13 +186,13 @@ struct ShapeTests {
                 for (int k = 0; k < Geometry::k_values; ++k) p[k] = load(shapes.column(k) + (slot - shapes.first));
                 const auto candidate = Geometry::hit(p, ray, t_min);
                 const Doubles t = min(max(candidate.t, widen(entry + c)), widen(exit + c));
-                part &= to_bits(candidate.hit && t > t_min && t <= Doubles(result.limit(i)));
+                part &= to_bits(candidate.hit && t > t_min && t <= Doubles(result.t[i]));
                 alignas(64) double lanes[lane_count<double>()];
                 store(t, lanes);
                 for (; part != 0; part &= part - 1) {
                     const int lane = __builtin_ctz(part);
                     // The limit may have shrunk since.
-                    if (lanes[lane] <= result.limit(i)) result.accept(beam, i, lanes[lane], slot + static_cast<std::uint32_t>(lane));
+                    if (lanes[lane] <= result.t[i]) result.accept(beam, i, lanes[lane], slot + static_cast<std::uint32_t>(lane));
                 }
             }
         }
@@ -211,33 +204,37 @@ HWY_INLINE RaySpan from(const RaySpan& r, int first) {
     return {r.ox + first, r.oy + first, r.oz + first, r.dx + first, r.dy + first, r.dz + first, r.t_min + first, r.t_max + first};
 }
 
-template <class Result>
-HWY_INLINE void trace_beam(const World& world, const RaySpan& rays, int count, Result result) {
+template <bool ordered>
+HWY_INLINE void trace_beam(const World& world, const RaySpan& rays, int count, const HitResult& result) {
     Beam beam;
     make_beam(rays, 0, count, beam);
-    ShapeTests<Result> tests{world, rays, beam, result};
+    ShapeTests tests{world, rays, beam, result};
     for (const ShapeClass& shapes : world.classes) {
         if (shapes.first >= world.bounded) tests.visit_unbounded(shapes);
     }
-    traverse<Result::k_ordered>(world.bvh, beam, tests);
+    traverse<ordered>(world.bvh, beam, tests);
 }
 
-inline void nearest_hit(const World& world, const RaySpan& rays, int count, int beam, double* t, std::uint32_t* slot) {
+void nearest_hit(const World& world, const RaySpan& rays, int count, int beam, double* t, std::uint32_t* slot) {
     for (int first = 0; first < count; first += beam) {
         const int n = number::min(beam, count - first);
         for (int i = first; i < first + n; ++i) {
             t[i] = rays.t_max[i];
             slot[i] = k_none;
         }
-        trace_beam(world, from(rays, first), n, NearestResult{world, t + first, slot + first});
+        trace_beam<true>(world, from(rays, first), n, {world, t + first, slot + first, nullptr});
     }
 }
 
-inline void any_hit(const World& world, const RaySpan& rays, int count, int beam, std::uint8_t* occluded) {
+void any_hit(const World& world, const RaySpan& rays, int count, int beam, std::uint8_t* occluded) {
+    double t[k_beam + k_ray_padding];
     for (int first = 0; first < count; first += beam) {
         const int n = number::min(beam, count - first);
-        for (int i = first; i < first + n; ++i) occluded[i] = 0;
-        trace_beam(world, from(rays, first), n, AnyResult{rays.t_max + first, occluded + first});
+        for (int i = 0; i < n; ++i) {
+            t[i] = rays.t_max[first + i];
+            occluded[first + i] = 0;
+        }
+        trace_beam<false>(world, from(rays, first), n, {world, t, nullptr, occluded + first});
     }
 }
 

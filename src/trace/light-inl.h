@@ -8,7 +8,7 @@
 
 #include "geometry/leave-inl.h"
 #include "lighting/phong-inl.h"
-#include "trace/hit-inl.h"
+#include "trace/hit_declarations-inl.h"
 #include "trace/tile.h"
 #include "world/world.h"
 

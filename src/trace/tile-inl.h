@@ -7,7 +7,7 @@
 #endif
 
 #include "trace/camera_rays-inl.h"
-#include "trace/hit-inl.h"
+#include "trace/hit_declarations-inl.h"
 #include "trace/light-inl.h"
 #include "trace/surface-inl.h"
 
@@ -120,7 +120,7 @@ inline void fold_pixels(const World& world, const TileJob& job, const TileScratc
     }
 }
 
-inline void render_tile(const World& world, const TileJob& job, TileScratch& s) {
+void render_tile(const World& world, const TileJob& job, TileScratch& s) {
     const Shading shading = world.settings.shading;
     const bool lit = shading != Shading::color && shading != Shading::normals;
     for (auto& pixel : s.pixels) pixel.fill(0);

@@ -37,7 +37,9 @@ struct Items {
 struct KindFacts {
     int values = 0;
     bool bounded = true;
+    bool takes_maps = false;
     template <class Geometry> void visit() {
+        takes_maps = Geometry::k_takes_maps;
         values = Geometry::k_values;
         bounded = Geometry::k_bounded;
     }
@@ -105,7 +107,8 @@ class Packer {
     int class_of(const Item& item) const {
         const Shape& s = scene_.shapes[item.shape];
         const ShapeKind kind = item.piece == k_none ? s.kind : ShapeKind::triangle;
-        return 2 * static_cast<int>(kind) + (s.transform != k_none ? 1 : 0);
+        const int plain = 2 * static_cast<int>(kind);
+        return plain + (s.transform != k_none && !facts_[plain].takes_maps ? 1 : 0);
     }
 
     template <class Body>
@@ -117,16 +120,34 @@ class Packer {
         });
     }
 
+    // The transform that the item is packed with: none where its parameters take it.
+    std::uint32_t map_of(const Item& item) const {
+        return class_of(item) % 2 == 1 ? scene_.shapes[item.shape].transform : k_none;
+    }
+
+    // Calls visit(parameters, geometry), with the shape's map taken into the parameters where the kind allows.
+    template <class Visit, class Parameters, class Geometry>
+    void visit_mapped(const Shape& shape, const Parameters& parameters, Geometry geometry, Visit&& visit) const {
+        if constexpr (Geometry::k_takes_maps) {
+            if (shape.transform != k_none) {
+                const Affine& map = scene_.transforms[shape.transform];
+                // validate() has made sure that it can be inverted.
+                return visit(Geometry::mapped(parameters, map, inverse(map).value_or(Affine{})), geometry);
+            }
+        }
+        visit(parameters, geometry);
+    }
+
     // Calls visit(parameters, geometry) for the item's kind.
     template <class Visit>
     void with_parameters(const Item& item, Visit&& visit) const {
-        if (item.piece != k_none) return visit(items_.pieces[item.piece], TriangleGeometry());
         const Shape& shape = scene_.shapes[item.shape];
+        if (item.piece != k_none) return visit_mapped(shape, items_.pieces[item.piece], TriangleGeometry(), visit);
         switch (shape.kind) {
 #define GLINT_KIND(Type, word)                                                                     \
     case ShapeKind::word:                                                                          \
         if constexpr (!std::is_same_v<Type, Polygon>) {                                            \
-            visit(scene_.get<Type>()[shape.index], Type##Geometry());                              \
+            visit_mapped(shape, scene_.get<Type>()[shape.index], Type##Geometry(), visit);         \
         }                                                                                          \
         break;
             GLINT_SHAPES(GLINT_KIND)
@@ -137,7 +158,7 @@ class Packer {
     Aabb box_of(const Item& item) const {
         Vec3 lo, hi;
         with_parameters(item, [&](const auto& parameters, auto geometry) { geometry.bounds(parameters, lo, hi); });
-        const std::uint32_t transform = scene_.shapes[item.shape].transform;
+        const std::uint32_t transform = map_of(item);
         if (transform != k_none) {
             Extent extent;  // of the box's corners
             for (int corner = 0; corner < 8; ++corner) {
@@ -226,9 +247,8 @@ class Packer {
             geometry.pack(parameters, values.data());
             n = decltype(geometry)::k_values;
         });
-        if (shape.transform != k_none) {
-            // validate() has made sure that it can be inverted.
-            const Affine object_from_world = inverse(scene_.transforms[shape.transform]).value_or(Affine{});
+        if (map_of(item) != k_none) {
+            const Affine object_from_world = inverse(scene_.transforms[map_of(item)]).value_or(Affine{});
             for (const auto& row : object_from_world.m) {
                 for (const double value : row) values[n++] = value;
             }
