@@ -34,14 +34,27 @@ Affine compose(const Affine& outer, const Affine& inner) {
 
 double determinant(const Affine& map) {
     const auto& m = map.m;
-    return m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) - m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0]) +
+    return m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) -
+           m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0]) +
            m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]);
+}
+
+// The sum of the sizes of what determinant() adds and subtracts: the yardstick of its rounding errors.
+static double determinant_terms(const Affine& map) {
+    double sum = 0;
+    for (int c = 0; c < 3; ++c) {
+        const int c1 = (c + 1) % 3, c2 = (c + 2) % 3;
+        sum += number::abs(map.m[0][c]) *
+               (number::abs(map.m[1][c1] * map.m[2][c2]) + number::abs(map.m[1][c2] * map.m[2][c1]));
+    }
+    return sum;
 }
 
 std::optional<Affine> inverse(const Affine& map) {
     const auto& m = map.m;
     const double d = determinant(map);
-    if (d == 0) return std::nullopt;
+    constexpr double k_rounding = 0x1p-49;
+    if (!(number::abs(d) > k_rounding * determinant_terms(map))) return std::nullopt;
     Affine out;
     for (int row = 0; row < 3; ++row) {
         for (int column = 0; column < 3; ++column) {

@@ -7,17 +7,28 @@
 
 namespace glint {
 
-/// |v|, of any finite v: squares of very small or large components neither vanish nor overflow.
-inline double length(Vec3 v) {
+/// A power of two near the size of v's largest component (0 of the zero vector): dividing by it loses no bit,
+/// and then squares neither vanish nor overflow.
+inline double binary_size(Vec3 v) {
     const double largest = number::max(number::max(number::abs(v.x), number::abs(v.y)), number::abs(v.z));
-    if (!(largest > 0)) return 0;
-    v = v / largest;
-    return number::sqrt(dot(v, v)) * largest;
+    if (!(largest >= 0x1p-1022)) return largest;  // zero or subnormal
+    double mantissa;
+    return number::exp2_whole(number::split_exponent(largest, mantissa));
 }
 
-/// v / |v|; v is not 0.
+/// |v|, of any finite v.
+inline double length(Vec3 v) {
+    const double size = binary_size(v);
+    if (!(size > 0)) return 0;
+    v = v / size;
+    return number::sqrt(dot(v, v)) * size;
+}
+
+/// v / |v|, of any finite v; the zero vector stays zero.
 inline Vec3 normalize(Vec3 v) {
-    v = v / number::max(number::max(number::abs(v.x), number::abs(v.y)), number::abs(v.z));
+    const double size = binary_size(v);
+    if (!(size > 0)) return {};
+    v = v / size;
     return v / number::sqrt(dot(v, v));
 }
 
@@ -27,7 +38,8 @@ Vec3 transform_point(const Affine& map, Vec3 p);
 /// v -> M v.
 Vec3 transform_vector(const Affine& map, Vec3 v);
 
-/// A normal under world_from_object, given object_from_world: its transpose. Not unit.
+/// A normal under world_from_object, given object_from_world: its transpose. It stays on its side of the
+/// surface, mirrored maps included. Not unit.
 Vec3 transform_normal(const Affine& object_from_world, Vec3 n);
 
 /// c_from_a = compose(c_from_b, b_from_a).
@@ -35,7 +47,8 @@ Affine compose(const Affine& outer, const Affine& inner);
 
 double determinant(const Affine& map);
 
-/// Nothing if the map is singular: its determinant is 0 or not finite, or its inverse is not finite.
+/// Nothing if the map is singular as far as doubles can tell: its determinant is below the rounding errors of
+/// computing it, or the inverse is not finite.
 std::optional<Affine> inverse(const Affine& map);
 
 Affine translation(Vec3 by);
