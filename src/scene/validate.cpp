@@ -313,7 +313,9 @@ class Validator {
                 {Severity::warning, {}, "the scene has no shapes: the picture shows only its background"});
         } else if (scene_.lights.empty() && shading != Shading::color && shading != Shading::normals) {
             findings_.push_back(
-                {Severity::warning, {}, "the scene has no lights: every surface will be black"});
+                {Severity::warning,
+                 {},
+                 "the scene has no lights: the picture will be black but for its background"});
         }
     }
 

@@ -1,0 +1,159 @@
+// The table of settings: every key takes what it prints, and refuses what it cannot mean.
+#include <gtest/gtest.h>
+
+#include "glint/scene.h"
+
+namespace glint {
+namespace {
+
+std::string set(Scene& scene, std::string_view key, std::string_view value) {
+    const auto index = find_setting(key);
+    if (!index) return "no such key";
+    return set_setting(scene, *index, value, {SettingOrigin::Kind::command, {}});
+}
+
+TEST(Settings, KeysAreFoundByName) {
+    const auto keys = setting_keys();
+    ASSERT_EQ(keys.size(), 19u);
+    for (std::size_t i = 0; i < keys.size(); ++i) {
+        EXPECT_EQ(find_setting(keys[i].name), i);
+        EXPECT_FALSE(keys[i].values.empty());
+        EXPECT_FALSE(keys[i].description.empty());
+    }
+    EXPECT_FALSE(find_setting("Specular_gate"));
+    EXPECT_FALSE(find_setting(""));
+}
+
+TEST(Settings, RenderSettingsAreNotConventions) {
+    for (const SettingKey& key : setting_keys()) {
+        const bool is_render = key.name == "size" || key.name == "shading" || key.name == "shadows" ||
+                               key.name == "reflections" || key.name == "aa";
+        EXPECT_EQ(key.is_convention, !is_render) << key.name;
+    }
+}
+
+TEST(Settings, EveryFieldHasAKey) {
+    Scene scene;
+    const std::pair<const char*, const char*> values[] = {{"pixel_sample", "corner"},
+                                                          {"ray_direction", "viewport"},
+                                                          {"camera_t_min", "1"},
+                                                          {"specular_gate", "false"},
+                                                          {"clamp_cosines", "false"},
+                                                          {"normalize", "false"},
+                                                          {"offset", "facing"},
+                                                          {"epsilon", "0.001"},
+                                                          {"shadow_stops_at_light", "false"},
+                                                          {"mirror", "add"},
+                                                          {"limit", "drop"},
+                                                          {"mirror_miss", "black"},
+                                                          {"min_weight", "0.01"},
+                                                          {"facing", "open"},
+                                                          {"size", "320x200"},
+                                                          {"shading", "normals"},
+                                                          {"shadows", "false"},
+                                                          {"reflections", "7"},
+                                                          {"aa", "3"}};
+    ASSERT_EQ(std::size(values), setting_keys().size());
+    for (const auto& [key, value] : values) {
+        EXPECT_EQ(set(scene, key, value), "") << key;
+        EXPECT_EQ(get_setting(scene, *find_setting(key)), value);
+        EXPECT_EQ(scene.origins[*find_setting(key)].kind, SettingOrigin::Kind::command);
+    }
+    const Conventions expected{PixelSample::corner,
+                               RayDirection::viewport,
+                               1,
+                               false,
+                               false,
+                               false,
+                               Offset::facing,
+                               0.001,
+                               false,
+                               MirrorRule::add,
+                               LimitRule::drop,
+                               MissRule::black,
+                               0.01,
+                               Facing::open};
+    EXPECT_EQ(scene.conventions, expected);
+    const RenderSettings settings{320, 200, Shading::normals, false, 7, 3};
+    EXPECT_EQ(scene.settings, settings);
+}
+
+TEST(Settings, EveryListedWordIsTaken) {
+    for (std::size_t i = 0; i < setting_keys().size(); ++i) {
+        std::string_view words = setting_keys()[i].values;
+        if (words.find(" | ") == std::string_view::npos) continue;
+        while (!words.empty()) {
+            const auto word = words.substr(0, words.find(" | "));
+            Scene scene;
+            EXPECT_EQ(set_setting(scene, i, word, {}), "");
+            EXPECT_EQ(get_setting(scene, i), word);
+            words.remove_prefix(std::min(word.size() + 3, words.size()));
+        }
+    }
+}
+
+TEST(Settings, NumbersKeepTheirDigits) {
+    Scene scene;
+    for (const char* value : {"0.1", "1e-300", "123456.789", "0.30000000000000004", "1000000000000"}) {
+        ASSERT_EQ(set(scene, "epsilon", value), "");
+        const double first = scene.conventions.epsilon;
+        ASSERT_EQ(set(scene, "epsilon", get_setting(scene, *find_setting("epsilon"))), "");
+        EXPECT_EQ(scene.conventions.epsilon, first) << value;
+    }
+}
+
+TEST(Settings, BlanksAroundValuesDoNotMatter) {
+    Scene scene;
+    EXPECT_EQ(set(scene, "size", " 320 x 200\t"), "");
+    EXPECT_EQ(scene.settings.width, 320);
+    EXPECT_EQ(scene.settings.height, 200);
+}
+
+struct Wrong {
+    const char *key, *value, *message;
+};
+
+class WrongSettings : public testing::TestWithParam<Wrong> {};
+
+TEST_P(WrongSettings, AreRefusedAndChangeNothing) {
+    Scene scene;
+    EXPECT_EQ(set(scene, GetParam().key, GetParam().value), GetParam().message);
+    EXPECT_EQ(scene.conventions, Conventions{});
+    EXPECT_EQ(scene.settings, RenderSettings{});
+    EXPECT_TRUE(scene.origins.empty());
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    All, WrongSettings,
+    testing::Values(
+        Wrong{"specular_gate", "maybe", "expected true or false, found 'maybe'"},
+        Wrong{"specular_gate", "True", "expected true or false, found 'True'"},
+        Wrong{"specular_gate", "", "expected true or false, found ''"},
+        Wrong{"epsilon", "-1", "expected a number from 0 to 1e12, found '-1'"},
+        Wrong{"epsilon", "nan", "expected a number from 0 to 1e12, found 'nan'"},
+        Wrong{"epsilon", "inf", "expected a number from 0 to 1e12, found 'inf'"},
+        Wrong{"epsilon", "1e999", "expected a number from 0 to 1e12, found '1e999'"},
+        Wrong{"epsilon", "0,001", "expected a number from 0 to 1e12, found '0,001'"},
+        Wrong{"epsilon", "+-1", "expected a number from 0 to 1e12, found '+-1'"},
+        Wrong{"min_weight", "1.5", "expected a number from 0 to 1, found '1.5'"},
+        Wrong{"size", "0x10", "expected WIDTHxHEIGHT, each from 1 to 65536, found '0x10'"},
+        Wrong{"size", "640", "expected WIDTHxHEIGHT, each from 1 to 65536, found '640'"},
+        Wrong{"size", "-640x480", "expected WIDTHxHEIGHT, each from 1 to 65536, found '-640x480'"},
+        Wrong{"size", "100000x100000", "expected WIDTHxHEIGHT, each from 1 to 65536, found '100000x100000'"},
+        Wrong{"size", "99999999999x1", "expected WIDTHxHEIGHT, each from 1 to 65536, found '99999999999x1'"},
+        Wrong{"reflections", "1001", "expected a whole number from 0 to 1000, found '1001'"},
+        Wrong{"reflections", "2.5", "expected a whole number from 0 to 1000, found '2.5'"},
+        Wrong{"aa", "0", "expected a whole number from 1 to 64, found '0'"},
+        Wrong{"shading", "blinn_phong",
+              "expected phong | blinn-phong | diffuse | color | normals, found 'blinn_phong'; did you mean "
+              "`blinn-phong`?"},
+        Wrong{"limit", "\x1b[31m", "expected keep | drop, found '\\x1b[31m'"}));
+
+TEST(Settings, AKeyThatDoesNotExistChangesNothing) {
+    Scene scene;
+    EXPECT_EQ(set_setting(scene, 1000, "1", {}), "no such setting");
+    EXPECT_EQ(get_setting(scene, 1000), "");
+}
+
+}  // namespace
+}  // namespace glint

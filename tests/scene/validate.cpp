@@ -1,0 +1,206 @@
+// Every number of a scene made in code is checked: one broken scene a row, and the message it gets.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <limits>
+
+#include "glint/scene.h"
+
+namespace glint {
+namespace {
+
+constexpr double k_nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double k_inf = std::numeric_limits<double>::infinity();
+
+Scene good_scene() {
+    Scene scene;
+    scene.lights.push_back({});
+    scene.materials.push_back({});
+    scene.transforms.push_back({});
+    scene.add(Sphere{{0, 0, -5}, 1}, 0, 0);
+    scene.add(Plane{{0, -1, 0}, {0, 1, 0}});
+    scene.add(Cylinder{{0, 0, 0}, {0, 1, 0}, 1});
+    return scene;
+}
+
+TEST(Validate, AGoodSceneHasNothingToSay) { EXPECT_TRUE(validate(good_scene()).empty()); }
+
+struct Broken {
+    const char* message;
+    std::function<void(Scene&)> make;
+};
+
+class BrokenScenes : public testing::TestWithParam<Broken> {};
+
+TEST_P(BrokenScenes, AreErrors) {
+    Scene scene = good_scene();
+    GetParam().make(scene);
+    const auto diagnostics = validate(scene);
+    ASSERT_FALSE(diagnostics.empty());
+    EXPECT_EQ(diagnostics[0].severity, Severity::error);
+    EXPECT_NE(diagnostics[0].message.find(GetParam().message), std::string::npos) << diagnostics[0].message;
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Shapes, BrokenScenes,
+    testing::Values(
+        Broken{"sphere 1: radius: expected a number > 0", [](Scene& s) { s.get<Sphere>()[0].radius = 0; }},
+        Broken{"found -1", [](Scene& s) { s.get<Sphere>()[0].radius = -1; }},
+        Broken{"found nan", [](Scene& s) { s.get<Sphere>()[0].radius = k_nan; }},
+        Broken{"found inf", [](Scene& s) { s.get<Sphere>()[0].radius = k_inf; }},
+        Broken{"sphere 1: expected a center within 1e12",
+               [](Scene& s) { s.get<Sphere>()[0].center.y = k_nan; }},
+        Broken{"within 1e12", [](Scene& s) { s.get<Sphere>()[0].center.z = -1e13; }},
+        Broken{"plane 2: expected a normal",
+               [](Scene& s) {
+                   s.get<Plane>()[0].normal = {0, 0, 0};
+               }},
+        Broken{"plane 2: expected a normal", [](Scene& s) { s.get<Plane>()[0].normal.x = k_inf; }},
+        Broken{"plane 2: expected a point", [](Scene& s) { s.get<Plane>()[0].point.x = k_inf; }},
+        Broken{"cylinder 3: expected an axis of some length",
+               [](Scene& s) { s.get<Cylinder>()[0].to = s.get<Cylinder>()[0].from; }},
+        Broken{"cylinder 3: expected an axis within", [](Scene& s) { s.get<Cylinder>()[0].to.x = k_nan; }},
+        Broken{"cylinder 3: radius", [](Scene& s) { s.get<Cylinder>()[0].radius = 0; }},
+        Broken{"sphere 1: no such material", [](Scene& s) { s.shapes[0].material = 1; }},
+        Broken{"sphere 1: no such transform", [](Scene& s) { s.shapes[0].transform = 7; }},
+        Broken{"sphere 1: no such parameters", [](Scene& s) { s.shapes[0].index = 1; }},
+        Broken{"no such kind of shape", [](Scene& s) { s.shapes[0].kind = static_cast<ShapeKind>(200); }}));
+
+INSTANTIATE_TEST_SUITE_P(
+    Camera, BrokenScenes,
+    testing::Values(Broken{"on its target", [](Scene& s) { s.camera.look_at = s.camera.position; }},
+                    Broken{"along its view direction",
+                           [](Scene& s) {
+                               s.camera.up = {0, 0, 2};
+                           }},
+                    Broken{"along its view direction",
+                           [](Scene& s) {
+                               s.camera.up = {1e-200, 0, -1e-180};
+                           }},
+                    Broken{"up: expected a direction",
+                           [](Scene& s) {
+                               s.camera.up = {0, 0, 0};
+                           }},
+                    Broken{"field of view: expected an angle", [](Scene& s) { s.camera.fov_degrees = 0; }},
+                    Broken{"field of view", [](Scene& s) { s.camera.fov_degrees = 180; }},
+                    Broken{"field of view", [](Scene& s) { s.camera.fov_degrees = k_nan; }},
+                    Broken{"position: expected coordinates", [](Scene& s) { s.camera.position.x = k_nan; }},
+                    Broken{"target: expected coordinates", [](Scene& s) { s.camera.look_at.x = 2e12; }},
+                    Broken{"lighting eye",
+                           [](Scene& s) {
+                               s.camera.lighting_eye = Vec3{k_inf, 0, 0};
+                           }},
+                    Broken{"width: expected a number > 0",
+                           [](Scene& s) {
+                               s.camera.projection = Projection::orthographic;
+                               s.camera.width = 0;
+                           }},
+                    Broken{"lie in one plane",
+                           [](Scene& s) {
+                               s.camera.frame = CameraFrame{{1, 0, 0}, {0, 1, 0}, {1, 1, 0}};
+                           }},
+                    Broken{"forward: expected a direction",
+                           [](Scene& s) {
+                               s.camera.frame = CameraFrame{{1, 0, 0}, {0, 1, 0}, {0, 0, 0}};
+                           }},
+                    Broken{"no such projection",
+                           [](Scene& s) { s.camera.projection = static_cast<Projection>(9); }}));
+
+INSTANTIATE_TEST_SUITE_P(
+    Rest, BrokenScenes,
+    testing::Values(
+        Broken{"background: expected each channel", [](Scene& s) { s.background.g = k_nan; }},
+        Broken{"light 1: color", [](Scene& s) { s.lights[0].color.b = k_inf; }},
+        Broken{"light 1: specular color", [](Scene& s) { s.lights[0].specular_color.b = k_nan; }},
+        Broken{"light 1: position", [](Scene& s) { s.lights[0].position.x = k_nan; }},
+        Broken{"light 1: direction: expected a direction",
+               [](Scene& s) {
+                   s.lights[0].kind = LightKind::directional;
+                   s.lights[0].to_light = {0, 0, 0};
+               }},
+        Broken{"light 1: attenuation: expected a number from 0",
+               [](Scene& s) { s.lights[0].attenuation.c1 = -1; }},
+        Broken{"light 1: attenuation: expected one of",
+               [](Scene& s) {
+                   s.lights[0].attenuation = {0, 0, 0};
+               }},
+        Broken{"no such kind of light", [](Scene& s) { s.lights[0].kind = static_cast<LightKind>(9); }},
+        Broken{"material 1: color", [](Scene& s) { s.materials[0].color.r = k_nan; }},
+        Broken{"material 1: ambient", [](Scene& s) { s.materials[0].ambient.r = k_nan; }},
+        Broken{"material 1: diffuse", [](Scene& s) { s.materials[0].diffuse.r = k_nan; }},
+        Broken{"material 1: specular", [](Scene& s) { s.materials[0].specular.r = 1e7; }},
+        Broken{"material 1: shininess", [](Scene& s) { s.materials[0].shininess = -1; }},
+        Broken{"material 1: mirror: expected a number from 0 to 1",
+               [](Scene& s) { s.materials[0].mirror = 1.1; }},
+        Broken{"material 1: mirror tint", [](Scene& s) { s.materials[0].mirror_tint.r = -1; }},
+        Broken{"material 1: transmission", [](Scene& s) { s.materials[0].transmission = -0.1; }},
+        Broken{"material 1: index of refraction", [](Scene& s) { s.materials[0].ior = 0; }},
+        Broken{"material 1: transmission tint", [](Scene& s) { s.materials[0].transmission_tint.g = k_nan; }},
+        Broken{"transform 1 flattens", [](Scene& s) { s.transforms[0].m[1][1] = 0; }},
+        Broken{"transform 1: expected numbers", [](Scene& s) { s.transforms[0].m[1][3] = k_nan; }},
+        Broken{"size: expected WIDTHxHEIGHT", [](Scene& s) { s.settings.width = 0; }},
+        Broken{"size: expected WIDTHxHEIGHT", [](Scene& s) { s.settings.height = k_max_size + 1; }},
+        Broken{"reflections: expected a whole number", [](Scene& s) { s.settings.reflections = -1; }},
+        Broken{"aa: expected a whole number", [](Scene& s) { s.settings.samples = 65; }},
+        Broken{"epsilon: expected a number", [](Scene& s) { s.conventions.epsilon = k_nan; }},
+        Broken{"offset: expected ray", [](Scene& s) { s.conventions.offset = static_cast<Offset>(77); }}));
+
+TEST(Validate, SmallAndLargeScenesAreGood) {
+    Scene scene = good_scene();
+    scene.get<Sphere>()[0] = {{1e12, -1e12, 0}, 1e-300};
+    scene.get<Plane>()[0].normal = {0, 1e-300, 0};
+    scene.camera.up = {0, 1e-200, 0};
+    scene.camera.look_at = {1e-200, 0, 0};
+    scene.camera.position = {0, 0, 1e-200};
+    scene.transforms[0] = {{{1e-6, 0, 0, 1e9}, {0, 1e6, 0, 0}, {0, 0, -1, 0}}};
+    EXPECT_TRUE(validate(scene).empty()) << validate(scene)[0].message;
+}
+
+TEST(Validate, StopsAfterTwentyErrors) {
+    Scene scene = good_scene();
+    for (int i = 0; i < 1000; ++i) scene.add(Sphere{{0, 0, 0}, -1});
+    EXPECT_EQ(validate(scene).size(), 20u);
+}
+
+TEST(Validate, NamesAndPlacesAreThoseOfTheItem) {
+    Scene scene = good_scene();
+    scene.files = {"a.cgfs", "b.cgfs"};
+    scene.get<Sphere>()[0].radius = 0;
+    scene.shape_texts.names[0] = "ball";
+    scene.shape_texts.places = {{12, 3, 1}};
+    const auto diagnostics = validate(scene);
+    ASSERT_EQ(diagnostics.size(), 1u);
+    EXPECT_EQ(diagnostics[0].message.substr(0, 14), "sphere `ball`:");
+    EXPECT_EQ(diagnostics[0].file, "b.cgfs");
+    EXPECT_EQ(diagnostics[0].line, 12u);
+    EXPECT_EQ(diagnostics[0].column, 3u);
+}
+
+TEST(Validate, ScenesWithoutLightsOrShapesAreWarnedOf) {
+    Scene scene = good_scene();
+    scene.lights.clear();
+    ASSERT_EQ(validate(scene).size(), 1u);
+    EXPECT_EQ(validate(scene)[0].severity, Severity::warning);
+    EXPECT_EQ(validate(scene)[0].message,
+              "the scene has no lights: the picture will be black but for its background");
+    scene.settings.shading = Shading::normals;
+    EXPECT_TRUE(validate(scene).empty());
+    ASSERT_EQ(validate(Scene{}).size(), 1u);
+    EXPECT_EQ(validate(Scene{})[0].message, "the scene has no shapes: the picture shows only its background");
+}
+
+TEST(Scene, ItemTextsOfScenesMadeInCodeAreEmpty) {
+    const ItemTexts texts;
+    EXPECT_EQ(texts.name(0), "");
+    EXPECT_EQ(texts.place(5), SourcePlace{});
+}
+
+TEST(Scene, ShapesHaveTheirWords) {
+    EXPECT_EQ(shape_word(ShapeKind::sphere), "sphere");
+    EXPECT_EQ(shape_word(ShapeKind::cylinder), "cylinder");
+    EXPECT_EQ(shape_word(static_cast<ShapeKind>(250)), "unknown shape");
+}
+
+}  // namespace
+}  // namespace glint
