@@ -7,7 +7,6 @@ set(CMAKE_CXX_COMPILER_TARGET wasm32-wasi)
 set(CMAKE_AR llvm-ar-14)
 set(CMAKE_RANLIB llvm-ranlib-14)
 set(CMAKE_TRY_COMPILE_TARGET_TYPE STATIC_LIBRARY)
-set(CMAKE_EXECUTABLE_SUFFIX .wasm)
 
 # clang's own list of folders ends with the host's /usr/include, where a header that wasi-libc lacks would be taken from
 # glibc. So the folders are named here, in clang's order: libc++, the compiler's own, wasi-libc.
@@ -15,6 +14,6 @@ set(CMAKE_CXX_FLAGS_INIT "-nostdlibinc -isystem /usr/include/wasm32-wasi/c++/v1 
 -msimd128 -fno-exceptions")
 # A reactor: no main, the host calls what is exported. The stack is 1 MiB, below the data, so that running over its end
 # is a trap and not other data overwritten.
-set(CMAKE_EXE_LINKER_FLAGS_INIT "-mexec-model=reactor -Wl,--stack-first -Wl,-z,stack-size=1048576")
+set(CMAKE_EXE_LINKER_FLAGS_INIT "-Wno-unused-command-line-argument -mexec-model=reactor -Wl,--stack-first -Wl,-z,stack-size=1048576")
 
 set(CMAKE_FIND_ROOT_PATH_MODE_PROGRAM NEVER)

@@ -55,7 +55,7 @@ void good_input() {
 }
 
 void bad_input() {
-    const auto loaded = load("sphere { center = (0, oops, 3) }\n");
+    const auto loaded = load("sphere { center = (0, oops, 3) radius = 1 color = (1, 2, 3) }\n");
     expect(!loaded.scene && !loaded.diagnostics.empty(), "an error is reported");
     if (loaded.diagnostics.empty()) return;
     expect(loaded.diagnostics[0].line == 1 && loaded.diagnostics[0].column == 23, "with its place");
