@@ -60,23 +60,34 @@ HWY_INLINE float float_below(double x) {
 }
 HWY_INLINE float float_above(double x) { return -float_below(-x); }
 
+/// False for a ray with a NaN or an infinite number in it, or one beyond single precision: it meets no box.
+HWY_INLINE bool is_usable(const RaySpan& rays, int i) {
+    const double all[6] = {rays.ox[i], rays.oy[i], rays.oz[i], rays.dx[i], rays.dy[i], rays.dz[i]};
+    bool usable = true;
+    for (const double x : all) usable &= number::abs(x) < 1e37;
+    return usable;
+}
+
 /// Prepares the beam of rays [first, first + count) of the stream, count <= k_beam.
 inline void make_beam(const RaySpan& rays, int first, int count, Beam& beam) {
     beam.count = count;
     const double* origins[3] = {rays.ox + first, rays.oy + first, rays.oz + first};
     const double* directions[3] = {rays.dx + first, rays.dy + first, rays.dz + first};
+    bool usable[k_beam];
+    for (int i = 0; i < count; ++i) usable[i] = is_usable(rays, first + i);
     for (int a = 0; a < 3; ++a) {
         Beam::Axis& axis = beam.axis[a];
         int forward = 0;
         for (int i = 0; i < count; ++i) {
+            const double o = usable[i] ? origins[a][i] : 0;
+            double d = usable[i] ? directions[a][i] : 1;
             // A direction of 0 along an axis becomes tiny: the slab then covers all t, or none.
-            double d = directions[a][i];
             if (number::abs(d) < 1e-30) d = d < 0 ? -1e-30 : 1e-30;
             const bool ahead = d > 0;
             forward += ahead;
-            beam.origin[a][i] = static_cast<float>(origins[a][i]);
-            beam.direction[a][i] = static_cast<float>(directions[a][i]);
-            const float below = float_below(origins[a][i]), above = float_above(origins[a][i]);
+            beam.origin[a][i] = static_cast<float>(o);
+            beam.direction[a][i] = static_cast<float>(d);
+            const float below = float_below(o), above = float_above(o);
             beam.near_origin[a][i] = ahead ? above : below;
             beam.far_origin[a][i] = ahead ? below : above;
             const auto inverse = static_cast<float>(1 / d);
@@ -107,6 +118,7 @@ inline void make_beam(const RaySpan& rays, int first, int count, Beam& beam) {
         beam.t_min[i] = float_below(rays.t_min[first + i]);
         const double t_max = rays.t_max[first + i];
         beam.t_max[i] = t_max < 1e37 ? float_above(t_max) : std::numeric_limits<float>::infinity();
+        if (!usable[i]) beam.t_max[i] = -std::numeric_limits<float>::infinity();
         beam.least_t_min = number::min(beam.least_t_min, beam.t_min[i]);
     }
     for (int i = count; i < Beam::k_size; ++i) beam.t_min[i] = 0, beam.t_max[i] = -std::numeric_limits<float>::infinity();

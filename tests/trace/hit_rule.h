@@ -1,0 +1,96 @@
+#pragma once
+// The hit rule, said once more without lanes, beams or a hierarchy: what the kernels must agree with to the
+// bit.
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+#include "geometry/kinds-inl.h"
+#include "trace/rays.h"
+#include "world/world.h"
+
+namespace glint::testing {
+
+namespace plain = HWY_NAMESPACE;
+
+inline float rounded_down(double x) {
+    const auto f = static_cast<float>(x);
+    return f - (std::fabs(f) * 0x1p-23f + 1e-37f);
+}
+inline float rounded_up(double x) { return -rounded_down(-x); }
+
+struct Interval {
+    float entry, exit;
+};
+
+/// Where the ray is within the padded box of a slot.
+inline Interval box_interval(const World& world, std::uint32_t slot, Vec3 o, Vec3 d) {
+    const double origin[3] = {o.x, o.y, o.z}, direction[3] = {d.x, d.y, d.z};
+    Interval in{-std::numeric_limits<float>::infinity(), std::numeric_limits<float>::infinity()};
+    for (int a = 0; a < 3; ++a) {
+        double along = direction[a];
+        if (std::fabs(along) < 1e-30) along = along < 0 ? -1e-30 : 1e-30;
+        const float lo = world.box_lo[a][slot], hi = world.box_hi[a][slot];
+        const auto inverse = static_cast<float>(1 / along);
+        const float below = rounded_down(origin[a]), above = rounded_up(origin[a]);
+        const float to_near = along > 0 ? lo - above : hi - below,
+                    to_far = along > 0 ? hi - below : lo - above;
+        const float entry = to_near * (inverse * (1 - 0x1p-21f)), exit = to_far * (inverse * (1 + 0x1p-21f));
+        if (entry > in.entry) in.entry = entry;
+        if (exit < in.exit) in.exit = exit;
+    }
+    return in;
+}
+
+struct FormulaHit {
+    const ShapeClass& shapes;
+    std::uint32_t item;
+    plain::Ray<double> ray;
+    double t_min;
+    plain::Candidate<double> candidate{};
+    template <class Geometry> void visit() {
+        double p[Geometry::k_values];
+        for (int k = 0; k < Geometry::k_values; ++k) p[k] = shapes.column(k)[item];
+        candidate = Geometry::hit(p, ray, t_min);
+    }
+};
+
+struct BruteHit {
+    double t;
+    std::uint32_t slot;
+};
+
+inline BruteHit brute_nearest(const World& world, Vec3 o, Vec3 d, double t_min, double t_max) {
+    BruteHit best{t_max, k_none};
+    for (const ShapeClass& shapes : world.classes) {
+        for (std::uint32_t item = 0; item < shapes.count; ++item) {
+            const std::uint32_t slot = shapes.first + item;
+            Interval in{-std::numeric_limits<float>::infinity(), std::numeric_limits<float>::infinity()};
+            if (slot < world.bounded) in = box_interval(world, slot, o, d);
+            if (!(in.entry <= in.exit)) continue;
+            FormulaHit formula{shapes, item, {{o.x, o.y, o.z}, {d.x, d.y, d.z}}, t_min};
+            plain::visit_geometry(shapes.kind, shapes.transformed, formula);
+            if (!formula.candidate.hit) continue;
+            double t = formula.candidate.t;
+            if (t < in.entry) t = in.entry;
+            if (t > in.exit) t = in.exit;
+            if (!(t > t_min && t < t_max)) continue;
+            if (t < best.t || (t == best.t && world.shape_index[slot] < world.shape_index[best.slot]))
+                best = {t, slot};
+        }
+    }
+    return best;
+}
+
+inline Hits brute_hits(const World& world, const Rays& rays) {
+    Hits hits;
+    for (int i = 0; i < rays.size(); ++i) {
+        const BruteHit h =
+            brute_nearest(world, rays.origin(i), rays.direction(i), rays.t_min(i), rays.t_max(i));
+        hits.t.push_back(h.t);
+        hits.slot.push_back(h.slot);
+    }
+    return hits;
+}
+
+}  // namespace glint::testing

@@ -1,0 +1,79 @@
+#pragma once
+// Scenes made in code, and their worlds.
+#include <gtest/gtest.h>
+
+#include "geometry/random_values.h"
+#include "glint/render.h"
+#include "math/transform.h"
+#include "world/world.h"
+
+namespace glint::testing {
+
+inline WorldPtr make_world(const Scene& scene, int threads = 1) {
+    PrepareResult prepared = prepare(scene, threads);
+    for (const Diagnostic& d : prepared.diagnostics) {
+        if (d.severity == Severity::error) ADD_FAILURE() << to_string(d);
+    }
+    return std::move(prepared.world);
+}
+
+/// A rotation, an uneven scaling (sometimes a mirroring) and a translation.
+inline Affine random_transform(Random& random, double reach) {
+    const auto scale = [&] { return log_uniform(random, 0.3, 3) * (chance(random, 0.2) ? -1 : 1); };
+    const Affine turn =
+        compose(rotation_x(random.uniform(0, 360)),
+                compose(rotation_y(random.uniform(0, 360)), rotation_z(random.uniform(0, 360))));
+    return compose(translation(point_in_cube(random, reach)),
+                   compose(turn, scaling({scale(), scale(), scale()})));
+}
+
+/// `count` shapes within a cube: spheres, cylinders open and capped, some under transforms, a few planes.
+inline Scene random_scene(Random& random, int count, double half = 10) {
+    Scene scene;
+    const double size = half / std::cbrt(static_cast<double>(count));
+    for (int i = 0; i < 4; ++i) scene.transforms.push_back(random_transform(random, half / 4));
+    for (int i = 0; i < count; ++i) {
+        const std::uint32_t transform =
+            chance(random, 0.2) ? static_cast<std::uint32_t>(below(random, 4)) : k_none;
+        const Vec3 at = point_in_cube(random, half);
+        const double r = log_uniform(random, size / 30, size);
+        switch (below(random, count > 20 ? 50 : 5)) {
+            case 0:
+                scene.add(Plane{at * 1.2,
+                                chance(random, 0.5) ? axis_direction(random) : unit_direction(random) * 3},
+                          k_none, transform);
+                break;
+            case 1:
+            case 5:
+            case 6:
+            case 7:
+            case 8:
+            case 9:
+            case 10:
+            case 11:
+                scene.add(
+                    Cylinder{at,
+                             at + (chance(random, 0.5) ? axis_direction(random) : unit_direction(random)) *
+                                      (3 * r),
+                             r, chance(random, 0.5)},
+                    k_none, transform);
+                break;
+            default:
+                scene.add(Sphere{at, r}, k_none, transform);
+        }
+    }
+    return scene;
+}
+
+/// Touching spheres, each with six smaller ones on it.
+inline void add_flake(Scene& scene, Vec3 center, double radius, Vec3 from, int depth) {
+    scene.add(Sphere{center, radius});
+    if (depth == 0) return;
+    const Vec3 ways[6] = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
+    for (const Vec3 way : ways) {
+        if (way == -from) continue;
+        add_flake(scene, center + way * (radius * 1.5), radius / 2, way, depth - 1);
+    }
+}
+
+}  // namespace glint::testing
