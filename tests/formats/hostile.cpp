@@ -1,0 +1,182 @@
+// Texts that nobody means: they get an answer, soon, and never more memory than a multiple of their length.
+#include <chrono>
+#include <filesystem>
+#include <random>
+
+#include "formats/load_text.h"
+
+namespace glint {
+namespace {
+
+const char* const k_gallery[] = {"cgfs/three_spheres.cgfs", "cgfs/from_the_side.cgfs",
+                                 "epfl/three_lights.json", "epfl/two_scenes.js"};
+
+std::string gallery(const std::string& name) { return read_whole_file(GLINT_SOURCE_DIR "/scenes/" + name); }
+
+void expect_an_answer(std::string_view text, const std::string& name) {
+    const LoadResult result = load_text(text, name);
+    EXPECT_EQ(what_is_wrong(result, text), "") << name;
+}
+
+TEST(Gallery, LoadsWithoutErrors) {
+    std::size_t files = 0;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(GLINT_SOURCE_DIR "/scenes")) {
+        if (!entry.is_regular_file()) continue;
+        const std::string path = entry.path().string();
+        const std::string text = read_whole_file(path);
+        if (!path.ends_with(".cgfs") && !path.ends_with(".json") && !path.ends_with(".js")) continue;
+        const LoadResult result = load_text(text, path);
+        for (const Diagnostic& d : result.diagnostics) EXPECT_NE(d.severity, Severity::error) << to_string(d);
+        EXPECT_EQ(what_is_wrong(result, text), "");
+        ++files;
+    }
+    EXPECT_GE(files, 9u);
+}
+
+TEST(Hostile, TextsCutOffAnywhereHaveAnAnswer) {
+    for (const char* name : k_gallery) {
+        const std::string text = gallery(name);
+        ASSERT_FALSE(text.empty()) << name;
+        for (std::size_t n = 0; n < text.size(); ++n)
+            expect_an_answer(std::string_view(text).substr(0, n), name);
+    }
+}
+
+TEST(Hostile, RandomEditsHaveAnAnswer) {
+    std::mt19937 random(20241);
+    const auto below = [&](std::size_t n) { return static_cast<std::size_t>(random() % n); };
+    const std::string_view pieces[] = {"{",    "}", "(",    ")",        "[",  "]",  "=",       ":",   ",",
+                                       "\"",   "'", "/*",   "#",        "\n", "-",  "1e999",   "NaN", "0",
+                                       "none", "x", "\xff", "\xc3\xa9", ".",  "\\", "rotation"};
+    std::vector<std::string> texts;
+    for (const char* name : k_gallery) texts.push_back(gallery(name));
+    std::size_t broken = 0;
+    for (int i = 0; i < 20000; ++i) {
+        const std::size_t which = below(texts.size());
+        std::string text = texts[which];
+        for (std::size_t edits = 1 + below(4); edits > 0; --edits) {
+            const std::size_t at = below(text.size());
+            switch (below(4)) {
+                case 0:
+                    text[at] = static_cast<char>(random() & 0xff);
+                    break;
+                case 1:
+                    text.erase(at, 1 + below(20));
+                    break;
+                case 2:
+                    text.insert(at, pieces[below(std::size(pieces))]);
+                    break;
+                default:
+                    text.insert(at, text.substr(below(text.size()), below(60)));
+            }
+            if (text.empty()) text = " ";
+        }
+        const LoadResult result = load_text(text, k_gallery[which]);
+        ASSERT_EQ(what_is_wrong(result, text), "") << "iteration " << i << " of " << k_gallery[which];
+        broken += !result.scene;
+    }
+    EXPECT_GT(broken, 5000u) << "the edits break something";
+    EXPECT_LT(broken, 19900u) << "and not everything";
+}
+
+TEST(Hostile, AMillionBracketsAreAnError) {
+    for (const char* name : {"a.cgfs", "a.json"}) {
+        for (const char* before : {"", "x = ", "sphere { center = ", "sphere { x = ", "{ \"camera\": ",
+                                   "{ x: ", "[", "const a = "}) {
+            for (const char bracket : {'{', '[', '('}) {
+                const std::string text = before + std::string(1000000, bracket);
+                const LoadResult result = load_text(text, name);
+                EXPECT_FALSE(result.scene);
+                EXPECT_EQ(what_is_wrong(result, text), "");
+            }
+        }
+    }
+    const LoadResult result = load_text("foo = " + std::string(1000000, '('), "a.cgfs");
+    EXPECT_NE(to_string(result.diagnostics.back()).find("nested more than 256 deep"), std::string::npos);
+}
+
+TEST(Hostile, OneLongLineIsReadInOneGo) {
+    // Twice the text may take twice the time and a little, not four times.
+    const auto seconds = [](std::size_t bytes, const char* name, std::string_view piece, std::string text) {
+        while (text.size() < bytes) text += piece;
+        const auto start = std::chrono::steady_clock::now();
+        const LoadResult result = load_text(text, name);
+        EXPECT_EQ(what_is_wrong(result, text), "") << name;
+        return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    };
+    const std::tuple<const char*, const char*, const char*> cases[] = {
+        {"a.cgfs", "sphere { center = (1, 2, 3) radius = 1 color = (9, 9, 9) } ", ""},
+        {"a.cgfs", "foo = 1 ", ""},
+        {"a.cgfs", "a", ""},
+        {"a.cgfs", "9", "sphere { radius = "},
+        {"a.cgfs", "( ", "x = "},
+        {"a.json", R"({"center":[1,2,3],"radius":1,"material":"x"},)", "{\"spheres\":["},
+        {"a.json", "{\"name\":\"x\"},", "["},
+        {"a.js", "/*", "/*"},
+        {"a.js", "\\u00e9", "[{ name: '"}};
+    for (const auto& [name, piece, begin] : cases) {
+        seconds(2000000, name, piece, begin);
+        const double half = seconds(10000000, name, piece, begin);
+        const double whole = seconds(20000000, name, piece, begin);
+        EXPECT_LT(whole, 3.5 * half + 0.2) << name << ": " << piece;
+        EXPECT_LT(whole, 20) << name << ": " << piece;
+    }
+}
+
+TEST(Hostile, WhatIsNotTextIsRefusedOnce) {
+    using namespace std::string_view_literals;
+    for (const char* name : {"a.cgfs", "a.json"}) {
+        const std::pair<std::string_view, const char*> cases[] = {
+            {"\0\0\0\0"sv, "expected text, found the byte 0x00"},
+            {"\x7f"
+             "ELF\1\2"sv,
+             "expected text, found the byte 0x7f"},
+            {"\xff\xfe"
+             "s\0p\0"sv,
+             "expected UTF-8, found UTF-16"},
+            {"\xfe\xff\0s"sv, "expected UTF-8, found UTF-16"}};
+        for (const auto& [text, message] : cases) {
+            const LoadResult result = load_text(text, name);
+            ASSERT_FALSE(result.diagnostics.empty());
+            EXPECT_EQ(result.diagnostics[0].message, message);
+            EXPECT_EQ(result.diagnostics[0].line, 1u);
+            EXPECT_LE(result.diagnostics.size(), 2u);
+        }
+    }
+    std::mt19937 random(7);
+    for (int i = 0; i < 200; ++i) {
+        std::string text(1000, '\0');
+        for (char& c : text) c = static_cast<char>(random() & 0xff);
+        expect_an_answer(text, "a.cgfs");
+        expect_an_answer(text, "a.json");
+    }
+}
+
+TEST(Hostile, EmptyTextsSayWhatIsExpected) {
+    for (const char* name : {"a.cgfs", "a.json"}) {
+        for (const char* text : {"", " ", "\n\n", "\xef\xbb\xbf", "// only a comment"}) {
+            const LoadResult result = load_text(text, name);
+            EXPECT_FALSE(result.scene);
+            ASSERT_GE(result.diagnostics.size(), 1u);
+            EXPECT_EQ(result.diagnostics[0].message.substr(0, 9), "expected ");
+            EXPECT_EQ(what_is_wrong(result, text), "");
+        }
+    }
+}
+
+TEST(Hostile, TerminalsAreSafeFromTheText) {
+    const LoadResult result = load_text(
+        "sphere { radius = \xc2\x9b"
+        "31mred }\n\"\x1b[2J\"",
+        "a.cgfs");
+    for (const Diagnostic& d : result.diagnostics) {
+        const std::string message = to_string(d);
+        EXPECT_EQ(message.find('\x1b'), std::string::npos);
+        EXPECT_EQ(message.find("\xc2\x9b"), std::string::npos);
+        EXPECT_TRUE(is_utf8(message));
+    }
+    EXPECT_FALSE(result.diagnostics.empty());
+}
+
+}  // namespace
+}  // namespace glint

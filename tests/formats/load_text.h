@@ -1,0 +1,53 @@
+#pragma once
+// Loading one text, and what must hold of any answer.
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <string_view>
+
+#include "base/text.h"
+#include "glint/load.h"
+
+namespace glint {
+
+inline LoadResult load_text(std::string_view text, std::string name, LoadOptions options = {}) {
+    const SceneText texts[] = {{std::move(name), text, {}}};
+    return load(texts, options);
+}
+
+inline std::string read_whole_file(const std::string& path) {
+    std::ifstream file(path, std::ios::binary);
+    std::stringstream text;
+    text << file.rdbuf();
+    return text.str();
+}
+
+inline bool is_utf8(std::string_view text) {
+    while (!text.empty()) {
+        const std::size_t n = utf8_length(text);
+        if (n == 0) return false;
+        text.remove_prefix(n);
+    }
+    return true;
+}
+
+/// A scene or an error, never both; every error with a place within the text, and something to read.
+inline std::string what_is_wrong(const LoadResult& result, std::string_view text) {
+    if (result.scene.has_value() == has_errors(result.diagnostics)) return "a scene and an error, or neither";
+    if (result.scene && has_errors(validate(*result.scene))) return "a scene that is not valid";
+    for (const Diagnostic& d : result.diagnostics) {
+        if (d.message.empty()) return "a message without text";
+        if (!is_utf8(d.message) || !is_utf8(d.source_line))
+            return "a message that is not UTF-8: " + d.message;
+        if (d.severity == Severity::warning && d.line == 0) continue;  // about the scene as a whole
+        if (d.line == 0 || d.column == 0 || d.length == 0) return "no place: " + d.message;
+        const auto lines = static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n')) + 1;
+        if (d.line > lines) return "a line beyond the text: " + d.message;
+        if (d.caret > d.source_line.size()) return "a caret beyond the line: " + d.message;
+    }
+    return {};
+}
+
+}  // namespace glint

@@ -1,0 +1,12 @@
+// libFuzzer over the epfl reader: fuzz_epfl tests/fuzz/corpus/epfl
+#include <cstdio>
+#include <cstdlib>
+
+#include "fuzz/fuzz_load.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t size) {
+    const std::string wrong = glint::fuzz_load({reinterpret_cast<const char*>(data), size}, "epfl");
+    if (wrong.empty()) return 0;
+    std::fprintf(stderr, "%s\n", wrong.c_str());
+    std::abort();
+}
