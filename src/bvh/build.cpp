@@ -14,7 +14,7 @@ constexpr int k_balanced_below = 48;            // from this binary depth on, ra
 constexpr float k_traversal_cost = 1.0f, k_item_cost = 1.0f;
 
 struct BinaryNode {
-    Box box;
+    Aabb box;
     std::uint32_t left = 0, right = 0;  // node indices; left == 0: a leaf
     std::uint32_t first = 0, count = 0;
 };
@@ -27,7 +27,7 @@ struct Split {
 
 class Builder {
   public:
-    Builder(std::span<const Box> boxes, std::span<const std::uint8_t> classes, std::vector<std::uint32_t>& order)
+    Builder(std::span<const Aabb> boxes, std::span<const std::uint8_t> classes, std::vector<std::uint32_t>& order)
         : boxes_(boxes), classes_(classes), order_(order), nodes_(2 * boxes.size()) {}
 
     // The subtree over order[first, first + count) takes nodes [node, node + 2 count - 1), whoever builds it.
@@ -35,7 +35,7 @@ class Builder {
         BinaryNode& n = nodes_[node];
         n.first = first;
         n.count = count;
-        Box centroids;
+        Aabb centroids;
         for (std::uint32_t i = first; i < first + count; ++i) {
             n.box.add(boxes_[order_[i]]);
             centroids.add(centroid_box(order_[i]));
@@ -58,14 +58,14 @@ class Builder {
 
   private:
     float centroid(std::uint32_t item, int axis) const { return 0.5f * boxes_[item].lo[axis] + 0.5f * boxes_[item].hi[axis]; }
-    Box centroid_box(std::uint32_t item) const {
-        Box b;
+    Aabb centroid_box(std::uint32_t item) const {
+        Aabb b;
         for (int a = 0; a < 3; ++a) b.lo[a] = b.hi[a] = centroid(item, a);
         return b;
     }
 
     // Reorders the node's items and returns where its right child begins, or first for a leaf.
-    std::uint32_t choose(const BinaryNode& n, const Box& centroids, int depth) {
+    std::uint32_t choose(const BinaryNode& n, const Aabb& centroids, int depth) {
         auto* begin = order_.data() + n.first;
         auto* end = begin + n.count;
         const bool one_class = std::all_of(begin, end, [&](std::uint32_t i) { return classes_[i] == classes_[*begin]; });
@@ -89,14 +89,14 @@ class Builder {
         return n.first + n.count / 2;  // all centroids equal, or too deep: halves in the order they stand
     }
 
-    Split best_split(const BinaryNode& n, const Box& centroids) const {
+    Split best_split(const BinaryNode& n, const Aabb& centroids) const {
         Split best;
         const float parent = n.box.half_area();
         for (int axis = 0; axis < 3; ++axis) {
             const float lo = centroids.lo[axis], size = centroids.hi[axis] - lo;
             if (!(size > 0)) continue;
             const float scale = static_cast<float>(k_bins) / size;
-            std::array<Box, k_bins> box;
+            std::array<Aabb, k_bins> box;
             std::array<std::uint32_t, k_bins> count{};
             for (std::uint32_t i = n.first; i < n.first + n.count; ++i) {
                 const std::uint32_t item = order_[i];
@@ -106,14 +106,14 @@ class Builder {
                 ++count[bin];
             }
             std::array<float, k_bins> right_cost{};
-            Box grown;
+            Aabb grown;
             std::uint32_t items = 0;
             for (int b = k_bins - 1; b > 0; --b) {
                 grown.add(box[b]);
                 items += count[b];
                 right_cost[b] = grown.half_area() * static_cast<float>(items);
             }
-            grown = Box{};
+            grown = Aabb{};
             items = 0;
             for (int b = 1; b < k_bins; ++b) {
                 grown.add(box[b - 1]);
@@ -129,7 +129,7 @@ class Builder {
         return best;
     }
 
-    std::span<const Box> boxes_;
+    std::span<const Aabb> boxes_;
     std::span<const std::uint8_t> classes_;
     std::vector<std::uint32_t>& order_;
     std::vector<BinaryNode> nodes_;
@@ -159,7 +159,7 @@ class Joiner {
         const auto index = static_cast<std::uint32_t>(wide_.size());
         wide_.emplace_back();
         for (int i = 0; i < k_bvh_width; ++i) {
-            const Box box = i < count ? binary_[children[i]].box : Box{};
+            const Aabb box = i < count ? binary_[children[i]].box : Aabb{};
             for (int a = 0; a < 3; ++a) {
                 wide_[index].lo[a][i] = box.lo[a];
                 wide_[index].hi[a][i] = box.hi[a];
@@ -181,7 +181,7 @@ class Joiner {
 
 }  // namespace
 
-Bvh build_bvh(std::span<const Box> boxes, std::span<const std::uint8_t> item_class, int threads) {
+Bvh build_bvh(std::span<const Aabb> boxes, std::span<const std::uint8_t> item_class, int threads) {
     Bvh bvh;
     if (boxes.empty()) return bvh;
     const auto count = static_cast<std::uint32_t>(boxes.size());

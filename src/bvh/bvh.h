@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "geometry/box.h"
+#include "geometry/aabb.h"
 
 namespace glint {
 
@@ -39,12 +39,12 @@ struct alignas(64) BvhNode {
 struct Bvh {
     std::vector<BvhNode> nodes;        // nodes[0] is the root; empty if there are no items
     std::vector<std::uint32_t> order;  // leaf order -> item; items of one class are together within a leaf
-    Box bounds;
+    Aabb bounds;
 };
 
 /// Builds by the surface-area heuristic over binned centroids (Wald 2007), then joins binary nodes into wide ones.
 /// boxes are not empty and finite; item_class[i] (any number) separates items that may not share a leaf.
 /// The result does not depend on threads. At most k_bvh_max_items items. Throws std::bad_alloc.
-Bvh build_bvh(std::span<const Box> boxes, std::span<const std::uint8_t> item_class, int threads);
+Bvh build_bvh(std::span<const Aabb> boxes, std::span<const std::uint8_t> item_class, int threads);
 
 }  // namespace glint
