@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <bit>
 #include <cfloat>
 #include <cmath>
 #include <cstdio>
@@ -35,7 +36,8 @@ TEST(Pow, of_cosines) {
     Random random(1);
     WorstError worst;
     for (int i = 0; i < 700000; ++i) {
-        add_pow(worst, random.uniform(0, 1), std::exp(random.uniform(0, 13.8)));
+        const double x = random.uniform(0, 1);  // (arguments of a call have no order)
+        add_pow(worst, x, std::exp(random.uniform(0, 13.8)));
         // Near the middle of a highlight, where large exponents matter.
         const double angle = std::exp(random.uniform(-18, 0));
         add_pow(worst, std::cos(angle), random.uniform(0, 1e6));
@@ -44,7 +46,7 @@ TEST(Pow, of_cosines) {
         for (int i = 1; i <= 256; ++i) add_pow(worst, i / 256.0, n);
     }
     report("pow of cosines", worst);
-    EXPECT_LT(worst.ulp, 0.7);
+    EXPECT_LT(worst.ulp, 0.68);
     EXPECT_GT(worst.points, 1000000);
 }
 
@@ -52,14 +54,15 @@ TEST(Pow, of_everything) {
     Random random(2);
     WorstError worst;
     for (int i = 0; i < 500000; ++i) {
-        const double x = std::exp(random.uniform(-744, 709));  // subnormal numbers too
+        const double x = std::exp(random.uniform(-708.3, 709));
         add_pow(worst, x, random.uniform(-1, 1) * 709 / std::fabs(std::log(x)));
         const double near_one = 1 + random.uniform(-0.5, 0.5) * std::exp(random.uniform(-36, 0));
-        add_pow(worst, near_one, random.uniform(-1, 1) * 709 / std::fabs(std::log(near_one)));
+        if (near_one != 1)
+            add_pow(worst, near_one, random.uniform(-1, 1) * 709 / std::fabs(std::log(near_one)));
         add_pow(worst, random.uniform(0, 1), 1 / 2.4);  // sRGB
     }
     report("pow of everything", worst);
-    EXPECT_LT(worst.ulp, 0.71);
+    EXPECT_LT(worst.ulp, 0.68);
 }
 
 TEST(Pow, exact_and_special_values) {
@@ -104,7 +107,25 @@ TEST(Pow, overflow_and_underflow) {
     EXPECT_EQ(pow(0.999, 1e6), 0);
     EXPECT_GT(pow(0.9999, 1e6), 0);
     EXPECT_EQ(pow(5e-324, 1), 0);
-    EXPECT_EQ(pow(5e-324, 0.5), std::sqrt(5e-324));
+    EXPECT_EQ(pow(5e-324, 0), 1);
+    EXPECT_EQ(pow(5e-324, -1), k_inf);
+    EXPECT_EQ(pow(5e-324, 0.5), 0);  // subnormal numbers count as 0
+    EXPECT_EQ(pow(DBL_MIN, 0.5), std::sqrt(DBL_MIN));
+    EXPECT_EQ(pow(DBL_MIN, 1), DBL_MIN);
+    EXPECT_EQ(pow(DBL_MAX, 1), DBL_MAX);
+    EXPECT_EQ(pow(std::sqrt(DBL_MAX), 2.0000001), k_inf);
+    EXPECT_EQ(pow(1 + DBL_EPSILON, -3.2e18), 0);  // 2^-1025
+    EXPECT_GT(pow(1 + DBL_EPSILON, -3.1e18), 0);
+    // Just around the limits, where hi + lo rounds to a whole number.
+    for (double x : {0.3, 0.7, 0.99, 0.999999}) {
+        double y = -1022 / std::log2(x);
+        for (int i = 0; i < 20; ++i) y = std::nextafter(y, 0);
+        for (int i = 0; i < 40; ++i, y = std::nextafter(y, 1e300)) {
+            const long double exact = std::pow(static_cast<long double>(x), static_cast<long double>(y));
+            ASSERT_EQ(pow(x, y) == 0, exact < DBL_MIN) << x << ' ' << y;
+            ASSERT_TRUE(pow(x, y) == 0 || pow(x, y) >= DBL_MIN) << x << ' ' << y;
+        }
+    }
     // Over the whole way down: never subnormal, and 0 exactly where the true value is below the least normal
     // number.
     for (int i = 0; i < 100000; ++i) {
@@ -118,7 +139,8 @@ TEST(Pow, overflow_and_underflow) {
 TEST(Pow, falls_and_rises_where_it_should) {
     Random random(4);
     for (int i = 0; i < 100000; ++i) {
-        const double x = random.uniform(0.5, 1), n = std::exp(random.uniform(0, 9));
+        const double x = random.uniform(0.5, 1);
+        const double n = std::exp(random.uniform(0, 9));
         const double step = 1e-12;
         ASSERT_LE(pow(x, n), pow(x * (1 + step), n)) << x << ' ' << n;
         ASSERT_GE(pow(x, n), pow(x, n * (1 + 1e-9))) << x << ' ' << n;
@@ -130,12 +152,13 @@ TEST(Exp, error_and_limits) {
     Random random(5);
     WorstError worst;
     for (int i = 0; i < 700000; ++i) {
-        for (double x : {random.uniform(-708.39, 709.78), random.uniform(-1, 1)}) {
+        for (double size : {708.39, 1.0}) {
+            const double x = random.uniform(-size, size);
             worst.add(ulps(exp(x), std::exp(static_cast<long double>(x))), x);
         }
     }
     report("exp", worst);
-    EXPECT_LT(worst.ulp, 0.7);
+    EXPECT_LT(worst.ulp, 0.68);
     EXPECT_EQ(exp(0), 1);
     EXPECT_EQ(exp(1e300), k_inf);
     EXPECT_EQ(exp(-1e300), 0);
@@ -154,7 +177,7 @@ TEST(Log, error_and_limits) {
     WorstError worst;
     for (int i = 0; i < 500000; ++i) {
         const double near_one = 1 + random.uniform(-0.5, 0.5) * std::exp(random.uniform(-36, 0));
-        for (double x : {std::exp(random.uniform(-744, 709)), random.uniform(0, 2), near_one}) {
+        for (double x : {std::exp(random.uniform(-708.3, 709)), random.uniform(0, 2), near_one}) {
             if (x == 1) continue;
             worst.add(ulps(log(x), std::log(static_cast<long double>(x))), x);
         }
@@ -164,7 +187,8 @@ TEST(Log, error_and_limits) {
     EXPECT_EQ(log(1), 0);
     EXPECT_EQ(log(0), -k_inf);
     EXPECT_EQ(log(-1), -k_inf);
-    EXPECT_EQ(log(5e-324), std::log(5e-324));
+    EXPECT_EQ(log(5e-324), -k_inf);  // subnormal numbers count as 0
+    EXPECT_EQ(log(DBL_MIN), std::log(DBL_MIN));
     EXPECT_EQ(log(DBL_MAX), std::log(DBL_MAX));
 }
 
@@ -193,7 +217,7 @@ class Angles : public ::testing::Test {
         report("sin", sin_), report("cos", cos_), report("tan", tan_);
         EXPECT_LT(sin_.ulp, 0.81);
         EXPECT_LT(cos_.ulp, 0.81);
-        EXPECT_LT(tan_.ulp, 1);
+        EXPECT_LT(tan_.ulp, 0.95);
     }
     WorstError sin_, cos_, tan_;
 };
@@ -258,7 +282,7 @@ TEST(Degrees, error) {
     report("sin_degrees", sines), report("cos_degrees", cosines), report("tan_degrees", tangents);
     EXPECT_LT(sines.ulp, 0.81);
     EXPECT_LT(cosines.ulp, 0.81);
-    EXPECT_LT(tangents.ulp, 1);
+    EXPECT_LT(tangents.ulp, 0.95);
 }
 
 TEST(Degrees, are_finite_and_within_one_for_any_angle) {
@@ -274,6 +298,23 @@ TEST(Degrees, are_finite_and_within_one_for_any_angle) {
         EXPECT_EQ(sin(x), 0) << x;
         EXPECT_EQ(cos(x), 1) << x;
     }
+}
+
+// One number for the bits of many results: every compiler, and the browser build, must come to this one.
+TEST(Elementary, has_the_same_bits_everywhere) {
+    Random random(11);
+    std::uint64_t hash = 0xcbf29ce484222325u;
+    const auto add = [&hash](double value) {
+        hash = (hash ^ std::bit_cast<std::uint64_t>(value)) * 0x100000001b3u;
+    };
+    for (int i = 0; i < 100000; ++i) {
+        const double x = random.uniform(0, 1), n = random.uniform(0, 1000),
+                     angle = random.uniform(-1000, 1000);
+        add(pow(x, n)), add(pow(n, x)), add(exp(angle)), add(log(n));
+        add(sin(angle)), add(cos(angle)), add(tan(angle));
+        add(sin_degrees(angle)), add(cos_degrees(angle)), add(tan_degrees(angle));
+    }
+    EXPECT_EQ(hash, 1419076546128840599u);
 }
 
 }  // namespace
