@@ -84,7 +84,7 @@ complete -F _glint glint
 Run add_completion(CLI::App& app) {
     CLI::App& command = *app.add_subcommand("completion", "Print a completion script for the shell");
     const auto shell = std::make_shared<std::string>();
-    command.add_option("SHELL", *shell, "bash")->required()->check(CLI::IsMember({"bash"}));
+    command.add_option("SHELL", *shell, "bash")->required()->check(one_of({"bash"}));
     command.footer("Examples:\n  source <(glint completion bash)");
     return [&app] {
         fmt::print("{}", script(app));

@@ -61,6 +61,9 @@ OutputFile::OutputFile(std::string path) : path_(std::move(path)), target_(path_
         if (errno != ENOENT) fail(path_, errno);
         throw Failure(k_bad_input, fmt::format("cannot write '{}': there is no folder '{}'", path_, folder));
     }
+    if (!S_ISDIR(about.st_mode)) {
+        throw Failure(k_bad_input, fmt::format("cannot write '{}': '{}' is no folder", path_, folder));
+    }
     if (::access(folder.c_str(), W_OK | X_OK) != 0) {
         throw Failure(k_bad_input,
                       fmt::format("cannot write '{}': folder '{}': {}", path_, folder, std::strerror(errno)));

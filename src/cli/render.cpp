@@ -63,10 +63,13 @@ double memory_limit() {
 void check_memory(double width, double height) {
     const double needed = width * height * k_bytes_a_pixel, limit = memory_limit();
     if (needed <= limit) return;
+    const std::string rest = std::max(width, height) > k_max_size
+                                 ? fmt::format("; the most is {} pixels a side", k_max_size)
+                                 : "; draw it in parts with --crop";
     throw Failure(k_bad_input,
                   fmt::format("a picture of {:.0f}x{:.0f} needs {} of memory ({} bytes a pixel), and this "
-                              "machine has {}; draw it in parts with --crop",
-                              width, height, bytes_text(needed), k_bytes_a_pixel, bytes_text(limit)));
+                              "machine has {}{}",
+                              width, height, bytes_text(needed), k_bytes_a_pixel, bytes_text(limit), rest));
 }
 
 FileFormat format_of(const std::string& path, const OutputFile& output) {
@@ -235,7 +238,6 @@ Run add_render(CLI::App& app) {
     command.add_option("-s,--size", a.size, "Pixels; default: the file's, or the profile's")
         ->option_text("WxH");
     command.add_option("--shading", a.shading, "What a surface shows")
-        ->check(CLI::IsMember({"phong", "blinn-phong", "diffuse", "color", "normals"}))
         ->option_text("phong|blinn-phong|diffuse|color|normals");
     command.add_flag("--no-shadows", a.no_shadows, "Every light reaches everything");
     command.add_option("--reflections", a.reflections, "Most mirror generations; 0: no mirrors")
@@ -248,12 +250,12 @@ Run add_render(CLI::App& app) {
                     "none: the numbers as computed (default); srgb: the sRGB curve, to mix with photographs. "
                     "OpenEXR is "
                     "always linear")
-        ->check(CLI::IsMember({"none", "srgb"}))
+        ->check(one_of({"none", "srgb"}))
         ->option_text("none|srgb");
     command
         .add_option("--bits", a.bits,
                     "Bits a channel of PNG and PPM: 8 (default) or 16; OpenEXR is 32-bit float")
-        ->check(CLI::IsMember({8, 16}))
+        ->check(one_of({"8", "16"}))
         ->option_text("8|16");
     command
         .add_option("-t,--threads", a.threads,

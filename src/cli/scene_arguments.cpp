@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <optional>
 
+#include "cli/commands.h"
 #include "cli/failure.h"
 #include "cli/input_file.h"
 #include "cli/text.h"
@@ -60,6 +61,16 @@ void add_profile(const std::string& profile, LoadOptions& options, std::optional
 
 }  // namespace
 
+CLI::Validator one_of(std::vector<std::string> words) {
+    return CLI::Validator(
+        [words = std::move(words)](const std::string& word) -> std::string {
+            if (std::find(words.begin(), words.end(), word) != words.end()) return {};
+            const std::vector<std::string_view> views(words.begin(), words.end());
+            return fmt::format("expected {}, found '{}'", joined(views, "or"), word);
+        },
+        "");
+}
+
 void add_scene_arguments(CLI::App& command, SceneArguments& arguments) {
     std::vector<std::string> format_names;
     for (const FormatInfo& format : formats()) format_names.emplace_back(format.name);
@@ -69,8 +80,8 @@ void add_scene_arguments(CLI::App& command, SceneArguments& arguments) {
                     "Scene files, read together as one scene; - is standard input (then --format is needed)")
         ->required();
     command.add_option("--format", arguments.format, "The scene's format, whatever its file is called")
-        ->check(CLI::IsMember(format_names))
-        ->option_text("NAME:{" + fmt::format("{}", fmt::join(format_names, ",")) + "}");
+        ->check(one_of(format_names))
+        ->option_text(fmt::format("{}", fmt::join(format_names, "|")));
     command.add_option("--scene", arguments.scene_name, "Which scene of a file that holds several")
         ->option_text("NAME");
     command

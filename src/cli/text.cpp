@@ -62,10 +62,10 @@ std::string bytes_text(double bytes) {
     return fmt::format("{:.1f} {}", bytes, units[unit]);
 }
 
-std::string joined(std::span<const std::string_view> words) {
+std::string joined(std::span<const std::string_view> words, std::string_view last) {
     std::string text;
     for (std::size_t i = 0; i < words.size(); ++i) {
-        if (i != 0) text += i + 1 == words.size() ? " and " : ", ";
+        if (i != 0) text += i + 1 == words.size() ? fmt::format(" {} ", last) : ", ";
         text += words[i];
     }
     return text;

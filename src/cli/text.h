@@ -30,7 +30,7 @@ std::string counted(std::uint64_t number, std::string_view noun);
 std::string bytes_text(double bytes);
 
 /// "a, b and c".
-std::string joined(std::span<const std::string_view> words);
+std::string joined(std::span<const std::string_view> words, std::string_view last = "and");
 
 /// The file name of a path without its last extension.
 std::string stem(std::string_view path);

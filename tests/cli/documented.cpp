@@ -1,0 +1,54 @@
+// docs/command.md names every option of every command.
+#include <gtest/gtest.h>
+
+#include <regex>
+#include <set>
+
+#include "cli/process.h"
+
+namespace glint::test {
+namespace {
+
+// Options begin a line of the help: "  -o,--output OUT".
+std::set<std::string> options_of_help(const std::string& help) {
+    std::set<std::string> names;
+    const std::regex line(R"(\n  ((-[a-z],)?--[a-z-]+))");
+    for (std::sregex_iterator it(help.begin(), help.end(), line), end; it != end; ++it) {
+        std::istringstream words((*it)[1].str());
+        for (std::string word; std::getline(words, word, ',');) names.insert(word);
+    }
+    return names;
+}
+
+TEST(Documented, EveryOption) {
+    std::ifstream file(GLINT_SOURCE "/docs/command.md");
+    const std::string docs{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+    const Folder folder;
+    const std::pair<const char*, std::size_t> commands[] = {{"render", 20}, {"info", 8}};
+    for (const auto& [command, at_least] : commands) {
+        const std::size_t begin = docs.find(std::string("\n## glint ") + command + "\n");
+        ASSERT_NE(begin, std::string::npos) << command;
+        const std::string section = docs.substr(begin, docs.find("\n## ", begin + 4) - begin);
+        const auto names = options_of_help(run(folder, {command, "--help"}).out);
+        EXPECT_GE(names.size(), at_least) << "too few found in the help";
+        for (const std::string& name : names) {
+            const std::regex word("`" + name + "[ `]");
+            const bool common = name == "-h" || name == "--help";
+            EXPECT_TRUE(std::regex_search(common ? docs : section, word)) << command << " " << name;
+        }
+    }
+}
+
+TEST(Documented, EveryHelpHasExamples) {
+    const Folder folder;
+    const std::vector<std::vector<std::string>> helps = {
+        {"--help"}, {"render", "--help"}, {"info", "--help"}, {"completion", "--help"}};
+    for (const auto& arguments : helps) {
+        const Finished r = run(folder, arguments);
+        EXPECT_EQ(r.code, 0);
+        EXPECT_TRUE(contains(r.out, "Examples:\n")) << r.out;
+    }
+}
+
+}  // namespace
+}  // namespace glint::test

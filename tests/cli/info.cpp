@@ -1,0 +1,64 @@
+// glint info, and the completion.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "cli/process.h"
+
+namespace glint::test {
+namespace {
+
+TEST(Info, Text) {
+    const Folder folder;
+    folder.write("a.cgfs", k_scene);
+    const Finished r = run(folder, {"info", "a.cgfs", "--convention", "limit=drop"});
+    ASSERT_EQ(r.code, 0) << r.err;
+    EXPECT_TRUE(contains(r.out, "1 sphere  (1)")) << r.out;
+    EXPECT_TRUE(contains(r.out, "1 ambient, 1 point  (2)")) << r.out;
+    EXPECT_TRUE(contains(r.out, "sum of intensities 1\n")) << r.out;
+    EXPECT_TRUE(contains(r.out, "profile cgfs")) << r.out;
+    EXPECT_TRUE(contains(r.out, "a.cgfs:3:1")) << "a light's place" << r.out;
+    const std::size_t limit = r.out.find("\n  limit ");
+    ASSERT_NE(limit, std::string::npos);
+    EXPECT_TRUE(contains(r.out.substr(limit, 60), "drop")) << r.out;
+    EXPECT_TRUE(contains(r.out.substr(limit, 60), "command line")) << r.out;
+}
+
+TEST(Info, Json) {
+    const Folder folder;
+    folder.write("dark.cgfs", "sphere { center = (1, 2, 3)  radius = 1  color = (255, 0, 0) }");
+    const Finished r = run(folder, {"info", "dark.cgfs", "--json", "--profile", "glint"});
+    ASSERT_EQ(r.code, 0) << r.err;
+    const auto json = nlohmann::json::parse(r.out);
+    EXPECT_EQ(json["shapes"]["sphere"], 1);
+    EXPECT_EQ(json["shapes"]["plane"], 0);
+    EXPECT_NEAR(json["bounds"]["min"][1].get<double>(), 1, 1e-5);
+    EXPECT_EQ(json["lights"].size(), 0u);
+    EXPECT_EQ(json["profile"], "glint");
+    EXPECT_EQ(json["conventions"]["offset"]["value"], "scale");
+    EXPECT_EQ(json["conventions"]["offset"]["from"], "profile glint");
+    EXPECT_GT(json["memory_bytes"]["total"].get<int>(), 0);
+    EXPECT_EQ(json["warnings"].size(), 1u) << "no lights";
+}
+
+TEST(Info, IsaIsOneNameALine) {
+    const Folder folder;
+    const Finished r = run(folder, {"info", "--isa"});
+    EXPECT_EQ(r.code, 0);
+    EXPECT_TRUE(r.out.ends_with("scalar\n")) << r.out;
+    EXPECT_FALSE(contains(r.out, " "));
+}
+
+TEST(Completion, IsAScriptThatBashReads) {
+    const Folder folder;
+    folder.write("glint.bash", run(folder, {"completion", "bash"}).out);
+    folder.write(
+        "try.bash",
+        "source ./glint.bash\n"
+        "COMP_WORDS=(glint render --cr); COMP_CWORD=2; _glint; [[ ${COMPREPLY[*]} == --crop ]] || exit 1\n"
+        "COMP_WORDS=(glint in); COMP_CWORD=1; _glint; [[ ${COMPREPLY[*]} == info ]] || exit 2\n");
+    EXPECT_EQ(std::system(("cd " + folder.path() + " && bash try.bash 2>/dev/null").c_str()), 0);
+}
+
+}  // namespace
+}  // namespace glint::test

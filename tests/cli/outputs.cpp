@@ -1,0 +1,80 @@
+// A file appears whole or not at all.
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+
+#include "cli/process.h"
+
+namespace glint::test {
+namespace {
+
+TEST(Outputs, AFullDiskLeavesNothing) {
+    const Folder folder;
+    folder.write("a.cgfs", k_scene);
+    const Finished r = run(folder, {"render", "a.cgfs", "-s", "200x200"}, with_full_disk(500));
+    EXPECT_EQ(r.code, 1);
+    EXPECT_TRUE(contains(r.err, "cannot write 'a.png'")) << r.err;
+    EXPECT_EQ(folder.count(), 1) << "neither a picture nor a temporary file";
+}
+
+TEST(Outputs, AFullDiskLeavesTheOldFile) {
+    const Folder folder;
+    folder.write("a.cgfs", k_scene);
+    folder.write("a.png", "old");
+    EXPECT_EQ(run(folder, {"render", "a.cgfs", "-s", "200x200"}, with_full_disk(500)).code, 1);
+    EXPECT_EQ(folder.read("a.png"), "old");
+    EXPECT_EQ(folder.count(), 2);
+}
+
+TEST(Outputs, UnwritableTargets) {
+    const Folder folder;
+    folder.write("a.cgfs", k_scene);
+    std::filesystem::create_directory(folder.path("folder.png"));
+    const std::pair<const char*, const char*> cases[] = {{"/dev/full", "No space left"},
+                                                         {"none/a.png", "there is no folder 'none'"},
+                                                         {"/proc/a.png", "cannot write '/proc/a.png'"},
+                                                         {"folder.png", "is a folder"},
+                                                         {"a.cgfs/a.png", "'a.cgfs' is no folder"}};
+    for (const auto& [path, message] : cases) {
+        const Finished r = run(folder, {"render", "a.cgfs", "-s", "10x10", "-o", path});
+        EXPECT_EQ(r.code, 1) << path;
+        EXPECT_TRUE(contains(r.err, message)) << r.err;
+    }
+    EXPECT_EQ(folder.count(), 2);
+    EXPECT_EQ(run(folder, {"render", "a.cgfs", "-s", "10x10", "--stats", "/dev/full"}).code, 1);
+    const auto full = with_output_to("/dev/full");
+    EXPECT_EQ(run(folder, {"render", "a.cgfs", "-s", "10x10", "-o", "-"}, full).code, 1);
+    EXPECT_EQ(run(folder, {"info", "a.cgfs"}, full).code, 1);
+}
+
+TEST(Outputs, AnOldFileKeepsItsModeAndItsLinks) {
+    const Folder folder;
+    folder.write("a.cgfs", k_scene);
+    folder.write("real.png", "old");
+    std::filesystem::create_symlink("real.png", folder.path("link.png"));
+    ::chmod(folder.path("real.png").c_str(), 0640);
+    ASSERT_EQ(run(folder, {"render", "a.cgfs", "-s", "10x10", "-o", "link.png"}).code, 0);
+    EXPECT_TRUE(std::filesystem::is_symlink(folder.path("link.png")));
+    EXPECT_NE(folder.read("real.png"), "old");
+    struct stat about {};
+    ASSERT_EQ(::stat(folder.path("real.png").c_str(), &about), 0);
+    EXPECT_EQ(about.st_mode & 0777, 0640u);
+}
+
+TEST(Outputs, ANamedPipeIsWrittenDirectly) {
+    const Folder folder;
+    folder.write("a.cgfs", k_scene);
+    ASSERT_EQ(run(folder, {"render", "a.cgfs", "-s", "10x10"}).code, 0);
+    ASSERT_EQ(::mkfifo(folder.path("pipe").c_str(), 0600), 0);
+    const int reader = ::open(folder.path("pipe").c_str(), O_RDONLY | O_NONBLOCK);
+    ASSERT_EQ(run(folder, {"render", "a.cgfs", "-s", "10x10", "-o", "pipe"}).code, 0);
+    std::string bytes(65536, '\0');
+    const ssize_t count = ::read(reader, bytes.data(), bytes.size());
+    ::close(reader);
+    ASSERT_GT(count, 0);
+    bytes.resize(static_cast<std::size_t>(count));
+    EXPECT_EQ(bytes, folder.read("a.png"));
+    EXPECT_TRUE(std::filesystem::is_fifo(folder.path("pipe")));
+}
+
+}  // namespace
+}  // namespace glint::test

@@ -1,0 +1,218 @@
+// glint render: what it draws, where it puts it and what it says.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <regex>
+
+#include "cli/process.h"
+#include "image/read_png.h"
+
+namespace glint::test {
+namespace {
+
+TEST(Render, DefaultsToTheScenesNameInTheCurrentFolder) {
+    const Folder folder;
+    std::filesystem::create_directory(folder.path("deep"));
+    folder.write("deep/ball.one.cgfs", k_scene);
+    const Finished r = run(folder, {"render", "deep/ball.one.cgfs", "-s", "40x30"});
+    EXPECT_EQ(r.code, 0) << r.err;
+    const Picture picture = read_png(folder.path("ball.one.png"));
+    EXPECT_EQ(picture.error, "");
+    EXPECT_EQ(picture.width, 40);
+    EXPECT_EQ(picture.height, 30);
+    EXPECT_EQ(r.out, "");
+}
+
+TEST(Render, EndsWithOneLine) {
+    const Folder folder;
+    folder.write("a.cgfs", k_scene);
+    const Finished r = run(folder, {"render", "a.cgfs", "-s", "100x80", "-t", "2"});
+    const std::regex line(R"(a\.png  100x80  \d{1,3}(,\d{3})* rays  \d+\.\d{3} s  \d+\.\d Mray/s  )"
+                          R"(\(whole \d+\.\d{3} s, 2 threads, [a-z0-9]+, 0 warnings\)\n)");
+    EXPECT_TRUE(std::regex_match(r.err, line)) << r.err;
+    EXPECT_EQ(run(folder, {"render", "a.cgfs", "-s", "10x10", "--quiet"}).err, "");
+}
+
+TEST(Render, SeveralFilesAreOneScene) {
+    const Folder folder;
+    const std::string whole = k_scene;
+    const std::size_t cut = whole.find("light");
+    folder.write("whole.cgfs", whole);
+    folder.write("spheres.cgfs", whole.substr(0, cut));
+    folder.write("lights.cgfs", whole.substr(cut));
+    EXPECT_EQ(run(folder, {"render", "whole.cgfs", "-s", "50x50"}).code, 0);
+    EXPECT_EQ(run(folder, {"render", "spheres.cgfs", "lights.cgfs", "-s", "50x50"}).code, 0);
+    EXPECT_EQ(folder.read("whole.png"), folder.read("spheres.png"));
+}
+
+TEST(Render, WarnsAboutNoLightsAndCountsIt) {
+    const Folder folder;
+    folder.write("dark.cgfs", "sphere { center = (0, 0, 4)  radius = 1  color = (255, 0, 0) }");
+    const Finished r = run(folder, {"render", "dark.cgfs", "-s", "10x10"});
+    EXPECT_EQ(r.code, 0);
+    EXPECT_TRUE(contains(r.err, "warning: ")) << r.err;
+    EXPECT_TRUE(contains(r.err, "1 warning)")) << r.err;
+}
+
+TEST(Render, StandardInputAndOutput) {
+    const Folder folder;
+    folder.write("a.cgfs", k_scene);
+    ASSERT_EQ(run(folder, {"render", "a.cgfs", "-s", "60x40"}).code, 0);
+    const std::string expected = folder.read("a.png");
+    const auto piped =
+        run(folder, {"render", "-", "--format", "cgfs", "-s", "60x40", "-o", "-"}, with_input(k_scene));
+    EXPECT_EQ(piped.out, expected) << piped.err;
+    EXPECT_EQ(run(folder, {"render", "a.cgfs", "-s", "60x40", "-o", "/dev/stdout"}).out, expected);
+    ASSERT_EQ(run(folder, {"render", "-", "--format", "cgfs", "-s", "60x40"}, with_input(k_scene)).code, 0);
+    EXPECT_EQ(folder.read("picture.png"), expected);
+    // Standard output that is a file is written in place, not replaced.
+    const auto to_file = with_output_to(folder.path("b.png"));
+    ASSERT_EQ(run(folder, {"render", "a.cgfs", "-s", "60x40", "-o", "-"}, to_file).code, 0);
+    EXPECT_EQ(folder.read("b.png"), expected);
+}
+
+TEST(Render, TheExtensionChoosesTheFormat) {
+    const Folder folder;
+    folder.write("a.cgfs", k_scene);
+    for (const char* name : {"a.png", "a.PNG", "a.ppm", "a.exr"}) {
+        ASSERT_EQ(run(folder, {"render", "a.cgfs", "-s", "9x7", "-o", name}).code, 0) << name;
+    }
+    EXPECT_EQ(folder.read("a.png"), folder.read("a.PNG"));
+    EXPECT_TRUE(folder.read("a.ppm").starts_with("P6\n9 7\n255\n"));
+    EXPECT_TRUE(folder.read("a.exr").starts_with("\x76\x2f\x31\x01"));
+    const Finished r = run(folder, {"render", "a.cgfs", "-o", "a.jpg"});
+    EXPECT_EQ(r.code, 2);
+    EXPECT_TRUE(contains(r.err, ".png, .ppm and .exr")) << r.err;
+}
+
+TEST(Render, BitsAndTransfer) {
+    const Folder folder;
+    folder.write("a.cgfs", k_scene);
+    const auto draw = [&](std::vector<std::string> more) {
+        std::vector<std::string> arguments = {"render", "a.cgfs", "-s", "20x20", "-o", "x.png"};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        EXPECT_EQ(run(folder, arguments).code, 0);
+        return read_png(folder.path("x.png"));
+    };
+    const Picture eight = draw({}), sixteen = draw({"--bits", "16"}), srgb = draw({"--transfer", "srgb"});
+    ASSERT_EQ(sixteen.bits, 16);
+    bool brighter = false;
+    for (std::size_t i = 0; i < eight.samples.size(); ++i) {
+        EXPECT_NEAR(sixteen.samples[i] / 257.0, eight.samples[i], 0.51);
+        EXPECT_GE(srgb.samples[i], eight.samples[i]);
+        brighter = brighter || srgb.samples[i] > eight.samples[i];
+    }
+    EXPECT_TRUE(brighter);
+}
+
+TEST(Render, CropIsAPartOfTheWhole) {
+    const Folder folder;
+    folder.write("a.cgfs", k_scene);
+    ASSERT_EQ(run(folder, {"render", "a.cgfs", "-s", "60x50"}).code, 0);
+    ASSERT_EQ(run(folder, {"render", "a.cgfs", "-s", "60x50", "--crop", "20x10+25+30", "-o", "b.png"}).code,
+              0);
+    const Picture whole = read_png(folder.path("a.png")), part = read_png(folder.path("b.png"));
+    ASSERT_EQ(part.width, 20);
+    ASSERT_EQ(part.height, 10);
+    for (int y = 0; y < 10; ++y) {
+        for (int i = 0; i < 60; ++i) {
+            ASSERT_EQ(part.samples[y * 60 + i], whole.samples[3 * ((y + 30) * 60 + 25) + i]) << y << " " << i;
+        }
+    }
+}
+
+TEST(Render, TheSameBytesForThreadsAndInstructionSets) {
+    const Folder folder;
+    folder.write("a.cgfs", k_scene);
+    ASSERT_EQ(run(folder, {"render", "a.cgfs", "-s", "120x90"}).code, 0);
+    const std::string expected = folder.read("a.png");
+    for (const char* threads : {"1", "2", "7"}) {
+        ASSERT_EQ(run(folder, {"render", "a.cgfs", "-s", "120x90", "-t", threads, "-o", "t.png"}).code, 0);
+        EXPECT_EQ(folder.read("t.png"), expected) << threads;
+    }
+    std::istringstream names(run(folder, {"info", "--isa"}).out);
+    int count = 0;
+    for (std::string name; std::getline(names, name); ++count) {
+        const Finished r = run(folder, {"render", "a.cgfs", "-s", "120x90", "--isa", name, "-o", "i.png"});
+        ASSERT_EQ(r.code, 0) << r.err;
+        EXPECT_TRUE(contains(r.err, ", " + name + ", ")) << r.err;
+        EXPECT_EQ(folder.read("i.png"), expected) << name;
+    }
+    EXPECT_GE(count, 1);
+}
+
+TEST(Render, OptionsReachThePicture) {
+    const Folder folder;
+    folder.write("a.cgfs", k_scene);
+    ASSERT_EQ(run(folder, {"render", "a.cgfs", "-s", "60x60"}).code, 0);
+    const std::string plain = folder.read("a.png");
+    const std::pair<const char*, const char*> changes[] = {{"--shading", "normals"},
+                                                           {"--shading", "color"},
+                                                           {"--shading", "diffuse"},
+                                                           {"--reflections", "0"},
+                                                           {"--aa", "3"},
+                                                           {"--profile", "glint"},
+                                                           {"--convention", "pixel_sample=center"}};
+    for (const auto& [option, value] : changes) {
+        const Finished r = run(folder, {"render", "a.cgfs", "-s", "60x60", "-o", "b.png", option, value});
+        ASSERT_EQ(r.code, 0) << option << r.err;
+        EXPECT_NE(folder.read("b.png"), plain) << option << " " << value;
+    }
+}
+
+TEST(Render, NoShadows) {
+    const Folder folder;
+    folder.write("a.cgfs", std::string(k_scene) +
+                               "sphere { center = (0, -5001, 0)  radius = 5000  color = (255, 255, 0) }");
+    ASSERT_EQ(run(folder, {"render", "a.cgfs", "-s", "60x60"}).code, 0);
+    ASSERT_EQ(run(folder, {"render", "a.cgfs", "-s", "60x60", "--no-shadows", "-o", "b.png"}).code, 0);
+    EXPECT_NE(folder.read("a.png"), folder.read("b.png"));
+}
+
+TEST(Render, ProfileFromAFile) {
+    const Folder folder;
+    folder.write("a.cgfs", k_scene);
+    folder.write("mine.txt", "pixel_sample = center\n");
+    const std::vector<std::string> arguments = {"render", "a.cgfs", "-s", "30x30", "-o"};
+    const auto draw = [&](const char* out, const char* option, const char* value) {
+        std::vector<std::string> all = arguments;
+        all.insert(all.end(), {out, option, value});
+        EXPECT_EQ(run(folder, all).code, 0);
+        return folder.read(out);
+    };
+    const std::string by_file = draw("file.png", "--profile", "mine.txt");
+    EXPECT_EQ(by_file, draw("key.png", "--convention", "pixel_sample=center"));
+    EXPECT_NE(by_file, draw("plain.png", "--profile", "cgfs"));
+}
+
+TEST(Render, StatsHaveTheseKeys) {
+    const Folder folder;
+    folder.write("a.cgfs", k_scene);
+    ASSERT_EQ(run(folder, {"render", "a.cgfs", "-s", "40x30", "-t", "2", "--stats", "s.json"}).code, 0);
+    const auto stats = nlohmann::json::parse(folder.read("s.json"));
+    const auto keys = [](const nlohmann::json& object) {
+        std::vector<std::string> names;
+        for (const auto& item : object.items()) names.push_back(item.key());
+        return names;
+    };
+    EXPECT_EQ(keys(stats), (std::vector<std::string>{"encode_s", "isa", "load_s", "peak_rss_bytes",
+                                                     "prepare_s", "rays", "threads", "trace_s"}));
+    EXPECT_EQ(keys(stats["rays"]), (std::vector<std::string>{"camera", "mirror", "shadow", "transmitted"}));
+    EXPECT_EQ(stats["rays"]["camera"], 40 * 30);
+    EXPECT_EQ(stats["threads"], 2);
+    EXPECT_GT(stats["peak_rss_bytes"], 1000000);
+}
+
+TEST(Render, ShowsThePictureAsText) {
+    const Folder folder;
+    folder.write("a.cgfs", k_scene);
+    const Finished r = run(folder, {"render", "a.cgfs", "-s", "12x8", "--show"});
+    EXPECT_EQ(r.code, 0) << r.err;
+    EXPECT_EQ(std::count(r.out.begin(), r.out.end(), '\n'), 4) << "two rows a line";
+    EXPECT_TRUE(contains(r.out, "\x1b[38;2;255;255;255;48;2;255;255;255m▀")) << "the white background";
+    EXPECT_TRUE(folder.has("a.png"));
+    EXPECT_EQ(run(folder, {"render", "a.cgfs", "--show", "-o", "-"}).code, 2);
+}
+
+}  // namespace
+}  // namespace glint::test
