@@ -1,5 +1,6 @@
 #pragma once
-// What the sources of this renderer disagree about, as data. docs/conventions.md says which source means what.
+// What the sources of this renderer disagree about, as data. docs/conventions.md says which source means
+// what.
 #include <array>
 #include <cstdint>
 #include <optional>
@@ -14,46 +15,50 @@ namespace glint {
 
 enum class Shading : std::uint8_t { phong, blinn_phong, diffuse, color, normals };
 
-/// Where in its pixel a camera ray passes. corner: the bottom-left corner (CGFS). whole: at whole pixel units from
-/// the picture's middle (LIGHT).
+/// Where in its pixel a camera ray passes. corner: the bottom-left corner (CGFS). whole: at whole pixel units
+/// from the picture's middle (LIGHT).
 enum class PixelSample : std::uint8_t { center, corner, whole };
 
 /// Length of a camera ray's direction, which scales its t. viewport: as the viewport point gives it (CGFS).
 enum class RayDirection : std::uint8_t { unit, viewport };
 
 /// How a ray leaves a surface point P with normal N.
-/// ray: origin P, t > epsilon. normal: origin P + epsilon N. facing: P + epsilon N turned to the incoming ray's side.
-/// direction: P + epsilon along the unit outgoing ray. scale: as facing, by the outgoing ray's side, with epsilon
-/// relative to the magnitude of P.
+/// ray: origin P, t > epsilon. normal: origin P + epsilon N. facing: P + epsilon N turned to the incoming
+/// ray's side. direction: P + epsilon along the unit outgoing ray. scale: as facing, by the outgoing ray's
+/// side, with epsilon relative to the magnitude of P.
 enum class Offset : std::uint8_t { ray, normal, facing, direction, scale };
 
 /// mirror: blend: (1-a) local + a reflected; add: local + a reflected.
 enum class MirrorRule : std::uint8_t { blend, add };
 
-/// What the last permitted surface gives. keep: its local colour whole (CGFS, RT2). drop: as if the mirror saw black.
+/// What the last permitted surface gives. keep: its local colour whole (CGFS, RT2). drop: as if the mirror
+/// saw black.
 enum class LimitRule : std::uint8_t { keep, drop };
 
 /// What a mirror ray that leaves the scene sees.
 enum class MissRule : std::uint8_t { background, black };
 
-/// Which normals are turned towards the incoming ray. open: of planes, discs, triangles, uncapped cylinders and cones.
+/// Which normals are turned towards the incoming ray. open: of planes, discs, triangles, uncapped cylinders
+/// and cones.
 enum class Facing : std::uint8_t { none, open, all };
 
 /// Every difference between the sources. The defaults are the profile `glint`.
 struct Conventions {
     PixelSample pixel_sample = PixelSample::center;
     RayDirection ray_direction = RayDirection::unit;
-    double camera_t_min = 0;        ///< camera rays hit only at t > this
-    bool specular_gate = true;      ///< the highlight needs N·L > 0
-    bool clamp_cosines = true;      ///< N·L and S below 0 add nothing; false: a classic fault, and LIGHT's own code
-    bool normalize = true;          ///< L, V, R, H are normalised; false: a classic fault
+    double camera_t_min = 0;    ///< camera rays hit only at t > this
+    bool specular_gate = true;  ///< the highlight needs N·L > 0
+    bool clamp_cosines =
+        true;               ///< N·L and S below 0 add nothing; false: a classic fault, and LIGHT's own code
+    bool normalize = true;  ///< L, V, R, H are normalised; false: a classic fault
     Offset offset = Offset::scale;
-    double epsilon = 1e-9;          ///< see Offset; 0: a classic fault (acne)
-    bool shadow_stops_at_light = true;  ///< false: a classic fault (what is behind the light casts shadows too)
+    double epsilon = 1e-9;  ///< see Offset; 0: a classic fault (acne)
+    bool shadow_stops_at_light =
+        true;  ///< false: a classic fault (what is behind the light casts shadows too)
     MirrorRule mirror = MirrorRule::blend;
     LimitRule limit = LimitRule::keep;
     MissRule mirror_miss = MissRule::background;
-    double min_weight = 0;          ///< a ray whose weight is below this is not traced
+    double min_weight = 0;  ///< a ray whose weight is below this is not traced
     Facing facing = Facing::all;
     friend bool operator==(const Conventions&, const Conventions&) = default;
 };
@@ -95,7 +100,8 @@ std::optional<std::size_t> find_setting(std::string_view name);
 
 struct Scene;
 
-/// Sets one key from text. Returns an empty string, or what is wrong: "expected true or false, found 'maybe'".
+/// Sets one key from text. Returns an empty string, or what is wrong: "expected true or false, found
+/// 'maybe'".
 std::string set_setting(Scene& scene, std::size_t key, std::string_view value, SettingOrigin origin);
 
 /// The value of a key as the text that set_setting takes.

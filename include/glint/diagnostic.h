@@ -8,8 +8,8 @@ namespace glint {
 
 enum class Severity : std::uint8_t { warning, error };
 
-/// A place in one of the texts that a scene was read from. Lines and columns count from 1; columns count bytes.
-/// line 0: no place (an item made by code, or a default).
+/// A place in one of the texts that a scene was read from. Lines and columns count from 1; columns count
+/// bytes. line 0: no place (an item made by code, or a default).
 struct SourcePlace {
     std::uint32_t line = 0;
     std::uint16_t column = 0;  // saturates at 65535
@@ -20,13 +20,13 @@ struct SourcePlace {
 /// One message about the input: where, what was expected, what was found.
 struct Diagnostic {
     Severity severity = Severity::error;
-    std::string file;           ///< as the user named it; empty if the message has no place
-    std::uint32_t line = 0;     ///< from 1; 0: about the file, or the scene, as a whole
-    std::uint32_t column = 0;   ///< in bytes from 1
-    std::uint32_t length = 0;   ///< bytes to underline, at least 1 when there is a place
-    std::string message;        ///< whole, e.g. "expected a number, found 'abc'"
-    std::string source_line;    ///< the line's text around the place, for the caret; may be shortened
-    std::uint32_t caret = 0;    ///< byte offset of the place within source_line
+    std::string file;          ///< as the user named it; empty if the message has no place
+    std::uint32_t line = 0;    ///< from 1; 0: about the file, or the scene, as a whole
+    std::uint32_t column = 0;  ///< in bytes from 1
+    std::uint32_t length = 0;  ///< bytes to underline, at least 1 when there is a place
+    std::string message;       ///< whole, e.g. "expected a number, found 'abc'"
+    std::string source_line;   ///< the line's text around the place, for the caret; may be shortened
+    std::uint32_t caret = 0;   ///< byte offset of the place within source_line
 };
 
 /// "file:line:col: error: message", the source line, and a caret under the place; ends with a newline.

@@ -25,7 +25,7 @@ enum class Transfer : std::uint8_t { none, srgb };
 
 struct EncodeOptions {
     FileFormat format = FileFormat::png;
-    int bits = 8;  ///< 8 or 16 a channel; EXR is always 32-bit float
+    int bits = 8;                        ///< 8 or 16 a channel; EXR is always 32-bit float
     Transfer transfer = Transfer::none;  ///< EXR is always linear
     int threads = 0;
 };
@@ -35,8 +35,8 @@ struct EncodeResult {
     std::string error;
 };
 
-/// Clamps to [0, 1], scales by 255 (65535) and rounds half to even (CONVENTIONS: every source does); EXR keeps floats.
-/// The bytes do not depend on threads. Never throws.
+/// Clamps to [0, 1], scales by 255 (65535) and rounds half to even (CONVENTIONS: every source does); EXR
+/// keeps floats. The bytes do not depend on threads. Never throws.
 EncodeResult encode(const Image& image, const EncodeOptions& options = {});
 
 /// The byte that `encode` writes for a channel value with 8 bits.

@@ -1,5 +1,6 @@
 #pragma once
-// Text to Scene. The library opens no file of its own accord: texts come from the caller or from the Sources given.
+// Text to Scene. The library opens no file of its own accord: texts come from the caller or from the Sources
+// given.
 #include <optional>
 #include <span>
 #include <string>
@@ -14,9 +15,9 @@ namespace glint {
 
 /// One text to read. The text must outlive the call.
 struct SceneText {
-    std::string name;         ///< as messages name it; its extension chooses the format unless `format` does
+    std::string name;  ///< as messages name it; its extension chooses the format unless `format` does
     std::string_view text;
-    std::string format;       ///< "cgfs", "epfl", ...; empty: by the name's extension
+    std::string format;  ///< "cgfs", "epfl", ...; empty: by the name's extension
 };
 
 /// Where `include` finds other texts. load() calls nothing else to reach a file.
@@ -24,7 +25,8 @@ class Sources {
   public:
     virtual ~Sources() = default;
     /// The text of `name` as seen from the text `from`, or nothing and why (e.g. "no such file").
-    virtual std::optional<std::string> read(std::string_view name, std::string_view from, std::string& why) = 0;
+    virtual std::optional<std::string> read(std::string_view name, std::string_view from,
+                                            std::string& why) = 0;
 };
 
 struct LoadOptions {
@@ -42,9 +44,10 @@ struct LoadResult {
     std::vector<Diagnostic> diagnostics;  ///< in the order of the text
 };
 
-/// Reads the texts as one scene, in their order, and validates it. Never throws; memory is bounded by a small multiple
-/// of the texts' length.
-LoadResult load(std::span<const SceneText> texts, const LoadOptions& options = {}, Sources* sources = nullptr);
+/// Reads the texts as one scene, in their order, and validates it. Never throws; memory is bounded by a small
+/// multiple of the texts' length.
+LoadResult load(std::span<const SceneText> texts, const LoadOptions& options = {},
+                Sources* sources = nullptr);
 
 /// A scene format that load() reads.
 struct FormatInfo {

@@ -15,8 +15,8 @@
 
 namespace glint {
 
-/// A scene prepared for tracing: shapes packed by kind, the hierarchy over them, materials, lights, camera. Immutable;
-/// any number of threads may render from it. It does not refer to the Scene it was made from.
+/// A scene prepared for tracing: shapes packed by kind, the hierarchy over them, materials, lights, camera.
+/// Immutable; any number of threads may render from it. It does not refer to the Scene it was made from.
 class World;
 
 struct WorldDeleter {
@@ -62,16 +62,17 @@ struct RenderOptions {
 struct RenderResult {
     std::optional<Image> image;  ///< absent if cancelled or an error
     bool cancelled = false;
-    std::string error;           ///< "no such instruction set 'avx9'", "out of memory: ..."; empty if none
+    std::string error;  ///< "no such instruction set 'avx9'", "out of memory: ..."; empty if none
     RayCounts rays;
-    std::string isa;             ///< what was used
+    std::string isa;  ///< what was used
     int threads = 0;
 };
 
 /// Draws the picture. The same bits for any threads, instruction set and crop. Never throws.
 RenderResult render(const World& world, const RenderOptions& options = {});
 
-/// The instruction sets this machine has and this build knows, best first: "avx512", "avx2", "sse4", "scalar".
+/// The instruction sets this machine has and this build knows, best first: "avx512", "avx2", "sse4",
+/// "scalar".
 std::vector<std::string> isa_names();
 
 }  // namespace glint

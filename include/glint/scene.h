@@ -21,8 +21,9 @@ inline constexpr std::uint32_t k_none = 0xffffffffu;
 enum class Projection : std::uint8_t { perspective, orthographic };
 enum class FovAxis : std::uint8_t { x, y };
 
-/// An explicit camera frame: `right` spans the picture's whole width and `up` its whole height at `forward` from the
-/// position, whatever the picture's aspect (CGFS: the viewport; CSC 473: right and up as written). Any handedness.
+/// An explicit camera frame: `right` spans the picture's whole width and `up` its whole height at `forward`
+/// from the position, whatever the picture's aspect (CGFS: the viewport; CSC 473: right and up as written).
+/// Any handedness.
 struct CameraFrame {
     Vec3 right{1, 0, 0}, up{0, 1, 0}, forward{0, 0, 1};
     friend bool operator==(const CameraFrame&, const CameraFrame&) = default;
@@ -35,11 +36,11 @@ struct Camera {
     Vec3 position{0, 0, 0};
     Vec3 look_at{0, 0, -1};
     Vec3 up{0, 1, 0};
-    double fov_degrees = 60;          ///< perspective: full angle along fov_axis, 0 < fov < 180
+    double fov_degrees = 60;  ///< perspective: full angle along fov_axis, 0 < fov < 180
     FovAxis fov_axis = FovAxis::x;
-    double width = 2;                 ///< orthographic: world units across the picture's width
-    std::optional<CameraFrame> frame;       ///< when set, replaces look_at, up, fov and width
-    std::optional<Vec3> lighting_eye;       ///< V points here instead of along -D (LIGHT)
+    double width = 2;                  ///< orthographic: world units across the picture's width
+    std::optional<CameraFrame> frame;  ///< when set, replaces look_at, up, fov and width
+    std::optional<Vec3> lighting_eye;  ///< V points here instead of along -D (LIGHT)
 };
 
 enum class LightKind : std::uint8_t { ambient, point, directional };
@@ -51,32 +52,32 @@ struct Attenuation {
 
 struct Light {
     LightKind kind = LightKind::point;
-    Vec3 position;              ///< point lights
-    Vec3 to_light{0, 1, 0};     ///< directional lights: towards the light, any length but 0
-    Color color{1, 1, 1};       ///< I_a of an ambient light, else I_l,d: intensity included
+    Vec3 position;                  ///< point lights
+    Vec3 to_light{0, 1, 0};         ///< directional lights: towards the light, any length but 0
+    Color color{1, 1, 1};           ///< I_a of an ambient light, else I_l,d: intensity included
     Color specular_color{1, 1, 1};  ///< I_l,s; ambient lights have none
-    Attenuation attenuation;    ///< point lights
+    Attenuation attenuation;        ///< point lights
 };
 
 struct Material {
-    Color color{0.8, 0.8, 0.8};         ///< what shading mode `color` shows
-    Color ambient{0.08, 0.08, 0.08};    ///< k_a
-    Color diffuse{0.64, 0.64, 0.64};    ///< k_d
-    Color specular{0, 0, 0};            ///< k_s
-    double shininess = 32;              ///< the specular exponent n, >= 0
-    double mirror = 0;                  ///< a, 0 to 1
+    Color color{0.8, 0.8, 0.8};       ///< what shading mode `color` shows
+    Color ambient{0.08, 0.08, 0.08};  ///< k_a
+    Color diffuse{0.64, 0.64, 0.64};  ///< k_d
+    Color specular{0, 0, 0};          ///< k_s
+    double shininess = 32;            ///< the specular exponent n, >= 0
+    double mirror = 0;                ///< a, 0 to 1
     Color mirror_tint{1, 1, 1};
-    double transmission = 0;            ///< f (CSC 473's filter) or T (NFF), 0 to 1
-    double ior = 1;                     ///< index of refraction, > 0
+    double transmission = 0;  ///< f (CSC 473's filter) or T (NFF), 0 to 1
+    double ior = 1;           ///< index of refraction, > 0
     Color transmission_tint{1, 1, 1};
 };
 
 /// One shape of the scene: parameters number `index` of its kind, and what they are drawn with.
 struct Shape {
     ShapeKind kind = ShapeKind::sphere;
-    std::uint32_t index = 0;             ///< into Scene::get<Kind>()
-    std::uint32_t material = k_none;     ///< into Scene::materials; k_none: the default Material
-    std::uint32_t transform = k_none;    ///< into Scene::transforms (world_from_object); k_none: identity
+    std::uint32_t index = 0;           ///< into Scene::get<Kind>()
+    std::uint32_t material = k_none;   ///< into Scene::materials; k_none: the default Material
+    std::uint32_t transform = k_none;  ///< into Scene::transforms (world_from_object); k_none: identity
 };
 
 /// Names and source places of one list of items, by index. Empty for scenes made in code; names are sparse.
@@ -95,9 +96,9 @@ struct Scene {
     Color background{0, 0, 0};
     std::vector<Light> lights;
     std::vector<Material> materials;
-    std::vector<Affine> transforms;  ///< world_from_object, invertible
+    std::vector<Affine> transforms;      ///< world_from_object, invertible
     std::vector<Vec3> polygon_vertices;  ///< what Polygons refer to
-    std::vector<Shape> shapes;       ///< in scene order: of two shapes hit at the same t, the earlier is seen
+    std::vector<Shape> shapes;  ///< in scene order: of two shapes hit at the same t, the earlier is seen
 
     Conventions conventions;
     RenderSettings settings;
@@ -131,19 +132,20 @@ template <class T> struct ShapeKindOf;
 GLINT_SHAPES(GLINT_KIND)
 #undef GLINT_KIND
 
-template <class T>
-std::uint32_t Scene::add(const T& shape, std::uint32_t material, std::uint32_t transform) {
+template <class T> std::uint32_t Scene::add(const T& shape, std::uint32_t material, std::uint32_t transform) {
     auto& list = get<T>();
     list.push_back(shape);
-    shapes.push_back({ShapeKindOf<T>::value, static_cast<std::uint32_t>(list.size() - 1), material, transform});
+    shapes.push_back(
+        {ShapeKindOf<T>::value, static_cast<std::uint32_t>(list.size() - 1), material, transform});
     return static_cast<std::uint32_t>(shapes.size() - 1);
 }
 
 /// The word of a kind in scene files and messages: "sphere".
 std::string_view shape_word(ShapeKind kind);
 
-/// Checks every number and index of the scene; prepare() needs a scene without errors. Warnings name what is likely a
-/// mistake (no lights: the picture will be black). Messages have the place of the item where it is known.
+/// Checks every number and index of the scene; prepare() needs a scene without errors. Warnings name what is
+/// likely a mistake (no lights: the picture will be black). Messages have the place of the item where it is
+/// known.
 std::vector<Diagnostic> validate(const Scene& scene);
 
 }  // namespace glint

@@ -18,16 +18,18 @@ struct Plane {
     Vec3 normal{0, 1, 0};
 };
 
-/// The lateral surface of a finite cylinder around the axis from -> to (distinct points), radius > 0; with caps, also
-/// the two discs at its ends. Its normal points away from the axis; a cap's, away from the cylinder.
+/// The lateral surface of a finite cylinder around the axis from -> to (distinct points), radius > 0; with
+/// caps, also the two discs at its ends. Its normal points away from the axis; a cap's, away from the
+/// cylinder.
 struct Cylinder {
     Vec3 from, to{0, 1, 0};
     double radius = 1;
     bool caps = false;
 };
 
-/// The lateral surface of a cone around the axis from -> to (distinct points), whose radius goes from from_radius to
-/// to_radius, both >= 0 and not both 0; with caps, also the discs at its ends. Its normal points away from the axis.
+/// The lateral surface of a cone around the axis from -> to (distinct points), whose radius goes from
+/// from_radius to to_radius, both >= 0 and not both 0; with caps, also the discs at its ends. Its normal
+/// points away from the axis.
 struct Cone {
     Vec3 from, to{0, 1, 0};
     double from_radius = 1, to_radius = 0;
@@ -46,12 +48,14 @@ struct Cuboid {
     Vec3 min{-1, -1, -1}, max{1, 1, 1};
 };
 
-/// A flat triangle; its normal is that of its counter-clockwise side, (b - a) × (c - a). One without area is never hit.
+/// A flat triangle; its normal is that of its counter-clockwise side, (b - a) × (c - a). One without area is
+/// never hit.
 struct Triangle {
     Vec3 vertices[3];
 };
 
-/// A triangle shaded with its vertices' normals (any length but 0), mixed by the point's barycentric coordinates.
+/// A triangle shaded with its vertices' normals (any length but 0), mixed by the point's barycentric
+/// coordinates.
 struct SmoothTriangle {
     Vec3 vertices[3];
     Vec3 normals[3];
@@ -59,21 +63,23 @@ struct SmoothTriangle {
 
 inline constexpr std::uint32_t k_max_polygon_vertices = 4096;
 
-/// A flat polygon, convex or concave, without holes: Scene::polygon_vertices [first, first + count), with count from 3 to
-/// k_max_polygon_vertices. Its normal is that of its counter-clockwise side. prepare() cuts it into triangles.
+/// A flat polygon, convex or concave, without holes: Scene::polygon_vertices [first, first + count), with
+/// count from 3 to k_max_polygon_vertices. Its normal is that of its counter-clockwise side. prepare() cuts
+/// it into triangles.
 struct Polygon {
     std::uint32_t first = 0, count = 0;
 };
 
-// The list of kinds: X(Type, word). The order is that of ShapeKind; ties between shapes are broken by scene order.
-#define GLINT_SHAPES(X)     \
-    X(Sphere, sphere)       \
-    X(Plane, plane)         \
-    X(Cylinder, cylinder)   \
-    X(Cone, cone)           \
-    X(Disc, disc)           \
-    X(Cuboid, box)          \
-    X(Triangle, triangle)   \
+// The list of kinds: X(Type, word). The order is that of ShapeKind; ties between shapes are broken by scene
+// order.
+#define GLINT_SHAPES(X)                \
+    X(Sphere, sphere)                  \
+    X(Plane, plane)                    \
+    X(Cylinder, cylinder)              \
+    X(Cone, cone)                      \
+    X(Disc, disc)                      \
+    X(Cuboid, box)                     \
+    X(Triangle, triangle)              \
     X(SmoothTriangle, smooth_triangle) \
     X(Polygon, polygon)
 

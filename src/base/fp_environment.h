@@ -6,12 +6,15 @@
 
 namespace glint {
 
-/// Sets round-to-nearest without flush-to-zero for its lifetime and restores the caller's state. (Hosts that set FTZ
-/// exist: other renderers recommend it.) Where there is no such state, as in WebAssembly, it does nothing.
+/// Sets round-to-nearest without flush-to-zero for its lifetime and restores the caller's state. (Hosts that
+/// set FTZ exist: other renderers recommend it.) Where there is no such state, as in WebAssembly, it does
+/// nothing.
 class DefaultFpEnvironment {
   public:
 #if defined(__SSE2__)
-    DefaultFpEnvironment() : saved_(_mm_getcsr()) { _mm_setcsr(0x1f80); }  // all exceptions masked, nearest, no FTZ, no DAZ
+    DefaultFpEnvironment() : saved_(_mm_getcsr()) {
+        _mm_setcsr(0x1f80);
+    }  // all exceptions masked, nearest, no FTZ, no DAZ
     ~DefaultFpEnvironment() { _mm_setcsr(saved_); }
 
   private:

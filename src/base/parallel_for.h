@@ -8,8 +8,9 @@ namespace glint {
 /// The number of threads that `requested` (0 = one a processor) stands for; at least 1, at most 1024.
 int thread_count(int requested);
 
-/// Calls body(i) for every i < count, each once, on up to `threads` threads; returns when all are done. Every call runs
-/// with round-to-nearest and gradual underflow, whatever the caller's floating-point state. body must not throw.
+/// Calls body(i) for every i < count, each once, on up to `threads` threads; returns when all are done. Every
+/// call runs with round-to-nearest and gradual underflow, whatever the caller's floating-point state. body
+/// must not throw.
 void parallel_for(std::size_t count, int threads, const std::function<void(std::size_t)>& body);
 
 /// Runs a and b, possibly at the same time, with the threads of the enclosing run_with_threads.

@@ -1,10 +1,12 @@
 // The hierarchy's slab expression, for single rays in lanes and, by intervals, for a beam of them.
 //
 // Every decision about a box uses one expression of a ray and the box's planes, in single precision:
-//   entry = max over axes of (near plane - origin) * inverse,   exit = min over axes of (far plane - origin) * inverse
-// with the origin and the inverse direction rounded so that entry is never too late and exit never too early. IEEE rounding
-// is monotone: the entry of a box is at most that of any box inside it, and an interval evaluation of the same expression bounds
-// every ray of a beam. So grouping rays, or the shape of the tree, cannot change what is hit.
+//   entry = max over axes of (near plane - origin) * inverse,   exit = min over axes of (far plane - origin)
+//   * inverse
+// with the origin and the inverse direction rounded so that entry is never too late and exit never too early.
+// IEEE rounding is monotone: the entry of a box is at most that of any box inside it, and an interval
+// evaluation of the same expression bounds every ray of a beam. So grouping rays, or the shape of the tree,
+// cannot change what is hit.
 #if defined(GLINT_BVH_BEAM_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLINT_BVH_BEAM_INL_H_
 #undef GLINT_BVH_BEAM_INL_H_
@@ -29,14 +31,16 @@ struct Beam {
     alignas(64) float near_origin[3][k_size], far_origin[3][k_size];
     alignas(64) float near_inverse[3][k_size], far_inverse[3][k_size];
     alignas(64) float origin[3][k_size], direction[3][k_size];  // rounded to nearest, for the shapes' filters
-    alignas(64) float t_min[k_size];  // rounded down
-    alignas(64) float t_max[k_size];  // rounded up; shrinks to the nearest hit so far; -infinity once a ray needs no more
+    alignas(64) float t_min[k_size];                            // rounded down
+    alignas(64) float t_max[k_size];  // rounded up; shrinks to the nearest hit so far; -infinity once a ray
+                                      // needs no more
     int count = 0;
 
     // Over all rays: which way they go along an axis (0: both), and the intervals of the above.
     struct Axis {
         int sign = 0;
-        float near_origin = 0, far_origin = 0;  // the end of the interval that gives the earliest entry, the latest exit
+        float near_origin = 0,
+              far_origin = 0;  // the end of the interval that gives the earliest entry, the latest exit
         float near_least = 0, near_most = 0, far_least = 0, far_most = 0;
     };
     Axis axis[3];
@@ -100,8 +104,10 @@ inline void make_beam(const RaySpan& rays, int first, int count, Beam& beam) {
         axis.far_least = axis.far_most = beam.far_inverse[a][0];
         for (int i = 1; i < count; ++i) {
             const float n = beam.near_origin[a][i], f = beam.far_origin[a][i];
-            axis.near_origin = axis.sign > 0 ? number::max(axis.near_origin, n) : number::min(axis.near_origin, n);
-            axis.far_origin = axis.sign > 0 ? number::min(axis.far_origin, f) : number::max(axis.far_origin, f);
+            axis.near_origin =
+                axis.sign > 0 ? number::max(axis.near_origin, n) : number::min(axis.near_origin, n);
+            axis.far_origin =
+                axis.sign > 0 ? number::min(axis.far_origin, f) : number::max(axis.far_origin, f);
             axis.near_least = number::min(axis.near_least, beam.near_inverse[a][i]);
             axis.near_most = number::max(axis.near_most, beam.near_inverse[a][i]);
             axis.far_least = number::min(axis.far_least, beam.far_inverse[a][i]);
@@ -121,7 +127,8 @@ inline void make_beam(const RaySpan& rays, int first, int count, Beam& beam) {
         if (!usable[i]) beam.t_max[i] = -std::numeric_limits<float>::infinity();
         beam.least_t_min = number::min(beam.least_t_min, beam.t_min[i]);
     }
-    for (int i = count; i < Beam::k_size; ++i) beam.t_min[i] = 0, beam.t_max[i] = -std::numeric_limits<float>::infinity();
+    for (int i = count; i < Beam::k_size; ++i)
+        beam.t_min[i] = 0, beam.t_max[i] = -std::numeric_limits<float>::infinity();
     beam.update_t_max();
 }
 
@@ -132,9 +139,11 @@ struct Slab {
 
 /// The slab expression for rays [i, i + lanes) of the beam and one box.
 HWY_INLINE Slab box_slab(const Beam& beam, int i, const float* lo, const float* hi) {
-    Slab slab{Floats(-std::numeric_limits<float>::infinity()), Floats(std::numeric_limits<float>::infinity())};
+    Slab slab{Floats(-std::numeric_limits<float>::infinity()),
+              Floats(std::numeric_limits<float>::infinity())};
     for (int a = 0; a < 3; ++a) {
-        const Floats near_inverse = load(beam.near_inverse[a] + i), far_inverse = load(beam.far_inverse[a] + i);
+        const Floats near_inverse = load(beam.near_inverse[a] + i),
+                     far_inverse = load(beam.far_inverse[a] + i);
         const Floats lower(lo[a]), upper(hi[a]);
         const auto ahead = near_inverse > Floats(0);
         const Floats near = select(ahead, lower, upper), far = select(ahead, upper, lower);
@@ -146,19 +155,23 @@ HWY_INLINE Slab box_slab(const Beam& beam, int i, const float* lo, const float* 
 
 /// The slab expression for ray i of the beam and a vector of boxes, given as their planes' columns.
 HWY_INLINE Slab boxes_slab(const Beam& beam, int i, const float* const lo[3], const float* const hi[3]) {
-    Slab slab{Floats(-std::numeric_limits<float>::infinity()), Floats(std::numeric_limits<float>::infinity())};
+    Slab slab{Floats(-std::numeric_limits<float>::infinity()),
+              Floats(std::numeric_limits<float>::infinity())};
     for (int a = 0; a < 3; ++a) {
         const bool ahead = beam.near_inverse[a][i] > 0;
         const Floats near = load(ahead ? lo[a] : hi[a]), far = load(ahead ? hi[a] : lo[a]);
-        slab.entry = max(slab.entry, (near - Floats(beam.near_origin[a][i])) * Floats(beam.near_inverse[a][i]));
+        slab.entry =
+            max(slab.entry, (near - Floats(beam.near_origin[a][i])) * Floats(beam.near_inverse[a][i]));
         slab.exit = min(slab.exit, (far - Floats(beam.far_origin[a][i])) * Floats(beam.far_inverse[a][i]));
     }
     return slab;
 }
 
-/// Bounds of the slab expression over all rays of the beam, for a vector of a node's children from `child` on.
+/// Bounds of the slab expression over all rays of the beam, for a vector of a node's children from `child`
+/// on.
 HWY_INLINE Slab node_slab(const Beam& beam, const BvhNode& node, int child) {
-    Slab slab{Floats(-std::numeric_limits<float>::infinity()), Floats(std::numeric_limits<float>::infinity())};
+    Slab slab{Floats(-std::numeric_limits<float>::infinity()),
+              Floats(std::numeric_limits<float>::infinity())};
     for (int a = 0; a < 3; ++a) {
         const Beam::Axis& axis = beam.axis[a];
         if (axis.sign == 0) continue;
@@ -166,8 +179,10 @@ HWY_INLINE Slab node_slab(const Beam& beam, const BvhNode& node, int child) {
         const float* far = axis.sign > 0 ? node.hi[a] : node.lo[a];
         const Floats to_near = load(near + child) - Floats(axis.near_origin);
         const Floats to_far = load(far + child) - Floats(axis.far_origin);
-        const Floats entry = to_near * select(to_near >= Floats(0), Floats(axis.near_least), Floats(axis.near_most));
-        const Floats exit = to_far * select(to_far >= Floats(0), Floats(axis.far_most), Floats(axis.far_least));
+        const Floats entry =
+            to_near * select(to_near >= Floats(0), Floats(axis.near_least), Floats(axis.near_most));
+        const Floats exit =
+            to_far * select(to_far >= Floats(0), Floats(axis.far_most), Floats(axis.far_least));
         slab.entry = max(slab.entry, entry);
         slab.exit = min(slab.exit, exit);
     }

@@ -10,7 +10,7 @@ namespace {
 
 constexpr int k_bins = 16;
 constexpr std::size_t k_parallel_items = 8192;  // below this a subtree is built by one thread
-constexpr int k_balanced_below = 48;            // from this binary depth on, ranges are halved: the depth stays bounded
+constexpr int k_balanced_below = 48;  // from this binary depth on, ranges are halved: the depth stays bounded
 constexpr float k_traversal_cost = 1.0f, k_item_cost = 1.0f;
 
 struct BinaryNode {
@@ -27,7 +27,8 @@ struct Split {
 
 class Builder {
   public:
-    Builder(std::span<const Aabb> boxes, std::span<const std::uint8_t> classes, std::vector<std::uint32_t>& order)
+    Builder(std::span<const Aabb> boxes, std::span<const std::uint8_t> classes,
+            std::vector<std::uint32_t>& order)
         : boxes_(boxes), classes_(classes), order_(order), nodes_(2 * boxes.size()) {}
 
     // The subtree over order[first, first + count) takes nodes [node, node + 2 count - 1), whoever builds it.
@@ -57,7 +58,9 @@ class Builder {
     const std::vector<BinaryNode>& nodes() const { return nodes_; }
 
   private:
-    float centroid(std::uint32_t item, int axis) const { return 0.5f * boxes_[item].lo[axis] + 0.5f * boxes_[item].hi[axis]; }
+    float centroid(std::uint32_t item, int axis) const {
+        return 0.5f * boxes_[item].lo[axis] + 0.5f * boxes_[item].hi[axis];
+    }
     Aabb centroid_box(std::uint32_t item) const {
         Aabb b;
         for (int a = 0; a < 3; ++a) b.lo[a] = b.hi[a] = centroid(item, a);
@@ -68,13 +71,15 @@ class Builder {
     std::uint32_t choose(const BinaryNode& n, const Aabb& centroids, int depth) {
         auto* begin = order_.data() + n.first;
         auto* end = begin + n.count;
-        const bool one_class = std::all_of(begin, end, [&](std::uint32_t i) { return classes_[i] == classes_[*begin]; });
+        const bool one_class =
+            std::all_of(begin, end, [&](std::uint32_t i) { return classes_[i] == classes_[*begin]; });
         const bool may_be_leaf = one_class && n.count <= k_leaf_size;
         if (n.count == 1) return n.first;
         if (n.count <= k_leaf_size && !one_class) {
             // Small and mixed: part the first item's class from the others.
             const std::uint8_t first_class = classes_[*begin];
-            auto* middle = std::stable_partition(begin, end, [&](std::uint32_t i) { return classes_[i] == first_class; });
+            auto* middle = std::stable_partition(begin, end,
+                                                 [&](std::uint32_t i) { return classes_[i] == first_class; });
             return n.first + static_cast<std::uint32_t>(middle - begin);
         }
         const Split split = depth < k_balanced_below ? best_split(n, centroids) : Split{};
@@ -138,7 +143,8 @@ class Builder {
 // Opens the child with the largest box until the node is full.
 class Joiner {
   public:
-    Joiner(const std::vector<BinaryNode>& binary, std::vector<BvhNode>& wide) : binary_(binary), wide_(wide) {}
+    Joiner(const std::vector<BinaryNode>& binary, std::vector<BvhNode>& wide)
+        : binary_(binary), wide_(wide) {}
 
     std::uint32_t join(std::uint32_t root) {
         std::array<std::uint32_t, k_bvh_width> children{};
@@ -149,7 +155,8 @@ class Joiner {
             float widest_area = -1;
             for (int i = 0; i < count; ++i) {
                 const BinaryNode& n = binary_[children[i]];
-                if (n.left != 0 && n.box.half_area() > widest_area) widest = i, widest_area = n.box.half_area();
+                if (n.left != 0 && n.box.half_area() > widest_area)
+                    widest = i, widest_area = n.box.half_area();
             }
             if (widest < 0) break;
             const BinaryNode& n = binary_[children[widest]];
@@ -168,7 +175,8 @@ class Joiner {
         }
         for (int i = 0; i < count; ++i) {
             const BinaryNode& n = binary_[children[i]];
-            const BvhChild child = n.left != 0 ? BvhChild::node(join(children[i])) : BvhChild::leaf(n.first, n.count);
+            const BvhChild child =
+                n.left != 0 ? BvhChild::node(join(children[i])) : BvhChild::leaf(n.first, n.count);
             wide_[index].child[i] = child;
         }
         return index;

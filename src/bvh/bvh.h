@@ -1,10 +1,11 @@
 #pragma once
-// The hierarchy: wide nodes over boxes. It knows boxes and leaves, not shapes. A leaf is a run of items of one class.
+// The hierarchy: wide nodes over boxes. It knows boxes and leaves, not shapes. A leaf is a run of items of
+// one class.
 #include <cstdint>
 #include <span>
 #include <vector>
 
-#include "geometry/aabb.h"
+#include "math/aabb.h"
 
 namespace glint {
 
@@ -42,9 +43,9 @@ struct Bvh {
     Aabb bounds;
 };
 
-/// Builds by the surface-area heuristic over binned centroids (Wald 2007), then joins binary nodes into wide ones.
-/// boxes are not empty and finite; item_class[i] (any number) separates items that may not share a leaf.
-/// The result does not depend on threads. At most k_bvh_max_items items. Throws std::bad_alloc.
+/// Builds by the surface-area heuristic over binned centroids (Wald 2007), then joins binary nodes into wide
+/// ones. boxes are not empty and finite; item_class[i] (any number) separates items that may not share a
+/// leaf. The result does not depend on threads. At most k_bvh_max_items items. Throws std::bad_alloc.
 Bvh build_bvh(std::span<const Aabb> boxes, std::span<const std::uint8_t> item_class, int threads);
 
 }  // namespace glint

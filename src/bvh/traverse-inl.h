@@ -12,10 +12,10 @@ HWY_BEFORE_NAMESPACE();
 namespace glint {
 namespace HWY_NAMESPACE {
 
-/// Calls leaf.visit(first, count) for every leaf whose box some ray of the beam may meet before its t_max, nearest first when
-/// `ordered`. visit may shrink the beam's t_max; the walk ends when no ray has anything left to find.
-template <bool ordered, class Leaf>
-HWY_INLINE void traverse(const Bvh& bvh, Beam& beam, Leaf& leaf) {
+/// Calls leaf.visit(first, count) for every leaf whose box some ray of the beam may meet before its t_max,
+/// nearest first when `ordered`. visit may shrink the beam's t_max; the walk ends when no ray has anything
+/// left to find.
+template <bool ordered, class Leaf> HWY_INLINE void traverse(const Bvh& bvh, Beam& beam, Leaf& leaf) {
     if (bvh.nodes.empty()) return;
     struct Entry {
         BvhChild child;

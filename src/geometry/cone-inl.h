@@ -6,9 +6,9 @@
 #define GLINT_GEOMETRY_CONE_INL_H_
 #endif
 
-#include "geometry/extent.h"
 #include "geometry/ray-inl.h"
 #include "glint/shapes.h"
+#include "math/extent.h"
 #include "math/transform.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -16,7 +16,8 @@ namespace glint {
 namespace HWY_NAMESPACE {
 
 struct ConeGeometry {
-    static constexpr int k_values = 10;  // from, unit axis, height, radius at from, growth of the radius a unit, caps (0 or 1)
+    static constexpr int k_values =
+        10;  // from, unit axis, height, radius at from, growth of the radius a unit, caps (0 or 1)
     static constexpr bool k_bounded = true;
     static constexpr bool k_takes_maps = false;
     static constexpr bool k_filtered = false;
@@ -27,7 +28,8 @@ struct ConeGeometry {
         const Vec3 a = glint::normalize(axis);
         p[0] = c.from.x, p[1] = c.from.y, p[2] = c.from.z;
         p[3] = a.x, p[4] = a.y, p[5] = a.z;
-        p[6] = height, p[7] = c.from_radius, p[8] = (c.to_radius - c.from_radius) / height, p[9] = c.caps ? 1 : 0;
+        p[6] = height, p[7] = c.from_radius, p[8] = (c.to_radius - c.from_radius) / height,
+        p[9] = c.caps ? 1 : 0;
     }
     static bool open(const Cone& c) { return !c.caps; }
     static void bounds(const Cone& c, Vec3& lo, Vec3& hi) {
@@ -38,8 +40,9 @@ struct ConeGeometry {
         lo = extent.lo, hi = extent.hi;
     }
 
-    /// |across(t)|^2 = r(t)^2 with r(t) = r_0 + k along(t), about the ray's closest approach to the middle of the axis, so
-    /// that distance costs no digits. The roots as q / a and c / q: a may be 0, for a ray parallel to the side.
+    /// |across(t)|^2 = r(t)^2 with r(t) = r_0 + k along(t), about the ray's closest approach to the middle of
+    /// the axis, so that distance costs no digits. The roots as q / a and c / q: a may be 0, for a ray
+    /// parallel to the side.
     template <class T> static HWY_INLINE Candidate<T> hit(const T* p, const Ray<T>& ray, T t_min) {
         const Triple<T> axis = triple(p + 3), d = ray.direction;
         const T height = p[6], base = p[7], growth = p[8];

@@ -46,8 +46,10 @@ struct CuboidGeometry {
     /// Of the face whose plane is nearest to the point.
     template <class T> static HWY_INLINE Triple<T> normal(const T* p, Triple<T> point) {
         const auto depth = [](T lo, T hi, T x) HWY_ATTR { return min(abs(x - lo), abs(hi - x)); };
-        const auto side = [](T lo, T hi, T x) HWY_ATTR { return select(abs(x - lo) < abs(hi - x), T(-1), T(1)); };
-        const T x = depth(p[0], p[3], point.x), y = depth(p[1], p[4], point.y), z = depth(p[2], p[5], point.z);
+        const auto side = [](T lo, T hi, T x)
+                              HWY_ATTR { return select(abs(x - lo) < abs(hi - x), T(-1), T(1)); };
+        const T x = depth(p[0], p[3], point.x), y = depth(p[1], p[4], point.y),
+                z = depth(p[2], p[5], point.z);
         const T zero(0);
         const auto is_x = (x <= y) && (x <= z), is_y = y <= z;
         return select_triple(is_x, Triple<T>{side(p[0], p[3], point.x), zero, zero},

@@ -6,9 +6,9 @@
 #define GLINT_GEOMETRY_CYLINDER_INL_H_
 #endif
 
-#include "geometry/extent.h"
 #include "geometry/ray-inl.h"
 #include "glint/shapes.h"
+#include "math/extent.h"
 #include "math/transform.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -49,9 +49,8 @@ struct CylinderGeometry {
         const auto roots = closest_approach(q_across, d_across, radius);
         const T none = T(1e300);
         T best = none;
-        const auto consider = [&](T t, decltype(t < t) ok) HWY_ATTR {
-            best = select(ok && (t > t_min) && (t < best), t, best);
-        };
+        const auto consider = [&](T t, decltype(t < t) ok)
+                                  HWY_ATTR { best = select(ok && (t > t_min) && (t < best), t, best); };
         const auto within = [&](T t) HWY_ATTR {
             const T along = q_along + d_along * t;
             return (along >= T(0)) && (along <= height);

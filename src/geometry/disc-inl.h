@@ -6,9 +6,9 @@
 #define GLINT_GEOMETRY_DISC_INL_H_
 #endif
 
-#include "geometry/extent.h"
 #include "geometry/ray-inl.h"
 #include "glint/shapes.h"
+#include "math/extent.h"
 #include "math/transform.h"
 
 HWY_BEFORE_NAMESPACE();

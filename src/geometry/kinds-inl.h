@@ -25,10 +25,9 @@ namespace HWY_NAMESPACE {
 struct PolygonGeometry : TriangleGeometry {};
 template <class Geometry> inline constexpr bool k_is_packed = !std::is_same_v<Geometry, PolygonGeometry>;
 
-/// Calls visitor.visit<Geometry>() for the geometry of a kind, under a transform or not. Kinds that take a map into their own
-/// parameters (k_takes_maps) are never packed with one.
-template <class Geometry, class Visitor>
-HWY_INLINE void visit_kind(bool transformed, Visitor&& visitor) {
+/// Calls visitor.visit<Geometry>() for the geometry of a kind, under a transform or not. Kinds that take a
+/// map into their own parameters (k_takes_maps) are never packed with one.
+template <class Geometry, class Visitor> HWY_INLINE void visit_kind(bool transformed, Visitor&& visitor) {
     if constexpr (k_is_packed<Geometry>) {
         if constexpr (!Geometry::k_takes_maps) {
             if (transformed) return visitor.template visit<Transformed<Geometry>>();
@@ -36,11 +35,11 @@ HWY_INLINE void visit_kind(bool transformed, Visitor&& visitor) {
         visitor.template visit<Geometry>();
     }
 }
-template <class Visitor>
-HWY_INLINE void visit_geometry(ShapeKind kind, bool transformed, Visitor&& visitor) {
+template <class Visitor> HWY_INLINE void visit_geometry(ShapeKind kind, bool transformed, Visitor&& visitor) {
     switch (kind) {
 #define GLINT_KIND(Type, word) \
-    case ShapeKind::word: return visit_kind<Type##Geometry>(transformed, visitor);
+    case ShapeKind::word:      \
+        return visit_kind<Type##Geometry>(transformed, visitor);
         GLINT_SHAPES(GLINT_KIND)
 #undef GLINT_KIND
     }

@@ -14,11 +14,10 @@ namespace glint {
 namespace HWY_NAMESPACE {
 
 /// A surface point as a ray found it.
-template <class T>
-struct SurfacePoint {
+template <class T> struct SurfacePoint {
     Triple<T> point, normal;  // unit normal
     Triple<T> incoming;       // the direction of the ray that came
-    T magnitude;              // of the numbers the point was computed from: |origin| + |point|, largest coordinates
+    T magnitude;  // of the numbers the point was computed from: |origin| + |point|, largest coordinates
 };
 
 /// Where a ray in direction `outgoing` (any length) from the surface starts (see enum Offset).
@@ -26,11 +25,16 @@ template <class T>
 HWY_INLINE Triple<T> leave(const SurfacePoint<T>& s, Triple<T> outgoing, Offset offset, double epsilon) {
     const T e = T(epsilon);
     switch (offset) {
-        case Offset::ray: return s.point;
-        case Offset::normal: return s.point + s.normal * e;
-        case Offset::facing: return s.point + s.normal * select(dot(s.normal, s.incoming) > T(0), -e, e);
-        case Offset::direction: return s.point + outgoing * (e / length(outgoing));
-        case Offset::scale: break;
+        case Offset::ray:
+            return s.point;
+        case Offset::normal:
+            return s.point + s.normal * e;
+        case Offset::facing:
+            return s.point + s.normal * select(dot(s.normal, s.incoming) > T(0), -e, e);
+        case Offset::direction:
+            return s.point + outgoing * (e / length(outgoing));
+        case Offset::scale:
+            break;
     }
     const T reach = e * s.magnitude;
     return s.point + s.normal * select(dot(s.normal, outgoing) < T(0), -reach, reach);

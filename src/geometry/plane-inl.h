@@ -25,8 +25,10 @@ struct PlaneGeometry {
         p[0] = plane.point.x, p[1] = plane.point.y, p[2] = plane.point.z;
         p[3] = n.x, p[4] = n.y, p[5] = n.z;
     }
-    static Plane mapped(const Plane& plane, const Affine& world_from_object, const Affine& object_from_world) {
-        return {transform_point(world_from_object, plane.point), transform_normal(object_from_world, plane.normal)};
+    static Plane mapped(const Plane& plane, const Affine& world_from_object,
+                        const Affine& object_from_world) {
+        return {transform_point(world_from_object, plane.point),
+                transform_normal(object_from_world, plane.normal)};
     }
     static bool open(const Plane&) { return true; }
     static void bounds(const Plane&, Vec3&, Vec3&) {}

@@ -13,22 +13,18 @@ namespace glint {
 namespace HWY_NAMESPACE {
 
 /// Points origin + t direction; the direction has any length but 0.
-template <class T>
-struct Ray {
-    Triple<T> origin, direction;
-};
+template <class T> struct Ray { Triple<T> origin, direction; };
 
 /// A formula's answer: the least t > t_min at which the ray meets the shape, where `hit` says so.
-template <class T>
-struct Candidate {
+template <class T> struct Candidate {
     decltype(T() < T()) hit;
     T t;
 };
 
-/// The roots b - h and b + h of |q + t d|^2 = r^2, about the point of closest approach: q + b d is perpendicular to d, so that
-/// nothing large is subtracted from something large (Haines et al., Precision Improvements for Ray/Sphere Intersection, 2019).
-template <class T>
-struct Roots {
+/// The roots b - h and b + h of |q + t d|^2 = r^2, about the point of closest approach: q + b d is
+/// perpendicular to d, so that nothing large is subtracted from something large (Haines et al., Precision
+/// Improvements for Ray/Sphere Intersection, 2019).
+template <class T> struct Roots {
     decltype(T() < T()) real;
     T b, h;
 };

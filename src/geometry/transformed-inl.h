@@ -13,8 +13,7 @@ namespace glint {
 namespace HWY_NAMESPACE {
 
 /// Packed as the shape's own values, then object_from_world row by row (12 values).
-template <class Geometry>
-struct Transformed {
+template <class Geometry> struct Transformed {
     static constexpr int k_values = Geometry::k_values + 12;
     static constexpr bool k_bounded = Geometry::k_bounded;
     static constexpr bool k_takes_maps = false;

@@ -6,9 +6,9 @@
 #define GLINT_GEOMETRY_TRIANGLE_INL_H_
 #endif
 
-#include "geometry/extent.h"
 #include "geometry/ray-inl.h"
 #include "glint/shapes.h"
+#include "math/extent.h"
 #include "math/transform.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -27,7 +27,8 @@ struct TriangleGeometry {
     }
     static Triangle mapped(const Triangle& triangle, const Affine& world_from_object, const Affine&) {
         Triangle out;
-        for (int i = 0; i < 3; ++i) out.vertices[i] = transform_point(world_from_object, triangle.vertices[i]);
+        for (int i = 0; i < 3; ++i)
+            out.vertices[i] = transform_point(world_from_object, triangle.vertices[i]);
         return out;
     }
     static bool open(const Triangle&) { return true; }
@@ -37,9 +38,10 @@ struct TriangleGeometry {
         lo = extent.lo, hi = extent.hi;
     }
 
-    /// From the point of the ray's line that is nearest to the world's origin, so that a distant ray costs no digits.
-    /// The ray passes on one side of all three edges. An edge's side is (p × q)·d with p, q its ends seen from the origin:
-    /// swapping them changes the sign and no bit, so that two triangles with a common edge leave no gap.
+    /// From the point of the ray's line that is nearest to the world's origin, so that a distant ray costs no
+    /// digits. The ray passes on one side of all three edges. An edge's side is (p × q)·d with p, q its ends
+    /// seen from the origin: swapping them changes the sign and no bit, so that two triangles with a common
+    /// edge leave no gap.
     template <class T> static HWY_INLINE Candidate<T> hit(const T* p, const Ray<T>& ray, T t_min) {
         const Triple<T> d = ray.direction;
         const T start = -(dot(ray.origin, d) / dot(d, d));
@@ -47,7 +49,8 @@ struct TriangleGeometry {
         const Triple<T> a = triple(p) - origin, b = triple(p + 3) - origin, c = triple(p + 6) - origin;
         const T u = dot(cross(b, c), d), v = dot(cross(c, a), d), w = dot(cross(a, b), d);
         const T zero(0);
-        const auto inside = ((u >= zero) && (v >= zero) && (w >= zero)) || ((u <= zero) && (v <= zero) && (w <= zero));
+        const auto inside =
+            ((u >= zero) && (v >= zero) && (w >= zero)) || ((u <= zero) && (v <= zero) && (w <= zero));
         const Triple<T> n = cross(triple(p + 3) - triple(p), triple(p + 6) - triple(p));
         // A ray within the plane gives NaN or infinity: no hit.
         const T t = start + dot(a, n) / dot(d, n);
@@ -84,7 +87,8 @@ struct SmoothTriangleGeometry {
     }
     static bool open(const SmoothTriangle&) { return true; }
     static void bounds(const SmoothTriangle& triangle, Vec3& lo, Vec3& hi) {
-        TriangleGeometry::bounds({{triangle.vertices[0], triangle.vertices[1], triangle.vertices[2]}}, lo, hi);
+        TriangleGeometry::bounds({{triangle.vertices[0], triangle.vertices[1], triangle.vertices[2]}}, lo,
+                                 hi);
     }
 
     template <class T> static HWY_INLINE Candidate<T> hit(const T* p, const Ray<T>& ray, T t_min) {

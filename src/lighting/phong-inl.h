@@ -1,4 +1,5 @@
-// The lighting equation (docs/lighting.md): one light's diffuse and specular terms at a surface point. Pure functions.
+// The lighting equation (docs/lighting.md): one light's diffuse and specular terms at a surface point. Pure
+// functions.
 #if defined(GLINT_LIGHTING_PHONG_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLINT_LIGHTING_PHONG_INL_H_
 #undef GLINT_LIGHTING_PHONG_INL_H_
@@ -17,19 +18,18 @@ namespace HWY_NAMESPACE {
 /// What of the conventions the lighting equation depends on.
 struct LightingRules {
     Shading shading = Shading::blinn_phong;
-    bool specular_gate = true;   // the highlight needs N·L > 0
-    bool clamp_cosines = true;   // N·L and S below 0 add nothing
-    bool normalize = true;       // L, V, R, H are normalised before use
+    bool specular_gate = true;  // the highlight needs N·L > 0
+    bool clamp_cosines = true;  // N·L and S below 0 add nothing
+    bool normalize = true;      // L, V, R, H are normalised before use
 };
 
 /// The two cosines of the model: N·L, and S = R·V (Phong) or N·H (Blinn-Phong).
-template <class T>
-struct Cosines {
-    T n_l, s;
-};
+template <class T> struct Cosines { T n_l, s; };
 
 /// R = 2 N (N·L) - L (LIGHT-6; CGFS "ReflectRay"; RT2).
-template <class T> HWY_INLINE Triple<T> mirrored(Triple<T> l, Triple<T> n) { return n * (T(2) * dot(n, l)) - l; }
+template <class T> HWY_INLINE Triple<T> mirrored(Triple<T> l, Triple<T> n) {
+    return n * (T(2) * dot(n, l)) - l;
+}
 
 /// N is unit; l and v, from the surface point to the light and to the eye, are unit if the rules normalise.
 template <class T>
@@ -47,20 +47,15 @@ HWY_INLINE Cosines<T> cosines(Triple<T> normal, Triple<T> l, Triple<T> v, const 
 }
 
 /// What multiplies k_d I_l,d and k_s I_l,s of a visible light, attenuation aside: N·L and S^n.
-template <class T>
-struct Terms {
-    T diffuse, specular;
-};
+template <class T> struct Terms { T diffuse, specular; };
 
 /// Where the specular term may be other than 0.
-template <class T>
-HWY_INLINE auto has_highlight(const Cosines<T>& c, const LightingRules& rules) {
+template <class T> HWY_INLINE auto has_highlight(const Cosines<T>& c, const LightingRules& rules) {
     const auto positive = rules.clamp_cosines ? c.s > T(0) : !(c.s == T(0));
     return rules.specular_gate ? positive && (c.n_l > T(0)) : positive;
 }
 
-template <class T>
-HWY_INLINE Terms<T> terms(const Cosines<T>& c, T shininess, const LightingRules& rules) {
+template <class T> HWY_INLINE Terms<T> terms(const Cosines<T>& c, T shininess, const LightingRules& rules) {
     const T diffuse = rules.clamp_cosines ? max(c.n_l, T(0)) : c.n_l;
     if (rules.shading == Shading::diffuse) return {diffuse, T(0)};
     T power = pow(abs(c.s), shininess);

@@ -1,6 +1,7 @@
-// Lanes<T>: as many numbers as the instruction set computes at once, with the operators and the names of math/number.h.
-// The only file that includes Highway. Included once a target, inside foreach_target.h (trace/kernels.cpp).
-// Of Highway, only what IEEE 754 defines exactly: no MulAdd family, no Approximate*, no SumOfLanes, no Min / Max.
+// Lanes<T>: as many numbers as the instruction set computes at once, with the operators and the names of
+// math/number.h. The only file that includes Highway. Included once a target, inside foreach_target.h
+// (trace/kernels.cpp). Of Highway, only what IEEE 754 defines exactly: no MulAdd family, no Approximate*, no
+// SumOfLanes, no Min / Max.
 #if defined(GLINT_SIMD_LANES_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLINT_SIMD_LANES_INL_H_
 #undef GLINT_SIMD_LANES_INL_H_
@@ -26,16 +27,14 @@ template <class T> using Tag = hn::ScalableTag<T>;
 /// How many T fit in a vector of this instruction set.
 template <class T> HWY_INLINE constexpr int lane_count() { return static_cast<int>(hn::MaxLanes(Tag<T>())); }
 
-template <class T>
-struct LaneMask {
+template <class T> struct LaneMask {
     hn::Mask<Tag<T>> m;
     friend HWY_INLINE LaneMask operator&&(LaneMask a, LaneMask b) { return {hn::And(a.m, b.m)}; }
     friend HWY_INLINE LaneMask operator||(LaneMask a, LaneMask b) { return {hn::Or(a.m, b.m)}; }
     friend HWY_INLINE LaneMask operator!(LaneMask a) { return {hn::Not(a.m)}; }
 };
 
-template <class T>
-struct Lanes {
+template <class T> struct Lanes {
     hn::Vec<Tag<T>> v;
 
     HWY_INLINE Lanes() : v(hn::Zero(Tag<T>())) {}
@@ -83,12 +82,16 @@ template <class T> HWY_INLINE Lanes<T> select(LaneMask<T> m, Lanes<T> yes, Lanes
 }
 template <class T> HWY_INLINE bool any(LaneMask<T> m) { return !hn::AllFalse(Tag<T>(), m.m); }
 template <class T> HWY_INLINE bool all(LaneMask<T> m) { return hn::AllTrue(Tag<T>(), m.m); }
-template <class T> HWY_INLINE LaneMask<T> and_not(LaneMask<T> a, LaneMask<T> b) { return {hn::AndNot(b.m, a.m)}; }
+template <class T> HWY_INLINE LaneMask<T> and_not(LaneMask<T> a, LaneMask<T> b) {
+    return {hn::AndNot(b.m, a.m)};
+}
 template <class T> HWY_INLINE Lanes<T> sqrt(Lanes<T> x) { return Lanes<T>(hn::Sqrt(x.v)); }
 template <class T> HWY_INLINE Lanes<T> abs(Lanes<T> x) { return Lanes<T>(hn::Abs(x.v)); }
 template <class T> HWY_INLINE Lanes<T> min(Lanes<T> a, Lanes<T> b) { return select(a < b, a, b); }
 template <class T> HWY_INLINE Lanes<T> max(Lanes<T> a, Lanes<T> b) { return select(a < b, b, a); }
-template <class T> HWY_INLINE Lanes<T> with_sign_of(Lanes<T> x, Lanes<T> s) { return select(s < Lanes<T>(0), -x, x); }
+template <class T> HWY_INLINE Lanes<T> with_sign_of(Lanes<T> x, Lanes<T> s) {
+    return select(s < Lanes<T>(0), -x, x);
+}
 
 HWY_INLINE Doubles split_exponent(Doubles x, Doubles& mantissa) {
     const Tag<double> d;

@@ -14,18 +14,20 @@ HWY_BEFORE_NAMESPACE();
 namespace glint {
 namespace HWY_NAMESPACE {
 
-/// The viewport point of sample (i, j) of n x n in pixel (x, y), as fractions of the picture's width and height from its middle.
+/// The viewport point of sample (i, j) of n x n in pixel (x, y), as fractions of the picture's width and
+/// height from its middle.
 struct ViewportPoint {
     double x, y;
 };
-HWY_INLINE ViewportPoint viewport_point(const RenderSettings& settings, PixelSample where, int x, int y, int i, int j) {
+HWY_INLINE ViewportPoint viewport_point(const RenderSettings& settings, PixelSample where, int x, int y,
+                                        int i, int j) {
     const double w = settings.width, h = settings.height, n = settings.samples;
-    double in_x = 0.5, in_y = 0.5;   // from the (sub)pixel's top-left corner
+    double in_x = 0.5, in_y = 0.5;  // from the (sub)pixel's top-left corner
     double middle_x = w * 0.5, middle_y = h * 0.5;
     if (where == PixelSample::corner) in_x = 0, in_y = 1;
     if (where == PixelSample::whole) {
         in_x = in_y = 0;
-        middle_x = settings.width / 2;  // NOLINT(bugprone-integer-division): whole pixels
+        middle_x = settings.width / 2;   // NOLINT(bugprone-integer-division): whole pixels
         middle_y = settings.height / 2;  // NOLINT(bugprone-integer-division)
     }
     return {(x + (i + in_x) / n - middle_x) / w, (middle_y - (y + (j + in_y) / n)) / h};
@@ -53,11 +55,13 @@ inline void make_camera_rays(const World& world, const TileJob& job, int i, int 
         for (int bx = 0; bx < job.width; bx += block) {
             for (int y = by; y < number::min(by + block, job.height); ++y) {
                 for (int x = bx; x < number::min(bx + block, job.width); ++x) {
-                    const auto at = viewport_point(world.settings, world.conventions.pixel_sample, job.x + x, job.y + y, i, j);
+                    const auto at = viewport_point(world.settings, world.conventions.pixel_sample, job.x + x,
+                                                   job.y + y, i, j);
                     Vec3 origin, direction;
                     camera_ray(world, at, origin, direction);
-                    rays.push(origin, direction, world.conventions.camera_t_min, std::numeric_limits<double>::infinity(),
-                              {1, 1, 1}, static_cast<std::uint32_t>(y * k_tile_side + x), Branch::camera);
+                    rays.push(origin, direction, world.conventions.camera_t_min,
+                              std::numeric_limits<double>::infinity(), {1, 1, 1},
+                              static_cast<std::uint32_t>(y * k_tile_side + x), Branch::camera);
                 }
             }
         }

@@ -1,6 +1,7 @@
 // What a ray hits. The hit rule, here and nowhere else:
-//   a ray hits a shape at t if the shape's formula says so and the ray meets the shape's own padded box by the hierarchy's slab
-//   expression; t is clamped into that interval and must lie in (t_min, t_max); nearest is the least (t, index in the scene).
+//   a ray hits a shape at t if the shape's formula says so and the ray meets the shape's own padded box by
+//   the hierarchy's slab expression; t is clamped into that interval and must lie in (t_min, t_max); nearest
+//   is the least (t, index in the scene).
 // Nothing in it depends on how rays are grouped or on the tree.
 #if defined(GLINT_TRACE_HIT_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLINT_TRACE_HIT_INL_H_
@@ -33,7 +34,9 @@ struct HitResult {
             beam.t_max[ray] = -std::numeric_limits<float>::infinity();
             return;
         }
-        if (new_t == t[ray] && (slot[ray] == k_none || world.shape_index[slot[ray]] < world.shape_index[new_slot])) return;
+        if (new_t == t[ray] &&
+            (slot[ray] == k_none || world.shape_index[slot[ray]] < world.shape_index[new_slot]))
+            return;
         t[ray] = new_t;
         slot[ray] = new_slot;
         beam.t_max[ray] = float_above(new_t);
@@ -76,9 +79,11 @@ struct ShapeTests {
         template <class Geometry> HWY_INLINE void visit() {
             if constexpr (Geometry::k_bounded) {
                 if (tests.beam.count <= 2) {
-                    for (int i = 0; i < tests.beam.count; ++i) tests.one_ray_many_shapes<Geometry>(shapes, first, count, i);
+                    for (int i = 0; i < tests.beam.count; ++i)
+                        tests.one_ray_many_shapes<Geometry>(shapes, first, count, i);
                 } else {
-                    for (std::uint32_t s = first; s < first + count; ++s) tests.many_rays_one_shape<Geometry>(shapes, s);
+                    for (std::uint32_t s = first; s < first + count; ++s)
+                        tests.many_rays_one_shape<Geometry>(shapes, s);
                 }
                 tests.beam.update_t_max();
             }
@@ -102,9 +107,11 @@ struct ShapeTests {
         for (int k = 0; k < Geometry::k_values; ++k) p[k] = T(shapes.column(k)[slot - shapes.first]);
     }
 
-    /// Settles candidates of rays [i, i + lanes): bits says which may still hit; entry and exit are their box intervals.
+    /// Settles candidates of rays [i, i + lanes): bits says which may still hit; entry and exit are their box
+    /// intervals.
     template <class Geometry>
-    HWY_INLINE void settle_rays(const Doubles* p, std::uint32_t slot, int i, std::uint32_t bits, Doubles entry, Doubles exit) {
+    HWY_INLINE void settle_rays(const Doubles* p, std::uint32_t slot, int i, std::uint32_t bits,
+                                Doubles entry, Doubles exit) {
         const Doubles t_min = load(rays.t_min + i);
         const auto candidate = Geometry::hit(p, ray_lanes(i), t_min);
         const Doubles t = min(max(candidate.t, entry), exit);
@@ -126,15 +133,17 @@ struct ShapeTests {
         bool loaded = false;
         for (int i = 0; i < beam.count; i += lane_count<float>()) {
             const Slab slab = box_slab(beam, i, lo, hi);
-            auto meets = slab.entry <= slab.exit && slab.entry <= load(beam.t_max + i) && slab.exit >= load(beam.t_min + i);
+            auto meets = slab.entry <= slab.exit && slab.entry <= load(beam.t_max + i) &&
+                         slab.exit >= load(beam.t_min + i);
             if constexpr (Geometry::k_filtered) {
                 if (!any(meets)) continue;
                 Floats q[Geometry::k_values];
                 for (int k = 0; k < Geometry::k_values; ++k) {
                     q[k] = Floats(static_cast<float>(shapes.column(k)[slot - shapes.first]));
                 }
-                const Ray<Floats> ray{{load(beam.origin[0] + i), load(beam.origin[1] + i), load(beam.origin[2] + i)},
-                                      {load(beam.direction[0] + i), load(beam.direction[1] + i), load(beam.direction[2] + i)}};
+                const Ray<Floats> ray{
+                    {load(beam.origin[0] + i), load(beam.origin[1] + i), load(beam.origin[2] + i)},
+                    {load(beam.direction[0] + i), load(beam.direction[1] + i), load(beam.direction[2] + i)}};
                 meets = meets && Geometry::may_hit(q, ray);
             }
             const std::uint32_t bits = to_bits(meets);
@@ -163,16 +172,20 @@ struct ShapeTests {
     }
 
     template <class Geometry>
-    HWY_NOINLINE void one_ray_many_shapes(const ShapeClass& shapes, std::uint32_t first, std::uint32_t count, int i) {
+    HWY_NOINLINE void one_ray_many_shapes(const ShapeClass& shapes, std::uint32_t first, std::uint32_t count,
+                                          int i) {
         const Ray<Doubles> ray = one_ray(i);
         const Doubles t_min(rays.t_min[i]);
         for (std::uint32_t s = 0; s < count; s += lane_count<float>()) {
-            const float* lo[3] = {&world.box_lo[0][first + s], &world.box_lo[1][first + s], &world.box_lo[2][first + s]};
-            const float* hi[3] = {&world.box_hi[0][first + s], &world.box_hi[1][first + s], &world.box_hi[2][first + s]};
+            const float* lo[3] = {&world.box_lo[0][first + s], &world.box_lo[1][first + s],
+                                  &world.box_lo[2][first + s]};
+            const float* hi[3] = {&world.box_hi[0][first + s], &world.box_hi[1][first + s],
+                                  &world.box_hi[2][first + s]};
             const Slab slab = boxes_slab(beam, i, lo, hi);
             const auto meets = slab.entry <= slab.exit && slab.entry <= Floats(beam.t_max[i]) &&
                                slab.exit >= Floats(beam.t_min[i]);
-            const std::uint32_t here = number::min(count - s, static_cast<std::uint32_t>(lane_count<float>()));
+            const std::uint32_t here =
+                number::min(count - s, static_cast<std::uint32_t>(lane_count<float>()));
             const std::uint32_t bits = to_bits(meets) & ((1u << here) - 1);
             if (bits == 0) continue;
             alignas(64) float entry[lane_count<float>()], exit[lane_count<float>()];
@@ -183,7 +196,8 @@ struct ShapeTests {
                 if (part == 0) continue;
                 const std::uint32_t slot = first + s + static_cast<std::uint32_t>(c);
                 Doubles p[Geometry::k_values];
-                for (int k = 0; k < Geometry::k_values; ++k) p[k] = load(shapes.column(k) + (slot - shapes.first));
+                for (int k = 0; k < Geometry::k_values; ++k)
+                    p[k] = load(shapes.column(k) + (slot - shapes.first));
                 const auto candidate = Geometry::hit(p, ray, t_min);
                 const Doubles t = min(max(candidate.t, widen(entry + c)), widen(exit + c));
                 part &= to_bits(candidate.hit && t > t_min && t <= Doubles(result.t[i]));
@@ -192,7 +206,8 @@ struct ShapeTests {
                 for (; part != 0; part &= part - 1) {
                     const int lane = __builtin_ctz(part);
                     // The limit may have shrunk since.
-                    if (lanes[lane] <= result.t[i]) result.accept(beam, i, lanes[lane], slot + static_cast<std::uint32_t>(lane));
+                    if (lanes[lane] <= result.t[i])
+                        result.accept(beam, i, lanes[lane], slot + static_cast<std::uint32_t>(lane));
                 }
             }
         }
@@ -201,7 +216,8 @@ struct ShapeTests {
 
 /// The rays of the span from number `first` on.
 HWY_INLINE RaySpan from(const RaySpan& r, int first) {
-    return {r.ox + first, r.oy + first, r.oz + first, r.dx + first, r.dy + first, r.dz + first, r.t_min + first, r.t_max + first};
+    return {r.ox + first, r.oy + first, r.oz + first,    r.dx + first,
+            r.dy + first, r.dz + first, r.t_min + first, r.t_max + first};
 }
 
 template <bool ordered>
@@ -215,7 +231,8 @@ HWY_INLINE void trace_beam(const World& world, const RaySpan& rays, int count, c
     traverse<ordered>(world.bvh, beam, tests);
 }
 
-void nearest_hit(const World& world, const RaySpan& rays, int count, int beam, double* t, std::uint32_t* slot) {
+void nearest_hit(const World& world, const RaySpan& rays, int count, int beam, double* t,
+                 std::uint32_t* slot) {
     for (int first = 0; first < count; first += beam) {
         const int n = number::min(beam, count - first);
         for (int i = first; i < first + n; ++i) {

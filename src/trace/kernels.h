@@ -15,9 +15,11 @@ namespace glint {
 struct Kernels {
     const char* isa;
 
-    /// For rays [0, count): the least t in (t_min, t_max) and the slot hit there (k_none: none; t is then t_max). Of equal
-    /// t the shape that is first in the scene. Rays walk in beams of `beam` (1 to k_beam); the answer does not depend on it.
-    void (*nearest_hit)(const World&, const RaySpan& rays, int count, int beam, double* t, std::uint32_t* slot);
+    /// For rays [0, count): the least t in (t_min, t_max) and the slot hit there (k_none: none; t is then
+    /// t_max). Of equal t the shape that is first in the scene. Rays walk in beams of `beam` (1 to k_beam);
+    /// the answer does not depend on it.
+    void (*nearest_hit)(const World&, const RaySpan& rays, int count, int beam, double* t,
+                        std::uint32_t* slot);
 
     /// occluded[i] = 1 if anything is hit in (t_min, t_max), else 0.
     void (*any_hit)(const World&, const RaySpan& rays, int count, int beam, std::uint8_t* occluded);

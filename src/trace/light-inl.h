@@ -1,4 +1,5 @@
-// The light of a tile's hits: for each light the cosines, the shadow rays of those it may reach, and the terms of those it does.
+// The light of a tile's hits: for each light the cosines, the shadow rays of those it may reach, and the
+// terms of those it does.
 #if defined(GLINT_TRACE_LIGHT_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLINT_TRACE_LIGHT_INL_H_
 #undef GLINT_TRACE_LIGHT_INL_H_
@@ -41,8 +42,8 @@ struct ShadowRays {
 };
 
 /// A point light's ray is traced from the light to the surface, so that a light's rays share their origin.
-HWY_INLINE ShadowRays shadow_rays(const World& world, const Light& light, const SurfacePoint<Doubles>& surface,
-                                  Triple<Doubles> to_light) {
+HWY_INLINE ShadowRays shadow_rays(const World& world, const Light& light,
+                                  const SurfacePoint<Doubles>& surface, Triple<Doubles> to_light) {
     const Conventions& c = world.conventions;
     const Doubles infinity(std::numeric_limits<double>::infinity());
     const Triple<Doubles> start = leave(surface, to_light, c.offset, c.epsilon);
@@ -56,10 +57,12 @@ HWY_INLINE ShadowRays shadow_rays(const World& world, const Light& light, const 
     return {from, direction, t_min, Doubles(c.offset == Offset::ray ? 1 - c.epsilon : 1.0)};
 }
 
-/// The first half of a light: cosines, attenuation, who may be lit, and their shadow rays. Returns how many of those.
+/// The first half of a light: cosines, attenuation, who may be lit, and their shadow rays. Returns how many
+/// of those.
 inline int reach_hits(const World& world, const Light& light, TileScratch& s) {
     const LightingRules rules = lighting_rules(world);
-    const Triple<Doubles> diffuse_light{Doubles(light.color.r), Doubles(light.color.g), Doubles(light.color.b)};
+    const Triple<Doubles> diffuse_light{Doubles(light.color.r), Doubles(light.color.g),
+                                        Doubles(light.color.b)};
     const Triple<Doubles> specular_light{Doubles(light.specular_color.r), Doubles(light.specular_color.g),
                                          Doubles(light.specular_color.b)};
     const auto adds = [](Triple<Doubles> a, Triple<Doubles> b) HWY_ATTR {
@@ -67,10 +70,11 @@ inline int reach_hits(const World& world, const Light& light, TileScratch& s) {
     };
     int rays = 0;
     for (int i = 0; i < s.hits; i += lane_count<double>()) {
-        const SurfacePoint<Doubles> surface{load_triple(s.point, i), load_triple(s.normal, i), load_triple(s.incoming, i),
-                                            load(s.magnitude.data() + i)};
-        const Triple<Doubles> to_light =
-            light.kind == LightKind::point ? lanes_of(light.position) - surface.point : lanes_of(light.to_light);
+        const SurfacePoint<Doubles> surface{load_triple(s.point, i), load_triple(s.normal, i),
+                                            load_triple(s.incoming, i), load(s.magnitude.data() + i)};
+        const Triple<Doubles> to_light = light.kind == LightKind::point
+                                             ? lanes_of(light.position) - surface.point
+                                             : lanes_of(light.to_light);
         const Doubles distance = length(to_light);
         const Triple<Doubles> l = rules.normalize ? to_light / distance : to_light;
         const auto c = cosines(surface.normal, l, load_triple(s.to_eye, i), rules);
@@ -80,8 +84,10 @@ inline int reach_hits(const World& world, const Light& light, TileScratch& s) {
             f_att = attenuation(Doubles(a.c0), Doubles(a.c1), Doubles(a.c2), distance);
         }
         const auto faces = rules.clamp_cosines ? c.n_l > Doubles(0) : !(c.n_l == Doubles(0));
-        const auto diffuse = faces && adds(gather_color(world, s.material.data() + i, k_diffuse), diffuse_light);
-        const auto specular = has_highlight(c, rules) && adds(gather_color(world, s.material.data() + i, k_specular), specular_light);
+        const auto diffuse =
+            faces && adds(gather_color(world, s.material.data() + i, k_diffuse), diffuse_light);
+        const auto specular = has_highlight(c, rules) &&
+                              adds(gather_color(world, s.material.data() + i, k_specular), specular_light);
         // A light in the surface itself has no direction.
         std::uint32_t lit = to_bits((diffuse || specular) && distance > Doubles(0) && f_att > Doubles(0));
         const int lanes = number::min(s.hits - i, lane_count<double>());
@@ -92,8 +98,9 @@ inline int reach_hits(const World& world, const Light& light, TileScratch& s) {
         for (int k = 0; k < lanes; ++k) s.lit[i + k] = lit >> k & 1;
         if (lit == 0 || !world.settings.shadows) continue;
         const ShadowRays shadow = shadow_rays(world, light, surface, to_light);
-        const Doubles columns[8] = {shadow.origin.x, shadow.origin.y, shadow.origin.z, shadow.direction.x,
-                                    shadow.direction.y, shadow.direction.z, shadow.t_min, shadow.t_max};
+        const Doubles columns[8] = {shadow.origin.x,    shadow.origin.y,    shadow.origin.z,
+                                    shadow.direction.x, shadow.direction.y, shadow.direction.z,
+                                    shadow.t_min,       shadow.t_max};
         alignas(64) double lane[8][lane_count<double>()];
         for (int k = 0; k < 8; ++k) store(columns[k], lane[k]);
         for (; lit != 0; lit &= lit - 1) {
@@ -110,7 +117,8 @@ inline void add_terms(const World& world, const Light& light, TileScratch& s) {
     const LightingRules rules = lighting_rules(world);
     for (int i = 0; i < s.hits; i += lane_count<double>()) {
         std::uint32_t lit = 0;
-        for (int k = 0; k < number::min(s.hits - i, lane_count<double>()); ++k) lit |= static_cast<std::uint32_t>(s.lit[i + k]) << k;
+        for (int k = 0; k < number::min(s.hits - i, lane_count<double>()); ++k)
+            lit |= static_cast<std::uint32_t>(s.lit[i + k]) << k;
         if (lit == 0) continue;
         const auto mask = from_bits<double>(lit);
         const Cosines<Doubles> c{load(s.n_l.data() + i), load(s.s.data() + i)};

@@ -16,7 +16,8 @@ class RayQueue {
     int size() const { return size_; }
     void clear() { size_ = 0; }
 
-    void push(Vec3 origin, Vec3 direction, double t_min, double t_max, Color weight, std::uint32_t pixel, Branch branch) {
+    void push(Vec3 origin, Vec3 direction, double t_min, double t_max, Color weight, std::uint32_t pixel,
+              Branch branch) {
         const int i = size_++;
         const auto needed = static_cast<std::size_t>(size_ + k_ray_padding);
         if (columns_[0].size() < needed) {
@@ -25,7 +26,7 @@ class RayQueue {
             branch_.resize(2 * needed);
         }
         const double values[k_columns] = {origin.x, origin.y, origin.z, direction.x, direction.y, direction.z,
-                                          t_min, t_max, weight.r, weight.g, weight.b};
+                                          t_min,    t_max,    weight.r, weight.g,    weight.b};
         for (int c = 0; c < k_columns; ++c) columns_[c][i] = values[c];
         pixel_[i] = pixel;
         branch_[i] = branch;

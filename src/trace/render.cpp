@@ -56,11 +56,14 @@ void render_into(const World& world, const RenderOptions& options, const Kernels
     image.height = crop.height;
     image.rgb.resize(3 * static_cast<std::size_t>(crop.width) * static_cast<std::size_t>(crop.height));
 
-    const int across = (crop.width + k_tile_side - 1) / k_tile_side, down = (crop.height + k_tile_side - 1) / k_tile_side;
+    const int across = (crop.width + k_tile_side - 1) / k_tile_side,
+              down = (crop.height + k_tile_side - 1) / k_tile_side;
     const auto tiles = static_cast<std::size_t>(across) * static_cast<std::size_t>(down);
     AtomicCounts rays;
     std::atomic<std::size_t> done{0};
-    const auto cancelled = [&] { return options.cancel != nullptr && options.cancel->load(std::memory_order_relaxed); };
+    const auto cancelled = [&] {
+        return options.cancel != nullptr && options.cancel->load(std::memory_order_relaxed);
+    };
     parallel_for(tiles, result.threads, [&](std::size_t tile) {
         if (cancelled()) return;
         const int column = static_cast<int>(tile % static_cast<std::size_t>(across)) * k_tile_side;
@@ -70,8 +73,9 @@ void render_into(const World& world, const RenderOptions& options, const Kernels
         job.y = crop.y + row;
         job.width = std::min(k_tile_side, crop.width - column);
         job.height = std::min(k_tile_side, crop.height - row);
-        job.rgb = image.rgb.data() + 3 * (static_cast<std::size_t>(row) * static_cast<std::size_t>(crop.width) +
-                                          static_cast<std::size_t>(column));
+        job.rgb =
+            image.rgb.data() + 3 * (static_cast<std::size_t>(row) * static_cast<std::size_t>(crop.width) +
+                                    static_cast<std::size_t>(column));
         job.row_pixels = crop.width;
         TileScratch& scratch = thread_scratch();
         scratch.counts = {};

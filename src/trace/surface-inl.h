@@ -1,4 +1,5 @@
-// The stage between a hit and its light: point, normal, direction to the eye, material; and what of a ray missed.
+// The stage between a hit and its light: point, normal, direction to the eye, material; and what of a ray
+// missed.
 #if defined(GLINT_TRACE_SURFACE_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLINT_TRACE_SURFACE_INL_H_
 #undef GLINT_TRACE_SURFACE_INL_H_
@@ -26,7 +27,8 @@ struct NormalAt {
     }
 };
 
-/// Fills the hits of a TileScratch from t and slot of rays [0, count), which are rays first... of scratch.rays.
+/// Fills the hits of a TileScratch from t and slot of rays [0, count), which are rays first... of
+/// scratch.rays.
 inline void find_surfaces(const World& world, TileScratch& s, int first, int count) {
     const RaySpan r = s.rays.rays(first);
     s.hits = 0;

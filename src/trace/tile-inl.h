@@ -28,21 +28,25 @@ HWY_INLINE int layer_of(Branch branch, Layer own) {
     return branch == Branch::reflected ? k_layer_reflected : k_layer_transmitted;
 }
 
-/// A mirror's ray, and what becomes of the surface's own light: c = (1-a) local + a reflected, or local + a reflected.
+/// A mirror's ray, and what becomes of the surface's own light: c = (1-a) local + a reflected, or local + a
+/// reflected.
 struct MirrorSplit {
     Color local, reflected;  // weights
     bool traced;
 };
-HWY_INLINE MirrorSplit split_mirror(const World& world, const double* material, Color weight, int generation) {
+HWY_INLINE MirrorSplit split_mirror(const World& world, const double* material, Color weight,
+                                    int generation) {
     const Conventions& c = world.conventions;
     const double a = material[k_mirror];
     MirrorSplit split{weight, {}, false};
     if (!(a > 0)) return split;
     const bool at_limit = generation >= world.settings.reflections;
-    if (c.mirror == MirrorRule::blend && !(at_limit && c.limit == LimitRule::keep)) split.local = weight * (1 - a);
+    if (c.mirror == MirrorRule::blend && !(at_limit && c.limit == LimitRule::keep))
+        split.local = weight * (1 - a);
     if (at_limit) return split;
     split.reflected = weight * a * material_color(material, k_mirror_tint);
-    split.traced = number::max(number::max(split.reflected.r, split.reflected.g), split.reflected.b) >= c.min_weight;
+    split.traced =
+        number::max(number::max(split.reflected.r, split.reflected.g), split.reflected.b) >= c.min_weight;
     return split;
 }
 
@@ -53,14 +57,16 @@ inline void add_misses(const World& world, TileScratch& s, int first, int count)
         const Branch branch = s.rays.branch(first + i);
         if (branch != Branch::camera && world.conventions.mirror_miss == MissRule::black) continue;
         const Color seen = world.settings.shading == Shading::normals ? Color{0, 0, 1} : world.background;
-        add_to(s, s.rays.pixel(first + i), layer_of(branch, k_layer_background), s.rays.weight(first + i) * seen);
+        add_to(s, s.rays.pixel(first + i), layer_of(branch, k_layer_background),
+               s.rays.weight(first + i) * seen);
     }
 }
 
 /// Shading modes that look no further than the first surface.
 inline void add_unlit(const World& world, TileScratch& s, int first) {
     for (int h = 0; h < s.hits; ++h) {
-        const double* material = world.materials.data() + static_cast<std::size_t>(s.material[h]) * k_material_values;
+        const double* material =
+            world.materials.data() + static_cast<std::size_t>(s.material[h]) * k_material_values;
         Color c = material_color(material, k_color);
         if (world.settings.shading == Shading::normals) {
             c = Color{s.normal[0][h] + 1, s.normal[1][h] + 1, s.normal[2][h] + 1} * 0.5;
@@ -76,7 +82,8 @@ inline void add_hits(const World& world, TileScratch& s, int first, int generati
         const int ray = first + s.ray[h];
         const std::uint32_t pixel = s.rays.pixel(ray);
         const Branch branch = s.rays.branch(ray);
-        const double* material = world.materials.data() + static_cast<std::size_t>(s.material[h]) * k_material_values;
+        const double* material =
+            world.materials.data() + static_cast<std::size_t>(s.material[h]) * k_material_values;
         const MirrorSplit split = split_mirror(world, material, s.rays.weight(ray), generation);
 
         const Color ambient = material_color(material, k_ambient) * world.ambient;
@@ -94,8 +101,8 @@ inline void add_hits(const World& world, TileScratch& s, int first, int generati
         const Triple<double> direction = mirrored(-surface.incoming, surface.normal);
         const Triple<double> start = leave(surface, direction, rules.offset, rules.epsilon);
         s.next_rays.push({start.x, start.y, start.z}, {direction.x, direction.y, direction.z},
-                         leave_t_min(rules.offset, rules.epsilon), std::numeric_limits<double>::infinity(), split.reflected,
-                         pixel, branch == Branch::camera ? Branch::reflected : branch);
+                         leave_t_min(rules.offset, rules.epsilon), std::numeric_limits<double>::infinity(),
+                         split.reflected, pixel, branch == Branch::camera ? Branch::reflected : branch);
     }
 }
 
@@ -106,7 +113,9 @@ inline void fold_pixels(const World& world, const TileJob& job, const TileScratc
     for (int y = 0; y < job.height; ++y) {
         for (int x = 0; x < job.width; ++x) {
             const auto& pixel = s.pixels[static_cast<std::size_t>(y * k_tile_side + x)];
-            float* rgb = job.rgb + 3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(job.row_pixels) + static_cast<std::size_t>(x));
+            float* rgb =
+                job.rgb + 3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(job.row_pixels) +
+                               static_cast<std::size_t>(x));
             for (int c = 0; c < 3; ++c) {
                 float sum = 0;
                 for (int layer = 0; layer < k_layers; ++layer) {
@@ -128,7 +137,8 @@ void render_tile(const World& world, const TileJob& job, TileScratch& s) {
         for (int i = 0; i < world.settings.samples; ++i) {
             make_camera_rays(world, job, i, j, s.rays);
             for (int generation = 0; s.rays.size() > 0; ++generation) {
-                (generation == 0 ? s.counts.camera : s.counts.mirror) += static_cast<std::uint64_t>(s.rays.size());
+                (generation == 0 ? s.counts.camera : s.counts.mirror) +=
+                    static_cast<std::uint64_t>(s.rays.size());
                 // Mirror rays spread: they walk in smaller beams.
                 const int beam = generation == 0 ? k_beam : k_mirror_beam;
                 s.next_rays.clear();

@@ -8,8 +8,8 @@
 #include "base/guard.h"
 #include "base/parallel_for.h"
 #include "bvh/rays.h"
-#include "geometry/extent.h"
 #include "geometry/kinds-inl.h"
+#include "math/extent.h"
 #include "math/transform.h"
 #include "world/prepare_camera.h"
 #include "world/triangulate.h"
@@ -58,7 +58,8 @@ std::vector<double> pack_materials(const Scene& scene) {
     std::vector<double> packed;
     packed.reserve((scene.materials.size() + 1) * k_material_values);
     const auto pack = [&](const Material& m) {
-        for (const Color& c : {m.ambient, m.diffuse, m.specular, m.color, m.mirror_tint, m.transmission_tint}) put(packed, c);
+        for (const Color& c : {m.ambient, m.diffuse, m.specular, m.color, m.mirror_tint, m.transmission_tint})
+            put(packed, c);
         packed.insert(packed.end(), {m.shininess, m.mirror, m.transmission, m.ior});
     };
     for (const Material& m : scene.materials) pack(m);
@@ -97,7 +98,8 @@ class Packer {
         // A leaf's items are of one class and consecutive in leaf order, so their slots are consecutive too.
         for (BvhNode& node : world_.bvh.nodes) {
             for (BvhChild& child : node.child) {
-                if (child.is_leaf()) child = BvhChild::leaf(slot_[in_leaf_order(child.first())], child.count());
+                if (child.is_leaf())
+                    child = BvhChild::leaf(slot_[in_leaf_order(child.first())], child.count());
             }
         }
         world_.bvh.order = {};
@@ -111,8 +113,7 @@ class Packer {
         return plain + (s.transform != k_none && !facts_[plain].takes_maps ? 1 : 0);
     }
 
-    template <class Body>
-    void for_all(std::size_t count, Body&& body) const {
+    template <class Body> void for_all(std::size_t count, Body&& body) const {
         constexpr std::size_t chunk = 16384;
         parallel_for((count + chunk - 1) / chunk, threads_, [&](std::size_t block) {
             const std::size_t end = std::min(count, (block + 1) * chunk);
@@ -125,9 +126,11 @@ class Packer {
         return class_of(item) % 2 == 1 ? scene_.shapes[item.shape].transform : k_none;
     }
 
-    // Calls visit(parameters, geometry), with the shape's map taken into the parameters where the kind allows.
+    // Calls visit(parameters, geometry), with the shape's map taken into the parameters where the kind
+    // allows.
     template <class Visit, class Parameters, class Geometry>
-    void visit_mapped(const Shape& shape, const Parameters& parameters, Geometry geometry, Visit&& visit) const {
+    void visit_mapped(const Shape& shape, const Parameters& parameters, Geometry geometry,
+                      Visit&& visit) const {
         if constexpr (Geometry::k_takes_maps) {
             if (shape.transform != k_none) {
                 const Affine& map = scene_.transforms[shape.transform];
@@ -139,16 +142,16 @@ class Packer {
     }
 
     // Calls visit(parameters, geometry) for the item's kind.
-    template <class Visit>
-    void with_parameters(const Item& item, Visit&& visit) const {
+    template <class Visit> void with_parameters(const Item& item, Visit&& visit) const {
         const Shape& shape = scene_.shapes[item.shape];
-        if (item.piece != k_none) return visit_mapped(shape, items_.pieces[item.piece], TriangleGeometry(), visit);
+        if (item.piece != k_none)
+            return visit_mapped(shape, items_.pieces[item.piece], TriangleGeometry(), visit);
         switch (shape.kind) {
-#define GLINT_KIND(Type, word)                                                                     \
-    case ShapeKind::word:                                                                          \
-        if constexpr (!std::is_same_v<Type, Polygon>) {                                            \
-            visit_mapped(shape, scene_.get<Type>()[shape.index], Type##Geometry(), visit);         \
-        }                                                                                          \
+#define GLINT_KIND(Type, word)                                                             \
+    case ShapeKind::word:                                                                  \
+        if constexpr (!std::is_same_v<Type, Polygon>) {                                    \
+            visit_mapped(shape, scene_.get<Type>()[shape.index], Type##Geometry(), visit); \
+        }                                                                                  \
         break;
             GLINT_SHAPES(GLINT_KIND)
 #undef GLINT_KIND
@@ -157,13 +160,15 @@ class Packer {
 
     Aabb box_of(const Item& item) const {
         Vec3 lo, hi;
-        with_parameters(item, [&](const auto& parameters, auto geometry) { geometry.bounds(parameters, lo, hi); });
+        with_parameters(item,
+                        [&](const auto& parameters, auto geometry) { geometry.bounds(parameters, lo, hi); });
         const std::uint32_t transform = map_of(item);
         if (transform != k_none) {
             Extent extent;  // of the box's corners
             for (int corner = 0; corner < 8; ++corner) {
-                extent.add(transform_point(scene_.transforms[transform], {corner & 1 ? hi.x : lo.x, corner & 2 ? hi.y : lo.y,
-                                                                          corner & 4 ? hi.z : lo.z}));
+                extent.add(transform_point(
+                    scene_.transforms[transform],
+                    {corner & 1 ? hi.x : lo.x, corner & 2 ? hi.y : lo.y, corner & 4 ? hi.z : lo.z}));
             }
             lo = extent.lo, hi = extent.hi;
         }
@@ -173,7 +178,8 @@ class Packer {
     bool turns_normal(const Item& item) const {
         if (scene_.conventions.facing != Facing::open) return scene_.conventions.facing == Facing::all;
         bool open = false;
-        with_parameters(item, [&](const auto& parameters, auto geometry) { open = geometry.open(parameters); });
+        with_parameters(item,
+                        [&](const auto& parameters, auto geometry) { open = geometry.open(parameters); });
         return open;
     }
 
@@ -238,7 +244,8 @@ class Packer {
         const std::uint32_t slot = slot_[i];
         world_.shape_index[slot] = item.shape;
         const auto last = static_cast<std::uint32_t>(scene_.materials.size());  // the default material
-        world_.material[slot] = (shape.material == k_none ? last : shape.material) | (turns_normal(item) ? k_turn_normal : 0);
+        world_.material[slot] =
+            (shape.material == k_none ? last : shape.material) | (turns_normal(item) ? k_turn_normal : 0);
 
         std::array<double, k_max_values> values;
         int n = 0;
@@ -322,7 +329,8 @@ PrepareResult prepare(const Scene& scene, int threads) {
 WorldMemory memory(const World& world) {
     WorldMemory m;
     for (const ShapeClass& c : world.classes) m.shapes += c.values.capacity() * sizeof(double);
-    for (int a = 0; a < 3; ++a) m.shapes += (world.box_lo[a].capacity() + world.box_hi[a].capacity()) * sizeof(float);
+    for (int a = 0; a < 3; ++a)
+        m.shapes += (world.box_lo[a].capacity() + world.box_hi[a].capacity()) * sizeof(float);
     m.shapes += (world.shape_index.capacity() + world.material.capacity()) * sizeof(std::uint32_t);
     m.hierarchy = world.bvh.nodes.capacity() * sizeof(BvhNode);
     m.materials = world.materials.capacity() * sizeof(double) + world.lights.capacity() * sizeof(Light);

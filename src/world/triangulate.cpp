@@ -14,7 +14,9 @@ struct Point {
 // Twice the signed area of a triangle: > 0 if counter-clockwise.
 double area(Point a, Point b, Point c) { return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x); }
 
-bool inside(Point p, Point a, Point b, Point c) { return area(a, b, p) >= 0 && area(b, c, p) >= 0 && area(c, a, p) >= 0; }
+bool inside(Point p, Point a, Point b, Point c) {
+    return area(a, b, p) >= 0 && area(b, c, p) >= 0 && area(c, a, p) >= 0;
+}
 
 // Newell's normal: right for concave and not quite flat polygons too.
 Vec3 newell_normal(std::span<const Vec3> v) {

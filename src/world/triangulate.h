@@ -6,9 +6,10 @@
 
 namespace glint {
 
-/// Cuts a simple polygon (convex or concave, at least 3 vertices, about flat) into triangles of its own winding, by ear
-/// clipping in the coordinate plane it is most parallel to (O'Rourke, Computational Geometry in C, 1998). A polygon that
-/// crosses itself, or has no area, gives some triangles all the same. Appends to `out`.
+/// Cuts a simple polygon (convex or concave, at least 3 vertices, about flat) into triangles of its own
+/// winding, by ear clipping in the coordinate plane it is most parallel to (O'Rourke, Computational Geometry
+/// in C, 1998). A polygon that crosses itself, or has no area, gives some triangles all the same. Appends to
+/// `out`.
 void triangulate(std::span<const Vec3> vertices, std::vector<Triangle>& out);
 
 }  // namespace glint

@@ -8,11 +8,12 @@
 
 namespace glint {
 
-/// Shapes of one kind, transformed or not, packed as columns: value k of the class's item i is values[k * stride + i].
+/// Shapes of one kind, transformed or not, packed as columns: value k of the class's item i is values[k *
+/// stride + i].
 struct ShapeClass {
     ShapeKind kind = ShapeKind::sphere;
     bool transformed = false;
-    std::uint32_t first = 0;   // its items are slots [first, first + count) of the world
+    std::uint32_t first = 0;  // its items are slots [first, first + count) of the world
     std::uint32_t count = 0;
     std::uint32_t stride = 0;  // count and a vector of padding
     std::vector<double> values;
@@ -34,7 +35,8 @@ enum MaterialValue : int {
     k_material_values = 22,
 };
 
-/// The camera as a pixel's ray needs it: a viewport point is forward + right sx + up sy, sx and sy in [-1/2, 1/2].
+/// The camera as a pixel's ray needs it: a viewport point is forward + right sx + up sy, sx and sy in [-1/2,
+/// 1/2].
 struct PreparedCamera {
     Projection projection = Projection::perspective;
     Vec3 position, right, up, forward;
@@ -42,8 +44,8 @@ struct PreparedCamera {
     Vec3 lighting_eye;
 };
 
-/// Slots number the shapes as the world packs them: the bounded ones in the hierarchy's leaf order within their class, then
-/// the unbounded ones. All arrays by slot are padded by a vector.
+/// Slots number the shapes as the world packs them: the bounded ones in the hierarchy's leaf order within
+/// their class, then the unbounded ones. All arrays by slot are padded by a vector.
 class World {
   public:
     std::vector<ShapeClass> classes;          // bounded classes first
@@ -54,9 +56,9 @@ class World {
     std::vector<std::uint32_t> shape_index;   // by slot: the index in Scene::shapes
     std::vector<std::uint32_t> material;      // by slot: the material, and k_turn_normal
 
-    std::vector<double> materials;            // k_material_values each; the last is the default material
-    std::vector<Light> lights;                // point and directional, in scene order
-    Color ambient{0, 0, 0};                   // I_a: the sum of the ambient lights
+    std::vector<double> materials;  // k_material_values each; the last is the default material
+    std::vector<Light> lights;      // point and directional, in scene order
+    Color ambient{0, 0, 0};         // I_a: the sum of the ambient lights
     Color background;
     PreparedCamera camera;
     Conventions conventions;

@@ -29,8 +29,9 @@ struct Aabb {
     }
 };
 
-/// The box in single precision of a box in double, padded by what rounding may move a shape's surface: a formula's error is
-/// relative to the magnitudes it computes with, so both sides are padded by the larger one's.
+/// The box in single precision of a box in double, padded by what rounding may move a shape's surface: a
+/// formula's error is relative to the magnitudes it computes with, so both sides are padded by the larger
+/// one's.
 inline Aabb padded_box(Vec3 lo, Vec3 hi) {
     const double low[3] = {lo.x, lo.y, lo.z}, high[3] = {hi.x, hi.y, hi.z};
     Aabb box;
