@@ -4,6 +4,7 @@
 #include <array>
 #include <span>
 
+#include "base/text.h"
 #include "math/number.h"
 #include "scene/findings.h"
 #include "scene/ranges.h"
@@ -132,6 +133,7 @@ class Validator {
         check_direction(frame.right, place, "the camera", "right");
         check_direction(frame.up, place, "the camera", "up");
         check_direction(frame.forward, place, "the camera", "forward");
+        if (is_zero(frame.right) || is_zero(frame.up) || is_zero(frame.forward)) return;
         const Vec3 normal = cross(unit_or_zero(frame.right), unit_or_zero(frame.up));
         const double volume = dot(normal, unit_or_zero(frame.forward));
         if (!(number::abs(volume) >= k_parallel)) {
@@ -249,7 +251,8 @@ class Validator {
     void check_parameters(std::uint32_t i, const Cone& c) {
         check_parameters(i, Cylinder{c.from, c.to, 1, c.caps});
         if (!k_not_negative.contains(c.from_radius) || !k_not_negative.contains(c.to_radius)) {
-            shape_error(i, fmt::format("radius: expected {}, found ({}, {})", k_not_negative.text, c.from_radius, c.to_radius));
+            shape_error(i, fmt::format("radius: expected {}, found ({}, {})", k_not_negative.text,
+                                       c.from_radius, c.to_radius));
         } else if (c.from_radius == 0 && c.to_radius == 0) {
             shape_error(i, "expected a radius > 0 at one end at least, found (0, 0)");
         }
@@ -263,7 +266,8 @@ class Validator {
     void check_parameters(std::uint32_t i, const Cuboid& c) {
         check_vertices(i, std::array{c.min, c.max});
         if (c.min.x > c.max.x || c.min.y > c.max.y || c.min.z > c.max.z) {
-            shape_error(i, fmt::format("expected min at most max in each coordinate, found {} and {}", text(c.min), text(c.max)));
+            shape_error(i, fmt::format("expected min at most max in each coordinate, found {} and {}",
+                                       text(c.min), text(c.max)));
         }
     }
 
@@ -273,7 +277,8 @@ class Validator {
         check_vertices(i, t.vertices);
         for (const Vec3& n : t.normals) {
             if (!is_coordinate(n) || is_zero(n)) {
-                return shape_error(i, "expected a normal other than (0, 0, 0) and within 1e12, found " + text(n));
+                return shape_error(
+                    i, "expected a normal other than (0, 0, 0) and within 1e12, found " + text(n));
             }
         }
     }
@@ -281,10 +286,12 @@ class Validator {
     void check_parameters(std::uint32_t i, const Polygon& p) {
         const std::size_t known = scene_.polygon_vertices.size();
         if (p.first > known || p.count > known - p.first) return shape_error(i, "no such vertices");
-        if (p.count < 3) return shape_error(i, fmt::format("expected at least 3 vertices, found {}", p.count));
+        if (p.count < 3)
+            return shape_error(i, fmt::format("expected at least 3 vertices, found {}", p.count));
         if (p.count > k_max_polygon_vertices) {
-            return shape_error(i, fmt::format("expected at most {} vertices, found {}: cut it into smaller polygons",
-                                              k_max_polygon_vertices, p.count));
+            return shape_error(
+                i, fmt::format("expected at most {} vertices, found {}: cut it into smaller polygons",
+                               k_max_polygon_vertices, p.count));
         }
         check_vertices(i, std::span(scene_.polygon_vertices).subspan(p.first, p.count));
     }
@@ -303,7 +310,7 @@ class Validator {
 
     static std::string item(std::string_view word, std::uint32_t i, std::string_view name) {
         return name.empty() ? fmt::format("{} {}", word, std::uint64_t{i} + 1)
-                            : fmt::format("{} `{}`", word, name);
+                            : fmt::format("{} {}", word, quoted(name));
     }
 
     void warn() {
