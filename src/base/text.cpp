@@ -91,7 +91,9 @@ std::string_view nearest_word(std::string_view word, std::span<const std::string
 
 std::string did_you_mean(std::string_view word, std::span<const std::string_view> candidates) {
     const auto near = nearest_word(word, candidates);
-    return near.empty() ? std::string() : fmt::format("; did you mean `{}`?", near);
+    // A candidate may be the user's own word, which no message could show.
+    const bool shown = !near.empty() && quoted(near) == fmt::format("'{}'", near);
+    return shown ? fmt::format("; did you mean `{}`?", near) : std::string();
 }
 
 }  // namespace glint

@@ -34,7 +34,7 @@ class CgfsReader {
         if (!pending_ && (p_.accept(',') || p_.accept(';'))) return;
         if (!pending_ && p_.token().kind != TokenKind::word) {
             p_.expected("`sphere`, `light`, `camera` or `background`");
-            if (!p_.skip_value() && !p_.at_end()) p_.take();
+            if (p_.at_closing_bracket() || !p_.skip_value()) p_.take();
             return;
         }
         const Token word = pending_ ? *pending_ : p_.take();
@@ -136,14 +136,12 @@ class CgfsReader {
         return false;
     }
 
-    // A value that was not what it should be; a key in its place belongs to the next value.
+    // What stands where a value should: all before the next key, block, or end of this block.
     void skip_bad_value() {
-        if (p_.at_end() || p_.token().is('}') || p_.peek().is('=') || p_.peek().is('{')) return;
-        if (p_.token().is('(')) {
+        while (!p_.at_end() && !p_.at_closing_bracket() && !p_.peek().is('=') && !p_.peek().is('{')) {
+            const bool in_brackets = p_.token().is('(');
             p_.take();
-            p_.skip_to_close(')');
-        } else {
-            p_.take();
+            if (in_brackets) p_.skip_to_close(')');
         }
     }
 

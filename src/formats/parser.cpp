@@ -25,6 +25,7 @@ Parser::Parser(TextPlace place, Dialect dialect, Diagnostics& diagnostics)
 
 void Parser::advance() {
     token_ = tokenizer_.next();
+    is_token_reported_ = token_.kind == TokenKind::open_string;
     switch (token_.kind) {
         case TokenKind::open_string:
             error(token_, "expected a closing quote before the end of the line");
@@ -43,6 +44,8 @@ void Parser::advance() {
             break;
     }
 }
+
+bool Parser::at_closing_bracket() const { return closes(token_); }
 
 Token Parser::take() {
     const Token taken = token_;
@@ -72,6 +75,7 @@ bool Parser::expect(char symbol) {
 }
 
 void Parser::expected(std::string_view what) {
+    if (is_token_reported_) return;
     error(token_, fmt::format("expected {}, found {}{}", what, describe(token_),
                               refuse_code_ && looks_like_code() ? ": glint reads data, not code" : ""));
 }

@@ -48,6 +48,7 @@ class Parser {
     /// The token after the current one.
     Token peek() const;
     bool at_end() const { return token_.kind == TokenKind::end; }
+    bool at_closing_bracket() const;
     std::string_view text(const Token& token) const { return place_.text.substr(token.offset, token.length); }
     /// A word, or what a string stands for.
     std::string name(const Token& token) const;
@@ -103,6 +104,7 @@ class Parser {
     Tokenizer tokenizer_;
     Token token_;
     bool stopped_ = false;
+    bool is_token_reported_ = false;  // the current token is a mistake by itself, and was named
     bool refuse_code_ = false;
 };
 

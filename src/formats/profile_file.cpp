@@ -48,7 +48,8 @@ void read_profile_file(Reading& reading, const ReadText& text) {
     if (rest.starts_with("\xef\xbb\xbf")) rest.remove_prefix(3);
     for (std::uint32_t line_number = 1; !rest.empty() && !reading.diagnostics.full(); ++line_number) {
         const std::size_t end = std::min(rest.find('\n'), rest.size());
-        const std::string_view line = trimmed(without_comment(rest.substr(0, end)));
+        const std::string_view whole_line = rest.substr(0, end);
+        const std::string_view line = trimmed(without_comment(whole_line));
         rest.remove_prefix(std::min(end + 1, rest.size()));
         if (line.empty()) continue;
         const auto offset = static_cast<std::size_t>(line.data() - text.place.text.data());
@@ -60,9 +61,10 @@ void read_profile_file(Reading& reading, const ReadText& text) {
         }
         const std::string_view key = trimmed(line.substr(0, equals)),
                                value = trimmed(line.substr(equals + 1));
-        const auto column = static_cast<std::uint16_t>(std::min<std::size_t>(
-            line_column(line, static_cast<std::size_t>(key.data() - line.data())).column, 65535));
-        const SettingOrigin origin{SettingOrigin::Kind::file, {line_number, column, text.file}};
+        const auto column =
+            std::min<std::size_t>(static_cast<std::size_t>(line.data() - whole_line.data()) + 1, 65535);
+        const SettingOrigin origin{SettingOrigin::Kind::file,
+                                   {line_number, static_cast<std::uint16_t>(column), text.file}};
         const std::string wrong = key == "profile" ? set_named_profile(reading.scene, value)
                                                    : set_named_setting(reading.scene, key, value, origin);
         if (!wrong.empty()) reading.diagnostics.error(text.place, offset, line.size(), wrong);

@@ -4,6 +4,7 @@
 #include <array>
 #include <span>
 
+#include "base/text.h"
 #include "math/number.h"
 #include "scene/findings.h"
 #include "scene/ranges.h"
@@ -132,6 +133,7 @@ class Validator {
         check_direction(frame.right, place, "the camera", "right");
         check_direction(frame.up, place, "the camera", "up");
         check_direction(frame.forward, place, "the camera", "forward");
+        if (is_zero(frame.right) || is_zero(frame.up) || is_zero(frame.forward)) return;
         const Vec3 normal = cross(unit_or_zero(frame.right), unit_or_zero(frame.up));
         const double volume = dot(normal, unit_or_zero(frame.forward));
         if (!(number::abs(volume) >= k_parallel)) {
@@ -308,7 +310,7 @@ class Validator {
 
     static std::string item(std::string_view word, std::uint32_t i, std::string_view name) {
         return name.empty() ? fmt::format("{} {}", word, std::uint64_t{i} + 1)
-                            : fmt::format("{} `{}`", word, name);
+                            : fmt::format("{} {}", word, quoted(name));
     }
 
     void warn() {

@@ -75,7 +75,7 @@ TEST(Epfl, ReadsEveryField) {
     EXPECT_EQ(s.get<Cylinder>()[0].to, (Vec3{1, 2, 1}));
     EXPECT_EQ(s.get<Cylinder>()[0].radius, 0.5);
     EXPECT_FALSE(s.get<Cylinder>()[0].caps);
-    EXPECT_EQ(s.shape_texts.place(2), (SourcePlace{6, 16, 0}));
+    EXPECT_EQ(s.shape_texts.place(2), (SourcePlace{6, 17, 0}));
 }
 
 TEST(Epfl, AxesOfAnySizeAreDirections) {

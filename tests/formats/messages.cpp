@@ -172,8 +172,8 @@ INSTANTIATE_TEST_SUITE_P(
     Cameras, CgfsMistakes,
     testing::Values(
         Mistake{"singular",
-                L S "$camera { rotation = ((1,0,0),(0,1,0),(1,1,0)) }",
-                {"the camera's right (1, 0, 1), up (0, 1, 1) and forward (0, 0, 0) lie in one plane"}},
+                L S "$camera { rotation = ((1,0,1),(0,1,0),(1,0,1)) }",
+                {"the camera's right (1, 0, 1), up (0, 1, 0) and forward (1, 0, 1) lie in one plane"}},
         Mistake{"two_rows",
                 L S "camera { rotation = ((1,0,0),(0,1,0)$) }",
                 {"expected `(` and three numbers, found ')'"}},
@@ -208,7 +208,9 @@ INSTANTIATE_TEST_SUITE_P(
                 WITH("\"spheres\": [ " SPHERE " $" SPHERE " ]"),
                 {"expected `,` or `]`, found '{'"}},
         Mistake{"colon", WITH("\"spheres\" $[ " SPHERE " ]"), {"expected `:`, found '['"}},
-        Mistake{"bracket", WITH("\"spheres\": [ " SPHERE) "$", {"expected `,` or `]`, found '}'"}},
+        Mistake{"bracket",
+                "{ " CAMERA ",\n " MATERIALS ",\n \"spheres\": [ " SPHERE "\n$}",
+                {"expected `,` or `]`, found '}'"}},
         Mistake{"not_closed",
                 "{ " CAMERA ",\n " MATERIALS ",\n " SPHERES "\n$",
                 {"expected `}`: the scene that begins in line 1 has no end, found the end of the text"}},
@@ -231,8 +233,8 @@ INSTANTIATE_TEST_SUITE_P(
                 "const a = [ " WITH(SPHERES) " ]\n$.map((s) => s);",
                 {"expected the end of the text, found '.': glint reads data, not code"}},
         Mistake{"map_in_a_scene",
-                WITH("spheres: [1, 2]\n  $.map((x) => ({ center: [x, 0, 0] })), planes: []"),
-                {"x"}},
+                WITH("spheres: []\n  $.map((x) => ({ center: [x, 0, 0] })), planes: []"),
+                {"expected `,` or `}`, found '.': glint reads data, not code"}},
         Mistake{"operator_",
                 WITH("spheres: [ { center: [0, 0, 1 $+ 1], radius: 1, material: 'clay' } ]"),
                 {"expected `]` after three numbers, found '+': glint reads data, not code"}},
@@ -291,10 +293,10 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"mirror",
                 "{ " CAMERA
                 ", \"materials\": [ { \"name\": \"a\", \"color\": [1,1,1], \"ambient\": 0, \"diffuse\": 1,"
-                " \"specular\": 0, \"shininess\": 1, \"mirror\": $2 } ], "
+                " \"specular\": 0,\n \"shininess\": 1, \"mirror\": $2 } ], "
                 "\"spheres\": [] }",
                 {"expected a number from 0 to 1, found '2'"}},
-        Mistake{"ignored", WITH("\"$meshes\": [], " SPHERES), {"glint ignores 'meshes' of a scene"}}),
+        Mistake{"ignored", WITH("$\"meshes\": [], " SPHERES), {"glint ignores 'meshes' of a scene"}}),
     test_name);
 
 TEST(Messages, SeveralMistakesAreFoundInOneRun) {

@@ -25,6 +25,6 @@ TEST_P(Corpus, EveryTextHasAnAnswer) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Formats, Corpus, testing::Values("cgfs", "epfl"),
-                         [](const auto& info) { return std::string(info.param); });
+                         [](const auto& param) { return std::string(param.param); });
 
 }  // namespace

@@ -171,7 +171,7 @@ TEST(Validate, NamesAndPlacesAreThoseOfTheItem) {
     scene.shape_texts.places = {{12, 3, 1}};
     const auto diagnostics = validate(scene);
     ASSERT_EQ(diagnostics.size(), 1u);
-    EXPECT_EQ(diagnostics[0].message.substr(0, 14), "sphere `ball`:");
+    EXPECT_EQ(diagnostics[0].message.substr(0, 14), "sphere 'ball':");
     EXPECT_EQ(diagnostics[0].file, "b.cgfs");
     EXPECT_EQ(diagnostics[0].line, 12u);
     EXPECT_EQ(diagnostics[0].column, 3u);
