@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "geometry/aabb.h"
+#include "math/aabb.h"
 
 namespace glint {
 
