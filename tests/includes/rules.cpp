@@ -75,7 +75,7 @@ const std::vector<Room>& rooms() {
         {"world", all_but({"trace", "inspect", "image", "cli", "wasm"}), {"fmt/"}},
         {"trace", all_but({"inspect", "image", "cli", "wasm"}), {"fmt/"}},
         {"inspect", all_but({"image", "cli", "wasm"}), {"fmt/", "nlohmann/"}},
-        {"image", {"base", "math"}, {"fmt/", "zlib.h", "Imf"}, false},
+        {"image", {"base", "math"}, {"fmt/", "zlib.h", "Imf", "Imath"}, false},
         {"cli",
          all_but({"wasm"}),
          {"fmt/", "nlohmann/", "CLI/", "sys/", "unistd.h", "fcntl.h", "csignal", "signal.h", "termios.h"},
