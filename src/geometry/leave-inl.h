@@ -17,7 +17,8 @@ namespace HWY_NAMESPACE {
 template <class T> struct SurfacePoint {
     Triple<T> point, normal;  // unit normal
     Triple<T> incoming;       // the direction of the ray that came
-    T magnitude;  // of the numbers the point was computed from: |origin| + |point|, largest coordinates
+    T magnitude;  // of the numbers the point was computed from: |origin| + |point| + |shape|, largest
+                  // coordinates
 };
 
 /// Where a ray in direction `outgoing` (any length) from the surface starts (see enum Offset).

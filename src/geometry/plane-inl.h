@@ -15,14 +15,16 @@ namespace glint {
 namespace HWY_NAMESPACE {
 
 struct PlaneGeometry {
-    static constexpr int k_values = 6;  // point, unit normal
+    static constexpr int k_values = 6;  // point nearest to the origin, unit normal
     static constexpr bool k_bounded = false;
     static constexpr bool k_takes_maps = true;
     static constexpr bool k_filtered = false;
 
     static void pack(const Plane& plane, double* p) {
         const Vec3 n = glint::normalize(plane.normal);
-        p[0] = plane.point.x, p[1] = plane.point.y, p[2] = plane.point.z;
+        // A point far off along the plane would only cost precision.
+        const Vec3 foot = n * glint::dot(plane.point, n);
+        p[0] = foot.x, p[1] = foot.y, p[2] = foot.z;
         p[3] = n.x, p[4] = n.y, p[5] = n.z;
     }
     static Plane mapped(const Plane& plane, const Affine& world_from_object,

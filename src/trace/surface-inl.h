@@ -27,6 +27,16 @@ struct NormalAt {
     }
 };
 
+/// The largest coordinate of a bounded shape: its formula's rounding is relative to that too, however near to
+/// the world's origin the ray is.
+HWY_INLINE double box_reach(const World& world, std::uint32_t slot) {
+    float reach = 0;
+    for (int a = 0; slot < world.bounded && a < 3; ++a) {
+        reach = max(reach, max(-world.box_lo[a][slot], world.box_hi[a][slot]));
+    }
+    return reach;
+}
+
 /// Fills the hits of a TileScratch from t and slot of rays [0, count), which are rays first... of
 /// scratch.rays.
 inline void find_surfaces(const World& world, TileScratch& s, int first, int count) {
@@ -60,7 +70,7 @@ inline void find_surfaces(const World& world, TileScratch& s, int first, int cou
         put(s.normal, n);
         put(s.incoming, d);
         put(s.to_eye, eye);
-        s.magnitude[h] = max_abs(o) + max_abs(point);
+        s.magnitude[h] = max_abs(o) + max_abs(point) + box_reach(world, slot);
     }
 }
 

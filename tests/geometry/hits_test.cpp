@@ -1,0 +1,205 @@
+// Each shape's formula against its own long double instantiation, and against what its shape says of its
+// points.
+#include <gtest/gtest.h>
+
+#include "geometry/subjects.h"
+
+namespace glint::testing {
+namespace {
+
+constexpr double k_epsilon = 0x1p-53;
+
+template <class Subject> class Hits : public ::testing::Test {};
+using Subjects = ::testing::Types<SphereSubject, PlaneSubject, CylinderSubject<false>, CylinderSubject<true>,
+                                  EllipsoidSubject>;
+TYPED_TEST_SUITE(Hits, Subjects);
+
+struct TestRay {
+    Vec3 origin, direction;
+};
+
+/// Towards a shape of about `size` at `at`: from outside, inside, far away, tangent, along the axes, at its
+/// edge.
+TestRay random_ray(Random& random, Vec3 at, double size) {
+    const Vec3 d = chance(random, 0.2) ? axis_direction(random) : unit_direction(random);
+    const Vec3 aside = perpendicular(random, d);
+    // Much of it close to the silhouette.
+    const double miss = chance(random, 0.3) ? 1 + std::ldexp(random.uniform(-1, 1), -below(random, 40))
+                                            : random.uniform(0, 1.3);
+    const double away =
+        chance(random, 0.25) ? random.uniform(0, 1) * size : log_uniform(random, size, size + 1e6);
+    return {at + aside * (miss * size) - d * away, d * log_uniform(random, 1e-3, 1e3)};
+}
+
+TYPED_TEST(Hits, AreOnTheSurfaceAndWhereLongDoubleHasThem) {
+    using Geometry = typename TypeParam::Geometry;
+    Random random(21);
+    double worst = 0, worst_normal = 0;
+    int hits = 0, unsure = 0;
+    constexpr int cases = 200000;
+    for (int i = 0; i < cases; ++i) {
+        const double size =
+            chance(random, 0.5) ? (chance(random, 0.5) ? 1e-6 : 1) : log_uniform(random, 1e-6, 1e6);
+        const Vec3 at = point_in_cube(random, chance(random, 0.5) ? size : log_uniform(random, 1e-3, 1e3));
+        const TypeParam subject = TypeParam::make(random, at, size);
+        double p[Geometry::k_values];
+        subject.pack(p);
+        const auto [o, d] = random_ray(random, at, size);
+        const auto got = formula_hit<Geometry, double>(p, o, d, 0);
+        const auto exact = formula_hit<Geometry, Long>(p, o, d, 0);
+        const double magnitude = length(o) + subject.magnitude() + (got.hit ? got.t * length(d) : 0);
+        const Long tolerance = 8 * k_epsilon * magnitude;
+        if (got.hit) {
+            ++hits;
+            ASSERT_TRUE(got.t > 0 && got.t < 1e300) << "case " << i;
+            const LongVec point = to_long(o) + to_long(d) * Long(got.t);
+            const Nearness near = subject.nearness(point);
+            const auto off = static_cast<double>(std::fabs(near.distance) / (k_epsilon * magnitude));
+            worst = std::max(worst, off);
+            ASSERT_LT(off, 8) << "case " << i << ": off the surface";
+
+            const Packed<Geometry, double> packed(p);
+            const Vec3 found = to_vec(triple_of<double>(o) + triple_of<double>(d) * got.t);
+            const Vec3 n = to_vec(Geometry::normal(packed.data(), triple_of<double>(found)));
+            EXPECT_NEAR(dot(n, n), 1, 8 * k_epsilon) << "case " << i;
+            // The direction of the normal of a point that is off by rounding, on a shape of this size.
+            const Long off_unit = plain::length(to_long(n) - near.outward);
+            const double allowed = 64 * k_epsilon * (1 + magnitude / size);
+            if (static_cast<double>(off_unit) > allowed && !Geometry::k_filtered) {
+                // At a rim either normal is right, provided the point is on both.
+                const Long step = 1e3 * tolerance;
+                const Nearness there = subject.nearness(point + to_long(n) * step);
+                ASSERT_NEAR(static_cast<double>(there.distance / step), 1, 0.01)
+                    << "case " << i << ": normal";
+            } else {
+                worst_normal = std::max(worst_normal, static_cast<double>(off_unit) / allowed);
+                ASSERT_LT(static_cast<double>(off_unit), allowed) << "case " << i << ": normal";
+            }
+        }
+        if (got.hit != exact.hit) {
+            // Only where rounding decides: the ray passes the silhouette, an edge, or starts on the surface.
+            ++unsure;
+            const Long t = got.hit ? Long(got.t) : exact.t;
+            const LongVec point = to_long(o) + to_long(d) * t;
+            EXPECT_LT(std::fabs(subject.nearness(point).distance), tolerance) << "case " << i;
+        }
+    }
+    EXPECT_GT(hits, cases / 4);
+    EXPECT_LT(unsure, cases / 50);
+    this->RecordProperty("worst_off_surface_eps", std::to_string(worst));
+    std::printf(
+        "    hits %d, decided by rounding %d, off the surface by at most %.2f eps, normal %.2f of what is "
+        "allowed\n",
+        hits, unsure, worst, worst_normal);
+}
+
+TYPED_TEST(Hits, NothingIsPassedOver) {
+    // Along a ray, inside and outside change only at hits.
+    if constexpr (TypeParam::k_solid) {
+        using Geometry = typename TypeParam::Geometry;
+        Random random(22);
+        int crossings = 0;
+        for (int i = 0; i < 30000; ++i) {
+            const double size = log_uniform(random, 1e-6, 1e6);
+            const Vec3 at = point_in_cube(random, size);
+            const TypeParam subject = TypeParam::make(random, at, size);
+            double p[Geometry::k_values];
+            subject.pack(p);
+            const auto [o, d] = random_ray(random, at, size);
+            const double magnitude = length(o) + subject.magnitude();
+            const auto first = formula_hit<Geometry, double>(p, o, d, 0);
+            const double end = first.hit ? first.t : 3 * magnitude / length(d);
+            const auto side = [&](double t) {
+                return subject.nearness(to_long(o) + to_long(d) * Long(t)).distance;
+            };
+            const Long tolerance = 32 * k_epsilon * (magnitude + end * length(d));
+            const Long start = side(0);
+            if (std::fabs(start) < tolerance) continue;
+            for (int k = 1; k < 16; ++k) {
+                const Long here = side(end * k / 16);
+                if (std::fabs(here) < tolerance) continue;
+                ASSERT_EQ(here > 0, start > 0) << "case " << i << ", " << k << "/16 of the way";
+            }
+            if (!first.hit) continue;
+            // And the next hit from there on is another one.
+            const auto second = formula_hit<Geometry, double>(p, o, d, first.t);
+            if (second.hit) {
+                EXPECT_GT(second.t, first.t);
+                ++crossings;
+                const double middle = first.t + (second.t - first.t) * 0.5;
+                if (std::fabs(side(middle)) > tolerance) {
+                    ASSERT_NE(side(middle) > 0, start > 0) << "case " << i;
+                }
+            }
+        }
+        if (!std::is_same_v<TypeParam, PlaneSubject>) {
+            EXPECT_GT(crossings, 3000);
+        }
+    }
+}
+
+TYPED_TEST(Hits, BadRaysHitNowhere) {
+    using Geometry = typename TypeParam::Geometry;
+    Random random(23);
+    const double nan = std::numeric_limits<double>::quiet_NaN(),
+                 infinity = std::numeric_limits<double>::infinity();
+    const double values[] = {nan, infinity, -infinity, 0, -0.0, 1, 1e300, -1e300, 1e-320, 1e154};
+    for (int i = 0; i < 200000; ++i) {
+        const TypeParam subject = TypeParam::make(random, {0, 0, 0}, 1);
+        double p[Geometry::k_values];
+        subject.pack(p);
+        const auto value = [&] { return values[below(random, 10)]; };
+        const Vec3 o{value(), value(), value()}, d{value(), value(), value()};
+        const auto c = formula_hit<Geometry, double>(p, o, d, 0);
+        if (!c.hit) continue;
+        ASSERT_TRUE(c.t > 0 && c.t < infinity) << "case " << i << ": t " << c.t;
+    }
+}
+
+TEST(CylinderHits, AlongTheAxisAndThroughTheRim) {
+    for (const bool caps : {false, true}) {
+        double p[plain::CylinderGeometry::k_values];
+        plain::CylinderGeometry::pack({{0, 0, 0}, {0, 0, 2}, 1, caps}, p);
+        const auto hit = [&](Vec3 o, Vec3 d, double t_min = 0.0) {
+            return formula_hit<plain::CylinderGeometry, double>(p, o, d, t_min);
+        };
+        // Within and beside the axis, along it: only the caps.
+        EXPECT_EQ(hit({0, 0, -3}, {0, 0, 1}).hit, caps);
+        EXPECT_EQ(hit({0.5, 0, -3}, {0, -0.0, 1}).hit, caps);
+        if (caps) {
+            EXPECT_EQ(hit({0.5, 0, -3}, {0, 0, 2}).t, 1.5);
+            EXPECT_EQ(hit({0.5, 0, 5}, {0, 0, -1}).t, 3);
+            EXPECT_EQ(hit({0.5, 0, 1}, {0, 0, 1}).t, 1);
+            EXPECT_EQ(hit({0.5, 0, -3}, {0, 0, 1}, 3).t, 5);
+        }
+        EXPECT_FALSE(hit({1.5, 0, -3}, {0, 0, 1}).hit);
+        EXPECT_FALSE(hit({0, 0, 3}, {0, 0, 1}).hit);
+        // Across it: the ends belong to it.
+        EXPECT_EQ(hit({-3, 0, 0}, {1, 0, 0}).t, 2);
+        EXPECT_EQ(hit({-3, 0, 2}, {1, 0, 0}).t, 2);
+        EXPECT_FALSE(hit({-3, 0, 2.0000001}, {1, 0, 0}).hit);
+        // From within, and the far side.
+        EXPECT_EQ(hit({0, 0, 1}, {1, 0, 0}).t, 1);
+        EXPECT_EQ(hit({-3, 0, 1}, {1, 0, 0}, 2.5).t, 4);
+        // Down through the open end onto the far side's inside; through the cap first, if there is one.
+        EXPECT_EQ(hit({-1, 0, 3}, {1, 0, -1}).t, caps ? 1 : 2);
+        // Tangent.
+        EXPECT_EQ(hit({-3, 1, 1}, {1, 0, 0}).t, 3);
+        EXPECT_FALSE(hit({-3, 1.0000001, 1}, {1, 0, 0}).hit);
+    }
+}
+
+TEST(PlaneHits, WithinThePlaneThereAreNone) {
+    double p[plain::PlaneGeometry::k_values];
+    plain::PlaneGeometry::pack({{0, 1, 0}, {0, 5, 0}}, p);
+    const auto hit = [&](Vec3 o, Vec3 d) { return formula_hit<plain::PlaneGeometry, double>(p, o, d, 0); };
+    EXPECT_FALSE(hit({0, 1, 0}, {1, 0, 0}).hit);
+    EXPECT_FALSE(hit({0, 2, 0}, {1, -0.0, 0}).hit);
+    EXPECT_FALSE(hit({0, 2, 0}, {1, 1e-310, 0}).hit);
+    EXPECT_FALSE(hit({0, 2, 0}, {0, 1, 0}).hit);
+    EXPECT_EQ(hit({7, 3, 0}, {0, -2, 0}).t, 1);
+    EXPECT_EQ(hit({7, -3, 0}, {0, 2, 5}).t, 2);
+}
+
+}  // namespace
+}  // namespace glint::testing

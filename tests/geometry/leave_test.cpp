@@ -1,0 +1,116 @@
+// Rays that leave a surface: where they start under each convention, and that under glint's they never find
+// it again.
+#include "geometry/leave-inl.h"
+
+#include <gtest/gtest.h>
+
+#include "geometry/subjects.h"
+
+namespace glint::testing {
+namespace {
+
+using Point = plain::SurfacePoint<double>;
+
+TEST(Leave, EachConventionByItsDefinition) {
+    const Point s{{1, 2, 3}, {0, 1, 0}, {3, -4, 0}, 10};
+    const plain::Triple<double> out{0, 3, 4}, in{0, -3, 4};
+    const auto at = [&](const Point& p, plain::Triple<double> d, Offset offset, double e) {
+        return to_vec(plain::leave(p, d, offset, e));
+    };
+    EXPECT_EQ(at(s, out, Offset::ray, 0.5), (Vec3{1, 2, 3}));
+    EXPECT_EQ(at(s, out, Offset::normal, 0.5), (Vec3{1, 2.5, 3}));
+    EXPECT_EQ(at(s, in, Offset::normal, 0.5), (Vec3{1, 2.5, 3}));
+    EXPECT_EQ(at(s, in, Offset::facing, 0.5), (Vec3{1, 2.5, 3}));
+    Point behind = s;
+    behind.incoming = {3, 4, 0};
+    EXPECT_EQ(at(behind, out, Offset::facing, 0.5), (Vec3{1, 1.5, 3}));
+    EXPECT_EQ(at(s, out, Offset::direction, 0.5), (Vec3{1, 2.3, 3.4}));
+    EXPECT_EQ(at(s, out, Offset::scale, 0.01), (Vec3{1, 2.1, 3}));
+    EXPECT_EQ(at(s, in, Offset::scale, 0.01), (Vec3{1, 1.9, 3}));
+    EXPECT_EQ(plain::leave_t_min(Offset::ray, 0.5), 0.5);
+    for (const Offset o : {Offset::normal, Offset::facing, Offset::direction, Offset::scale}) {
+        EXPECT_EQ(plain::leave_t_min(o, 0.5), 0);
+        EXPECT_EQ(at(s, out, o, 0), (Vec3{1, 2, 3}));
+    }
+}
+
+template <class Subject> class Reintersect : public ::testing::Test {};
+using Subjects = ::testing::Types<SphereSubject, PlaneSubject, CylinderSubject<false>, CylinderSubject<true>,
+                                  EllipsoidSubject>;
+TYPED_TEST_SUITE(Reintersect, Subjects);
+
+TYPED_TEST(Reintersect, NeverUnderGlintsConvention) {
+    using Geometry = typename TypeParam::Geometry;
+    const Conventions glint;
+    Random random(31);
+    int left = 0, outside = 0, again = 0, first_case = -1;
+    constexpr int cases = 100000;
+    for (int i = 0; left < cases; ++i) {
+        ASSERT_LT(i, 20 * cases);
+        const double size = log_uniform(random, 1e-6, 1e6);
+        // Near the world's origin, far from it, or (a ground of a large radius) with its surface near the
+        // origin.
+        Vec3 at = point_in_cube(random, chance(random, 0.5) ? size : log_uniform(random, 1e-3, 1e3));
+        if (chance(random, 0.2)) at = unit_direction(random) * size;
+        const Vec3 to = at + point_in_cube(random, size);
+        Vec3 o = chance(random, 0.2) ? at + point_in_cube(random, 0.5 * size)
+                                     : to + unit_direction(random) * log_uniform(random, 1e-3 * size, 1e6);
+        Vec3 d = normalize(to - o);
+        if (chance(random, 0.1)) {
+            // Everything near the world's origin, but for the shape's centre: large numbers cancel.
+            const double near = log_uniform(random, 1e-3, 1);
+            at = unit_direction(random) * size;
+            o = at * (-near / size);
+            d = normalize(normalize(at) + unit_direction(random) * 0.5);
+        }
+        const TypeParam subject = TypeParam::make(random, at, size);
+        double p[Geometry::k_values];
+        subject.pack(p);
+        const auto hit = formula_hit<Geometry, double>(p, o, d, 0);
+        if (!hit.hit) continue;
+        // As trace/surface-inl.h does.
+        const plain::Triple<double> point = triple_of<double>(o) + triple_of<double>(d) * hit.t;
+        plain::Triple<double> normal = Geometry::normal(p, point);
+        if (plain::dot(normal, triple_of<double>(d)) > 0) normal = -normal;
+        const Point surface{
+            point, normal, triple_of<double>(d),
+            plain::max_abs(triple_of<double>(o)) + plain::max_abs(point) + subject.box_reach()};
+        const Vec3 n = to_vec(normal);
+        // Anywhere, many of them grazing.
+        Vec3 out = unit_direction(random);
+        if (chance(random, 0.3))
+            out = perpendicular(random, n) + n * std::ldexp(random.uniform(-1, 1), -below(random, 50));
+        const Vec3 start = to_vec(plain::leave(surface, triple_of<double>(out), glint.offset, glint.epsilon));
+        const auto next =
+            formula_hit<Geometry, double>(p, start, out, plain::leave_t_min(glint.offset, glint.epsilon));
+        ++left;
+        const double reach = glint.epsilon * surface.magnitude;
+        const auto outward = subject.nearness(to_long(to_vec(point))).outward;
+        // A ray along the surface is on the side that the normal shows.
+        const bool outwards = (plain::dot(to_long(n), outward) > 0) == (dot(n, out) >= 0);
+        bool wrong = false;
+        if (outwards) {
+            ++outside;
+            wrong = next.hit;  // all of them are convex
+        } else if (next.hit) {
+            // Inside, the other side is a chord away; the same face is not to be found next to the point.
+            const LongVec there = subject.nearness(to_long(start) + to_long(out) * Long(next.t)).outward;
+            wrong = next.t * length(out) < 100 * reach && std::fabs(dot(n, out)) > 1e-2 &&
+                    reach < 1e-4 * size && plain::dot(there, outward) > 0.5L;
+        }
+        if (wrong) {
+            ++again;
+            if (first_case < 0) {
+                first_case = i;
+                ADD_FAILURE() << std::hexfloat << "case " << i << ": size " << size << ", from (" << o.x
+                              << ", " << o.y << ", " << o.z << "), reach " << reach << ", found again at "
+                              << next.t;
+            }
+        }
+    }
+    EXPECT_GT(outside, cases / 3);
+    EXPECT_EQ(again, 0) << "of " << cases << ", first in case " << first_case;
+}
+
+}  // namespace
+}  // namespace glint::testing

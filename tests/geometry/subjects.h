@@ -1,0 +1,159 @@
+#pragma once
+// Shapes under test: their packed values, and what is known of them apart from the formulas that are tested.
+#include <algorithm>
+#include <array>
+#include <string>
+
+#include "geometry/kinds-inl.h"
+#include "geometry/random_values.h"
+
+namespace glint::testing {
+
+namespace plain = HWY_NAMESPACE;
+using Long = long double;
+using LongVec = plain::Triple<Long>;
+
+inline LongVec to_long(Vec3 v) { return {v.x, v.y, v.z}; }
+template <class T> plain::Triple<T> triple_of(Vec3 v) { return {T(v.x), T(v.y), T(v.z)}; }
+inline Vec3 to_vec(plain::Triple<double> v) { return {v.x, v.y, v.z}; }
+
+/// A geometry's packed values in another kind of number.
+template <class Geometry, class T> struct Packed {
+    std::array<T, Geometry::k_values> values;
+    explicit Packed(const double* p) {
+        for (int k = 0; k < Geometry::k_values; ++k) values[static_cast<std::size_t>(k)] = T(p[k]);
+    }
+    const T* data() const { return values.data(); }
+};
+
+template <class Geometry, class T>
+plain::Candidate<T> formula_hit(const double* p, Vec3 o, Vec3 d, double t_min) {
+    const Packed<Geometry, T> packed(p);
+    return Geometry::hit(packed.data(), plain::Ray<T>{triple_of<T>(o), triple_of<T>(d)}, T(t_min));
+}
+
+/// How far a point is from the surface, at least as near as it is; and the outward direction there. By
+/// definition, not by the formulas under test.
+struct Nearness {
+    Long distance;  // 0 on the surface, negative inside where there is an inside
+    LongVec outward;
+};
+
+/// The largest coordinate of a shape's box.
+template <class Geometry, class Shape> double reach_of(const Shape& shape) {
+    Vec3 lo, hi;
+    Geometry::bounds(shape, lo, hi);
+    return std::max({-lo.x, -lo.y, -lo.z, hi.x, hi.y, hi.z});
+}
+
+struct SphereSubject {
+    using Geometry = plain::SphereGeometry;
+    static constexpr bool k_solid = true, k_convex = true;
+    Sphere shape;
+    static SphereSubject make(Random&, Vec3 at, double size) { return {{at, size}}; }
+    void pack(double* p) const { Geometry::pack(shape, p); }
+    double box_reach() const { return reach_of<Geometry>(shape); }
+    double magnitude() const { return length(shape.center) + shape.radius; }
+    Nearness nearness(LongVec point) const {
+        const LongVec q = point - to_long(shape.center);
+        const Long size = plain::length(q);
+        return {size - Long(shape.radius), q / size};
+    }
+};
+
+struct PlaneSubject {
+    using Geometry = plain::PlaneGeometry;
+    static constexpr bool k_solid = true, k_convex = true;
+    Plane shape;
+    static PlaneSubject make(Random& random, Vec3 at, double) {
+        return {{at, (chance(random, 0.3) ? axis_direction(random) : unit_direction(random)) *
+                         log_uniform(random, 1e-3, 1e3)}};
+    }
+    void pack(double* p) const { Geometry::pack(shape, p); }
+    double box_reach() const { return 0; }
+    double magnitude() const { return length(shape.point); }
+    Nearness nearness(LongVec point) const {
+        const LongVec n = plain::normalize(to_long(shape.normal));
+        return {plain::dot(point - to_long(shape.point), n), n};
+    }
+};
+
+template <bool caps> struct CylinderSubject {
+    using Geometry = plain::CylinderGeometry;
+    static constexpr bool k_solid = caps, k_convex = true;
+    Cylinder shape;
+    static CylinderSubject make(Random& random, Vec3 at, double size) {
+        const Vec3 along = chance(random, 0.3) ? axis_direction(random) : unit_direction(random);
+        return {{at, at + along * (size * log_uniform(random, 0.3, 3)), size, caps}};
+    }
+    void pack(double* p) const { Geometry::pack(shape, p); }
+    double box_reach() const { return reach_of<Geometry>(shape); }
+    double magnitude() const { return length(shape.from) + length(shape.to) + shape.radius; }
+    Nearness nearness(LongVec point) const {
+        const LongVec axis = to_long(shape.to) - to_long(shape.from), q = point - to_long(shape.from);
+        const Long height = plain::length(axis), along = plain::dot(q, axis) / height;
+        const LongVec a = axis / height, across = q - a * along;
+        const Long from_axis = plain::length(across), side = from_axis - Long(shape.radius);
+        const Long below = -along, above = along - height;
+        const LongVec outward = across / from_axis;
+        if (!caps) {
+            // Off the ends it is as far as the end is; its sign says nothing there.
+            const Long off = below > 0 ? below : above > 0 ? above : 0;
+            return {off > 0 ? plain::sqrt(off * off + side * side) : side, outward};
+        }
+        if (side >= below && side >= above) return {side, outward};
+        return below > above ? Nearness{below, -a} : Nearness{above, a};
+    }
+};
+
+/// The unit sphere made an ellipsoid somewhere.
+struct EllipsoidSubject {
+    using Geometry = plain::Transformed<plain::SphereGeometry>;
+    static constexpr bool k_solid = true, k_convex = true;
+    Affine world_from_object;
+    static EllipsoidSubject make(Random& random, Vec3 at, double size) {
+        const Affine turn = compose(rotation_x(random.uniform(0, 360)), rotation_y(random.uniform(0, 360)));
+        const auto scale = [&] { return size * random.uniform(0.5, 1) * (chance(random, 0.2) ? -1 : 1); };
+        return {compose(translation(at), compose(turn, scaling({scale(), scale(), scale()})))};
+    }
+    void pack(double* p) const {
+        plain::SphereGeometry::pack(Sphere{}, p);
+        const Affine inverted = inverse(world_from_object).value_or(Affine{});
+        int n = plain::SphereGeometry::k_values;
+        for (const auto& row : inverted.m) {
+            for (const double value : row) p[n++] = value;
+        }
+    }
+    double box_reach() const {
+        double reach = 0;
+        for (const auto& row : world_from_object.m) {
+            reach = std::max(reach,
+                             std::fabs(row[0]) + std::fabs(row[1]) + std::fabs(row[2]) + std::fabs(row[3]));
+        }
+        return reach;
+    }
+    double magnitude() const {
+        const auto& m = world_from_object.m;
+        Vec3 offset{m[0][3], m[1][3], m[2][3]};
+        return length(offset) + length({m[0][0], m[0][1], m[0][2]}) + length({m[1][0], m[1][1], m[1][2]}) +
+               length({m[2][0], m[2][1], m[2][2]});
+    }
+    /// To first order: |object point| - 1 over the length of its gradient.
+    Nearness nearness(LongVec point) const {
+        double p[Geometry::k_values];
+        pack(p);
+        const Packed<Geometry, Long> packed(p);
+        const Long* m = packed.data() + plain::SphereGeometry::k_values;
+        const LongVec q{m[0] * point.x + m[1] * point.y + m[2] * point.z + m[3],
+                        m[4] * point.x + m[5] * point.y + m[6] * point.z + m[7],
+                        m[8] * point.x + m[9] * point.y + m[10] * point.z + m[11]};
+        const Long size = plain::length(q);
+        const LongVec g{(m[0] * q.x + m[4] * q.y + m[8] * q.z) / size,
+                        (m[1] * q.x + m[5] * q.y + m[9] * q.z) / size,
+                        (m[2] * q.x + m[6] * q.y + m[10] * q.z) / size};
+        const Long steep = plain::length(g);
+        return {(size - 1) / steep, g / steep};
+    }
+};
+
+}  // namespace glint::testing
