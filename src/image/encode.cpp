@@ -2,6 +2,7 @@
 #include <cstddef>
 #include <utility>
 
+#include "base/fp_environment.h"
 #include "base/guard.h"
 #include "glint/image.h"
 #include "image/encoders.h"
@@ -33,6 +34,7 @@ double srgb_encode(double linear) {
 }
 
 std::uint8_t to_byte(float value, Transfer transfer) {
+    const DefaultFpEnvironment environment;
     std::uint8_t byte = 0;
     quantize_row(&value, 1, 8, transfer, &byte);
     return byte;
