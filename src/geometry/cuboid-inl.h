@@ -40,7 +40,8 @@ struct CuboidGeometry {
         slab(p[1], p[4], ray.origin.y, ray.direction.y);
         slab(p[2], p[5], ray.origin.z, ray.direction.z);
         const T t = select(enter > t_min, enter, leave);
-        return {(enter <= leave) && (t > t_min), t};
+        // A NaN or infinity in the ray leaves t at its bounds, or beyond: no hit.
+        return {(enter <= leave) && (t > t_min) && (t < T(1e300)), t};
     }
 
     /// Of the face whose plane is nearest to the point.
