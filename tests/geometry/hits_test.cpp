@@ -2,6 +2,8 @@
 // points.
 #include <gtest/gtest.h>
 
+#include <vector>
+
 #include "geometry/subjects.h"
 
 namespace glint::testing {
@@ -11,7 +13,8 @@ constexpr double k_epsilon = 0x1p-53;
 
 template <class Subject> class Hits : public ::testing::Test {};
 using Subjects = ::testing::Types<SphereSubject, PlaneSubject, CylinderSubject<false>, CylinderSubject<true>,
-                                  EllipsoidSubject>;
+                                  EllipsoidSubject, ConeSubject<false>, ConeSubject<true>, DiscSubject,
+                                  CuboidSubject, TriangleSubject>;
 TYPED_TEST_SUITE(Hits, Subjects);
 
 struct TestRay {
@@ -48,13 +51,19 @@ TYPED_TEST(Hits, AreOnTheSurfaceAndWhereLongDoubleHasThem) {
         const auto got = formula_hit<Geometry, double>(p, o, d, 0);
         const auto exact = formula_hit<Geometry, Long>(p, o, d, 0);
         const double magnitude = length(o) + subject.magnitude() + (got.hit ? got.t * length(d) : 0);
+        // Where a surface bends much within its size (a cone, at its apex) a grazing ray's roots are that
+        // much less sure.
+        const auto sure = [size](const Nearness& near) {
+            return near.bend < Long(size) ? static_cast<double>(near.bend) / size : 1.0;
+        };
         const Long tolerance = 8 * k_epsilon * magnitude;
         if (got.hit) {
             ++hits;
             ASSERT_TRUE(got.t > 0 && got.t < 1e300) << "case " << i;
             const LongVec point = to_long(o) + to_long(d) * Long(got.t);
             const Nearness near = subject.nearness(point);
-            const auto off = static_cast<double>(std::fabs(near.distance) / (k_epsilon * magnitude));
+            const auto off =
+                static_cast<double>(std::fabs(near.distance) / (k_epsilon * magnitude)) * sure(near);
             worst = std::max(worst, off);
             ASSERT_LT(off, 8) << "case " << i << ": off the surface";
 
@@ -64,7 +73,8 @@ TYPED_TEST(Hits, AreOnTheSurfaceAndWhereLongDoubleHasThem) {
             EXPECT_NEAR(dot(n, n), 1, 8 * k_epsilon) << "case " << i;
             // The direction of the normal of a point that is off by rounding, on a shape of this size.
             const Long off_unit = plain::length(to_long(n) - near.outward);
-            const double allowed = 64 * k_epsilon * (1 + magnitude / size);
+            const double allowed =
+                64 * k_epsilon * (1 + magnitude / static_cast<double>(std::min<Long>(near.bend, size)));
             if (static_cast<double>(off_unit) > allowed && !Geometry::k_filtered) {
                 // At a rim either normal is right, provided the point is on both.
                 const Long step = 1e3 * tolerance;
@@ -81,10 +91,11 @@ TYPED_TEST(Hits, AreOnTheSurfaceAndWhereLongDoubleHasThem) {
             ++unsure;
             const Long t = got.hit ? Long(got.t) : exact.t;
             const LongVec point = to_long(o) + to_long(d) * t;
-            EXPECT_LT(std::fabs(subject.nearness(point).distance), tolerance) << "case " << i;
+            const Nearness near = subject.nearness(point);
+            EXPECT_LT(std::fabs(near.distance) * Long(sure(near)), tolerance) << "case " << i;
         }
     }
-    EXPECT_GT(hits, cases / 4);
+    EXPECT_GT(hits, cases / 10);
     EXPECT_LT(unsure, cases / 50);
     this->RecordProperty("worst_off_surface_eps", std::to_string(worst));
     std::printf(
@@ -187,6 +198,64 @@ TEST(CylinderHits, AlongTheAxisAndThroughTheRim) {
         EXPECT_EQ(hit({-3, 1, 1}, {1, 0, 0}).t, 3);
         EXPECT_FALSE(hit({-3, 1.0000001, 1}, {1, 0, 0}).hit);
     }
+}
+
+TEST(TriangleHits, AMeshHasNoGaps) {
+    // Rays through the vertices and edges of a bumpy square, which is closed by its neighbours.
+    Random random(24);
+    constexpr int n = 12;
+    for (const double size : {1e-4, 1.0, 1e4}) {
+        const Vec3 middle = point_in_cube(random, 300);
+        Vec3 v[n + 1][n + 1];
+        for (int y = 0; y <= n; ++y) {
+            for (int x = 0; x <= n; ++x) {
+                v[y][x] = middle + Vec3{x + random.uniform(-0.3, 0.3), y + random.uniform(-0.3, 0.3),
+                                        random.uniform(-0.3, 0.3)} *
+                                       size;
+            }
+        }
+        std::vector<Triangle> mesh;
+        for (int y = 0; y < n; ++y) {
+            for (int x = 0; x < n; ++x) {
+                mesh.push_back({{v[y][x], v[y][x + 1], v[y + 1][x]}});
+                mesh.push_back({{v[y + 1][x], v[y][x + 1], v[y + 1][x + 1]}});
+            }
+        }
+        for (int i = 0; i < 3000; ++i) {
+            const int x = 1 + below(random, n - 2), y = 1 + below(random, n - 2);
+            const Vec3 others[3] = {v[y][x + 1], v[y + 1][x], v[y + 1][x - 1]};
+            const double along = chance(random, 0.3) ? 0 : chance(random, 0.5) ? 0.5 : random.uniform(0, 1);
+            const Vec3 to = v[y][x] * (1 - along) + others[below(random, 3)] * along;
+            const Vec3 from = to + Vec3{random.uniform(-1, 1), random.uniform(-1, 1), 2} *
+                                       (size * log_uniform(random, 0.5, 1e3));
+            int hits = 0;
+            for (const Triangle& triangle : mesh) {
+                double p[9];
+                plain::TriangleGeometry::pack(triangle, p);
+                hits += formula_hit<plain::TriangleGeometry, double>(p, from, to - from, 0).hit;
+            }
+            ASSERT_GE(hits, 1) << "size " << size << ", ray " << i;
+        }
+    }
+}
+
+TEST(SmoothTriangleHits, NormalsAreMixed) {
+    const SmoothTriangle t{{{0, 0, 1}, {4, 0, 1}, {0, 2, 1}}, {{0, 0, 3}, {1, 0, 0}, {0, -1, 0}}};
+    double p[plain::SmoothTriangleGeometry::k_values];
+    plain::SmoothTriangleGeometry::pack(t, p);
+    const auto normal = [&](Vec3 at) {
+        return to_vec(plain::SmoothTriangleGeometry::normal(p, triple_of<double>(at)));
+    };
+    EXPECT_EQ(normal({0, 0, 1}), (Vec3{0, 0, 1}));
+    EXPECT_EQ(normal({4, 0, 1}), (Vec3{1, 0, 0}));
+    EXPECT_EQ(normal({0, 2, 1}), (Vec3{0, -1, 0}));
+    const Vec3 middle = normal({2, 1, 1});  // half way from the second to the third
+    EXPECT_NEAR(middle.x, std::sqrt(0.5), 1e-15);
+    EXPECT_NEAR(middle.y, -std::sqrt(0.5), 1e-15);
+    EXPECT_NEAR(middle.z, 0, 1e-15);
+    const Vec3 half = normal({2, 0, 1});
+    EXPECT_NEAR(half.x, std::sqrt(0.5), 1e-15);
+    EXPECT_NEAR(half.z, std::sqrt(0.5), 1e-15);
 }
 
 TEST(PlaneHits, WithinThePlaneThereAreNone) {

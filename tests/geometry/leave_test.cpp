@@ -36,7 +36,8 @@ TEST(Leave, EachConventionByItsDefinition) {
 
 template <class Subject> class Reintersect : public ::testing::Test {};
 using Subjects = ::testing::Types<SphereSubject, PlaneSubject, CylinderSubject<false>, CylinderSubject<true>,
-                                  EllipsoidSubject>;
+                                  EllipsoidSubject, ConeSubject<false>, ConeSubject<true>, DiscSubject,
+                                  CuboidSubject, TriangleSubject>;
 TYPED_TEST_SUITE(Reintersect, Subjects);
 
 TYPED_TEST(Reintersect, NeverUnderGlintsConvention) {
@@ -85,7 +86,11 @@ TYPED_TEST(Reintersect, NeverUnderGlintsConvention) {
             formula_hit<Geometry, double>(p, start, out, plain::leave_t_min(glint.offset, glint.epsilon));
         ++left;
         const double reach = glint.epsilon * surface.magnitude;
-        const auto outward = subject.nearness(to_long(to_vec(point))).outward;
+        const Nearness near = subject.nearness(to_long(to_vec(point)));
+        const LongVec outward = near.outward;
+        // At a cone's apex, within the rounding of its points, no normal is right.
+        if (static_cast<double>(near.bend) < 1e-9 * surface.magnitude && near.bend < 1e-3L * Long(size))
+            continue;
         // A ray along the surface is on the side that the normal shows.
         const bool outwards = (plain::dot(to_long(n), outward) > 0) == (dot(n, out) >= 0);
         bool wrong = false;
@@ -96,7 +101,8 @@ TYPED_TEST(Reintersect, NeverUnderGlintsConvention) {
             // Inside, the other side is a chord away; the same face is not to be found next to the point.
             const LongVec there = subject.nearness(to_long(start) + to_long(out) * Long(next.t)).outward;
             wrong = next.t * length(out) < 100 * reach && std::fabs(dot(n, out)) > 1e-2 &&
-                    reach < 1e-4 * size && plain::dot(there, outward) > 0.5L;
+                    reach < 1e-4 * static_cast<double>(std::min<Long>(near.bend, size)) &&
+                    plain::dot(there, outward) > 0.5L;
         }
         if (wrong) {
             ++again;

@@ -37,6 +37,7 @@ plain::Candidate<T> formula_hit(const double* p, Vec3 o, Vec3 d, double t_min) {
 struct Nearness {
     Long distance;  // 0 on the surface, negative inside where there is an inside
     LongVec outward;
+    Long bend = 1e30L;  // the radius of the surface's bend there
 };
 
 /// The largest coordinate of a shape's box.
@@ -57,7 +58,7 @@ struct SphereSubject {
     Nearness nearness(LongVec point) const {
         const LongVec q = point - to_long(shape.center);
         const Long size = plain::length(q);
-        return {size - Long(shape.radius), q / size};
+        return {size - Long(shape.radius), q / size, size};
     }
 };
 
@@ -99,10 +100,121 @@ template <bool caps> struct CylinderSubject {
         if (!caps) {
             // Off the ends it is as far as the end is; its sign says nothing there.
             const Long off = below > 0 ? below : above > 0 ? above : 0;
-            return {off > 0 ? plain::sqrt(off * off + side * side) : side, outward};
+            return {off > 0 ? plain::sqrt(off * off + side * side) : side, outward, from_axis};
         }
-        if (side >= below && side >= above) return {side, outward};
+        if (side >= below && side >= above) return {side, outward, from_axis};
         return below > above ? Nearness{below, -a} : Nearness{above, a};
+    }
+};
+
+template <bool caps> struct ConeSubject {
+    using Geometry = plain::ConeGeometry;
+    static constexpr bool k_solid = caps, k_convex = true;
+    Cone shape;
+    static ConeSubject make(Random& random, Vec3 at, double size) {
+        const Vec3 along = chance(random, 0.3) ? axis_direction(random) : unit_direction(random);
+        const double from = chance(random, 0.3) ? 0 : size * random.uniform(0.1, 1);
+        const double to = from > 0 && chance(random, 0.4) ? 0 : size * random.uniform(0.1, 1);
+        return {{at, at + along * (size * log_uniform(random, 0.3, 3)), from, to, caps}};
+    }
+    void pack(double* p) const { Geometry::pack(shape, p); }
+    double box_reach() const { return reach_of<Geometry>(shape); }
+    double magnitude() const {
+        return length(shape.from) + length(shape.to) + shape.from_radius + shape.to_radius;
+    }
+    Nearness nearness(LongVec point) const {
+        const LongVec axis = to_long(shape.to) - to_long(shape.from), q = point - to_long(shape.from);
+        const Long height = plain::length(axis), along = plain::dot(q, axis) / height;
+        const LongVec a = axis / height, across = q - a * along;
+        const Long growth = (Long(shape.to_radius) - Long(shape.from_radius)) / height;
+        const Long slant = plain::sqrt(1 + growth * growth), from_axis = plain::length(across);
+        const Long side = (from_axis - (Long(shape.from_radius) + growth * along)) / slant;
+        const Long below = -along, above = along - height;
+        const LongVec outward = (across / from_axis - a * growth) / slant;
+        if (!caps) {
+            const Long off = below > 0 ? below : above > 0 ? above : 0;
+            return {off > 0 ? plain::sqrt(off * off + side * side) : side, outward, from_axis};
+        }
+        if (side >= below && side >= above) return {side, outward, from_axis};
+        return below > above ? Nearness{below, -a} : Nearness{above, a};
+    }
+};
+
+struct DiscSubject {
+    using Geometry = plain::DiscGeometry;
+    static constexpr bool k_solid = false, k_convex = true;
+    Disc shape;
+    static DiscSubject make(Random& random, Vec3 at, double size) {
+        return {{at,
+                 (chance(random, 0.3) ? axis_direction(random) : unit_direction(random)) *
+                     log_uniform(random, 1e-3, 1e3),
+                 size}};
+    }
+    void pack(double* p) const { Geometry::pack(shape, p); }
+    double box_reach() const { return reach_of<Geometry>(shape); }
+    double magnitude() const { return length(shape.center) + shape.radius; }
+    Nearness nearness(LongVec point) const {
+        const LongVec n = plain::normalize(to_long(shape.normal)), q = point - to_long(shape.center);
+        const Long along = plain::dot(q, n), off = plain::length(q - n * along) - Long(shape.radius);
+        return {off > 0 ? plain::sqrt(off * off + along * along) : along, n};
+    }
+};
+
+struct CuboidSubject {
+    using Geometry = plain::CuboidGeometry;
+    static constexpr bool k_solid = true, k_convex = true;
+    Cuboid shape;
+    static CuboidSubject make(Random& random, Vec3 at, double size) {
+        const Vec3 half{random.uniform(0.1, 1) * size, random.uniform(0.1, 1) * size,
+                        random.uniform(0.1, 1) * size};
+        return {{at - half, at + half}};
+    }
+    void pack(double* p) const { Geometry::pack(shape, p); }
+    double box_reach() const { return reach_of<Geometry>(shape); }
+    double magnitude() const { return length(shape.min) + length(shape.max); }
+    Nearness nearness(LongVec point) const {
+        const LongVec lo = to_long(shape.min) - point, hi = point - to_long(shape.max);
+        Nearness best{lo.x, {-1, 0, 0}};
+        const auto consider = [&](Long distance, LongVec outward) {
+            if (distance > best.distance) best = {distance, outward};
+        };
+        consider(hi.x, {1, 0, 0});
+        consider(lo.y, {0, -1, 0});
+        consider(hi.y, {0, 1, 0});
+        consider(lo.z, {0, 0, -1});
+        consider(hi.z, {0, 0, 1});
+        return best;
+    }
+};
+
+struct TriangleSubject {
+    using Geometry = plain::TriangleGeometry;
+    static constexpr bool k_solid = false, k_convex = true;
+    Triangle shape;
+    static TriangleSubject make(Random& random, Vec3 at, double size) {
+        const Vec3 n = unit_direction(random), x = perpendicular(random, n), y = cross(n, x);
+        // Of all shapes, but not slivers.
+        return {{{at - x * size, at + x * size + y * (size * random.uniform(-0.5, 0.5)),
+                  at + y * (size * random.uniform(0.6, 1)) + x * (size * random.uniform(-1, 1))}}};
+    }
+    void pack(double* p) const { Geometry::pack(shape, p); }
+    double box_reach() const { return reach_of<Geometry>(shape); }
+    double magnitude() const {
+        return length(shape.vertices[0]) + length(shape.vertices[1]) + length(shape.vertices[2]);
+    }
+    Nearness nearness(LongVec point) const {
+        LongVec v[3];
+        for (int i = 0; i < 3; ++i) v[i] = to_long(shape.vertices[i]);
+        const LongVec n = plain::normalize(plain::cross(v[1] - v[0], v[2] - v[0]));
+        const Long along = plain::dot(point - v[0], n);
+        Long off = 0;
+        for (int i = 0; i < 3; ++i) {
+            const LongVec edge = v[(i + 1) % 3] - v[i], aside = plain::normalize(plain::cross(edge, n));
+            off = std::max(off, plain::dot(point - v[i], aside));
+        }
+        // A grazing ray's t slides the point along the plane: that far beyond an edge is not held against it.
+        const Long allowed = 1e-6L * plain::length(v[1] - v[0]);
+        return {off > allowed ? plain::sqrt(off * off + along * along) : along, n};
     }
 };
 
@@ -152,7 +264,7 @@ struct EllipsoidSubject {
                         (m[1] * q.x + m[5] * q.y + m[9] * q.z) / size,
                         (m[2] * q.x + m[6] * q.y + m[10] * q.z) / size};
         const Long steep = plain::length(g);
-        return {(size - 1) / steep, g / steep};
+        return {(size - 1) / steep, g / steep, 0.5L / steep};
     }
 };
 
