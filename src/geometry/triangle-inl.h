@@ -40,17 +40,16 @@ struct TriangleGeometry {
 
     /// From the point of the ray's line that is nearest to the world's origin, so that a distant ray costs no
     /// digits. The ray passes on one side of all three edges. The side of an edge pq is
-    /// ((p - q) × (p + q))·d, its ends seen from the ray's point: swapping them changes the sign and no bit, so
-    /// that two triangles with a common edge leave no gap, and the difference costs a small triangle far from
-    /// the origin no digits.
+    /// ((p - q) × (p + q))·d, its ends seen from the ray's point: swapping them changes the sign and no bit,
+    /// so that two triangles with a common edge leave no gap, and the difference costs a small triangle far
+    /// from the origin no digits.
     template <class T> static HWY_INLINE Candidate<T> hit(const T* p, const Ray<T>& ray, T t_min) {
         const Triple<T> d = ray.direction;
         const T start = -(dot(ray.origin, d) / dot(d, d));
         const Triple<T> origin = ray.origin + d * start;
         const Triple<T> a = triple(p) - origin, b = triple(p + 3) - origin, c = triple(p + 6) - origin;
-        const auto side = [&](const T* from, const T* to, const Triple<T>& sum) HWY_ATTR {
-            return dot(cross(triple(from) - triple(to), sum), d);
-        };
+        const auto side = [&](const T* from, const T* to, const Triple<T>& sum)
+                              HWY_ATTR { return dot(cross(triple(from) - triple(to), sum), d); };
         const T u = side(p + 3, p + 6, b + c), v = side(p + 6, p, c + a), w = side(p, p + 3, a + b);
         const T zero(0);
         const auto inside =

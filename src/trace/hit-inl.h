@@ -26,6 +26,13 @@ struct HitResult {
     std::uint32_t* slot;     // nearest_hit: k_none at first
     std::uint8_t* occluded;  // any_hit; null for nearest_hit
 
+    /// Which of two slots hit at the same t is seen: the first in the scene; of the triangles of one polygon,
+    /// the first packed.
+    HWY_INLINE bool precedes(std::uint32_t a, std::uint32_t b) const {
+        const std::uint32_t shape_a = world.shape_index[a], shape_b = world.shape_index[b];
+        return shape_a < shape_b || (shape_a == shape_b && a < b);
+    }
+
     /// new_t is at most t[ray], which may be t_max itself.
     HWY_INLINE void accept(Beam& beam, int ray, double new_t, std::uint32_t new_slot) const {
         if (occluded != nullptr) {
@@ -34,9 +41,7 @@ struct HitResult {
             beam.t_max[ray] = -std::numeric_limits<float>::infinity();
             return;
         }
-        if (new_t == t[ray] &&
-            (slot[ray] == k_none || world.shape_index[slot[ray]] < world.shape_index[new_slot]))
-            return;
+        if (new_t == t[ray] && (slot[ray] == k_none || precedes(slot[ray], new_slot))) return;
         t[ray] = new_t;
         slot[ray] = new_slot;
         beam.t_max[ray] = float_above(new_t);
