@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <utility>
 
 #include "geometry/kinds-inl.h"
 #include "trace/rays.h"
@@ -75,8 +76,9 @@ inline BruteHit brute_nearest(const World& world, Vec3 o, Vec3 d, double t_min, 
             if (t < in.entry) t = in.entry;
             if (t > in.exit) t = in.exit;
             if (!(t > t_min && t < t_max)) continue;
-            if (t < best.t || (t == best.t && world.shape_index[slot] < world.shape_index[best.slot]))
-                best = {t, slot};
+            // Of a polygon's triangles the one packed first.
+            const auto order = [&](std::uint32_t s) { return std::pair(world.shape_index[s], s); };
+            if (t < best.t || (t == best.t && order(slot) < order(best.slot))) best = {t, slot};
         }
     }
     return best;

@@ -222,6 +222,30 @@ TEST(HitRule, OfEqualTheFirstInTheSceneWins) {
     }
 }
 
+TEST(HitRule, OnTheEdgesBetweenAPolygonsTriangles) {
+    // A square is two triangles: on its diagonal both are hit at the same t.
+    Scene scene;
+    for (int i = 0; i < 30; ++i) {
+        const double x = i % 6, y = i / 6;  // NOLINT(bugprone-integer-division)
+        const auto first = static_cast<std::uint32_t>(scene.polygon_vertices.size());
+        for (const Vec3 corner : {Vec3{0, 0, 0}, Vec3{1, 0, 0}, Vec3{1, 1, 0}, Vec3{0, 1, 0}}) {
+            scene.polygon_vertices.push_back(corner + Vec3{x, y, 0.25 * i});
+        }
+        scene.add(Polygon{first, 4});
+    }
+    const WorldPtr world = make_world(scene);
+    ASSERT_EQ(world->count, 60u);
+    Random random(17);
+    Rays rays;
+    for (int i = 0; i < 2000; ++i) {
+        const double x = below(random, 6), y = below(random, 5), along = below(random, 17) / 16.0;
+        const bool up = chance(random, 0.5);
+        rays.push({x + along, y + (chance(random, 0.5) ? along : 1 - along), up ? -3.0 : 20.0},
+                  {0, 0, up ? 1.0 : -1.0});
+    }
+    expect_all(*world, rays, brute_hits(*world, rays));
+}
+
 TEST(HitRule, EmptyScene) {
     const WorldPtr world = make_world(Scene{});
     ASSERT_TRUE(world);

@@ -27,7 +27,52 @@ inline Affine random_transform(Random& random, double reach) {
                    compose(turn, scaling({scale(), scale(), scale()})));
 }
 
-/// `count` shapes within a cube: spheres, cylinders open and capped, some under transforms, a few planes.
+/// A flat polygon around `at`: a star, concave.
+inline void add_star(Scene& scene, Random& random, Vec3 at, double size, std::uint32_t transform) {
+    const Vec3 n = unit_direction(random), x = perpendicular(random, n), y = cross(n, x);
+    const auto first = static_cast<std::uint32_t>(scene.polygon_vertices.size());
+    const auto corners = static_cast<std::uint32_t>(4 + 2 * below(random, 4));
+    for (std::uint32_t i = 0; i < corners; ++i) {
+        const double reach = size * (i % 2 == 0 ? 1 : random.uniform(0.3, 0.9)),
+                     angle = 2 * M_PI * i / corners;
+        scene.polygon_vertices.push_back(at + x * (reach * std::cos(angle)) + y * (reach * std::sin(angle)));
+    }
+    scene.add(Polygon{first, corners}, k_none, transform);
+}
+
+/// A shape other than a plane or a sphere, of about size r.
+inline void add_other(Scene& scene, Random& random, Vec3 at, double r, std::uint32_t transform) {
+    const Vec3 along = (chance(random, 0.5) ? axis_direction(random) : unit_direction(random)) * (3 * r);
+    const auto corner = [&] { return at + point_in_cube(random, r); };
+    switch (below(random, 7)) {
+        case 0:
+            scene.add(Cylinder{at, at + along, r, chance(random, 0.5)}, k_none, transform);
+            break;
+        case 1:
+            scene.add(Cone{at, at + along, r, chance(random, 0.5) ? 0 : r / 2, chance(random, 0.5)}, k_none,
+                      transform);
+            break;
+        case 2:
+            scene.add(Disc{at, along, r}, k_none, transform);
+            break;
+        case 3:
+            scene.add(Cuboid{at - Vec3{r, r / 2, r / 3}, at + Vec3{r, r, r}}, k_none, transform);
+            break;
+        case 4:
+            scene.add(Triangle{{corner(), corner(), corner()}}, k_none, transform);
+            break;
+        case 5:
+            scene.add(
+                SmoothTriangle{{corner(), corner(), corner()},
+                               {unit_direction(random), unit_direction(random), unit_direction(random)}},
+                k_none, transform);
+            break;
+        default:
+            add_star(scene, random, at, r, transform);
+    }
+}
+
+/// `count` shapes within a cube: half of them spheres, some under transforms, a few planes.
 inline Scene random_scene(Random& random, int count, double half = 10) {
     Scene scene;
     const double size = half / std::cbrt(static_cast<double>(count));
@@ -37,29 +82,14 @@ inline Scene random_scene(Random& random, int count, double half = 10) {
             chance(random, 0.2) ? static_cast<std::uint32_t>(below(random, 4)) : k_none;
         const Vec3 at = point_in_cube(random, half);
         const double r = log_uniform(random, size / 30, size);
-        switch (below(random, count > 20 ? 50 : 5)) {
-            case 0:
-                scene.add(Plane{at * 1.2,
-                                chance(random, 0.5) ? axis_direction(random) : unit_direction(random) * 3},
-                          k_none, transform);
-                break;
-            case 1:
-            case 5:
-            case 6:
-            case 7:
-            case 8:
-            case 9:
-            case 10:
-            case 11:
-                scene.add(
-                    Cylinder{at,
-                             at + (chance(random, 0.5) ? axis_direction(random) : unit_direction(random)) *
-                                      (3 * r),
-                             r, chance(random, 0.5)},
-                    k_none, transform);
-                break;
-            default:
-                scene.add(Sphere{at, r}, k_none, transform);
+        if (chance(random, count > 20 ? 0.02 : 0.2)) {
+            scene.add(
+                Plane{at * 1.2, chance(random, 0.5) ? axis_direction(random) : unit_direction(random) * 3},
+                k_none, transform);
+        } else if (chance(random, 0.5)) {
+            add_other(scene, random, at, r, transform);
+        } else {
+            scene.add(Sphere{at, r}, k_none, transform);
         }
     }
     return scene;
