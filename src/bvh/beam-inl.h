@@ -50,10 +50,7 @@ struct Beam {
     HWY_INLINE void update_t_max() {
         Floats most(-std::numeric_limits<float>::infinity());
         for (int i = 0; i < count; i += lane_count<float>()) most = max(most, load(t_max + i));
-        alignas(64) float lanes[lane_count<float>()];
-        store(most, lanes);
-        most_t_max = lanes[0];
-        for (int i = 1; i < lane_count<float>(); ++i) most_t_max = number::max(most_t_max, lanes[i]);
+        most_t_max = max_of_lanes(most);
     }
 };
 
@@ -64,71 +61,88 @@ HWY_INLINE float float_below(double x) {
 }
 HWY_INLINE float float_above(double x) { return -float_below(-x); }
 
-/// False for a ray with a NaN or an infinite number in it, or one beyond single precision: it meets no box.
-HWY_INLINE bool is_usable(const RaySpan& rays, int i) {
-    const double all[6] = {rays.ox[i], rays.oy[i], rays.oz[i], rays.dx[i], rays.dy[i], rays.dz[i]};
-    bool usable = true;
-    for (const double x : all) usable &= number::abs(x) < 1e37;
+/// A vector of padding of the slab expression's numbers: see Beam::t_min and t_max.
+HWY_INLINE Floats rounding_margin(Floats f) { return abs(f) * Floats(0x1p-23f) + Floats(1e-37f); }
+
+/// The three coordinates of a vector of rays, rounded to single precision, and their inverse directions, into
+/// the beam. A ray with a NaN or an infinite number in it, or one beyond single precision, meets no box.
+/// Returns who may.
+HWY_INLINE auto narrow_rays(const RaySpan& rays, int from, int to, Beam& beam) {
+    const double* origins[3] = {rays.ox + from, rays.oy + from, rays.oz + from};
+    const double* directions[3] = {rays.dx + from, rays.dy + from, rays.dz + from};
+    const Doubles limit(1e37), tiny(1e-30);
+    auto usable = abs(load(origins[0])) < limit;
+    for (int a = 0; a < 3; ++a)
+        usable = usable && abs(load(origins[a])) < limit && abs(load(directions[a])) < limit;
+    for (int a = 0; a < 3; ++a) {
+        Doubles d = select(usable, load(directions[a]), Doubles(1));
+        // A direction of 0 along an axis becomes tiny: the slab then covers all t, or none.
+        d = select(abs(d) < tiny, select(d < Doubles(0), -tiny, tiny), d);
+        store_narrow(select(usable, load(origins[a]), Doubles(0)), beam.origin[a] + to);
+        store_narrow(d, beam.direction[a] + to);
+        store_narrow(Doubles(1) / d, beam.near_inverse[a] + to);
+    }
     return usable;
 }
 
-/// Prepares the beam of rays [first, first + count) of the stream, count <= k_beam.
+/// The slab expression's numbers of an axis from its rounded origins and inverse directions, and their
+/// intervals.
+HWY_INLINE void make_axis(Beam& beam, int a, int padded) {
+    const Floats infinity(std::numeric_limits<float>::infinity());
+    Floats least_origin = infinity, most_origin = -infinity, least_inverse = infinity,
+           most_inverse = -infinity;
+    const Floats shrink(1 - 0x1p-21f), grow(1 + 0x1p-21f);
+    for (int i = 0; i < padded; i += lane_count<float>()) {
+        const Floats o = load(beam.origin[a] + i), inverse = load(beam.near_inverse[a] + i);
+        const Floats below = o - rounding_margin(o), above = o + rounding_margin(o);
+        const auto ahead = inverse > Floats(0);
+        store(select(ahead, above, below), beam.near_origin[a] + i);
+        store(select(ahead, below, above), beam.far_origin[a] + i);
+        store(inverse * shrink, beam.near_inverse[a] + i);
+        store(inverse * grow, beam.far_inverse[a] + i);
+        least_origin = min(least_origin, below), most_origin = max(most_origin, above);
+        least_inverse = min(least_inverse, inverse), most_inverse = max(most_inverse, inverse);
+    }
+    Beam::Axis& axis = beam.axis[a];
+    const float least = min_of_lanes(least_inverse), most = max_of_lanes(most_inverse);
+    axis.sign = least > 0 ? 1 : most < 0 ? -1 : 0;
+    axis.near_origin = axis.sign > 0 ? max_of_lanes(most_origin) : min_of_lanes(least_origin);
+    axis.far_origin = axis.sign > 0 ? min_of_lanes(least_origin) : max_of_lanes(most_origin);
+    // Rounding is monotone: the least product is the product of the least.
+    axis.near_least = least * (1 - 0x1p-21f), axis.near_most = most * (1 - 0x1p-21f);
+    axis.far_least = least * (1 + 0x1p-21f), axis.far_most = most * (1 + 0x1p-21f);
+}
+
+/// Prepares the beam of rays [first, first + count) of the stream, 1 <= count <= k_beam.
 inline void make_beam(const RaySpan& rays, int first, int count, Beam& beam) {
     beam.count = count;
-    const double* origins[3] = {rays.ox + first, rays.oy + first, rays.oz + first};
-    const double* directions[3] = {rays.dx + first, rays.dy + first, rays.dz + first};
-    bool usable[k_beam];
-    for (int i = 0; i < count; ++i) usable[i] = is_usable(rays, first + i);
-    for (int a = 0; a < 3; ++a) {
-        Beam::Axis& axis = beam.axis[a];
-        int forward = 0;
-        for (int i = 0; i < count; ++i) {
-            const double o = usable[i] ? origins[a][i] : 0;
-            double d = usable[i] ? directions[a][i] : 1;
-            // A direction of 0 along an axis becomes tiny: the slab then covers all t, or none.
-            if (number::abs(d) < 1e-30) d = d < 0 ? -1e-30 : 1e-30;
-            const bool ahead = d > 0;
-            forward += ahead;
-            beam.origin[a][i] = static_cast<float>(o);
-            beam.direction[a][i] = static_cast<float>(d);
-            const float below = float_below(o), above = float_above(o);
-            beam.near_origin[a][i] = ahead ? above : below;
-            beam.far_origin[a][i] = ahead ? below : above;
-            const auto inverse = static_cast<float>(1 / d);
-            beam.near_inverse[a][i] = inverse * (1 - 0x1p-21f);
-            beam.far_inverse[a][i] = inverse * (1 + 0x1p-21f);
-        }
-        axis.sign = forward == count ? 1 : forward == 0 ? -1 : 0;
-        axis.near_origin = beam.near_origin[a][0], axis.far_origin = beam.far_origin[a][0];
-        axis.near_least = axis.near_most = beam.near_inverse[a][0];
-        axis.far_least = axis.far_most = beam.far_inverse[a][0];
-        for (int i = 1; i < count; ++i) {
-            const float n = beam.near_origin[a][i], f = beam.far_origin[a][i];
-            axis.near_origin =
-                axis.sign > 0 ? number::max(axis.near_origin, n) : number::min(axis.near_origin, n);
-            axis.far_origin =
-                axis.sign > 0 ? number::min(axis.far_origin, f) : number::max(axis.far_origin, f);
-            axis.near_least = number::min(axis.near_least, beam.near_inverse[a][i]);
-            axis.near_most = number::max(axis.near_most, beam.near_inverse[a][i]);
-            axis.far_least = number::min(axis.far_least, beam.far_inverse[a][i]);
-            axis.far_most = number::max(axis.far_most, beam.far_inverse[a][i]);
-        }
-        for (int i = count; i < Beam::k_size; ++i) {
-            beam.near_origin[a][i] = beam.far_origin[a][i] = 0;
-            beam.near_inverse[a][i] = beam.far_inverse[a][i] = 1;
-            beam.origin[a][i] = beam.direction[a][i] = 0;
-        }
+    const int padded = (count + k_ray_padding - 1) / k_ray_padding * k_ray_padding;
+    const Doubles never(-std::numeric_limits<double>::infinity());
+    for (int i = 0; i < count; i += lane_count<double>()) {
+        const auto usable = narrow_rays(rays, first + i, i, beam);
+        store_narrow(load(rays.t_min + first + i), beam.t_min + i);
+        store_narrow(select(usable, load(rays.t_max + first + i), never), beam.t_max + i);
     }
-    beam.least_t_min = std::numeric_limits<float>::infinity();
-    for (int i = 0; i < count; ++i) {
-        beam.t_min[i] = float_below(rays.t_min[first + i]);
-        const double t_max = rays.t_max[first + i];
-        beam.t_max[i] = t_max < 1e37 ? float_above(t_max) : std::numeric_limits<float>::infinity();
-        if (!usable[i]) beam.t_max[i] = -std::numeric_limits<float>::infinity();
-        beam.least_t_min = number::min(beam.least_t_min, beam.t_min[i]);
+    for (int i = count; i < padded;
+         ++i) {  // the last vector's other lanes repeat the first ray, and never hit
+        for (int a = 0; a < 3; ++a) {
+            beam.origin[a][i] = beam.origin[a][0];
+            beam.direction[a][i] = beam.direction[a][0];
+            beam.near_inverse[a][i] = beam.near_inverse[a][0];
+        }
+        beam.t_min[i] = beam.t_min[0];
+        beam.t_max[i] = -std::numeric_limits<float>::infinity();
     }
-    for (int i = count; i < Beam::k_size; ++i)
-        beam.t_min[i] = 0, beam.t_max[i] = -std::numeric_limits<float>::infinity();
+    for (int a = 0; a < 3; ++a) make_axis(beam, a, padded);
+    Floats least(std::numeric_limits<float>::infinity());
+    for (int i = 0; i < padded; i += lane_count<float>()) {
+        const Floats t_min = load(beam.t_min + i), t_max = load(beam.t_max + i);
+        const Floats below = t_min - rounding_margin(t_min);
+        store(below, beam.t_min + i);
+        store(select(t_max < Floats(-1e37f), t_max, t_max + rounding_margin(t_max)), beam.t_max + i);
+        least = min(least, below);
+    }
+    beam.least_t_min = min_of_lanes(least);
     beam.update_t_max();
 }
 

@@ -57,7 +57,8 @@ template <class T> HWY_INLINE auto has_highlight(const Cosines<T>& c, const Ligh
 
 template <class T> HWY_INLINE Terms<T> terms(const Cosines<T>& c, T shininess, const LightingRules& rules) {
     const T diffuse = rules.clamp_cosines ? max(c.n_l, T(0)) : c.n_l;
-    if (rules.shading == Shading::diffuse) return {diffuse, T(0)};
+    const auto highlight = has_highlight(c, rules);
+    if (rules.shading == Shading::diffuse || !any(highlight)) return {diffuse, T(0)};
     T power = pow(abs(c.s), shininess);
     if (!rules.clamp_cosines) {
         // (-x)^n of an odd n is negative, of other whole n positive, and of others it does not exist.
@@ -67,7 +68,7 @@ template <class T> HWY_INLINE Terms<T> terms(const Cosines<T>& c, T shininess, c
     }
     // Without normalisation S may be large: keep the film finite.
     power = min(power, T(1e30));
-    return {diffuse, select(has_highlight(c, rules), power, T(0))};
+    return {diffuse, select(highlight, power, T(0))};
 }
 
 /// f_att = min(1 / (c0 + c1 d + c2 d^2), 1) (LIGHT-12).

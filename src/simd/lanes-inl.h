@@ -131,6 +131,16 @@ HWY_INLINE Doubles widen(const float* from) {
     return Doubles(hn::PromoteTo(Tag<double>(), hn::LoadU(d, from)));
 }
 
+/// Rounds to nearest and stores lane_count<double>() floats.
+HWY_INLINE void store_narrow(Doubles x, float* to) {
+    const hn::Rebind<float, Tag<double>> d;
+    hn::StoreU(hn::DemoteTo(d, x.v), d, to);
+}
+
+/// The least and the greatest lane; no lane is NaN.
+HWY_INLINE float min_of_lanes(Floats x) { return hn::GetLane(hn::MinOfLanes(Tag<float>(), x.v)); }
+HWY_INLINE float max_of_lanes(Floats x) { return hn::GetLane(hn::MaxOfLanes(Tag<float>(), x.v)); }
+
 /// Lane i of the result is base[index[i]]; index holds lane_count<double>() entries.
 HWY_INLINE Doubles gather(const double* base, const std::uint32_t* index) {
     alignas(64) double lanes[lane_count<double>()];
