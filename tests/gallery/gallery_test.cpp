@@ -1,0 +1,133 @@
+// Every scene of the gallery: the same floats on every instruction set, for any threads, put together from
+// crops, and in every configuration that builds this test (g++, clang, sanitizers, debug); and the picture
+// that we looked at.
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "glint/glint.h"
+#include "image/golden.h"
+
+namespace glint {
+namespace {
+
+struct GalleryPicture {
+    const char* scene;         // below scenes/
+    const char* settings;      // "key=value key=value"
+    std::uint64_t float_bits;  // FNV-1a over the bits of the floats
+};
+
+void PrintTo(const GalleryPicture& p, std::ostream* out) { *out << p.scene << ' ' << p.settings; }
+
+// The hashes are of the pictures in golden/, which were looked at; they pin what 8 bits a channel cannot.
+const GalleryPicture k_gallery[] = {
+    {"cgfs/from_the_side.cgfs", "size=160x160", 0xbe4d194263430b9d},
+    {"cgfs/three_mirrors.cgfs", "size=160x160", 0xf15ca10dce6ead20},
+    {"cgfs/three_spheres.cgfs", "size=160x160", 0x5cbf6eb868b544d1},
+    {"cgfs/three_spheres.cgfs", "size=160x160 shadows=false reflections=0 shading=diffuse",
+     0x69701edfe137a32c},
+    {"epfl/castle.json", "size=160x160", 0x8b84a0ab0157c45f},
+    {"epfl/castle.json", "size=160x160 shading=phong aa=2", 0x3f2a06a94ec518fb},
+    {"epfl/castle.json", "size=160x160 shading=normals", 0xa8b59ae468d7b681},
+    {"epfl/mirror_room.json", "size=160x160 reflections=8", 0xf7ccdb3fc701bfda},
+    {"epfl/three_lights.json", "size=160x160", 0x6999db1e60601be7},
+    {"epfl/two_scenes.js", "size=160x160", 0x6f7cbeb3391345c5},
+};
+
+std::string file_name(const GalleryPicture& p) {
+    std::string name = std::string(p.scene) + ' ' + p.settings;
+    for (char& c : name) c = std::isalnum(static_cast<unsigned char>(c)) ? c : '_';
+    return name;
+}
+
+std::uint64_t hash(const Image& image) {
+    std::uint64_t h = 14695981039346656037u;
+    for (const float f : image.rgb) {
+        for (std::uint32_t bits = std::bit_cast<std::uint32_t>(f), i = 0; i < 4; ++i, bits >>= 8)
+            h = (h ^ (bits & 255)) * 1099511628211u;
+    }
+    return h;
+}
+
+WorldPtr load_world(const GalleryPicture& p) {
+    const std::string path = std::string(GLINT_PROJECT_DIR "/scenes/") + p.scene;
+    std::ostringstream text;
+    text << std::ifstream(path, std::ios::binary).rdbuf();
+    const std::string held = text.str();
+    const SceneText scene_text{path, held, ""};
+    LoadOptions options;
+    std::istringstream settings(p.settings);
+    for (std::string pair; settings >> pair;)
+        options.settings.emplace_back(pair.substr(0, pair.find('=')), pair.substr(pair.find('=') + 1));
+    LoadResult loaded = load({&scene_text, 1}, options);
+    if (!loaded.scene) return {};
+    return prepare(*loaded.scene).world;
+}
+
+class Gallery : public testing::TestWithParam<GalleryPicture> {};
+
+TEST_P(Gallery, IsThePictureWeLookedAt) {
+    const WorldPtr world = load_world(GetParam());
+    ASSERT_TRUE(world);
+    const RenderResult whole = render(*world);
+    ASSERT_TRUE(whole.image) << whole.error;
+    EXPECT_TRUE(test::matches_golden(*whole.image, std::string(GLINT_PROJECT_DIR "/tests/gallery/golden/") +
+                                                       file_name(GetParam()) + ".png"));
+    EXPECT_EQ(hash(*whole.image), GetParam().float_bits) << "0x" << std::hex << hash(*whole.image);
+}
+
+TEST_P(Gallery, HasTheSameBitsHoweverItIsDrawn) {
+    const WorldPtr world = load_world(GetParam());
+    ASSERT_TRUE(world);
+    const RenderResult whole = render(*world);
+    ASSERT_TRUE(whole.image);
+    for (const std::string& isa : isa_names()) {
+        for (const int threads : {1, 2, 7}) {
+            RenderOptions options;
+            options.isa = isa;
+            options.threads = threads;
+            const RenderResult again = render(*world, options);
+            ASSERT_TRUE(again.image);
+            EXPECT_EQ(hash(*again.image), hash(*whole.image)) << isa << ", " << threads << " threads";
+            EXPECT_EQ(again.rays.total(), whole.rays.total());
+        }
+    }
+    Image joined{whole.image->width, whole.image->height, std::vector<float>(whole.image->rgb.size())};
+    constexpr int step = 47;  // nothing that tiles or beams would like
+    for (int y = 0; y < joined.height; y += step) {
+        for (int x = 0; x < joined.width; x += step) {
+            RenderOptions options;
+            options.crop = Crop{std::min(step, joined.width - x), std::min(step, joined.height - y), x, y};
+            const RenderResult part = render(*world, options);
+            ASSERT_TRUE(part.image);
+            for (int row = 0; row < part.image->height; ++row) {
+                std::memcpy(&joined.rgb[3 * static_cast<std::size_t>((y + row) * joined.width + x)],
+                            &part.image->rgb[3 * static_cast<std::size_t>(row * part.image->width)],
+                            3 * sizeof(float) * static_cast<std::size_t>(part.image->width));
+            }
+        }
+    }
+    EXPECT_EQ(hash(joined), hash(*whole.image));
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, Gallery, testing::ValuesIn(k_gallery),
+                         [](const auto& p) { return file_name(p.param); });
+
+TEST(GalleryList, NamesEveryScene) {
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(GLINT_PROJECT_DIR "/scenes")) {
+        if (!entry.is_regular_file()) continue;
+        const std::string path = entry.path().string();
+        // Halves of one scene, drawn together by the tests of the command.
+        if (path.find("/only_") != std::string::npos) continue;
+        const bool listed = std::any_of(std::begin(k_gallery), std::end(k_gallery),
+                                        [&](const GalleryPicture& p) { return path.ends_with(p.scene); });
+        EXPECT_TRUE(listed) << path << " is drawn by no test";
+    }
+}
+
+}  // namespace
+}  // namespace glint
