@@ -2,18 +2,20 @@
 PREFIX ?= /usr/local
 glint = build/release/glint
 
-.PHONY: help demo test build install tidy format clean
+.PHONY: help demo test build install tidy fuzz format clean
 
 help:
 	@echo 'make demo     installs what is missing, builds glint and draws castle.png'
 	@echo 'make test     installs what is missing, builds everything and runs every test'
 	@echo 'make build    builds $(glint)'
 	@echo 'make install  installs the command and the library (PREFIX=$(PREFIX), DESTDIR=$(DESTDIR))'
-	@echo 'make tidy     runs clang-tidy; make format: clang-format'
+	@echo 'make tidy     runs clang-tidy; make format, clang-format; make fuzz, the fuzzers'
 	@echo 'make clean    removes build/'
 
+started := $(shell date +%s)
 demo: build
-	@tools/demo
+	@$(glint) render scenes/epfl/castle.json --size 640x640 --reflections 4 -o castle.png
+	@echo "The picture is $$PWD/castle.png; the demo took $$(($$(date +%s) - $(started))) s."
 
 test:
 	@tools/install-dependencies tests
@@ -29,7 +31,14 @@ install: build
 	@DESTDIR='$(DESTDIR)' cmake --install build/release --prefix '$(PREFIX)'
 
 tidy:
+	@tools/install-dependencies checks
 	@tools/run-tidy
+
+# Finds texts that a reader answers wrongly: FUZZ_SECONDS for each reader.
+FUZZ_SECONDS ?= 60
+fuzz:
+	@tools/install-dependencies checks
+	@tools/run-fuzzers $(FUZZ_SECONDS)
 
 format:
 	@git ls-files '*.cpp' '*.h' | xargs clang-format-14 -i

@@ -5,17 +5,13 @@
 
 int main() {
     glint::Scene scene;
-    scene.materials.push_back(
-        {.ambient = {0.1, 0, 0}, .diffuse = {0.8, 0.1, 0.1}, .specular = {0.5, 0.5, 0.5}, .mirror = 0.2});
+    scene.materials.push_back({.diffuse = {0.8, 0.1, 0.1}, .specular = {0.5, 0.5, 0.5}, .mirror = 0.2});
     scene.add(glint::Sphere{.center = {0, 0, -4}, .radius = 1}, 0);
     scene.add(glint::Plane{.point = {0, -1, 0}});
-    scene.lights.push_back({.kind = glint::LightKind::point, .position = {4, 5, 0}});
+    scene.lights.push_back({.position = {4, 5, 0}});
     const auto prepared = glint::prepare(scene);
     if (!prepared.world) return 1;
-    const auto rendered = glint::render(*prepared.world);
-    if (!rendered.image) return 1;
-    const auto png = glint::encode(*rendered.image).bytes;
+    const auto png = glint::encode(glint::render(*prepared.world).image.value()).bytes;
     std::ofstream file("ten_lines.png", std::ios::binary);
     file.write(reinterpret_cast<const char*>(png.data()), static_cast<std::streamsize>(png.size()));
-    return file.good() ? 0 : 1;
 }
