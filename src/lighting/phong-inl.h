@@ -51,7 +51,7 @@ template <class T> struct Terms { T diffuse, specular; };
 
 /// Where the specular term may be other than 0.
 template <class T> HWY_INLINE auto has_highlight(const Cosines<T>& c, const LightingRules& rules) {
-    const auto positive = rules.clamp_cosines ? c.s > T(0) : !(c.s == T(0));
+    const auto positive = rules.clamp_cosines ? c.s > T(0) : c.s > T(0) || c.s < T(0);
     return rules.specular_gate ? positive && (c.n_l > T(0)) : positive;
 }
 
@@ -59,15 +59,14 @@ template <class T> HWY_INLINE Terms<T> terms(const Cosines<T>& c, T shininess, c
     const T diffuse = rules.clamp_cosines ? max(c.n_l, T(0)) : c.n_l;
     const auto highlight = has_highlight(c, rules);
     if (rules.shading == Shading::diffuse || !any(highlight)) return {diffuse, T(0)};
-    T power = pow(abs(c.s), shininess);
+    // Without normalisation S may be large: keep the film finite.
+    T power = min(pow(abs(c.s), shininess), T(1e30));
     if (!rules.clamp_cosines) {
         // (-x)^n of an odd n is negative, of other whole n positive, and of others it does not exist.
         const T half = shininess * T(0.5);
         const auto whole = round_whole(shininess) == shininess, even = round_whole(half) == half;
         power = select(c.s < T(0), select(whole, select(even, power, -power), T(0)), power);
     }
-    // Without normalisation S may be large: keep the film finite.
-    power = min(power, T(1e30));
     return {diffuse, select(highlight, power, T(0))};
 }
 

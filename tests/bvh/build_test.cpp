@@ -1,0 +1,187 @@
+// What every hierarchy keeps to, whatever the boxes.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+
+#include "bvh/bvh.h"
+#include "geometry/random_values.h"
+
+namespace glint::testing {
+namespace {
+
+struct Input {
+    std::vector<Aabb> boxes;
+    std::vector<std::uint8_t> classes;
+
+    void add(Vec3 at, Vec3 half, int item_class = 0) {
+        boxes.push_back(padded_box(at - half, at + half));
+        classes.push_back(static_cast<std::uint8_t>(item_class));
+    }
+};
+
+bool same(const Aabb& a, const Aabb& b) { return std::memcmp(&a, &b, sizeof(Aabb)) == 0; }
+
+// Walks the tree: checks boxes, leaves and depth, and counts how often each item is met.
+class Checker {
+  public:
+    Checker(const Input& input, const Bvh& bvh) : input_(input), bvh_(bvh), met_(input.boxes.size()) {}
+
+    void run() {
+        ASSERT_EQ(bvh_.order.size(), input_.boxes.size());
+        if (input_.boxes.empty()) {
+            EXPECT_TRUE(bvh_.nodes.empty());
+            return;
+        }
+        const Aabb whole = node(0, 1);
+        EXPECT_TRUE(same(whole, bvh_.bounds));
+        for (std::size_t i = 0; i < met_.size(); ++i) ASSERT_EQ(met_[i], 1) << "item " << i;
+        EXPECT_EQ(nodes_, bvh_.nodes.size());
+        EXPECT_LE(depth_, k_bvh_max_depth);
+    }
+    int depth() const { return depth_; }
+    std::size_t nodes() const { return nodes_; }
+
+  private:
+    // The box of all that is below the node; checks that each child's is exactly that of what is in it.
+    Aabb node(std::uint32_t index, int depth) {
+        Aabb all;
+        if (depth > 200 || index >= bvh_.nodes.size()) {
+            ADD_FAILURE() << "a child refers to no node, or to its own";
+            return all;
+        }
+        ++nodes_;
+        depth_ = std::max(depth_, depth);
+        const BvhNode& n = bvh_.nodes[index];
+        bool ended = false;
+        for (int c = 0; c < k_bvh_width; ++c) {
+            const BvhChild child = n.child[c];
+            if (child.is_none()) {
+                ended = true;
+                continue;
+            }
+            EXPECT_FALSE(ended) << "a child after an empty one";
+            const Aabb found = child.is_leaf() ? leaf(child) : node(child.index(), depth + 1);
+            Aabb written;
+            for (int a = 0; a < 3; ++a) written.lo[a] = n.lo[a][c], written.hi[a] = n.hi[a][c];
+            EXPECT_TRUE(same(written, found)) << "node " << index << ", child " << c;
+            all.add(found);
+        }
+        return all;
+    }
+
+    Aabb leaf(BvhChild child) {
+        Aabb box;
+        EXPECT_LE(child.count(), static_cast<std::uint32_t>(k_leaf_size));
+        for (std::uint32_t i = child.first(); i < child.first() + child.count(); ++i) {
+            const std::uint32_t item = bvh_.order.at(i);
+            ++met_.at(item);
+            box.add(input_.boxes[item]);
+            EXPECT_EQ(input_.classes[item], input_.classes[bvh_.order[child.first()]])
+                << "a leaf of two classes";
+        }
+        return box;
+    }
+
+    const Input& input_;
+    const Bvh& bvh_;
+    std::vector<int> met_;
+    std::size_t nodes_ = 0;
+    int depth_ = 0;
+};
+
+int check(const Input& input) {
+    const Bvh bvh = build_bvh(input.boxes, input.classes, 1);
+    Checker checker(input, bvh);
+    checker.run();
+    return checker.depth();
+}
+
+Input random_input(Random& random, int count, int classes) {
+    Input input;
+    for (int i = 0; i < count; ++i) {
+        const double size = log_uniform(random, 0.001, 1);
+        input.add(point_in_cube(random, 10), {size, size * 0.5, size}, below(random, classes));
+    }
+    return input;
+}
+
+TEST(Bvh, KeepsItsInvariants) {
+    Random random(51);
+    for (const int count : {0, 1, 2, 7, 8, 9, 16, 17, 100, 129, 3000, 20000}) {
+        for (const int classes : {1, 2, 18}) {
+            SCOPED_TRACE(std::to_string(count) + " items of " + std::to_string(classes) + " classes");
+            check(random_input(random, count, classes));
+        }
+    }
+}
+
+TEST(Bvh, EqualBoxes) {
+    for (const int classes : {1, 3}) {
+        Input input;
+        for (int i = 0; i < 100000; ++i) input.add({1, 2, 3}, {1, 1, 1}, i % classes);
+        EXPECT_LE(check(input), 20);  // halved again and again
+    }
+}
+
+TEST(Bvh, PointsOnALineAndInAPlane) {
+    Input line, plane;
+    for (int i = 0; i < 5000; ++i) {
+        line.add({i * 0.1, 0, 0}, {0, 0, 0});
+        plane.add({i % 71 * 0.1, 0, i / 71 * 0.1}, {0.05, 0, 0.05});  // NOLINT(bugprone-integer-division)
+    }
+    EXPECT_LE(check(line), 12);
+    EXPECT_LE(check(plane), 12);
+}
+
+TEST(Bvh, ExponentiallySpacedBoxesStayWithinTheDepth) {
+    // The surface-area heuristic parts off the largest, one by one.
+    for (const double ratio : {1.02, 1.5, 2.0, 3.0}) {
+        Input input;
+        double at = 1e-18;
+        for (int i = 0; i < 4000 && at < 1e12; ++i, at *= ratio)
+            input.add({at, at, at}, {at * 0.1, at * 0.1, at * 0.1}, i % 2);
+        check(input);
+    }
+}
+
+TEST(Bvh, HugeAndTinyCoordinates) {
+    Random random(52);
+    Input input;
+    for (int i = 0; i < 3000; ++i) {
+        const double scale = log_uniform(random, 1e-30, 1e12);
+        input.add(point_in_cube(random, scale), Vec3{1, 1, 1} * log_uniform(random, 1e-30, 1e12),
+                  below(random, 3));
+    }
+    check(input);
+}
+
+TEST(Bvh, TheSameForAnyNumberOfThreads) {
+    Random random(53);
+    const Input input = random_input(random, 60000, 3);
+    const Bvh one = build_bvh(input.boxes, input.classes, 1);
+    for (const int threads : {2, 7}) {
+        const Bvh other = build_bvh(input.boxes, input.classes, threads);
+        EXPECT_EQ(one.order, other.order);
+        ASSERT_EQ(one.nodes.size(), other.nodes.size());
+        EXPECT_EQ(std::memcmp(one.nodes.data(), other.nodes.data(), one.nodes.size() * sizeof(BvhNode)), 0);
+    }
+}
+
+TEST(Bvh, PartsWhatIsApart) {
+    // Two heaps far apart: no child of the root's spans them.
+    Random random(54);
+    Input input;
+    for (int i = 0; i < 200; ++i) {
+        input.add(Vec3{i % 2 == 0 ? -100.0 : 100.0, 0, 0} + point_in_cube(random, 1), {0.1, 0.1, 0.1});
+    }
+    const Bvh bvh = build_bvh(input.boxes, input.classes, 1);
+    for (int c = 0; c < k_bvh_width; ++c) {
+        if (!bvh.nodes[0].child[c].is_none()) {
+            EXPECT_LT(bvh.nodes[0].hi[0][c] - bvh.nodes[0].lo[0][c], 3);
+        }
+    }
+}
+
+}  // namespace
+}  // namespace glint::testing

@@ -1,0 +1,274 @@
+// The same bits for any threads, instruction set, crop and floating-point state of the caller; and what
+// render() reports.
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <chrono>
+#include <mutex>
+
+#include "trace/kernels.h"
+#include "trace/pictures.h"
+#if defined(__SSE2__)
+#include <immintrin.h>
+#endif
+
+namespace glint::testing {
+namespace {
+
+// Every kind of shape, mirrors, several lights, shadows, three samples a side.
+Scene everything() {
+    Random random(91);
+    Scene scene = random_scene(random, 150, 6);
+    set_size(scene, 101, 75);
+    scene.settings.samples = 3;
+    scene.settings.reflections = 3;
+    scene.background = {0.2, 0.3, 0.4};
+    scene.camera.position = {0, 2, 16};
+    scene.camera.look_at = {0, 0, 0};
+    for (int i = 0; i < 7; ++i) {
+        Material m;
+        m.diffuse = {random.uniform(0, 1), random.uniform(0, 1), random.uniform(0, 1)};
+        m.specular = {0.5, 0.4, 0.3};
+        m.shininess = log_uniform(random, 1, 300);
+        m.mirror = i % 2 == 0 ? 0.4 : 0;
+        add_material(scene, m);
+    }
+    for (std::size_t i = 0; i < scene.shapes.size(); ++i)
+        scene.shapes[i].material = static_cast<std::uint32_t>(i % 7);
+    scene.lights = {ambient_light({0.3, 0.3, 0.3}), point_light({5, 9, 9}),
+                    point_light({-9, 3, 5}, {0.5, 0.4, 0.9}), directional_light({1, 2, 3}, {0.2, 0.3, 0.1})};
+    scene.lights[1].attenuation = {0.3, 0.02, 0.001};
+    return scene;
+}
+
+const World& everything_world() {
+    static const WorldPtr world = make_world(everything());
+    return *world;
+}
+const Image& everything_image() {
+    static const Image image = [] {
+        RenderOptions options;
+        options.threads = 1;
+        return render_world(everything_world(), options);
+    }();
+    return image;
+}
+
+TEST(Invariance, InstructionSetsAndThreads) {
+    for (const std::string& isa : isa_names()) {
+        for (const int threads : {1, 2, 7}) {
+            SCOPED_TRACE(isa + ", " + std::to_string(threads) + " threads");
+            RenderOptions options;
+            options.isa = isa;
+            options.threads = threads;
+            RenderResult result = render(everything_world(), options);
+            ASSERT_TRUE(result.image);
+            EXPECT_EQ(result.isa, isa);
+            EXPECT_EQ(result.threads, threads);
+            expect_same_picture(everything_image(), *result.image);
+        }
+    }
+}
+
+TEST(Invariance, WorldsPreparedByAnyNumberOfThreads) {
+    for (const int threads : {2, 7}) {
+        const WorldPtr world = make_world(everything(), threads);
+        expect_same_picture(everything_image(), render_world(*world));
+    }
+}
+
+TEST(Invariance, APictureOfCrops) {
+    Random random(92);
+    const Image& whole = everything_image();
+    Image built = whole;
+    built.rgb.assign(built.rgb.size(), -1);
+    RayCounts rays;
+    // Random cuts into columns, each into rows.
+    for (int x = 0; x < whole.width;) {
+        const int width = std::min(whole.width - x, 1 + below(random, 45));
+        for (int y = 0; y < whole.height;) {
+            const int height = std::min(whole.height - y, 1 + below(random, 45));
+            RenderOptions options;
+            options.crop = Crop{width, height, x, y};
+            options.threads = 1 + below(random, 2);
+            RenderResult result = render(everything_world(), options);
+            ASSERT_TRUE(result.image);
+            ASSERT_EQ(result.image->width, width);
+            ASSERT_EQ(result.image->height, height);
+            rays.camera += result.rays.camera;
+            for (int row = 0; row < height; ++row) {
+                const auto from = result.image->rgb.begin() + 3 * row * width;
+                std::copy(from, from + 3 * width, built.rgb.begin() + 3 * ((y + row) * whole.width + x));
+            }
+            y += height;
+        }
+        x += width;
+    }
+    expect_same_picture(whole, built);
+    EXPECT_EQ(rays.camera, 9u * 101u * 75u);
+}
+
+#if defined(__SSE2__)
+TEST(Invariance, TheCallersFloatingPointState) {
+    const unsigned before = _mm_getcsr();
+    const Scene scene = everything();
+    for (const unsigned state :
+         {0x1f80u | 0x8040u, 0x1f80u | 0x2000u, 0x1f80u | 0x4000u | 0x8000u, 0x1f80u | 0x6000u | 0x40u}) {
+        for (const int threads : {1, 2}) {
+            _mm_setcsr(state);
+            PrepareResult prepared = prepare(scene, threads);
+            RenderOptions options;
+            options.threads = threads;
+            RenderResult result = prepared.world ? render(*prepared.world, options) : RenderResult{};
+            const unsigned after = _mm_getcsr();
+            _mm_setcsr(before);
+            EXPECT_EQ(after & ~0x3fu, state)
+                << "the caller's state is not restored";  // but for the exceptions' flags
+            ASSERT_TRUE(result.image);
+            expect_same_picture(everything_image(), *result.image);
+        }
+    }
+}
+#endif
+
+TEST(Invariance, SamplesAreTheMeanOfAFinerPicture) {
+    // 2 x 2 samples at pixel centres are the pixel centres of a picture twice as large.
+    Scene scene = everything();
+    scene.settings.samples = 2;
+    set_size(scene, 60, 44);
+    const Image coarse = render_scene(scene);
+    scene.settings.samples = 1;
+    set_size(scene, 120, 88);
+    const Image fine = render_scene(scene);
+    for (int y = 0; y < 44; ++y) {
+        for (int x = 0; x < 60; ++x) {
+            const Color sum = pixel(fine, 2 * x, 2 * y) + pixel(fine, 2 * x + 1, 2 * y) +
+                              pixel(fine, 2 * x, 2 * y + 1) + pixel(fine, 2 * x + 1, 2 * y + 1);
+            const Color got = pixel(coarse, x, y);
+            EXPECT_NEAR(got.r, sum.r / 4, 1e-6);
+            EXPECT_NEAR(got.g, sum.g / 4, 1e-6);
+            EXPECT_NEAR(got.b, sum.b / 4, 1e-6);
+        }
+    }
+}
+
+TEST(Render, ReportsProgress) {
+    for (const int threads : {1, 3}) {
+        std::mutex mutex;
+        std::vector<double> seen;
+        RenderOptions options;
+        options.threads = threads;
+        options.progress = [&](double done) {
+            const std::lock_guard lock(mutex);
+            seen.push_back(done);
+        };
+        ASSERT_TRUE(render(everything_world(), options).image);
+        ASSERT_FALSE(seen.empty());
+        EXPECT_EQ(*std::max_element(seen.begin(), seen.end()), 1);
+        for (std::size_t i = 0; i < seen.size(); ++i) {
+            EXPECT_GT(seen[i], 0);
+            if (i > 0 && threads == 1) {
+                EXPECT_GE(seen[i], seen[i - 1]);
+            }
+            // Threads may report out of turn, but by no more than they are.
+            if (i > 0) {
+                EXPECT_GE(seen[i], seen[i - 1] - 0.5);
+            }
+        }
+    }
+}
+
+TEST(Render, StopsWhenCancelled) {
+    Scene scene = everything();
+    set_size(scene, 2000, 2000);
+    scene.settings.samples = 8;
+    const WorldPtr world = make_world(scene);
+    for (const bool at_once : {true, false}) {
+        std::atomic<bool> cancel{at_once};
+        RenderOptions options;
+        options.threads = 2;
+        options.cancel = &cancel;
+        options.progress = [&](double) { cancel = true; };
+        const auto start = std::chrono::steady_clock::now();
+        const RenderResult result = render(*world, options);
+        const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+        EXPECT_TRUE(result.cancelled);
+        EXPECT_FALSE(result.image);
+        EXPECT_EQ(result.error, "");
+        EXPECT_LT(seconds.count(), 5);  // the whole picture would take minutes
+    }
+}
+
+TEST(Render, SaysWhatItCannotDo) {
+    RenderOptions options;
+    options.isa = "avx9";
+    RenderResult result = render(everything_world(), options);
+    EXPECT_FALSE(result.image);
+    EXPECT_NE(result.error.find("avx9"), std::string::npos);
+    EXPECT_NE(result.error.find(isa_names().front()), std::string::npos);
+    const Crop outside[] = {{0, 10, 0, 0},   {10, -1, 0, 0},
+                            {102, 1, 0, 0},  {1, 1, 101, 0},
+                            {1, 1, 0, -1},   {2147483647, 2147483647, 2147483647, 2147483647},
+                            {50, 50, 52, 0}, {1, 1, -2147483647 - 1, 0}};
+    for (const Crop& crop : outside) {
+        options = {};
+        options.crop = crop;
+        result = render(everything_world(), options);
+        EXPECT_FALSE(result.image);
+        EXPECT_NE(result.error, "");
+    }
+}
+
+TEST(Render, CountsRaysAsTracedByHand) {
+    Scene scene;
+    set_size(scene, 8, 4);
+    scene.settings.reflections = 2;
+    scene.camera.projection = Projection::orthographic;
+    scene.camera.position = {0, 10, 0};
+    scene.camera.look_at = {0, 0, 0};
+    scene.camera.up = {0, 0, -1};
+    scene.camera.width = 8;
+    Material m;
+    m.mirror = 0.5;
+    const auto mirror = add_material(scene, m);
+    scene.add(Plane{{0, 0, 0}, {0, 1, 0}}, mirror);
+    const auto count = [&] {
+        const RenderResult result = render(*make_world(scene));
+        EXPECT_TRUE(result.image);
+        EXPECT_EQ(result.rays.transmitted, 0u);
+        return result.rays;
+    };
+    RayCounts rays = count();
+    EXPECT_EQ(rays.camera, 32u);
+    EXPECT_EQ(rays.shadow, 0u);
+    EXPECT_EQ(rays.mirror, 32u);  // up, and away
+    scene.lights = {ambient_light({1, 1, 1})};
+    EXPECT_EQ(count().shadow, 0u);
+    scene.lights.push_back(point_light({0, 3, 0}));
+    EXPECT_EQ(count().shadow, 32u);
+    scene.lights.push_back(point_light({0, -3, 0}));  // below: N·L < 0
+    EXPECT_EQ(count().shadow, 32u);
+    scene.lights.push_back(directional_light({1, 1, 1}));
+    EXPECT_EQ(count().shadow, 64u);
+    scene.lights.push_back(directional_light({1, 1, 1}, {0, 0, 0}));  // black
+    EXPECT_EQ(count().shadow, 64u);
+    scene.settings.shadows = false;
+    EXPECT_EQ(count().shadow, 0u);
+    scene.settings.shadows = true;
+    scene.materials[mirror].diffuse = {0, 0, 0};  // and no specular: nothing to light
+    EXPECT_EQ(count().shadow, 0u);
+    scene.settings.samples = 3;
+    rays = count();
+    EXPECT_EQ(rays.camera, 9u * 32u);
+    EXPECT_EQ(rays.mirror, 9u * 32u);
+    scene.settings.reflections = 0;
+    EXPECT_EQ(count().mirror, 0u);
+    // A ceiling above the camera: seen in the mirror, and in its own twice more.
+    scene.settings.samples = 1;
+    scene.settings.reflections = 3;
+    scene.add(Plane{{0, 20, 0}, {0, 1, 0}}, mirror);
+    EXPECT_EQ(count().mirror, 3u * 32u);
+}
+
+}  // namespace
+}  // namespace glint::testing

@@ -1,0 +1,112 @@
+#pragma once
+// Rendering in tests, and comparing what comes out.
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <cmath>
+#include <functional>
+
+#include "trace/worlds.h"
+
+namespace glint::testing {
+
+inline Image render_world(const World& world, const RenderOptions& options = {}) {
+    RenderResult result = render(world, options);
+    EXPECT_EQ(result.error, "");
+    EXPECT_TRUE(result.image.has_value());
+    return result.image.value_or(Image{});
+}
+inline Image render_scene(const Scene& scene) {
+    const WorldPtr world = make_world(scene);
+    return world ? render_world(*world) : Image{};
+}
+
+inline Color pixel(const Image& image, int x, int y) {
+    const float* rgb =
+        image.rgb.data() + 3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) +
+                                static_cast<std::size_t>(x));
+    return {rgb[0], rgb[1], rgb[2]};
+}
+
+/// How many floats apart; large if one is NaN.
+inline std::int64_t floats_apart(float a, float b) {
+    if (std::isnan(a) || std::isnan(b)) return 1 << 30;
+    const auto order = [](float f) {
+        const auto bits = static_cast<std::int64_t>(std::bit_cast<std::uint32_t>(f));
+        return bits < 0x80000000 ? bits : 0x80000000 - bits;
+    };
+    const std::int64_t difference = order(a) - order(b);
+    return difference < 0 ? -difference : difference;
+}
+
+/// The parts of a pixel in the order in which they are added up, each rounded to float.
+struct Layers {
+    Color background{0, 0, 0}, ambient{0, 0, 0}, diffuse{0, 0, 0}, specular{0, 0, 0}, reflected{0, 0, 0};
+    float channel(double Color::*c) const {
+        float sum = static_cast<float>(background.*c);
+        for (const Color& part : {ambient, diffuse, specular, reflected}) sum += static_cast<float>(part.*c);
+        return sum;
+    }
+};
+
+/// Every pixel is within `allowed` floats of expected(x, y).
+inline void expect_picture(const Image& image, const std::function<Layers(int, int)>& expected,
+                           int allowed = 1) {
+    int wrong = 0;
+    for (int y = 0; y < image.height; ++y) {
+        for (int x = 0; x < image.width; ++x) {
+            const Layers layers = expected(x, y);
+            const Color got = pixel(image, x, y);
+            for (double Color::*c : {&Color::r, &Color::g, &Color::b}) {
+                const float want = layers.channel(c), have = static_cast<float>(got.*c);
+                if (floats_apart(want, have) <= allowed || ++wrong > 3) continue;
+                ADD_FAILURE() << "pixel (" << x << ", " << y << "): expected " << want << ", got " << have;
+            }
+        }
+    }
+    EXPECT_EQ(wrong, 0) << "channels of " << 3 * image.width * image.height;
+}
+
+inline void expect_same_picture(const Image& a, const Image& b) {
+    ASSERT_EQ(a.width, b.width);
+    ASSERT_EQ(a.height, b.height);
+    std::size_t wrong = 0, first = 0;
+    for (std::size_t i = 0; i < a.rgb.size(); ++i) {
+        if (std::bit_cast<std::uint32_t>(a.rgb[i]) == std::bit_cast<std::uint32_t>(b.rgb[i])) continue;
+        if (wrong++ == 0) first = i;
+    }
+    EXPECT_EQ(wrong, 0u) << "of " << a.rgb.size() << " channels; first in pixel "
+                         << first / 3 % static_cast<std::size_t>(a.width) << ", "
+                         << first / 3 / static_cast<std::size_t>(a.width);
+}
+
+inline void set_size(Scene& scene, int width, int height) {
+    scene.settings.width = width;
+    scene.settings.height = height;
+}
+
+inline std::uint32_t add_material(Scene& scene, const Material& material) {
+    scene.materials.push_back(material);
+    return static_cast<std::uint32_t>(scene.materials.size() - 1);
+}
+
+inline Light point_light(Vec3 position, Color color = {1, 1, 1}) {
+    Light light;
+    light.position = position;
+    light.color = light.specular_color = color;
+    return light;
+}
+inline Light directional_light(Vec3 to_light, Color color = {1, 1, 1}) {
+    Light light = point_light({}, color);
+    light.kind = LightKind::directional;
+    light.to_light = to_light;
+    return light;
+}
+inline Light ambient_light(Color color) {
+    Light light;
+    light.kind = LightKind::ambient;
+    light.color = color;
+    return light;
+}
+
+}  // namespace glint::testing
