@@ -120,7 +120,7 @@ TEST(Triangulate, BadPolygonsEnd) {
         EXPECT_EQ(triangles.size(), static_cast<std::size_t>(n - 2));
     }
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-    EXPECT_LT(seconds.count(), 20);
+    EXPECT_LT(seconds.count(), 60);
 }
 
 }  // namespace
