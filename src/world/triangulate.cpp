@@ -56,7 +56,8 @@ class EarClipper {
     void run() {
         std::size_t at = 0, misses = 0;
         while (left_.size() > 3) {
-            // No ear in a whole round, or none soon: the polygon crosses itself. Cut anyway, so that this ends.
+            // No ear in a whole round, or none soon: the polygon crosses itself. Cut anyway, so that this
+            // ends.
             if (steps_ > k_max_steps || misses >= left_.size() || is_ear(at)) {
                 cut(at);
                 misses = 0;
