@@ -116,7 +116,8 @@ TYPED_TEST(Hits, NothingIsPassedOver) {
             const TypeParam subject = TypeParam::make(random, at, size);
             double p[Geometry::k_values];
             subject.pack(p);
-            const auto [o, d] = random_ray(random, at, size);
+            const auto ray = random_ray(random, at, size);
+            const Vec3 o = ray.origin, d = ray.direction;
             const double magnitude = length(o) + subject.magnitude();
             const auto first = formula_hit<Geometry, double>(p, o, d, 0);
             const double end = first.hit ? first.t : 3 * magnitude / length(d);
