@@ -86,7 +86,7 @@ Run add_completion(CLI::App& app) {
     const auto shell = std::make_shared<std::string>();
     command.add_option("SHELL", *shell, "bash")->required()->check(one_of({"bash"}));
     command.footer("Examples:\n  source <(glint completion bash)");
-    return [&app] {
+    return [&app, shell] {  // the option writes to it when the arguments are parsed
         fmt::print("{}", script(app));
         return k_done;
     };

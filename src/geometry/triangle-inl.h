@@ -38,25 +38,36 @@ struct TriangleGeometry {
         lo = extent.lo, hi = extent.hi;
     }
 
-    /// From the point of the ray's line that is nearest to the world's origin, so that a distant ray costs no
-    /// digits. The ray passes on one side of all three edges. The side of an edge pq is
-    /// ((p - q) × (p + q))·d, its ends seen from the ray's point: swapping them changes the sign and no bit,
-    /// so that two triangles with a common edge leave no gap, and the difference costs a small triangle far
-    /// from the origin no digits.
+    /// The vertices are seen along the ray, sheared into the plane across the axis it mostly follows; the ray
+    /// passes on one side of all three edges (Woop, Benthin and Wald, Watertight Ray/Triangle Intersection,
+    /// 2013). A vertex has the same place for all its triangles, and a difference of two rounded products has
+    /// the right sign or is 0, so that a mesh has no gap at its edges and vertices. From the point of the
+    /// ray's line that is nearest to the world's origin, so that a distant ray costs no digits.
     template <class T> static HWY_INLINE Candidate<T> hit(const T* p, const Ray<T>& ray, T t_min) {
         const Triple<T> d = ray.direction;
         const T start = -(dot(ray.origin, d) / dot(d, d));
         const Triple<T> origin = ray.origin + d * start;
-        const Triple<T> a = triple(p) - origin, b = triple(p + 3) - origin, c = triple(p + 6) - origin;
-        const auto side = [&](const T* from, const T* to, const Triple<T>& sum)
-                              HWY_ATTR { return dot(cross(triple(from) - triple(to), sum), d); };
-        const T u = side(p + 3, p + 6, b + c), v = side(p + 6, p, c + a), w = side(p, p + 3, a + b);
+        const auto along_x = (abs(d.x) > abs(d.y)) && (abs(d.x) > abs(d.z)), along_y = abs(d.y) > abs(d.z);
+        const auto turned = [&](const Triple<T>& v) HWY_ATTR {
+            return select_triple(along_x, Triple<T>{v.y, v.z, v.x},
+                                 select_triple(along_y, Triple<T>{v.z, v.x, v.y}, v));
+        };
+        const Triple<T> along = turned(d);
+        const T shear_x = along.x / along.z, shear_y = along.y / along.z;
+        const auto seen = [&](const T* vertex) HWY_ATTR {
+            const Triple<T> v = turned(triple(vertex) - origin);
+            return Triple<T>{v.x - shear_x * v.z, v.y - shear_y * v.z, v.z};
+        };
+        const Triple<T> a = seen(p), b = seen(p + 3), c = seen(p + 6);
+        const auto side = [](const Triple<T>& from, const Triple<T>& to)
+                              HWY_ATTR { return from.x * to.y - from.y * to.x; };
+        const T u = side(b, c), v = side(c, a), w = side(a, b);
         const T zero(0);
         const auto inside =
             ((u >= zero) && (v >= zero) && (w >= zero)) || ((u <= zero) && (v <= zero) && (w <= zero));
         const Triple<T> n = cross(triple(p + 3) - triple(p), triple(p + 6) - triple(p));
         // A ray within the plane gives NaN or infinity: no hit.
-        const T t = start + dot(a, n) / dot(d, n);
+        const T t = start + dot(triple(p) - origin, n) / dot(d, n);
         return {inside && (t > t_min) && (t < T(1e300)), t};
     }
 
