@@ -30,8 +30,9 @@ struct Beam {
     // By axis and ray: the rounded origins and inverse directions for the near and for the far plane.
     alignas(64) float near_origin[3][k_size], far_origin[3][k_size];
     alignas(64) float near_inverse[3][k_size], far_inverse[3][k_size];
-    alignas(64) float origin[3][k_size], direction[3][k_size];  // rounded to nearest, for the shapes' filters
-    alignas(64) float t_min[k_size];                            // rounded down
+    // Rounded to nearest, for the shapes' filters; a direction's largest component is about 1.
+    alignas(64) float origin[3][k_size], direction[3][k_size];
+    alignas(64) float t_min[k_size];  // rounded down
     alignas(64) float t_max[k_size];  // rounded up; shrinks to the nearest hit so far; -infinity once a ray
                                       // needs no more
     int count = 0;
@@ -74,14 +75,19 @@ HWY_INLINE auto narrow_rays(const RaySpan& rays, int from, int to, Beam& beam) {
     auto usable = abs(load(origins[0])) < limit;
     for (int a = 0; a < 3; ++a)
         usable = usable && abs(load(origins[a])) < limit && abs(load(directions[a])) < limit;
+    Doubles direction[3], least_inverse(std::numeric_limits<double>::infinity());
     for (int a = 0; a < 3; ++a) {
         Doubles d = select(usable, load(directions[a]), Doubles(1));
         // A direction of 0 along an axis becomes tiny: the slab then covers all t, or none.
         d = select(abs(d) < tiny, select(d < Doubles(0), -tiny, tiny), d);
+        const Doubles inverse = Doubles(1) / d;
+        direction[a] = d;
+        least_inverse = min(least_inverse, abs(inverse));
         store_narrow(select(usable, load(origins[a]), Doubles(0)), beam.origin[a] + to);
-        store_narrow(d, beam.direction[a] + to);
-        store_narrow(Doubles(1) / d, beam.near_inverse[a] + to);
+        store_narrow(inverse, beam.near_inverse[a] + to);
     }
+    // Its largest component is about 1, so that its square is a float too.
+    for (int a = 0; a < 3; ++a) store_narrow(direction[a] * least_inverse, beam.direction[a] + to);
     return usable;
 }
 

@@ -3,7 +3,7 @@
 
 #include <tuple>
 
-#include "base/text.h"
+#include "formats/block_reader.h"
 #include "formats/registry.h"
 
 namespace glint {
@@ -12,8 +12,8 @@ namespace {
 constexpr Range k_byte_channel{-1e6, 1e6, false, false, "a number from 0 to 255"};
 constexpr Range k_book_specular{-1, 1e9, false, false, "-1 (matte) or a number from 0 to 1e9"};
 
-constexpr std::string_view k_top_level[] = {"sphere",     "light",         "camera",
-                                            "background", "viewport_size", "projection_plane_d"};
+constexpr std::string_view k_words[] = {"sphere",     "light",         "camera",
+                                        "background", "viewport_size", "projection_plane_d"};
 
 class CgfsReader {
   public:
@@ -24,66 +24,49 @@ class CgfsReader {
           p_(text.place, {.hash_comments = true, .slash_comments = true}, reading.diagnostics) {}
 
     void read() {
-        if (p_.at_end()) p_.expected("`sphere`, `light`, `camera` or `background`");
-        while (!p_.at_end() || pending_) read_item();
+        blocks_.read([&](const Token& word, std::string_view name) { return read_block(word, name); },
+                     [&](const Token& word, std::string_view name) { return read_setting(word, name); });
         if (has_view_) set_camera_frame();
     }
 
   private:
-    void read_item() {
-        if (!pending_ && (p_.accept(',') || p_.accept(';'))) return;
-        if (!pending_ && p_.token().kind != TokenKind::word) {
-            p_.expected("`sphere`, `light`, `camera` or `background`");
-            if (p_.at_closing_bracket() || !p_.skip_value()) p_.take();
-            return;
-        }
-        const Token word = pending_ ? *pending_ : p_.take();
-        pending_.reset();
-        const auto name = p_.text(word);
-        if (p_.token().is('{')) return read_block(word, name);
-        if (p_.accept('=')) return read_setting(word, name);
-        p_.error(p_.token(), fmt::format("expected `{{` or `=` after {}, found {}", quoted(name),
-                                         p_.describe(p_.token())));
-        while (!p_.at_end() && p_.token().line == word.line) p_.take();
-    }
-
-    void read_block(const Token& word, std::string_view name) {
-        if (name == "sphere") return read_sphere(word);
-        if (name == "light") return read_light(word);
-        if (name == "camera") return read_camera(word);
-        p_.warn_once(std::string(name), word,
-                     fmt::format("glint ignores {}{}", quoted(name), did_you_mean(name, k_top_level)));
-        if (!p_.skip_value()) p_.skip_to_close('}');
-    }
-
-    void read_setting(const Token& word, std::string_view name) {
-        bool ok = true;
-        if (name == "background") {
-            Color color;
-            ok = read_color(color);
-            if (reading_.background_given) p_.warn(word, "a second background: the last one holds");
-            reading_.background_given = true;
-            scene_.background = color;
-            scene_.background_place = source_place(text_, word);
-        } else if (name == "viewport_size") {
-            ok = p_.number(viewport_[0], k_length);
-            if (ok && p_.token().kind == TokenKind::word && p_.text(p_.token()) == "x") {
-                p_.take();
-                ok = p_.number(viewport_[1], k_length);
-            } else if (ok) {
-                p_.expected("`x` and the viewport's height");
-                ok = false;
-            }
-            has_view_ = true;
-        } else if (name == "projection_plane_d") {
-            ok = p_.number(viewport_[2], k_length);
-            has_view_ = true;
+    bool read_block(const Token& word, std::string_view name) {
+        if (name == "sphere") {
+            read_sphere(word);
+        } else if (name == "light") {
+            read_light(word);
+        } else if (name == "camera") {
+            read_camera(word);
         } else {
-            p_.warn_once(std::string(name), word,
-                         fmt::format("glint ignores {}{}", quoted(name), did_you_mean(name, k_top_level)));
-            ok = skip_value();
+            return false;
         }
-        if (!ok) skip_bad_value();
+        return true;
+    }
+
+    bool read_setting(const Token& word, std::string_view name) {
+        if (name == "background") return read_background(word);
+        has_view_ = true;
+        if (name == "viewport_size") return read_viewport_size();
+        if (name == "projection_plane_d") return p_.number(viewport_[2], k_length);
+        p_.error(word, fmt::format("expected a block `{} {{ ... }}`", name));
+        return false;
+    }
+
+    bool read_background(const Token& word) {
+        if (reading_.background_given) p_.warn(word, "a second background: the last one holds");
+        reading_.background_given = true;
+        scene_.background_place = source_place(text_, word);
+        return read_color(scene_.background);
+    }
+
+    bool read_viewport_size() {
+        if (!p_.number(viewport_[0], k_length)) return false;
+        if (p_.token().kind != TokenKind::word || p_.text(p_.token()) != "x") {
+            p_.expected("`x` and the viewport's height");
+            return false;
+        }
+        p_.take();
+        return p_.number(viewport_[1], k_length);
     }
 
     // direction = rotation * viewport point: the columns are where x, y and z go.
@@ -93,69 +76,6 @@ class CgfsReader {
         scene_.camera.frame = CameraFrame{viewport_[0] * Vec3{r[0].x, r[1].x, r[2].x},
                                           viewport_[1] * Vec3{r[0].y, r[1].y, r[2].y},
                                           viewport_[2] * Vec3{r[0].z, r[1].z, r[2].z}};
-    }
-
-    // The keys and values of the block that begins here; read_field(key, name) reads a value, or returns
-    // false before what is none. False if the block has no end.
-    template <class ReadField> bool read_fields(const Token& block, ReadField&& read_field) {
-        p_.expect('{');
-        while (!p_.accept('}')) {
-            if (p_.accept(',') || p_.accept(';')) continue;
-            if (p_.at_end()) {
-                p_.expected(fmt::format("`}}`: the block that begins in line {} has no end", block.line));
-                return false;
-            }
-            if (p_.token().kind != TokenKind::word) {
-                p_.expected("a key or `}`");
-                return recover();
-            }
-            const Token key = p_.take();
-            if (p_.token().is('{')) {
-                p_.error(key,
-                         fmt::format("expected `}}` before {}: the block that begins in line {} has no end",
-                                     p_.describe(key), block.line));
-                pending_ = key;
-                return false;
-            }
-            if (!p_.expect('=')) return recover();
-            if (!read_field(key, p_.text(key))) skip_bad_value();
-        }
-        return true;
-    }
-
-    // After a mistake: to the end of the block, or to a block that begins before it.
-    bool recover() {
-        Token last;
-        while (!p_.at_end() && !p_.accept('}')) {
-            if (p_.token().is('{') && last.kind == TokenKind::word) {
-                pending_ = last;
-                break;
-            }
-            last = p_.take();
-        }
-        return false;
-    }
-
-    // What stands where a value should: all before the next key, block, or end of this block.
-    void skip_bad_value() {
-        while (!p_.at_end() && !p_.at_closing_bracket() && !p_.peek().is('=') && !p_.peek().is('{')) {
-            const bool in_brackets = p_.token().is('(');
-            p_.take();
-            if (in_brackets) p_.skip_to_close(')');
-        }
-    }
-
-    bool skip_value() {
-        if (p_.at_end() || p_.token().is('}')) {
-            p_.expected("a value");
-            return false;
-        }
-        if (!p_.skip_value()) return false;
-        if (p_.token().kind == TokenKind::word && p_.text(p_.token()) == "x" && !p_.peek().is('=')) {
-            p_.take();  // 1 x 1
-            return p_.skip_value();
-        }
-        return true;
     }
 
     bool read_color(Color& color) {
@@ -180,8 +100,8 @@ class CgfsReader {
         Sphere sphere;
         Color color;
         double specular = -1, reflective = 0;
-        const bool whole = read_fields(word, [&](const Token& key, std::string_view name) {
-            switch (p_.field(set, key, name)) {
+        const bool whole = blocks_.fields(set, word, [&](int field, const Token&) {
+            switch (field) {
                 case k_center:
                     return p_.point(sphere.center, k_coordinate, '(', ')');
                 case k_radius:
@@ -190,10 +110,8 @@ class CgfsReader {
                     return read_color(color);
                 case k_specular:
                     return read_specular(specular);
-                case k_reflective:
-                    return p_.number(reflective, k_fraction);
                 default:
-                    return skip_value();
+                    return p_.number(reflective, k_fraction);
             }
         });
         if (!whole || !p_.check_required(set, word)) return;
@@ -238,8 +156,8 @@ class CgfsReader {
         Light light;
         double intensity = 0;
         Token position_key, direction_key;
-        const bool whole = read_fields(word, [&](const Token& key, std::string_view name) {
-            switch (p_.field(set, key, name)) {
+        const bool whole = blocks_.fields(set, word, [&](int field, const Token& key) {
+            switch (field) {
                 case k_type:
                     return read_light_type(light.kind);
                 case k_intensity:
@@ -247,11 +165,9 @@ class CgfsReader {
                 case k_position:
                     position_key = key;
                     return p_.point(light.position, k_coordinate, '(', ')');
-                case k_direction:
+                default:
                     direction_key = key;
                     return p_.point(light.to_light, k_coordinate, '(', ')');
-                default:
-                    return skip_value();
             }
         });
         if (!whole || !p_.check_required(set, word)) return;
@@ -304,15 +220,9 @@ class CgfsReader {
         Camera camera;
         for (int i = 0; i < 3; ++i)
             rotation_[i] = {i == 0 ? 1.0 : 0.0, i == 1 ? 1.0 : 0.0, i == 2 ? 1.0 : 0.0};
-        const bool whole = read_fields(word, [&](const Token& key, std::string_view name) {
-            switch (p_.field(set, key, name)) {
-                case k_position:
-                    return p_.point(camera.position, k_coordinate, '(', ')');
-                case k_rotation:
-                    return read_rotation(rotation_);
-                default:
-                    return skip_value();
-            }
+        const bool whole = blocks_.fields(set, word, [&](int field, const Token&) {
+            return field == k_position ? p_.point(camera.position, k_coordinate, '(', ')')
+                                       : read_rotation(rotation_);
         });
         if (!whole) return;
         if (reading_.camera_given) p_.warn(word, "a second camera: the last one holds");
@@ -347,7 +257,7 @@ class CgfsReader {
     Scene& scene_;
     const ReadText& text_;
     Parser p_;
-    std::optional<Token> pending_;  // the word of a block, taken when its `{` was met
+    BlockReader blocks_{p_, k_words, "`sphere`, `light`, `camera` or `background`"};
     std::map<Look, std::uint32_t> looks_;
     bool has_view_ = false;           // the text says something about its camera
     double viewport_[3] = {1, 1, 1};  // width, height, distance

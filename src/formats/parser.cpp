@@ -98,8 +98,14 @@ void Parser::warn(const Token& token, std::string message) {
     if (!stopped_) diagnostics_.warn(place_, token.offset, token.length, std::move(message));
 }
 
-void Parser::warn_once(std::string_view key, const Token& token, std::string message) {
-    if (!stopped_) diagnostics_.warn_once(key, place_, token.offset, token.length, std::move(message));
+void Parser::warn_ignored(std::string_view name, const Token& at, std::string_view owner,
+                          std::span<const std::string_view> known) {
+    // A text may have millions of unknown names: nothing is made ready for a warning that was given.
+    const std::string once = fmt::format("{}.{}", owner, name);
+    if (stopped_ || diagnostics_.warned(once)) return;
+    const std::string of = owner.empty() ? std::string() : fmt::format(" of a {}", owner);
+    diagnostics_.warn_once(once, place_, at.offset, at.length,
+                           fmt::format("glint ignores {}{}{}", quoted(name), of, did_you_mean(name, known)));
 }
 
 std::string Parser::describe(const Token& token) const {
@@ -168,14 +174,9 @@ int Parser::field(FieldSet& set, const Token& key, std::string_view key_name) {
         set.add(index);
         return index;
     }
-    // A text may have millions of unknown keys: nothing is made ready for a warning that was given.
-    const std::string once = fmt::format("{}.{}", set.what(), key_name);
-    if (diagnostics_.warned(once)) return -1;
     std::array<std::string_view, 32> names;
     for (std::size_t i = 0; i < fields.size(); ++i) names[i] = fields[i].name;
-    warn_once(once, key,
-              fmt::format("glint ignores {} of a {}{}", quoted(key_name), set.what(),
-                          did_you_mean(key_name, std::span(names).first(fields.size()))));
+    warn_ignored(key_name, key, set.what(), std::span(names).first(fields.size()));
     return -1;
 }
 

@@ -23,6 +23,8 @@ using namespace HWY_NAMESPACE;
 // A class is a kind, transformed or not.
 constexpr int k_classes = 2 * k_shape_kinds;
 
+constexpr double k_least_direction = 1e-15;  // length of a light's
+
 // What is packed: a shape, or a piece of one (a polygon's triangle).
 struct Item {
     std::uint32_t shape = 0;
@@ -312,6 +314,11 @@ PrepareResult prepare(const Scene& scene, int threads) {
                 world->ambient = world->ambient + light.color;
             } else {
                 world->lights.push_back(light);
+                Vec3& to_light = world->lights.back().to_light;
+                // Squares of shorter ones vanish.
+                if (light.kind == LightKind::directional && length(to_light) < k_least_direction) {
+                    to_light = normalize(to_light) * k_least_direction;
+                }
             }
         }
         Packer(scene, *world, threads).run();

@@ -56,8 +56,8 @@ class EarClipper {
     void run() {
         std::size_t at = 0, misses = 0;
         while (left_.size() > 3) {
-            // No ear in a whole round: the polygon crosses itself. Cut anyway, so that this ends.
-            if (is_ear(at) || misses >= left_.size()) {
+            // No ear in a whole round, or none soon: the polygon crosses itself. Cut anyway, so that this ends.
+            if (steps_ > k_max_steps || misses >= left_.size() || is_ear(at)) {
                 cut(at);
                 misses = 0;
                 if (at >= left_.size()) at = 0;
@@ -74,10 +74,11 @@ class EarClipper {
     std::uint32_t after(std::size_t i) const { return left_[(i + 1) % left_.size()]; }
 
     // A convex corner whose triangle holds no other corner that turns inward.
-    bool is_ear(std::size_t i) const {
+    bool is_ear(std::size_t i) {
         const Point a = points_[before(i)], b = points_[left_[i]], c = points_[after(i)];
         if (!(area(a, b, c) > 0)) return false;
         for (std::size_t k = 0; k < left_.size(); ++k) {
+            ++steps_;
             const std::uint32_t other = left_[k];
             if (other == before(i) || other == left_[i] || other == after(i)) continue;
             if (area(points_[before(k)], points_[other], points_[after(k)]) > 0) continue;
@@ -93,9 +94,13 @@ class EarClipper {
         left_.erase(left_.begin() + static_cast<std::ptrdiff_t>(i));
     }
 
+    // Many times what a polygon of 4096 corners takes; one that crosses itself would take a minute.
+    static constexpr std::size_t k_max_steps = std::size_t{1} << 25;
+
     std::span<const Vec3> vertices_;
     std::vector<Point> points_;
     std::vector<std::uint32_t> left_;
+    std::size_t steps_ = 0;
     std::vector<Triangle>& out_;
 };
 

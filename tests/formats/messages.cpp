@@ -140,6 +140,9 @@ INSTANTIATE_TEST_SUITE_P(
                 "Once $upon a time\nthere $was a sphere\n",
                 {"expected `{` or `=` after 'Once', found 'upon'",
                  "expected `{` or `=` after 'there', found 'was'"}},
+        Mistake{"block_as_setting", L S "$sphere = 3\n", {"expected a block `sphere { ... }`"}},
+        Mistake{
+            "setting_as_block", L S "background ${ 1 }\n", {"expected `=` after 'background', found '{'"}},
         Mistake{"symbol", L S "$}\n", {"expected `sphere`, `light`, `camera` or `background`, found '}'"}}),
     test_name);
 

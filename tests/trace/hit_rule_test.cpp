@@ -246,6 +246,21 @@ TEST(HitRule, OnTheEdgesBetweenAPolygonsTriangles) {
     expect_all(*world, rays, brute_hits(*world, rays));
 }
 
+TEST(HitRule, DirectionsOfAnyLength) {
+    Random random(18);
+    const Scene scene = random_scene(random, 200);
+    const WorldPtr world = make_world(scene);
+    Rays rays;
+    for (int i = 0; i < 6000; ++i) {
+        rays.push(point_in_cube(random, 12), unit_direction(random) * log_uniform(random, 1e-28, 1e28));
+    }
+    const Hits expected = brute_hits(*world, rays);
+    int hit = 0;
+    for (const std::uint32_t slot : expected.slot) hit += slot != k_none;
+    EXPECT_GT(hit, 1000);
+    expect_all(*world, rays, expected);
+}
+
 TEST(HitRule, EmptyScene) {
     const WorldPtr world = make_world(Scene{});
     ASSERT_TRUE(world);

@@ -1,0 +1,242 @@
+// Scene -> World: what is packed where, the boxes, the camera, and what does not depend on threads.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <set>
+
+#include "trace/hit_rule.h"
+#include "trace/worlds.h"
+
+namespace glint::testing {
+namespace {
+
+TEST(Prepare, EveryShapeHasItsSlots) {
+    Random random(111);
+    const Scene scene = random_scene(random, 500);
+    const WorldPtr world = make_world(scene);
+    ASSERT_TRUE(world);
+    std::set<std::uint32_t> shapes;
+    std::uint32_t next = 0;
+    bool unbounded = false;
+    for (const ShapeClass& c : world->classes) {
+        EXPECT_EQ(c.first, next);
+        EXPECT_GT(c.count, 0u);
+        EXPECT_GE(c.stride, c.count + static_cast<std::uint32_t>(k_ray_padding));
+        next += c.count;
+        if (c.kind == ShapeKind::plane) unbounded = true;
+        EXPECT_EQ(c.first >= world->bounded, unbounded) << "bounded classes come first";
+        for (std::uint32_t slot = c.first; slot < c.first + c.count; ++slot) {
+            EXPECT_EQ(&world->class_of(slot), &c);
+            const Shape& shape = scene.shapes.at(world->shape_index[slot]);
+            EXPECT_EQ(c.kind, shape.kind == ShapeKind::polygon ? ShapeKind::triangle : shape.kind);
+            const bool again = !shapes.insert(world->shape_index[slot]).second;
+            EXPECT_TRUE(!again || shape.kind == ShapeKind::polygon);
+        }
+    }
+    EXPECT_EQ(next, world->count);
+    EXPECT_EQ(shapes.size(), scene.shapes.size());
+    EXPECT_GE(world->box_lo[0].size(), world->bounded + static_cast<std::size_t>(k_ray_padding));
+    EXPECT_GE(world->shape_index.size(), world->count + static_cast<std::size_t>(k_ray_padding));
+}
+
+TEST(Prepare, LeavesReferToSlotsOfOneClass) {
+    Random random(112);
+    const WorldPtr world = make_world(random_scene(random, 700));
+    std::vector<int> met(world->bounded);
+    for (const BvhNode& node : world->bvh.nodes) {
+        for (int c = 0; c < k_bvh_width; ++c) {
+            if (!node.child[c].is_leaf()) continue;
+            for (std::uint32_t i = 0; i < node.child[c].count(); ++i) {
+                const std::uint32_t slot = node.child[c].first() + i;
+                ASSERT_LT(slot, world->bounded);
+                ++met[slot];
+                EXPECT_EQ(&world->class_of(slot), &world->class_of(node.child[c].first()));
+                for (int a = 0; a < 3; ++a) {
+                    EXPECT_LE(node.lo[a][c], world->box_lo[a][slot]);
+                    EXPECT_GE(node.hi[a][c], world->box_hi[a][slot]);
+                }
+            }
+        }
+    }
+    for (const int times : met) EXPECT_EQ(times, 1);
+}
+
+TEST(Prepare, NoThreadsInTheResult) {
+    Random random(113);
+    const Scene scene = random_scene(random, 40000);
+    const WorldPtr one = make_world(scene, 1);
+    for (const int threads : {2, 7}) {
+        const WorldPtr other = make_world(scene, threads);
+        EXPECT_EQ(one->shape_index, other->shape_index);
+        EXPECT_EQ(one->material, other->material);
+        for (int a = 0; a < 3; ++a) {
+            EXPECT_EQ(one->box_lo[a], other->box_lo[a]);
+            EXPECT_EQ(one->box_hi[a], other->box_hi[a]);
+        }
+        ASSERT_EQ(one->classes.size(), other->classes.size());
+        for (std::size_t c = 0; c < one->classes.size(); ++c)
+            EXPECT_EQ(one->classes[c].values, other->classes[c].values);
+    }
+}
+
+TEST(Prepare, WhoseNormalIsTurned) {
+    Scene scene;
+    scene.transforms.push_back(translation({1, 2, 3}));
+    const auto turned = [&](Facing facing) {
+        scene.conventions.facing = facing;
+        const WorldPtr world = make_world(scene);
+        std::vector<bool> by_shape(scene.shapes.size());
+        for (std::uint32_t slot = 0; slot < world->count; ++slot) {
+            by_shape[world->shape_index[slot]] = (world->material[slot] & k_turn_normal) != 0;
+        }
+        return by_shape;
+    };
+    const std::uint32_t none = k_none;
+    for (const std::uint32_t transform : {none, std::uint32_t{0}}) {
+        scene.add(Sphere{}, k_none, transform);
+        scene.add(Plane{}, k_none, transform);
+        scene.add(Cylinder{{0, 0, 0}, {0, 1, 0}, 1, false}, k_none, transform);
+        scene.add(Cylinder{{0, 0, 0}, {0, 1, 0}, 1, true}, k_none, transform);
+        scene.add(Cone{{0, 0, 0}, {0, 1, 0}, 1, 0, false}, k_none, transform);
+        scene.add(Cone{{0, 0, 0}, {0, 1, 0}, 1, 0, true}, k_none, transform);
+        scene.add(Disc{}, k_none, transform);
+        scene.add(Cuboid{}, k_none, transform);
+        scene.add(Triangle{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}}, k_none, transform);
+    }
+    EXPECT_EQ(turned(Facing::none), std::vector<bool>(18, false));
+    EXPECT_EQ(turned(Facing::all), std::vector<bool>(18, true));
+    std::vector<bool> open{false, true, true, false, true, false, true, false, true};
+    open.insert(open.end(), open.begin(), open.end());
+    EXPECT_EQ(turned(Facing::open), open);
+}
+
+TEST(Prepare, LightsAndMaterials) {
+    Scene scene;
+    Light light;
+    light.kind = LightKind::ambient;
+    light.color = {0.1, 0.2, 0.3};
+    scene.lights = {light, Light{}, light};
+    scene.lights[1].position = {1, 2, 3};
+    Material m;
+    m.shininess = 99;
+    scene.materials = {m, m};
+    scene.add(Sphere{});
+    scene.add(Sphere{}, 1);
+    const WorldPtr world = make_world(scene);
+    EXPECT_EQ(world->ambient, (Color{0.2, 0.4, 0.6}));
+    ASSERT_EQ(world->lights.size(), 1u);
+    EXPECT_EQ(world->lights[0].position, (Vec3{1, 2, 3}));
+    ASSERT_EQ(world->materials.size(), 3u * k_material_values);
+    for (std::uint32_t slot = 0; slot < 2; ++slot) {
+        const std::uint32_t material = world->material[slot] & ~k_turn_normal;
+        const bool has_own = world->shape_index[slot] == 1;
+        EXPECT_EQ(material, has_own ? 1u : 2u);
+        EXPECT_EQ(world->materials[material * k_material_values + k_shininess],
+                  has_own ? 99 : Material{}.shininess);
+    }
+}
+
+TEST(Prepare, BoundsAndMemory) {
+    Scene scene;
+    scene.add(Plane{});
+    Bounds none = bounds(*make_world(scene));
+    EXPECT_GT(none.min.x, none.max.x);
+    scene.add(Sphere{{1, 2, 3}, 0.5});
+    scene.add(Cylinder{{-4, 0, 0}, {-4, 7, 0}, 1, false});
+    const WorldPtr world = make_world(scene);
+    const Bounds b = bounds(*world);
+    EXPECT_NEAR(b.min.x, -5, 1e-5);
+    EXPECT_NEAR(b.min.y, 0, 1e-5);
+    EXPECT_NEAR(b.max.x, 1.5, 1e-5);
+    EXPECT_NEAR(b.max.y, 7, 1e-5);
+    EXPECT_NEAR(b.max.z, 3.5, 1e-5);
+    EXPECT_GE(memory(*world).shapes, sizeof(double) * 4);
+    EXPECT_GE(memory(*world).hierarchy, sizeof(BvhNode));
+    EXPECT_EQ(memory(*world).total(),
+              memory(*world).shapes + memory(*world).hierarchy + memory(*world).materials);
+}
+
+TEST(Prepare, AWorldOfASceneWithErrorsIsNone) {
+    Scene scene;
+    scene.add(Sphere{{0, 0, 0}, -1});
+    const PrepareResult result = prepare(scene);
+    EXPECT_FALSE(result.world);
+    EXPECT_TRUE(has_errors(result.diagnostics));
+}
+
+// Points of shapes are within their slots' boxes.
+TEST(Prepare, BoxesHoldTheirShapes) {
+    Random random(114);
+    Scene scene;
+    for (int i = 0; i < 6; ++i) scene.transforms.push_back(random_transform(random, 3));
+    for (int i = 0; i < 3000; ++i) {
+        const std::uint32_t transform =
+            chance(random, 0.5) ? static_cast<std::uint32_t>(below(random, 6)) : k_none;
+        const Vec3 at = point_in_cube(random, 10);
+        const double r = log_uniform(random, 1e-6, 10);
+        if (chance(random, 0.3)) {
+            scene.add(Sphere{at, r}, k_none, transform);
+        } else {
+            add_other(scene, random, at, r, transform);
+        }
+    }
+    const WorldPtr world = make_world(scene);
+    int checked = 0;
+    for (std::uint32_t slot = 0; slot < world->bounded; ++slot) {
+        const ShapeClass& shapes = world->class_of(slot);
+        double lo[3], hi[3];
+        for (int a = 0; a < 3; ++a) lo[a] = world->box_lo[a][slot], hi[a] = world->box_hi[a][slot];
+        for (int i = 0; i < 20; ++i) {
+            // From well outside the box through a point of it.
+            const Vec3 to{random.uniform(lo[0], hi[0]), random.uniform(lo[1], hi[1]),
+                          random.uniform(lo[2], hi[2])};
+            const double size = std::max({hi[0] - lo[0], hi[1] - lo[1], hi[2] - lo[2]});
+            const Vec3 d = unit_direction(random), o = to - d * (3 * size);
+            FormulaHit hit{shapes, slot - shapes.first, {{o.x, o.y, o.z}, {d.x, d.y, d.z}}, 0};
+            plain::visit_geometry(shapes.kind, shapes.transformed, hit);
+            if (!hit.candidate.hit) continue;
+            ++checked;
+            const Vec3 p = o + d * hit.candidate.t;
+            const double at[3] = {p.x, p.y, p.z};
+            for (int a = 0; a < 3; ++a) {
+                const double slack = 1e-14 * (std::fabs(at[a]) + 10);
+                EXPECT_GE(at[a], lo[a] - slack) << "slot " << slot << " axis " << a;
+                EXPECT_LE(at[a], hi[a] + slack) << "slot " << slot << " axis " << a;
+            }
+        }
+    }
+    EXPECT_GT(checked, 10000);
+}
+
+TEST(Prepare, TheCameraByItsDefinition) {
+    Scene scene;
+    scene.settings.width = 200;
+    scene.settings.height = 100;
+    scene.camera.position = {1, 2, 3};
+    scene.camera.look_at = {1, 2, -7};
+    scene.camera.up = {0, 5, 1};
+    scene.camera.fov_degrees = 90;
+    const auto prepared = [&] { return make_world(scene)->camera; };
+    PreparedCamera c = prepared();
+    EXPECT_EQ(c.forward, (Vec3{0, 0, -1}));
+    EXPECT_NEAR(c.right.x, 2, 1e-15);  // 2 tan 45
+    EXPECT_NEAR(c.up.y, 1, 1e-15);
+    EXPECT_EQ(dot(c.right, c.up), 0);
+    scene.camera.fov_axis = FovAxis::y;
+    c = prepared();
+    EXPECT_NEAR(c.up.y, 2, 1e-15);
+    EXPECT_NEAR(c.right.x, 4, 1e-15);
+    scene.camera.projection = Projection::orthographic;
+    scene.camera.width = 6;
+    c = prepared();
+    EXPECT_NEAR(c.right.x, 6, 1e-15);
+    EXPECT_NEAR(c.up.y, 3, 1e-15);
+    scene.camera.frame = CameraFrame{{3, 0, 0}, {0, 4, 0}, {0, 0, 5}};
+    c = prepared();
+    EXPECT_EQ(c.right, (Vec3{3, 0, 0}));
+    EXPECT_EQ(c.up, (Vec3{0, 4, 0}));
+    EXPECT_EQ(c.forward, (Vec3{0, 0, 5}));
+}
+
+}  // namespace
+}  // namespace glint::testing
