@@ -16,6 +16,12 @@ constexpr Format k_formats[] = {
     {{"epfl", ".json .js", "epfl", "RT2's scenes, as JSON or as the homework's JavaScript"},
      set_epfl_defaults,
      read_epfl},
+    {{"csc473", ".pov", "csc473", "the scenes of CSC 473, a part of POV-Ray's language"},
+     set_csc473_defaults,
+     read_csc473},
+    {{"nff", ".nff", "nff", "the Neutral File Format of the Standard Procedural Databases"},
+     set_nff_defaults,
+     read_nff},
 };
 
 constexpr auto k_infos = [] {

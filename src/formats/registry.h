@@ -25,4 +25,10 @@ void read_cgfs(Reading& reading, const ReadText& text);
 void set_epfl_defaults(Scene& scene);
 void read_epfl(Reading& reading, const ReadText& text);
 
+void set_csc473_defaults(Scene& scene);
+void read_csc473(Reading& reading, const ReadText& text);
+
+void set_nff_defaults(Scene& scene);
+void read_nff(Reading& reading, const ReadText& text);
+
 }  // namespace glint
