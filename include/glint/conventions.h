@@ -38,6 +38,13 @@ enum class LimitRule : std::uint8_t { keep, drop };
 /// What a mirror ray that leaves the scene sees.
 enum class MissRule : std::uint8_t { background, black };
 
+/// How much of the light that glass would let through it reflects instead. schlick: by the angle (CSC 473).
+enum class Fresnel : std::uint8_t { none, schlick };
+
+/// Whether a surface that lets light through casts a shadow. opaque: as any other (CSC 473); none: it does
+/// not.
+enum class GlassShadow : std::uint8_t { opaque, none };
+
 /// Which normals are turned towards the incoming ray. open: of planes, discs, triangles, uncapped cylinders
 /// and cones.
 enum class Facing : std::uint8_t { none, open, all };
@@ -58,6 +65,10 @@ struct Conventions {
     MirrorRule mirror = MirrorRule::blend;
     LimitRule limit = LimitRule::keep;
     MissRule mirror_miss = MissRule::background;
+    Fresnel fresnel = Fresnel::none;
+    double beer =
+        0;  ///< > 0: Beer's law, absorption of a black tint per unit of length, in place of one tint
+    GlassShadow glass_shadow = GlassShadow::opaque;
     double min_weight = 0;  ///< a ray whose weight is below this is not traced
     Facing facing = Facing::all;
     friend bool operator==(const Conventions&, const Conventions&) = default;
@@ -68,7 +79,7 @@ struct RenderSettings {
     std::int32_t width = 640, height = 480;  ///< pixels, 1 to k_max_size
     Shading shading = Shading::blinn_phong;
     bool shadows = true;
-    std::int32_t reflections = 4;  ///< most mirror generations, 0 to k_max_reflections
+    std::int32_t reflections = 4;  ///< most generations of mirror and glass rays, 0 to k_max_reflections
     std::int32_t samples = 1;      ///< n: n x n regular samples a pixel, 1 to k_max_samples
     friend bool operator==(const RenderSettings&, const RenderSettings&) = default;
 };
@@ -76,6 +87,10 @@ struct RenderSettings {
 inline constexpr std::int32_t k_max_size = 65536;
 inline constexpr std::int32_t k_max_reflections = 1000;
 inline constexpr std::int32_t k_max_samples = 64;
+
+/// Mirror and glass rays of one sample of a pixel: those beyond are not traced. Only a surface that is both
+/// can come near it, by doubling the rays at every generation.
+inline constexpr std::int32_t k_max_sample_rays = 4096;
 
 /// Conventions and settings together with where each value came from.
 struct SettingOrigin {

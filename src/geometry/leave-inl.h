@@ -41,6 +41,15 @@ HWY_INLINE Triple<T> leave(const SurfacePoint<T>& s, Triple<T> outgoing, Offset 
     return s.point + s.normal * select(dot(s.normal, outgoing) < T(0), -reach, reach);
 }
 
+/// Where a ray through the surface starts: on the side it goes to, as far from it as one that leaves.
+template <class T>
+HWY_INLINE Triple<T> leave_through(const SurfacePoint<T>& s, Triple<T> outgoing, Offset offset,
+                                   double epsilon) {
+    if (offset != Offset::normal && offset != Offset::facing) return leave(s, outgoing, offset, epsilon);
+    const T e = T(epsilon);
+    return s.point + s.normal * select(dot(s.normal, outgoing) < T(0), -e, e);
+}
+
 /// The least t of a ray that leaves a surface.
 HWY_INLINE double leave_t_min(Offset offset, double epsilon) { return offset == Offset::ray ? epsilon : 0.0; }
 

@@ -20,6 +20,8 @@ constexpr std::string_view k_offsets[] = {"ray", "normal", "facing", "direction"
 constexpr std::string_view k_mirrors[] = {"blend", "add"};
 constexpr std::string_view k_limits[] = {"keep", "drop"};
 constexpr std::string_view k_misses[] = {"background", "black"};
+constexpr std::string_view k_fresnels[] = {"none", "schlick"};
+constexpr std::string_view k_glass_shadows[] = {"opaque", "none"};
 constexpr std::string_view k_facings[] = {"none", "open", "all"};
 constexpr std::string_view k_shadings[] = {"phong", "blinn-phong", "diffuse", "color", "normals"};
 
@@ -167,7 +169,15 @@ constexpr Row k_rows[] = {
         "limit", "keep | drop",
         "the last permitted surface gives its local colour whole, or as if its mirror saw black", true),
     word_row<&C::mirror_miss, k_misses>("mirror_miss", "background | black",
-                                        "what a mirror ray that leaves the scene sees", true),
+                                        "what a mirror or glass ray that leaves the scene sees", true),
+    word_row<&C::fresnel, k_fresnels>(
+        "fresnel", "none | schlick",
+        "how much glass reflects of what it would let through; schlick: by the angle", true),
+    number_row<&C::beer, k_not_negative>(
+        "beer",
+        "0: glass tints once, where a ray enters; else by Beer's law, exp(-beer (1 - tint) distance)"),
+    word_row<&C::glass_shadow, k_glass_shadows>("glass_shadow", "opaque | none",
+                                                "whether glass casts shadows", true),
     number_row<&C::min_weight, k_fraction>("min_weight", "a ray that weighs less than this is not traced"),
     word_row<&C::facing, k_facings>(
         "facing", "none | open | all",
@@ -177,7 +187,7 @@ constexpr Row k_rows[] = {
                                       "the lighting equation, or part of it", false),
     bool_row<&S::shadows>("shadows", "lights can be blocked", false),
     whole_row<&S::reflections, 0, k_max_reflections>("reflections", "a whole number from 0 to 1000",
-                                                     "the most mirror generations"),
+                                                     "the most generations of mirror and glass rays"),
     whole_row<&S::samples, 1, k_max_samples>("aa", "a whole number from 1 to 64",
                                              "n: n x n regular samples a pixel"),
 };

@@ -59,13 +59,15 @@ inline void make_camera_rays(const World& world, const TileJob& job, int i, int 
                                                    job.y + y, i, j);
                     Vec3 origin, direction;
                     camera_ray(world, at, origin, direction);
+                    RayPath path;
+                    path.pixel = static_cast<std::uint32_t>(y * k_tile_side + x);
                     rays.push(origin, direction, world.conventions.camera_t_min,
-                              std::numeric_limits<double>::infinity(), {1, 1, 1},
-                              static_cast<std::uint32_t>(y * k_tile_side + x), Branch::camera);
+                              std::numeric_limits<double>::infinity(), path);
                 }
             }
         }
     }
+    rays.end_group();
 }
 
 }  // namespace HWY_NAMESPACE

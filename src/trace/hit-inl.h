@@ -36,7 +36,7 @@ struct HitResult {
     /// new_t is at most t[ray], which may be t_max itself.
     HWY_INLINE void accept(Beam& beam, int ray, double new_t, std::uint32_t new_slot) const {
         if (occluded != nullptr) {
-            if (new_t == t[ray]) return;
+            if (new_t == t[ray] || (world.material[new_slot] & k_no_shadow) != 0) return;
             occluded[ray] = 1;
             beam.t_max[ray] = -std::numeric_limits<float>::infinity();
             return;

@@ -50,11 +50,12 @@ inline void find_surfaces(const World& world, TileScratch& s, int first, int cou
         const ShapeClass& shapes = world.class_of(slot);
         NormalAt at{shapes, slot - shapes.first, point, {}};
         visit_geometry(shapes.kind, shapes.transformed, at);
-        const bool turn = (world.material[slot] & k_turn_normal) != 0 && dot(at.normal, d) > 0;
+        const bool behind = dot(at.normal, d) > 0;
+        const bool turn = behind && (world.material[slot] & k_turn_normal) != 0;
         const Triple<double> n = turn ? -at.normal : at.normal;
 
         Triple<double> eye = -d;
-        if (world.camera.has_lighting_eye && s.rays.branch(first + i) == Branch::camera) {
+        if (world.camera.has_lighting_eye && s.rays.path(first + i).branch == Branch::camera) {
             const Vec3 e = world.camera.lighting_eye;
             eye = Triple<double>{e.x, e.y, e.z} - point;
         }
@@ -62,7 +63,8 @@ inline void find_surfaces(const World& world, TileScratch& s, int first, int cou
 
         const int h = s.hits++;
         s.ray[h] = i;
-        s.material[h] = world.material[slot] & ~k_turn_normal;
+        s.material[h] = world.material[slot] & k_material_index;
+        s.behind[h] = behind;
         const auto put = [h](TileScratch::Column* to, const Triple<double>& v) {
             to[0][h] = v.x, to[1][h] = v.y, to[2][h] = v.z;
         };

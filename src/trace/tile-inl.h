@@ -6,6 +6,7 @@
 #define GLINT_TRACE_TILE_INL_H_
 #endif
 
+#include "trace/branch-inl.h"
 #include "trace/camera_rays-inl.h"
 #include "trace/hit_declarations-inl.h"
 #include "trace/light-inl.h"
@@ -14,8 +15,6 @@
 HWY_BEFORE_NAMESPACE();
 namespace glint {
 namespace HWY_NAMESPACE {
-
-HWY_INLINE Color material_color(const double* m, int value) { return {m[value], m[value + 1], m[value + 2]}; }
 
 HWY_INLINE void add_to(TileScratch& s, std::uint32_t pixel, int layer, Color c) {
     double* sum = s.pixels[pixel].data() + 3 * layer;
@@ -28,37 +27,14 @@ HWY_INLINE int layer_of(Branch branch, Layer own) {
     return branch == Branch::reflected ? k_layer_reflected : k_layer_transmitted;
 }
 
-/// A mirror's ray, and what becomes of the surface's own light: c = (1-a) local + a reflected, or local + a
-/// reflected.
-struct MirrorSplit {
-    Color local, reflected;  // weights
-    bool traced;
-};
-HWY_INLINE MirrorSplit split_mirror(const World& world, const double* material, Color weight,
-                                    int generation) {
-    const Conventions& c = world.conventions;
-    const double a = material[k_mirror];
-    MirrorSplit split{weight, {}, false};
-    if (!(a > 0)) return split;
-    const bool at_limit = generation >= world.settings.reflections;
-    if (c.mirror == MirrorRule::blend && !(at_limit && c.limit == LimitRule::keep))
-        split.local = weight * (1 - a);
-    if (at_limit) return split;
-    split.reflected = weight * a * material_color(material, k_mirror_tint);
-    split.traced =
-        number::max(number::max(split.reflected.r, split.reflected.g), split.reflected.b) >= c.min_weight;
-    return split;
-}
-
 /// What the rays that hit nothing see.
 inline void add_misses(const World& world, TileScratch& s, int first, int count) {
     for (int i = 0; i < count; ++i) {
         if (s.slot[i] != k_none) continue;
-        const Branch branch = s.rays.branch(first + i);
-        if (branch != Branch::camera && world.conventions.mirror_miss == MissRule::black) continue;
+        const RayPath& path = s.rays.path(first + i);
+        if (path.branch != Branch::camera && world.conventions.mirror_miss == MissRule::black) continue;
         const Color seen = world.settings.shading == Shading::normals ? Color{0, 0, 1} : world.background;
-        add_to(s, s.rays.pixel(first + i), layer_of(branch, k_layer_background),
-               s.rays.weight(first + i) * seen);
+        add_to(s, path.pixel, layer_of(path.branch, k_layer_background), path.weight * seen);
     }
 }
 
@@ -71,38 +47,23 @@ inline void add_unlit(const World& world, TileScratch& s, int first) {
         if (world.settings.shading == Shading::normals) {
             c = Color{s.normal[0][h] + 1, s.normal[1][h] + 1, s.normal[2][h] + 1} * 0.5;
         }
-        add_to(s, s.rays.pixel(first + s.ray[h]), k_layer_ambient, c);
+        add_to(s, s.rays.path(first + s.ray[h]).pixel, k_layer_ambient, c);
     }
 }
 
-/// Adds the hits' light to their pixels, weighted, and queues their mirror rays.
+/// Adds the hits' light to their pixels, weighted.
 inline void add_hits(const World& world, TileScratch& s, int first, int generation) {
-    const Conventions& rules = world.conventions;
     for (int h = 0; h < s.hits; ++h) {
-        const int ray = first + s.ray[h];
-        const std::uint32_t pixel = s.rays.pixel(ray);
-        const Branch branch = s.rays.branch(ray);
+        const RayPath& path = s.rays.path(first + s.ray[h]);
         const double* material =
             world.materials.data() + static_cast<std::size_t>(s.material[h]) * k_material_values;
-        const MirrorSplit split = split_mirror(world, material, s.rays.weight(ray), generation);
-
+        const Color weight = path.weight * local_share(world, material, generation);
         const Color ambient = material_color(material, k_ambient) * world.ambient;
         const Color diffuse{s.diffuse[0][h], s.diffuse[1][h], s.diffuse[2][h]};
         const Color specular{s.specular[0][h], s.specular[1][h], s.specular[2][h]};
-        add_to(s, pixel, layer_of(branch, k_layer_ambient), split.local * ambient);
-        add_to(s, pixel, layer_of(branch, k_layer_diffuse), split.local * diffuse);
-        add_to(s, pixel, layer_of(branch, k_layer_specular), split.local * specular);
-
-        if (!split.traced) continue;
-        const SurfacePoint<double> surface{{s.point[0][h], s.point[1][h], s.point[2][h]},
-                                           {s.normal[0][h], s.normal[1][h], s.normal[2][h]},
-                                           {s.incoming[0][h], s.incoming[1][h], s.incoming[2][h]},
-                                           s.magnitude[h]};
-        const Triple<double> direction = mirrored(-surface.incoming, surface.normal);
-        const Triple<double> start = leave(surface, direction, rules.offset, rules.epsilon);
-        s.next_rays.push({start.x, start.y, start.z}, {direction.x, direction.y, direction.z},
-                         leave_t_min(rules.offset, rules.epsilon), std::numeric_limits<double>::infinity(),
-                         split.reflected, pixel, branch == Branch::camera ? Branch::reflected : branch);
+        add_to(s, path.pixel, layer_of(path.branch, k_layer_ambient), weight * ambient);
+        add_to(s, path.pixel, layer_of(path.branch, k_layer_diffuse), weight * diffuse);
+        add_to(s, path.pixel, layer_of(path.branch, k_layer_specular), weight * specular);
     }
 }
 
@@ -136,9 +97,9 @@ void render_tile(const World& world, const TileJob& job, TileScratch& s) {
     for (int j = 0; j < world.settings.samples; ++j) {
         for (int i = 0; i < world.settings.samples; ++i) {
             make_camera_rays(world, job, i, j, s.rays);
+            s.counts.camera += static_cast<std::uint64_t>(s.rays.size());
+            s.sample_rays.fill(0);
             for (int generation = 0; s.rays.size() > 0; ++generation) {
-                (generation == 0 ? s.counts.camera : s.counts.mirror) +=
-                    static_cast<std::uint64_t>(s.rays.size());
                 // Mirror rays spread: they walk in smaller beams.
                 const int beam = generation == 0 ? k_beam : k_mirror_beam;
                 s.next_rays.clear();
@@ -147,9 +108,11 @@ void render_tile(const World& world, const TileJob& job, TileScratch& s) {
                     nearest_hit(world, s.rays.rays(first), count, beam, s.t.data(), s.slot.data());
                     add_misses(world, s, first, count);
                     find_surfaces(world, s, first, count);
+                    absorb(world, s, first);
                     if (lit) {
                         light_hits(world, s, beam);
                         add_hits(world, s, first, generation);
+                        queue_branches(world, s, first, generation);
                     } else {
                         add_unlit(world, s, first);
                     }

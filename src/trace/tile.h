@@ -40,7 +40,10 @@ struct TileScratch {
     using Column = std::array<double, k_size>;
 
     RayQueue rays, next_rays;                                            // this generation, and the one after
+    RayQueue transmitted_rays;                                           // of the group at hand
     std::array<std::array<double, 3 * k_layers>, k_tile_pixels> pixels;  // sums over the samples, by pixel
+
+    std::array<std::int32_t, k_tile_pixels> sample_rays;  // mirror and glass rays of the sample, by pixel
 
     Column t;                                // by ray
     std::array<std::uint32_t, k_size> slot;  // by ray
@@ -48,6 +51,7 @@ struct TileScratch {
     int hits = 0;
     std::array<std::int32_t, k_size> ray;  // which ray of the stream it is
     std::array<std::uint32_t, k_size> material;
+    std::array<std::uint8_t, k_size> behind;  // the ray came from behind the shape's own normal
     Column point[3], normal[3], incoming[3], to_eye[3], magnitude;
     Column diffuse[3], specular[3];        // sums over the lights
     Column n_l, s, attenuation;            // of the light at hand

@@ -185,6 +185,11 @@ class Packer {
         return open;
     }
 
+    bool casts_no_shadow(std::uint32_t material) const {
+        return scene_.conventions.glass_shadow == GlassShadow::none && material < scene_.materials.size() &&
+               scene_.materials[material].transmission > 0;
+    }
+
     void build_hierarchy() {
         std::vector<std::uint8_t> classes;
         for (std::uint32_t i = 0; i < items_.list.size(); ++i) {
@@ -246,8 +251,9 @@ class Packer {
         const std::uint32_t slot = slot_[i];
         world_.shape_index[slot] = item.shape;
         const auto last = static_cast<std::uint32_t>(scene_.materials.size());  // the default material
-        world_.material[slot] =
-            (shape.material == k_none ? last : shape.material) | (turns_normal(item) ? k_turn_normal : 0);
+        const std::uint32_t material = shape.material == k_none ? last : shape.material;
+        world_.material[slot] = material | (turns_normal(item) ? k_turn_normal : 0) |
+                                (casts_no_shadow(material) ? k_no_shadow : 0);
 
         std::array<double, k_max_values> values;
         int n = 0;

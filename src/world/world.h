@@ -54,7 +54,7 @@ class World {
     Bvh bvh;                                  // its leaves refer to slots; its order is dropped
     std::vector<float> box_lo[3], box_hi[3];  // by slot: the shape's own padded box
     std::vector<std::uint32_t> shape_index;   // by slot: the index in Scene::shapes
-    std::vector<std::uint32_t> material;      // by slot: the material, and k_turn_normal
+    std::vector<std::uint32_t> material;      // by slot: the material, k_turn_normal, k_no_shadow
 
     std::vector<double> materials;  // k_material_values each; the last is the default material
     std::vector<Light> lights;      // point and directional, in scene order
@@ -70,5 +70,8 @@ class World {
 
 /// Set in World::material where the convention turns the normal towards the incoming ray.
 inline constexpr std::uint32_t k_turn_normal = 0x80000000u;
+/// Set in World::material where the convention lets the surface cast no shadow.
+inline constexpr std::uint32_t k_no_shadow = 0x40000000u;
+inline constexpr std::uint32_t k_material_index = ~(k_turn_normal | k_no_shadow);
 
 }  // namespace glint

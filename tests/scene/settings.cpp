@@ -14,7 +14,7 @@ std::string set(Scene& scene, std::string_view key, std::string_view value) {
 
 TEST(Settings, KeysAreFoundByName) {
     const auto keys = setting_keys();
-    ASSERT_EQ(keys.size(), 19u);
+    ASSERT_EQ(keys.size(), 22u);
     for (std::size_t i = 0; i < keys.size(); ++i) {
         EXPECT_EQ(find_setting(keys[i].name), i);
         EXPECT_FALSE(keys[i].values.empty());
@@ -46,6 +46,9 @@ TEST(Settings, EveryFieldHasAKey) {
                                                           {"mirror", "add"},
                                                           {"limit", "drop"},
                                                           {"mirror_miss", "black"},
+                                                          {"fresnel", "schlick"},
+                                                          {"beer", "0.15"},
+                                                          {"glass_shadow", "none"},
                                                           {"min_weight", "0.01"},
                                                           {"facing", "open"},
                                                           {"size", "320x200"},
@@ -71,6 +74,9 @@ TEST(Settings, EveryFieldHasAKey) {
                                MirrorRule::add,
                                LimitRule::drop,
                                MissRule::black,
+                               Fresnel::schlick,
+                               0.15,
+                               GlassShadow::none,
                                0.01,
                                Facing::open};
     EXPECT_EQ(scene.conventions, expected);

@@ -15,13 +15,15 @@
 namespace glint::testing {
 namespace {
 
-// Every kind of shape, mirrors, several lights, shadows, three samples a side.
+// Every kind of shape, mirrors, glass, several lights, shadows, three samples a side.
 Scene everything() {
     Random random(91);
     Scene scene = random_scene(random, 150, 6);
     set_size(scene, 101, 75);
     scene.settings.samples = 3;
-    scene.settings.reflections = 3;
+    scene.settings.reflections = 5;
+    scene.conventions.fresnel = Fresnel::schlick;
+    scene.conventions.beer = 0.2;
     scene.background = {0.2, 0.3, 0.4};
     scene.camera.position = {0, 2, 16};
     scene.camera.look_at = {0, 0, 0};
@@ -31,6 +33,9 @@ Scene everything() {
         m.specular = {0.5, 0.4, 0.3};
         m.shininess = log_uniform(random, 1, 300);
         m.mirror = i % 2 == 0 ? 0.4 : 0;
+        m.transmission = i % 3 == 0 ? 0.7 : 0;
+        m.transmission_tint = {1, 0.6, random.uniform(0, 1)};
+        m.ior = 1.3;
         add_material(scene, m);
     }
     for (std::size_t i = 0; i < scene.shapes.size(); ++i)

@@ -128,7 +128,7 @@ TEST(Prepare, LightsAndMaterials) {
     EXPECT_EQ(world->lights[0].position, (Vec3{1, 2, 3}));
     ASSERT_EQ(world->materials.size(), 3u * k_material_values);
     for (std::uint32_t slot = 0; slot < 2; ++slot) {
-        const std::uint32_t material = world->material[slot] & ~k_turn_normal;
+        const std::uint32_t material = world->material[slot] & k_material_index;
         const bool has_own = world->shape_index[slot] == 1;
         EXPECT_EQ(material, has_own ? 1u : 2u);
         EXPECT_EQ(world->materials[material * k_material_values + k_shininess],

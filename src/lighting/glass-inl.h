@@ -1,0 +1,52 @@
+// Refraction: where a ray goes at the surface of glass, and how much of it (docs/lighting.md). Pure
+// functions.
+#if defined(GLINT_LIGHTING_GLASS_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef GLINT_LIGHTING_GLASS_INL_H_
+#undef GLINT_LIGHTING_GLASS_INL_H_
+#else
+#define GLINT_LIGHTING_GLASS_INL_H_
+#endif
+
+#include "simd/elementary-inl.h"
+#include "simd/vec3-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace glint {
+namespace HWY_NAMESPACE {
+
+/// A ray beyond a surface. Where `total` is set there is none: total internal reflection.
+template <class T> struct Refraction {
+    decltype(T() < T()) total;
+    Triple<T> direction;  // as long as the incoming one
+};
+
+/// Snell's law, n1 sin(theta) = n2 sin(phi). incoming: of any length but 0; normal: unit, on the side the ray
+/// comes from (N·D <= 0); eta = n1 / n2. T = eta (D + cos N) - N sqrt(1 - eta^2 (1 - cos^2)), cos = -N·D
+/// (CSC 473, "Reflection and Refraction").
+template <class T> HWY_INLINE Refraction<T> refracted(Triple<T> incoming, Triple<T> normal, T eta) {
+    const T size = length(incoming);
+    const Triple<T> d = incoming / size;
+    const T cosine = -dot(normal, d);
+    const T square = T(1) - eta * eta * (T(1) - cosine * cosine);
+    const Triple<T> t = (d + normal * cosine) * eta - normal * sqrt(max(square, T(0)));
+    return {square < T(0), t * size};
+}
+
+/// Schlick's approximation of what a surface reflects: F0 + (1 - F0) (1 - cos)^5, F0 = ((n - 1)/(n + 1))^2,
+/// cos = |N·D| of the incoming ray on either side (CSC 473, "Fresnel and Beer's Law").
+template <class T> HWY_INLINE T schlick(T cosine, T ior) {
+    const T root = (ior - T(1)) / (ior + T(1)), f0 = root * root, m = max(T(1) - cosine, T(0));
+    return f0 + (T(1) - f0) * (m * m * (m * m) * m);
+}
+
+/// Beer's law: what is left of a colour channel after a way through glass of this tint. absorption: of a
+/// black tint, per unit of length (CSC 473: 0.15).
+template <class T> HWY_INLINE T beer(T tint, T absorption, T distance) {
+    return exp(-((T(1) - tint) * absorption * distance));
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace glint
+HWY_AFTER_NAMESPACE();
+
+#endif
