@@ -236,10 +236,27 @@ HWY_INLINE void trace_beam(const World& world, const RaySpan& rays, int count, c
     traverse<ordered>(world.bvh, beam, tests);
 }
 
+/// A beam's directions differ by this much at most, relative to their size. Measured on the sphereflake of
+/// 7,381 spheres: 0.05 and below 0.85 s, 0.1 1.1 s, 0.3 4.8 s, any spread 25 s (and single rays 1.1 s).
+inline constexpr double k_spread = 0.05;
+
+/// How many of rays [first, first + most) go nearly the way of the first: they walk together, since a beam
+/// meets every box that lies between its rays.
+HWY_INLINE int bundle(const RaySpan& r, int first, int most) {
+    const double x = r.dx[first], y = r.dy[first], z = r.dz[first];
+    const double near = k_spread * (number::abs(x) + number::abs(y) + number::abs(z));
+    int n = 1;
+    for (; n < most; ++n) {
+        const int i = first + n;
+        if (!(number::abs(r.dx[i] - x) + number::abs(r.dy[i] - y) + number::abs(r.dz[i] - z) <= near)) break;
+    }
+    return n;
+}
+
 void nearest_hit(const World& world, const RaySpan& rays, int count, int beam, double* t,
                  std::uint32_t* slot) {
-    for (int first = 0; first < count; first += beam) {
-        const int n = number::min(beam, count - first);
+    for (int first = 0, n = 0; first < count; first += n) {
+        n = bundle(rays, first, number::min(beam, count - first));
         for (int i = first; i < first + n; ++i) {
             t[i] = rays.t_max[i];
             slot[i] = k_none;
@@ -250,8 +267,8 @@ void nearest_hit(const World& world, const RaySpan& rays, int count, int beam, d
 
 void any_hit(const World& world, const RaySpan& rays, int count, int beam, std::uint8_t* occluded) {
     double t[k_beam + k_ray_padding];
-    for (int first = 0; first < count; first += beam) {
-        const int n = number::min(beam, count - first);
+    for (int first = 0, n = 0; first < count; first += n) {
+        n = bundle(rays, first, number::min(beam, count - first));
         for (int i = 0; i < n; ++i) {
             t[i] = rays.t_max[first + i];
             occluded[first + i] = 0;

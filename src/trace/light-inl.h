@@ -143,7 +143,7 @@ inline void add_terms(const World& world, const Light& light, TileScratch& s) {
 }
 
 /// Sums diffuse and specular of all hits over the lights, in the scene's order.
-inline void light_hits(const World& world, TileScratch& s, int beam) {
+inline void light_hits(const World& world, TileScratch& s) {
     for (int c = 0; c < 3; ++c) {
         for (int i = 0; i < s.hits; ++i) s.diffuse[c][i] = s.specular[c][i] = 0;
     }
@@ -152,7 +152,7 @@ inline void light_hits(const World& world, TileScratch& s, int beam) {
     for (const Light& light : world.lights) {
         const int rays = reach_hits(world, light, s);
         if (rays > 0) {
-            any_hit(world, s.shadow_rays(), rays, beam, s.occluded.data());
+            any_hit(world, s.shadow_rays(), rays, k_beam, s.occluded.data());
             for (int i = 0; i < rays; ++i) {
                 if (s.occluded[i]) s.lit[s.shadow_hit[i]] = 0;
             }

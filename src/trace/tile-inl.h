@@ -100,17 +100,15 @@ void render_tile(const World& world, const TileJob& job, TileScratch& s) {
             s.counts.camera += static_cast<std::uint64_t>(s.rays.size());
             s.sample_rays.fill(0);
             for (int generation = 0; s.rays.size() > 0; ++generation) {
-                // Mirror rays spread: they walk in smaller beams.
-                const int beam = generation == 0 ? k_beam : k_mirror_beam;
                 s.next_rays.clear();
                 for (int first = 0; first < s.rays.size(); first += k_stream) {
                     const int count = number::min(k_stream, s.rays.size() - first);
-                    nearest_hit(world, s.rays.rays(first), count, beam, s.t.data(), s.slot.data());
+                    nearest_hit(world, s.rays.rays(first), count, k_beam, s.t.data(), s.slot.data());
                     add_misses(world, s, first, count);
                     find_surfaces(world, s, first, count);
                     absorb(world, s, first);
                     if (lit) {
-                        light_hits(world, s, beam);
+                        light_hits(world, s);
                         add_hits(world, s, first, generation);
                         queue_branches(world, s, first, generation);
                     } else {

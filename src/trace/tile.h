@@ -12,8 +12,7 @@ namespace glint {
 
 inline constexpr int k_tile_side = 32;
 inline constexpr int k_tile_pixels = k_tile_side * k_tile_side;
-inline constexpr int k_stream = 1024;    // rays that pass a stage together, at most
-inline constexpr int k_mirror_beam = 8;  // rays of a mirror generation that walk the hierarchy together
+inline constexpr int k_stream = 1024;  // rays that pass a stage together, at most
 
 /// The parts of a pixel, in the order in which they are added up. Light found after the first mirror or glass
 /// surface belongs to the branch taken there.
