@@ -1,5 +1,7 @@
 #pragma once
-// The shapes' parameters. A new kind adds its struct, and one line to GLINT_SHAPES.
+// The shapes' parameters. A new kind adds its struct, and one line to GLINT_SHAPES (docs/adding_a_shape.md).
+// Where points, directions and lengths are all there is to know, fields() lists them once: validate() and the
+// scene language go by that list. Calls visit.point, visit.direction (not 0) or visit.length (> 0) for each.
 #include <cstdint>
 
 #include "glint/vec.h"
@@ -10,12 +12,20 @@ namespace glint {
 struct Sphere {
     Vec3 center;
     double radius = 1;
+    template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
+        visit.point("center", self.center);
+        visit.length("radius", self.radius);
+    }
 };
 
 /// The infinite plane through point, perpendicular to normal (any length but 0).
 struct Plane {
     Vec3 point;
     Vec3 normal{0, 1, 0};
+    template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
+        visit.point("point", self.point);
+        visit.direction("normal", self.normal);
+    }
 };
 
 /// The lateral surface of a finite cylinder around the axis from -> to (distinct points), radius > 0; with
@@ -41,6 +51,11 @@ struct Disc {
     Vec3 center;
     Vec3 normal{0, 1, 0};
     double radius = 1;
+    template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
+        visit.point("center", self.center);
+        visit.direction("normal", self.normal);
+        visit.length("radius", self.radius);
+    }
 };
 
 /// A box along the axes, min <= max in each coordinate. Its normals point outward. Scene files call it `box`.

@@ -225,17 +225,26 @@ class Validator {
         error(scene_.shape_texts.place(i), fmt::format("{}: {}", of, message));
     }
 
-    void check_parameters(std::uint32_t i, const Sphere& s) {
-        if (!is_coordinate(s.center))
-            shape_error(i, "expected a center within 1e12, found " + text(s.center));
-        check_radius(i, s.radius);
-    }
-
-    void check_parameters(std::uint32_t i, const Plane& p) {
-        if (!is_coordinate(p.point)) shape_error(i, "expected a point within 1e12, found " + text(p.point));
-        if (!is_coordinate(p.normal) || is_zero(p.normal)) {
-            shape_error(i, "expected a normal other than (0, 0, 0) and within 1e12, found " + text(p.normal));
+    // What a shape's fields() may hold.
+    struct FieldCheck {
+        Validator& to;
+        std::uint32_t i;
+        void point(std::string_view name, const Vec3& p) {
+            if (!is_coordinate(p))
+                to.shape_error(i, fmt::format("expected a {} within 1e12, found {}", name, text(p)));
         }
+        void direction(std::string_view name, const Vec3& d) {
+            if (is_coordinate(d) && !is_zero(d)) return;
+            to.shape_error(i, fmt::format("expected a {} other than (0, 0, 0) and within 1e12, found {}",
+                                          name, text(d)));
+        }
+        void length(std::string_view name, double x) {
+            if (k_length.contains(x)) return;
+            to.shape_error(i, fmt::format("{}: expected {}, found {}", name, k_length.text, x));
+        }
+    };
+    template <class T> void check_parameters(std::uint32_t i, const T& shape) {
+        T::fields(shape, FieldCheck{*this, i});
     }
 
     void check_parameters(std::uint32_t i, const Cylinder& c) {
@@ -245,7 +254,7 @@ class Validator {
         } else if (c.from == c.to) {
             shape_error(i, "expected an axis of some length, found two equal ends " + text(c.from));
         }
-        check_radius(i, c.radius);
+        FieldCheck{*this, i}.length("radius", c.radius);
     }
 
     void check_parameters(std::uint32_t i, const Cone& c) {
@@ -256,11 +265,6 @@ class Validator {
         } else if (c.from_radius == 0 && c.to_radius == 0) {
             shape_error(i, "expected a radius > 0 at one end at least, found (0, 0)");
         }
-    }
-
-    void check_parameters(std::uint32_t i, const Disc& d) {
-        check_parameters(i, Plane{d.center, d.normal});
-        check_radius(i, d.radius);
     }
 
     void check_parameters(std::uint32_t i, const Cuboid& c) {
@@ -275,12 +279,7 @@ class Validator {
 
     void check_parameters(std::uint32_t i, const SmoothTriangle& t) {
         check_vertices(i, t.vertices);
-        for (const Vec3& n : t.normals) {
-            if (!is_coordinate(n) || is_zero(n)) {
-                return shape_error(
-                    i, "expected a normal other than (0, 0, 0) and within 1e12, found " + text(n));
-            }
-        }
+        for (const Vec3& n : t.normals) FieldCheck{*this, i}.direction("normal", n);
     }
 
     void check_parameters(std::uint32_t i, const Polygon& p) {
@@ -299,12 +298,6 @@ class Validator {
     void check_vertices(std::uint32_t i, std::span<const Vec3> vertices) {
         for (const Vec3& v : vertices) {
             if (!is_coordinate(v)) return shape_error(i, "expected a vertex within 1e12, found " + text(v));
-        }
-    }
-
-    void check_radius(std::uint32_t i, double radius) {
-        if (!k_length.contains(radius)) {
-            shape_error(i, fmt::format("radius: expected {}, found {}", k_length.text, radius));
         }
     }
 
