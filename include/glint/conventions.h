@@ -60,6 +60,7 @@ struct Conventions {
     MissRule mirror_miss = MissRule::background;
     double min_weight = 0;  ///< a ray whose weight is below this is not traced
     Facing facing = Facing::all;
+    bool cones = true;  ///< false: cones are left out, as CSC 473's own program does
     friend bool operator==(const Conventions&, const Conventions&) = default;
 };
 

@@ -14,7 +14,7 @@ std::string set(Scene& scene, std::string_view key, std::string_view value) {
 
 TEST(Settings, KeysAreFoundByName) {
     const auto keys = setting_keys();
-    ASSERT_EQ(keys.size(), 19u);
+    ASSERT_EQ(keys.size(), 20u);
     for (std::size_t i = 0; i < keys.size(); ++i) {
         EXPECT_EQ(find_setting(keys[i].name), i);
         EXPECT_FALSE(keys[i].values.empty());
@@ -48,6 +48,7 @@ TEST(Settings, EveryFieldHasAKey) {
                                                           {"mirror_miss", "black"},
                                                           {"min_weight", "0.01"},
                                                           {"facing", "open"},
+                                                          {"cones", "false"},
                                                           {"size", "320x200"},
                                                           {"shading", "normals"},
                                                           {"shadows", "false"},
@@ -72,7 +73,8 @@ TEST(Settings, EveryFieldHasAKey) {
                                LimitRule::drop,
                                MissRule::black,
                                0.01,
-                               Facing::open};
+                               Facing::open,
+                               false};
     EXPECT_EQ(scene.conventions, expected);
     const RenderSettings settings{320, 200, Shading::normals, false, 7, 3};
     EXPECT_EQ(scene.settings, settings);
