@@ -13,7 +13,8 @@
 namespace {
 
 constexpr std::string_view k_head =
-    "b 0.078 0.361 0.753\nv\nfrom 2.1 1.3 1.7\nat 0 0 0\nup 0 0 1\nangle 45\nhither 0.01\nresolution 512 512\n"
+    "b 0.078 0.361 0.753\nv\nfrom 2.1 1.3 1.7\nat 0 0 0\nup 0 0 1\nangle 45\nhither 0.01\nresolution 512 "
+    "512\n"
     "l 4 3 2\nf 1 0.9 0.7 0.5 0.5 3.0827 0 1\n";
 
 // Six digits, as the databases' programs write.
