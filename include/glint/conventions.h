@@ -71,6 +71,7 @@ struct Conventions {
     GlassShadow glass_shadow = GlassShadow::opaque;
     double min_weight = 0;  ///< a ray whose weight is below this is not traced
     Facing facing = Facing::all;
+    bool cones = true;  ///< false: cones are left out, as CSC 473's own program does
     friend bool operator==(const Conventions&, const Conventions&) = default;
 };
 

@@ -1,10 +1,12 @@
 // .pov as CSC 473 writes it: a right-handed, small part of POV-Ray's language. docs/formats/csc473.md.
+#include "formats/csc473.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <optional>
 
 #include "base/text.h"
+#include "formats/povray_words.h"
 #include "formats/registry.h"
 #include "math/transform.h"
 
@@ -15,15 +17,8 @@ constexpr std::string_view k_blocks[] = {"camera",   "light_source", "sphere", "
                                          "triangle", "box",          "cone"};
 constexpr std::string_view k_block_list =
     "`camera`, `light_source`, `sphere`, `plane`, `triangle`, `box` or `cone`";
-constexpr std::string_view k_items[] = {"pigment", "finish", "translate", "rotate", "scale"};
-constexpr std::string_view k_finish[] = {"ambient",    "diffuse",    "specular", "roughness",
-                                         "reflection", "refraction", "ior"};
-constexpr Range k_roughness{0, 1e6, true, false, "a number > 0"};
-
-// What a shape of the text says of its surface.
-struct Finish {
-    double ambient = 0, diffuse = 0, specular = 0, roughness = 1, reflection = 0, refraction = 0, ior = 1;
-};
+constexpr Field k_camera[] = {{"location"}, {"up"}, {"right"}, {"look_at"}};
+constexpr std::string_view k_camera_names[] = {"location", "up", "right", "look_at"};
 
 class Csc473Reader {
   public:
@@ -42,283 +37,197 @@ class Csc473Reader {
     void read_block() {
         const Token word = p_.token();
         if (word.is('#')) return refuse_directive();
-        if (word.kind != TokenKind::word) {
-            p_.expected(k_block_list);
-            if (p_.at_closing_bracket() || !p_.skip_value()) p_.take();
-            return;
-        }
-        p_.take();
+        if (!is_block(word)) return refuse_block();
         const auto name = p_.text(word);
-        if (std::find(std::begin(k_blocks), std::end(k_blocks), name) == std::end(k_blocks))
-            return refuse(word, name);
+        p_.take();
         if (!p_.expect('{')) return;
-        if (name == "camera") read_camera(word);
-        if (name == "light_source") read_light(word);
-        if (name == "sphere") read_sphere(word);
-        if (name == "plane") read_plane(word);
-        if (name == "triangle") read_triangle(word);
-        if (name == "box") read_box(word);
-        if (name == "cone") read_cone(word);
+        const bool ok = name == "camera"         ? read_camera(word)
+                        : name == "light_source" ? read_light(word)
+                        : name == "sphere"       ? read_sphere(word)
+                        : name == "plane"        ? read_plane(word)
+                        : name == "triangle"     ? read_triangle(word)
+                        : name == "box"          ? read_box(word)
+                                                 : read_cone(word);
+        if (!ok) p_.skip_to_close('}');
+    }
+
+    bool is_block(const Token& token) const {
+        return token.kind == TokenKind::word &&
+               std::find(std::begin(k_blocks), std::end(k_blocks), p_.text(token)) != std::end(k_blocks);
+    }
+
+    // With all that follows before the next block of ours.
+    void refuse_block() {
+        refuse_word(p_, k_block_list, k_blocks);
+        do {
+            if (!p_.token().is('{')) {
+                p_.take();
+            } else if (!p_.skip_value()) {
+                return;
+            }
+        } while (!p_.at_end() && !is_block(p_.token()) && !p_.token().is('#'));
     }
 
     // POV-Ray's own language is left-handed and far larger: drawing the rest would be drawing something else.
     void refuse_directive() {
         const Token hash = p_.take();
         const auto name = p_.text(p_.token());
-        p_.error(hash, fmt::format(
-                           "`#{}` is of POV-Ray's own language; glint reads the part of it that CSC 473 uses",
-                           name));
+        if (is_povray_directive(name)) {
+            p_.error(hash,
+                     fmt::format("`#{}` is of POV-Ray's own language, which is left-handed and larger; of it "
+                                 "glint reads what CSC 473 uses",
+                                 name));
+        } else {
+            p_.error(hash, fmt::format("expected {}, found '#'", k_block_list));
+        }
         p_.stop();
     }
-    void refuse(const Token& word, std::string_view name) {
-        const std::string hint = did_you_mean(name, k_blocks);
-        if (!hint.empty() || !p_.token().is('{')) {
-            p_.error(word, fmt::format("expected {}, found {}{}", k_block_list, quoted(name), hint));
-        } else {
-            p_.error(word,
-                     fmt::format(
-                         "{} is of POV-Ray's own language; glint reads the part of it that CSC 473 uses: {}",
-                         quoted(name), k_block_list));
-        }
-        if (p_.token().is('{')) p_.skip_value();
+
+    bool vector(Vec3& v) {
+        if (!p_.point(v, k_coordinate, '<', '>')) return false;
+        p_.accept(',');
+        return true;
+    }
+    bool number(double& value, const Range& range) {
+        if (!p_.number(value, range)) return false;
+        p_.accept(',');
+        return true;
     }
 
-    bool vector(Vec3& v) { return p_.point(v, k_coordinate, '<', '>'); }
-    void comma() { p_.accept(','); }
-
-    // After a mistake within a block.
-    void give_up() { p_.skip_to_close('}'); }
-
-    void read_camera(const Token& word) {
-        Vec3 location{0, 0, 0}, up{0, 1, 0}, right{1.33333, 0, 0}, look_at{0, 0, -1};
+    bool read_camera(const Token& word) {
+        if (reading_.camera_given) p_.warn(word, "a second camera: the last one holds");
+        // In the order of k_camera.
+        Vec3 values[4] = {{0, 0, 0}, {0, 1, 0}, {1.33333, 0, 0}, {0, 0, -1}};
+        FieldSet keys("camera", k_camera);
         while (!p_.accept('}')) {
             const Token key = p_.token();
             const auto name = p_.text(key);
-            Vec3* value = name == "location"  ? &location
-                          : name == "up"      ? &up
-                          : name == "right"   ? &right
-                          : name == "look_at" ? &look_at
-                                              : nullptr;
-            if (value == nullptr) {
-                p_.expected("`location`, `up`, `right`, `look_at` or `}`");
-                return give_up();
+            if (std::find(std::begin(k_camera_names), std::end(k_camera_names), name) ==
+                std::end(k_camera_names)) {
+                refuse_word(p_, "`location`, `up`, `right`, `look_at` or `}`", k_camera_names);
+                return false;
             }
             p_.take();
-            if (!vector(*value)) return give_up();
-            comma();
+            if (!vector(values[p_.field(keys, key, name)])) return false;
         }
-        if (look_at == location)
-            return p_.error(word, "expected a camera that looks somewhere, found `look_at` at its location");
+        const auto& [location, up, right, look_at] = values;
+        if (look_at == location) {
+            p_.error(word, "expected a camera that looks somewhere, found `look_at` at its location");
+            return true;
+        }
         scene_.camera.position = location;
         scene_.camera.look_at = look_at;
         scene_.camera.up = up;
         scene_.camera.frame = CameraFrame{right, up, normalize(look_at - location)};
         scene_.camera_place = source_place(text_, word);
         reading_.camera_given = true;
-    }
-
-    // color rgb <r, g, b> or color rgbf <r, g, b, f>; `color` may be left out.
-    bool color(Color& c, double& filter) {
-        if (p_.text(p_.token()) == "color") p_.take();
-        const auto kind = p_.text(p_.token());
-        if (kind != "rgb" && kind != "rgbf") {
-            p_.expected("`rgb` or `rgbf`");
-            return false;
-        }
-        p_.take();
-        if (!p_.expect('<')) return false;
-        double values[4] = {0, 0, 0, 0};
-        const int count = kind == "rgb" ? 3 : 4;
-        for (int i = 0; i < count; ++i) {
-            if (i > 0 && !p_.expect(',')) return false;
-            if (!p_.number(values[i], i < 3 ? k_channel : k_fraction)) return false;
-        }
-        if (!p_.expect('>')) return false;
-        c = {values[0], values[1], values[2]};
-        filter = values[3];
         return true;
     }
 
-    void read_light(const Token& word) {
+    bool read_light(const Token& word) {
         Light light;
-        double filter = 0;
-        if (!vector(light.position)) return give_up();
-        comma();
-        if (!color(light.color, filter)) return give_up();
+        PovColor color;
+        if (!vector(light.position) || !read_pov_color(p_, color)) return false;
         if (!p_.accept('}')) {
-            p_.expected("`}`");
-            return give_up();
+            refuse_word(p_, "`}` after the light's colour", {});
+            return false;
         }
-        light.specular_color = light.color;
+        light.color = light.specular_color = color.rgb;
         note(scene_.light_texts, scene_.lights.size(), source_place(text_, word));
         scene_.lights.push_back(light);
+        return true;
     }
 
-    void read_sphere(const Token& word) {
+    bool read_sphere(const Token& word) {
         Sphere s;
-        if (!vector(s.center)) return give_up();
-        comma();
-        if (!p_.number(s.radius, k_length)) return give_up();
-        finish_shape(s, word);
+        return vector(s.center) && number(s.radius, k_length) && finish_shape(s, word);
     }
 
-    void read_plane(const Token& word) {
+    // <n>, d: the points with n·p = d, n as written.
+    bool read_plane(const Token& word) {
         Plane plane;
         double distance = 0;
-        if (!vector(plane.normal)) return give_up();
-        comma();
-        if (!p_.number(distance, k_coordinate)) return give_up();
-        // <n>, d: the points with n·p = d, n as written or unit: the course writes unit ones.
-        if (!(plane.normal == Vec3{0, 0, 0}))
+        const Token normal = p_.token();
+        if (!vector(plane.normal) || !number(distance, k_coordinate)) return false;
+        if (plane.normal == Vec3{0, 0, 0}) {
+            p_.error(normal, "expected a normal other than <0, 0, 0>");
+        } else {
             plane.point = plane.normal * (distance / dot(plane.normal, plane.normal));
-        finish_shape(plane, word);
-    }
-
-    void read_triangle(const Token& word) {
-        Triangle t;
-        for (Vec3& v : t.vertices) {
-            if (!vector(v)) return give_up();
-            comma();
         }
-        finish_shape(t, word);
+        return finish_shape(plane, word);
     }
 
-    void read_box(const Token& word) {
+    bool read_triangle(const Token& word) {
+        Triangle t;
+        return vector(t.vertices[0]) && vector(t.vertices[1]) && vector(t.vertices[2]) &&
+               finish_shape(t, word);
+    }
+
+    // Two opposite corners, whichever.
+    bool read_box(const Token& word) {
         Vec3 a, b;
-        if (!vector(a)) return give_up();
-        comma();
-        if (!vector(b)) return give_up();
-        finish_shape(Cuboid{{std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z)},
-                            {std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)}},
-                     word);
+        if (!vector(a) || !vector(b)) return false;
+        return finish_shape(Cuboid{{std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z)},
+                                   {std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)}},
+                            word);
     }
 
-    void read_cone(const Token& word) {
+    bool read_cone(const Token& word) {
         Cone c;
         c.caps = true;
-        if (!vector(c.from)) return give_up();
-        comma();
-        if (!p_.number(c.from_radius, k_not_negative)) return give_up();
-        comma();
-        if (!vector(c.to)) return give_up();
-        comma();
-        if (!p_.number(c.to_radius, k_not_negative)) return give_up();
-        finish_shape(c, word);
+        return vector(c.from) && number(c.from_radius, k_not_negative) && vector(c.to) &&
+               number(c.to_radius, k_not_negative) && finish_shape(c, word);
     }
 
-    // The rest of a shape's block: pigment, finish, and maps in the order written.
-    template <class T> void finish_shape(const T& shape, const Token& word) {
-        Color pigment{0, 0, 0};
-        double filter = 0;
-        Finish finish;
-        std::optional<Affine> map;
-        comma();
-        while (!p_.accept('}')) {
-            const Token key = p_.token();
-            const auto name = p_.text(key);
-            bool ok = true;
-            if (name == "pigment") {
-                p_.take();
-                ok = p_.expect('{') && color(pigment, filter) && p_.expect('}');
-            } else if (name == "finish") {
-                p_.take();
-                ok = read_finish(finish);
-            } else if (name == "translate" || name == "rotate" || name == "scale") {
-                p_.take();
-                ok = read_map(name, key, map);
-            } else {
-                p_.expected(fmt::format("`pigment`, `finish`, `translate`, `rotate`, `scale` or `}}`{}",
-                                        key.kind == TokenKind::word ? did_you_mean(name, k_items) : ""));
-                ok = false;
-            }
-            if (!ok) return give_up();
-        }
+    template <class T> bool finish_shape(const T& shape, const Token& word) {
+        PovAttributes attributes;
+        if (!read_pov_attributes(p_, p_.text(word), attributes)) return false;
         std::uint32_t transform = k_none;
-        if (map) {
+        if (attributes.map) {
             transform = static_cast<std::uint32_t>(scene_.transforms.size());
-            scene_.transforms.push_back(*map);
+            scene_.transforms.push_back(*attributes.map);
         }
-        const auto material = add_material(pigment, filter, finish, word);
+        if (attributes.refraction && attributes.finish.refraction != 0 && attributes.pigment.filter == 0) {
+            reading_.diagnostics.warn_once(
+                "refraction", text_.place, attributes.refraction->offset, attributes.refraction->length,
+                "glint ignores `refraction`, as CSC 473's own program does: what passes through a surface is "
+                "the fourth number of its `rgbf`");
+        }
+        const auto material = material_of(attributes.pigment, attributes.finish, word);
         note(scene_.shape_texts, scene_.shapes.size(), source_place(text_, word));
         scene_.add(shape, material, transform);
-    }
-
-    bool read_finish(Finish& finish) {
-        if (!p_.expect('{')) return false;
-        while (!p_.accept('}')) {
-            const Token key = p_.token();
-            const auto name = p_.text(key);
-            double* value = nullptr;
-            Range range = k_channel;
-            if (name == "ambient") value = &finish.ambient;
-            if (name == "diffuse") value = &finish.diffuse;
-            if (name == "specular") value = &finish.specular;
-            if (name == "roughness") value = &finish.roughness, range = k_roughness;
-            if (name == "reflection") value = &finish.reflection, range = k_fraction;
-            if (name == "refraction") value = &finish.refraction, range = k_fraction;
-            if (name == "ior") value = &finish.ior, range = k_index_of_refraction;
-            if (value == nullptr) {
-                p_.expected(
-                    fmt::format("`ambient`, `diffuse`, `specular`, `roughness`, `reflection`, `refraction`, "
-                                "`ior` or `}}`{}",
-                                key.kind == TokenKind::word ? did_you_mean(name, k_finish) : ""));
-                p_.skip_to_close('}');
-                return false;
-            }
-            p_.take();
-            if (!p_.number(*value, range)) {
-                p_.skip_to_close('}');
-                return false;
-            }
-            comma();
-        }
         return true;
     }
 
-    // translate <v>, rotate <degrees about x, then y, then z>, scale <v> or scale number.
-    bool read_map(std::string_view name, const Token& key, std::optional<Affine>& map) {
-        Vec3 v;
-        if (name == "scale" && p_.token().kind == TokenKind::number) {
-            if (!p_.number(v.x, k_coordinate)) return false;
-            v.y = v.z = v.x;
-        } else if (!vector(v)) {
-            return false;
-        }
-        Affine step;
-        if (name == "translate") step = translation(v);
-        if (name == "rotate") step = compose(rotation_z(v.z), compose(rotation_y(v.y), rotation_x(v.x)));
-        if (name == "scale") {
-            if (v.x == 0 || v.y == 0 || v.z == 0) {
-                p_.error(key, "expected a scale without 0, which would leave nothing of the shape");
-                return true;
-            }
-            step = scaling(v);
-        }
-        map = map ? compose(step, *map) : step;
-        return true;
-    }
-
-    std::uint32_t add_material(Color pigment, double filter, const Finish& f, const Token& word) {
+    // A mesh writes the same surface for every triangle: neighbours share it.
+    std::uint32_t material_of(const PovColor& pigment, const PovFinish& f, const Token& word) {
+        if (material_ != k_none && pigment == pigment_ && f == finish_) return material_;
         Material m;
-        m.color = pigment;
-        m.ambient = pigment * f.ambient;
-        m.diffuse = pigment * f.diffuse;
-        m.specular = pigment * f.specular;
+        m.color = pigment.rgb;
+        m.ambient = pigment.rgb * f.ambient;
+        m.diffuse = pigment.rgb * f.diffuse;
+        m.specular = pigment.rgb * f.specular;
         m.shininess = std::clamp(2 / (f.roughness * f.roughness) - 2, 0.0, 1e9);
         m.mirror = f.reflection;
-        m.mirror_tint = pigment;
-        m.transmission = filter;
-        m.transmission_tint = pigment;
+        m.mirror_tint = pigment.rgb;
+        m.transmission = pigment.filter;
+        m.transmission_tint = pigment.rgb;
         m.ior = f.ior;
         note(scene_.material_texts, scene_.materials.size(), source_place(text_, word));
+        material_ = static_cast<std::uint32_t>(scene_.materials.size());
         scene_.materials.push_back(m);
-        return static_cast<std::uint32_t>(scene_.materials.size() - 1);
+        pigment_ = pigment;
+        finish_ = f;
+        return material_;
     }
 
     Reading& reading_;
     Scene& scene_;
     const ReadText& text_;
     Parser p_;
+    std::uint32_t material_ = k_none;  // the last one, made of these
+    PovColor pigment_;
+    PovFinish finish_;
 };
 
 }  // namespace

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "base/fp_environment.h"
 #include "base/guard.h"
 #include "formats/profile_file.h"
 #include "formats/registry.h"
@@ -150,7 +151,10 @@ class Loader {
 
 LoadResult load(std::span<const SceneText> texts, const LoadOptions& options, Sources*) {
     LoadResult result;
-    const std::string failure = guard([&] { result = Loader(texts, options).run(); });
+    const std::string failure = guard([&] {
+        const DefaultFpEnvironment environment;
+        result = Loader(texts, options).run();
+    });
     if (failure.empty()) return result;
     LoadResult failed;
     // If there is no memory for a message either, the caller finds no scene and no message.

@@ -1,6 +1,7 @@
 // .nff: Eric Haines' Neutral File Format, of the Standard Procedural Databases. docs/formats/nff.md.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <vector>
 
 #include "base/text.h"
@@ -13,10 +14,16 @@ namespace {
 constexpr std::string_view k_entities[] = {"b", "v", "l", "f", "c", "s", "p", "pp"};
 constexpr std::string_view k_entity_list =
     "`b`, `v`, `l`, `f`, `c`, `s`, `p` or `pp` (background, view, light, fill, cone, sphere, polygon, patch)";
-constexpr Range k_size{1, k_max_size, false, false, "a number from 1 to 65536"};
-constexpr Range k_vertex_count{3, k_max_polygon_vertices, false, false,
-                               "a number of vertices from 3 to 4096"};
-constexpr Range k_any_radius{-1e12, 1e12, false, false, "a radius"};
+constexpr Field k_view[] = {{"from", true}, {"at", true}, {"up"}, {"angle"}, {"hither"}, {"resolution"}};
+constexpr std::string_view k_view_names[] = {"from", "at", "up", "angle", "hither", "resolution"};
+constexpr std::string_view k_view_list = "`from`, `at`, `up`, `angle`, `hither` or `resolution`";
+constexpr Range k_size{1, k_max_size, false, false, "a whole number from 1 to 65536"};
+constexpr Range k_vertex_count{3, k_max_polygon_vertices, false, false, "a whole number from 3 to 4096"};
+constexpr Range k_any_radius{-1e12, 1e12, false, false, "a radius from -1e12 to 1e12"};
+
+template <std::size_t N> bool is_one_of(const std::string_view (&names)[N], std::string_view name) {
+    return std::find(std::begin(names), std::end(names), name) != std::end(names);
+}
 
 class NffReader {
   public:
@@ -29,6 +36,11 @@ class NffReader {
     void read() {
         if (p_.at_end()) p_.expected(k_entity_list);
         while (!p_.at_end() && p_.alive()) read_entity();
+        if (!reading_.camera_given && !reading_.camera_wanted) {
+            reading_.camera_wanted = make_diagnostic(
+                Severity::warning, text_.place, text_.place.text.size(), 1,
+                "no view `v`: the camera is at the origin and looks along the negative z axis");
+        }
         // A light without a colour is as bright as all lights together allow.
         const double intensity =
             1 / number::sqrt(static_cast<double>(number::max<std::size_t>(scene_.lights.size(), 1)));
@@ -40,12 +52,10 @@ class NffReader {
   private:
     void read_entity() {
         const Token word = p_.token();
-        if (word.kind != TokenKind::word) {
-            p_.expected(k_entity_list);
-            return skip_entity();
-        }
         const auto name = p_.text(word);
+        if (word.kind != TokenKind::word) p_.expected(k_entity_list);
         p_.take();
+        if (word.kind != TokenKind::word) return skip_entity();
         bool ok = false;
         if (name == "s")
             ok = read_sphere(word);
@@ -69,13 +79,24 @@ class NffReader {
         if (!ok) skip_entity();
     }
 
-    // To the next word, which is the next entity's.
+    // To the next word that begins an entity, or a line of the view.
     void skip_entity() {
-        if (p_.token().kind != TokenKind::word && !p_.at_end()) p_.take();
-        while (!p_.at_end() && p_.token().kind != TokenKind::word) p_.take();
+        const auto is_beginning = [&] {
+            const auto name = p_.text(p_.token());
+            return p_.token().kind == TokenKind::word &&
+                   (is_one_of(k_entities, name) || is_one_of(k_view_names, name));
+        };
+        while (!p_.at_end() && !is_beginning()) p_.take();
     }
 
     bool number(double& value, const Range& range = k_coordinate) { return p_.number(value, range); }
+    bool whole_number(double& value, const Range& range) {
+        const Token token = p_.token();
+        if (!number(value, range)) return false;
+        if (range.contains(value) && value != static_cast<double>(static_cast<std::int64_t>(value)))
+            p_.error(token, fmt::format("expected {}, found {}", range.text, p_.describe(token)));
+        return true;
+    }
     bool point(Vec3& v) { return number(v.x) && number(v.y) && number(v.z); }
     bool color(Color& c) {
         return number(c.r, k_channel) && number(c.g, k_channel) && number(c.b, k_channel);
@@ -88,35 +109,39 @@ class NffReader {
         return true;
     }
 
+    // Its lines may come in any order. It ends where another entity begins.
     bool read_view(const Token& word) {
+        if (reading_.camera_given) p_.warn(word, "a second view: the last one holds");
         Camera camera;
         camera.fov_axis = FovAxis::y;
         camera.fov_degrees = 45;
-        double near_plane = 0, width = scene_.settings.width, height = scene_.settings.height;
-        bool has_from = false, has_at = false, has_size = false;
-        while (p_.token().kind == TokenKind::word) {
-            const auto key = p_.text(p_.token());
-            const bool known = key == "from" || key == "at" || key == "up" || key == "angle" ||
-                               key == "hither" || key == "resolution";
-            if (!known) break;
+        double near_plane = 0;  // of a scan-line program; a ray tracer has none
+        double width = 0, height = 0;
+        FieldSet keys("view", k_view);
+        while (p_.token().kind == TokenKind::word && !is_one_of(k_entities, p_.text(p_.token()))) {
+            const Token key = p_.token();
+            const auto name = p_.text(key);
+            if (!is_one_of(k_view_names, name)) {
+                p_.error(key, fmt::format("expected {}, or an entity, found {}{}", k_view_list, quoted(name),
+                                          did_you_mean(name, k_view_names)));
+                skip_entity();
+                continue;
+            }
             p_.take();
-            bool ok = true;
-            if (key == "from") ok = has_from = point(camera.position);
-            if (key == "at") ok = has_at = point(camera.look_at);
-            if (key == "up") ok = point(camera.up);
-            if (key == "angle") ok = number(camera.fov_degrees, k_angle);
-            if (key == "hither") ok = number(near_plane);  // of a scan-line program; a ray tracer has none
-            if (key == "resolution") ok = has_size = number(width, k_size) && number(height, k_size);
-            if (!ok) return false;
+            p_.field(keys, key, name);
+            const bool ok = name == "from"     ? point(camera.position)
+                            : name == "at"     ? point(camera.look_at)
+                            : name == "up"     ? point(camera.up)
+                            : name == "angle"  ? number(camera.fov_degrees, k_angle)
+                            : name == "hither" ? number(near_plane)
+                                               : whole_number(width, k_size) && whole_number(height, k_size);
+            if (!ok) skip_entity();
         }
-        if (!has_from || !has_at) {
-            p_.error(word, fmt::format("expected `{}` in the view", has_from ? "at" : "from"));
-            return true;
-        }
+        reading_.camera_given = true;
+        if (!p_.check_required(keys, word)) return true;
         scene_.camera = camera;
         scene_.camera_place = source_place(text_, word);
-        reading_.camera_given = true;
-        if (has_size) set_size(word, width, height);
+        if (width > 0 && height > 0) set_size(word, width, height);
         return true;
     }
 
@@ -154,41 +179,41 @@ class NffReader {
         m.specular = {k_s, k_s, k_s};
         m.mirror = number::min(number::max(k_s, 0.0), 1.0);
         if (!(m.ior > 0)) m.ior = 1;  // the databases write 0 where nothing is transmitted
+        material_ = static_cast<std::uint32_t>(scene_.materials.size());
         note(scene_.material_texts, scene_.materials.size(), source_place(text_, word));
         scene_.materials.push_back(m);
         return true;
     }
 
     template <class T> void add(const T& shape, const Token& word) {
-        const auto material =
-            scene_.materials.empty() ? k_none : static_cast<std::uint32_t>(scene_.materials.size() - 1);
+        if (material_ == k_none && !has_no_fill_) {
+            p_.warn(word, "no `f` before the first shape: it has glint's default material");
+            has_no_fill_ = true;
+        }
         note(scene_.shape_texts, scene_.shapes.size(), source_place(text_, word));
-        scene_.add(shape, material);
+        scene_.add(shape, material_);
     }
 
-    double outer_radius(const Token& word, double radius) {
-        if (radius >= 0) return radius;
-        if (!has_negative_radius_)
-            p_.warn(word, "glint draws both sides of a surface with a negative radius");
-        has_negative_radius_ = true;
-        return -radius;
+    // A negative radius turns the normals inward, which nobody sees: both sides are lit.
+    bool radius(double& value) {
+        if (!number(value, k_any_radius)) return false;
+        value = number::abs(value);
+        return true;
     }
 
     bool read_sphere(const Token& word) {
         Sphere s;
-        if (!point(s.center) || !number(s.radius, k_any_radius)) return false;
-        s.radius = outer_radius(word, s.radius);
+        if (!point(s.center)) return false;
+        const Token token = p_.token();
+        if (!radius(s.radius)) return false;
+        if (s.radius == 0) p_.error(token, "expected a radius other than 0");
         add(s, word);
         return true;
     }
 
     bool read_cone(const Token& word) {
         Cone c;
-        if (!point(c.from) || !number(c.from_radius, k_any_radius) || !point(c.to) ||
-            !number(c.to_radius, k_any_radius))
-            return false;
-        c.from_radius = outer_radius(word, c.from_radius);
-        c.to_radius = outer_radius(word, c.to_radius);
+        if (!point(c.from) || !radius(c.from_radius) || !point(c.to) || !radius(c.to_radius)) return false;
         if (c.from_radius == c.to_radius) {
             add(Cylinder{c.from, c.to, c.from_radius, false}, word);
         } else {
@@ -197,15 +222,11 @@ class NffReader {
         return true;
     }
 
-    // The count of a `p` or `pp`, which has to be whole.
     bool vertex_count(std::uint32_t& count) {
-        const Token token = p_.token();
         double n = 0;
-        if (!number(n, k_vertex_count)) return false;
+        if (!whole_number(n, k_vertex_count) || !k_vertex_count.contains(n)) return false;
         count = static_cast<std::uint32_t>(n);
-        if (static_cast<double>(count) == n) return true;
-        p_.error(token, fmt::format("expected {}, found {}", k_vertex_count.text, n));
-        return false;
+        return true;
     }
 
     bool read_polygon(const Token& word) {
@@ -252,9 +273,10 @@ class NffReader {
     Scene& scene_;
     const ReadText& text_;
     Parser p_;
-    std::vector<std::size_t> plain_lights_;
+    std::uint32_t material_ = k_none;        // of the last `f`
+    std::vector<std::size_t> plain_lights_;  // without a colour
     std::vector<Vec3> patch_;
-    bool has_negative_radius_ = false;  // and was told
+    bool has_no_fill_ = false;  // and was told
 };
 
 }  // namespace

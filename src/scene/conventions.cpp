@@ -182,6 +182,7 @@ constexpr Row k_rows[] = {
     word_row<&C::facing, k_facings>(
         "facing", "none | open | all",
         "which normals are turned to the incoming ray; open: those of surfaces that enclose nothing", true),
+    bool_row<&C::cones>("cones", "cones are drawn; CSC 473's own program reads them and draws none", true),
     {{"size", "WIDTHxHEIGHT, each from 1 to 65536", "pixels of the picture", false}, parse_size, print_size},
     word_row<&S::shading, k_shadings>("shading", "phong | blinn-phong | diffuse | color | normals",
                                       "the lighting equation, or part of it", false),

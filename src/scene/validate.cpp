@@ -186,11 +186,22 @@ class Validator {
             rows[r] = {m[r][0], m[r][1], m[r][2]};
         }
         if (!finite)
-            return error({}, fmt::format("transform {}: expected numbers from -1e12 to 1e12", i + 1));
+            return error(place_of_transform(i),
+                         fmt::format("transform {}: expected numbers from -1e12 to 1e12", i + 1));
         const double volume = dot(cross(unit_or_zero(rows[0]), unit_or_zero(rows[1])), unit_or_zero(rows[2]));
         if (!(number::abs(volume) >= k_parallel)) {
-            error({}, fmt::format("transform {} flattens what it transforms: it has no inverse", i + 1));
+            error(place_of_transform(i),
+                  fmt::format("transform {} flattens what it transforms: it has no inverse", i + 1));
         }
+    }
+
+    // Of the first shape that it is for.
+    SourcePlace place_of_transform(std::uint32_t i) const {
+        for (std::size_t s = 0; s < scene_.shapes.size(); ++s) {
+            if (scene_.shapes[s].transform == i)
+                return scene_.shape_texts.place(static_cast<std::uint32_t>(s));
+        }
+        return {};
     }
 
     void check_counts() {
@@ -316,6 +327,18 @@ class Validator {
                 {Severity::warning,
                  {},
                  "the scene has no lights: the picture will be black but for its background"});
+        }
+        if (!scene_.conventions.cones) warn_of_cones();
+    }
+
+    void warn_of_cones() {
+        for (std::size_t i = 0; i < scene_.shapes.size(); ++i) {
+            if (scene_.shapes[i].kind != ShapeKind::cone) continue;
+            findings_.push_back(
+                {Severity::warning, scene_.shape_texts.place(static_cast<std::uint32_t>(i)),
+                 fmt::format("the conventions of {} draw no cones; `--convention cones=true` does",
+                             scene_.profile)});
+            return;
         }
     }
 

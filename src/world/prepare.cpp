@@ -74,6 +74,7 @@ Items list_items(const Scene& scene) {
     items.list.reserve(scene.shapes.size());
     for (std::uint32_t i = 0; i < scene.shapes.size(); ++i) {
         const Shape& shape = scene.shapes[i];
+        if (shape.kind == ShapeKind::cone && !scene.conventions.cones) continue;
         if (shape.kind != ShapeKind::polygon) {
             items.list.push_back({i, k_none});
             continue;

@@ -1,4 +1,6 @@
 // What load() does around the readers: formats, profiles, settings.
+#include <cfenv>
+
 #include "formats/load_text.h"
 
 namespace glint {
@@ -110,6 +112,20 @@ TEST(Load, MistakesOfAProfileFileHaveTheirPlace) {
     EXPECT_EQ(result.diagnostics[1].message, "facing: expected none | open | all, found 'most'");
     EXPECT_EQ(result.diagnostics[2].message, "expected `key = value`, found 'nonsense'");
     EXPECT_EQ(result.diagnostics[3].line, 5u);
+}
+
+// Hosts that round otherwise exist; numbers and maps must not follow them.
+TEST(Load, TheCallersRoundingChangesNothing) {
+    const char* text = "sphere { <0.1, 0.7, -0.3>, 0.1 rotate <10, 20, 30> scale <0.1, 0.2, 0.3> }";
+    const LoadResult usual = load_text(text, "a.pov");
+    ASSERT_EQ(std::fesetround(FE_UPWARD), 0);
+    const LoadResult upward = load_text(text, "a.pov");
+    const int after = std::fegetround();
+    std::fesetround(FE_TONEAREST);
+    EXPECT_EQ(after, FE_UPWARD) << "the caller's state is restored";
+    ASSERT_TRUE(usual.scene && upward.scene);
+    EXPECT_EQ(usual.scene->get<Sphere>()[0].center, upward.scene->get<Sphere>()[0].center);
+    EXPECT_EQ(usual.scene->transforms, upward.scene->transforms);
 }
 
 TEST(Load, TextsOfTwoFormatsKeepTheFirstOnesConventions) {

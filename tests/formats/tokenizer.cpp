@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <bit>
 #include <cmath>
+#include <cstdlib>
+#include <random>
 #include <vector>
 
 namespace glint {
@@ -40,6 +43,23 @@ TEST(Tokenizer, ReadsNumbers) {
     EXPECT_TRUE(std::isinf(number("1e99999999999999999999")));
     EXPECT_EQ(number("179769313486231570000e288"), 1.7976931348623157e308);
     EXPECT_EQ(number(std::string(100000, '1') + "e-99999"), 1.1111111111111112);
+}
+
+TEST(Tokenizer, DecimalsAreTheNearestDoubles) {
+    std::mt19937_64 random(3);
+    for (int i = 0; i < 200000; ++i) {
+        const int count = 1 + static_cast<int>(random() % 19), point = static_cast<int>(random() % 20);
+        std::string text = random() % 2 ? "-" : "";
+        for (int d = 0; d < count; ++d) {
+            if (d == point) text += '.';
+            text += static_cast<char>('0' + random() % 10);
+        }
+        if (random() % 8 == 0) text += "e-7";
+        if (text[0] == '.' && text.size() == 1) continue;
+        ASSERT_EQ(std::bit_cast<std::uint64_t>(number(text)),
+                  std::bit_cast<std::uint64_t>(std::strtod(text.c_str(), nullptr)))
+            << text;
+    }
 }
 
 TEST(Tokenizer, WhatOnlyBeginsLikeANumberIsMalformed) {

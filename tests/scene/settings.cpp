@@ -14,7 +14,7 @@ std::string set(Scene& scene, std::string_view key, std::string_view value) {
 
 TEST(Settings, KeysAreFoundByName) {
     const auto keys = setting_keys();
-    ASSERT_EQ(keys.size(), 22u);
+    ASSERT_EQ(keys.size(), 23u);
     for (std::size_t i = 0; i < keys.size(); ++i) {
         EXPECT_EQ(find_setting(keys[i].name), i);
         EXPECT_FALSE(keys[i].values.empty());
@@ -51,6 +51,7 @@ TEST(Settings, EveryFieldHasAKey) {
                                                           {"glass_shadow", "none"},
                                                           {"min_weight", "0.01"},
                                                           {"facing", "open"},
+                                                          {"cones", "false"},
                                                           {"size", "320x200"},
                                                           {"shading", "normals"},
                                                           {"shadows", "false"},
@@ -78,7 +79,8 @@ TEST(Settings, EveryFieldHasAKey) {
                                0.15,
                                GlassShadow::none,
                                0.01,
-                               Facing::open};
+                               Facing::open,
+                               false};
     EXPECT_EQ(scene.conventions, expected);
     const RenderSettings settings{320, 200, Shading::normals, false, 7, 3};
     EXPECT_EQ(scene.settings, settings);

@@ -21,7 +21,7 @@ Scene everything() {
     Scene scene = random_scene(random, 150, 6);
     set_size(scene, 101, 75);
     scene.settings.samples = 3;
-    scene.settings.reflections = 5;
+    scene.settings.reflections = 3;
     scene.conventions.fresnel = Fresnel::schlick;
     scene.conventions.beer = 0.2;
     scene.background = {0.2, 0.3, 0.4};

@@ -39,6 +39,19 @@ TEST(Prepare, EveryShapeHasItsSlots) {
     EXPECT_GE(world->shape_index.size(), world->count + static_cast<std::size_t>(k_ray_padding));
 }
 
+TEST(Prepare, ConesAreLeftOutWhereTheConventionsSaySo) {
+    Scene scene;
+    scene.add(Sphere{{0, 0, 0}, 1});
+    scene.add(Cone{{0, 0, 0}, {0, 9, 0}, 1, 0, true});
+    scene.add(Sphere{{0, 0, 2}, 1});
+    EXPECT_EQ(make_world(scene)->count, 3u);
+    scene.conventions.cones = false;
+    const WorldPtr world = make_world(scene);
+    EXPECT_EQ(world->count, 2u);
+    EXPECT_LT(bounds(*world).max.y, 2);
+    EXPECT_EQ(world->shape_index[0] + world->shape_index[1], 2u) << "indices are the scene's";
+}
+
 TEST(Prepare, LeavesReferToSlotsOfOneClass) {
     Random random(112);
     const WorldPtr world = make_world(random_scene(random, 700));
