@@ -38,7 +38,8 @@ struct TorusGeometry {
         const Triple<T> q = ray.origin + ray.direction * ball.b, d = ray.direction * half;
         const T a = dot(d, d), b = T(2) * dot(q, d), c = dot(q, q) + big * big - small * small;
         const T f = T(4) * big * big;
-        const T k[5] = {c * c - f * (q.x * q.x + q.z * q.z), T(2) * (b * c) - f * (T(2) * (q.x * d.x + q.z * d.z)),
+        const T k[5] = {c * c - f * (q.x * q.x + q.z * q.z),
+                        T(2) * (b * c) - f * (T(2) * (q.x * d.x + q.z * d.z)),
                         b * b + T(2) * (a * c) - f * (d.x * d.x + d.z * d.z), T(2) * (a * b), a * a};
         const T k1[4] = {k[1], T(2) * k[2], T(3) * k[3], T(4) * k[4]};
 
@@ -47,7 +48,8 @@ struct TorusGeometry {
         const T middle = -(k1[2] / (T(3) * k1[3]));
         const T square = middle * middle - k1[1] / (T(3) * k1[3]);
         const T reach = sqrt(max(square, T(0)));
-        const T bends[4] = {first, min(max(middle - reach, first), T(1)), min(max(middle + reach, first), T(1)), T(1)};
+        const T bends[4] = {first, min(max(middle - reach, first), T(1)),
+                            min(max(middle + reach, first), T(1)), T(1)};
         T turns[5] = {first, T(0), T(0), T(0), T(1)};
         for (int i = 0; i < 3; ++i) turns[i + 1] = bisect<3>(k1, bends[i], bends[i + 1]);
         T from = T(1), to = T(1);

@@ -1,0 +1,72 @@
+// Draws the torus that was added, and holds its normals and its outline against what is known of a torus.
+#include <cmath>
+#include <cstdio>
+
+#include "glint/glint.h"
+
+namespace {
+
+int failures = 0;
+void expect(bool good, const char* what, int x, int y) {
+    if (good) return;
+    if (++failures < 10) std::printf("(%d, %d): %s\n", x, y, what);
+}
+
+// Seen from the end of the z axis by parallel rays, with the hole along y turned to z: the picture is a ring.
+void check_ring() {
+    constexpr int size = 401;
+    constexpr double radius = 1, tube = 0.3, width = 3;
+    glint::Scene scene;
+    scene.settings.width = scene.settings.height = size;
+    scene.settings.shading = glint::Shading::normals;
+    scene.camera.projection = glint::Projection::orthographic;
+    scene.camera.position = {0, 0, 9};
+    scene.camera.width = width;
+    glint::Affine upright;  // y becomes z
+    upright.m[1][1] = 0, upright.m[1][2] = -1;
+    upright.m[2][1] = 1, upright.m[2][2] = 0;
+    scene.transforms = {upright};
+    scene.add(glint::Torus{radius, tube}, glint::k_none, 0);
+    const glint::PrepareResult prepared = glint::prepare(scene);
+    if (!prepared.world) return expect(false, "no world", 0, 0);
+    for (const std::string& isa : glint::isa_names()) {
+        glint::RenderOptions options;
+        options.isa = isa;
+        const glint::RenderResult result = glint::render(*prepared.world, options);
+        if (!result.image) return expect(false, result.error.c_str(), 0, 0);
+        for (int y = 0; y < size; ++y) {
+            for (int x = 0; x < size; ++x) {
+                const double px = (x + 0.5 - size * 0.5) * width / size,
+                             py = (size * 0.5 - y - 0.5) * width / size;
+                const double rho = std::sqrt(px * px + py * py), across = rho - radius;
+                const float* rgb = &result.image->rgb[3 * static_cast<std::size_t>(y * size + x)];
+                const bool on = std::fabs(across) < tube;
+                if (std::fabs(std::fabs(across) - tube) < 1e-9) continue;
+                if (!on) {
+                    expect(rgb[0] == 0 && rgb[1] == 0 && rgb[2] == 1, "the background", x, y);
+                    continue;
+                }
+                const double nx = px / rho * across / tube, ny = py / rho * across / tube,
+                             nz = std::sqrt(1 - across * across / (tube * tube));
+                expect(std::fabs(rgb[0] - (nx + 1) / 2) < 1e-6 && std::fabs(rgb[1] - (ny + 1) / 2) < 1e-6 &&
+                           std::fabs(rgb[2] - (nz + 1) / 2) < 1e-6,
+                       "the normal", x, y);
+            }
+        }
+    }
+}
+
+void check_validation() {
+    glint::Scene scene;
+    scene.add(glint::Torus{1, -1});
+    expect(glint::has_errors(glint::validate(scene)), "a negative tube is refused", 0, 0);
+}
+
+}  // namespace
+
+int main() {
+    check_ring();
+    check_validation();
+    std::printf("%d failures\n", failures);
+    return failures == 0 ? 0 : 1;
+}
