@@ -1,46 +1,99 @@
 #pragma once
-// Blocks and settings as the book's listings write them: word { key = value ... } and word = value.
+// Blocks and settings as the book's listings write them: word { key = value ... } and word = value. glint's
+// own language has more: a name before the brace, blocks in blocks, and include "file".
 #include <fmt/format.h>
 
 #include <optional>
+#include <vector>
 
 #include "base/text.h"
 #include "formats/parser.h"
 
 namespace glint {
 
+/// What the texts of a format have beyond blocks and settings.
+struct BlockSyntax {
+    std::string_view include;  ///< the word before a file's name; empty: there is none
+    bool names = false;        ///< word NAME { }, word "name" { }
+};
+
 /// Reads a text of blocks and settings. After a mistake it goes on at the next key or block, so that one run
 /// finds many.
 class BlockReader {
   public:
-    /// words: the blocks and settings that the format knows; what: the same for messages, "`sphere` or
-    /// `light`".
-    BlockReader(Parser& parser, std::span<const std::string_view> words, std::string_view what)
-        : p_(parser), words_(words), what_(what) {}
+    /// words: the blocks and settings that the format knows, or none: then the callbacks judge every word;
+    /// what: the same for messages, "`sphere` or `light`".
+    BlockReader(Parser& parser, std::span<const std::string_view> words, std::string_view what,
+                BlockSyntax syntax = {})
+        : p_(parser), words_(words), what_(what), syntax_(syntax) {}
 
     /// The whole text. on_block(word, name) reads the fields of the block that begins at the parser's token;
     /// on_setting(word, name) reads a value. Both return false before what is none, or if they do not know
     /// the name.
     template <class OnBlock, class OnSetting> void read(OnBlock&& on_block, OnSetting&& on_setting) {
+        read(
+            on_block, on_setting, [](const Token&) { return false; }, [] {});
+    }
+
+    /// on_include(word) reads what follows the include's word, and on_close() ends the innermost open block.
+    template <class OnBlock, class OnSetting, class OnInclude, class OnClose>
+    void read(OnBlock&& on_block, OnSetting&& on_setting, OnInclude&& on_include, OnClose&& on_close) {
         if (p_.at_end()) p_.expected(what_);
         while (!p_.at_end() || pending_) {
+            if (!open_.empty() && !pending_ && p_.accept('}')) {
+                open_.pop_back();
+                on_close();
+                continue;
+            }
             const auto word = next_word();
             if (!word) continue;
             const auto name = p_.text(*word);
+            if (name == syntax_.include && !p_.token().is('=') && !p_.token().is('{')) {
+                if (!on_include(*word)) skip_line(*word);
+                continue;
+            }
+            take_label();
             if (p_.token().is('{')) {
                 if (!is_known(*word)) {
-                    if (!p_.skip_value()) p_.skip_to_close('}');
+                    skip_block();
                 } else if (!on_block(*word, name)) {
                     p_.expected(fmt::format("`=` after {}", quoted(name)));
-                    if (!p_.skip_value()) p_.skip_to_close('}');
+                    skip_block();
                 }
             } else if (p_.accept('=')) {
                 if (!(is_known(*word) ? on_setting(*word, name) : skip_value())) skip_bad_value();
             } else {
                 p_.expected(fmt::format("`{{` or `=` after {}", quoted(name)));
-                while (!p_.at_end() && p_.token().line == word->line) p_.take();
+                skip_line(*word);
             }
         }
+        if (!open_.empty() && p_.alive()) {
+            p_.expected(fmt::format("`}}`: the block that begins in line {} has no end", open_.back().line));
+        }
+    }
+
+    /// The block that begins here holds blocks and settings of its own, until on_close. False if blocks are
+    /// nested too deep: nothing more is read.
+    bool open(const Token& block) {
+        if (open_.size() == k_max_nesting) {
+            p_.error(block, fmt::format("blocks are nested more than {} deep", k_max_nesting));
+            p_.stop();
+            return false;
+        }
+        p_.expect('{');
+        open_.push_back(block);
+        return true;
+    }
+
+    /// The blocks that are open, from the outermost.
+    std::span<const Token> open_blocks() const { return open_; }
+
+    /// The name between the last block's word and its brace.
+    const std::optional<Token>& label() const { return label_; }
+
+    /// Over the block that begins here.
+    void skip_block() {
+        if (!p_.skip_value()) p_.skip_to_close('}');
     }
 
     /// The keys and values of the block that begins here, `block` being its word. read_field(index, key)
@@ -58,7 +111,7 @@ class BlockReader {
                 return recover();
             }
             const Token key = p_.take();
-            if (p_.token().is('{')) {
+            if (p_.token().is('{') || at_label()) {
                 p_.error(key,
                          fmt::format("expected `}}` before {}: the block that begins in line {} has no end",
                                      p_.describe(key), block.line));
@@ -73,6 +126,21 @@ class BlockReader {
     }
 
   private:
+    bool at_label() const {
+        const TokenKind kind = p_.token().kind;
+        return syntax_.names && (kind == TokenKind::word || kind == TokenKind::string) && p_.peek().is('{');
+    }
+
+    void take_label() {
+        label_.reset();
+        if (at_label()) label_ = p_.take();
+    }
+
+    void skip_line(const Token& word) {
+        while (!p_.at_end() && p_.token().line == word.line && !(p_.at_closing_bracket() && !open_.empty()))
+            p_.take();
+    }
+
     // The word of a block or a setting, or nothing after what is none.
     std::optional<Token> next_word() {
         if (pending_) {
@@ -88,6 +156,7 @@ class BlockReader {
     }
 
     bool is_known(const Token& word) {
+        if (words_.empty()) return true;
         const auto name = p_.text(word);
         for (const auto known : words_) {
             if (name == known) return true;
@@ -100,7 +169,7 @@ class BlockReader {
     bool recover() {
         Token last;
         while (!p_.at_end() && !p_.accept('}')) {
-            if (p_.token().is('{') && last.kind == TokenKind::word) {
+            if (last.kind == TokenKind::word && (p_.token().is('{') || at_label())) {
                 pending_ = last;
                 break;
             }
@@ -130,6 +199,9 @@ class BlockReader {
     Parser& p_;
     std::span<const std::string_view> words_;
     std::string_view what_;
+    BlockSyntax syntax_;
+    std::vector<Token> open_;
+    std::optional<Token> label_;
     std::optional<Token> pending_;  // the word of a block, taken when its `{` was met
 };
 

@@ -196,21 +196,10 @@ class CgfsReader {
 
     bool read_light_type(LightKind& kind) {
         static constexpr std::string_view words[] = {"ambient", "point", "directional"};
-        const Token token = p_.token();
-        if (token.kind != TokenKind::word && token.kind != TokenKind::string) {
-            p_.expected("`ambient`, `point` or `directional`");
-            return false;
-        }
-        const std::string name = p_.name(token);
-        for (int i = 0; i < 3; ++i) {
-            if (name != words[i]) continue;
-            kind = static_cast<LightKind>(i);
-            p_.take();
-            return true;
-        }
-        p_.error(token, fmt::format("expected `ambient`, `point` or `directional`, found {}{}",
-                                    p_.describe(token), did_you_mean(name, words)));
-        return false;
+        int index = 0;
+        if (!p_.choice(words, "`ambient`, `point` or `directional`", index)) return false;
+        kind = static_cast<LightKind>(index);
+        return true;
     }
 
     void read_camera(const Token& word) {

@@ -14,8 +14,6 @@
 namespace glint {
 namespace {
 
-constexpr std::size_t k_max_texts = 65534;  // SourcePlace::file, and one more for a profile
-
 Diagnostic without_place(Severity severity, std::string_view file, std::string message) {
     Diagnostic d;
     d.severity = severity;
@@ -37,8 +35,8 @@ std::size_t offset_of(std::string_view text, SourcePlace place) {
 
 class Loader {
   public:
-    Loader(std::span<const SceneText> texts, const LoadOptions& options)
-        : texts_(texts), options_(options), reading_(options, std::max(1u, options.max_errors)) {}
+    Loader(std::span<const SceneText> texts, const LoadOptions& options, Sources* sources)
+        : texts_(texts), options_(options), reading_(options, sources, std::max(1u, options.max_errors)) {}
 
     LoadResult run() {
         if (texts_.empty()) {
@@ -49,6 +47,9 @@ class Loader {
         } else if (find_formats()) {
             set_profile();
             for (std::size_t i = 0; i < texts_.size() && !reading_.diagnostics.full(); ++i) read(i);
+            for (const Format& format : all_formats()) {
+                if (format.finish) format.finish(reading_);
+            }
             if (reading_.camera_wanted && !reading_.camera_given && !reading_.scene.camera.frame) {
                 reading_.diagnostics.add(*reading_.camera_wanted);
             }
@@ -73,6 +74,7 @@ class Loader {
             formats_.push_back(find_format(text, why));
             if (!formats_.back()) add(Severity::error, text.name, why);
             reading_.scene.files.push_back(text.name);
+            reading_.texts.push_back({text.name, text.text});
         }
         return !reading_.diagnostics.any_errors();
     }
@@ -85,9 +87,10 @@ class Loader {
         if (!wrong.empty()) add(Severity::error, "", wrong);
         formats_.front()->set_defaults(reading_.scene);
         if (options_.profile_text) {
+            const TextPlace place{options_.profile_text->name, options_.profile_text->text};
             reading_.scene.files.push_back(options_.profile_text->name);
-            read_profile_file(reading_, {{options_.profile_text->name, options_.profile_text->text},
-                                         static_cast<std::uint16_t>(texts_.size())});
+            reading_.texts.push_back(place);
+            read_profile_file(reading_, {place, static_cast<std::uint16_t>(texts_.size())});
         }
         for (std::size_t i = 1; i < texts_.size() && options_.profile.empty(); ++i) {
             if (formats_[i]->info.profile == own) continue;
@@ -98,6 +101,7 @@ class Loader {
 
     void read(std::size_t i) {
         const SceneText& text = texts_[i];
+        reading_.includes.root = static_cast<std::uint16_t>(i);
         formats_[i]->read(reading_, {{text.name, text.text}, static_cast<std::uint16_t>(i)});
     }
 
@@ -112,26 +116,25 @@ class Loader {
     void check() {
         for (Finding& finding : find_mistakes(reading_.scene)) {
             const SourcePlace place = finding.place;
-            const bool is_profile = place.file == texts_.size() && options_.profile_text;
-            if (place.line == 0 || (place.file >= texts_.size() && !is_profile)) {
+            if (place.line == 0 || place.file >= reading_.texts.size()) {
                 add(finding.severity, "", std::move(finding.message));
                 continue;
             }
-            const SceneText& text = is_profile ? *options_.profile_text : texts_[place.file];
+            const TextPlace& text = reading_.texts[place.file];
             const std::size_t offset = offset_of(text.text, place);
             const auto word_end = text.text.find_first_of(" \t\r\n{[(:=,", offset);
             const std::size_t length = std::min(word_end, text.text.size()) - offset;
-            reading_.diagnostics.add(make_diagnostic(finding.severity, {text.name, text.text}, offset, length,
-                                                     std::move(finding.message)));
+            reading_.diagnostics.add(
+                make_diagnostic(finding.severity, text, offset, length, std::move(finding.message)));
         }
     }
 
     // In the order of the texts; what has no place comes last.
     void sort(std::vector<Diagnostic>& diagnostics) const {
         const auto file = [&](const Diagnostic& d) {
-            const auto at = std::find_if(texts_.begin(), texts_.end(),
-                                         [&](const SceneText& t) { return t.name == d.file; });
-            return at - texts_.begin();
+            const auto at = std::find_if(reading_.texts.begin(), reading_.texts.end(),
+                                         [&](const TextPlace& t) { return t.name == d.file; });
+            return at - reading_.texts.begin();
         };
         std::stable_sort(diagnostics.begin(), diagnostics.end(),
                          [&](const Diagnostic& a, const Diagnostic& b) {
@@ -149,11 +152,11 @@ class Loader {
 
 }  // namespace
 
-LoadResult load(std::span<const SceneText> texts, const LoadOptions& options, Sources*) {
+LoadResult load(std::span<const SceneText> texts, const LoadOptions& options, Sources* sources) {
     LoadResult result;
     const std::string failure = guard([&] {
         const DefaultFpEnvironment environment;
-        result = Loader(texts, options).run();
+        result = Loader(texts, options, sources).run();
     });
     if (failure.empty()) return result;
     LoadResult failed;

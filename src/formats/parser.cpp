@@ -135,25 +135,32 @@ bool Parser::number(double& value, const Range& range) {
     return true;
 }
 
-bool Parser::triple(double (&values)[3], const Range& range, char open, char close) {
+bool Parser::numbers(std::span<double> values, const Range& range, char open, char close) {
+    static constexpr std::string_view counts[] = {"no numbers", "one number", "two numbers", "three numbers",
+                                                  "four numbers"};
+    const std::string_view count = counts[values.size()];
     if (!token_.is(open)) {
-        expected(fmt::format("`{}` and three numbers", open));
+        expected(fmt::format("`{}` and {}", open, count));
         return false;
     }
     advance();
-    for (int i = 0; i < 3; ++i) {
+    for (std::size_t i = 0; i < values.size(); ++i) {
         const bool begun = i == 0 || accept(',');
         if (begun && number(values[i], range)) continue;
-        if (!begun) expected("`,` and three numbers in all");
+        if (!begun) expected(fmt::format("`,` and {} in all", count));
         skip_to_close(close);
         return true;
     }
     accept(',');
     if (!accept(close)) {
-        expected(fmt::format("`{}` after three numbers", close));
+        expected(fmt::format("`{}` after {}", close, count));
         skip_to_close(close);
     }
     return true;
+}
+
+bool Parser::triple(double (&values)[3], const Range& range, char open, char close) {
+    return numbers(values, range, open, close);
 }
 
 bool Parser::point(Vec3& value, const Range& range, char open, char close) {
@@ -163,21 +170,49 @@ bool Parser::point(Vec3& value, const Range& range, char open, char close) {
     return true;
 }
 
+bool Parser::choice(std::span<const std::string_view> words, std::string_view what, int& index) {
+    if (token_.kind != TokenKind::word && token_.kind != TokenKind::string) {
+        expected(what);
+        return false;
+    }
+    const std::string word = name(token_);
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        if (word != words[i]) continue;
+        index = static_cast<int>(i);
+        advance();
+        return true;
+    }
+    error(token_, fmt::format("expected {}, found {}{}", what, describe(token_), did_you_mean(word, words)));
+    return false;
+}
+
 int Parser::field(FieldSet& set, const Token& key, std::string_view key_name) {
     const auto fields = set.fields();
     for (std::size_t i = 0; i < fields.size(); ++i) {
         if (fields[i].name != key_name) continue;
         const int index = static_cast<int>(i);
-        if (set.has(index)) {
+        if (set.has(index) && !fields[i].repeats) {
             warn(key, fmt::format("`{}` is given twice in one {}: the last one holds", key_name, set.what()));
         }
         set.add(index);
         return index;
     }
+    report_unknown(set, key, key_name);
+    return -1;
+}
+
+void Parser::report_unknown(const FieldSet& set, const Token& key, std::string_view key_name) {
+    const auto fields = set.fields();
     std::array<std::string_view, 32> names;
     for (std::size_t i = 0; i < fields.size(); ++i) names[i] = fields[i].name;
-    warn_ignored(key_name, key, set.what(), std::span(names).first(fields.size()));
-    return -1;
+    const auto known = std::span(names).first(fields.size());
+    if (!set.is_strict()) return warn_ignored(key_name, key, set.what(), known);
+    for (const Habit& habit : set.habits()) {
+        if (habit.name == key_name)
+            return error(
+                key, fmt::format("a {} has no {}: write {}", set.what(), quoted(key_name), habit.instead));
+    }
+    error(key, fmt::format("a {} has no {}{}", set.what(), quoted(key_name), did_you_mean(key_name, known)));
 }
 
 bool Parser::check_required(const FieldSet& set, const Token& block) {

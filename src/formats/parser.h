@@ -20,22 +20,35 @@ inline constexpr int k_max_nesting = 256;
 struct Field {
     std::string_view name;
     bool required = false;
+    bool repeats = false;  ///< may be given several times
+};
+
+/// A key of other languages, and what to write instead: "`mirror`".
+struct Habit {
+    std::string_view name, instead;
 };
 
 /// The keys of one block: which its reader knows, and which it has met. At most 32.
 class FieldSet {
   public:
-    /// what: as messages call the block, "sphere".
+    /// what: as messages call the block, "sphere". Unknown keys are ignored, with a warning.
     FieldSet(std::string_view what, std::span<const Field> fields) : what_(what), fields_(fields) {}
+    /// Unknown keys are mistakes; of habits the message says what to write.
+    FieldSet(std::string_view what, std::span<const Field> fields, std::span<const Habit> habits)
+        : what_(what), fields_(fields), habits_(habits), is_strict_(true) {}
     std::string_view what() const { return what_; }
     std::span<const Field> fields() const { return fields_; }
+    std::span<const Habit> habits() const { return habits_; }
+    bool is_strict() const { return is_strict_; }
     bool has(int index) const { return (met_ >> index & 1u) != 0; }
     void add(int index) { met_ |= 1u << index; }
 
   private:
     std::string_view what_;
     std::span<const Field> fields_;
+    std::span<const Habit> habits_;
     std::uint32_t met_ = 0;
+    bool is_strict_ = false;
 };
 
 class Parser {
@@ -74,11 +87,15 @@ class Parser {
 
     /// Reads a number. False if there is none. One out of range is an error too, but the text goes on.
     bool number(double& value, const Range& range);
-    /// Reads three numbers between the brackets, with commas between them. After a mistake skips to `close`.
+    /// Reads as many numbers (1 to 4) as there are values between the brackets, with commas between them.
+    /// After a mistake skips to `close`.
+    bool numbers(std::span<double> values, const Range& range, char open, char close);
     bool triple(double (&values)[3], const Range& range, char open, char close);
     bool point(Vec3& value, const Range& range, char open, char close);
+    /// Reads one of the words, bare or quoted. expected: "`point` or `ambient`". False if there is none.
+    bool choice(std::span<const std::string_view> words, std::string_view expected, int& index);
 
-    /// The index of the key in the set, which notes it; -1, with a warning, if the reader does not know it.
+    /// The index of the key in the set, which notes it; -1, with a message, if the reader does not know it.
     int field(FieldSet& set, const Token& key, std::string_view key_name);
     /// Reports, at `block`, the keys that a block must have and has not. False if there are any.
     bool check_required(const FieldSet& set, const Token& block);
@@ -100,6 +117,7 @@ class Parser {
     void advance();
     bool looks_like_code() const;
     template <class IsEnd> void skip_until(IsEnd&& is_end);
+    void report_unknown(const FieldSet& set, const Token& key, std::string_view key_name);
     void stop_at_nesting(const Token& token);
 
     TextPlace place_;

@@ -1,11 +1,14 @@
 #pragma once
 // What the readers of one load() share: the scene that grows, and what the texts before have given.
 #include <cstdint>
+#include <deque>
 #include <functional>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "base/diagnostics.h"
 #include "formats/parser.h"
@@ -13,17 +16,38 @@
 
 namespace glint {
 
+class GlintMaterials;
+
+/// The texts that are named by others. Texts and names stay where they are as long as the load goes on.
+struct Includes {
+    struct Text {
+        std::string name, text;
+    };
+    std::deque<Text> texts;
+    std::map<std::string, std::uint16_t, std::less<>> files;  ///< of texts, by name
+    std::uint16_t root = 0;                                   ///< the text of the caller's that is being read
+    std::vector<std::uint16_t> open;  ///< the included ones that are being read, from the outermost
+    std::uint32_t count = 0;          ///< how often any was included
+    std::size_t repeated_bytes = 0;   ///< of texts included again
+};
+
 struct Reading {
-    Reading(const LoadOptions& load_options, std::uint32_t max_errors)
-        : options(load_options), diagnostics(max_errors) {}
+    Reading(const LoadOptions& load_options, Sources* text_sources, std::uint32_t max_errors)
+        : options(load_options), sources(text_sources), diagnostics(max_errors) {}
 
     const LoadOptions& options;
+    Sources* sources;              ///< null: nothing can be included
+    std::vector<TextPlace> texts;  ///< by SourcePlace::file
+    Includes includes;
     Scene scene;
     Diagnostics diagnostics;
     // Ordered, so that no choice of names makes it slow.
     std::map<std::string, std::uint32_t, std::less<>> materials;  ///< by name, of all texts
+    std::shared_ptr<GlintMaterials> glint_materials;              ///< of the .glint texts, once there is one
     bool camera_given = false, background_given = false;
-    bool own_ambient_light = false;           ///< the one that EPFL's texts do not write
+    bool camera_included = false, background_included = false;  ///< the one given is an included text's
+    bool settings_given = false;                                ///< a text has set conventions by hand
+    bool own_ambient_light = false;                             ///< the one that EPFL's texts do not write
     std::optional<Diagnostic> camera_wanted;  ///< the error to report if no text gives a camera
 };
 
@@ -31,7 +55,11 @@ struct Reading {
 struct ReadText {
     TextPlace place;
     std::uint16_t file = 0;  ///< index into Scene::files
+    bool is_included = false;
 };
+
+inline constexpr std::size_t k_max_texts =
+    65534;  ///< of a load: SourcePlace::file, and one more for a profile
 
 inline SourcePlace source_place(const ReadText& text, const Token& token) {
     return {token.line, static_cast<std::uint16_t>(token.column < 65535 ? token.column : 65535), text.file};

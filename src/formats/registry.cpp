@@ -22,6 +22,10 @@ constexpr Format k_formats[] = {
     {{"nff", ".nff", "nff", "the Neutral File Format of the Standard Procedural Databases"},
      set_nff_defaults,
      read_nff},
+    {{"glint", ".glint", "glint", "glint's own scene language"},
+     set_glint_defaults,
+     read_glint,
+     finish_glint},
 };
 
 constexpr auto k_infos = [] {

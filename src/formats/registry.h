@@ -12,6 +12,8 @@ struct Format {
     /// text.
     void (*set_defaults)(Scene&);
     void (*read)(Reading&, const ReadText&);
+    /// What is left to do after the last text of a load; or null.
+    void (*finish)(Reading&) = nullptr;
 };
 
 std::span<const Format> all_formats();
@@ -30,5 +32,9 @@ void read_csc473(Reading& reading, const ReadText& text);
 
 void set_nff_defaults(Scene& scene);
 void read_nff(Reading& reading, const ReadText& text);
+
+void set_glint_defaults(Scene& scene);
+void read_glint(Reading& reading, const ReadText& text);
+void finish_glint(Reading& reading);
 
 }  // namespace glint

@@ -214,5 +214,21 @@ TEST(Render, ShowsThePictureAsText) {
     EXPECT_EQ(run(folder, {"render", "a.cgfs", "--show", "-o", "-"}).code, 2);
 }
 
+TEST(Render, IncludesFilesFromTheSceneFolder) {
+    const Folder folder;
+    std::filesystem::create_directories(folder.path("scenes/parts"));
+    folder.write("scenes/a.glint", "camera { position = (0, 0, 5) }\ninclude \"parts/b.glint\"\n");
+    folder.write("scenes/parts/b.glint", "include \"c.cgfs\"\n");
+    folder.write("scenes/parts/c.cgfs", "sphere { center = (0, 0, 0) radius = 1 color = (0, 0, 255) }\n");
+    const Finished good = run(folder, {"info", "scenes/a.glint"});
+    EXPECT_EQ(good.code, 0) << good.err;
+    EXPECT_TRUE(contains(good.out, "1 sphere")) << good.out;
+    folder.write("scenes/parts/c.cgfs", "\nsphere { radius = x }\n");
+    const Finished bad = run(folder, {"render", "scenes/a.glint", "-o", "a.png"});
+    EXPECT_EQ(bad.code, 1);
+    EXPECT_TRUE(contains(bad.err, "scenes/parts/c.cgfs:2:19: error: expected a number")) << bad.err;
+    EXPECT_FALSE(folder.has("a.png"));
+}
+
 }  // namespace
 }  // namespace glint::test

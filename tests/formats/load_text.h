@@ -12,9 +12,10 @@
 
 namespace glint {
 
-inline LoadResult load_text(std::string_view text, std::string name, LoadOptions options = {}) {
+inline LoadResult load_text(std::string_view text, std::string name, LoadOptions options = {},
+                            Sources* sources = nullptr) {
     const SceneText texts[] = {{std::move(name), text, {}}};
-    return load(texts, options);
+    return load(texts, options, sources);
 }
 
 inline std::string read_whole_file(const std::string& path) {
@@ -23,6 +24,18 @@ inline std::string read_whole_file(const std::string& path) {
     text << file.rdbuf();
     return text.str();
 }
+
+/// Files beside the one that includes them.
+class FolderSources : public Sources {
+  public:
+    std::optional<std::string> read(std::string_view name, std::string_view from, std::string& why) override {
+        const std::string path = std::string(from.substr(0, from.rfind('/') + 1)) + std::string(name);
+        std::string text = read_whole_file(path);
+        if (!text.empty()) return text;
+        why = "no such file";
+        return std::nullopt;
+    }
+};
 
 inline bool is_utf8(std::string_view text) {
     while (!text.empty()) {

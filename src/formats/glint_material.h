@@ -1,0 +1,108 @@
+#pragma once
+// The materials of glint's own language: by name, in place, and from one another.
+#include <map>
+#include <set>
+#include <unordered_map>
+#include <vector>
+
+#include "formats/glint_text.h"
+
+namespace glint {
+
+/// What a text says of a surface: the keys given, and nothing of the others.
+struct MaterialKeys {
+    enum Key : int {
+        k_color,
+        k_ambient,
+        k_diffuse,
+        k_specular,
+        k_ambient_color,
+        k_diffuse_color,
+        k_specular_color,
+        k_shininess,
+        k_mirror,
+        k_mirror_color,
+        k_transmission,
+        k_transmission_color,
+        k_ior
+    };
+    std::uint32_t given = 0;  ///< a bit a key
+    Color color{0.8, 0.8, 0.8}, ambient_color, diffuse_color, specular_color, mirror_color,
+        transmission_color;
+    double ambient = 0.1, diffuse = 0.8, specular = 0, shininess = 0, mirror = 0, transmission = 0, ior = 1;
+
+    bool has(int key) const { return (given >> key & 1u) != 0; }
+};
+
+/// The keys of a material, in the order of MaterialKeys::Key.
+inline constexpr Field k_material_fields[] = {{"color"},
+                                              {"ambient"},
+                                              {"diffuse"},
+                                              {"specular"},
+                                              {"ambient_color"},
+                                              {"diffuse_color"},
+                                              {"specular_color"},
+                                              {"shininess"},
+                                              {"mirror"},
+                                              {"mirror_color"},
+                                              {"transmission"},
+                                              {"transmission_color"},
+                                              {"ior"}};
+
+/// What people of other languages write.
+std::span<const Habit> material_habits();
+
+/// Reads the value of one of those keys.
+bool read_material_key(GlintText& t, int key, MaterialKeys& keys);
+
+/// One for all .glint texts of a load. Materials are indices into Scene::materials; a name may be used before
+/// it is defined, and then has its index already.
+class GlintMaterials {
+  public:
+    /// The table of this load, made when first asked for.
+    static GlintMaterials& of(Reading& reading);
+
+    /// The material that the text names at `name`.
+    std::uint32_t named(GlintText& t, const Token& name);
+
+    /// `material NAME { keys }`. A second one of the name is an error.
+    void define(GlintText& t, const Token& word, const Token& name, const MaterialKeys& keys);
+
+    /// The material `base` (k_none: the default one) with some keys changed. is_shared: equal ones are one.
+    std::uint32_t changed(GlintText& t, const Token& word, std::uint32_t base, const MaterialKeys& keys,
+                          bool is_shared);
+
+    /// After the last text: what was used before it was defined, and what never was.
+    void finish(Reading& reading);
+
+  private:
+    struct Use {
+        std::uint32_t index = 0;
+        TextPlace place;
+        Token token;
+    };
+    struct Change {
+        std::uint32_t index, base;
+        MaterialKeys keys;
+    };
+    /// By the bits of their materials.
+    struct Less {
+        const std::vector<Material>* materials;
+        bool operator()(std::uint32_t a, std::uint32_t b) const;
+    };
+
+    explicit GlintMaterials(Scene& scene) : scene_(scene), unnamed_(Less{&scene.materials}) {}
+    std::uint32_t add(const GlintText& t, const Token& at, const Material& material);
+    MaterialKeys keys_of(std::uint32_t index) const;
+
+    Scene& scene_;
+    std::map<std::string, Use, std::less<>> undefined_;     // names used and not defined yet
+    std::set<std::uint32_t> unknown_;                       // materials that depend on them
+    std::vector<Change> changes_;                           // of those
+    std::unordered_map<std::uint32_t, MaterialKeys> keys_;  // what a material was made of
+    std::set<std::uint32_t, Less> unnamed_;                 // those that may be shared
+    std::string last_name_;
+    std::uint32_t last_index_ = k_none;
+};
+
+}  // namespace glint

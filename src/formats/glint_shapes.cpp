@@ -1,0 +1,287 @@
+// The shapes of glint's own language: a block a shape.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "formats/glint_item.h"
+
+namespace glint {
+namespace {
+
+// A shape's own keys and those that all have.
+template <std::size_t N> constexpr auto with_item_fields(const Field (&own)[N]) {
+    std::array<Field, N + std::size(k_item_fields)> all{};
+    std::copy(std::begin(own), std::end(own), all.begin());
+    std::copy(std::begin(k_item_fields), std::end(k_item_fields), all.begin() + N);
+    return all;
+}
+
+// The habits of a shape and those of its material.
+template <std::size_t N> std::span<const Habit> with_material_habits(const Habit (&own)[N]) {
+    static const std::vector<Habit> all = [&own] {
+        std::vector<Habit> list(std::begin(own), std::end(own));
+        list.insert(list.end(), material_habits().begin(), material_habits().end());
+        return list;
+    }();
+    return all;
+}
+
+class ShapeReader {
+  public:
+    ShapeReader(GlintText& t, const Token& word, GlintContext& context)
+        : t_(t), word_(word), context_(context) {}
+
+    void sphere() {
+        static constexpr auto fields = with_item_fields({{"center", true}, {"radius", true}});
+        Sphere s;
+        if (keys(fields, [&](int field, const Token&) {
+                return field == 0 ? read_point(t_, s.center) : radius(s.radius);
+            }))
+            add(s);
+    }
+
+    void plane() {
+        static constexpr auto fields = with_item_fields({{"point", true}, {"normal", true}});
+        Plane s;
+        if (keys(fields, [&](int field, const Token&) {
+                return field == 0 ? read_point(t_, s.point) : read_direction(t_, s.normal);
+            }))
+            add(s);
+    }
+
+    void cylinder() {
+        static constexpr auto fields =
+            with_item_fields({{"from", true}, {"to", true}, {"radius", true}, {"caps"}});
+        Cylinder s;
+        s.caps = true;
+        if (keys(fields, [&](int field, const Token&) {
+                switch (field) {
+                    case 0:
+                        return read_point(t_, s.from);
+                    case 1:
+                        return read_point(t_, s.to);
+                    case 2:
+                        return radius(s.radius);
+                    default:
+                        return read_bool(t_, s.caps);
+                }
+            }))
+            add(s);
+    }
+
+    void cone() {
+        static constexpr auto fields =
+            with_item_fields({{"from", true}, {"to", true}, {"radius", true}, {"caps"}});
+        Cone s;
+        s.caps = true;
+        if (keys(fields, [&](int field, const Token&) {
+                switch (field) {
+                    case 0:
+                        return read_point(t_, s.from);
+                    case 1:
+                        return read_point(t_, s.to);
+                    case 2:
+                        return cone_radius(s);
+                    default:
+                        return read_bool(t_, s.caps);
+                }
+            }))
+            add(s);
+    }
+
+    void disc() {
+        static constexpr auto fields =
+            with_item_fields({{"center", true}, {"radius", true}, {"normal", true}});
+        Disc s;
+        if (keys(fields, [&](int field, const Token&) {
+                return field == 0   ? read_point(t_, s.center)
+                       : field == 1 ? radius(s.radius)
+                                    : read_direction(t_, s.normal);
+            }))
+            add(s);
+    }
+
+    void box() {
+        static constexpr auto fields = with_item_fields({{"min", true}, {"max", true}});
+        Cuboid s;
+        if (keys(fields, [&](int field, const Token&) { return read_point(t_, field == 0 ? s.min : s.max); }))
+            add(s);
+    }
+
+    void triangle() {
+        static constexpr auto fields = with_item_fields({{"vertices", true}, {"normals"}});
+        SmoothTriangle s;
+        bool is_smooth = false;
+        if (!keys(fields, [&](int field, const Token&) {
+                is_smooth = is_smooth || field == 1;
+                return three(field == 0 ? s.vertices : s.normals, field == 1);
+            }))
+            return;
+        if (is_smooth) {
+            add(s);
+        } else {
+            add(Triangle{{s.vertices[0], s.vertices[1], s.vertices[2]}});
+        }
+    }
+
+    void polygon() {
+        static constexpr auto fields = with_item_fields({{"vertices", true}});
+        auto& all = t_.scene.polygon_vertices;
+        const auto first = static_cast<std::uint32_t>(all.size());
+        Polygon s{first, 0};
+        if (!keys(fields, [&](int, const Token& key) {
+                all.resize(first);  // the last list holds
+                s.count = 0;
+                return vertices(key, s);
+            }))
+            return;
+        add(s);
+    }
+
+  private:
+    // Reads the block. False if there is no shape to add.
+    template <std::size_t N, class ReadOwn>
+    bool keys(const std::array<Field, N>& fields, ReadOwn&& read_own) {
+        static constexpr int own = static_cast<int>(N - std::size(k_item_fields));
+        name_ = block_name(t_);
+        FieldSet set(t_.p.text(word_), fields, habits());
+        const bool whole = t_.blocks.fields(set, word_, [&](int field, const Token& key) {
+            return field < own ? read_own(field, key) : read_item_key(t_, field - own, key, item_);
+        });
+        return whole && t_.p.check_required(set, word_);
+    }
+
+    static std::span<const Habit> habits() {
+        static constexpr Habit own[] = {
+            {"centre", "`center`"},
+            {"position", "`center`, or `translate`"},
+            {"location", "`center`"},
+            {"diameter", "`radius`"},
+            {"r", "`radius`"},
+            {"r1", "`radius = (from, to)`"},
+            {"base", "`from`"},
+            {"apex", "`to`"},
+            {"top", "`to`"},
+            {"axis", "`from` and `to`"},
+            {"height", "`from` and `to`"},
+            {"size", "`min` and `max`"},
+            {"corner", "`min` and `max`"},
+            {"points", "`vertices`"},
+            {"vertex", "`vertices`"},
+            {"distance", "`point` and `normal`"},
+            {"rotation", "`rotate`, in degrees"},
+            {"transform", "`matrix`, or `translate`, `rotate` and `scale`"},
+            {"capped", "`caps = true`"},
+            {"open", "`caps = false`"},
+        };
+        return with_material_habits(own);
+    }
+
+    template <class Shape> void add(const Shape& shape) {
+        auto& scene = t_.scene;
+        std::uint32_t transform = k_none;
+        if (const auto map = compose_maps(std::nullopt, item_.map)) {
+            GlintContext own{k_none, k_none, compose_maps(context_.map, map)};
+            transform = transform_index(scene, own);
+        } else {
+            transform = transform_index(scene, context_);
+        }
+        const std::uint32_t base = item_.material != k_none ? item_.material : context_.material;
+        const std::uint32_t material = t_.materials.changed(t_, word_, base, item_.keys, true);
+        const std::uint32_t index = scene.add(shape, material, transform);
+        note(scene.shape_texts, index, source_place(t_.text, word_), std::move(name_));
+    }
+
+    bool radius(double& value) {
+        if (t_.p.token().is('(')) {
+            t_.p.expected("a number: only a cone has two radii");
+            return false;
+        }
+        return t_.p.number(value, k_length);
+    }
+
+    // One number: a pointed cone.
+    bool cone_radius(Cone& cone) {
+        cone.to_radius = 0;
+        if (!t_.p.token().is('(')) return t_.p.number(cone.from_radius, k_not_negative);
+        double radii[2] = {};
+        if (!t_.p.numbers(radii, k_not_negative, '(', ')')) return false;
+        cone.from_radius = radii[0];
+        cone.to_radius = radii[1];
+        return true;
+    }
+
+    bool three(Vec3 (&points)[3], bool are_normals) {
+        const Token at = t_.p.token();
+        const auto errors = t_.reading.diagnostics.error_count();
+        int n = 0;
+        const bool is_list = read_list(t_, "three of `(x, y, z)`", [&] {
+            if (n == 3) {
+                t_.p.expected("`)` after the third of a triangle");
+                return false;
+            }
+            Vec3& p = points[n++];
+            return are_normals ? read_direction(t_, p) : read_point(t_, p);
+        });
+        if (is_list && n < 3 && errors == t_.reading.diagnostics.error_count()) {
+            t_.p.error(at, fmt::format("expected three of `(x, y, z)`, found {}", n));
+        }
+        return is_list;
+    }
+
+    bool vertices(const Token& key, Polygon& polygon) {
+        auto& all = t_.scene.polygon_vertices;
+        const auto errors = t_.reading.diagnostics.error_count();
+        std::size_t n = 0;
+        const bool is_list = read_list(t_, "at least three of `(x, y, z)`", [&] {
+            Vec3 p;
+            if (!read_point(t_, p)) return false;
+            if (++n <= k_max_polygon_vertices) all.push_back(p);
+            return true;
+        });
+        polygon.count = static_cast<std::uint32_t>(all.size() - polygon.first);
+        if (is_list && errors == t_.reading.diagnostics.error_count()) {
+            if (n < 3) t_.p.error(key, fmt::format("expected at least 3 vertices, found {}", n));
+            if (n > k_max_polygon_vertices) {
+                t_.p.error(key,
+                           fmt::format("expected at most {} vertices, found {}: cut it into smaller polygons",
+                                       k_max_polygon_vertices, n));
+            }
+        }
+        return is_list;
+    }
+
+    GlintText& t_;
+    const Token word_;
+    GlintContext& context_;
+    GlintItem item_;
+    std::string name_;
+};
+
+struct ShapeWord {
+    std::string_view word;
+    void (ShapeReader::*read)();
+};
+
+constexpr ShapeWord k_shapes[] = {{"sphere", &ShapeReader::sphere},     {"plane", &ShapeReader::plane},
+                                  {"cylinder", &ShapeReader::cylinder}, {"cone", &ShapeReader::cone},
+                                  {"disc", &ShapeReader::disc},         {"box", &ShapeReader::box},
+                                  {"triangle", &ShapeReader::triangle}, {"polygon", &ShapeReader::polygon}};
+
+const ShapeWord* find_shape(std::string_view word) {
+    for (const ShapeWord& shape : k_shapes) {
+        if (shape.word == word) return &shape;
+    }
+    return nullptr;
+}
+
+}  // namespace
+
+bool is_shape_word(std::string_view word) { return find_shape(word) != nullptr; }
+
+void read_glint_shape(GlintText& t, const Token& word, GlintContext& context) {
+    ShapeReader reader(t, word, context);
+    (reader.*find_shape(t.p.text(word))->read)();
+}
+
+}  // namespace glint

@@ -1,0 +1,65 @@
+#pragma once
+// What the parts of the reader of glint's own language share: the text under reading, and its kinds of
+// values.
+#include "formats/block_reader.h"
+#include "formats/reading.h"
+
+namespace glint {
+
+class GlintMaterials;
+
+struct GlintText {
+    GlintText(Reading& of, const ReadText& read_text);
+
+    Reading& reading;
+    Scene& scene;
+    const ReadText& text;
+    GlintMaterials& materials;
+    Parser p;
+    BlockReader blocks;
+};
+
+/// What a colour is for: where a channel above which a warning asks whether the numbers are bytes.
+enum class ColorUse : std::uint8_t { surface, coefficient, light };
+
+/// (r, g, b), rgb255(r, g, b), "#rrggbb" or "#rgb".
+bool read_color(GlintText& t, Color& color, const Range& range, ColorUse use);
+
+/// (x, y, z).
+inline bool read_point(GlintText& t, Vec3& point) { return t.p.point(point, k_coordinate, '(', ')'); }
+
+/// (x, y, z) other than (0, 0, 0).
+bool read_direction(GlintText& t, Vec3& direction);
+
+/// true or false.
+bool read_bool(GlintText& t, bool& value);
+
+/// A name, bare or quoted, other than the empty one. False, after an error, if there is none.
+bool read_name(GlintText& t, std::string_view what, Token& name);
+
+/// The bytes of a setting's value, as set_setting takes them: `640 x 480`, `blinn-phong`.
+bool read_setting_text(GlintText& t, std::string& value);
+
+/// The name of the block that was just begun, or an empty string.
+std::string block_name(const GlintText& t);
+
+/// ( item, item, ... ); read_item() reads one. False before what is no list.
+template <class ReadItem> bool read_list(GlintText& t, std::string_view what, ReadItem&& read_item) {
+    if (!t.p.accept('(')) {
+        t.p.expected(fmt::format("`(` and {}", what));
+        return false;
+    }
+    while (!t.p.accept(')')) {
+        if (!read_item()) {
+            t.p.skip_to_close(')');
+            return true;
+        }
+        t.p.accept(',');
+    }
+    return true;
+}
+
+void read_glint_camera(GlintText& t, const Token& word);
+void read_glint_light(GlintText& t, const Token& word);
+
+}  // namespace glint

@@ -1,0 +1,153 @@
+// What is said of mistakes in glint's own language.
+#include "formats/mistakes.h"
+
+namespace glint {
+namespace {
+
+class GlintMistakes : public testing::TestWithParam<Mistake> {};
+TEST_P(GlintMistakes, AreNamedWhereTheyAre) { expect_messages(GetParam(), "a.glint"); }
+
+#define CAMERA "camera { position = (0, 0, 5) }\n"
+#define LIGHT "light { position = (0, 9, 5) }\n"
+#define BALL "sphere { center = (0, 0, 0)  radius = 1 "
+#define COLOR_WARNING \
+    "colors go from 0 to 1, and this one is drawn as it is written; for 0 to 255 write rgb255(r, g, b)"
+
+INSTANTIATE_TEST_SUITE_P(
+    Habits, GlintMistakes,
+    testing::Values(
+        Mistake{
+            "specular_is_no_exponent",
+            "material a { specular = $50 }",
+            {"expected a number from 0 to 1, found '50': `specular` is a coefficient; the exponent is called "
+             "shininess"}},
+        Mistake{"matte", "material a { specular = $-1 }", {"expected a number from 0 to 1, found '-1'"}},
+        Mistake{"bytes", CAMERA LIGHT BALL "color = $(200, 160, 40) }", {COLOR_WARNING}},
+        Mistake{"bytes_of_the_background", CAMERA LIGHT BALL "}\nbackground = $(0, 0, 255)", {COLOR_WARNING}},
+        Mistake{"bytes_of_a_light",
+                CAMERA BALL "} light { position = (1, 9, 1)  color = $(255, 255, 255) }",
+                {COLOR_WARNING}},
+        Mistake{"bare_fov",
+                "camera { $fov = 60 }",
+                {"a camera has no 'fov': write `fov_x` (across the picture's width) or `fov_y` (across its "
+                 "height), "
+                 "in degrees"}},
+        Mistake{"target", "camera { $target = (0, 0, 0) }", {"a camera has no 'target': write `look_at`"}},
+        Mistake{"reflective",
+                CAMERA BALL "$reflective = 0.2 }",
+                {"a sphere has no 'reflective': write `mirror`"}},
+        Mistake{"phong_size",
+                "material a { $phong_size = 9 }",
+                {"a material has no 'phong_size': write `shininess`"}},
+        Mistake{"centre",
+                CAMERA "sphere { $centre = (0, 0, 0)  center = (0, 0, 0)  radius = 1 }",
+                {"a sphere has no 'centre': write `center`"}},
+        Mistake{"bare_hexadecimal",
+                "material a { color = #cc2222 }\n$$sphere { center = (0, 0, 0)  radius = 1 }",
+                {"expected a color, found 'sphere': `#` begins a comment; write \"#rrggbb\" in quotes",
+                 "expected `}` before 'sphere': the block that begins in line 1 has no end"}},
+        Mistake{"two_radii",
+                CAMERA "sphere { center = (0, 0, 0)  radius = $(1, 2) }",
+                {"expected a number: only a cone has two radii, found '('"}},
+        Mistake{"settings_at_top", CAMERA "$aa = 2", {"'aa' stands in a `conventions` or a `render` block"}},
+        Mistake{"size_is_no_convention",
+                CAMERA "conventions { $size = 3x3 }",
+                {"a conventions block has no 'size': write it in a `render` block"}},
+        Mistake{"direction_without_type",
+                "$light { direction = (0, 1, 0) }\n",
+                {"expected `type = directional` in a light that has a direction and no position"}},
+        Mistake{"smooth_triangle",
+                "$smooth_triangle { }",
+                {"no block is called 'smooth_triangle': write `triangle` with `normals`"}}),
+    test_name);
+
+INSTANTIATE_TEST_SUITE_P(
+    Mistakes, GlintMistakes,
+    testing::Values(
+        Mistake{
+            "unknown_key", CAMERA BALL "$radios = 2 }", {"a sphere has no 'radios'; did you mean `radius`?"}},
+        Mistake{"unknown_block",
+                CAMERA "$sphree { center = (0, 0, 0) }",
+                {"no block is called 'sphree'; did you mean `sphere`?"}},
+        Mistake{"unknown_setting",
+                CAMERA "$backgruond = (0, 0, 0)",
+                {"no setting is called 'backgruond'; did you mean `background`?"}},
+        Mistake{"unknown_material",
+                CAMERA "material gold { }\n" BALL "material = $glod }\n" BALL "material = glod }",
+                {"no material is called 'glod'; did you mean `gold`?"}},
+        Mistake{"second_material",
+                CAMERA "material gold { }\nmaterial $gold { }",
+                {"a second material called 'gold': the first is in line 2"}},
+        Mistake{"material_without_name", "$material { }", {"expected a name after `material`"}},
+        Mistake{"missing_keys",
+                CAMERA "$cylinder { from = (0, 0, 0) }",
+                {"expected `to`, `radius` in the cylinder"}},
+        Mistake{"equal_ends",
+                CAMERA "$cone { from = (0, 0, 0)  to = (0, 0, 0)  radius = 1 }",
+                {"cone 1: expected an axis of some length, found two equal ends (0, 0, 0)"}},
+        Mistake{"no_scale",
+                CAMERA BALL "$scale = (1, 0, 1) }",
+                {"expected a scale without 0, which would leave nothing of the shape"}},
+        Mistake{"flat_matrix",
+                CAMERA "\n $" BALL "matrix = ((1, 0, 0, 0), (0, 1, 0, 0), (1, 0, 0, 0)) }",
+                {"transform 1 flattens what it transforms: it has no inverse"}},
+        Mistake{"two_rows",
+                CAMERA BALL "matrix = $((1, 0, 0, 0), (0, 1, 0, 0)) }",
+                {"expected three rows `(a, b, c, t)`, found 2"}},
+        Mistake{
+            "both_angles", "$camera { fov_x = 30  fov_y = 40 }", {"expected `fov_x` or `fov_y`, found both"}},
+        Mistake{"flat_camera_with_angle",
+                "$camera { projection = orthographic  fov_x = 30 }",
+                {"an orthographic camera has no field of view: write `width`"}},
+        Mistake{"width_of_a_perspective",
+                "$camera { width = 3 }",
+                {"a perspective camera has no `width`: write `fov_x` or `fov_y`, or `projection = "
+                 "orthographic`"}},
+        Mistake{"half_a_frame",
+                "$camera { right = (1, 0, 0)  up = (0, 1, 0) }",
+                {"expected `right`, `up` and `forward`, all three or none of them"}},
+        Mistake{"frame_and_target",
+                "$camera { right = (1, 0, 0)  up = (0, 1, 0)  forward = (0, 0, -1)  look_at = (0, 0, 0) }",
+                {"expected no `look_at` beside `right`, `up` and `forward`, which say it already"}},
+        Mistake{"unused_position",
+                CAMERA BALL "}\nlight { type = directional  to_light = (0, 1, 0)  $position = (1, 1, 1) }",
+                {"glint ignores the 'position' of a directional light"}},
+        Mistake{"no_direction",
+                CAMERA "light { type = directional  to_light = $(0, 0, 0) }",
+                {"expected a direction other than (0, 0, 0)"}},
+        Mistake{"late_profile",
+                CAMERA "render { aa = 2 }\n$profile = cgfs",
+                {"expected `profile` before the first `conventions` or `render` block, whose keys it would "
+                 "undo"}},
+        Mistake{"wrong_setting",
+                CAMERA "conventions { offset = $foo }",
+                {"offset: expected ray | normal | facing | direction | scale, found 'foo'"}},
+        Mistake{"version",
+                CAMERA BALL "} " LIGHT "glint = $2",
+                {"expected 1, the version of the language, found '2'"}},
+        Mistake{"late_group_key",
+                CAMERA "group { " BALL "}  $scale = 2 }",
+                {"expected 'scale' before what the group holds"}},
+        Mistake{"light_in_group",
+                CAMERA "group { $light { } }",
+                {"a group holds shapes, groups and includes; 'light' stands outside"}},
+        Mistake{"open_group",
+                CAMERA "group {\n group { " BALL "} }\n$",
+                {"expected `}`: the block that begins in line 2 has no end, found the end of the text"}},
+        Mistake{"open_block",
+                CAMERA "sphere { radius = 1\n $light \"key\" { position = (0, 1, 0) }",
+                {"expected `}` before 'light': the block that begins in line 2 has no end"}},
+        Mistake{"two_vertices",
+                CAMERA "polygon { $vertices = ((0, 0, 0), (1, 0, 0)) }",
+                {"expected at least 3 vertices, found 2"}},
+        Mistake{"four_corners",
+                CAMERA "triangle { vertices = ((0, 0, 0), (1, 0, 0), (1, 1, 0), $(0, 1, 0)) }",
+                {"expected `)` after the third of a triangle, found '('"}},
+        Mistake{
+            "bad_hexadecimal",
+            "material a { color = $\"#12345\" }",
+            {"expected a color: (r, g, b) from 0 to 1, rgb255(r, g, b) or \"#rrggbb\", found '\"#12345\"'"}}),
+    test_name);
+
+}  // namespace
+}  // namespace glint
