@@ -9,7 +9,8 @@ namespace glint {
 namespace {
 
 const char* const k_gallery[] = {"cgfs/three_spheres.cgfs", "cgfs/from_the_side.cgfs",
-                                 "epfl/three_lights.json", "epfl/two_scenes.js"};
+                                 "epfl/three_lights.json",  "epfl/two_scenes.js",
+                                 "csc473/glass_ball.pov",   "nff/fullerene.nff"};
 
 std::string gallery(const std::string& name) { return read_whole_file(GLINT_SOURCE_DIR "/scenes/" + name); }
 
@@ -24,13 +25,12 @@ TEST(Gallery, LoadsWithoutErrors) {
         if (!entry.is_regular_file()) continue;
         const std::string path = entry.path().string();
         const std::string text = read_whole_file(path);
-        if (!path.ends_with(".cgfs") && !path.ends_with(".json") && !path.ends_with(".js")) continue;
         const LoadResult result = load_text(text, path);
         for (const Diagnostic& d : result.diagnostics) EXPECT_NE(d.severity, Severity::error) << to_string(d);
         EXPECT_EQ(what_is_wrong(result, text), "");
         ++files;
     }
-    EXPECT_GE(files, 9u);
+    EXPECT_GE(files, 14u);
 }
 
 TEST(Hostile, TextsCutOffAnywhereHaveAnAnswer) {
@@ -80,7 +80,7 @@ TEST(Hostile, RandomEditsHaveAnAnswer) {
 }
 
 TEST(Hostile, AMillionBracketsAreAnError) {
-    for (const char* name : {"a.cgfs", "a.json"}) {
+    for (const char* name : {"a.cgfs", "a.json", "a.pov", "a.nff"}) {
         for (const char* before : {"", "x = ", "sphere { center = ", "sphere { x = ", "{ \"camera\": ",
                                    "{ x: ", "[", "const a = "}) {
             for (const char bracket : {'{', '[', '('}) {
@@ -109,6 +109,16 @@ TEST(Hostile, OneLongLineIsReadInOneGo) {
         {"a.json", "[", "{\"name\":\"x\"},", bytes},
         {"a.json", "{\"spheres\":[", "{},", bytes},
         {"a.js", "/*", "/*", bytes},
+        {"a.pov", "", "sphere { <1, 2, 3>, 1 translate <1, 1, 1> pigment { color rgb <1, 0, 0> } } ",
+         5 * bytes},
+        {"a.pov", "", "union ", bytes},
+        {"a.pov", "", "a { ", bytes},
+        {"a.pov", "sphere { <0,0,0>, 1 ", "scale 1 ", bytes},
+        {"a.nff", "", "s 1 2 3 1 ", 5 * bytes},
+        {"a.nff", "", "f 1 1 1 1 1 1 0 1 s 1 2 3 1 ", 5 * bytes},
+        {"a.nff", "", "v from 1 1 1 ", bytes},
+        {"a.nff", "v ", "x ", bytes},
+        {"a.nff", "", "l 1 2 3 ", bytes},
         {"a.js", "[{ name: '", "\\u00e9", bytes}};
     for (const auto& [name, begin, piece, length] : cases) {
         std::string text = begin;
@@ -123,7 +133,7 @@ TEST(Hostile, OneLongLineIsReadInOneGo) {
 
 TEST(Hostile, WhatIsNotTextIsRefusedOnce) {
     using namespace std::string_view_literals;
-    for (const char* name : {"a.cgfs", "a.json"}) {
+    for (const char* name : {"a.cgfs", "a.json", "a.pov", "a.nff"}) {
         const std::pair<std::string_view, const char*> cases[] = {
             {"\0\0\0\0"sv, "expected text, found the byte 0x00"},
             {"\x7f"
@@ -151,7 +161,7 @@ TEST(Hostile, WhatIsNotTextIsRefusedOnce) {
 }
 
 TEST(Hostile, EmptyTextsSayWhatIsExpected) {
-    for (const char* name : {"a.cgfs", "a.json"}) {
+    for (const char* name : {"a.cgfs", "a.json", "a.pov", "a.nff"}) {
         for (const char* text : {"", " ", "\n\n", "\xef\xbb\xbf", "// only a comment"}) {
             const LoadResult result = load_text(text, name);
             EXPECT_FALSE(result.scene);

@@ -1,53 +1,8 @@
-// What is said of mistakes, and where: one text a row. $ marks the place in the text.
-#include <algorithm>
-
-#include "formats/load_text.h"
+// What is said of mistakes, and where.
+#include "formats/mistakes.h"
 
 namespace glint {
 namespace {
-
-struct Mistake {
-    const char* name;  ///< of the test
-    const char* text;  ///< with $ before each place, in the order of the messages
-    std::vector<const char*> messages;
-};
-
-std::ostream& operator<<(std::ostream& out, const Mistake& m) { return out << m.text; }
-
-void expect_messages(const Mistake& mistake, const char* file) {
-    std::string text;
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> places;
-    std::uint32_t line = 1, column = 1;
-    for (const char* c = mistake.text; *c; ++c) {
-        if (*c == '$') {
-            places.emplace_back(line, column);
-            continue;
-        }
-        text += *c;
-        ++column;
-        if (*c == '\n') {
-            ++line;
-            column = 1;
-        }
-    }
-    const LoadResult result = load_text(text, file);
-    std::string all;
-    for (const Diagnostic& d : result.diagnostics) all += to_string(d);
-    ASSERT_EQ(result.diagnostics.size(), mistake.messages.size()) << all;
-    ASSERT_EQ(places.size(), mistake.messages.size());
-    for (std::size_t i = 0; i < places.size(); ++i) {
-        const Diagnostic& d = result.diagnostics[i];
-        EXPECT_EQ(d.message, mistake.messages[i]);
-        EXPECT_EQ(d.line, places[i].first) << d.message;
-        EXPECT_EQ(d.column, places[i].second) << d.message;
-        EXPECT_EQ(d.file, file);
-        // The line shown is that of the place, and the caret stands under it.
-        EXPECT_NE(text.find(d.source_line), std::string::npos) << d.source_line;
-        EXPECT_EQ(d.caret, d.column - 1) << d.message;
-    }
-}
-
-std::string test_name(const testing::TestParamInfo<Mistake>& param) { return param.param.name; }
 
 class CgfsMistakes : public testing::TestWithParam<Mistake> {};
 TEST_P(CgfsMistakes, AreNamedWhereTheyAre) { expect_messages(GetParam(), "a.cgfs"); }
