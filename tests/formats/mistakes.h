@@ -1,6 +1,9 @@
 #pragma once
-// What is said of mistakes, and where: one text a row. $ marks the place in the text.
+// Texts with mistakes, and the messages they get: one text a row. $ marks the place in the text.
 #include <algorithm>
+#include <ostream>
+#include <utility>
+#include <vector>
 
 #include "formats/load_text.h"
 
