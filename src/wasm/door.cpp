@@ -4,7 +4,9 @@
 #define JSON_HAS_FILESYSTEM 0
 #define JSON_HAS_EXPERIMENTAL_FILESYSTEM 0
 #include <cstdlib>
+#include <map>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -45,6 +47,27 @@ void add_diagnostics(json& report, const std::vector<glint::Diagnostic>& diagnos
     for (const glint::Diagnostic& d : diagnostics) report["diagnostics"].push_back(to_json(d));
 }
 
+/// The request's "includes".
+class Includes : public glint::Sources {
+  public:
+    explicit Includes(const json& request) {
+        const auto list = request.is_object() ? request.find("includes") : request.end();
+        if (list != request.end() && list->is_array()) {
+            for (const json& text : *list) texts_[string_member(text, "name")] = string_member(text, "text");
+        }
+    }
+    std::optional<std::string> read(std::string_view name, std::string_view from, std::string& why) override {
+        const std::string folder(from.substr(0, from.rfind('/') + 1));
+        const auto at = texts_.find(folder + std::string(name));
+        if (at != texts_.end()) return at->second;
+        why = "no such text is among the request's includes";
+        return std::nullopt;
+    }
+
+  private:
+    std::map<std::string, std::string> texts_;
+};
+
 glint::LoadResult load(const json& request) {
     std::vector<std::string> owned;
     std::vector<glint::SceneText> texts;
@@ -65,7 +88,8 @@ glint::LoadResult load(const json& request) {
             options.settings.emplace_back(key, value.is_string() ? value.get<std::string>() : value.dump());
         }
     }
-    return glint::load(texts, options);
+    Includes includes(request);
+    return glint::load(texts, options, &includes);
 }
 
 }  // namespace

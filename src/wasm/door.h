@@ -19,8 +19,10 @@ char* GLINT_DOOR(glint_allocate)(std::uint32_t bytes);
 void GLINT_DOOR(glint_free)(char* memory);
 
 /// Reads and prepares a scene. The request is JSON: {"texts": [{"name": "a.cgfs", "text": "...", "format":
-/// "cgfs"}], "profile": "cgfs", "scene": "name", "settings": {"size": "640x480"}}; all but texts with name
-/// and text may be left out. Never null: glint_report says what went wrong. To be closed by glint_close.
+/// "cgfs"}], "profile": "cgfs", "scene": "name", "settings": {"size": "640x480"}, "includes": [{"name",
+/// "text"}]}; all but texts with name and text may be left out. includes are what `include` may find, by
+/// name: the path that the including text gives, from the folder of its own name. Never null: glint_report
+/// says what went wrong. To be closed by glint_close.
 GlintScene* GLINT_DOOR(glint_open)(const char* request, std::uint32_t length);
 void GLINT_DOOR(glint_close)(GlintScene* scene);
 

@@ -2,8 +2,8 @@
 // GLINT_WASM: glint.wasm; GLINT_NATIVE_DOOR: native_door of a native build; GLINT_SCENES: the folder scenes/.
 import assert from 'node:assert/strict';
 import {execFileSync} from 'node:child_process';
-import {readFileSync} from 'node:fs';
-import {join} from 'node:path';
+import {readdirSync, readFileSync} from 'node:fs';
+import {join, relative} from 'node:path';
 import {test} from 'node:test';
 
 import {instantiate} from '../../src/wasm/glint.mjs';
@@ -11,10 +11,15 @@ import {instantiate} from '../../src/wasm/glint.mjs';
 const module = await WebAssembly.compile(readFileSync(process.env.GLINT_WASM));
 const glint = await instantiate(module);
 
+const files = readdirSync(process.env.GLINT_SCENES, {recursive: true, withFileTypes: true})
+                  .filter((entry) => entry.isFile())
+                  .map((entry) => relative(process.env.GLINT_SCENES, join(entry.parentPath ?? entry.path, entry.name)));
+const read = (path) => ({name: path, text: readFileSync(join(process.env.GLINT_SCENES, path), 'utf8')});
+const includes = files.filter((path) => path.includes('/parts/')).map(read);
+
 /** The request for files of scenes/, drawn at a size. */
 function request(paths, settings) {
-    const texts = paths.map((path) => ({name: path, text: readFileSync(join(process.env.GLINT_SCENES, path), 'utf8')}));
-    return {texts, settings};
+    return {texts: paths.map(read), settings, includes};
 }
 
 function open(...args) {
@@ -35,6 +40,9 @@ const pictures = [
     {paths: ['cgfs/only_spheres.cgfs', 'cgfs/only_lights.cgfs'], settings: {size: '150x150', aa: '2'}},
     {paths: ['epfl/castle.json'], settings: {size: '160x160', reflections: '4', shading: 'blinn-phong'}},
     {paths: ['epfl/mirror_room.json'], settings: {size: '160x120', reflections: '4', shading: 'phong'}},
+    // Every scene of the gallery.
+    ...files.filter((path) => !path.includes('/parts/') && !path.includes('/only_'))
+        .map((path) => ({paths: [path], settings: {size: '80x60', aa: '1'}})),
 ];
 const tiled = [pictures[2].paths, pictures[2].settings];
 
