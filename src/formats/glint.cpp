@@ -143,6 +143,8 @@ class GlintReader {
                                          [&](const Field& field) { return field.name == name; });
         if (is_item) {
             p_.error(word, fmt::format("{} stands in the block of a shape or a group", quoted(name)));
+        } else if (name == "include") {
+            p_.error(word, "an include has no `=`: write `include \"file\"`");
         } else if (find_setting(name)) {
             p_.error(word, fmt::format("{} stands in a `conventions` or a `render` block", quoted(name)));
         } else {
