@@ -51,7 +51,8 @@ std::string with_commas(std::uint64_t number) {
 }
 
 std::string counted(std::uint64_t number, std::string_view noun) {
-    return fmt::format("{} {}{}", with_commas(number), noun, number == 1 ? "" : "s");
+    const std::string_view plural = noun.ends_with('x') ? "es" : "s";
+    return fmt::format("{} {}{}", with_commas(number), noun, number == 1 ? "" : plural);
 }
 
 std::string bytes_text(double bytes) {

@@ -143,6 +143,8 @@ class GlintReader {
                                          [&](const Field& field) { return field.name == name; });
         if (is_item) {
             p_.error(word, fmt::format("{} stands in the block of a shape or a group", quoted(name)));
+        } else if (name == "include") {
+            p_.error(word, "an include has no `=`: write `include \"file\"`");
         } else if (find_setting(name)) {
             p_.error(word, fmt::format("{} stands in a `conventions` or a `render` block", quoted(name)));
         } else {
@@ -179,7 +181,7 @@ class GlintReader {
         const Token at = p_.token();
         Token name;
         if (!read_name(t_, "the name of a profile", name)) return false;
-        if (t_.text.is_included) {
+        if (t_.text.file != 0) {
             warn_ignored(word);
         } else if (t_.reading.settings_given) {
             p_.error(word,
@@ -193,8 +195,7 @@ class GlintReader {
     }
 
     void warn_ignored(const Token& word) {
-        p_.warn(word, fmt::format("glint ignores {} in an included file: the settings are those of the first",
-                                  p_.describe(word)));
+        p_.warn(word, fmt::format("glint ignores {} here: the first file has the say", p_.describe(word)));
     }
 
     bool read_include() {

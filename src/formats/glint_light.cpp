@@ -38,6 +38,7 @@ void read_glint_light(GlintText& t, const Token& word) {
     Color specular_color;
     double intensity = 1;
     Token keys[std::size(k_fields)];
+    const auto errors = t.reading.diagnostics.error_count();
     const bool whole = t.blocks.fields(set, word, [&](int field, const Token& key) {
         keys[field] = key;
         switch (field) {
@@ -66,7 +67,7 @@ void read_glint_light(GlintText& t, const Token& word) {
                 return read_direction(t, light.to_light);
         }
     });
-    if (!whole) return;
+    if (!whole || errors != t.reading.diagnostics.error_count()) return;  // of what kind it is may be unknown
     const bool has_direction = set.has(k_to_light) || set.has(k_direction);
     if (set.has(k_to_light) && set.has(k_direction))
         t.p.error(keys[k_direction], "expected `to_light` or `direction`, which mean the same, found both");

@@ -67,7 +67,7 @@ Material made_of(const Keys& k) {
     return m;
 }
 
-// The keys that say all of a material that another format made.
+// The keys that say all of a material, such as another format made.
 Keys all_of(const Material& m) {
     Keys k;
     k.given = (1u << (Keys::k_ior + 1)) - 1;
@@ -158,10 +158,20 @@ std::uint32_t GlintMaterials::add(const GlintText& t, const Token& at, const Mat
     return index;
 }
 
+void GlintMaterials::keep_origin(std::uint32_t index, const MaterialKeys& keys) {
+    origins_.insert_or_assign(index, Origin{keys.given, keys.ambient, keys.diffuse, keys.specular});
+}
+
 MaterialKeys GlintMaterials::keys_of(std::uint32_t index) const {
     if (index == k_none) return {};
-    const auto at = keys_.find(index);
-    return at == keys_.end() ? all_of(scene_.materials[index]) : at->second;
+    MaterialKeys keys = all_of(scene_.materials[index]);
+    if (const auto at = origins_.find(index); at != origins_.end()) {
+        keys.given = at->second.given;
+        keys.ambient = at->second.ambient;
+        keys.diffuse = at->second.diffuse;
+        keys.specular = at->second.specular;
+    }
+    return keys;
 }
 
 std::uint32_t GlintMaterials::named(GlintText& t, const Token& name) {
@@ -207,7 +217,7 @@ void GlintMaterials::define(GlintText& t, const Token& word, const Token& name, 
     }
     scene_.material_texts.names.emplace(index, key);
     t.reading.materials.emplace(key, index);
-    keys_.emplace(index, keys);
+    keep_origin(index, keys);
 }
 
 std::uint32_t GlintMaterials::changed(GlintText& t, const Token& word, std::uint32_t base,
@@ -222,7 +232,7 @@ std::uint32_t GlintMaterials::changed(GlintText& t, const Token& word, std::uint
     const MaterialKeys all = changed_keys(keys_of(base), keys);
     const std::uint32_t index = add(t, word, made_of(all));
     if (!is_shared) {
-        keys_.emplace(index, all);
+        keep_origin(index, all);
         return index;
     }
     const auto [at, is_new] = unnamed_.insert(index);
@@ -248,7 +258,7 @@ void GlintMaterials::finish(Reading& reading) {
     for (const Change& change : changes_) {
         const MaterialKeys all = changed_keys(keys_of(change.base), change.keys);
         scene_.materials[change.index] = made_of(all);
-        keys_.insert_or_assign(change.index, all);
+        keep_origin(change.index, all);
     }
 }
 

@@ -91,16 +91,23 @@ class GlintMaterials {
         bool operator()(std::uint32_t a, std::uint32_t b) const;
     };
 
+    /// What a Material does not say of the keys it was made of. There may be millions of materials.
+    struct Origin {
+        std::uint32_t given = 0;
+        double ambient = 0, diffuse = 0, specular = 0;
+    };
+
     explicit GlintMaterials(Scene& scene) : scene_(scene), unnamed_(Less{&scene.materials}) {}
     std::uint32_t add(const GlintText& t, const Token& at, const Material& material);
+    void keep_origin(std::uint32_t index, const MaterialKeys& keys);
     MaterialKeys keys_of(std::uint32_t index) const;
 
     Scene& scene_;
-    std::map<std::string, Use, std::less<>> undefined_;     // names used and not defined yet
-    std::set<std::uint32_t> unknown_;                       // materials that depend on them
-    std::vector<Change> changes_;                           // of those
-    std::unordered_map<std::uint32_t, MaterialKeys> keys_;  // what a material was made of
-    std::set<std::uint32_t, Less> unnamed_;                 // those that may be shared
+    std::map<std::string, Use, std::less<>> undefined_;  // names used and not defined yet
+    std::set<std::uint32_t> unknown_;                    // materials that depend on them
+    std::vector<Change> changes_;                        // of those
+    std::unordered_map<std::uint32_t, Origin> origins_;
+    std::set<std::uint32_t, Less> unnamed_;  // those that may be shared
     std::string last_name_;
     std::uint32_t last_index_ = k_none;
 };

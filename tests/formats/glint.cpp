@@ -281,6 +281,16 @@ TEST(Glint, WantsACamera) {
     EXPECT_TRUE(load(texts).scene) << "one of several texts has it";
 }
 
+TEST(Glint, TheFirstOfSeveralTextsHasTheProfile) {
+    const SceneText texts[] = {{"a.glint", k_camera, {}},
+                               {"b.glint", "profile = cgfs\nconventions { limit = drop }", {}}};
+    const LoadResult result = load(texts);
+    ASSERT_TRUE(result.scene);
+    EXPECT_EQ(result.scene->profile, "glint");
+    EXPECT_EQ(result.scene->conventions.limit, LimitRule::drop);
+    EXPECT_NE(printed(result).find("b.glint:1:1: warning: glint ignores 'profile' here"), std::string::npos);
+}
+
 TEST(GlintInclude, AddsAnotherTextsItems) {
     MapSources sources;
     sources.texts = {
@@ -335,7 +345,8 @@ TEST(GlintInclude, ItsCameraHoldsOnlyIfThereIsNoOther) {
         EXPECT_EQ(result.scene->background, (Color{1, 0, 0}));
         EXPECT_EQ(result.scene->settings.samples, 1);
         EXPECT_NE(printed(result).find("camera"), std::string::npos);
-        EXPECT_NE(printed(result).find("glint ignores 'render' in an included file"), std::string::npos);
+        EXPECT_NE(printed(result).find("glint ignores 'render' here: the first file has the say"),
+                  std::string::npos);
     }
 }
 

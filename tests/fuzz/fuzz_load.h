@@ -7,10 +7,24 @@
 
 namespace glint {
 
+/// What a text may include: a part of itself, under any name. At most 200 bytes, as it may do so often.
+class FuzzSources : public Sources {
+  public:
+    explicit FuzzSources(std::string_view text) : text_(text.substr(text.size() / 2, 200)) {}
+    std::optional<std::string> read(std::string_view name, std::string_view, std::string& why) override {
+        why = "no such file";
+        return name.starts_with("no") ? std::nullopt : std::optional<std::string>(text_);
+    }
+
+  private:
+    std::string_view text_;
+};
+
 /// Loads the text; an empty string, or what is wrong with the answer.
 inline std::string fuzz_load(std::string_view text, std::string format) {
     const SceneText texts[] = {{"fuzz", text, std::move(format)}};
-    const LoadResult result = load(texts);
+    FuzzSources sources(text);
+    const LoadResult result = load(texts, {}, &sources);
     std::string printed;
     for (const Diagnostic& d : result.diagnostics) printed += to_string(d);
     if (result.scene.has_value() == has_errors(result.diagnostics))
