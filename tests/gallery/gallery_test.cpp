@@ -30,6 +30,8 @@ const GalleryPicture k_gallery[] = {
     {"cgfs/three_spheres.cgfs", "size=160x160", 0x5cbf6eb868b544d1},
     {"cgfs/three_spheres.cgfs", "size=160x160 shadows=false reflections=0 shading=diffuse",
      0x69701edfe137a32c},
+    {"csc473/cone_tower.pov", "size=160x120 cones=true", 0x3874174e7dc0f55f},
+    {"csc473/glass_ball.pov", "size=160x120 aa=2", 0x57275ad9a58b76e9},
     {"epfl/castle.json", "size=160x160", 0x8b84a0ab0157c45f},
     {"epfl/castle.json", "size=160x160 shading=phong aa=2", 0x3f2a06a94ec518fb},
     {"epfl/castle.json", "size=160x160 shading=normals", 0xa8b59ae468d7b681},
@@ -38,6 +40,9 @@ const GalleryPicture k_gallery[] = {
     {"epfl/two_scenes.js", "size=160x160", 0x6f7cbeb3391345c5},
     {"glint/still_life.glint", "size=160x160", 0xc59e2be8e3fb8caa},
     {"glint/temple.glint", "size=160x160", 0xb8bd77e115244a2c},
+    {"nff/fullerene.nff", "size=160x160", 0x536d13423cc04cd8},
+    {"nff/pyramid.nff", "size=160x160", 0x6294b60ab0edf756},
+    {"nff/sphereflake.nff", "size=160x160", 0x521febdf13037dff},
 };
 
 std::string file_name(const GalleryPicture& p) {
