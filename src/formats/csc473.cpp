@@ -40,7 +40,7 @@ class Csc473Reader {
         if (!is_block(word)) return refuse_block();
         const auto name = p_.text(word);
         p_.take();
-        if (!p_.expect('{')) return;
+        if (!p_.expect('{')) return skip_to_block();
         const bool ok = name == "camera"         ? read_camera(word)
                         : name == "light_source" ? read_light(word)
                         : name == "sphere"       ? read_sphere(word)
@@ -56,16 +56,25 @@ class Csc473Reader {
                std::find(std::begin(k_blocks), std::end(k_blocks), p_.text(token)) != std::end(k_blocks);
     }
 
-    // With all that follows before the next block of ours.
     void refuse_block() {
         refuse_word(p_, k_block_list, k_blocks);
-        do {
+        if (!p_.token().is('{')) p_.take();
+        skip_to_block();
+    }
+
+    // To the next thing that looks like a block, or a directive.
+    void skip_to_block() {
+        const auto is_beginning = [&] {
+            return p_.token().is('#') || is_block(p_.token()) ||
+                   (p_.token().kind == TokenKind::word && p_.peek().is('{'));
+        };
+        while (!p_.at_end() && !is_beginning()) {
             if (!p_.token().is('{')) {
                 p_.take();
             } else if (!p_.skip_value()) {
                 return;
             }
-        } while (!p_.at_end() && !is_block(p_.token()) && !p_.token().is('#'));
+        }
     }
 
     // POV-Ray's own language is left-handed and far larger: drawing the rest would be drawing something else.
@@ -84,7 +93,7 @@ class Csc473Reader {
     }
 
     bool vector(Vec3& v) {
-        if (!p_.point(v, k_coordinate, '<', '>')) return false;
+        if (!read_pov_vector(p_, v)) return false;
         p_.accept(',');
         return true;
     }

@@ -29,6 +29,9 @@ struct PovAttributes {
 /// "`#declare` is of POV-Ray's own language ...", or "expected X, found Y", at the current token.
 void refuse_word(Parser& parser, std::string_view expected, std::span<const std::string_view> known);
 
+/// Reads <x, y, z>. False after a mistake.
+bool read_pov_vector(Parser& parser, Vec3& value);
+
 /// Reads [color] rgb <r, g, b> or rgbf <r, g, b, f>. False after a mistake.
 bool read_pov_color(Parser& parser, PovColor& color);
 

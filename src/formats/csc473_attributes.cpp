@@ -32,6 +32,25 @@ template <std::size_t N> bool knows(const std::string_view (&names)[N], std::str
     return std::find(std::begin(names), std::end(names), name) != std::end(names);
 }
 
+// <a, b, c> or <a, b, c, d>.
+bool read_numbers(Parser& p, double* values, int count, const Range& range, const Range& last) {
+    const std::string_view how_many = count == 3 ? "three" : "four";
+    if (!p.accept('<')) {
+        p.expected(fmt::format("`<` and {} numbers", how_many));
+        return false;
+    }
+    for (int i = 0; i < count; ++i) {
+        if (i > 0 && !p.accept(',')) {
+            p.expected(fmt::format("`,` and {} numbers in all", how_many));
+            return false;
+        }
+        if (!p.number(values[i], i < 3 ? range : last)) return false;
+    }
+    if (p.accept('>')) return true;
+    p.expected(fmt::format("`>` after {} numbers", how_many));
+    return false;
+}
+
 bool read_pigment(Parser& p, PovColor& pigment) {
     if (!p.expect('{')) return false;
     if (!read_pov_color(p, pigment)) {
@@ -76,7 +95,7 @@ bool read_map(Parser& p, std::string_view name, const Token& key, std::optional<
     if (name == "scale" && p.token().kind == TokenKind::number) {
         if (!p.number(v.x, k_coordinate)) return false;
         v.y = v.z = v.x;
-    } else if (!p.point(v, k_coordinate, '<', '>')) {
+    } else if (!read_pov_vector(p, v)) {
         return false;
     }
     Affine step;
@@ -112,6 +131,13 @@ void refuse_word(Parser& p, std::string_view expected, std::span<const std::stri
     }
 }
 
+bool read_pov_vector(Parser& p, Vec3& value) {
+    double v[3] = {};
+    if (!read_numbers(p, v, 3, k_coordinate, k_coordinate)) return false;
+    value = {v[0], v[1], v[2]};
+    return true;
+}
+
 bool read_pov_color(Parser& p, PovColor& color) {
     constexpr std::string_view kinds[] = {"color", "rgb", "rgbf"};
     if (p.text(p.token()) == "color") p.take();
@@ -121,24 +147,8 @@ bool read_pov_color(Parser& p, PovColor& color) {
         return false;
     }
     p.take();
-    const int count = kind == "rgb" ? 3 : 4;
-    const std::string_view how_many = kind == "rgb" ? "three" : "four";
-    if (!p.accept('<')) {
-        p.expected(fmt::format("`<` and {} numbers", how_many));
-        return false;
-    }
     double values[4] = {0, 0, 0, 0};
-    for (int i = 0; i < count; ++i) {
-        if (i > 0 && !p.accept(',')) {
-            p.expected(fmt::format("`,` and {} numbers in all", how_many));
-            return false;
-        }
-        if (!p.number(values[i], i < 3 ? k_channel : k_fraction)) return false;
-    }
-    if (!p.accept('>')) {
-        p.expected(fmt::format("`>` after {} numbers{}", how_many, count == 3 ? " (`rgbf` has four)" : ""));
-        return false;
-    }
+    if (!read_numbers(p, values, kind == "rgb" ? 3 : 4, k_channel, k_fraction)) return false;
     color = {{values[0], values[1], values[2]}, values[3]};
     return true;
 }

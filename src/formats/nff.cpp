@@ -36,7 +36,7 @@ class NffReader {
     void read() {
         if (p_.at_end()) p_.expected(k_entity_list);
         while (!p_.at_end() && p_.alive()) read_entity();
-        if (!reading_.camera_given && !reading_.camera_wanted) {
+        if (!scene_.shapes.empty() && !reading_.camera_given && !reading_.camera_wanted) {
             reading_.camera_wanted = make_diagnostic(
                 Severity::warning, text_.place, text_.place.text.size(), 1,
                 "no view `v`: the camera is at the origin and looks along the negative z axis");
@@ -93,9 +93,10 @@ class NffReader {
     bool whole_number(double& value, const Range& range) {
         const Token token = p_.token();
         if (!number(value, range)) return false;
-        if (range.contains(value) && value != static_cast<double>(static_cast<std::int64_t>(value)))
-            p_.error(token, fmt::format("expected {}, found {}", range.text, p_.describe(token)));
-        return true;
+        if (!range.contains(value)) return true;  // and was told
+        if (value == static_cast<double>(static_cast<std::int64_t>(value))) return true;
+        p_.error(token, fmt::format("expected {}, found {}", range.text, p_.describe(token)));
+        return false;
     }
     bool point(Vec3& v) { return number(v.x) && number(v.y) && number(v.z); }
     bool color(Color& c) {

@@ -8,8 +8,9 @@
 namespace glint {
 namespace {
 
-const char* const k_gallery[] = {"cgfs/three_spheres.cgfs", "cgfs/from_the_side.cgfs",
-                                 "epfl/three_lights.json", "epfl/two_scenes.js", "glint/still_life.glint"};
+const char* const k_gallery[] = {
+    "cgfs/three_spheres.cgfs", "cgfs/from_the_side.cgfs", "epfl/three_lights.json", "epfl/two_scenes.js",
+    "csc473/glass_ball.pov",   "nff/fullerene.nff",       "glint/still_life.glint"};
 
 std::string gallery(const std::string& name) { return read_whole_file(GLINT_SOURCE_DIR "/scenes/" + name); }
 
@@ -25,16 +26,13 @@ TEST(Gallery, LoadsWithoutErrors) {
         const std::string path = entry.path().string();
         if (path.find("/parts/") != std::string::npos) continue;  // of scenes that include them
         const std::string text = read_whole_file(path);
-        if (!path.ends_with(".cgfs") && !path.ends_with(".json") && !path.ends_with(".js") &&
-            !path.ends_with(".glint"))
-            continue;
         FolderSources sources;
         const LoadResult result = load_text(text, path, {}, &sources);
         for (const Diagnostic& d : result.diagnostics) EXPECT_NE(d.severity, Severity::error) << to_string(d);
         EXPECT_EQ(what_is_wrong(result, text), "");
         ++files;
     }
-    EXPECT_GE(files, 9u);
+    EXPECT_GE(files, 25u);
 }
 
 TEST(Hostile, TextsCutOffAnywhereHaveAnAnswer) {
@@ -84,7 +82,7 @@ TEST(Hostile, RandomEditsHaveAnAnswer) {
 }
 
 TEST(Hostile, AMillionBracketsAreAnError) {
-    for (const char* name : {"a.cgfs", "a.json", "a.glint"}) {
+    for (const char* name : {"a.cgfs", "a.json", "a.pov", "a.nff", "a.glint"}) {
         for (const char* before : {"", "x = ", "sphere { center = ", "sphere { x = ", "{ \"camera\": ",
                                    "{ x: ", "[", "const a = ", "group ", "group { sphere "}) {
             for (const char bracket : {'{', '[', '('}) {
@@ -127,6 +125,16 @@ TEST(Hostile, OneLongLineIsReadInOneGo) {
         {"a.json", "[", "{\"name\":\"x\"},", bytes},
         {"a.json", "{\"spheres\":[", "{},", bytes},
         {"a.js", "/*", "/*", bytes},
+        {"a.pov", "", "sphere { <1, 2, 3>, 1 translate <1, 1, 1> pigment { color rgb <1, 0, 0> } } ",
+         5 * bytes},
+        {"a.pov", "", "union ", bytes},
+        {"a.pov", "", "a { ", bytes},
+        {"a.pov", "sphere { <0,0,0>, 1 ", "scale 1 ", bytes},
+        {"a.nff", "", "s 1 2 3 1 ", 5 * bytes},
+        {"a.nff", "", "f 1 1 1 1 1 1 0 1 s 1 2 3 1 ", 5 * bytes},
+        {"a.nff", "", "v from 1 1 1 ", bytes},
+        {"a.nff", "v ", "x ", bytes},
+        {"a.nff", "", "l 1 2 3 ", bytes},
         {"a.js", "[{ name: '", "\\u00e9", bytes}};
     for (const auto& [name, begin, piece, length] : cases) {
         std::string text = begin;
@@ -141,7 +149,7 @@ TEST(Hostile, OneLongLineIsReadInOneGo) {
 
 TEST(Hostile, WhatIsNotTextIsRefusedOnce) {
     using namespace std::string_view_literals;
-    for (const char* name : {"a.cgfs", "a.json", "a.glint"}) {
+    for (const char* name : {"a.cgfs", "a.json", "a.pov", "a.nff", "a.glint"}) {
         const std::pair<std::string_view, const char*> cases[] = {
             {"\0\0\0\0"sv, "expected text, found the byte 0x00"},
             {"\x7f"
@@ -170,7 +178,7 @@ TEST(Hostile, WhatIsNotTextIsRefusedOnce) {
 }
 
 TEST(Hostile, EmptyTextsSayWhatIsExpected) {
-    for (const char* name : {"a.cgfs", "a.json", "a.glint"}) {
+    for (const char* name : {"a.cgfs", "a.json", "a.pov", "a.nff", "a.glint"}) {
         for (const char* text : {"", " ", "\n\n", "\xef\xbb\xbf", "// only a comment"}) {
             const LoadResult result = load_text(text, name);
             EXPECT_FALSE(result.scene);
