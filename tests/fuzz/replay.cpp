@@ -24,7 +24,7 @@ TEST_P(Corpus, EveryTextHasAnAnswer) {
     EXPECT_GE(files, 10);
 }
 
-INSTANTIATE_TEST_SUITE_P(Formats, Corpus, testing::Values("cgfs", "epfl", "glint"),
+INSTANTIATE_TEST_SUITE_P(Formats, Corpus, testing::Values("cgfs", "csc473", "epfl", "glint", "nff"),
                          [](const auto& param) { return std::string(param.param); });
 
 }  // namespace
