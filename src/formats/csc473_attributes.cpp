@@ -32,19 +32,23 @@ template <std::size_t N> bool knows(const std::string_view (&names)[N], std::str
     return std::find(std::begin(names), std::end(names), name) != std::end(names);
 }
 
-// <a, b, c> or <a, b, c, d>.
-bool read_numbers(Parser& p, double* values, int count, const Range& range, const Range& last) {
+// <a, b, c>, or <a, b, c, d> with the fourth from 0 to 1. Course files have `rgbf` with three, too.
+bool read_numbers(Parser& p, double* values, int count, const Range& range) {
     const std::string_view how_many = count == 3 ? "three" : "four";
     if (!p.accept('<')) {
         p.expected(fmt::format("`<` and {} numbers", how_many));
         return false;
     }
     for (int i = 0; i < count; ++i) {
+        if (i == 3 && p.token().is('>')) {
+            p.warn(p.token(), "three numbers of four: the filter is 0");
+            break;
+        }
         if (i > 0 && !p.accept(',')) {
             p.expected(fmt::format("`,` and {} numbers in all", how_many));
             return false;
         }
-        if (!p.number(values[i], i < 3 ? range : last)) return false;
+        if (!p.number(values[i], i < 3 ? range : k_fraction)) return false;
     }
     if (p.accept('>')) return true;
     p.expected(fmt::format("`>` after {} numbers", how_many));
@@ -133,7 +137,7 @@ void refuse_word(Parser& p, std::string_view expected, std::span<const std::stri
 
 bool read_pov_vector(Parser& p, Vec3& value) {
     double v[3] = {};
-    if (!read_numbers(p, v, 3, k_coordinate, k_coordinate)) return false;
+    if (!read_numbers(p, v, 3, k_coordinate)) return false;
     value = {v[0], v[1], v[2]};
     return true;
 }
@@ -148,7 +152,7 @@ bool read_pov_color(Parser& p, PovColor& color) {
     }
     p.take();
     double values[4] = {0, 0, 0, 0};
-    if (!read_numbers(p, values, kind == "rgb" ? 3 : 4, k_channel, k_fraction)) return false;
+    if (!read_numbers(p, values, kind == "rgb" ? 3 : 4, k_channel)) return false;
     color = {{values[0], values[1], values[2]}, values[3]};
     return true;
 }
