@@ -19,7 +19,7 @@ namespace glint::cli {
 namespace {
 
 constexpr auto k_short_help =
-    R"(glint draws classically lit scenes: Phong and Blinn-Phong, hard shadows, mirrors.
+    R"(glint draws classically lit scenes: Phong and Blinn-Phong, hard shadows, mirrors, glass.
 
   glint render SCENE...     draw a scene to a picture
   glint info SCENE          say what a scene holds
@@ -51,7 +51,7 @@ std::string command_fault(const std::vector<std::string>& arguments) {
 }
 
 int run(const std::vector<std::string>& arguments) {
-    CLI::App app("glint draws classically lit scenes: Phong and Blinn-Phong, hard shadows, mirrors.",
+    CLI::App app("glint draws classically lit scenes: Phong and Blinn-Phong, hard shadows, mirrors, glass.",
                  "glint");
     app.set_version_flag("--version", "glint " GLINT_VERSION);
     app.footer(
