@@ -9,3 +9,4 @@
 #include "glint/shapes.h"
 #include "glint/vec.h"
 #include "glint/version.h"
+#include "glint/write.h"

@@ -1,0 +1,172 @@
+#include "formats/block_writer.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
+#include <iterator>
+
+namespace glint {
+namespace {
+
+constexpr std::size_t k_columns = 100, k_step = 4;
+
+bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+bool is_bare_word(std::string_view text) {
+    return !text.empty() && is_letter(text.front()) &&
+           std::all_of(text.begin(), text.end(), [](char c) { return is_letter(c) || is_digit(c); });
+}
+
+// n with n / 255 == channel, or -1.
+int byte_of(double channel) {
+    if (!(channel >= 0 && channel <= 1)) return -1;
+    const int n = static_cast<int>(channel * 255 + 0.5);
+    return std::bit_cast<std::uint64_t>(n / 255.0) == std::bit_cast<std::uint64_t>(channel) ? n : -1;
+}
+
+}  // namespace
+
+void append(std::string& out, double number) { fmt::format_to(std::back_inserter(out), "{}", number); }
+
+void append(std::string& out, Vec3 v) {
+    fmt::format_to(std::back_inserter(out), "({}, {}, {})", v.x, v.y, v.z);
+}
+
+void append(std::string& out, Color c) {
+    const std::size_t start = out.size();
+    append(out, Vec3{c.r, c.g, c.b});
+    const int r = byte_of(c.r), g = byte_of(c.g), b = byte_of(c.b);
+    if (r < 0 || g < 0 || b < 0) return;
+    const std::string bytes = fmt::format("rgb255({}, {}, {})", r, g, b);
+    if (bytes.size() < out.size() - start) out.replace(start, std::string::npos, bytes);
+}
+
+void append_quoted(std::string& out, std::string_view text) {
+    out += '"';
+    for (const char c : text) {
+        if (c == '"' || c == '\\') {
+            out += '\\';
+            out += c;
+        } else if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) {
+            fmt::format_to(std::back_inserter(out), "\\u{:04x}", static_cast<unsigned char>(c));
+        } else {
+            out += c;
+        }
+    }
+    out += '"';
+}
+
+void append_name(std::string& out, std::string_view name) {
+    if (is_bare_word(name)) {
+        out += name;
+    } else {
+        append_quoted(out, name);
+    }
+}
+
+void BlockWriter::begin(std::string_view head, std::size_t width) {
+    head_.assign(head);
+    if (head_.size() < width) head_.resize(width, ' ');
+    line_.clear();
+    breaks_.clear();
+}
+
+void BlockWriter::begin(std::string_view word, std::string_view name, std::size_t width) {
+    begin(word);
+    if (!name.empty()) {
+        head_ += ' ';
+        append_quoted(head_, name);
+    }
+    if (head_.size() < width) head_.resize(width, ' ');
+}
+
+std::string& BlockWriter::key(std::string_view name) {
+    if (!line_.empty()) {
+        line_ += "  ";
+        breaks_.push_back({line_.size(), part_begins_ ? Where::part : Where::key});
+    }
+    part_begins_ = false;
+    line_ += name;
+    line_ += " = ";
+    return line_;
+}
+
+void BlockWriter::comments(std::span<const std::string_view> lines) {
+    for (const std::string_view line : lines) {
+        out_.append(indent_, ' ');
+        out_ += line.empty() ? "#" : "# ";
+        out_ += line;
+        out_ += '\n';
+    }
+}
+
+void BlockWriter::end(std::span<const std::string_view> above, std::span<const std::string_view> after) {
+    comments(above);
+    after_.clear();
+    for (const std::string_view comment : after) {
+        after_ += after_.empty() ? "  # " : "; ";
+        after_ += comment;
+    }
+    const bool keys_only = head_.empty();
+    const std::size_t length = indent_ + line_.size() + (keys_only ? 0 : head_.size() + 5);
+    const bool fits = one_line_ || length <= k_columns;
+    if (!after_.empty() && (fits ? length : indent_ + 1) + after_.size() > k_columns) {
+        const std::string_view alone = std::string_view(after_).substr(4);
+        comments({&alone, 1});
+        after_.clear();
+    }
+    out_.append(indent_, ' ');
+    if (keys_only) {
+        append_filled(indent_);
+    } else if (fits) {
+        fmt::format_to(std::back_inserter(out_), "{} {{ {} }}", head_, line_);
+    } else {
+        while (head_.ends_with(' ')) head_.pop_back();
+        fmt::format_to(std::back_inserter(out_), "{} {{\n", head_);
+        out_.append(indent_ + k_step, ' ');
+        append_filled(indent_ + k_step);
+        out_ += '\n';
+        out_.append(indent_, ' ');
+        out_ += '}';
+    }
+    out_ += after_;
+    out_ += '\n';
+}
+
+// The keys, in as many lines as they need; the first line's indent is there already.
+void BlockWriter::append_filled(std::size_t indent) {
+    std::size_t column = indent, from = 0;
+    breaks_.push_back({line_.size(), Where::key});
+    for (std::size_t i = 0; i < breaks_.size(); ++i) {
+        std::string_view part = std::string_view(line_).substr(from, breaks_[i].at - from);
+        std::size_t length = part.size();
+        while (length > 0 && part[length - 1] == ' ') --length;
+        const Where where = i > 0 ? breaks_[i - 1].where : Where::key;
+        if (from > 0 && !one_line_ && (column + length > k_columns || where == Where::part)) {
+            while (out_.ends_with(' ')) out_.pop_back();
+            column = indent + (where == Where::value ? k_step : 0);
+            out_ += '\n';
+            out_.append(column, ' ');
+        }
+        out_ += part;
+        column += part.size();
+        from = breaks_[i].at;
+    }
+}
+
+void BlockWriter::open(std::string_view head) {
+    out_.append(indent_, ' ');
+    out_ += head;
+    out_ += " {\n";
+    indent_ += k_step;
+}
+
+void BlockWriter::close() {
+    indent_ -= k_step;
+    out_.append(indent_, ' ');
+    out_ += "}\n";
+}
+
+}  // namespace glint

@@ -1,0 +1,67 @@
+#pragma once
+// The layout of .glint: word "name" { key = value  key = value }, in one line where it fits.
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "glint/vec.h"
+
+namespace glint {
+
+/// The shortest text that reads back as the same double, a negative zero included.
+void append(std::string& out, double number);
+/// (x, y, z)
+void append(std::string& out, Vec3 v);
+/// (r, g, b), or rgb255(r, g, b) where that is shorter and the same.
+void append(std::string& out, Color c);
+/// "text" with the escapes that the tokenizer reads.
+void append_quoted(std::string& out, std::string_view text);
+/// The name as a bare word if it is one, else quoted.
+void append_name(std::string& out, std::string_view name);
+
+class BlockWriter {
+  public:
+    /// one_line: blocks are never broken into several lines.
+    BlockWriter(std::string& out, bool one_line) : out_(out), one_line_(one_line) {}
+
+    /// Begins a block. head: all before its `{`, padded to `width`; empty: keys without a block.
+    void begin(std::string_view head, std::size_t width = 0);
+    /// Begins `word "name" {`, or `word {` if the name is empty.
+    void begin(std::string_view word, std::string_view name, std::size_t width = 0);
+    /// Begins `key = ` and returns the text that the value is appended to.
+    std::string& key(std::string_view name);
+    /// The line may be broken here, within a value.
+    void allow_break() { breaks_.push_back({line_.size(), Where::value}); }
+    /// The next key begins a line if the block needs several.
+    void begin_part() { part_begins_ = true; }
+    /// Ends the block. above: comments before it; after: comments behind it, or before it if there is no
+    /// room.
+    void end(std::span<const std::string_view> above = {}, std::span<const std::string_view> after = {});
+
+    /// `head {`, and `}`: a block of blocks.
+    void open(std::string_view head);
+    void close();
+
+    /// Comments, each in a line of its own.
+    void comments(std::span<const std::string_view> lines);
+
+  private:
+    enum class Where : std::uint8_t { key, part, value };
+    struct Break {
+        std::size_t at;
+        Where where;
+    };
+    void append_filled(std::size_t indent);
+
+    std::string& out_;
+    const bool one_line_;
+    bool part_begins_ = false;
+    std::size_t indent_ = 0;
+    std::string head_, line_, after_;
+    std::vector<Break> breaks_;
+};
+
+}  // namespace glint

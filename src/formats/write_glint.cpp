@@ -1,0 +1,199 @@
+// Scene -> .glint, so that load() makes the same scene of it. docs/formats/glint.md is the language.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "base/guard.h"
+#include "formats/block_writer.h"
+#include "formats/comments.h"
+#include "formats/registry.h"
+#include "formats/write_materials.h"
+#include "formats/write_shapes.h"
+#include "glint/version.h"
+#include "glint/write.h"
+
+namespace glint {
+namespace {
+
+constexpr std::size_t k_readable = 10000;  // shapes; of more, each is one line
+constexpr std::size_t k_widest_column = 24;
+constexpr std::string_view k_origin = "Converted from ";
+
+class GlintWriter {
+  public:
+    GlintWriter(const Scene& scene, std::span<const SceneText> texts)
+        : scene_(scene),
+          texts_(texts),
+          comments_(scene, texts),
+          materials_(scene),
+          block_(out_, scene.shapes.size() > k_readable) {}
+
+    std::string run() {
+        write_heading();
+        write_settings();
+        write_camera();
+        write_lights();
+        write_materials();
+        if (!scene_.shapes.empty()) out_ += '\n';
+        write_shapes(block_, scene_, materials_, comments_);
+        if (!comments_.tail().empty()) out_ += '\n';
+        block_.comments(comments_.tail());
+        return std::move(out_);
+    }
+
+  private:
+    void write_heading() {
+        if (texts_.empty()) return;
+        const auto& heading = comments_.heading();
+        // A converted text that is converted again keeps its origin.
+        if (texts_.size() > 1 || heading.empty() || !heading.front().starts_with(k_origin)) {
+            fmt::format_to(std::back_inserter(out_), "# {}{} by glint {}\n", k_origin, origin(),
+                           GLINT_VERSION);
+            if (!heading.empty()) out_ += "#\n";
+        }
+        block_.comments(heading);
+        out_ += '\n';
+    }
+
+    // "castle.json (epfl), lights.cgfs (cgfs)"
+    std::string origin() const {
+        constexpr std::size_t most = 10;
+        std::string all;
+        for (const SceneText& text : texts_.first(std::min(texts_.size(), most))) {
+            std::string why;
+            const Format* format = find_format(text, why);
+            const std::string_view name = std::string_view(text.name).substr(text.name.rfind('/') + 1);
+            all += all.empty() ? "" : ", ";
+            all += name == "-" ? "standard input" : name;
+            if (format != nullptr) all += fmt::format(" ({})", format->info.name);
+        }
+        std::replace_if(
+            all.begin(), all.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20; }, ' ');
+        return texts_.size() > most ? all + " and others" : all;
+    }
+
+    void end(ItemKind kind, std::uint32_t index) { comments_.end_block(block_, kind, index); }
+
+    void write_settings() {
+        Scene usual;
+        const bool is_known = apply_profile(usual, scene_.profile);
+        fmt::format_to(std::back_inserter(out_), "glint = 1\nprofile = {}\n",
+                       is_known ? std::string_view(scene_.profile) : usual.profile);
+        const auto keys = setting_keys();
+        for (const bool conventions : {true, false}) {
+            block_.begin(conventions ? "conventions" : "render");
+            bool any = false;
+            for (std::size_t i = 0; i < keys.size(); ++i) {
+                const std::string value = get_setting(scene_, i);
+                if (keys[i].is_convention != conventions) continue;
+                if (conventions && value == get_setting(usual, i)) continue;
+                write_setting(keys[i].name, value);
+                any = true;
+            }
+            if (any) block_.end();
+        }
+        block_.begin({});
+        append(block_.key("background"), scene_.background);
+        end(ItemKind::background, 0);
+    }
+
+    void write_setting(std::string_view key, std::string_view value) {
+        if (key == "size") {
+            fmt::format_to(std::back_inserter(block_.key(key)), "{} x {}", scene_.settings.width,
+                           scene_.settings.height);
+        } else {
+            block_.key(key) += value;
+        }
+    }
+
+    void write_camera() {
+        const Camera& c = scene_.camera;
+        out_ += '\n';
+        block_.begin("camera");
+        if (c.projection == Projection::orthographic) block_.key("projection") += "orthographic";
+        append(block_.key("position"), c.position);
+        if (c.frame) {
+            append(block_.key("right"), c.frame->right);
+            append(block_.key("up"), c.frame->up);
+            append(block_.key("forward"), c.frame->forward);
+        } else {
+            append(block_.key("look_at"), c.look_at);
+            append(block_.key("up"), c.up);
+            if (c.projection == Projection::orthographic) {
+                append(block_.key("width"), c.width);
+            } else {
+                append(block_.key(c.fov_axis == FovAxis::x ? "fov_x" : "fov_y"), c.fov_degrees);
+            }
+        }
+        if (c.lighting_eye) append(block_.key("lighting_eye"), *c.lighting_eye);
+        end(ItemKind::camera, 0);
+    }
+
+    void write_lights() {
+        if (!scene_.lights.empty()) out_ += '\n';
+        for (std::uint32_t i = 0; i < scene_.lights.size(); ++i) {
+            block_.begin("light", scene_.light_texts.name(i));
+            write_keys(scene_.lights[i]);
+            end(ItemKind::light, i);
+        }
+    }
+
+    void write_keys(const Light& l) {
+        static constexpr std::string_view kinds[] = {"ambient", "point", "directional"};
+        block_.key("type") += kinds[static_cast<std::size_t>(l.kind)];
+        if (l.kind == LightKind::point) append(block_.key("position"), l.position);
+        if (l.kind == LightKind::directional) append(block_.key("to_light"), l.to_light);
+        const bool one_color = l.kind == LightKind::ambient || same_bits(l.color, l.specular_color);
+        if (one_color && same_bits(l.color, Color{l.color.r, l.color.r, l.color.r})) {
+            append(block_.key("intensity"), l.color.r);
+        } else {
+            append(block_.key("color"), l.color);
+            if (!one_color) append(block_.key("specular_color"), l.specular_color);
+        }
+        const Attenuation& a = l.attenuation;
+        const bool attenuates = !same_bits(Vec3{a.c0, a.c1, a.c2}, Vec3{1, 0, 0});
+        if (l.kind == LightKind::point && attenuates)
+            append(block_.key("attenuation"), Vec3{a.c0, a.c1, a.c2});
+    }
+
+    void write_materials() {
+        std::size_t width = 0, count = 0;
+        const auto for_each_named = [&](auto&& visit) {
+            for (std::uint32_t i = 0; i < scene_.materials.size(); ++i) {
+                if (materials_.written(i) != i || !materials_.is_named(i)) continue;
+                head_ = "material ";
+                append_name(head_, materials_.name(i));
+                visit(i);
+            }
+        };
+        for_each_named([&](std::uint32_t) {
+            ++count;
+            if (head_.size() <= k_widest_column) width = std::max(width, head_.size());
+        });
+        if (count != 0) out_ += '\n';
+        for_each_named([&](std::uint32_t i) {
+            block_.begin(head_, width);
+            write_material_keys(block_, scene_.materials[i]);
+            end(ItemKind::material, i);
+        });
+    }
+
+    const Scene& scene_;
+    const std::span<const SceneText> texts_;
+    const SceneComments comments_;
+    const MaterialPlan materials_;
+    std::string out_, head_;
+    BlockWriter block_;
+};
+
+}  // namespace
+
+std::string write_glint(const Scene& scene, std::span<const SceneText> texts) {
+    std::string text;
+    const std::string failure = guard([&] {
+        if (!has_errors(validate(scene))) text = GlintWriter(scene, texts).run();
+    });
+    return failure.empty() ? text : std::string();
+}
+
+}  // namespace glint

@@ -1,0 +1,179 @@
+#include "formats/write_shapes.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+#include <span>
+
+#include "math/transform.h"
+
+namespace glint {
+namespace {
+
+std::string_view word_of(ShapeKind kind) {
+    return kind == ShapeKind::smooth_triangle ? "triangle" : shape_word(kind);
+}
+
+bool same_bits(const Affine& a, const Affine& b) {
+    for (int row = 0; row < 3; ++row) {
+        for (int column = 0; column < 4; ++column) {
+            if (!glint::same_bits(a.m[row][column], b.m[row][column])) return false;
+        }
+    }
+    return true;
+}
+
+class ShapeWriter {
+  public:
+    ShapeWriter(BlockWriter& block, const Scene& scene, const MaterialPlan& materials,
+                const SceneComments& comments)
+        : block_(block), scene_(scene), materials_(materials), comments_(comments) {}
+
+    void run() {
+        bool kinds[k_shape_kinds] = {};
+        for (const Shape& s : scene_.shapes) kinds[static_cast<std::size_t>(s.kind)] = true;
+        for (int k = 0; k < k_shape_kinds; ++k) {
+            if (kinds[k]) word_width_ = std::max(word_width_, word_of(static_cast<ShapeKind>(k)).size());
+        }
+        const auto count = static_cast<std::uint32_t>(scene_.shapes.size());
+        for (std::uint32_t i = 0; i < count;) {
+            std::uint32_t end = i + 1;
+            while (end < count && have_same_transform(i, end)) ++end;
+            const std::uint32_t transform = scene_.shapes[i].transform;
+            const bool is_group = transform != k_none && end - i > 1;
+            if (is_group) {
+                block_.open("group");
+                block_.begin({});
+                write_transform(scene_.transforms[transform]);
+                block_.end();
+            }
+            for (; i < end; ++i) write_shape(i, is_group ? k_none : transform);
+            if (is_group) block_.close();
+        }
+    }
+
+  private:
+    bool have_same_transform(std::uint32_t a, std::uint32_t b) const {
+        const std::uint32_t ta = scene_.shapes[a].transform, tb = scene_.shapes[b].transform;
+        if (ta == tb || ta == k_none || tb == k_none) return ta == tb;
+        return same_bits(scene_.transforms[ta], scene_.transforms[tb]);
+    }
+
+    void write_transform(const Affine& map) {
+        const auto& m = map.m;
+        const Vec3 move{m[0][3], m[1][3], m[2][3]}, factors{m[0][0], m[1][1], m[2][2]};
+        if (same_bits(map, translation(move))) return append(block_.key("translate"), move);
+        const bool grows = factors.x > 0 && factors.y > 0 && factors.z > 0;
+        if (grows && same_bits(map, scaling(factors))) {
+            if (factors.x == factors.y && factors.x == factors.z)
+                return append(block_.key("scale"), factors.x);
+            return append(block_.key("scale"), factors);
+        }
+        std::string& text = block_.key("matrix");
+        text += '(';
+        for (int r = 0; r < 3; ++r) {
+            if (r > 0) {
+                text += ", ";
+                block_.allow_break();
+            }
+            fmt::format_to(std::back_inserter(text), "({}, {}, {}, {})", m[r][0], m[r][1], m[r][2], m[r][3]);
+        }
+        text += ')';
+    }
+
+    void write_shape(std::uint32_t i, std::uint32_t transform) {
+        const Shape& s = scene_.shapes[i];
+        block_.begin(word_of(s.kind), scene_.shape_texts.name(i), word_width_);
+        switch (s.kind) {
+#define GLINT_KIND(Type, word)                   \
+    case ShapeKind::word:                        \
+        write_keys(scene_.get<Type>()[s.index]); \
+        break;
+            GLINT_SHAPES(GLINT_KIND)
+#undef GLINT_KIND
+        }
+        const ItemComments* material_comments = nullptr;
+        if (s.material != k_none) {
+            if (materials_.is_named(s.material)) {
+                append_name(block_.key("material"), materials_.name(s.material));
+            } else if (!glint::same_bits(scene_.materials[s.material], Material{})) {
+                block_.begin_part();
+                write_material_keys(block_, scene_.materials[s.material]);
+                material_comments = comments_.of(ItemKind::material, s.material);
+            }
+        }
+        if (transform != k_none) write_transform(scene_.transforms[transform]);
+        if (material_comments != nullptr) {
+            block_.comments(material_comments->above);
+            block_.comments(material_comments->after);
+        }
+        comments_.end_block(block_, ItemKind::shape, i);
+    }
+
+    void write_keys(const Sphere& s) {
+        append(block_.key("center"), s.center);
+        append(block_.key("radius"), s.radius);
+    }
+    void write_keys(const Plane& p) {
+        append(block_.key("point"), p.point);
+        append(block_.key("normal"), p.normal);
+    }
+    void write_keys(const Cylinder& c) {
+        append(block_.key("from"), c.from);
+        append(block_.key("to"), c.to);
+        append(block_.key("radius"), c.radius);
+        if (!c.caps) block_.key("caps") += "false";
+    }
+    void write_keys(const Cone& c) {
+        append(block_.key("from"), c.from);
+        append(block_.key("to"), c.to);
+        fmt::format_to(std::back_inserter(block_.key("radius")), "({}, {})", c.from_radius, c.to_radius);
+        if (!c.caps) block_.key("caps") += "false";
+    }
+    void write_keys(const Disc& d) {
+        append(block_.key("center"), d.center);
+        append(block_.key("normal"), d.normal);
+        append(block_.key("radius"), d.radius);
+    }
+    void write_keys(const Cuboid& c) {
+        append(block_.key("min"), c.min);
+        append(block_.key("max"), c.max);
+    }
+    void write_keys(const Triangle& t) { write_points("vertices", t.vertices); }
+    void write_keys(const SmoothTriangle& t) {
+        write_points("vertices", t.vertices);
+        write_points("normals", t.normals);
+    }
+    void write_keys(const Polygon& p) {
+        write_points("vertices", std::span(scene_.polygon_vertices).subspan(p.first, p.count));
+    }
+
+    void write_points(std::string_view key, std::span<const Vec3> points) {
+        std::string& text = block_.key(key);
+        text += '(';
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            if (i > 0) {
+                text += ", ";
+                block_.allow_break();
+            }
+            append(text, points[i]);
+        }
+        text += ')';
+    }
+
+    BlockWriter& block_;
+    const Scene& scene_;
+    const MaterialPlan& materials_;
+    const SceneComments& comments_;
+    std::size_t word_width_ = 0;
+};
+
+}  // namespace
+
+void write_shapes(BlockWriter& block, const Scene& scene, const MaterialPlan& materials,
+                  const SceneComments& comments) {
+    ShapeWriter(block, scene, materials, comments).run();
+}
+
+}  // namespace glint
