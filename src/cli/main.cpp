@@ -23,6 +23,7 @@ constexpr auto k_short_help =
 
   glint render SCENE...     draw a scene to a picture
   glint info SCENE          say what a scene holds
+  glint convert SCENE OUT   write it in glint's own language
   glint --help              all commands
 
 Example: glint render castle.json -o castle.png
@@ -47,7 +48,7 @@ std::string command_fault(const std::vector<std::string>& arguments) {
     if (is_scene)
         return fmt::format("'{}' is no command; did you mean 'glint render {}'?", word,
                            fmt::join(arguments, " "));
-    return fmt::format("there is no command '{}'; there are render, info and completion", word);
+    return fmt::format("there is no command '{}'; there are render, info, convert and completion", word);
 }
 
 int run(const std::vector<std::string>& arguments) {
@@ -63,7 +64,11 @@ int run(const std::vector<std::string>& arguments) {
         Run run;
     };
     const Command commands[] = {
-        {"render", add_render(app)}, {"info", add_info(app)}, {"completion", add_completion(app)}};
+        {"render", add_render(app)},
+        {"info", add_info(app)},
+        {"convert", add_convert(app)},
+        {"completion", add_completion(app)},
+    };
 
     if (arguments.empty()) {
         fmt::print("{}", k_short_help);

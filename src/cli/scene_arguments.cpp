@@ -8,7 +8,6 @@
 
 #include "cli/commands.h"
 #include "cli/failure.h"
-#include "cli/input_file.h"
 #include "cli/text.h"
 
 namespace glint::cli {
@@ -133,7 +132,7 @@ LoadedScene load_scene(const SceneArguments& arguments) {
         print(result.diagnostics);
         throw Failure(k_bad_input, {});
     }
-    return {std::move(*result.scene), std::move(result.diagnostics)};
+    return {std::move(*result.scene), std::move(result.diagnostics), std::move(files), std::move(texts)};
 }
 
 void add_warnings(std::vector<Diagnostic>& warnings, const std::vector<Diagnostic>& more) {

@@ -1,10 +1,11 @@
 #pragma once
-// What render and info have in common: which scene, read how.
+// What the commands have in common: which scene, read how.
 #include <CLI/CLI.hpp>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "cli/input_file.h"
 #include "glint/glint.h"
 
 namespace glint::cli {
@@ -23,6 +24,8 @@ void add_scene_arguments(CLI::App& command, SceneArguments& arguments);
 struct LoadedScene {
     Scene scene;
     std::vector<Diagnostic> warnings;
+    std::vector<InputFile> files;
+    std::vector<SceneText> texts;  ///< of `files`
 };
 
 /// Reads the files as one scene. Throws Failure: of usage, for a setting that no scene takes; of input, after

@@ -1,0 +1,99 @@
+// glint convert: a scene of any format to glint's own language.
+#include <fmt/format.h>
+#include <sys/stat.h>
+
+#include <cstdio>
+#include <memory>
+
+#include "cli/commands.h"
+#include "cli/failure.h"
+#include "cli/output_file.h"
+#include "cli/scene_arguments.h"
+#include "cli/text.h"
+
+namespace glint::cli {
+namespace {
+
+constexpr auto k_examples = R"(Examples:
+  glint convert castle.json castle.glint
+  glint convert spheres.cgfs lights.cgfs both.glint     two listings as one scene
+  glint convert castle.json -o - | less                 to standard output
+  glint convert gears.nff gears.glint --profile glint   the same shapes, by glint's own conventions)";
+
+struct ConvertArguments {
+    SceneArguments scene;
+    std::string output;
+    bool quiet = false;
+};
+
+// Without -o the last of the files is OUT.
+void take_output(ConvertArguments& arguments) {
+    auto& files = arguments.scene.files;
+    if (arguments.output.empty()) {
+        if (files.size() < 2)
+            throw Failure(k_usage, "expected SCENE... and OUT.glint, or --output OUT.glint");
+        arguments.output = std::move(files.back());
+        files.pop_back();
+    }
+}
+
+bool is_same_file(const std::string& a, const std::string& b) {
+    struct stat about_a {
+    }, about_b{};
+    return ::stat(a.c_str(), &about_a) == 0 && ::stat(b.c_str(), &about_b) == 0 &&
+           about_a.st_dev == about_b.st_dev && about_a.st_ino == about_b.st_ino;
+}
+
+void check_output(const std::string& path, const OutputFile& output, const std::vector<std::string>& inputs) {
+    if (output.is_stream()) return;
+    if (extension(path) != ".glint") {
+        throw Failure(k_usage, fmt::format("OUT '{}': glint writes scenes as .glint only", path));
+    }
+    for (const std::string& input : inputs) {
+        if (input != "-" && is_same_file(path, input)) {
+            throw Failure(k_usage,
+                          fmt::format("'{}' is one of the scene's own files: choose another OUT", path));
+        }
+    }
+}
+
+int convert_command(ConvertArguments& arguments) {
+    take_output(arguments);
+    const std::string& path = arguments.output;
+    const OutputFile output(path);
+    check_output(path, output, arguments.scene.files);
+    const LoadedScene loaded = load_scene(arguments.scene);
+    if (!arguments.quiet) print(loaded.warnings);
+    const Scene& scene = loaded.scene;
+    check_output(path, output, scene.files);  // the included ones too
+    const std::string text = write_glint(scene, loaded.texts);
+    if (text.empty()) throw Failure(k_bad_input, "out of memory while writing the scene as text");
+    output.write({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
+    if (!arguments.quiet) {
+        fmt::print(stderr, "{}  {}  {}, {}, {}  ({})\n", path, bytes_text(static_cast<double>(text.size())),
+                   counted(scene.shapes.size(), "shape"), counted(scene.materials.size(), "material"),
+                   counted(scene.lights.size(), "light"), counted(loaded.warnings.size(), "warning"));
+    }
+    return k_done;
+}
+
+}  // namespace
+
+Run add_convert(CLI::App& app) {
+    CLI::App& command = *app.add_subcommand(
+        "convert", "Write a scene of any format in glint's own language: the same picture, to the bit");
+    const auto arguments = std::make_shared<ConvertArguments>();
+    add_scene_arguments(command, arguments->scene);
+    command.get_option("SCENE")->description(
+        "Scene files, read together as one scene, and last OUT.glint unless --output says it; - is standard "
+        "input (then --format is needed)");
+    command
+        .add_option("-o,--output", arguments->output,
+                    "What is written: a name that ends in .glint; - is standard output")
+        ->option_text("OUT");
+    command.add_flag("-q,--quiet", arguments->quiet, "Say nothing but errors");
+    command.footer(k_examples);
+    return [arguments] { return convert_command(*arguments); };
+}
+
+}  // namespace glint::cli

@@ -1,0 +1,84 @@
+// glint convert: which file is read, which is written, and what is never overwritten.
+#include <gtest/gtest.h>
+
+#include "cli/process.h"
+
+namespace glint::test {
+namespace {
+
+TEST(Convert, WritesTheLastOfItsFiles) {
+    const Folder folder;
+    folder.write("a.cgfs", k_scene);
+    const Finished r = run(folder, {"convert", "a.cgfs", "a.glint"});
+    EXPECT_EQ(r.code, 0) << r.err;
+    EXPECT_EQ(r.out, "");
+    EXPECT_TRUE(r.err.starts_with("a.glint  ")) << r.err;
+    EXPECT_TRUE(contains(r.err, "1 shape, 1 material, 2 lights  (0 warnings)")) << r.err;
+    const std::string text = folder.read("a.glint");
+    EXPECT_TRUE(text.starts_with("# Converted from a.cgfs (cgfs) by glint ")) << text;
+    EXPECT_TRUE(contains(text, "\nlight { type = point  position = (2, 1, 0)  intensity = 0.8 }\n")) << text;
+
+    EXPECT_EQ(run(folder, {"convert", "a.cgfs", "-q", "-o", "b.glint"}).err, "");
+    EXPECT_EQ(folder.read("b.glint"), text);
+    EXPECT_EQ(run(folder, {"convert", "a.cgfs", "-o", "-"}).out, text);
+    folder.write("b.glint", "old");
+    EXPECT_EQ(run(folder, {"convert", "a.cgfs", "b.glint"}).code, 0);
+    EXPECT_EQ(folder.read("b.glint"), text);
+    EXPECT_EQ(folder.count(), 3);
+}
+
+TEST(Convert, WhatTheOptionsChooseIsWritten) {
+    const Folder folder;
+    const Finished r =
+        run(folder, {"convert", "-", "--format", "cgfs", "--convention", "limit=drop", "-o", "-"},
+            with_input(k_scene));
+    EXPECT_EQ(r.code, 0) << r.err;
+    EXPECT_TRUE(r.out.starts_with("# Converted from standard input (cgfs) by glint ")) << r.out;
+    EXPECT_TRUE(contains(r.out, "\nconventions { limit = drop }\n")) << r.out;
+}
+
+TEST(Convert, NeverOverwritesAScene) {
+    const Folder folder;
+    folder.write("a.glint", k_scene);
+    std::filesystem::create_symlink("a.glint", folder.path("link.glint"));
+    for (const char* out : {"a.glint", "./a.glint", "link.glint"}) {
+        const Finished r = run(folder, {"convert", "a.glint", "--format", "cgfs", out});
+        EXPECT_EQ(r.code, 2) << out;
+        EXPECT_TRUE(contains(r.err, "is one of the scene's own files")) << r.err;
+    }
+    EXPECT_EQ(folder.read("a.glint"), k_scene);
+}
+
+TEST(Convert, WhatItCannotDo) {
+    const Folder folder;
+    folder.write("a.cgfs", k_scene);
+    folder.write("bad.cgfs", "sphere { center = (0, 0, 4)  radius = -1  color = (255, 0, 0) }");
+    struct Case {
+        std::vector<std::string> arguments;
+        int code;
+        const char* message;
+    };
+    const Case cases[] = {
+        {{"convert"}, 2, "SCENE"},
+        {{"convert", "a.cgfs"}, 2, "expected SCENE... and OUT.glint"},
+        {{"convert", "a.cgfs", "b.cgfs"}, 2, "'b.cgfs': glint writes scenes as .glint only"},
+        {{"convert", "a.cgfs", "-o", "a.json"}, 2, "'a.json': glint writes scenes as .glint only"},
+        {{"convert", "none.cgfs", "b.glint"}, 1, "none.cgfs: no such file"},
+        {{"convert", "bad.cgfs", "b.glint"}, 1, "bad.cgfs:1:"},
+        {{"convert", "a.cgfs", "none/b.glint"}, 1, "there is no folder 'none'"},
+        {{"convert", "a.cgfs", "-o", "/dev/full"}, 1, "No space left"},
+    };
+    for (const auto& [arguments, code, message] : cases) {
+        const Finished r = run(folder, arguments);
+        EXPECT_EQ(r.code, code) << message;
+        EXPECT_TRUE(contains(r.err, message)) << r.err;
+    }
+    EXPECT_EQ(folder.count(), 2);
+    folder.write("b.glint", "old");
+    EXPECT_EQ(run(folder, {"convert", "a.cgfs", "b.glint"}, with_full_disk(100)).code, 1);
+    EXPECT_EQ(folder.read("b.glint"), "old");
+    EXPECT_EQ(folder.count(), 3);
+}
+
+}  // namespace
+}  // namespace glint::test
