@@ -24,8 +24,10 @@ void append_name(std::string& out, std::string_view name);
 
 class BlockWriter {
   public:
-    /// one_line: blocks are never broken into several lines.
-    BlockWriter(std::string& out, bool one_line) : out_(out), one_line_(one_line) {}
+    explicit BlockWriter(std::string& out) : out_(out) {}
+
+    /// From here on no block is broken into several lines.
+    void keep_lines_whole() { one_line_ = true; }
 
     /// Begins a block. head: all before its `{`, padded to `width`; empty: keys without a block.
     void begin(std::string_view head, std::size_t width = 0);
@@ -57,7 +59,7 @@ class BlockWriter {
     void append_filled(std::size_t indent);
 
     std::string& out_;
-    const bool one_line_;
+    bool one_line_ = false;
     bool part_begins_ = false;
     std::size_t indent_ = 0;
     std::string head_, line_, after_;

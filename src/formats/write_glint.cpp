@@ -22,11 +22,7 @@ constexpr std::string_view k_origin = "Converted from ";
 class GlintWriter {
   public:
     GlintWriter(const Scene& scene, std::span<const SceneText> texts)
-        : scene_(scene),
-          texts_(texts),
-          comments_(scene, texts),
-          materials_(scene),
-          block_(out_, scene.shapes.size() > k_readable) {}
+        : scene_(scene), texts_(texts), comments_(scene, texts), materials_(scene), block_(out_) {}
 
     std::string run() {
         write_heading();
@@ -35,6 +31,7 @@ class GlintWriter {
         write_lights();
         write_materials();
         if (!scene_.shapes.empty()) out_ += '\n';
+        if (scene_.shapes.size() > k_readable) block_.keep_lines_whole();
         write_shapes(block_, scene_, materials_, comments_);
         if (!comments_.tail().empty()) out_ += '\n';
         block_.comments(comments_.tail());
