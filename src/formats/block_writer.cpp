@@ -19,11 +19,18 @@ bool is_bare_word(std::string_view text) {
            std::all_of(text.begin(), text.end(), [](char c) { return is_letter(c) || is_digit(c); });
 }
 
+bool is_control(char c) { return (static_cast<unsigned char>(c) < 0x20 && c != '\t') || c == 0x7f; }
+
 // n with n / 255 == channel, or -1.
 int byte_of(double channel) {
     if (!(channel >= 0 && channel <= 1)) return -1;
     const int n = static_cast<int>(channel * 255 + 0.5);
     return std::bit_cast<std::uint64_t>(n / 255.0) == std::bit_cast<std::uint64_t>(channel) ? n : -1;
+}
+
+// Without what a terminal would take for a command, or a program for the end of the text.
+void append_comment(std::string& out, std::string_view text) {
+    for (const char c : text) out += is_control(c) ? ' ' : c;
 }
 
 }  // namespace
@@ -49,7 +56,7 @@ void append_quoted(std::string& out, std::string_view text) {
         if (c == '"' || c == '\\') {
             out += '\\';
             out += c;
-        } else if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) {
+        } else if (is_control(c)) {
             fmt::format_to(std::back_inserter(out), "\\u{:04x}", static_cast<unsigned char>(c));
         } else {
             out += c;
@@ -97,7 +104,7 @@ void BlockWriter::comments(std::span<const std::string_view> lines) {
     for (const std::string_view line : lines) {
         out_.append(indent_, ' ');
         out_ += line.empty() ? "#" : "# ";
-        out_ += line;
+        append_comment(out_, line);
         out_ += '\n';
     }
 }
@@ -107,7 +114,7 @@ void BlockWriter::end(std::span<const std::string_view> above, std::span<const s
     after_.clear();
     for (const std::string_view comment : after) {
         after_ += after_.empty() ? "  # " : "; ";
-        after_ += comment;
+        append_comment(after_, comment);
     }
     const bool keys_only = head_.empty();
     const std::size_t length = indent_ + line_.size() + (keys_only ? 0 : head_.size() + 5);
