@@ -91,9 +91,9 @@ bool read_item_key(GlintText& t, int field, const Token& key, GlintItem& item) {
 
 // One map alone keeps its numbers: composing with the identity may turn -0 into 0.
 std::optional<Affine> compose_maps(const std::optional<Affine>& outer, const std::optional<Affine>& inner) {
-    const bool has_outer = outer && *outer != Affine{}, has_inner = inner && *inner != Affine{};
-    if (has_outer && has_inner) return compose(*outer, *inner);
-    return has_outer ? outer : has_inner ? inner : std::nullopt;
+    if (!outer || (inner && *outer == Affine{})) return inner;
+    if (!inner || *inner == Affine{}) return outer;
+    return compose(*outer, *inner);
 }
 
 std::uint32_t transform_index(Scene& scene, GlintContext& context) {

@@ -36,7 +36,7 @@ struct GlintItem {
 /// Reads the value of one of those keys.
 bool read_item_key(GlintText& t, int field, const Token& key, GlintItem& item);
 
-/// An optional map that is the identity is none.
+/// Of two, one that is the identity gives way to the other.
 std::optional<Affine> compose_maps(const std::optional<Affine>& outer, const std::optional<Affine>& inner);
 
 /// What a shape takes over from the groups around it.

@@ -215,13 +215,13 @@ TEST(Glint, AppliesTransformsInTheOrderWritten) {
                               k_ball + "rotate = (90, 90, 0) }\n" + k_ball +
                               "matrix = ((0.1, 0.2, 0.3, 4), (0, 1, 0.7, 5), (0, 0, 1, -0.0)) }\n" + k_ball +
                               "translate = (0, 0, 0)  scale = 1 }\n");
-    ASSERT_EQ(s.transforms.size(), 3u);
+    ASSERT_EQ(s.transforms.size(), 4u);
     EXPECT_EQ(transform_point(s.transforms[0], {1, 1, 1}), (Vec3{-2, 2, 3}));
     // About x first: y goes to z, then about y: z goes to x.
     EXPECT_EQ(transform_point(s.transforms[1], {0, 1, 0}), (Vec3{1, 0, 0}));
     EXPECT_EQ(s.transforms[2], (Affine{{{0.1, 0.2, 0.3, 4}, {0, 1, 0.7, 5}, {0, 0, 1, 0}}}));
     EXPECT_TRUE(1 / s.transforms[2].m[2][3] < 0) << "the very numbers of the text, -0 too";
-    EXPECT_EQ(s.shapes[3].transform, k_none) << "the identity is no transform";
+    EXPECT_EQ(s.transforms[3], Affine{}) << "the identity is kept, as other formats keep it";
 }
 
 TEST(Glint, GroupsHoldForWhatIsInThem) {
