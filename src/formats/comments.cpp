@@ -159,8 +159,8 @@ class SceneComments::Scanner {
             opened_ = true;
         } else if ((c == '}' || c == ']' || c == ')') && depth_ > 0) {
             --depth_;
-            // What was said within brackets that end here was not said of the next item.
-            std::erase_if(pending_, [](const Pending& p) { return p.depth > 0; });
+            // What was said in something else that ends here was not said of the next item.
+            std::erase_if(pending_, [&](const Pending& p) { return p.depth > (c == ')' ? depth_ : 0); });
             if (current_ != nullptr && opened_ && !closed_ && depth_ <= item_depth_) {
                 closed_ = true;
                 end_line_ = line_;

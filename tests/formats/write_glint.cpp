@@ -120,6 +120,24 @@ sphere { center = (0, 0, 2)  radius = 0.3  material = gold }
     EXPECT_EQ(text.find("nor this"), std::string::npos);
 }
 
+TEST(WriteGlint, CommentsOfGroups) {
+    const std::string text = converted(R"(glint = 1
+camera { position = (0, 2, 8)  look_at = (0, 1, 0)  fov_x = 50 }
+group "tower" {   # of the tower
+    scale = 2  rotate = (0, 45, 0)
+    # its wall
+    box { min = (0, 0, 0)  max = (1, 3, 1) }  # white # and flat
+    sphere { center = (0, 0, 0)
+             # round
+             radius = 1 }
+    # nothing more
+}
+)",
+                                       "a.glint");
+    expect_part(text, "    # of the tower\n    # its wall\n    box ");
+    expect_part(text, "}  # white # and flat\n    # round\n    sphere ");
+}
+
 TEST(WriteGlint, CommentsOfNff) {
     const std::string text = converted(R"(# heading
 b 0.1 0.2 0.3  # sky
