@@ -24,6 +24,13 @@ bool same_bits(const Affine& a, const Affine& b) {
     return true;
 }
 
+struct FieldWriter {
+    BlockWriter& block;
+    void point(std::string_view key, const Vec3& value) { append(block.key(key), value); }
+    void direction(std::string_view key, const Vec3& value) { append(block.key(key), value); }
+    void length(std::string_view key, double value) { append(block.key(key), value); }
+};
+
 class ShapeWriter {
   public:
     ShapeWriter(BlockWriter& block, const Scene& scene, const MaterialPlan& materials,
@@ -111,14 +118,8 @@ class ShapeWriter {
         comments_.end_block(block_, ItemKind::shape, i);
     }
 
-    void write_keys(const Sphere& s) {
-        append(block_.key("center"), s.center);
-        append(block_.key("radius"), s.radius);
-    }
-    void write_keys(const Plane& p) {
-        append(block_.key("point"), p.point);
-        append(block_.key("normal"), p.normal);
-    }
+    // The kinds whose fields are all there is to know.
+    template <class T> void write_keys(const T& shape) { T::fields(shape, FieldWriter{block_}); }
     void write_keys(const Cylinder& c) {
         append(block_.key("from"), c.from);
         append(block_.key("to"), c.to);
@@ -130,11 +131,6 @@ class ShapeWriter {
         append(block_.key("to"), c.to);
         fmt::format_to(std::back_inserter(block_.key("radius")), "({}, {})", c.from_radius, c.to_radius);
         if (!c.caps) block_.key("caps") += "false";
-    }
-    void write_keys(const Disc& d) {
-        append(block_.key("center"), d.center);
-        append(block_.key("normal"), d.normal);
-        append(block_.key("radius"), d.radius);
     }
     void write_keys(const Cuboid& c) {
         append(block_.key("min"), c.min);
