@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "cli/process.h"
+#include "glint/version.h"
 
 namespace glint::test {
 namespace {
@@ -35,6 +36,31 @@ TEST(Convert, WhatTheOptionsChooseIsWritten) {
     EXPECT_EQ(r.code, 0) << r.err;
     EXPECT_TRUE(r.out.starts_with("# Converted from standard input (cgfs) by glint ")) << r.out;
     EXPECT_TRUE(contains(r.out, "\nconventions { limit = drop }\n")) << r.out;
+}
+
+TEST(Convert, DrawsTheSamePictureWithItsIncludesAndComments) {
+    const Folder folder;
+    std::filesystem::create_directory(folder.path("parts"));
+    folder.write("a.glint", R"(camera { position = (0, 2, 8)  look_at = (0, 1, 0)  fov_y = 40 }  # from afar
+light { type = point  position = (2, 4, 5) }
+group { rotate = (0, 30, 0)  include "parts/b.glint"  include "parts/c.cgfs" }
+)");
+    folder.write("parts/b.glint", "# part\n\n# a box\nbox { min = (0, 0, 0)  max = (1, 1.1, 1) }\n");
+    folder.write("parts/c.cgfs", "sphere { center = (0, 0, 4)  radius = 1  color = (255, 0, 0) }  # red");
+    ASSERT_EQ(run(folder, {"convert", "a.glint", "b.glint"}).code, 0);
+    const std::string text = folder.read("b.glint");
+    EXPECT_TRUE(text.starts_with(
+        "# Converted from a.glint (glint), b.glint (glint), c.cgfs (cgfs) by glint " GLINT_VERSION
+        "\n#\n# part\n\n"))
+        << text;
+    EXPECT_TRUE(contains(text, "# a box\n    box ")) << text;
+    EXPECT_TRUE(contains(text, "}  # red\n")) << text;
+    for (const std::string name : {"a", "b"}) {
+        ASSERT_EQ(run(folder, {"render", name + ".glint", "-s", "40x30", "-o", name + ".exr"}).code, 0);
+    }
+    EXPECT_EQ(folder.read("a.exr"), folder.read("b.exr"));
+    // The included ones are not overwritten either.
+    EXPECT_EQ(run(folder, {"convert", "a.glint", "parts/b.glint"}).code, 2);
 }
 
 TEST(Convert, NeverOverwritesAScene) {

@@ -1,0 +1,128 @@
+#pragma once
+// All that a scene says about its picture, and its names, as one text: two scenes draw the same if and only
+// if their texts are equal. Numbers by their bits; indices that draw nothing are left out.
+#include <bit>
+#include <span>
+#include <string>
+
+#include "glint/glint.h"
+
+namespace glint::test {
+
+class Drawn {
+  public:
+    static std::string text(const Scene& scene) { return Drawn(scene).run(); }
+
+  private:
+    explicit Drawn(const Scene& scene) : s_(scene) {}
+
+    void line(std::string_view what) {
+        out_ += '\n';
+        out_ += what;
+    }
+    void add(double x) {
+        char buffer[40];
+        std::snprintf(buffer, sizeof buffer, " %016llx", std::bit_cast<unsigned long long>(x));
+        out_ += buffer;
+    }
+    void add(Vec3 v) { add(v.x), add(v.y), add(v.z); }
+    void add(Color c) { add(Vec3{c.r, c.g, c.b}); }
+    void add(bool b) { out_ += b ? " true" : " false"; }
+    void add(std::span<const Vec3> points) {
+        for (const Vec3& p : points) add(p);
+    }
+    void add(const Sphere& s) { add(s.center), add(s.radius); }
+    void add(const Plane& p) { add(p.point), add(p.normal); }
+    void add(const Cylinder& c) { add(c.from), add(c.to), add(c.radius), add(c.caps); }
+    void add(const Cone& c) { add(c.from), add(c.to), add(c.from_radius), add(c.to_radius), add(c.caps); }
+    void add(const Disc& d) { add(d.center), add(d.normal), add(d.radius); }
+    void add(const Cuboid& c) { add(c.min), add(c.max); }
+    void add(const Triangle& t) { add(std::span(t.vertices)); }
+    void add(const SmoothTriangle& t) { add(std::span(t.vertices)), add(std::span(t.normals)); }
+    void add(const Polygon& p) { add(std::span(s_.polygon_vertices).subspan(p.first, p.count)); }
+    void add(const Material& m) {
+        add(m.color), add(m.ambient), add(m.diffuse), add(m.specular), add(m.shininess), add(m.mirror);
+        add(m.mirror_tint), add(m.transmission), add(m.ior), add(m.transmission_tint);
+    }
+    void add(const Affine& map) {
+        for (const auto& row : map.m) {
+            for (const double x : row) add(x);
+        }
+    }
+
+    std::string run() {
+        for (std::size_t i = 0; i < setting_keys().size(); ++i) {
+            line(setting_keys()[i].name);
+            out_ += ' ' + get_setting(s_, i);
+        }
+        line("background");
+        add(s_.background);
+        add_camera();
+        for (std::uint32_t i = 0; i < s_.lights.size(); ++i) add_light(i);
+        for (std::uint32_t i = 0; i < s_.shapes.size(); ++i) add_shape(i);
+        return out_;
+    }
+
+    void add_camera() {
+        const Camera& c = s_.camera;
+        line(c.projection == Projection::perspective ? "perspective" : "orthographic");
+        add(c.position);
+        if (c.frame) {
+            line("frame");
+            add(c.frame->right), add(c.frame->up), add(c.frame->forward);
+        } else {
+            line(c.fov_axis == FovAxis::x || c.projection == Projection::orthographic ? "x" : "y");
+            add(c.look_at), add(c.up);
+            add(c.projection == Projection::perspective ? c.fov_degrees : c.width);
+        }
+        if (!c.lighting_eye) return;
+        line("lighting_eye");
+        add(*c.lighting_eye);
+    }
+
+    void add_light(std::uint32_t i) {
+        const Light& l = s_.lights[i];
+        line("light " + std::to_string(static_cast<int>(l.kind)));
+        out_ += s_.light_texts.name(i);
+        add(l.color);
+        if (l.kind != LightKind::ambient) add(l.specular_color);
+        if (l.kind == LightKind::directional) add(l.to_light);
+        if (l.kind != LightKind::point) return;
+        add(l.position);
+        add(Vec3{l.attenuation.c0, l.attenuation.c1, l.attenuation.c2});
+    }
+
+    void add_shape(std::uint32_t i) {
+        const Shape& shape = s_.shapes[i];
+        line(shape_word(shape.kind));
+        out_ += s_.shape_texts.name(i);
+        switch (shape.kind) {
+#define GLINT_KIND(Type, word)            \
+    case ShapeKind::word:                 \
+        add(s_.get<Type>()[shape.index]); \
+        break;
+            GLINT_SHAPES(GLINT_KIND)
+#undef GLINT_KIND
+        }
+        add(shape.material == k_none ? Material{} : s_.materials[shape.material]);
+        if (shape.transform != k_none) add(s_.transforms[shape.transform]);
+    }
+
+    const Scene& s_;
+    std::string out_;
+};
+
+/// The first line in which the texts of two scenes differ, or an empty string.
+inline std::string first_difference(const Scene& a, const Scene& b) {
+    const std::string ta = Drawn::text(a), tb = Drawn::text(b);
+    if (ta == tb) return {};
+    std::size_t at = 0;
+    while (at < ta.size() && at < tb.size() && ta[at] == tb[at]) ++at;
+    const auto line = [&](const std::string& t) {
+        const std::size_t begin = at == 0 ? 0 : t.rfind('\n', at - 1) + 1;
+        return t.substr(begin, t.find('\n', at) - begin);
+    };
+    return line(ta) + "\n" + line(tb);
+}
+
+}  // namespace glint::test
