@@ -1,4 +1,4 @@
-// Every text of the corpus through the functions that the fuzzers call, in the ordinary build.
+// Every text of the corpora through the functions that the fuzzers call, in the ordinary build.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -6,25 +6,52 @@
 #include <sstream>
 
 #include "fuzz/fuzz_load.h"
+#include "fuzz/fuzz_scene.h"
 
 namespace {
 
-class Corpus : public testing::TestWithParam<const char*> {};
+std::string corpus_folder(const std::string& name) { return GLINT_SOURCE_DIR "/tests/fuzz/corpus/" + name; }
 
-TEST_P(Corpus, EveryTextHasAnAnswer) {
-    const std::string folder = GLINT_SOURCE_DIR "/tests/fuzz/corpus/" + std::string(GetParam());
+// Calls body(text, path) for every file of a corpus; returns how many there are.
+template <class Body> int for_each_text(const std::string& corpus, Body&& body) {
     int files = 0;
-    for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    for (const auto& entry : std::filesystem::directory_iterator(corpus_folder(corpus))) {
         std::ifstream file(entry.path(), std::ios::binary);
         std::stringstream text;
         text << file.rdbuf();
-        EXPECT_EQ(glint::fuzz_load(text.str(), GetParam()), "") << entry.path();
+        body(text.str(), entry.path().string());
         ++files;
     }
-    EXPECT_GE(files, 10);
+    return files;
 }
 
-INSTANTIATE_TEST_SUITE_P(Formats, Corpus, testing::Values("cgfs", "csc473", "epfl", "glint", "nff"),
-                         [](const auto& param) { return std::string(param.param); });
+class Corpus : public testing::TestWithParam<std::string> {};
+
+TEST_P(Corpus, EveryTextHasAnAnswer) {
+    EXPECT_GE(for_each_text(GetParam(),
+                            [](const std::string& text, const std::string& path) {
+                                EXPECT_EQ(glint::fuzz_load(text, GetParam()), "") << path;
+                            }),
+              10);
+}
+
+TEST_P(Corpus, EverySceneIsWrittenAndDrawn) {
+    for_each_text(GetParam(), [](const std::string& text, const std::string& path) {
+        EXPECT_EQ(glint::fuzz_convert(text, GetParam()), "") << path;
+        EXPECT_EQ(glint::fuzz_render(text, GetParam()), "") << path;
+    });
+}
+
+// A folder a reader, called as its format.
+std::vector<std::string> readers() {
+    std::vector<std::string> names;
+    for (const glint::FormatInfo& format : glint::formats()) {
+        if (std::filesystem::exists(corpus_folder(std::string(format.name)))) names.emplace_back(format.name);
+    }
+    return names;
+}
+
+INSTANTIATE_TEST_SUITE_P(Formats, Corpus, testing::ValuesIn(readers()),
+                         [](const auto& param) { return param.param; });
 
 }  // namespace

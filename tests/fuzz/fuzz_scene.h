@@ -1,0 +1,64 @@
+#pragma once
+// What a fuzzer does with a scene: write it as .glint and read that again; draw it.
+#include <cmath>
+#include <string>
+#include <string_view>
+
+#include "formats/drawn.h"
+#include "glint/glint.h"
+
+namespace glint {
+
+/// A format's name in the first line, and a text of that format after it.
+struct NamedText {
+    std::string format;
+    std::string_view text;
+};
+inline NamedText split_format(std::string_view data) {
+    const std::size_t end = std::min(data.find('\n'), data.size());
+    return {std::string(data.substr(0, end)), data.substr(std::min(end + 1, data.size()))};
+}
+
+/// Loads the text and, if it is a scene, writes it and loads that. An empty string, or what has changed.
+inline std::string fuzz_convert(std::string_view text, std::string format) {
+    const SceneText texts[] = {{"fuzz", text, std::move(format)}};
+    const LoadResult first = load(texts);
+    if (!first.scene) return {};
+    const std::string written = write_glint(*first.scene, texts);
+    if (written.empty()) return "a scene that is not written";
+    const SceneText written_texts[] = {{"fuzz.glint", written, {}}};
+    const LoadResult second = load(written_texts);
+    if (!second.scene) {
+        std::string all = "what was written is not read:\n";
+        for (const Diagnostic& d : second.diagnostics) all += to_string(d);
+        return all + written;
+    }
+    const std::string difference = test::first_difference(*first.scene, *second.scene);
+    if (!difference.empty()) return "another scene was read:\n" + difference + '\n' + written;
+    const std::string again = write_glint(*second.scene, written_texts);
+    return again == written ? std::string() : "written again:\n" + written + "\nnow:\n" + again;
+}
+
+/// Loads the text and, if it is a scene, draws it with few pixels. An empty string, or what is wrong.
+inline std::string fuzz_render(std::string_view text, std::string format) {
+    const SceneText texts[] = {{"fuzz", text, std::move(format)}};
+    LoadResult loaded = load(texts);
+    if (!loaded.scene) return {};
+    RenderSettings& settings = loaded.scene->settings;
+    settings.width = std::min(settings.width, 16);
+    settings.height = std::min(settings.height, 16);
+    settings.samples = 1;
+    settings.reflections = std::min(settings.reflections, 3);
+    const PrepareResult prepared = prepare(*loaded.scene, 1);
+    if (!prepared.world) return "a scene that load() takes and prepare() does not";
+    RenderOptions options;
+    options.threads = 1;
+    const RenderResult result = render(*prepared.world, options);
+    if (!result.image) return "no picture: " + result.error;
+    for (const float channel : result.image->rgb) {
+        if (std::isnan(channel)) return "a pixel that is not a number";
+    }
+    return {};
+}
+
+}  // namespace glint
