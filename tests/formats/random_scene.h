@@ -1,0 +1,202 @@
+#pragma once
+// Scenes by chance: every kind of everything, with the numbers and names that are hardest to write and read.
+#include <random>
+#include <string>
+
+#include "glint/glint.h"
+
+namespace glint::test {
+
+/// Most of its scenes are valid.
+class RandomScene {
+  public:
+    explicit RandomScene(unsigned seed) : random_(seed) {}
+
+    Scene make() {
+        Scene s;
+        apply_profile(s, profile_names()[pick(profile_names().size())]);
+        s.background = color();
+        make_camera(s);
+        for (std::size_t n = pick(5), i = 0; i < n; ++i) make_light(s);
+        for (std::size_t n = 1 + pick(6), i = 0; i < n; ++i) make_material(s);
+        for (std::size_t n = pick(4), i = 0; i < n; ++i) s.transforms.push_back(map());
+        for (std::size_t n = 1 + pick(20), i = 0; i < n; ++i) make_shape(s);
+        return s;
+    }
+
+  private:
+    std::size_t pick(std::size_t n) { return std::uniform_int_distribution<std::size_t>(0, n - 1)(random_); }
+    double between(double a, double b) { return std::uniform_real_distribution<double>(a, b)(random_); }
+    bool often() { return pick(3) != 0; }
+
+    double coordinate() {
+        static constexpr double odd[] = {0, -0.0, 5e-324, -5e-324, 2.2250738585072014e-308, 1e-300, 0.1,
+                                         1, 1e12, -1e12,  1e11,    123456789.123456789,     1.0 / 3};
+        return often() ? between(-3, 3) : odd[pick(std::size(odd))];
+    }
+    double length() {
+        static constexpr double odd[] = {5e-324, 1e-12, 1, 0.1, 5000, 1e12};
+        return often() ? between(0.1, 1) : odd[pick(std::size(odd))];
+    }
+    double channel() {
+        static constexpr double odd[] = {0, -0.0, 1, 5e-324, 1e6, -1e6, 2, -1, 0.8, 200 / 255.0, 255.0};
+        return often() ? between(0, 1) : odd[pick(std::size(odd))];
+    }
+    double fraction() {
+        static constexpr double odd[] = {0, -0.0, 1, 5e-324, 0.1};
+        return often() ? between(0, 1) : odd[pick(std::size(odd))];
+    }
+    Vec3 point() { return {coordinate(), coordinate(), coordinate()}; }
+    Vec3 direction() {
+        Vec3 d = point();
+        if (d == Vec3{0, 0, 0}) d.y = 1;
+        return d;
+    }
+    Color color() {
+        const double gray = channel();
+        return pick(3) == 0 ? Color{gray, gray, gray} : Color{channel(), channel(), channel()};
+    }
+    Color tint() {
+        Color c = color();
+        for (double* x : {&c.r, &c.g, &c.b}) *x = *x < 0 ? -*x : *x;
+        return c;
+    }
+    std::string name() {
+        static const std::string odd[] = {"ball",
+                                          "a b",
+                                          "\"",
+                                          "\\",
+                                          "new\nline",
+                                          "#hash",
+                                          "// no comment",
+                                          "{",
+                                          "\xc3\xa9t\xc3\xa9",
+                                          "\xff\xfe",
+                                          std::string("nul\0x", 5),
+                                          "none",
+                                          "true",
+                                          "x",
+                                          "1x",
+                                          "-x",
+                                          "material_1",
+                                          "\x7f\x01\t",
+                                          "'",
+                                          "/* a */",
+                                          "all",
+                                          "\xe2\x82\xac",
+                                          std::string(300, 'n')};
+        return odd[pick(std::size(odd))];
+    }
+    void note(ItemTexts& texts, std::size_t index) {
+        if (pick(3) == 0) texts.names[static_cast<std::uint32_t>(index)] = name();
+    }
+
+    void make_camera(Scene& s) {
+        Camera& c = s.camera;
+        c.projection = static_cast<Projection>(pick(2));
+        c.position = point();
+        c.look_at = {between(-1, 1), between(-1, 1), between(-1, 1)};
+        c.up = {between(-1, 1), 5, between(-1, 1)};
+        c.fov_axis = static_cast<FovAxis>(pick(2));
+        c.fov_degrees = pick(4) == 0 ? 5e-324 : between(0.1, 179.9);
+        c.width = length();
+        if (pick(3) == 0)
+            c.frame = CameraFrame{{between(1, 2), -0.0, 0.1}, {0, -1, between(0, 1)}, {0.1, 0, -1}};
+        if (pick(3) == 0) c.lighting_eye = point();
+    }
+    void make_light(Scene& s) {
+        Light l;
+        l.kind = static_cast<LightKind>(pick(3));
+        l.position = point();
+        l.to_light = direction();
+        l.color = color();
+        l.specular_color = pick(2) == 0 ? l.color : color();
+        if (pick(2) == 0) l.attenuation = {length(), fraction(), fraction()};
+        note(s.light_texts, s.lights.size());
+        s.lights.push_back(l);
+    }
+    void make_material(Scene& s) {
+        Material m;
+        if (often()) {
+            m.color = color();
+            m.ambient = pick(2) == 0 ? m.color * fraction() : color();
+            m.diffuse = pick(2) == 0 ? m.color * 0.7 : color();
+            m.specular = pick(2) == 0 ? m.color * channel() : color();
+            m.shininess = pick(2) == 0 ? 40 : 1e9 * fraction();
+            m.mirror = fraction();
+            m.mirror_tint = pick(2) == 0 ? Color{1, 1, 1} : tint();
+            m.transmission = fraction();
+            m.ior = often() ? 1.5 : length();
+            if (m.ior > 1e6) m.ior = 1e6;
+            m.transmission_tint = pick(2) == 0 ? Color{1, 1, 1} : tint();
+        }
+        if (pick(4) == 0 && !s.materials.empty()) m = s.materials[pick(s.materials.size())];
+        note(s.material_texts, s.materials.size());
+        s.materials.push_back(m);
+    }
+    Affine map() {
+        Affine m;
+        if (pick(4) == 0) return {{{1, 0, 0, coordinate()}, {0, 1, 0, coordinate()}, {0, 0, 1, 1}}};
+        if (pick(6) == 0) return m;
+        if (pick(4) == 0) return {{{0.3, 0, 0, 0}, {0, 0.3, 0, 0}, {0, 0, 0.3, 0}}};
+        if (pick(4) == 0) return {{{0.3, 0, 0, -0.0}, {0, 2, 0, 0}, {0, 0, 5, 0}}};
+        for (int r = 0; r < 3; ++r) {
+            for (int c = 0; c < 4; ++c) m.m[r][c] = between(-0.2, 0.2) + (r == c ? 1 : 0);
+            m.m[r][3] = pick(2) == 0 ? coordinate() : -0.0;
+        }
+        return m;
+    }
+    void make_shape(Scene& s) {
+        const std::uint32_t material =
+            pick(4) == 0 ? k_none : static_cast<std::uint32_t>(pick(s.materials.size()));
+        const std::uint32_t transform = s.transforms.empty() || pick(2) == 0
+                                            ? k_none
+                                            : static_cast<std::uint32_t>(pick(s.transforms.size()));
+        note(s.shape_texts, s.shapes.size());
+        const bool caps = pick(2) == 0;
+        switch (static_cast<ShapeKind>(pick(k_shape_kinds))) {
+            case ShapeKind::sphere:
+                s.add(Sphere{point(), length()}, material, transform);
+                break;
+            case ShapeKind::plane:
+                s.add(Plane{point(), direction()}, material, transform);
+                break;
+            case ShapeKind::cylinder:
+                s.add(Cylinder{{0, 0, between(0, 1)}, {between(1, 2), 0, coordinate()}, length(), caps},
+                      material, transform);
+                break;
+            case ShapeKind::cone:
+                s.add(Cone{{0, 0, between(0, 1)},
+                           {between(1, 2), 0, coordinate()},
+                           length(),
+                           pick(2) == 0 ? 0 : length(),
+                           caps},
+                      material, transform);
+                break;
+            case ShapeKind::disc:
+                s.add(Disc{point(), direction(), length()}, material, transform);
+                break;
+            case ShapeKind::box:
+                s.add(Cuboid{{-1, -0.0, between(-1, 0)}, {between(0, 1), 5e-324, 1}}, material, transform);
+                break;
+            case ShapeKind::triangle:
+                s.add(Triangle{{point(), point(), point()}}, material, transform);
+                break;
+            case ShapeKind::smooth_triangle:
+                s.add(SmoothTriangle{{point(), point(), point()}, {direction(), direction(), direction()}},
+                      material, transform);
+                break;
+            case ShapeKind::polygon: {
+                const auto count = static_cast<std::uint32_t>(3 + pick(8));
+                const auto first = static_cast<std::uint32_t>(s.polygon_vertices.size());
+                for (std::uint32_t i = 0; i < count; ++i) s.polygon_vertices.push_back(point());
+                s.add(Polygon{first, count}, material, transform);
+                break;
+            }
+        }
+    }
+
+    std::mt19937 random_;
+};
+
+}  // namespace glint::test
