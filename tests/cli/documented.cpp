@@ -41,8 +41,11 @@ TEST(Documented, EveryOption) {
 
 TEST(Documented, EveryHelpHasExamples) {
     const Folder folder;
-    const std::vector<std::vector<std::string>> helps = {
-        {"--help"}, {"render", "--help"}, {"info", "--help"}, {"convert", "--help"}, {"completion", "--help"}};
+    const std::vector<std::vector<std::string>> helps = {{"--help"},
+                                                         {"render", "--help"},
+                                                         {"info", "--help"},
+                                                         {"convert", "--help"},
+                                                         {"completion", "--help"}};
     for (const auto& arguments : helps) {
         const Finished r = run(folder, arguments);
         EXPECT_EQ(r.code, 0);
