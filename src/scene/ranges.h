@@ -3,6 +3,8 @@
 // validate().
 #include <string_view>
 
+#include "glint/vec.h"
+
 namespace glint {
 
 /// The numbers from min to max. `open`: without min (and, if both_open, without max).
@@ -30,5 +32,10 @@ inline constexpr Range k_angle{0, 180, true, true, "an angle between 0 and 180 d
 inline constexpr Range k_index_of_refraction{0, 1e6, true, false, "a number > 0 and at most 1e6"};
 inline constexpr Range k_attenuation{0, 1e12, false, false, "a number from 0 to 1e12"};
 inline constexpr Range k_not_negative{0, 1e12, false, false, "a number from 0 to 1e12"};
+
+inline bool is_coordinate(Vec3 p) {
+    return k_coordinate.contains(p.x) && k_coordinate.contains(p.y) && k_coordinate.contains(p.z);
+}
+inline bool is_zero(Vec3 v) { return v == Vec3{0, 0, 0}; }
 
 }  // namespace glint

@@ -1,14 +1,12 @@
 // Every number and index of a scene, checked once, so that no later room has to.
 #include <fmt/format.h>
 
-#include <array>
-#include <span>
-
 #include "base/text.h"
 #include "math/number.h"
 #include "scene/findings.h"
 #include "scene/ranges.h"
 #include "scene/settings.h"
+#include "scene/validate_shapes.h"
 
 namespace glint {
 namespace {
@@ -16,10 +14,6 @@ namespace {
 constexpr std::size_t k_max_errors = 20;
 // Sine of the angle under which two directions count as parallel, and the like for three.
 constexpr double k_parallel = 1e-9;
-
-bool is_coordinate(Vec3 p) {
-    return k_coordinate.contains(p.x) && k_coordinate.contains(p.y) && k_coordinate.contains(p.z);
-}
 
 // Dividing by the largest component keeps squares from underflowing: 1e-200 is a direction like any other.
 Vec3 unit_or_zero(Vec3 v) {
@@ -30,18 +24,14 @@ Vec3 unit_or_zero(Vec3 v) {
     return v / number::sqrt(dot(v, v));
 }
 
-bool is_zero(Vec3 v) { return v == Vec3{0, 0, 0}; }
-
 bool are_parallel(Vec3 a, Vec3 b) {
     const Vec3 c = cross(unit_or_zero(a), unit_or_zero(b));
     return dot(c, c) < k_parallel * k_parallel;
 }
 
-std::string text(Vec3 v) { return fmt::format("({}, {}, {})", v.x, v.y, v.z); }
-
 class Validator {
   public:
-    explicit Validator(const Scene& scene) : scene_(scene) {}
+    explicit Validator(const Scene& scene) : scene_(scene), shapes_(scene) {}
 
     std::vector<Finding> run() {
         check_settings();
@@ -219,97 +209,13 @@ class Validator {
         const auto indexed = [](std::uint32_t index, std::size_t n) { return index == k_none || index < n; };
         if (!indexed(s.material, scene_.materials.size())) shape_error(i, "no such material");
         if (!indexed(s.transform, scene_.transforms.size())) shape_error(i, "no such transform");
-        switch (s.kind) {
-#define GLINT_KIND(Type, word)                                                                 \
-    case ShapeKind::word:                                                                      \
-        if (s.index >= scene_.get<Type>().size()) return shape_error(i, "no such parameters"); \
-        return check_parameters(i, scene_.get<Type>()[s.index]);
-            GLINT_SHAPES(GLINT_KIND)
-#undef GLINT_KIND
-        }
-        shape_error(i, "no such kind of shape");
+        for (const std::string& mistake : shapes_.mistakes(s)) shape_error(i, mistake);
     }
 
     // The text of a shape is made only when there is something to say: there may be millions.
     void shape_error(std::uint32_t i, std::string_view message) {
         const std::string of = item(shape_word(scene_.shapes[i].kind), i, scene_.shape_texts.name(i));
         error(scene_.shape_texts.place(i), fmt::format("{}: {}", of, message));
-    }
-
-    // What a shape's fields() may hold.
-    struct FieldCheck {
-        Validator& to;
-        std::uint32_t i;
-        void point(std::string_view name, const Vec3& p) {
-            if (!is_coordinate(p))
-                to.shape_error(i, fmt::format("expected a {} within 1e12, found {}", name, text(p)));
-        }
-        void direction(std::string_view name, const Vec3& d) {
-            if (is_coordinate(d) && !is_zero(d)) return;
-            to.shape_error(i, fmt::format("expected a {} other than (0, 0, 0) and within 1e12, found {}",
-                                          name, text(d)));
-        }
-        void length(std::string_view name, double x) {
-            if (k_length.contains(x)) return;
-            to.shape_error(i, fmt::format("{}: expected {}, found {}", name, k_length.text, x));
-        }
-    };
-    template <class T> void check_parameters(std::uint32_t i, const T& shape) {
-        T::fields(shape, FieldCheck{*this, i});
-    }
-
-    void check_parameters(std::uint32_t i, const Cylinder& c) {
-        if (!is_coordinate(c.from) || !is_coordinate(c.to)) {
-            shape_error(
-                i, fmt::format("expected an axis within 1e12, found {} to {}", text(c.from), text(c.to)));
-        } else if (c.from == c.to) {
-            shape_error(i, "expected an axis of some length, found two equal ends " + text(c.from));
-        }
-        FieldCheck{*this, i}.length("radius", c.radius);
-    }
-
-    void check_parameters(std::uint32_t i, const Cone& c) {
-        check_parameters(i, Cylinder{c.from, c.to, 1, c.caps});
-        if (!k_not_negative.contains(c.from_radius) || !k_not_negative.contains(c.to_radius)) {
-            shape_error(i, fmt::format("radius: expected {}, found ({}, {})", k_not_negative.text,
-                                       c.from_radius, c.to_radius));
-        } else if (c.from_radius == 0 && c.to_radius == 0) {
-            shape_error(i, "expected a radius > 0 at one end at least, found (0, 0)");
-        }
-    }
-
-    void check_parameters(std::uint32_t i, const Cuboid& c) {
-        check_vertices(i, std::array{c.min, c.max});
-        if (c.min.x > c.max.x || c.min.y > c.max.y || c.min.z > c.max.z) {
-            shape_error(i, fmt::format("expected min at most max in each coordinate, found {} and {}",
-                                       text(c.min), text(c.max)));
-        }
-    }
-
-    void check_parameters(std::uint32_t i, const Triangle& t) { check_vertices(i, t.vertices); }
-
-    void check_parameters(std::uint32_t i, const SmoothTriangle& t) {
-        check_vertices(i, t.vertices);
-        for (const Vec3& n : t.normals) FieldCheck{*this, i}.direction("normal", n);
-    }
-
-    void check_parameters(std::uint32_t i, const Polygon& p) {
-        const std::size_t known = scene_.polygon_vertices.size();
-        if (p.first > known || p.count > known - p.first) return shape_error(i, "no such vertices");
-        if (p.count < 3)
-            return shape_error(i, fmt::format("expected at least 3 vertices, found {}", p.count));
-        if (p.count > k_max_polygon_vertices) {
-            return shape_error(
-                i, fmt::format("expected at most {} vertices, found {}: cut it into smaller polygons",
-                               k_max_polygon_vertices, p.count));
-        }
-        check_vertices(i, std::span(scene_.polygon_vertices).subspan(p.first, p.count));
-    }
-
-    void check_vertices(std::uint32_t i, std::span<const Vec3> vertices) {
-        for (const Vec3& v : vertices) {
-            if (!is_coordinate(v)) return shape_error(i, "expected a vertex within 1e12, found " + text(v));
-        }
     }
 
     static std::string item(std::string_view word, std::uint32_t i, std::string_view name) {
@@ -343,6 +249,7 @@ class Validator {
     }
 
     const Scene& scene_;
+    ShapeCheck shapes_;
     std::vector<Finding> findings_;
 };
 

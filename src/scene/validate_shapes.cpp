@@ -1,0 +1,116 @@
+#include "scene/validate_shapes.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <span>
+
+#include "scene/ranges.h"
+
+namespace glint {
+namespace {
+
+class ParameterCheck {
+  public:
+    ParameterCheck(const Scene& scene, std::vector<std::string>& mistakes)
+        : scene_(scene), mistakes_(mistakes) {}
+
+    void check(const Shape& s) {
+        switch (s.kind) {
+#define GLINT_KIND(Type, word)                                                      \
+    case ShapeKind::word:                                                           \
+        if (s.index >= scene_.get<Type>().size()) return say("no such parameters"); \
+        return check_parameters(scene_.get<Type>()[s.index]);
+            GLINT_SHAPES(GLINT_KIND)
+#undef GLINT_KIND
+        }
+        say("no such kind of shape");
+    }
+
+  private:
+    void say(std::string mistake) { mistakes_.push_back(std::move(mistake)); }
+
+    // What a shape's fields() may hold.
+    struct FieldCheck {
+        std::vector<std::string>& mistakes;
+        void say(std::string mistake) { mistakes.push_back(std::move(mistake)); }
+        void point(std::string_view name, const Vec3& p) {
+            if (!is_coordinate(p)) say(fmt::format("expected a {} within 1e12, found {}", name, text(p)));
+        }
+        void direction(std::string_view name, const Vec3& d) {
+            if (is_coordinate(d) && !is_zero(d)) return;
+            say(fmt::format("expected a {} other than (0, 0, 0) and within 1e12, found {}", name, text(d)));
+        }
+        void length(std::string_view name, double x) {
+            if (k_length.contains(x)) return;
+            say(fmt::format("{}: expected {}, found {}", name, k_length.text, x));
+        }
+    };
+    template <class T> void check_parameters(const T& shape) { T::fields(shape, FieldCheck{mistakes_}); }
+
+    void check_parameters(const Cylinder& c) {
+        if (!is_coordinate(c.from) || !is_coordinate(c.to)) {
+            say(fmt::format("expected an axis within 1e12, found {} to {}", text(c.from), text(c.to)));
+        } else if (c.from == c.to) {
+            say("expected an axis of some length, found two equal ends " + text(c.from));
+        }
+        FieldCheck{mistakes_}.length("radius", c.radius);
+    }
+
+    void check_parameters(const Cone& c) {
+        check_parameters(Cylinder{c.from, c.to, 1, c.caps});
+        if (!k_not_negative.contains(c.from_radius) || !k_not_negative.contains(c.to_radius)) {
+            say(fmt::format("radius: expected {}, found ({}, {})", k_not_negative.text, c.from_radius,
+                            c.to_radius));
+        } else if (c.from_radius == 0 && c.to_radius == 0) {
+            say("expected a radius > 0 at one end at least, found (0, 0)");
+        }
+    }
+
+    void check_parameters(const Cuboid& c) {
+        check_vertices(std::array{c.min, c.max});
+        if (c.min.x > c.max.x || c.min.y > c.max.y || c.min.z > c.max.z) {
+            say(fmt::format("expected min at most max in each coordinate, found {} and {}", text(c.min),
+                            text(c.max)));
+        }
+    }
+
+    void check_parameters(const Triangle& t) { check_vertices(t.vertices); }
+
+    void check_parameters(const SmoothTriangle& t) {
+        check_vertices(t.vertices);
+        for (const Vec3& n : t.normals) FieldCheck{mistakes_}.direction("normal", n);
+    }
+
+    void check_parameters(const Polygon& p) {
+        const std::size_t known = scene_.polygon_vertices.size();
+        if (p.first > known || p.count > known - p.first) return say("no such vertices");
+        if (p.count < 3) return say(fmt::format("expected at least 3 vertices, found {}", p.count));
+        if (p.count > k_max_polygon_vertices) {
+            return say(fmt::format("expected at most {} vertices, found {}: cut it into smaller polygons",
+                                   k_max_polygon_vertices, p.count));
+        }
+        check_vertices(std::span(scene_.polygon_vertices).subspan(p.first, p.count));
+    }
+
+    void check_vertices(std::span<const Vec3> vertices) {
+        for (const Vec3& v : vertices) {
+            if (!is_coordinate(v)) return say("expected a vertex within 1e12, found " + text(v));
+        }
+    }
+
+    const Scene& scene_;
+    std::vector<std::string>& mistakes_;
+};
+
+}  // namespace
+
+std::string text(Vec3 v) { return fmt::format("({}, {}, {})", v.x, v.y, v.z); }
+
+const std::vector<std::string>& ShapeCheck::mistakes(const Shape& shape) {
+    mistakes_.clear();
+    ParameterCheck(scene_, mistakes_).check(shape);
+    return mistakes_;
+}
+
+}  // namespace glint
