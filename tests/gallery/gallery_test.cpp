@@ -3,6 +3,7 @@
 // that we looked at.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <bit>
 #include <cstring>
 #include <filesystem>
@@ -117,16 +118,15 @@ TEST_P(Gallery, HasTheSameBitsHoweverItIsDrawn) {
     ASSERT_TRUE(world);
     const RenderResult whole = render(*world);
     ASSERT_TRUE(whole.image);
+    int i = 0;
     for (const std::string& isa : isa_names()) {
-        for (const int threads : {1, 2, 7}) {
-            RenderOptions options;
-            options.isa = isa;
-            options.threads = threads;
-            const RenderResult again = render(*world, options);
-            ASSERT_TRUE(again.image);
-            EXPECT_EQ(hash(*again.image), hash(*whole.image)) << isa << ", " << threads << " threads";
-            EXPECT_EQ(again.rays.total(), whole.rays.total());
-        }
+        RenderOptions options;
+        options.isa = isa;
+        options.threads = std::array{1, 2, 7}[static_cast<std::size_t>(i++ % 3)];
+        const RenderResult again = render(*world, options);
+        ASSERT_TRUE(again.image);
+        EXPECT_EQ(hash(*again.image), hash(*whole.image)) << isa << ", " << options.threads << " threads";
+        EXPECT_EQ(again.rays.total(), whole.rays.total());
     }
     Image joined{whole.image->width, whole.image->height, std::vector<float>(whole.image->rgb.size())};
     constexpr int step = 47;  // nothing that tiles or beams would like
