@@ -56,6 +56,23 @@ void check_ring() {
     }
 }
 
+void check_language() {
+    const glint::SceneText text{
+        "ring.glint",
+        "camera { position = (0, 0, 5)  look_at = (0, 0, 0)  up = (0, 1, 0)  fov_x = 40 }\n"
+        "light { position = (1, 2, 3) }\n"
+        "torus \"ring\" { radius = 2  tube = 0.5  rotate = (90, 0, 0) }\n",
+        ""};
+    const glint::LoadResult loaded = glint::load({&text, 1});
+    if (!loaded.scene) return expect(false, glint::to_string(loaded.diagnostics.at(0)).c_str(), 0, 0);
+    const auto& tori = loaded.scene->get<glint::Torus>();
+    expect(tori.size() == 1 && tori[0].radius == 2 && tori[0].tube == 0.5, "read from .glint", 0, 0);
+    const std::string written = glint::write_glint(*loaded.scene);
+    const glint::SceneText again{"again.glint", written, ""};
+    const glint::LoadResult reloaded = glint::load({&again, 1});
+    expect(reloaded.scene && reloaded.scene->get<glint::Torus>().size() == 1, "written and read again", 0, 0);
+}
+
 void check_validation() {
     glint::Scene scene;
     scene.add(glint::Torus{1, -1});
@@ -66,6 +83,7 @@ void check_validation() {
 
 int main() {
     check_ring();
+    check_language();
     check_validation();
     std::printf("%d failures\n", failures);
     return failures == 0 ? 0 : 1;

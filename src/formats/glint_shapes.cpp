@@ -31,22 +31,22 @@ class ShapeReader {
     ShapeReader(GlintText& t, const Token& word, GlintContext& context)
         : t_(t), word_(word), context_(context) {}
 
-    void sphere() {
-        static constexpr auto fields = with_item_fields({{"center", true}, {"radius", true}});
-        Sphere s;
+    /// A kind whose fields are all there is to know.
+    template <class Shape> void listed() {
+        static const std::vector<Field> fields = [] {
+            std::vector<Field> all;
+            Shape shape;
+            Shape::fields(shape, FieldNames{all});
+            all.insert(all.end(), std::begin(k_item_fields), std::end(k_item_fields));
+            return all;
+        }();
+        Shape shape;
         if (keys(fields, [&](int field, const Token&) {
-                return field == 0 ? read_point(t_, s.center) : radius(s.radius);
+                FieldValue value{*this, field};
+                Shape::fields(shape, value);
+                return value.is_read;
             }))
-            add(s);
-    }
-
-    void plane() {
-        static constexpr auto fields = with_item_fields({{"point", true}, {"normal", true}});
-        Plane s;
-        if (keys(fields, [&](int field, const Token&) {
-                return field == 0 ? read_point(t_, s.point) : read_direction(t_, s.normal);
-            }))
-            add(s);
+            add(shape);
     }
 
     void cylinder() {
@@ -61,7 +61,7 @@ class ShapeReader {
                     case 1:
                         return read_point(t_, s.to);
                     case 2:
-                        return radius(s.radius);
+                        return length(s.radius);
                     default:
                         return read_bool(t_, s.caps);
                 }
@@ -85,18 +85,6 @@ class ShapeReader {
                     default:
                         return read_bool(t_, s.caps);
                 }
-            }))
-            add(s);
-    }
-
-    void disc() {
-        static constexpr auto fields =
-            with_item_fields({{"center", true}, {"radius", true}, {"normal", true}});
-        Disc s;
-        if (keys(fields, [&](int field, const Token&) {
-                return field == 0   ? read_point(t_, s.center)
-                       : field == 1 ? radius(s.radius)
-                                    : read_direction(t_, s.normal);
             }))
             add(s);
     }
@@ -138,11 +126,33 @@ class ShapeReader {
         add(s);
     }
 
+    // What a kind's fields() is visited with: for their names, ...
+    struct FieldNames {
+        std::vector<Field>& names;
+        void point(std::string_view name, const Vec3&) { names.push_back({name, true}); }
+        void direction(std::string_view name, const Vec3&) { names.push_back({name, true}); }
+        void length(std::string_view name, double) { names.push_back({name, true}); }
+    };
+    // ... and for the value of field number `field`.
+    struct FieldValue {
+        ShapeReader& reader;
+        int field;
+        bool is_read = false;
+        void point(std::string_view, Vec3& p) {
+            if (field-- == 0) is_read = read_point(reader.t_, p);
+        }
+        void direction(std::string_view, Vec3& d) {
+            if (field-- == 0) is_read = read_direction(reader.t_, d);
+        }
+        void length(std::string_view, double& x) {
+            if (field-- == 0) is_read = reader.length(x);
+        }
+    };
+
   private:
     // Reads the block. False if there is no shape to add.
-    template <std::size_t N, class ReadOwn>
-    bool keys(const std::array<Field, N>& fields, ReadOwn&& read_own) {
-        static constexpr int own = static_cast<int>(N - std::size(k_item_fields));
+    template <class ReadOwn> bool keys(std::span<const Field> fields, ReadOwn&& read_own) {
+        const int own = static_cast<int>(fields.size() - std::size(k_item_fields));
         name_ = block_name(t_);
         FieldSet set(t_.p.text(word_), fields, habits());
         const bool whole = t_.blocks.fields(set, word_, [&](int field, const Token& key) {
@@ -192,7 +202,7 @@ class ShapeReader {
         note(scene.shape_texts, index, source_place(t_.text, word_), std::move(name_));
     }
 
-    bool radius(double& value) {
+    bool length(double& value) {
         if (t_.p.token().is('(')) {
             t_.p.expected("a number: only a cone has two radii");
             return false;
@@ -263,14 +273,33 @@ struct ShapeWord {
     void (ShapeReader::*read)();
 };
 
-constexpr ShapeWord k_shapes[] = {{"sphere", &ShapeReader::sphere},     {"plane", &ShapeReader::plane},
-                                  {"cylinder", &ShapeReader::cylinder}, {"cone", &ShapeReader::cone},
-                                  {"disc", &ShapeReader::disc},         {"box", &ShapeReader::box},
-                                  {"triangle", &ShapeReader::triangle}, {"polygon", &ShapeReader::polygon}};
+template <class Shape>
+concept Listed = requires(Shape shape, ShapeReader::FieldNames names) {
+    Shape::fields(shape, names);
+};
+
+// How the shapes of a kind are read, if its fields are all there is to know.
+template <class Shape> constexpr void (ShapeReader::*listed_reader())() {
+    if constexpr (Listed<Shape>) {
+        return &ShapeReader::listed<Shape>;
+    } else {
+        return nullptr;
+    }
+}
+
+constexpr ShapeWord k_shapes[] = {
+#define GLINT_KIND(Type, word) {#word, listed_reader<Type>()},
+    GLINT_SHAPES(GLINT_KIND)
+#undef GLINT_KIND
+        {"cylinder", &ShapeReader::cylinder},
+    {"cone", &ShapeReader::cone},
+    {"box", &ShapeReader::box},
+    {"triangle", &ShapeReader::triangle},
+    {"polygon", &ShapeReader::polygon}};
 
 const ShapeWord* find_shape(std::string_view word) {
     for (const ShapeWord& shape : k_shapes) {
-        if (shape.word == word) return &shape;
+        if (shape.word == word && shape.read != nullptr) return &shape;
     }
     return nullptr;
 }
