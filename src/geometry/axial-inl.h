@@ -1,0 +1,89 @@
+// What cylinders and cones share: an axis of some height, and discs at its ends.
+#if defined(GLINT_GEOMETRY_AXIAL_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef GLINT_GEOMETRY_AXIAL_INL_H_
+#undef GLINT_GEOMETRY_AXIAL_INL_H_
+#else
+#define GLINT_GEOMETRY_AXIAL_INL_H_
+#endif
+
+#include "geometry/ray-inl.h"
+#include "math/extent.h"
+#include "math/transform.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace glint {
+namespace HWY_NAMESPACE {
+
+/// Packs from, unit axis and height as values 0 to 6, and returns the height.
+inline double pack_axis(Vec3 from, Vec3 to, double* p) {
+    const Vec3 axis = to - from, a = glint::normalize(axis);
+    p[0] = from.x, p[1] = from.y, p[2] = from.z;
+    p[3] = a.x, p[4] = a.y, p[5] = a.z;
+    return p[6] = glint::length(axis);
+}
+
+inline void axial_bounds(Vec3 from, Vec3 to, double from_radius, double to_radius, Vec3& lo, Vec3& hi) {
+    const Vec3 axis = glint::normalize(to - from);
+    Extent extent;
+    extent.add_disc(from, axis, from_radius);
+    extent.add_disc(to, axis, to_radius);
+    lo = extent.lo, hi = extent.hi;
+}
+
+/// A ray by its parts along and across the axis, and the least t > t_min found on it. Parameters s count from
+/// t = start.
+template <class T> struct AxialRay {
+    T height, t_min, start;
+    T q_along, d_along;
+    Triple<T> q_across, d_across;
+    T best = T(1e300);
+
+    /// q: the ray's point at s = 0, from the axis' beginning.
+    HWY_INLINE AxialRay(Triple<T> axis, T axis_height, Triple<T> q, Triple<T> d, T from, T least)
+        : height(axis_height),
+          t_min(least),
+          start(from),
+          q_along(dot(q, axis)),
+          d_along(dot(d, axis)),
+          q_across(q - axis * q_along),
+          d_across(d - axis * d_along) {}
+
+    template <class M> HWY_INLINE void consider(T s, M ok) {
+        const T t = start + s;
+        best = select(ok && (t > t_min) && (t < best), t, best);
+    }
+    /// A point of the side, if it is between the ends.
+    template <class M> HWY_INLINE void consider_side(T s, M ok) {
+        const T along = q_along + d_along * s;
+        consider(s, ok && (along >= T(0)) && (along <= height));
+    }
+    /// The discs at the ends, where caps is above 0.
+    HWY_INLINE void consider_caps(T caps, T from_radius, T to_radius) {
+        const auto capped = caps > T(0);
+        if (!any(capped)) return;
+        consider_disc(-q_along / d_along, from_radius, capped);
+        consider_disc((height - q_along) / d_along, to_radius, capped);
+    }
+    HWY_INLINE Candidate<T> candidate() const { return {best < T(1e300), best}; }
+
+  private:
+    template <class M> HWY_INLINE void consider_disc(T s, T radius, M ok) {
+        const Triple<T> across = q_across + d_across * s;
+        consider(s, ok && (dot(across, across) <= radius * radius));
+    }
+};
+
+/// The normal of a point that is `along` the axis and `off` the side: that of a cap, where there are caps and
+/// one is nearer.
+template <class T>
+HWY_INLINE Triple<T> side_or_cap(Triple<T> side, Triple<T> axis, T height, T along, T off, T caps) {
+    const T to_bottom = abs(along), to_top = abs(height - along);
+    const auto on_cap = (caps > T(0)) && (min(to_bottom, to_top) < abs(off));
+    return select_triple(on_cap, select_triple(to_bottom < to_top, -axis, axis), side);
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace glint
+HWY_AFTER_NAMESPACE();
+
+#endif
