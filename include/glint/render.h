@@ -47,6 +47,7 @@ Bounds bounds(const World& world);
 
 struct RayCounts {
     std::uint64_t camera = 0, shadow = 0, mirror = 0, transmitted = 0;
+    std::uint64_t cut = 0;  ///< mirror and glass rays beyond k_max_sample_rays, which were not traced
     std::uint64_t total() const { return camera + shadow + mirror + transmitted; }
 };
 

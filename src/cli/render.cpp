@@ -139,7 +139,8 @@ std::string stats_text(const RenderResult& result, const Times& times) {
          {{"camera", result.rays.camera},
           {"shadow", result.rays.shadow},
           {"mirror", result.rays.mirror},
-          {"transmitted", result.rays.transmitted}}},
+          {"transmitted", result.rays.transmitted},
+          {"cut", result.rays.cut}}},
         {"peak_rss_bytes", std::uint64_t(usage.ru_maxrss) * 1024},
     };
     return stats.dump(2) + "\n";
@@ -201,6 +202,13 @@ int render_command(RenderArguments& arguments) {
     }
     times.trace = seconds_since(stage);
     if (!result.image) throw Failure(k_bad_input, result.error);
+
+    if (result.rays.cut > 0 && !arguments.quiet) {
+        fmt::print(stderr,
+                   "warning: {} mirror and glass rays were not traced: a sample of a pixel has at most {}; "
+                   "--reflections or min_weight leave out the faintest first\n",
+                   with_commas(result.rays.cut), k_max_sample_rays);
+    }
 
     stage = Clock::now();
     const EncodeResult encoded = encode(*result.image, encoding);

@@ -161,7 +161,7 @@ class Csc473Reader {
         if (plane.normal == Vec3{0, 0, 0}) {
             p_.error(normal, "expected a normal other than <0, 0, 0>");
         } else {
-            plane.point = plane.normal * (distance / dot(plane.normal, plane.normal));
+            plane.point = Vec3{0, 0, 0} + plane.normal * (distance / dot(plane.normal, plane.normal));
         }
         return finish_shape(plane, word);
     }
@@ -218,9 +218,8 @@ class Csc473Reader {
         m.specular = pigment.rgb * f.specular;
         m.shininess = std::clamp(2 / (f.roughness * f.roughness) - 2, 0.0, 1e9);
         m.mirror = f.reflection;
-        m.mirror_tint = pigment.rgb;
         m.transmission = pigment.filter;
-        m.transmission_tint = pigment.rgb;
+        if (f.reflection > 0 || pigment.filter > 0) m.mirror_tint = m.transmission_tint = pigment.rgb;
         m.ior = f.ior;
         note(scene_.material_texts, scene_.materials.size(), source_place(text_, word));
         material_ = static_cast<std::uint32_t>(scene_.materials.size());

@@ -36,7 +36,14 @@ template <std::size_t N> bool knows(const std::string_view (&names)[N], std::str
 bool read_numbers(Parser& p, double* values, int count, const Range& range) {
     const std::string_view how_many = count == 3 ? "three" : "four";
     if (!p.accept('<')) {
-        p.expected(fmt::format("`<` and {} numbers", how_many));
+        const Token at = p.token();
+        if (at.kind == TokenKind::word || at.kind == TokenKind::number) {
+            p.error(at, fmt::format("expected `<` and {} numbers, found {}: names and single numbers for "
+                                    "vectors are of POV-Ray's own language",
+                                    how_many, p.describe(at)));
+        } else {
+            p.expected(fmt::format("`<` and {} numbers", how_many));
+        }
         return false;
     }
     for (int i = 0; i < count; ++i) {

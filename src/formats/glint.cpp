@@ -176,7 +176,7 @@ class GlintReader {
         return read_color(t_, t_.scene.background, k_channel, ColorUse::surface);
     }
 
-    // The command line's profile, or its profile file, holds against the text's.
+    // The command line's profile holds against the text's; its profile file goes on top of it.
     bool read_profile(const Token& word) {
         const Token at = p_.token();
         Token name;
@@ -187,9 +187,13 @@ class GlintReader {
             p_.error(word,
                      "expected `profile` before the first `conventions` or `render` block, whose keys it "
                      "would undo");
-        } else if (t_.reading.options.profile.empty() && !t_.reading.options.profile_text) {
+        } else if (t_.reading.options.profile.empty()) {
             const std::string wrong = set_named_profile(t_.scene, p_.name(name));
-            if (!wrong.empty()) p_.error(at, wrong);
+            if (!wrong.empty()) {
+                p_.error(at, wrong);
+            } else if (t_.reading.profile_text && !t_.reading.diagnostics.any_errors()) {
+                read_profile_file(t_.reading, *t_.reading.profile_text);
+            }
         }
         return true;
     }

@@ -90,7 +90,8 @@ class Loader {
             const TextPlace place{options_.profile_text->name, options_.profile_text->text};
             reading_.scene.files.push_back(options_.profile_text->name);
             reading_.texts.push_back(place);
-            read_profile_file(reading_, {place, static_cast<std::uint16_t>(texts_.size())});
+            reading_.profile_text = {place, static_cast<std::uint16_t>(texts_.size())};
+            read_profile_file(reading_, *reading_.profile_text);
         }
         for (std::size_t i = 1; i < texts_.size() && options_.profile.empty(); ++i) {
             if (formats_[i]->info.profile == own) continue;

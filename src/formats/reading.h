@@ -18,6 +18,13 @@ namespace glint {
 
 class GlintMaterials;
 
+/// One of the texts.
+struct ReadText {
+    TextPlace place;
+    std::uint16_t file = 0;  ///< index into Scene::files
+    bool is_included = false;
+};
+
 /// The texts that are named by others. Texts and names stay where they are as long as the load goes on.
 struct Includes {
     struct Text {
@@ -48,14 +55,8 @@ struct Reading {
     bool camera_included = false, background_included = false;  ///< the one given is an included text's
     bool settings_given = false;                                ///< a text has set conventions by hand
     bool own_ambient_light = false;                             ///< the one that EPFL's texts do not write
+    std::optional<ReadText> profile_text;                       ///< the caller's profile file
     std::optional<Diagnostic> camera_wanted;  ///< the error to report if no text gives a camera
-};
-
-/// One of the texts.
-struct ReadText {
-    TextPlace place;
-    std::uint16_t file = 0;  ///< index into Scene::files
-    bool is_included = false;
 };
 
 inline constexpr std::size_t k_max_texts =

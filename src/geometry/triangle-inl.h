@@ -29,6 +29,8 @@ struct TriangleGeometry {
         Triangle out;
         for (int i = 0; i < 3; ++i)
             out.vertices[i] = transform_point(world_from_object, triangle.vertices[i]);
+        // A mirroring map turns the vertices' sense; the front stays the front, as with every other shape.
+        if (determinant(world_from_object) < 0) std::swap(out.vertices[1], out.vertices[2]);
         return out;
     }
     static bool open(const Triangle&) { return true; }

@@ -112,7 +112,7 @@ class Validator {
         }
         const Vec3 forward = c.look_at - c.position;
         if (is_zero(forward)) {
-            error(place, "the camera is on its target: position and target must differ");
+            error(place, "the camera looks at the place where it stands: the two must differ");
         } else if (!is_zero(c.up) && are_parallel(forward, c.up)) {
             error(place, fmt::format("the camera's up {} is along its view direction {}", text(c.up),
                                      text(forward)));

@@ -74,8 +74,11 @@ inline void queue_branches(const World& world, TileScratch& s, int first, int ge
     };
     const auto counts = [&](Color w, std::uint32_t pixel) {
         const double most = number::max(number::max(w.r, w.g), w.b);
-        if (!(most > 0) || !(most >= rules.min_weight) || s.sample_rays[pixel] >= k_max_sample_rays)
+        if (!(most > 0) || !(most >= rules.min_weight)) return false;
+        if (s.sample_rays[pixel] >= k_max_sample_rays) {
+            ++s.counts.cut;
             return false;
+        }
         ++s.sample_rays[pixel];
         return true;
     };
@@ -103,6 +106,7 @@ inline void queue_branches(const World& world, TileScratch& s, int first, int ge
             const Triple<double> o = leave(surface, d, offset, rules.epsilon);
             RayPath next = path;
             next.weight = b.reflected;
+            if (rules.beer > 0 && from_inside) next.medium = s.material[h];
             if (path.branch == Branch::camera) next.branch = Branch::reflected;
             s.next_rays.push({o.x, o.y, o.z}, {d.x, d.y, d.z}, t_min, infinity, next);
             ++s.counts.mirror;
@@ -121,14 +125,17 @@ inline void queue_branches(const World& world, TileScratch& s, int first, int ge
     end_group();
 }
 
-/// Beer's law: what a ray found in glass counts for, by the way it went there. A ray that hits nothing has
-/// left through an open surface: nobody knows where.
+/// Beer's law: what a ray found in glass counts for, by the way it went there. It went through the glass
+/// whose inner side it hits; else through that which it entered. A ray that hits nothing has left through an
+/// open surface: nobody knows where.
 inline void absorb(const World& world, TileScratch& s, int first) {
     if (!(world.conventions.beer > 0)) return;
     for (int h = 0; h < s.hits; ++h) {
         RayPath& path = s.rays.path(first + s.ray[h]);
-        if (path.medium == k_none) continue;
-        const Color tint = material_color(material_of(world, path.medium), k_transmission_tint);
+        const bool from_inside = s.behind[h] != 0 && material_of(world, s.material[h])[k_transmission] > 0;
+        const std::uint32_t medium = from_inside ? s.material[h] : path.medium;
+        if (medium == k_none) continue;
+        const Color tint = material_color(material_of(world, medium), k_transmission_tint);
         const Triple<double> d{s.incoming[0][h], s.incoming[1][h], s.incoming[2][h]};
         const double way = s.t[s.ray[h]] * length(d), k = world.conventions.beer;
         path.weight = path.weight * Color{beer(tint.r, k, way), beer(tint.g, k, way), beer(tint.b, k, way)};

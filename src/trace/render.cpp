@@ -39,14 +39,15 @@ TileScratch& thread_scratch() {
 }
 
 struct AtomicCounts {
-    std::atomic<std::uint64_t> camera{0}, shadow{0}, mirror{0}, transmitted{0};
+    std::atomic<std::uint64_t> camera{0}, shadow{0}, mirror{0}, transmitted{0}, cut{0};
     void add(const RayCounts& counts) {
         camera += counts.camera;
         shadow += counts.shadow;
         mirror += counts.mirror;
         transmitted += counts.transmitted;
+        cut += counts.cut;
     }
-    RayCounts get() const { return {camera, shadow, mirror, transmitted}; }
+    RayCounts get() const { return {camera, shadow, mirror, transmitted, cut}; }
 };
 
 void render_into(const World& world, const RenderOptions& options, const Kernels& kernels, const Crop& crop,

@@ -10,14 +10,16 @@ TEST(BadInput, Files) {
     const Folder folder;
     folder.write("empty.cgfs", "");
     folder.write("binary.cgfs", std::string("sphere\0{", 8));
+    folder.write("utf16.cgfs", std::string("\xff\xfes\0p\0h\0", 8));
     folder.write("wrong.cgfs", "sphere { center = (0, 0, 3)\n  radius = abc\n  color = }\n");
     folder.write("scene.what", k_scene);
     const std::pair<std::vector<std::string>, const char*> cases[] = {
         {{"none.cgfs"}, "none.cgfs: no such file"},
         {{"."}, ".: is a folder"},
         {{"empty.cgfs"}, "empty.cgfs:1:1: error: expected"},
-        {{"binary.cgfs"}, "binary.cgfs: is not text"},
-        {{"/dev/zero", "--format", "cgfs"}, "/dev/zero: is not text"},
+        {{"binary.cgfs"}, "binary.cgfs:1:7: error: expected text, found the byte 0x00"},
+        {{"/dev/zero", "--format", "cgfs"}, "/dev/zero:1:1: error: expected text, found the byte 0x00"},
+        {{"utf16.cgfs"}, "utf16.cgfs:1:1: error: expected UTF-8, found UTF-16"},
         {{"wrong.cgfs"}, "wrong.cgfs:2:12: error: expected"},
         {{"scene.what"}, "scene.what"},
         {{"wrong.cgfs/x.cgfs"}, "Not a directory"},
@@ -31,7 +33,7 @@ TEST(BadInput, Files) {
         all[0] = "info";
         EXPECT_EQ(run(folder, all).code, 1) << arguments[0];
     }
-    EXPECT_EQ(folder.count(), 4) << "no picture";
+    EXPECT_EQ(folder.count(), 5) << "no picture";
 }
 
 TEST(BadInput, SeveralMissingFilesAreNamedInOneRun) {

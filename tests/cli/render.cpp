@@ -197,7 +197,8 @@ TEST(Render, StatsHaveTheseKeys) {
     };
     EXPECT_EQ(keys(stats), (std::vector<std::string>{"encode_s", "isa", "load_s", "peak_rss_bytes",
                                                      "prepare_s", "rays", "threads", "trace_s"}));
-    EXPECT_EQ(keys(stats["rays"]), (std::vector<std::string>{"camera", "mirror", "shadow", "transmitted"}));
+    EXPECT_EQ(keys(stats["rays"]),
+              (std::vector<std::string>{"camera", "cut", "mirror", "shadow", "transmitted"}));
     EXPECT_EQ(stats["rays"]["camera"], 40 * 30);
     EXPECT_EQ(stats["threads"], 2);
     EXPECT_GT(stats["peak_rss_bytes"], 1000000);

@@ -45,7 +45,9 @@ std::string expect_same(const Scene& scene, std::span<const SceneText> texts, co
     EXPECT_TRUE(again.scene) << what << '\n' << errors_of(again) << text.substr(0, 2000);
     if (!again.scene) return text;
     EXPECT_EQ(test::first_difference(scene, *again.scene), "") << what << '\n' << text.substr(0, 2000);
-    EXPECT_TRUE(same_bits(small_picture(scene), small_picture(*again.scene))) << what;
+    const std::vector<float> picture = small_picture(scene);
+    EXPECT_FALSE(picture.empty()) << what;
+    EXPECT_TRUE(same_bits(picture, small_picture(*again.scene))) << what;
     // Once converted, it stays as it is, comments too.
     const SceneText written{"again.glint", text, {}};
     if (!texts.empty()) {

@@ -214,7 +214,10 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"angle",
                 "camera { location <0,0,5> $angle 40 }\n" LIGHT "sphere { <0,0,0>, 1 }",
                 {"`angle` (a property of a camera)" OF_POVRAY "`location`, `up`, `right`, `look_at` or `}`"}},
-        Mistake{"vector_of_a_number", CL "sphere { $0, 1 }", {"expected `<` and three numbers, found '0'"}},
+        Mistake{"vector_of_a_number",
+                CL "sphere { $0, 1 }",
+                {"expected `<` and three numbers, found '0': names and single numbers for vectors are of "
+                 "POV-Ray's own language"}},
         Mistake{"arithmetic",
                 CL "sphere { <0, 1$*2, 0>, 1 }",
                 {"expected `,` and three numbers in all, found '*'"}}),

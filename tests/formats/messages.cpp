@@ -232,7 +232,7 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{
             "on_its_target",
             "{ $\"camera\": { \"position\": [0,0,0], \"target\": [0,0,0], \"up\": [0,1,0], \"fov\": 60 } }",
-            {"the camera is on its target: position and target must differ"}},
+            {"the camera looks at the place where it stands: the two must differ"}},
         Mistake{
             "up_along_the_view",
             "{ $\"camera\": { \"position\": [0,9,0], \"target\": [0,0,0], \"up\": [0,1,0], \"fov\": 60 } }",

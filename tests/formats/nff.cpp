@@ -192,7 +192,7 @@ INSTANTIATE_TEST_SUITE_P(
                 {"expected a whole number from 1 to 65536, found '7.5'"}},
         Mistake{"from_at",
                 "$v from 0 0 5 at 0 0 5\nl 0 0 9\n" FILL "s 0 0 0 1\n",
-                {"the camera is on its target: position and target must differ"}}),
+                {"the camera looks at the place where it stands: the two must differ"}}),
     test_name);
 
 INSTANTIATE_TEST_SUITE_P(

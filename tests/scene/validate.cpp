@@ -69,7 +69,7 @@ INSTANTIATE_TEST_SUITE_P(
 
 INSTANTIATE_TEST_SUITE_P(
     Camera, BrokenScenes,
-    testing::Values(Broken{"on its target", [](Scene& s) { s.camera.look_at = s.camera.position; }},
+    testing::Values(Broken{"looks at the place where it stands", [](Scene& s) { s.camera.look_at = s.camera.position; }},
                     Broken{"along its view direction",
                            [](Scene& s) {
                                s.camera.up = {0, 0, 2};

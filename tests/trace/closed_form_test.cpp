@@ -235,5 +235,23 @@ TEST(ClosedForm, ColorsNormalsAndBackgrounds) {
     });
 }
 
+TEST(ClosedForm, AMirroringMapKeepsTheFrontOfFlatShapes) {
+    for (int kind = 0; kind < 4; ++kind) {
+        Scene scene;
+        set_size(scene, 1, 1);
+        scene.settings.shading = Shading::normals;
+        scene.conventions.facing = Facing::none;
+        scene.camera.position = {0, 0, 5};
+        scene.transforms = {scaling({-1, 1, 1})};
+        const Vec3 a{-2, -2, 0}, b{2, -2, 0}, c{0, 3, 0}, n{0, 0, 1};
+        scene.polygon_vertices = {a, b, c, {-1, 2, 0}};
+        if (kind == 0) scene.add(Triangle{{a, b, c}}, k_none, 0);
+        if (kind == 1) scene.add(SmoothTriangle{{a, b, c}, {n, n, n}}, k_none, 0);
+        if (kind == 2) scene.add(Polygon{0, 4}, k_none, 0);
+        if (kind == 3) scene.add(Disc{{0, 0, 0}, n, 1}, k_none, 0);
+        EXPECT_EQ(pixel(render_scene(scene), 0, 0), (Color{0.5, 0.5, 1})) << kind;
+    }
+}
+
 }  // namespace
 }  // namespace glint::testing
