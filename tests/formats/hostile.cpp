@@ -8,10 +8,9 @@
 namespace glint {
 namespace {
 
-const char* const k_gallery[] = {"cgfs/three_spheres.cgfs", "cgfs/from_the_side.cgfs",
-                                 "epfl/three_lights.json",  "epfl/two_scenes.js",
-                                 "csc473/glass_ball.pov",   "nff/fullerene.nff",
-                                 "glint/still_life.glint"};
+const char* const k_gallery[] = {
+    "cgfs/three_spheres.cgfs", "cgfs/from_the_side.cgfs", "epfl/three_lights.json", "epfl/two_scenes.js",
+    "csc473/glass_ball.pov",   "nff/fullerene.nff",       "glint/still_life.glint"};
 
 std::string gallery(const std::string& name) { return read_whole_file(GLINT_SOURCE_DIR "/scenes/" + name); }
 

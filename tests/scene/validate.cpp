@@ -69,43 +69,43 @@ INSTANTIATE_TEST_SUITE_P(
 
 INSTANTIATE_TEST_SUITE_P(
     Camera, BrokenScenes,
-    testing::Values(Broken{"looks at the place where it stands", [](Scene& s) { s.camera.look_at = s.camera.position; }},
-                    Broken{"along its view direction",
-                           [](Scene& s) {
-                               s.camera.up = {0, 0, 2};
-                           }},
-                    Broken{"along its view direction",
-                           [](Scene& s) {
-                               s.camera.up = {1e-200, 0, -1e-180};
-                           }},
-                    Broken{"up: expected a direction",
-                           [](Scene& s) {
-                               s.camera.up = {0, 0, 0};
-                           }},
-                    Broken{"field of view: expected an angle", [](Scene& s) { s.camera.fov_degrees = 0; }},
-                    Broken{"field of view", [](Scene& s) { s.camera.fov_degrees = 180; }},
-                    Broken{"field of view", [](Scene& s) { s.camera.fov_degrees = k_nan; }},
-                    Broken{"position: expected coordinates", [](Scene& s) { s.camera.position.x = k_nan; }},
-                    Broken{"target: expected coordinates", [](Scene& s) { s.camera.look_at.x = 2e12; }},
-                    Broken{"lighting eye",
-                           [](Scene& s) {
-                               s.camera.lighting_eye = Vec3{k_inf, 0, 0};
-                           }},
-                    Broken{"width: expected a number > 0",
-                           [](Scene& s) {
-                               s.camera.projection = Projection::orthographic;
-                               s.camera.width = 0;
-                           }},
-                    Broken{"lie in one plane",
-                           [](Scene& s) {
-                               s.camera.frame = CameraFrame{{1, 0, 0}, {0, 1, 0}, {1, 1, 0}};
-                           }},
-                    Broken{"forward: expected a direction",
-                           [](Scene& s) {
-                               s.camera.frame = CameraFrame{{1, 0, 0}, {0, 1, 0}, {0, 0, 0}};
-                           }},
-                    Broken{"no such projection",
-                           [](Scene& s) { s.camera.projection = static_cast<Projection>(9); }}));
+    testing::Values(
+        Broken{"looks at the place where it stands", [](Scene& s) { s.camera.look_at = s.camera.position; }},
+        Broken{"along its view direction",
+               [](Scene& s) {
+                   s.camera.up = {0, 0, 2};
+               }},
+        Broken{"along its view direction",
+               [](Scene& s) {
+                   s.camera.up = {1e-200, 0, -1e-180};
+               }},
+        Broken{"up: expected a direction",
+               [](Scene& s) {
+                   s.camera.up = {0, 0, 0};
+               }},
+        Broken{"field of view: expected an angle", [](Scene& s) { s.camera.fov_degrees = 0; }},
+        Broken{"field of view", [](Scene& s) { s.camera.fov_degrees = 180; }},
+        Broken{"field of view", [](Scene& s) { s.camera.fov_degrees = k_nan; }},
+        Broken{"position: expected coordinates", [](Scene& s) { s.camera.position.x = k_nan; }},
+        Broken{"target: expected coordinates", [](Scene& s) { s.camera.look_at.x = 2e12; }},
+        Broken{"lighting eye",
+               [](Scene& s) {
+                   s.camera.lighting_eye = Vec3{k_inf, 0, 0};
+               }},
+        Broken{"width: expected a number > 0",
+               [](Scene& s) {
+                   s.camera.projection = Projection::orthographic;
+                   s.camera.width = 0;
+               }},
+        Broken{"lie in one plane",
+               [](Scene& s) {
+                   s.camera.frame = CameraFrame{{1, 0, 0}, {0, 1, 0}, {1, 1, 0}};
+               }},
+        Broken{"forward: expected a direction",
+               [](Scene& s) {
+                   s.camera.frame = CameraFrame{{1, 0, 0}, {0, 1, 0}, {0, 0, 0}};
+               }},
+        Broken{"no such projection", [](Scene& s) { s.camera.projection = static_cast<Projection>(9); }}));
 
 INSTANTIATE_TEST_SUITE_P(
     Rest, BrokenScenes,
