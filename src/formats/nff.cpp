@@ -142,7 +142,7 @@ class NffReader {
         if (!p_.check_required(keys, word)) return true;
         scene_.camera = camera;
         scene_.camera_place = source_place(text_, word);
-        if (width > 0 && height > 0) set_size(word, width, height);
+        if (k_size.contains(width) && k_size.contains(height)) set_size(word, width, height);
         return true;
     }
 
