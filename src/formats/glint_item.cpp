@@ -5,22 +5,7 @@
 namespace glint {
 namespace {
 
-using Keys = MaterialKeys;
-
-constexpr int k_material_keys[] = {Keys::k_color,
-                                   Keys::k_shininess,
-                                   Keys::k_mirror,
-                                   Keys::k_ambient,
-                                   Keys::k_diffuse,
-                                   Keys::k_specular,
-                                   Keys::k_ambient_color,
-                                   Keys::k_diffuse_color,
-                                   Keys::k_specular_color,
-                                   Keys::k_mirror_color,
-                                   Keys::k_transmission,
-                                   Keys::k_transmission_color,
-                                   Keys::k_ior};
-constexpr int k_first_transform = 1 + static_cast<int>(std::size(k_material_keys));
+constexpr int k_first_transform = 1 + static_cast<int>(std::size(k_material_fields));
 enum { k_translate = k_first_transform, k_rotate, k_scale, k_matrix };
 static_assert(std::size(k_item_fields) == k_matrix + 1);
 
@@ -66,7 +51,7 @@ bool read_item_key(GlintText& t, int field, const Token& key, GlintItem& item) {
         item.material = t.materials.named(t, name);
         return true;
     }
-    if (field < k_first_transform) return read_material_key(t, k_material_keys[field - 1], item.keys);
+    if (field < k_first_transform) return read_material_key(t, field - 1, item.keys);
     Affine step;
     Vec3 v;
     switch (field) {

@@ -1,5 +1,7 @@
 #pragma once
 // What every shape and group of glint's own language may say: its material and its transforms.
+#include <algorithm>
+#include <array>
 #include <optional>
 
 #include "formats/glint_material.h"
@@ -7,25 +9,17 @@
 
 namespace glint {
 
-/// The keys that shapes and groups have in common. The transforms are applied in the order written.
-inline constexpr Field k_item_fields[] = {{"material"},
-                                          {"color"},
-                                          {"shininess"},
-                                          {"mirror"},
-                                          {"ambient"},
-                                          {"diffuse"},
-                                          {"specular"},
-                                          {"ambient_color"},
-                                          {"diffuse_color"},
-                                          {"specular_color"},
-                                          {"mirror_color"},
-                                          {"transmission"},
-                                          {"transmission_color"},
-                                          {"ior"},
-                                          {"translate", false, true},
-                                          {"rotate", false, true},
-                                          {"scale", false, true},
-                                          {"matrix", false, true}};
+inline constexpr Field k_transform_fields[] = {
+    {"translate", false, true}, {"rotate", false, true}, {"scale", false, true}, {"matrix", false, true}};
+
+/// The keys that shapes and groups have in common: `material`, a material's own, and the transforms, which
+/// are applied in the order written.
+inline constexpr auto k_item_fields = [] {
+    std::array<Field, 1 + std::size(k_material_fields) + std::size(k_transform_fields)> all{{{"material"}}};
+    const auto next = std::copy(std::begin(k_material_fields), std::end(k_material_fields), all.begin() + 1);
+    std::copy(std::begin(k_transform_fields), std::end(k_transform_fields), next);
+    return all;
+}();
 
 struct GlintItem {
     std::uint32_t material = k_none;  ///< the one that is named

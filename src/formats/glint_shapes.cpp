@@ -50,43 +50,13 @@ class ShapeReader {
     }
 
     void cylinder() {
-        static constexpr auto fields =
-            with_item_fields({{"from", true}, {"to", true}, {"radius", true}, {"caps"}});
         Cylinder s;
-        s.caps = true;
-        if (keys(fields, [&](int field, const Token&) {
-                switch (field) {
-                    case 0:
-                        return read_point(t_, s.from);
-                    case 1:
-                        return read_point(t_, s.to);
-                    case 2:
-                        return length(s.radius);
-                    default:
-                        return read_bool(t_, s.caps);
-                }
-            }))
-            add(s);
+        axial(s, [&] { return length(s.radius); });
     }
 
     void cone() {
-        static constexpr auto fields =
-            with_item_fields({{"from", true}, {"to", true}, {"radius", true}, {"caps"}});
         Cone s;
-        s.caps = true;
-        if (keys(fields, [&](int field, const Token&) {
-                switch (field) {
-                    case 0:
-                        return read_point(t_, s.from);
-                    case 1:
-                        return read_point(t_, s.to);
-                    case 2:
-                        return cone_radius(s);
-                    default:
-                        return read_bool(t_, s.caps);
-                }
-            }))
-            add(s);
+        axial(s, [&] { return cone_radius(s); });
     }
 
     void box() {
@@ -159,6 +129,26 @@ class ShapeReader {
             return field < own ? read_own(field, key) : read_item_key(t_, field - own, key, item_);
         });
         return whole && t_.p.check_required(set, word_);
+    }
+
+    // A solid from one end of an axis to the other.
+    template <class Shape, class ReadRadius> void axial(Shape& s, ReadRadius&& read_radius) {
+        static constexpr auto fields =
+            with_item_fields({{"from", true}, {"to", true}, {"radius", true}, {"caps"}});
+        s.caps = true;
+        if (keys(fields, [&](int field, const Token&) {
+                switch (field) {
+                    case 0:
+                        return read_point(t_, s.from);
+                    case 1:
+                        return read_point(t_, s.to);
+                    case 2:
+                        return read_radius();
+                    default:
+                        return read_bool(t_, s.caps);
+                }
+            }))
+            add(s);
     }
 
     static std::span<const Habit> habits() {
