@@ -41,8 +41,7 @@ inline void add_misses(const World& world, TileScratch& s, int first, int count)
 /// Shading modes that look no further than the first surface.
 inline void add_unlit(const World& world, TileScratch& s, int first) {
     for (int h = 0; h < s.hits; ++h) {
-        const double* material =
-            world.materials.data() + static_cast<std::size_t>(s.material[h]) * k_material_values;
+        const double* material = material_of(world, s.material[h]);
         Color c = material_color(material, k_color);
         if (world.settings.shading == Shading::normals) {
             c = Color{s.normal[0][h] + 1, s.normal[1][h] + 1, s.normal[2][h] + 1} * 0.5;
@@ -55,8 +54,7 @@ inline void add_unlit(const World& world, TileScratch& s, int first) {
 inline void add_hits(const World& world, TileScratch& s, int first, int generation) {
     for (int h = 0; h < s.hits; ++h) {
         const RayPath& path = s.rays.path(first + s.ray[h]);
-        const double* material =
-            world.materials.data() + static_cast<std::size_t>(s.material[h]) * k_material_values;
+        const double* material = material_of(world, s.material[h]);
         const Color weight = path.weight * local_share(world, material, generation);
         const Color ambient = material_color(material, k_ambient) * world.ambient;
         const Color diffuse{s.diffuse[0][h], s.diffuse[1][h], s.diffuse[2][h]};
