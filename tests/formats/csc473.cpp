@@ -7,22 +7,10 @@
 namespace glint {
 namespace {
 
-std::string messages(const LoadResult& result) {
-    std::string all;
-    for (const Diagnostic& d : result.diagnostics) all += to_string(d);
-    return all;
-}
-
 #define CAMERA "camera { location <1, 2, 14> up <0, 1, 0> right <1.5, 0, 0> look_at <1, 2, 3> }\n"
 #define LIGHT "light_source { <-100, 100, 100> color rgb <1.5, 1, 0.5> }\n"
 
-// A scene without any message.
-Scene scene_of(const std::string& text) {
-    const LoadResult result = load_text(text, "a.pov");
-    EXPECT_TRUE(result.scene) << messages(result);
-    EXPECT_EQ(messages(result), "");
-    return result.scene.value_or(Scene{});
-}
+Scene scene_of(const std::string& text) { return quiet_scene(text, "a.pov"); }
 
 TEST(Csc473, ReadsTheCamera) {
     const Scene s = scene_of(CAMERA LIGHT "sphere { <0, 0, 0>, 2 }");

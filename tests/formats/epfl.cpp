@@ -18,12 +18,6 @@ constexpr std::string_view k_json = R"({
 }
 )";
 
-std::string messages(const LoadResult& result) {
-    std::string all;
-    for (const Diagnostic& d : result.diagnostics) all += to_string(d);
-    return all;
-}
-
 Scene scene_of(std::string_view text, const LoadOptions& options = {}) {
     const LoadResult result = load_text(text, "a.json", options);
     EXPECT_TRUE(result.scene) << messages(result);

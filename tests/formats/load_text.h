@@ -18,6 +18,20 @@ inline LoadResult load_text(std::string_view text, std::string name, LoadOptions
     return load(texts, options, sources);
 }
 
+inline std::string messages(const LoadResult& result) {
+    std::string all;
+    for (const Diagnostic& d : result.diagnostics) all += to_string(d);
+    return all;
+}
+
+/// The scene of a text that there is nothing to say about.
+inline Scene quiet_scene(std::string_view text, std::string name) {
+    const LoadResult result = load_text(text, std::move(name));
+    EXPECT_TRUE(result.scene) << messages(result);
+    EXPECT_EQ(messages(result), "");
+    return result.scene.value_or(Scene{});
+}
+
 inline std::string read_whole_file(const std::string& path) {
     std::ifstream file(path, std::ios::binary);
     std::stringstream text;

@@ -6,22 +6,10 @@
 namespace glint {
 namespace {
 
-std::string messages(const LoadResult& result) {
-    std::string all;
-    for (const Diagnostic& d : result.diagnostics) all += to_string(d);
-    return all;
-}
-
 #define VIEW "v\nfrom 0 0 5\nat 0 0 0\nup 0 1 0\nangle 45\nhither 1\nresolution 20 10\n"
 #define FILL "f 1 0.5 0.25 0.5 0.75 8 0 0\n"
 
-// A scene without any message.
-Scene scene_of(const std::string& text) {
-    const LoadResult result = load_text(text, "a.nff");
-    EXPECT_TRUE(result.scene) << messages(result);
-    EXPECT_EQ(messages(result), "");
-    return result.scene.value_or(Scene{});
-}
+Scene scene_of(const std::string& text) { return quiet_scene(text, "a.nff"); }
 
 TEST(Nff, ReadsTheView) {
     const Scene s = scene_of(
