@@ -2,13 +2,14 @@
 PREFIX ?= /usr/local
 glint = build/release/glint
 
-.PHONY: help demo test build install tidy fuzz format clean
+.PHONY: help demo test build install tidy fuzz bench format clean
 
 help:
 	@echo 'make demo     installs what is missing, builds glint and draws castle.png'
 	@echo 'make test     installs what is missing, builds everything and runs every test'
 	@echo 'make build    builds $(glint)'
 	@echo 'make install  installs the command and the library (PREFIX=$(PREFIX), DESTDIR=$(DESTDIR))'
+	@echo 'make bench    installs POV-Ray, Tachyon and Embree and measures glint beside them (docs/performance.md)'
 	@echo 'make tidy     runs clang-tidy; make format, clang-format; make fuzz, the fuzzers'
 	@echo 'make clean    removes build/'
 
@@ -39,6 +40,13 @@ FUZZ_SECONDS ?= 60
 fuzz:
 	@tools/install-dependencies checks
 	@tools/run-fuzzers $(FUZZ_SECONDS)
+
+# BENCH: what else tools/bench is told, e.g. BENCH='--rounds 3 --scenes balls,gears'.
+bench:
+	@tools/install-dependencies bench
+	@[ -e build/bench/build.ninja ] || cmake --preset bench >/dev/null
+	@cmake --build build/bench
+	@tools/bench $(BENCH)
 
 format:
 	@git ls-files '*.cpp' '*.h' | xargs clang-format-14 -i
