@@ -1,0 +1,44 @@
+#pragma once
+// A glint::Scene in Embree: spheres, cones and cylinders as Embree's own round shapes, the rest as triangles.
+#include <embree3/rtcore.h>
+
+#include <cstdint>
+#include <vector>
+
+#include "glint/scene.h"
+
+namespace glint_floor {
+
+using glint::Vec3;
+
+struct Hit {
+    Vec3 point, normal;  ///< the normal is unit, and that of the shape's own outer side
+    std::uint32_t material = glint::k_none;
+};
+
+class EmbreeScene {
+  public:
+    /// Embree's best build, on `threads` threads. Ends the program if Embree cannot.
+    EmbreeScene(const glint::Scene& scene, int threads);
+    ~EmbreeScene();
+    EmbreeScene(const EmbreeScene&) = delete;
+    EmbreeScene& operator=(const EmbreeScene&) = delete;
+
+    RTCScene get() const { return scene_; }
+
+    /// What origin + t direction hits first for 0 < t. Returns whether it hits anything.
+    bool nearest(Vec3 origin, Vec3 direction, Hit& hit) const;
+
+  private:
+    void add_rounds(const glint::Scene& scene);
+    void add_triangles(const glint::Scene& scene);
+    void attach(RTCGeometry geometry);
+
+    RTCDevice device_;
+    RTCScene scene_;
+    std::vector<std::vector<std::uint32_t>> materials_;  // by geometry, by primitive
+    std::vector<Vec3> normals_;                          // of the triangles: three each, or zeros if flat
+    unsigned triangles_ = RTC_INVALID_GEOMETRY_ID;
+};
+
+}  // namespace glint_floor
