@@ -9,7 +9,7 @@ using namespace glint;
 
 namespace {
 
-constexpr int k_tile = 32, k_block = 4;  // a packet of 16 is a block of 4 x 4 pixels
+constexpr int k_tile = 32;
 constexpr double k_min_weight = 0.01;
 
 struct Ray {
@@ -31,6 +31,9 @@ double reach(Vec3 p) { return 3e-5 * (1 + std::max({std::abs(p.x), std::abs(p.y)
 Vec3 leave(const Hit& hit, Vec3 direction) {
     return hit.point + hit.normal * (dot(hit.normal, direction) < 0 ? -reach(hit.point) : reach(hit.point));
 }
+
+// Pixels in Z-order: a packet of 16 is a block of 4 x 4 pixels, a beam of 64 one of 8 x 8.
+int even_bits(int i) { return (i & 1) | (i >> 1 & 2) | (i >> 2 & 4) | (i >> 3 & 8) | (i >> 4 & 16); }
 
 struct Tracer {
     const Scene& scene;
@@ -117,9 +120,7 @@ FrameRays frame_rays(const Scene& scene, const EmbreeScene& embree, int size, in
         for (int tx = 0; tx < size; tx += k_tile) {
             std::vector<Ray> rays;
             for (int i = 0; i < k_tile * k_tile; ++i) {
-                const int block = i / (k_block * k_block), in_block = i % (k_block * k_block);
-                const int x = tx + block % (k_tile / k_block) * k_block + in_block % k_block;
-                const int y = ty + block / (k_tile / k_block) * k_block + in_block / k_block;
+                const int x = tx + even_bits(i), y = ty + even_bits(i >> 1);
                 if (x >= size || y >= size) continue;
                 const double sx = (x + 0.5) / size - 0.5, sy = 0.5 - (y + 0.5) / size;
                 rays.push_back({camera.position, unit(forward + right * (side * sx) + up * (side * sy)), 1});

@@ -1,0 +1,122 @@
+// Nanoseconds of one thread for a ray, by class, of glint's kernels and of Embree's packets of 16.
+// Run: bench_rays [--benchmark_filter=mirror] SCENE.nff...
+#include <benchmark/benchmark.h>
+
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+#include <iterator>
+#include <memory>
+#include <string>
+
+#include "bvh/rays.h"
+#include "frame_rays.h"
+#include "glint/load.h"
+#include "replay.h"
+#include "trace/kernels.h"
+
+namespace {
+
+using namespace glint_floor;
+
+constexpr int k_size = 512;
+
+// A scene and the rays of its frame, as columns of doubles too.
+struct Frame {
+    std::string name;
+    glint::WorldPtr world;
+    std::unique_ptr<EmbreeScene> embree;
+    FrameRays rays;
+    std::vector<double> columns[k_ray_classes][8];
+
+    glint::RaySpan span(int ray_class, std::size_t first) const {
+        const auto& c = columns[ray_class];
+        return {c[0].data() + first, c[1].data() + first, c[2].data() + first, c[3].data() + first,
+                c[4].data() + first, c[5].data() + first, c[6].data() + first, c[7].data() + first};
+    }
+};
+
+void widen(const RayList& rays, std::vector<double> (&columns)[8]) {
+    const std::vector<float>* narrow[] = {&rays.ox, &rays.oy, &rays.oz, &rays.dx,
+                                          &rays.dy, &rays.dz, nullptr,  &rays.t_max};
+    for (int k = 0; k < 8; ++k) {
+        if (narrow[k]) columns[k].assign(narrow[k]->begin(), narrow[k]->end());
+        columns[k].resize(rays.size() + glint::k_ray_padding);
+    }
+}
+
+std::shared_ptr<const Frame> read(const std::string& path) {
+    std::ifstream file(path, std::ios::binary);
+    const std::string text{std::istreambuf_iterator<char>(file), {}};
+    const glint::SceneText source{path, text, "nff"};
+    const glint::LoadResult loaded = glint::load({&source, 1});
+    if (!file || !loaded.scene) return nullptr;
+    auto frame = std::make_shared<Frame>();
+    frame->name = path.substr(path.find_last_of('/') + 1);
+    frame->world = glint::prepare(*loaded.scene).world;
+    frame->embree = std::make_unique<EmbreeScene>(*loaded.scene, 1);
+    frame->rays = frame_rays(*loaded.scene, *frame->embree, k_size, 5);
+    for (int c = 0; c < k_ray_classes; ++c) widen(frame->rays.lists[c], frame->columns[c]);
+    return frame->world ? frame : nullptr;
+}
+
+// In runs of 1024, as a tile asks for them.
+void trace(benchmark::State& state, const Frame& frame, int c, const glint::Kernels& kernels) {
+    constexpr std::size_t k_run = 1024;
+    std::vector<double> t(k_run + glint::k_ray_padding);
+    std::vector<std::uint32_t> slot(t.size());
+    std::vector<std::uint8_t> occluded(t.size());
+    const std::size_t total = frame.rays.lists[c].size();
+    for (auto step : state) {
+        for (std::size_t first = 0; first < total; first += k_run) {
+            const int count = static_cast<int>(std::min(k_run, total - first));
+            if (is_shadow(c))
+                kernels.any_hit(*frame.world, frame.span(c, first), count, glint::k_beam, occluded.data());
+            else
+                kernels.nearest_hit(*frame.world, frame.span(c, first), count, glint::k_beam, t.data(),
+                                    slot.data());
+        }
+        benchmark::ClobberMemory();
+    }
+}
+
+void add(const std::shared_ptr<const Frame>& frame) {
+    for (int c = 0; c < k_ray_classes; ++c) {
+        const double rays = static_cast<double>(frame->rays.lists[c].size());
+        if (rays == 0) continue;
+        const auto add_one = [&](const std::string& who, auto run) {
+            const std::string name = frame->name + "/" + k_class_names[c] + "/" + who;
+            benchmark::RegisterBenchmark(name.c_str(), [rays, run](benchmark::State& state) {
+                run(state);
+                state.counters["each"] = benchmark::Counter(
+                    rays, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+            })->Unit(benchmark::kMillisecond);
+        };
+        for (const glint::Kernels& kernels : glint::available_kernels())
+            add_one(kernels.isa,
+                    [frame, c, &kernels](benchmark::State& state) { trace(state, *frame, c, kernels); });
+        add_one("embree", [frame, c](benchmark::State& state) {
+            for (auto step : state)
+                replay(frame->embree->get(), frame->rays.lists[c], static_cast<RayClass>(c), 1);
+        });
+    }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    benchmark::Initialize(&argc, argv);
+    if (argc < 2) {
+        std::fputs("usage: bench_rays [--benchmark_...] SCENE.nff...\n", stderr);
+        return 2;
+    }
+    for (int i = 1; i < argc; ++i) {
+        const auto frame = read(argv[i]);
+        if (!frame) {
+            std::fprintf(stderr, "bench_rays: cannot read %s\n", argv[i]);
+            return 1;
+        }
+        add(frame);
+    }
+    benchmark::RunSpecifiedBenchmarks();
+}

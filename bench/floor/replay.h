@@ -1,0 +1,12 @@
+#pragma once
+#include "frame_rays.h"
+
+namespace glint_floor {
+
+inline bool is_shadow(int ray_class) { return ray_class == k_first_shadow || ray_class == k_later_shadow; }
+
+/// Answers the rays by Embree as packets of 16: nearest hits, or for shadow rays whether anything is hit.
+/// Returns the seconds it took on `threads` threads.
+double replay(RTCScene scene, const RayList& rays, RayClass ray_class, int threads);
+
+}  // namespace glint_floor
