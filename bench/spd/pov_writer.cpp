@@ -36,9 +36,10 @@ class PovWriter final : public SceneWriter {
         }
     }
 
-    // POV-Ray takes the part 1 - T of its colour itself.
+    // What is of one glass is one union, which has one inside. POV-Ray takes the part 1 - T of its colour
+    // itself.
     void surface(const Surface& s) override {
-        close_mesh();
+        end();
         const double t = s.transmission;
         std::fprintf(file_,
                      "#declare S = texture { pigment { color rgb <%g,%g,%g> transmit %g } finish { ambient 0 "
@@ -46,7 +47,8 @@ class PovWriter final : public SceneWriter {
                      s.color.r, s.color.g, s.color.b, t, t < 1 ? s.kd / (1 - t) : s.kd);
         if (s.ks > 0) std::fprintf(file_, " phong %g phong_size %g reflection { %g }", s.ks, s.shine, s.ks);
         std::fputs(" } }\n", file_);
-        ior_ = t > 0 ? s.ior : 0;
+        if (t > 0) std::fputs("union {\n", file_);
+        ior_ = t > 0 ? (s.ior > 0 ? s.ior : 1) : 0;
     }
 
     void sphere(Vec3 center, double radius) override {
@@ -100,7 +102,11 @@ class PovWriter final : public SceneWriter {
         std::fputs(" }\n", file_);
     }
 
-    void end() override { close_mesh(); }
+    void end() override {
+        close_mesh();
+        if (ior_ > 0) std::fprintf(file_, "texture { S } interior { ior %g } }\n", ior_);
+        ior_ = 0;
+    }
 
   private:
     void put(Vec3 v) { std::fprintf(file_, "<%.9g,%.9g,%.9g>", v.x, v.y, v.z); }
@@ -126,14 +132,10 @@ class PovWriter final : public SceneWriter {
         in_mesh_ = false;
     }
 
-    void finish() {
-        std::fputs("texture { S }", file_);
-        if (ior_ > 0) std::fprintf(file_, " interior { ior %g }", ior_);
-        std::fputs(" }\n", file_);
-    }
+    void finish() { std::fputs(ior_ > 0 ? "}\n" : "texture { S } }\n", file_); }
 
     std::FILE* file_;
-    double ior_ = 0;
+    double ior_ = 0;  // of the glass whose union is open
     bool in_mesh_ = false;
 };
 
