@@ -35,14 +35,14 @@ class Glint:
     """glint itself, with the best instruction set or a given one."""
     format = 'nff'
 
-    def __init__(self, isa=None):
-        self.isa = isa
-        self.name = f'glint {isa}' if isa else 'glint'
+    def __init__(self, isa=None, threads=None):
+        self.isa, self.threads = isa, threads
+        self.name = f'glint {isa}' if isa else f'glint, {threads} threads' if threads else 'glint'
 
     def run(self, scene, o):
         stats = os.path.join(o.out, 'stats.json')
         command = [os.path.join(o.out, 'glint'), 'render', '-q', scene, '-s', f'{o.size}x{o.size}',
-                   '--reflections', '5', '-t', str(o.threads), '--stats', stats, '-o', os.path.join(o.out, 'a.png')]
+                   '--reflections', '5', '-t', str(self.threads or o.threads), '--stats', stats, '-o', os.path.join(o.out, 'a.png')]
         _, process, memory = measure(command + (['--isa', self.isa] if self.isa else []))
         with open(stats) as file:
             told = json.load(file)
@@ -87,3 +87,15 @@ class Floor:
         told = json.loads(output)
         return {'trace': told['seconds'], 'process': None, 'memory': None, 'rays': told['rays'],
                 'classes': told['classes']}
+
+
+class RegisterLoop:
+    """Arithmetic in registers: what so many threads can gain on this machine. It reads no scene."""
+    format = 'nff'
+
+    def __init__(self, threads):
+        self.threads, self.name = threads, f'register loop, {threads} threads'
+
+    def run(self, scene, o):
+        output, process, memory = measure([os.path.join(o.out, 'bench', 'register_loop'), str(self.threads)])
+        return {'trace': float(output), 'process': process, 'memory': memory}

@@ -79,3 +79,17 @@ def scale(results, counts, o):
         lines.append([f'{counts[scene]:,}', *(seconds(median(rounds, k)) for k in ('load', 'prepare', 'trace', 'process')),
                       f'{median(rounds, "memory") / 1e6:.0f}', f'{median(rounds, "prepared") / counts[scene]:.1f}'])
     return lines
+
+
+def threads(results, o):
+    """The lines of what threads gain: one thread's median over all threads', and beside it a register loop's."""
+    def gain(scene, program):
+        one, all_of_them = (results[scene, f'{program}, {n} threads'] for n in (1, o.threads))
+        return median(one, 'trace') / median(all_of_them, 'trace')
+
+    lines = [['scene', '1 thread s', f'{o.threads} threads s', 'gain', 'register loop', 'share']]
+    for scene in o.scenes:
+        ours, loop = gain(scene, 'glint'), gain(scene, 'register loop')
+        lines.append([scene, *(seconds(median(results[scene, f'glint, {n} threads'], 'trace')) for n in (1, o.threads)),
+                      f'{ours:.2f}', f'{loop:.2f}', f'{ours / loop:.2f}'])
+    return lines
