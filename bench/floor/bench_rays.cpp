@@ -1,7 +1,9 @@
 // Nanoseconds of one thread for a ray, by class, of glint's kernels and of Embree's packets of 16.
 // Run: bench_rays [--benchmark_filter=mirror] SCENE.nff...
+// `hits` is the fraction of rays that hit anything: both must find about the same.
 #include <benchmark/benchmark.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <fstream>
@@ -60,45 +62,53 @@ std::shared_ptr<const Frame> read(const std::string& path) {
     return frame->world ? frame : nullptr;
 }
 
-// In runs of 1024, as a tile asks for them.
-void trace(benchmark::State& state, const Frame& frame, int c, const glint::Kernels& kernels) {
+// In runs of 1024, as a tile asks for them. Returns how many hit.
+std::size_t trace(const Frame& frame, int c, const glint::Kernels& kernels) {
     constexpr std::size_t k_run = 1024;
-    std::vector<double> t(k_run + glint::k_ray_padding);
-    std::vector<std::uint32_t> slot(t.size());
-    std::vector<std::uint8_t> occluded(t.size());
+    double t[k_run + glint::k_ray_padding];
+    std::uint32_t slot[k_run + glint::k_ray_padding];
+    std::uint8_t occluded[k_run + glint::k_ray_padding];
     const std::size_t total = frame.rays.lists[c].size();
-    for (auto step : state) {
-        for (std::size_t first = 0; first < total; first += k_run) {
-            const int count = static_cast<int>(std::min(k_run, total - first));
-            if (is_shadow(c))
-                kernels.any_hit(*frame.world, frame.span(c, first), count, glint::k_beam, occluded.data());
-            else
-                kernels.nearest_hit(*frame.world, frame.span(c, first), count, glint::k_beam, t.data(),
-                                    slot.data());
+    std::size_t hits = 0;
+    for (std::size_t first = 0; first < total; first += k_run) {
+        const int count = static_cast<int>(std::min(k_run, total - first));
+        if (is_shadow(c)) {
+            kernels.any_hit(*frame.world, frame.span(c, first), count, glint::k_beam, occluded);
+            hits += std::count(occluded, occluded + count, 1);
+        } else {
+            kernels.nearest_hit(*frame.world, frame.span(c, first), count, glint::k_beam, t, slot);
+            hits += count - std::count(slot, slot + count, glint::k_none);
         }
-        benchmark::ClobberMemory();
     }
+    return hits;
 }
 
 void add(const std::shared_ptr<const Frame>& frame) {
     for (int c = 0; c < k_ray_classes; ++c) {
         const double rays = static_cast<double>(frame->rays.lists[c].size());
         if (rays == 0) continue;
-        const auto add_one = [&](const std::string& who, auto run) {
+        const auto add_one = [&](const std::string& who, auto run, auto count) {
             const std::string name = frame->name + "/" + k_class_names[c] + "/" + who;
-            benchmark::RegisterBenchmark(name.c_str(), [rays, run](benchmark::State& state) {
-                run(state);
+            benchmark::RegisterBenchmark(name.c_str(), [rays, run, count](benchmark::State& state) {
+                for (auto step : state) benchmark::DoNotOptimize(run());
                 state.counters["each"] = benchmark::Counter(
                     rays, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+                state.counters["hits"] = static_cast<double>(count()) / rays;
             })->Unit(benchmark::kMillisecond);
         };
-        for (const glint::Kernels& kernels : glint::available_kernels())
-            add_one(kernels.isa,
-                    [frame, c, &kernels](benchmark::State& state) { trace(state, *frame, c, kernels); });
-        add_one("embree", [frame, c](benchmark::State& state) {
-            for (auto step : state)
-                replay(frame->embree->get(), frame->rays.lists[c], static_cast<RayClass>(c), 1);
-        });
+        for (const glint::Kernels& kernels : glint::available_kernels()) {
+            const auto run = [frame, c, &kernels] { return trace(*frame, c, kernels); };
+            add_one(kernels.isa, run, run);
+        }
+        const auto ray_class = static_cast<RayClass>(c);
+        add_one(
+            "embree",
+            [frame, ray_class] {
+                return replay(frame->embree->get(), frame->rays.lists[ray_class], ray_class, 1);
+            },
+            [frame, ray_class] {
+                return count_hits(frame->embree->get(), frame->rays.lists[ray_class], ray_class);
+            });
     }
 }
 

@@ -9,4 +9,7 @@ inline bool is_shadow(int ray_class) { return ray_class == k_first_shadow || ray
 /// Returns the seconds it took on `threads` threads.
 double replay(RTCScene scene, const RayList& rays, RayClass ray_class, int threads);
 
+/// How many of the rays hit anything.
+std::size_t count_hits(RTCScene scene, const RayList& rays, RayClass ray_class);
+
 }  // namespace glint_floor
