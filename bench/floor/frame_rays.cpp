@@ -48,7 +48,9 @@ struct Tracer {
                 const double same_side = dot(s.hit.normal, to_light) * -dot(s.hit.normal, s.incoming);
                 const bool dark = m.diffuse == Color{0, 0, 0} && m.specular == Color{0, 0, 0};
                 if (!(same_side > 0) || dark) continue;
-                frame.lists[to].add(light.position, leave(s.hit, to_light) - light.position, 0.99999f);
+                const Vec3 way = leave(s.hit, to_light) - light.position;
+                frame.lists[to].add(light.position, unit(way),
+                                    static_cast<float>(0.99999 * std::sqrt(dot(way, way))));
             }
         }
     }

@@ -11,7 +11,8 @@ enum RayClass : int { k_camera, k_first_shadow, k_mirror, k_later_shadow, k_ray_
 inline constexpr const char* k_class_names[k_ray_classes] = {"camera", "first shadow", "mirror and glass",
                                                              "later shadow"};
 
-/// origin + t direction for 0 < t < t_max, as columns of floats: what Embree takes.
+/// origin + t direction for 0 < t < t_max, as columns of floats: what Embree takes. Directions are unit:
+/// Embree's cones find hits beyond t_max otherwise.
 struct RayList {
     std::vector<float> ox, oy, oz, dx, dy, dz, t_max;
     std::size_t size() const { return t_max.size(); }
