@@ -3,6 +3,7 @@
 // pow is in bench_math, walking the hierarchy in bench_rays.
 #include <benchmark/benchmark.h>
 
+#include <array>
 #include <cstdint>
 #include <random>
 #include <string>
@@ -150,14 +151,19 @@ void add_target(const std::string& name, std::int64_t target, Kernel sphere, Ker
 
 void build(benchmark::State& state) {
     Values values;
-    std::vector<glint::Aabb> boxes(static_cast<std::size_t>(state.range(0)));
-    for (glint::Aabb& box : boxes) {
+    std::vector<glint::BvhItem> boxes(static_cast<std::size_t>(state.range(0)));
+    for (glint::BvhItem& box : boxes) {
         const Vec3 p = values.point();
-        box = glint::padded_box(p, p + Vec3{0.01, 0.01, 0.01});
+        const glint::Aabb padded = glint::padded_box(p, p + Vec3{0.01, 0.01, 0.01});
+        for (int a = 0; a < 3; ++a) box.lo[a] = padded.lo[a], box.hi[a] = padded.hi[a];
+        box.item = box.item_class = 0;
     }
-    const std::vector<std::uint8_t> classes(boxes.size(), 0);
+    const std::array<glint::LeafCost, 1> costs{};
     for (auto step : state) {
-        const glint::Bvh bvh = glint::build_bvh(boxes, classes, static_cast<int>(state.range(1)));
+        state.PauseTiming();
+        std::vector<glint::BvhItem> items = boxes;
+        state.ResumeTiming();
+        const glint::Bvh bvh = glint::build_bvh(items, costs, static_cast<int>(state.range(1)));
         benchmark::DoNotOptimize(bvh.nodes.data());
     }
     state.SetItemsProcessed(state.iterations() * state.range(0));

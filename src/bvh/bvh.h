@@ -10,11 +10,11 @@
 namespace glint {
 
 inline constexpr int k_bvh_width = 16;      // children a node
-inline constexpr int k_leaf_size = 8;       // items a leaf, at most
+inline constexpr int k_leaf_size = 16;      // items a leaf, at most
 inline constexpr int k_bvh_max_depth = 80;  // the builder keeps to it
 inline constexpr std::uint32_t k_bvh_max_items = 1u << 27;
 
-/// A reference to a node, or to a leaf: items [first, first + count) of Bvh::order.
+/// A reference to a node, or to a leaf: items [first, first + count) in leaf order.
 struct BvhChild {
     std::uint32_t bits = 0;
     static BvhChild none() { return {0}; }
@@ -38,14 +38,32 @@ struct alignas(64) BvhNode {
 };
 
 struct Bvh {
-    std::vector<BvhNode> nodes;        // nodes[0] is the root; empty if there are no items
-    std::vector<std::uint32_t> order;  // leaf order -> item; items of one class are together within a leaf
+    std::vector<BvhNode> nodes;  // nodes[0] is the root; empty if there are no items
     Aabb bounds;
 };
 
-/// Builds by the surface-area heuristic over binned centroids (Wald 2007), then joins binary nodes into wide
-/// ones. boxes are not empty and finite; item_class[i] (any number) separates items that may not share a
-/// leaf. The result does not depend on threads. At most k_bvh_max_items items. Throws std::bad_alloc.
-Bvh build_bvh(std::span<const Aabb> boxes, std::span<const std::uint8_t> item_class, int threads);
+/// What the builder sees of an item: its box (finite, not empty), the caller's number of it, and its class.
+struct alignas(16) BvhItem {
+    float lo[3];
+    std::uint32_t item;
+    float hi[3];
+    std::uint32_t item_class;  // items of different classes never share a leaf
+};
+
+/// What a leaf of n items of a class costs a ray that meets its box, where meeting a node costs 1:
+/// leaf + block ceil(n / lanes) + item n.
+struct LeafCost {
+    float leaf = 0;
+    float block = 1;
+    float item = 0;
+    int lanes = 8;
+    int most = k_leaf_size;  // items, at most k_leaf_size
+};
+
+/// Puts the items into leaf order and returns the hierarchy over them: a binary tree by the surface-area
+/// heuristic over binned centroids (Wald 2007), made wide at the least cost (Ylitie, Karras and Laine 2017).
+/// costs[c] is class c's. The result does not depend on threads. At most k_bvh_max_items items. Throws
+/// std::bad_alloc.
+Bvh build_bvh(std::vector<BvhItem>& items, std::span<const LeafCost> costs, int threads);
 
 }  // namespace glint

@@ -20,6 +20,12 @@ using namespace HWY_NAMESPACE;
 // A class is a kind, transformed or not.
 constexpr int k_classes = 2 * k_shape_kinds;
 
+constexpr std::array<LeafCost, k_classes> leaf_costs() {
+    std::array<LeafCost, k_classes> costs{};
+    return costs;
+}
+constexpr std::array<LeafCost, k_classes> k_leaf_costs = leaf_costs();
+
 // What is packed: a shape, or a piece of one (a polygon's triangle).
 struct Item {
     std::uint32_t shape = 0;
@@ -77,15 +83,17 @@ class Packer {
         build_hierarchy();
         lay_out_classes();
         lay_out_slots();
-        for_all(items_.list.size(), [&](std::size_t i) { fill(i); });
+        for_all(leaves_.size(),
+                [&](std::size_t i) { fill(items_.list[leaves_[i].item], slot_[i], &leaves_[i]); });
+        for_all(unbounded_.size(), [&](std::size_t i) {
+            fill(items_.list[unbounded_[i]], world_.bounded + static_cast<std::uint32_t>(i), nullptr);
+        });
         // A leaf's items are of one class and consecutive in leaf order, so their slots are consecutive too.
-        for (BvhNode& node : world_.bvh.nodes) {
-            for (BvhChild& child : node.child) {
-                if (child.is_leaf())
-                    child = BvhChild::leaf(slot_[in_leaf_order(child.first())], child.count());
+        for_all(world_.bvh.nodes.size(), [&](std::size_t i) {
+            for (BvhChild& child : world_.bvh.nodes[i].child) {
+                if (child.is_leaf()) child = BvhChild::leaf(slot_[child.first()], child.count());
             }
-        }
-        world_.bvh.order = {};
+        });
     }
 
   private:
@@ -172,19 +180,32 @@ class Packer {
     }
 
     void build_hierarchy() {
-        std::vector<std::uint8_t> classes;
+        std::uint32_t bounded = 0;
         for (std::uint32_t i = 0; i < items_.list.size(); ++i) {
-            const int c = class_of(items_.list[i]);
-            if (!facts_[c].bounded) continue;
-            bounded_.push_back(i);
-            classes.push_back(static_cast<std::uint8_t>(c));
+            if (facts_[class_of(items_.list[i])].bounded) {
+                ++bounded;
+            } else {
+                unbounded_.push_back(i);
+            }
         }
-        std::vector<Aabb> boxes(bounded_.size());
-        for_all(boxes.size(), [&](std::size_t i) { boxes[i] = box_of(items_.list[bounded_[i]]); });
-        world_.bvh = build_bvh(boxes, classes, threads_);
+        leaves_.resize(bounded);
+        std::uint32_t next = 0, skipped = 0;
+        for (std::uint32_t i = 0; i < items_.list.size(); ++i) {
+            if (skipped < unbounded_.size() && unbounded_[skipped] == i) {
+                ++skipped;
+            } else {
+                leaves_[next++].item = i;
+            }
+        }
+        for_all(leaves_.size(), [&](std::size_t i) {
+            BvhItem& leaf = leaves_[i];
+            const Item& item = items_.list[leaf.item];
+            const Aabb box = box_of(item);
+            for (int a = 0; a < 3; ++a) leaf.lo[a] = box.lo[a], leaf.hi[a] = box.hi[a];
+            leaf.item_class = static_cast<std::uint32_t>(class_of(item));
+        });
+        world_.bvh = build_bvh(leaves_, k_leaf_costs, threads_);
     }
-
-    std::uint32_t in_leaf_order(std::uint32_t i) const { return bounded_[world_.bvh.order[i]]; }
 
     // Bounded classes first; an empty class is left out.
     void lay_out_classes() {
@@ -211,12 +232,11 @@ class Packer {
 
     // Within a class, bounded items in leaf order, the others in the scene's.
     void lay_out_slots() {
-        slot_.resize(items_.list.size());
-        const auto place = [&](std::uint32_t i) { slot_[i] = next_slot_[class_of(items_.list[i])]++; };
-        for (std::uint32_t i = 0; i < bounded_.size(); ++i) place(in_leaf_order(i));
-        for (std::uint32_t i = 0; i < items_.list.size(); ++i) {
-            if (!facts_[class_of(items_.list[i])].bounded) place(i);
-        }
+        slot_.resize(leaves_.size());
+        for (std::size_t i = 0; i < leaves_.size(); ++i) slot_[i] = next_slot_[leaves_[i].item_class]++;
+        std::stable_sort(unbounded_.begin(), unbounded_.end(), [&](std::uint32_t a, std::uint32_t b) {
+            return class_of(items_.list[a]) < class_of(items_.list[b]);
+        });
         const std::size_t padded = world_.count + k_ray_padding;
         for (int a = 0; a < 3; ++a) {
             world_.box_lo[a].assign(world_.bounded + k_ray_padding, 0);
@@ -226,10 +246,9 @@ class Packer {
         world_.material.assign(padded, 0);
     }
 
-    void fill(std::size_t i) {
-        const Item& item = items_.list[i];
+    // box: of a bounded item.
+    void fill(const Item& item, std::uint32_t slot, const BvhItem* box) {
         const Shape& shape = scene_.shapes[item.shape];
-        const std::uint32_t slot = slot_[i];
         world_.shape_index[slot] = item.shape;
         const auto last = static_cast<std::uint32_t>(scene_.materials.size());  // the default material
         const std::uint32_t material = shape.material == k_none ? last : shape.material;
@@ -253,11 +272,10 @@ class Packer {
         for (int k = 0; k < n; ++k) {
             packed.values[static_cast<std::size_t>(k) * packed.stride + (slot - packed.first)] = values[k];
         }
-        if (slot >= world_.bounded) return;
-        const Aabb box = box_of(item);
+        if (box == nullptr) return;
         for (int a = 0; a < 3; ++a) {
-            world_.box_lo[a][slot] = box.lo[a];
-            world_.box_hi[a][slot] = box.hi[a];
+            world_.box_lo[a][slot] = box->lo[a];
+            world_.box_hi[a][slot] = box->hi[a];
         }
     }
 
@@ -268,8 +286,9 @@ class Packer {
     int threads_;
     Items items_;
     Facts facts_;
-    std::vector<std::uint32_t> bounded_;  // the items with boxes
-    std::vector<std::uint32_t> slot_;     // by item
+    std::vector<BvhItem> leaves_;           // the items with boxes, in leaf order once the hierarchy is built
+    std::vector<std::uint32_t> slot_;       // by place in leaf order
+    std::vector<std::uint32_t> unbounded_;  // the items without, by class
     std::array<std::uint32_t, k_classes> next_slot_{};
     std::array<std::size_t, k_classes> class_index_{};
 };

@@ -1,6 +1,7 @@
 // What every hierarchy keeps to, whatever the boxes.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <cstring>
 
@@ -10,14 +11,33 @@
 namespace glint::testing {
 namespace {
 
+// Classes with leaves of several sizes and prices.
+constexpr std::array<LeafCost, 18> k_costs = [] {
+    std::array<LeafCost, 18> costs{};
+    for (int c = 0; c < 18; ++c) {
+        const auto f = static_cast<float>(c);
+        costs[c] = {0.1f * f, 0.5f + 0.1f * f, c % 2 == 0 ? 0.0f : 0.2f, 1 << c % 5, 1 + (c + 15) % 16};
+    }
+    return costs;
+}();
+
 struct Input {
-    std::vector<Aabb> boxes;
-    std::vector<std::uint8_t> classes;
+    std::vector<BvhItem> items;  // in the order added: item i is the i-th
 
     void add(Vec3 at, Vec3 half, int item_class = 0) {
-        boxes.push_back(padded_box(at - half, at + half));
-        classes.push_back(static_cast<std::uint8_t>(item_class));
+        const Aabb box = padded_box(at - half, at + half);
+        items.push_back({{box.lo[0], box.lo[1], box.lo[2]},
+                         static_cast<std::uint32_t>(items.size()),
+                         {box.hi[0], box.hi[1], box.hi[2]},
+                         static_cast<std::uint32_t>(item_class)});
     }
+};
+
+struct Built {
+    std::vector<BvhItem> items;
+    Bvh bvh;
+    explicit Built(const Input& input, int threads = 1)
+        : items(input.items), bvh(build_bvh(items, k_costs, threads)) {}
 };
 
 bool same(const Aabb& a, const Aabb& b) { return std::memcmp(&a, &b, sizeof(Aabb)) == 0; }
@@ -25,11 +45,12 @@ bool same(const Aabb& a, const Aabb& b) { return std::memcmp(&a, &b, sizeof(Aabb
 // Walks the tree: checks boxes, leaves and depth, and counts how often each item is met.
 class Checker {
   public:
-    Checker(const Input& input, const Bvh& bvh) : input_(input), bvh_(bvh), met_(input.boxes.size()) {}
+    Checker(const Input& input, const Built& built)
+        : input_(input.items), items_(built.items), bvh_(built.bvh), met_(input_.size()) {}
 
     void run() {
-        ASSERT_EQ(bvh_.order.size(), input_.boxes.size());
-        if (input_.boxes.empty()) {
+        ASSERT_EQ(items_.size(), input_.size());
+        if (input_.empty()) {
             EXPECT_TRUE(bvh_.nodes.empty());
             return;
         }
@@ -72,18 +93,22 @@ class Checker {
 
     Aabb leaf(BvhChild child) {
         Aabb box;
-        EXPECT_LE(child.count(), static_cast<std::uint32_t>(k_leaf_size));
+        const std::uint32_t item_class = items_.at(child.first()).item_class;
+        EXPECT_LE(child.count(), static_cast<std::uint32_t>(k_costs[item_class].most));
         for (std::uint32_t i = child.first(); i < child.first() + child.count(); ++i) {
-            const std::uint32_t item = bvh_.order.at(i);
-            ++met_.at(item);
-            box.add(input_.boxes[item]);
-            EXPECT_EQ(input_.classes[item], input_.classes[bvh_.order[child.first()]])
-                << "a leaf of two classes";
+            const BvhItem& item = items_.at(i);
+            ++met_.at(item.item);
+            EXPECT_EQ(std::memcmp(&item, &input_[item.item], sizeof item), 0);
+            Aabb own;
+            for (int a = 0; a < 3; ++a) own.lo[a] = item.lo[a], own.hi[a] = item.hi[a];
+            box.add(own);
+            EXPECT_EQ(item.item_class, item_class) << "a leaf of two classes";
         }
         return box;
     }
 
-    const Input& input_;
+    const std::vector<BvhItem>& input_;
+    const std::vector<BvhItem>& items_;
     const Bvh& bvh_;
     std::vector<int> met_;
     std::size_t nodes_ = 0;
@@ -91,8 +116,8 @@ class Checker {
 };
 
 int check(const Input& input) {
-    const Bvh bvh = build_bvh(input.boxes, input.classes, 1);
-    Checker checker(input, bvh);
+    const Built built(input);
+    Checker checker(input, built);
     checker.run();
     return checker.depth();
 }
@@ -159,12 +184,14 @@ TEST(Bvh, HugeAndTinyCoordinates) {
 TEST(Bvh, TheSameForAnyNumberOfThreads) {
     Random random(53);
     const Input input = random_input(random, 60000, 3);
-    const Bvh one = build_bvh(input.boxes, input.classes, 1);
+    const Built one(input);
     for (const int threads : {2, 7}) {
-        const Bvh other = build_bvh(input.boxes, input.classes, threads);
-        EXPECT_EQ(one.order, other.order);
-        ASSERT_EQ(one.nodes.size(), other.nodes.size());
-        EXPECT_EQ(std::memcmp(one.nodes.data(), other.nodes.data(), one.nodes.size() * sizeof(BvhNode)), 0);
+        const Built other(input, threads);
+        EXPECT_EQ(std::memcmp(one.items.data(), other.items.data(), one.items.size() * sizeof(BvhItem)), 0);
+        ASSERT_EQ(one.bvh.nodes.size(), other.bvh.nodes.size());
+        EXPECT_EQ(
+            std::memcmp(one.bvh.nodes.data(), other.bvh.nodes.data(), one.bvh.nodes.size() * sizeof(BvhNode)),
+            0);
     }
 }
 
@@ -175,7 +202,7 @@ TEST(Bvh, PartsWhatIsApart) {
     for (int i = 0; i < 200; ++i) {
         input.add(Vec3{i % 2 == 0 ? -100.0 : 100.0, 0, 0} + point_in_cube(random, 1), {0.1, 0.1, 0.1});
     }
-    const Bvh bvh = build_bvh(input.boxes, input.classes, 1);
+    const Bvh bvh = Built(input).bvh;
     for (int c = 0; c < k_bvh_width; ++c) {
         if (!bvh.nodes[0].child[c].is_none()) {
             EXPECT_LT(bvh.nodes[0].hi[0][c] - bvh.nodes[0].lo[0][c], 3);

@@ -1,0 +1,196 @@
+// The binary tree, top down. Ranges above a size are parted one after another, each on all threads; what is
+// left is a list of subtrees, each built on one thread.
+#include <algorithm>
+#include <cstddef>
+
+#include "base/parallel_for.h"
+#include "bvh/binary_tree.h"
+#include "bvh/bins.h"
+#include "bvh/partition.h"
+
+namespace glint {
+namespace {
+
+constexpr std::uint32_t k_lowest = 2;         // items of one class in a lowest node, at most
+constexpr std::uint32_t k_least_task = 2048;  // items of a subtree that is worth a thread's while
+constexpr std::uint32_t k_tasks = 64;
+// From this depth on ranges are halved. The depth is then at most 48 + 27 (halving k_bvh_max_items) + the
+// parting of k_lowest items by class: below k_bvh_max_depth.
+constexpr int k_balanced_below = 48;
+
+// A scene's areas are taken in units of its own size, so that none overflows.
+float area_scale(const Box4& whole) {
+    const Float4 side = whole.hi - whole.lo;
+    const float most = std::max({side[0], side[1], side[2]});
+    return most > 1e-30f ? 1 / most : 1;
+}
+
+class Builder {
+  public:
+    Builder(std::span<BvhItem> items, std::span<const LeafCost> costs, int threads)
+        : items_(items), costs_(costs), threads_(threads) {}
+
+    std::vector<BinaryTree> run() {
+        const Range whole = whole_range();
+        area_scale_ = area_scale(whole.box);
+        task_items_ = std::max(k_least_task, whole.count / k_tasks);
+        build_top(whole);
+        trees_.resize(1 + tasks_.size());
+        cuts_.resize(tasks_.size());
+        parallel_for(tasks_.size(), threads_, [&](std::size_t i) {
+            BinaryTree& tree = trees_[1 + i];
+            tree.reserve(tasks_[i].range.count);
+            tree.emplace_back();
+            build(tree, 0, tasks_[i].range, tasks_[i].depth, cuts_[i]);
+        });
+        cut_top();
+        return std::move(trees_);
+    }
+
+  private:
+    struct Task {
+        Range range;
+        int depth;
+    };
+
+    Range whole_range() const {
+        std::vector<Range> chunks((items_.size() + k_chunk - 1) / k_chunk);
+        parallel_for(chunks.size(), threads_, [&](std::size_t c) {
+            for (const BvhItem& item :
+                 items_.subspan(c * k_chunk, std::min(k_chunk, items_.size() - c * k_chunk))) {
+                chunks[c].box.add(load3(item.lo), load3(item.hi));
+                const Float4 at = centroid(item);
+                chunks[c].centroids.add(at, at);
+            }
+        });
+        Range whole;
+        whole.count = static_cast<std::uint32_t>(items_.size());
+        for (const Range& c : chunks) {
+            whole.box.add(c.box);
+            whole.centroids.add(c.centroids);
+        }
+        return whole;
+    }
+
+    Split best_split(const Range& range, const Binning& binning, int threads) const {
+        const std::span<const BvhItem> items = items_.subspan(range.first, range.count);
+        Bins bins(binning.bins);
+        if (items.size() <= k_chunk) {
+            bins.add(items, binning);
+        } else {
+            std::vector<Bins> chunks((items.size() + k_chunk - 1) / k_chunk, bins);
+            parallel_for(chunks.size(), threads, [&](std::size_t c) {
+                chunks[c].add(items.subspan(c * k_chunk, std::min(k_chunk, items.size() - c * k_chunk)),
+                              binning);
+            });
+            for (const Bins& c : chunks) bins.add(c);
+        }
+        return bins.best_split(area_scale_);
+    }
+
+    // Keeps the bins out of the recursion's frames.
+    __attribute__((noinline)) Parts part(const Range& range, int depth, int threads) const {
+        if (depth < k_balanced_below) {
+            const Binning binning(range);
+            const Split split = best_split(range, binning, threads);
+            if (split.axis >= 0) return partition(items_, range, binning, split, threads);
+        }
+        return halve(items_, range);  // all centroids equal, or too deep
+    }
+
+    bool of_one_class(const Range& range) const {
+        const std::span<const BvhItem> items = items_.subspan(range.first, range.count);
+        return std::all_of(items.begin(), items.end(),
+                           [&](const BvhItem& i) { return i.item_class == items[0].item_class; });
+    }
+
+    static std::uint32_t add_children(BinaryTree& tree, std::uint32_t node, const Range& range) {
+        BinaryNode& n = tree[node];
+        n.box = range.box.aabb();
+        n.first = range.first;
+        n.count = range.count;
+        n.left = static_cast<std::uint32_t>(tree.size());
+        tree.resize(tree.size() + 2);
+        return tree[node].left;
+    }
+
+    void build(BinaryTree& tree, std::uint32_t node, const Range& range, int depth, CutCosts& cut) const {
+        const float area = half_area(range.box, area_scale_);
+        const std::uint32_t item_class = items_[range.first].item_class;
+        Parts parts;
+        if (range.count > k_lowest) {
+            parts = part(range, depth, 1);
+        } else if (!of_one_class(range)) {
+            parts = part_classes(items_, range);
+        } else if (range.count > static_cast<std::uint32_t>(costs_[item_class].most)) {
+            parts = halve(items_, range);
+        } else {
+            BinaryNode& n = tree[node];
+            n.box = range.box.aabb();
+            n.first = range.first;
+            n.count = range.count;
+            return choose_cut(n, area, item_class, costs_, cut);
+        }
+        const std::uint32_t left = add_children(tree, node, range);
+        CutCosts left_cut, right_cut;
+        build(tree, left, parts.left, depth + 1, left_cut);
+        build(tree, left + 1, parts.right, depth + 1, right_cut);
+        choose_cut(tree[node], area, left_cut, right_cut, costs_, cut);
+    }
+
+    // The top tree without its cut, and the tasks; children come after their parents.
+    void build_top(const Range& whole) {
+        trees_.resize(1);
+        BinaryTree& top = trees_[0];
+        top.emplace_back();
+        std::vector<std::pair<std::uint32_t, Task>> open{{0, {whole, 0}}};
+        while (!open.empty()) {
+            const auto [node, task] = open.back();
+            open.pop_back();
+            if (task.range.count <= task_items_) {
+                tasks_.push_back(task);
+                top[node].box = task.range.box.aabb();
+                top[node].is_link = true;
+                top[node].left = static_cast<std::uint32_t>(tasks_.size());
+                continue;
+            }
+            const Parts parts = part(task.range, task.depth, threads_);
+            const std::uint32_t left = add_children(top, node, task.range);
+            open.push_back({left + 1, {parts.right, task.depth + 1}});
+            open.push_back({left, {parts.left, task.depth + 1}});
+        }
+    }
+
+    void cut_top() {
+        BinaryTree& top = trees_[0];
+        std::vector<CutCosts> cuts(top.size());
+        for (std::size_t i = top.size(); i-- > 0;) {
+            BinaryNode& n = top[i];
+            if (n.is_link) {
+                cuts[i] = cuts_[n.left - 1];
+                continue;
+            }
+            Box4 box;
+            box.add(load3_exact(n.box.lo), load3_exact(n.box.hi));
+            choose_cut(n, half_area(box, area_scale_), cuts[n.left], cuts[n.left + 1], costs_, cuts[i]);
+        }
+    }
+    static Float4 load3_exact(const float* p) { return Float4{p[0], p[1], p[2], 0}; }
+
+    std::span<BvhItem> items_;
+    std::span<const LeafCost> costs_;
+    int threads_;
+    float area_scale_ = 1;
+    std::uint32_t task_items_ = 0;
+    std::vector<BinaryTree> trees_;
+    std::vector<Task> tasks_;
+    std::vector<CutCosts> cuts_;  // by task
+};
+
+}  // namespace
+
+std::vector<BinaryTree> build_binary(std::span<BvhItem> items, std::span<const LeafCost> costs, int threads) {
+    return Builder(items, costs, threads).run();
+}
+
+}  // namespace glint
