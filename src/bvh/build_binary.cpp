@@ -12,6 +12,7 @@ namespace glint {
 namespace {
 
 constexpr std::uint32_t k_lowest = 2;         // items of one class in a lowest node, at most
+constexpr std::uint32_t k_mixed = 16;         // items of several classes that are parted both ways
 constexpr std::uint32_t k_least_task = 2048;  // items of a subtree that is worth a thread's while
 constexpr std::uint32_t k_tasks = 64;
 // From this depth on ranges are halved. The depth is then at most 48 + 27 (halving k_bvh_max_items) + the
@@ -114,28 +115,67 @@ class Builder {
         return tree[node].left;
     }
 
+    // Two items are worth telling apart if their boxes are small beside the one around both.
+    bool is_lowest(const Range& range) const {
+        if (range.count == 1) return true;
+        if (range.count > k_lowest || !of_one_class(range)) return false;
+        const BvhItem &a = items_[range.first], &b = items_[range.first + 1];
+        if (costs_[a.item_class].most < 2) return false;
+        const auto area = [&](const BvhItem& i) {
+            Box4 box;
+            box.add(load3(i.lo), load3(i.hi));
+            return half_area(box, area_scale_);
+        };
+        return area(a) + area(b) >= half_area(range.box, area_scale_);
+    }
+
     void build(BinaryTree& tree, std::uint32_t node, const Range& range, int depth, CutCosts& cut) const {
-        const float area = half_area(range.box, area_scale_);
-        const std::uint32_t item_class = items_[range.first].item_class;
-        Parts parts;
-        if (range.count > k_lowest) {
-            parts = part(range, depth, 1);
-        } else if (!of_one_class(range)) {
-            parts = part_classes(items_, range);
-        } else if (range.count > static_cast<std::uint32_t>(costs_[item_class].most)) {
-            parts = halve(items_, range);
-        } else {
+        if (is_lowest(range)) {
             BinaryNode& n = tree[node];
             n.box = range.box.aabb();
             n.first = range.first;
             n.count = range.count;
-            return choose_cut(n, area, item_class, costs_, cut);
+            choose_cut(n, half_area(range.box, area_scale_), items_[range.first].item_class, costs_, cut);
+        } else if (range.count == 2) {
+            build(tree, node, range, halve(items_, range), depth, cut);
+        } else if (range.count > k_mixed || of_one_class(range)) {
+            build(tree, node, range, part(range, depth, 1), depth, cut);
+        } else {
+            build_mixed(tree, node, range, depth, cut);
         }
+    }
+
+    void build(BinaryTree& tree, std::uint32_t node, const Range& range, const Parts& parts, int depth,
+               CutCosts& cut) const {
         const std::uint32_t left = add_children(tree, node, range);
         CutCosts left_cut, right_cut;
         build(tree, left, parts.left, depth + 1, left_cut);
         build(tree, left + 1, parts.right, depth + 1, right_cut);
-        choose_cut(tree[node], area, left_cut, right_cut, costs_, cut);
+        choose_cut(tree[node], half_area(range.box, area_scale_), left_cut, right_cut, costs_, cut);
+    }
+
+    // Parts the items by place or by class, whichever makes the cheaper two roots.
+    __attribute__((noinline)) void build_mixed(BinaryTree& tree, std::uint32_t node, const Range& range,
+                                               int depth, CutCosts& cut) const {
+        const auto items = items_.begin() + range.first;
+        const auto end = static_cast<std::ptrdiff_t>(tree.size());
+        std::array<BvhItem, k_mixed> by_place;
+        BinaryTree tree_by_place;
+        build(tree, node, range, part(range, depth, 1), depth, cut);
+        std::copy_n(items, range.count, by_place.begin());
+        tree_by_place.assign(tree.begin() + end, tree.end());
+        const BinaryNode node_by_place = tree[node];
+        tree.resize(static_cast<std::size_t>(end));
+        CutCosts cut_by_class;
+        build(tree, node, range, part_classes(items_, range), depth, cut_by_class);
+        if (cut_by_class.cost[1] < cut.cost[1]) {
+            cut = cut_by_class;
+            return;
+        }
+        std::copy_n(by_place.begin(), range.count, items);
+        tree.resize(static_cast<std::size_t>(end));
+        tree.insert(tree.end(), tree_by_place.begin(), tree_by_place.end());
+        tree[node] = node_by_place;
     }
 
     // The top tree without its cut, and the tasks; children come after their parents.
