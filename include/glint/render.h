@@ -34,8 +34,17 @@ PrepareResult prepare(const Scene& scene, int threads = 0);
 
 /// Bytes of a prepared World, by part.
 struct WorldMemory {
-    std::size_t shapes = 0, hierarchy = 0, materials = 0;
-    std::size_t total() const { return shapes + hierarchy + materials; }
+    std::size_t shapes = 0;     ///< the shapes' parameters
+    std::size_t boxes = 0;      ///< the shapes' own boxes
+    std::size_t indices = 0;    ///< which shape of the scene it is, and its material
+    std::size_t hierarchy = 0;  ///< the nodes over the boxes
+    std::size_t materials = 0;  ///< and lights
+    std::size_t packed = 0;     ///< how many shapes these are: the scene's, polygons as their triangles
+    std::size_t total() const { return shapes + boxes + indices + hierarchy + materials; }
+    /// Bytes of a packed shape, its part of the hierarchy included; 0 if there are none.
+    double each() const {
+        return packed == 0 ? 0 : static_cast<double>(total() - materials) / static_cast<double>(packed);
+    }
 };
 WorldMemory memory(const World& world);
 

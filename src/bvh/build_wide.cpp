@@ -8,7 +8,14 @@
 namespace glint {
 namespace {
 
-constexpr float k_node_cost = 1;
+// A node of few items is not worth its memory: one of a single item costs nearly so much more.
+constexpr float k_emptiness_cost = 6;
+
+float node_cost(std::uint32_t items) {
+    if (items >= k_bvh_width) return 1;
+    const float missing = 1 - static_cast<float>(items) / k_bvh_width;
+    return 1 + k_emptiness_cost * missing * missing;
+}
 
 float leaf_cost(const LeafCost& c, std::uint32_t count) {
     const auto lanes = static_cast<std::uint32_t>(c.lanes);
@@ -128,7 +135,7 @@ void choose_cut(BinaryNode& node, float area, const CutCosts& left, const CutCos
         best[i - 1] = least;
         node.left_roots |= static_cast<std::uint64_t>(least_at) << 4 * (i - 1);
     }
-    float one = area * k_node_cost + best[roots - 1];
+    float one = area * node_cost(node.count) + best[roots - 1];
     node.is_leaf = false;
     result.item_class = left.item_class == right.item_class ? left.item_class : CutCosts::k_mixed;
     if (result.item_class != CutCosts::k_mixed) {

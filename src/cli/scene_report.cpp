@@ -161,9 +161,13 @@ std::string text_report(const SceneReport& report) {
         if (!name.empty()) fmt::format_to(out, "{}{}", named++ == 0 ? ": " : ", ", name);
     }
     const WorldMemory used = memory(report.world);
-    fmt::format_to(out, "\nmemory      shapes {}, hierarchy {}, materials {}, together {}\n",
-                   bytes_text(double(used.shapes)), bytes_text(double(used.hierarchy)),
+    fmt::format_to(out,
+                   "\nmemory      shapes {}, boxes {}, indices {}, hierarchy {}, materials {}, together {}\n",
+                   bytes_text(double(used.shapes)), bytes_text(double(used.boxes)),
+                   bytes_text(double(used.indices)), bytes_text(double(used.hierarchy)),
                    bytes_text(double(used.materials)), bytes_text(double(used.total())));
+    fmt::format_to(out, "  {:.1f} bytes a shape of {} (polygons are triangles), without materials\n",
+                   used.each(), with_commas(used.packed));
     for (const bool conventions : {false, true}) {
         fmt::format_to(out, "{}\n", conventions ? "conventions" : "settings");
         const auto keys = setting_keys();
@@ -214,10 +218,11 @@ std::string json_report(const SceneReport& report) {
     json["light_sum"] = color_json(sum_of_lights(scene));
     json["material_count"] = scene.materials.size();
     const WorldMemory used = memory(report.world);
-    json["memory_bytes"] = {{"shapes", used.shapes},
-                            {"hierarchy", used.hierarchy},
-                            {"materials", used.materials},
-                            {"total", used.total()}};
+    json["memory_bytes"] = {{"shapes", used.shapes},       {"boxes", used.boxes},
+                            {"indices", used.indices},     {"hierarchy", used.hierarchy},
+                            {"materials", used.materials}, {"total", used.total()}};
+    json["packed_shapes"] = used.packed;
+    json["bytes_a_shape"] = used.each();
     const auto keys = setting_keys();
     for (std::size_t key = 0; key < keys.size(); ++key) {
         json[keys[key].is_convention ? "conventions" : "settings"][std::string(keys[key].name)] = {

@@ -75,8 +75,9 @@ WorldMemory memory(const World& world) {
     WorldMemory m;
     for (const ShapeClass& c : world.classes) m.shapes += c.values.capacity() * sizeof(double);
     for (int a = 0; a < 3; ++a)
-        m.shapes += (world.box_lo[a].capacity() + world.box_hi[a].capacity()) * sizeof(float);
-    m.shapes += (world.shape_index.capacity() + world.material.capacity()) * sizeof(std::uint32_t);
+        m.boxes += (world.box_lo[a].capacity() + world.box_hi[a].capacity()) * sizeof(float);
+    m.indices = (world.shape_index.capacity() + world.material.capacity()) * sizeof(std::uint32_t);
+    m.packed = world.count;
     m.hierarchy = world.bvh.nodes.capacity() * sizeof(BvhNode);
     m.materials = world.materials.capacity() * sizeof(double) + world.lights.capacity() * sizeof(Light);
     return m;

@@ -36,8 +36,8 @@ struct Input {
 struct Built {
     std::vector<BvhItem> items;
     Bvh bvh;
-    explicit Built(const Input& input, int threads = 1)
-        : items(input.items), bvh(build_bvh(items, k_costs, threads)) {}
+    explicit Built(const Input& input, int threads = 1, std::span<const LeafCost> costs = k_costs)
+        : items(input.items), bvh(build_bvh(items, costs, threads)) {}
 };
 
 bool same(const Aabb& a, const Aabb& b) { return std::memcmp(&a, &b, sizeof(Aabb)) == 0; }
@@ -206,6 +206,35 @@ TEST(Bvh, PartsWhatIsApart) {
     for (int c = 0; c < k_bvh_width; ++c) {
         if (!bvh.nodes[0].child[c].is_none()) {
             EXPECT_LT(bvh.nodes[0].hi[0][c] - bvh.nodes[0].lo[0][c], 3);
+        }
+    }
+}
+
+TEST(Bvh, NodesAndLeavesAreFilled) {
+    // 28 bytes an item, also where classes alternate: those of a kind go together.
+    Random random(55);
+    for (const int classes : {1, 2}) {
+        Input input;
+        for (int i = 0; i < 20000; ++i) {
+            const Vec3 at = point_in_cube(random, 10);
+            for (int c = 0; c < classes; ++c) input.add(at, {0.1, 0.1, 0.1}, c);
+        }
+        const Bvh bvh = Built(input, 1, std::array<LeafCost, 2>{}).bvh;
+        EXPECT_LE(bvh.nodes.size() * sizeof(BvhNode), 28 * input.items.size()) << classes << " classes";
+    }
+}
+
+TEST(Bvh, CrossedBarsDoNotShareALeaf) {
+    // The box around two of them is a lot of nothing.
+    Input input;
+    for (int i = 0; i < 12; ++i) {
+        input.add({0, i * 0.1, 0}, i % 2 == 0 ? Vec3{5, 0.01, 0.01} : Vec3{0.01, 0.01, 5});
+    }
+    const Bvh bvh = Built(input, 1, std::array<LeafCost, 1>{}).bvh;
+    const BvhNode& root = bvh.nodes[0];
+    for (int c = 0; c < k_bvh_width; ++c) {
+        if (root.child[c].is_leaf()) {
+            EXPECT_TRUE(root.hi[0][c] < 1 || root.hi[2][c] < 1) << "child " << c;
         }
     }
 }

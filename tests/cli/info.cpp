@@ -38,6 +38,9 @@ TEST(Info, Json) {
     EXPECT_EQ(json["conventions"]["offset"]["value"], "scale");
     EXPECT_EQ(json["conventions"]["offset"]["from"], "profile glint");
     EXPECT_GT(json["memory_bytes"]["total"].get<int>(), 0);
+    EXPECT_GT(json["memory_bytes"]["boxes"].get<int>(), 0);
+    EXPECT_EQ(json["packed_shapes"], 1);
+    EXPECT_GT(json["bytes_a_shape"].get<double>(), 0);
     EXPECT_EQ(json["warnings"].size(), 1u) << "no lights";
 }
 

@@ -165,8 +165,24 @@ TEST(Prepare, BoundsAndMemory) {
     EXPECT_NEAR(b.max.z, 3.5, 1e-5);
     EXPECT_GE(memory(*world).shapes, sizeof(double) * 4);
     EXPECT_GE(memory(*world).hierarchy, sizeof(BvhNode));
-    EXPECT_EQ(memory(*world).total(),
-              memory(*world).shapes + memory(*world).hierarchy + memory(*world).materials);
+}
+
+TEST(Prepare, MemoryByPart) {
+    Random random(114);
+    Scene scene;
+    scene.add(Plane{{0, 0, 0}, {0, 1, 0}});
+    EXPECT_EQ(memory(*make_world(scene)).hierarchy, 0u);
+    for (int i = 0; i < 20000; ++i) scene.add(Sphere{point_in_cube(random, 10), 0.1});
+    const WorldPtr world = make_world(scene);
+    const WorldMemory used = memory(*world);
+    EXPECT_EQ(used.packed, world->count);
+    EXPECT_GE(used.shapes, 20000 * 4 * sizeof(double));
+    EXPECT_GE(used.indices, 20000 * 2 * sizeof(std::uint32_t));
+    EXPECT_GE(used.hierarchy, sizeof(BvhNode));
+    EXPECT_GE(used.materials, k_material_values * sizeof(double));
+    EXPECT_EQ(used.total(), used.shapes + used.boxes + used.indices + used.hierarchy + used.materials);
+    EXPECT_LE(used.each(), 96) << "what a sphere may cost";
+    EXPECT_EQ(memory(*make_world(Scene{})).each(), 0);
 }
 
 TEST(Prepare, AWorldOfASceneWithErrorsIsNone) {
