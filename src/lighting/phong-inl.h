@@ -55,19 +55,26 @@ template <class T> HWY_INLINE auto has_highlight(const Cosines<T>& c, const Ligh
     return rules.specular_gate ? positive && (c.n_l > T(0)) : positive;
 }
 
+template <class T> HWY_INLINE T diffuse_term(T n_l, const LightingRules& rules) {
+    return rules.clamp_cosines ? max(n_l, T(0)) : n_l;
+}
+
+/// S^n where there is a highlight.
+template <class T> HWY_INLINE T highlight_power(T s, T shininess, const LightingRules& rules) {
+    // Without normalisation S may be large: keep the film finite.
+    const T power = min(pow(abs(s), shininess), T(1e30));
+    if (rules.clamp_cosines) return power;
+    // (-x)^n of an odd n is negative, of other whole n positive, and of others it does not exist.
+    const T half = shininess * T(0.5);
+    const auto whole = round_whole(shininess) == shininess, even = round_whole(half) == half;
+    return select(s < T(0), select(whole, select(even, power, -power), T(0)), power);
+}
+
 template <class T> HWY_INLINE Terms<T> terms(const Cosines<T>& c, T shininess, const LightingRules& rules) {
-    const T diffuse = rules.clamp_cosines ? max(c.n_l, T(0)) : c.n_l;
+    const T diffuse = diffuse_term(c.n_l, rules);
     const auto highlight = has_highlight(c, rules);
     if (rules.shading == Shading::diffuse || !any(highlight)) return {diffuse, T(0)};
-    // Without normalisation S may be large: keep the film finite.
-    T power = min(pow(abs(c.s), shininess), T(1e30));
-    if (!rules.clamp_cosines) {
-        // (-x)^n of an odd n is negative, of other whole n positive, and of others it does not exist.
-        const T half = shininess * T(0.5);
-        const auto whole = round_whole(shininess) == shininess, even = round_whole(half) == half;
-        power = select(c.s < T(0), select(whole, select(even, power, -power), T(0)), power);
-    }
-    return {diffuse, select(highlight, power, T(0))};
+    return {diffuse, select(highlight, highlight_power(c.s, shininess, rules), T(0))};
 }
 
 /// f_att = min(1 / (c0 + c1 d + c2 d^2), 1) (LIGHT-12).

@@ -137,27 +137,101 @@ HWY_INLINE void store_narrow(Doubles x, float* to) {
     hn::StoreU(hn::DemoteTo(d, x.v), d, to);
 }
 
+/// Rounds to nearest and adds to lane_count<double>() floats.
+HWY_INLINE void add_narrow(Doubles x, float* to) {
+    const hn::Rebind<float, Tag<double>> d;
+    hn::StoreU(hn::Add(hn::LoadU(d, to), hn::DemoteTo(d, x.v)), d, to);
+}
+
 /// The least and the greatest lane; no lane is NaN.
 HWY_INLINE float min_of_lanes(Floats x) { return hn::GetLane(hn::MinOfLanes(Tag<float>(), x.v)); }
 HWY_INLINE float max_of_lanes(Floats x) { return hn::GetLane(hn::MaxOfLanes(Tag<float>(), x.v)); }
 
-/// Lane i of the result is base[index[i]]; index holds lane_count<double>() entries.
-HWY_INLINE Doubles gather(const double* base, const std::uint32_t* index) {
+/// Lane i of the result is base[stride * index[i]]; index holds lane_count<double>() entries.
+HWY_INLINE Doubles gather(const double* base, const std::uint32_t* index, std::uint32_t stride = 1) {
     alignas(64) double lanes[lane_count<double>()];
-    for (int i = 0; i < lane_count<double>(); ++i) lanes[i] = base[index[i]];
+    for (int i = 0; i < lane_count<double>(); ++i) lanes[i] = base[std::size_t{stride} * index[i]];
     return load(lanes);
+}
+
+/// 0, 1, 2, ...
+HWY_INLINE Doubles iota() { return Doubles(hn::Iota(Tag<double>(), 0.0)); }
+
+/// The lanes below `count`.
+HWY_INLINE LaneMask<double> first_lanes(int count) { return iota() < Doubles(static_cast<double>(count)); }
+
+/// How many lanes are set.
+template <class T> HWY_INLINE int count(LaneMask<T> m) {
+    return static_cast<int>(hn::CountTrue(Tag<T>(), m.m));
+}
+
+/// Numbers from 32-bit arrays, lane_count<double>() of them.
+using IndexTag = hn::Rebind<std::uint32_t, Tag<double>>;
+HWY_INLINE bool all_same(const std::uint32_t* x) {
+    const IndexTag d;
+    return hn::AllTrue(d, hn::Eq(hn::LoadU(d, x), hn::Set(d, x[0])));
 }
 
 /// Bit i of the result is lane i.
 template <class T> HWY_INLINE std::uint32_t to_bits(LaneMask<T> m) {
+#if HWY_TARGET == HWY_AVX3
+    return m.m.raw;
+#else
     std::uint8_t bytes[8] = {};
     hn::StoreMaskBits(Tag<T>(), m.m, bytes);
     const std::uint32_t bits = bytes[0] | static_cast<std::uint32_t>(bytes[1]) << 8;
     return bits & ((1u << lane_count<T>()) - 1);
+#endif
 }
 template <class T> HWY_INLINE LaneMask<T> from_bits(std::uint32_t bits) {
     const std::uint8_t bytes[8] = {static_cast<std::uint8_t>(bits), static_cast<std::uint8_t>(bits >> 8)};
     return {hn::LoadMaskBits(Tag<T>(), bytes)};
+}
+
+/// The lanes that are set, one after the other, then whatever. As hn::Compress, of which g++ 12 copies the
+/// table to the stack at each call.
+HWY_INLINE Doubles compress(Doubles x, LaneMask<double> m) {
+#if HWY_TARGET == HWY_AVX3
+    return Doubles(hn::Vec<Tag<double>>{_mm512_maskz_compress_pd(m.m.raw, x.v.raw)});
+#elif HWY_TARGET == HWY_AVX2
+    alignas(32) static constexpr std::uint32_t k_order[16][8] = {
+        {0, 1, 2, 3, 4, 5, 6, 7}, {0, 1, 2, 3, 4, 5, 6, 7}, {2, 3, 0, 1, 4, 5, 6, 7},
+        {0, 1, 2, 3, 4, 5, 6, 7}, {4, 5, 0, 1, 2, 3, 6, 7}, {0, 1, 4, 5, 2, 3, 6, 7},
+        {2, 3, 4, 5, 0, 1, 6, 7}, {0, 1, 2, 3, 4, 5, 6, 7}, {6, 7, 0, 1, 2, 3, 4, 5},
+        {0, 1, 6, 7, 2, 3, 4, 5}, {2, 3, 6, 7, 0, 1, 4, 5}, {0, 1, 2, 3, 6, 7, 4, 5},
+        {4, 5, 6, 7, 0, 1, 2, 3}, {0, 1, 4, 5, 6, 7, 2, 3}, {2, 3, 4, 5, 6, 7, 0, 1},
+        {0, 1, 2, 3, 4, 5, 6, 7}};
+    const hn::Repartition<std::uint32_t, Tag<double>> halves;
+    const auto order = hn::IndicesFromVec(halves, hn::Load(halves, k_order[to_bits(m)]));
+    return Doubles(hn::BitCast(Tag<double>(), hn::TableLookupLanes(hn::BitCast(halves, x.v), order)));
+#elif HWY_TARGET == HWY_SSE4
+    return to_bits(m) == 2 ? Doubles(hn::Reverse(Tag<double>(), x.v)) : x;
+#else
+    return Doubles(hn::Compress(x.v, m.m));
+#endif
+}
+
+/// Stores the lanes that are set one after the other. `to` must have room for a whole vector.
+HWY_INLINE void compress_store(Doubles x, LaneMask<double> m, double* to) { store(compress(x, m), to); }
+/// The same of lane_count<double>() numbers.
+HWY_INLINE void compress_store(const std::uint32_t* from, LaneMask<double> m, std::uint32_t* to) {
+#if HWY_TARGET == HWY_AVX3
+    const IndexTag d;
+    hn::StoreU(decltype(hn::Zero(d)){_mm256_maskz_compress_epi32(m.m.raw, hn::LoadU(d, from).raw)}, d, to);
+#else
+    for (std::uint32_t bits = to_bits(m); bits != 0; bits &= bits - 1) *to++ = from[__builtin_ctz(bits)];
+#endif
+}
+
+/// The other way: the numbers from `from` on to the lanes that are set, 0 to the others.
+HWY_INLINE Doubles expand_load(const double* from, LaneMask<double> m) {
+#if HWY_TARGET == HWY_AVX3
+    return Doubles(hn::Vec<Tag<double>>{_mm512_maskz_expandloadu_pd(m.m.raw, from)});
+#else
+    alignas(64) double lanes[lane_count<double>()] = {};
+    for (std::uint32_t bits = to_bits(m); bits != 0; bits &= bits - 1) lanes[__builtin_ctz(bits)] = *from++;
+    return load(lanes);
+#endif
 }
 
 }  // namespace HWY_NAMESPACE

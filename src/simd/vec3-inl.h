@@ -6,6 +6,7 @@
 #define GLINT_SIMD_VEC3_INL_H_
 #endif
 
+#include "glint/vec.h"
 #include "simd/lanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -17,6 +18,7 @@ template <class T> struct Triple {
     friend HWY_INLINE Triple operator+(Triple a, Triple b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
     friend HWY_INLINE Triple operator-(Triple a, Triple b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
     friend HWY_INLINE Triple operator-(Triple a) { return {-a.x, -a.y, -a.z}; }
+    friend HWY_INLINE Triple operator*(Triple a, Triple b) { return {a.x * b.x, a.y * b.y, a.z * b.z}; }
     friend HWY_INLINE Triple operator*(Triple a, T s) { return {a.x * s, a.y * s, a.z * s}; }
     friend HWY_INLINE Triple operator/(Triple a, T s) { return {a.x / s, a.y / s, a.z / s}; }
 };
@@ -30,6 +32,25 @@ template <class T> HWY_INLINE Triple<T> normalize(Triple<T> a) { return a / leng
 
 template <class T, class M> HWY_INLINE Triple<T> select_triple(M m, Triple<T> yes, Triple<T> no) {
     return {select(m, yes.x, no.x), select(m, yes.y, no.y), select(m, yes.z, no.z)};
+}
+
+HWY_INLINE Triple<Doubles> lanes_of(Vec3 v) { return {Doubles(v.x), Doubles(v.y), Doubles(v.z)}; }
+HWY_INLINE Triple<Doubles> lanes_of(Color c) { return {Doubles(c.r), Doubles(c.g), Doubles(c.b)}; }
+
+/// Three columns from entry i on. Columns: arrays or pointers.
+template <class Column> HWY_INLINE Triple<Doubles> load_triple(const Column* from, int i) {
+    return {load(&from[0][0] + i), load(&from[1][0] + i), load(&from[2][0] + i)};
+}
+template <class Column> HWY_INLINE void store_triple(const Triple<Doubles>& v, Column* to, int i) {
+    store(v.x, &to[0][0] + i);
+    store(v.y, &to[1][0] + i);
+    store(v.z, &to[2][0] + i);
+}
+template <class Column>
+HWY_INLINE void compress_triple(const Triple<Doubles>& v, LaneMask<double> m, Column* to, int i) {
+    compress_store(v.x, m, &to[0][0] + i);
+    compress_store(v.y, m, &to[1][0] + i);
+    compress_store(v.z, m, &to[2][0] + i);
 }
 
 /// Three consecutive parameters as a point or direction.

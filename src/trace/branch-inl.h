@@ -1,4 +1,5 @@
-// Mirrors and glass: how a surface divides the light between itself and the rays that go on, and those rays.
+// The rays that leave a hit: mirrored, and through glass. Each carries on with its path's weight times what
+// it counts for (docs/lighting.md: a recursion unrolled into a sum).
 #if defined(GLINT_TRACE_BRANCH_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLINT_TRACE_BRANCH_INL_H_
 #undef GLINT_TRACE_BRANCH_INL_H_
@@ -9,136 +10,187 @@
 #include "geometry/leave-inl.h"
 #include "lighting/glass-inl.h"
 #include "lighting/phong-inl.h"
-#include "trace/tile.h"
-#include "world/world.h"
+#include "trace/light-inl.h"
+#include "trace/surface-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace glint {
 namespace HWY_NAMESPACE {
 
-HWY_INLINE Color material_color(const double* m, int value) { return {m[value], m[value + 1], m[value + 2]}; }
-HWY_INLINE const double* material_of(const World& world, std::uint32_t index) {
-    return world.materials.data() + static_cast<std::size_t>(index) * k_material_values;
-}
-
-/// What the surface's own light counts for. a: mirror, f: transmission. blend: (1-f)(1-a); add: 1. At the
-/// last generation the limit may keep it whole.
-HWY_INLINE double local_share(const World& world, const double* material, int generation) {
-    const Conventions& rules = world.conventions;
-    const bool at_limit = generation >= world.settings.reflections;
-    if (rules.mirror == MirrorRule::add || (at_limit && rules.limit == LimitRule::keep)) return 1;
-    return (1 - material[k_transmission]) * (1 - material[k_mirror]);
-}
-
 /// The two rays that leave a hit, as far as there are any. F is what glass reflects (Fresnel; all of it where
 /// no ray gets through).
 ///   reflected: tint ((1-f) a + f F) with blend, tint (a + f F) with add; transmitted: tint f (1-F).
 struct Branches {
-    Color reflected{0, 0, 0}, transmitted{0, 0, 0};  // weights
-    Triple<double> through;                          // direction of the transmitted ray
+    Triple<Doubles> reflected, transmitted;  // weights
+    Triple<Doubles> through;                 // direction of the transmitted ray
 };
-HWY_INLINE Branches branches_of(const World& world, const double* material, Triple<double> incoming,
-                                Triple<double> normal, bool from_inside, Color weight) {
+HWY_INLINE Branches branches_of(const World& world, const MaterialLanes& material,
+                                const SurfacePoint<Doubles>& surface, LaneMask<double> glass,
+                                LaneMask<double> from_inside, Triple<Doubles> weight) {
     const Conventions& rules = world.conventions;
-    const double a = material[k_mirror], f = material[k_transmission], ior = material[k_ior];
-    Branches b;
-    double mirror = rules.mirror == MirrorRule::blend ? (1 - f) * a : a, through = 0;
-    if (f > 0) {
-        const Triple<double> facing = dot(normal, incoming) > 0 ? -normal : normal;
-        const auto refraction = refracted(incoming, facing, from_inside ? ior : 1 / ior);
+    const Doubles a = material.value(k_mirror), f = material.value(k_transmission), one(1);
+    Branches b{weight, weight, weight};
+    Doubles mirror = rules.mirror == MirrorRule::blend ? (one - f) * a : a;
+    if (any(glass)) {  // otherwise nothing is asked of the transmitted ray
+        const Doubles ior = material.value(k_ior);
+        const Triple<Doubles> incoming = surface.incoming, normal = surface.normal;
+        const Triple<Doubles> facing = select_triple(dot(normal, incoming) > Doubles(0), -normal, normal);
+        const auto refraction = refracted(incoming, facing, select(from_inside, ior, one / ior));
         b.through = refraction.direction;
-        double fresnel = 0;
+        Doubles fresnel(0);
         if (rules.fresnel == Fresnel::schlick)
             fresnel = schlick(-dot(facing, incoming) / length(incoming), ior);
-        if (refraction.total) fresnel = 1;
-        mirror += f * fresnel;
-        through = f * (1 - fresnel);
+        fresnel = select(refraction.total, one, fresnel);
+        mirror = select(glass, mirror + f * fresnel, mirror);
+        b.transmitted = weight * select(glass, f * (one - fresnel), Doubles(0));
+        // Without Beer's law the way through glass is tinted once, where it begins.
+        if (!(rules.beer > 0)) {
+            const Triple<Doubles> tinted = b.transmitted * material.color(k_transmission_tint);
+            b.transmitted = select_triple(from_inside, b.transmitted, tinted);
+        }
     }
-    b.reflected = weight * mirror * material_color(material, k_mirror_tint);
-    b.transmitted = weight * through;
-    // Without Beer's law the way through glass is tinted once, where it begins.
-    if (!(rules.beer > 0) && !from_inside)
-        b.transmitted = b.transmitted * material_color(material, k_transmission_tint);
+    b.reflected = weight * mirror * material.color(k_mirror_tint);
     return b;
+}
+
+/// Rays of hits [h, h + lanes) as a queue takes them.
+struct LeavingRays {
+    Triple<Doubles> origin, direction, weight;
+    Doubles target, medium;
+    double t_min;
+};
+HWY_INLINE void push(RayQueue& queue, const LeavingRays& rays, LaneMask<double> set, bool medium) {
+    double* at[k_ray_columns];
+    for (int c = 0; c < k_ray_columns; ++c) at[c] = queue.column(c) + queue.size();
+    compress_triple(rays.origin, set, at + k_ray_origin, 0);
+    compress_triple(rays.direction, set, at + k_ray_direction, 0);
+    compress_triple(rays.weight, set, at + k_ray_weight, 0);
+    compress_store(rays.target, set, at[k_ray_target]);
+    if (medium) compress_store(rays.medium, set, at[k_ray_medium]);
+    store(Doubles(rays.t_min), at[k_ray_t_min]);
+    store(Doubles(k_infinity), at[k_ray_t_max]);
+    queue.grow(count(set));
+}
+
+/// Whether a sample of a pixel could come to k_max_sample_rays at all: rays double at most from one
+/// generation to the next.
+HWY_INLINE bool is_limited(const World& world) {
+    const int generations = world.settings.reflections;
+    return generations > 30 || (2 << generations) - 2 > k_max_sample_rays;
+}
+
+/// Of the set rays, those that a sample of their pixel may still have. Counts them.
+inline LaneMask<double> within_limit(TileScratch& s, const double* targets, LaneMask<double> set) {
+    std::uint32_t kept = 0;
+    for (std::uint32_t bits = to_bits(set); bits != 0; bits &= bits - 1) {
+        const int target = static_cast<int>(targets[__builtin_ctz(bits)]);
+        std::int32_t& rays = s.sample_rays[static_cast<std::size_t>(target % k_layer_stride)];
+        if (rays >= k_max_sample_rays) {
+            ++s.counts.cut;
+        } else {
+            ++rays;
+            kept |= bits & (0 - bits);
+        }
+    }
+    return from_bits<double>(kept);
+}
+
+/// The material's number in each lane, as a queue keeps it.
+HWY_INLINE Doubles material_numbers(const std::uint32_t* material) {
+    alignas(64) double lanes[lane_count<double>()];
+    for (int k = 0; k < lane_count<double>(); ++k) lanes[k] = static_cast<double>(material[k]);
+    return load(lanes);
+}
+
+/// Queues the mirror and glass rays of a vector of hits.
+HWY_INLINE void queue_vector(const World& world, TileScratch& s, int h, LaneMask<double> hit, int generation,
+                             bool limited) {
+    const Conventions& rules = world.conventions;
+    const Doubles zero(0);
+    const MaterialLanes material(world, s.material.data() + h);
+    const auto glass = hit && material.value(k_transmission) > zero;
+    const auto leaves = glass || (hit && material.value(k_mirror) > zero);
+    if (!any(leaves)) return;
+    const bool beer = rules.beer > 0;
+    const SurfacePoint<Doubles> surface = surface_at(s, h);
+    const auto from_inside = glass && load(s.behind.data() + h) > zero;
+    const Branches b = branches_of(world, material, surface, glass, from_inside, load_triple(s.weight, h));
+    const auto counts = [&](Triple<Doubles> w) HWY_ATTR {
+        const Doubles most = max(max(w.x, w.y), w.z);
+        const auto kept = leaves && most > zero && most >= Doubles(rules.min_weight);
+        return limited ? within_limit(s, s.target.data() + h, kept) : kept;
+    };
+    // Glass has two sides to leave to, whatever the convention does with the one of an opaque surface.
+    const Offset glass_offset = rules.offset == Offset::normal ? Offset::facing : rules.offset;
+    LeavingRays rays{surface.point, surface.incoming,
+                     b.reflected,   load(s.target.data() + h),
+                     zero,          leave_t_min(rules.offset, rules.epsilon)};
+    const Doubles own = beer ? material_numbers(s.material.data() + h) : zero,
+                  none(static_cast<double>(k_none));
+
+    const auto reflected = counts(b.reflected);
+    if (any(reflected)) {
+        rays.direction = mirrored(-surface.incoming, surface.normal);
+        rays.origin = leave(surface, rays.direction, rules.offset, rules.epsilon);
+        if (glass_offset != rules.offset) {
+            rays.origin = select_triple(glass, leave(surface, rays.direction, glass_offset, rules.epsilon),
+                                        rays.origin);
+        }
+        if (beer) rays.medium = select(from_inside, own, load(s.medium.data() + h));
+        push(s.next_rays, rays, reflected, beer);
+        s.counts.mirror += static_cast<std::uint64_t>(count(reflected));
+    }
+    if (!any(glass)) return;
+    const auto transmitted = counts(b.transmitted);
+    if (!any(transmitted)) return;
+    rays.direction = b.through;
+    rays.origin = leave_through(surface, rays.direction, glass_offset, rules.epsilon);
+    rays.weight = b.transmitted;
+    if (generation == 0) rays.target = rays.target + Doubles(k_layer_stride);
+    if (beer) rays.medium = select(from_inside, none, own);
+    push(s.transmitted_rays, rays, transmitted, beer);
+    s.counts.transmitted += static_cast<std::uint64_t>(count(transmitted));
 }
 
 /// Queues the mirror and glass rays of the hits: of each group of rays first all reflected, then all
 /// transmitted ones, so that rays of one kind walk together and a pixel's keep their order.
-inline void queue_branches(const World& world, TileScratch& s, int first, int generation) {
+inline void queue_branches(const World& world, TileScratch& s, int generation) {
     if (generation >= world.settings.reflections) return;
-    const Conventions& rules = world.conventions;
-    const double infinity = std::numeric_limits<double>::infinity();
-    const auto end_group = [&] {
+    const bool limited = is_limited(world);
+    int h = 0;
+    for (int part = 0; part < s.parts; ++part) {
+        const int end = s.part[static_cast<std::size_t>(part)].hits;
+        s.next_rays.reserve(s.next_rays.size() + (end - h));
+        s.transmitted_rays.reserve(end - h);
+        for (; h < end; h += lane_count<double>()) {
+            queue_vector(world, s, h, first_lanes(end - h), generation, limited);
+        }
+        h = end;
         s.next_rays.end_group();
+        if (generation == 0 && s.next_rays.size() > 0) s.sums.touch(k_layer_reflected);
+        if (generation == 0 && s.transmitted_rays.size() > 0) s.sums.touch(k_layer_transmitted);
         s.next_rays.take_group(s.transmitted_rays);
-    };
-    const auto counts = [&](Color w, std::uint32_t pixel) {
-        const double most = number::max(number::max(w.r, w.g), w.b);
-        if (!(most > 0) || !(most >= rules.min_weight)) return false;
-        if (s.sample_rays[pixel] >= k_max_sample_rays) {
-            ++s.counts.cut;
-            return false;
-        }
-        ++s.sample_rays[pixel];
-        return true;
-    };
-    std::size_t group = s.rays.group_of(first);
-    for (int h = 0; h < s.hits; ++h) {
-        const double* material = material_of(world, s.material[h]);
-        const bool glass = material[k_transmission] > 0;
-        if (!(material[k_mirror] > 0) && !glass) continue;
-        const int ray = first + s.ray[h];
-        for (; ray >= s.rays.group_end(group); ++group) end_group();
-
-        const RayPath& path = s.rays.path(ray);
-        const bool behind = s.behind[h] != 0, from_inside = glass && behind;
-        const SurfacePoint<double> surface{{s.point[0][h], s.point[1][h], s.point[2][h]},
-                                           {s.normal[0][h], s.normal[1][h], s.normal[2][h]},
-                                           {s.incoming[0][h], s.incoming[1][h], s.incoming[2][h]},
-                                           s.magnitude[h]};
-        const Branches b =
-            branches_of(world, material, surface.incoming, surface.normal, from_inside, path.weight);
-        // Glass has two sides to leave to, whatever the convention does with the one of an opaque surface.
-        const Offset offset = glass && rules.offset == Offset::normal ? Offset::facing : rules.offset;
-        const double t_min = leave_t_min(offset, rules.epsilon);
-        if (counts(b.reflected, path.pixel)) {
-            const Triple<double> d = mirrored(-surface.incoming, surface.normal);
-            const Triple<double> o = leave(surface, d, offset, rules.epsilon);
-            RayPath next = path;
-            next.weight = b.reflected;
-            if (rules.beer > 0 && from_inside) next.medium = s.material[h];
-            if (path.branch == Branch::camera) next.branch = Branch::reflected;
-            s.next_rays.push({o.x, o.y, o.z}, {d.x, d.y, d.z}, t_min, infinity, next);
-            ++s.counts.mirror;
-        }
-        if (counts(b.transmitted, path.pixel)) {
-            const Triple<double> d = b.through;
-            const Triple<double> o = leave_through(surface, d, offset, rules.epsilon);
-            RayPath next = path;
-            next.weight = b.transmitted;
-            if (path.branch == Branch::camera) next.branch = Branch::transmitted;
-            next.medium = rules.beer > 0 && !from_inside ? s.material[h] : k_none;
-            s.transmitted_rays.push({o.x, o.y, o.z}, {d.x, d.y, d.z}, t_min, infinity, next);
-            ++s.counts.transmitted;
-        }
     }
-    end_group();
 }
 
 /// Beer's law: what a ray found in glass counts for, by the way it went there. It went through the glass
 /// whose inner side it hits; else through that which it entered. A ray that hits nothing has left through an
 /// open surface: nobody knows where.
-inline void absorb(const World& world, TileScratch& s, int first) {
-    if (!(world.conventions.beer > 0)) return;
-    for (int h = 0; h < s.hits; ++h) {
-        RayPath& path = s.rays.path(first + s.ray[h]);
-        const bool from_inside = s.behind[h] != 0 && material_of(world, s.material[h])[k_transmission] > 0;
-        const std::uint32_t medium = from_inside ? s.material[h] : path.medium;
+inline void absorb(const World& world, TileScratch& s) {
+    const double k = world.conventions.beer;
+    if (!(k > 0)) return;
+    const auto value = [&](std::uint32_t material, int which) {
+        return world.materials[static_cast<std::size_t>(material) * k_material_values +
+                               static_cast<std::size_t>(which)];
+    };
+    for (int i = 0; i < s.hits; ++i) {
+        const auto h = static_cast<std::size_t>(i);
+        const bool from_inside = s.behind[h] > 0 && value(s.material[h], k_transmission) > 0;
+        const std::uint32_t medium = from_inside ? s.material[h] : static_cast<std::uint32_t>(s.medium[h]);
         if (medium == k_none) continue;
-        const Color tint = material_color(material_of(world, medium), k_transmission_tint);
         const Triple<double> d{s.incoming[0][h], s.incoming[1][h], s.incoming[2][h]};
-        const double way = s.t[s.ray[h]] * length(d), k = world.conventions.beer;
-        path.weight = path.weight * Color{beer(tint.r, k, way), beer(tint.g, k, way), beer(tint.b, k, way)};
+        const double way = s.hit_t[h] * length(d);
+        for (int c = 0; c < 3; ++c) s.weight[c][h] *= beer(value(medium, k_transmission_tint + c), k, way);
     }
 }
 

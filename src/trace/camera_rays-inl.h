@@ -6,7 +6,7 @@
 #define GLINT_TRACE_CAMERA_RAYS_INL_H_
 #endif
 
-#include "simd/lanes-inl.h"
+#include "simd/vec3-inl.h"
 #include "trace/tile.h"
 #include "world/world.h"
 
@@ -14,59 +14,72 @@ HWY_BEFORE_NAMESPACE();
 namespace glint {
 namespace HWY_NAMESPACE {
 
-/// The viewport point of sample (i, j) of n x n in pixel (x, y), as fractions of the picture's width and
-/// height from its middle.
-struct ViewportPoint {
-    double x, y;
-};
-HWY_INLINE ViewportPoint viewport_point(const RenderSettings& settings, PixelSample where, int x, int y,
-                                        int i, int j) {
-    const double w = settings.width, h = settings.height, n = settings.samples;
-    double in_x = 0.5, in_y = 0.5;  // from the (sub)pixel's top-left corner
-    double middle_x = w * 0.5, middle_y = h * 0.5;
-    if (where == PixelSample::corner) in_x = 0, in_y = 1;
-    if (where == PixelSample::whole) {
-        in_x = in_y = 0;
-        middle_x = settings.width / 2;   // NOLINT(bugprone-integer-division): whole pixels
-        middle_y = settings.height / 2;  // NOLINT(bugprone-integer-division)
-    }
-    return {(x + (i + in_x) / n - middle_x) / w, (middle_y - (y + (j + in_y) / n)) / h};
-}
-
-HWY_INLINE void camera_ray(const World& world, ViewportPoint at, Vec3& origin, Vec3& direction) {
-    const PreparedCamera& camera = world.camera;
-    const Vec3 across = camera.right * at.x + camera.up * at.y;
-    if (camera.projection == Projection::orthographic) {
-        origin = camera.position + across;
-        direction = camera.forward;
-    } else {
-        origin = camera.position;
-        direction = camera.forward + across;
-    }
-    if (world.conventions.ray_direction == RayDirection::unit) {
-        direction = direction / number::sqrt(glint::dot(direction, direction));
-    }
-}
-
-inline void make_camera_rays(const World& world, const TileJob& job, int i, int j, RayQueue& rays) {
-    constexpr int block = 8;
-    rays.clear();
-    for (int by = 0; by < job.height; by += block) {
-        for (int bx = 0; bx < job.width; bx += block) {
-            for (int y = by; y < number::min(by + block, job.height); ++y) {
-                for (int x = bx; x < number::min(bx + block, job.width); ++x) {
-                    const auto at = viewport_point(world.settings, world.conventions.pixel_sample, job.x + x,
-                                                   job.y + y, i, j);
-                    Vec3 origin, direction;
-                    camera_ray(world, at, origin, direction);
-                    RayPath path;
-                    path.pixel = static_cast<std::uint32_t>(y * k_tile_side + x);
-                    rays.push(origin, direction, world.conventions.camera_t_min,
-                              std::numeric_limits<double>::infinity(), path);
-                }
+/// The rows of at most 8 pixels that a tile's pixels are numbered by: block after block, row after row.
+/// visit(x, y, first, width): the row's first pixel in the tile, its number, and how many there are.
+template <class Visit> HWY_INLINE void for_each_row(const TileJob& job, const Visit& visit) {
+    int first = 0;
+    for (int by = 0; by < job.height; by += k_tile_block) {
+        for (int bx = 0; bx < job.width; bx += k_tile_block) {
+            const int width = number::min(k_tile_block, job.width - bx);
+            for (int y = by; y < number::min(by + k_tile_block, job.height); ++y) {
+                visit(bx, y, first, width);
+                first += width;
             }
         }
     }
+}
+
+/// Where in a pixel, or in a part of it, the ray passes: from its top-left corner.
+HWY_INLINE double offset_x(PixelSample where) { return where == PixelSample::center ? 0.5 : 0; }
+HWY_INLINE double offset_y(PixelSample where) {
+    return where == PixelSample::center ? 0.5 : where == PixelSample::corner ? 1 : 0;
+}
+/// The picture's middle along an axis.
+HWY_INLINE double middle(PixelSample where, int size) {
+    return where == PixelSample::whole ? size / 2 : size * 0.5;
+}
+
+/// The viewport point of sample i of n in column x, as a fraction of the picture's width from its middle.
+template <class T> HWY_INLINE T viewport_x(const RenderSettings& settings, PixelSample where, T x, int i) {
+    return (x + T((i + offset_x(where)) / settings.samples) - T(middle(where, settings.width))) /
+           T(settings.width);
+}
+/// The same of sample j in row y, upwards.
+HWY_INLINE double viewport_y(const RenderSettings& settings, PixelSample where, int y, int j) {
+    return (middle(where, settings.height) - (y + (j + offset_y(where)) / settings.samples)) /
+           settings.height;
+}
+
+inline void make_camera_rays(const World& world, const TileJob& job, int i, int j, RayQueue& rays) {
+    const PreparedCamera& camera = world.camera;
+    const PixelSample where = world.conventions.pixel_sample;
+    const bool orthographic = camera.projection == Projection::orthographic;
+    const bool unit = world.conventions.ray_direction == RayDirection::unit;
+    const Triple<Doubles> position = lanes_of(camera.position), right = lanes_of(camera.right),
+                          forward = lanes_of(camera.forward);
+    const int count = job.width * job.height;
+    rays.clear();
+    rays.reserve(count);
+    double *o[3], *d[3];
+    for (int a = 0; a < 3; ++a) {
+        o[a] = rays.column(k_ray_origin + a);
+        d[a] = rays.column(k_ray_direction + a);
+    }
+    for_each_row(job, [&](int x, int y, int first, int width) HWY_ATTR {
+        const Triple<Doubles> above = lanes_of(camera.up * viewport_y(world.settings, where, job.y + y, j));
+        for (int c = 0; c < width; c += lane_count<double>()) {
+            const Doubles column = Doubles(static_cast<double>(job.x + x + c)) + iota();
+            const Triple<Doubles> across = right * viewport_x(world.settings, where, column, i) + above;
+            const Triple<Doubles> origin = orthographic ? position + across : position;
+            Triple<Doubles> direction = orthographic ? forward : forward + across;
+            if (unit) direction = normalize(direction);
+            store_triple(origin, o, first + c);
+            store_triple(direction, d, first + c);
+        }
+    });
+    std::fill_n(rays.column(k_ray_t_min), count, world.conventions.camera_t_min);
+    std::fill_n(rays.column(k_ray_t_max), count, std::numeric_limits<double>::infinity());
+    rays.grow(count);
     rays.end_group();
 }
 

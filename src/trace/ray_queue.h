@@ -1,23 +1,24 @@
 #pragma once
 // Rays waiting to be traced, as columns that grow; their memory is kept from tile to tile.
 #include <algorithm>
-#include <cstdint>
+#include <cstddef>
 #include <vector>
 
 #include "bvh/rays.h"
-#include "glint/scene.h"
 
 namespace glint {
 
-/// The layer that a ray's light is added to: set by the first branch taken from the camera ray.
-enum class Branch : std::uint8_t { camera, reflected, transmitted };
-
-/// Whose ray it is, and how it came there.
-struct RayPath {
-    Color weight{1, 1, 1};  ///< what it finds counts for this much
-    std::uint32_t pixel = 0;
-    Branch branch = Branch::camera;
-    std::uint32_t medium = k_none;  ///< the material it travels in, for Beer's law; k_none: air
+/// The columns of a queue. All are numbers in double, so that all are compacted in the same way.
+enum RayColumn : int {
+    k_ray_origin = 0,
+    k_ray_direction = 3,
+    k_ray_t_min = 6,
+    k_ray_t_max = 7,
+    // Of mirror and glass rays only: camera rays weigh 1, in order of their pixels, and start in air.
+    k_ray_weight = 8,   // what the ray finds counts for this much
+    k_ray_target = 11,  // the pixel in the tile, + k_layer_stride after a first transmission
+    k_ray_medium = 12,  // with Beer's law: the material it travels in; k_none: air
+    k_ray_columns = 13
 };
 
 /// Rays in groups: a pixel has at most one ray in a group, and its groups come in the order in which its
@@ -30,14 +31,16 @@ class RayQueue {
         group_ends_.clear();
     }
 
-    void push(Vec3 origin, Vec3 direction, double t_min, double t_max, const RayPath& path) {
-        const int i = size_++;
-        reserve(size_);
-        const double values[k_columns] = {origin.x,    origin.y,    origin.z, direction.x,
-                                          direction.y, direction.z, t_min,    t_max};
-        for (int c = 0; c < k_columns; ++c) columns_[c][i] = values[c];
-        paths_[i] = path;
+    /// Makes room for this many rays and their padding.
+    void reserve(int rays) {
+        const auto needed = static_cast<std::size_t>(rays + k_ray_padding);
+        if (columns_[0].size() >= needed) return;
+        for (auto& column : columns_) column.resize(2 * needed);
     }
+    /// To be written from size() on, within what is reserved; grow() makes rays of it.
+    double* column(int c) { return columns_[c].data(); }
+    const double* column(int c) const { return columns_[c].data(); }
+    void grow(int rays) { size_ += rays; }
 
     /// The rays since the last group become one.
     void end_group() {
@@ -46,11 +49,11 @@ class RayQueue {
 
     /// Moves the rays of the other queue to the end of this one, as a group.
     void take_group(RayQueue& other) {
+        if (other.size_ == 0) return;
         reserve(size_ + other.size_);
-        for (int c = 0; c < k_columns; ++c) {
+        for (int c = 0; c < k_ray_columns; ++c) {
             std::copy_n(other.columns_[c].begin(), other.size_, columns_[c].begin() + size_);
         }
-        std::copy_n(other.paths_.begin(), other.size_, paths_.begin() + size_);
         size_ += other.size_;
         other.clear();
         end_group();
@@ -69,21 +72,9 @@ class RayQueue {
         const auto at = [&](int c) { return columns_[c].data() + first; };
         return {at(0), at(1), at(2), at(3), at(4), at(5), at(6), at(7)};
     }
-    const RayPath& path(int i) const { return paths_[i]; }
-    RayPath& path(int i) { return paths_[i]; }
 
   private:
-    static constexpr int k_columns = 8;
-
-    void reserve(int rays) {
-        const auto needed = static_cast<std::size_t>(rays + k_ray_padding);
-        if (columns_[0].size() >= needed) return;
-        for (auto& column : columns_) column.resize(2 * needed);
-        paths_.resize(2 * needed);
-    }
-
-    std::vector<double> columns_[k_columns];
-    std::vector<RayPath> paths_;
+    std::vector<double> columns_[k_ray_columns];
     std::vector<int> group_ends_;
     int size_ = 0;
 };

@@ -1,5 +1,5 @@
-// The stage between a hit and its light: point, normal, direction to the eye, material; and what of a ray
-// missed.
+// The stage between a hit and its light: the hits of a stream one after the other, with their point, normal,
+// direction to the eye and material.
 #if defined(GLINT_TRACE_SURFACE_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLINT_TRACE_SURFACE_INL_H_
 #undef GLINT_TRACE_SURFACE_INL_H_
@@ -15,17 +15,84 @@ HWY_BEFORE_NAMESPACE();
 namespace glint {
 namespace HWY_NAMESPACE {
 
-/// The unit normal of a slot's shape at a point of it.
-struct NormalAt {
+/// Takes the hits among rays [i, end) of the stream, at most a vector of them.
+HWY_INLINE void take_hits(const World& world, TileScratch& s, int first, int i, int end, bool camera) {
+    const Doubles t = load(s.t.data() + i);
+    const auto hit = t < Doubles(k_infinity) && first_lanes(end - i);  // a ray that misses keeps its t_max
+    const int count_here = count(hit);
+    if (count_here == 0) return;
+    const auto from = [&](int column) HWY_ATTR { return load(s.rays.column(column) + first + i); };
+    const Triple<Doubles> origin{from(k_ray_origin), from(k_ray_origin + 1), from(k_ray_origin + 2)},
+        direction{from(k_ray_direction), from(k_ray_direction + 1), from(k_ray_direction + 2)};
+    const Triple<Doubles> point = origin + direction * t;
+    const int h = s.hits;
+    compress_triple(point, hit, s.point, h);
+    compress_triple(direction, hit, s.incoming, h);
+    compress_store(max_abs(origin) + max_abs(point), hit, s.magnitude.data() + h);
+    compress_store(s.slot.data() + i, hit, s.hit_slot.data() + h);
+    if (camera) {
+        store_triple(lanes_of(Vec3{1, 1, 1}), s.weight, h);
+        compress_store(Doubles(static_cast<double>(first + i)) + iota(), hit, s.target.data() + h);
+    } else {
+        for (int c = 0; c < 3; ++c) compress_store(from(k_ray_weight + c), hit, s.weight[c].data() + h);
+        compress_store(from(k_ray_target), hit, s.target.data() + h);
+    }
+    if (world.conventions.beer > 0) {
+        compress_store(t, hit, s.hit_t.data() + h);
+        const Doubles medium = camera ? Doubles(static_cast<double>(k_none)) : from(k_ray_medium);
+        compress_store(medium, hit, s.medium.data() + h);
+    }
+    s.hits += count_here;
+}
+
+/// Takes the hits of rays [0, count), which are rays first... of scratch.rays, group by group.
+inline void collect_hits(const World& world, TileScratch& s, int first, int count, int generation) {
+    s.hits = s.parts = 0;
+    std::size_t group = s.rays.group_of(first);
+    for (int i = 0; i < count; ++group) {
+        const int end = number::min(s.rays.group_end(group) - first, count);
+        for (; i < end; i += lane_count<double>()) take_hits(world, s, first, i, end, generation == 0);
+        i = end;
+        s.part[static_cast<std::size_t>(s.parts++)] = {end, s.hits};
+    }
+}
+
+/// The unit normals of a vector of slots' shapes, at a point of each. items: by lane, within the class.
+struct NormalsAt {
     const ShapeClass& shapes;
-    std::uint32_t item;
-    Triple<double> point, normal;
+    const std::uint32_t* items;
+    bool same;  // one item
+    Triple<Doubles> point, normal;
     template <class Geometry> HWY_INLINE void visit() {
-        double p[Geometry::k_values];
-        for (int k = 0; k < Geometry::k_values; ++k) p[k] = shapes.column(k)[item];
+        Doubles p[Geometry::k_values];
+        for (int k = 0; k < Geometry::k_values; ++k) {
+            p[k] = same ? Doubles(shapes.column(k)[items[0]]) : gather(shapes.column(k), items);
+        }
         normal = Geometry::normal(p, point);
     }
 };
+
+/// The normals of a vector of hits, one class of shapes after the other.
+HWY_INLINE Triple<Doubles> normals_at(const World& world, const std::uint32_t* slots, bool same,
+                                      Triple<Doubles> point) {
+    Triple<Doubles> normal = point;
+    std::uint32_t left = (1u << lane_count<double>()) - 1;
+    while (left != 0) {
+        const std::uint32_t slot = slots[__builtin_ctz(left)];
+        const ShapeClass& shapes = world.class_of(slot);
+        std::uint32_t items[lane_count<double>()], here = 0;
+        for (int k = 0; k < lane_count<double>(); ++k) {
+            const bool in = slots[k] - shapes.first < shapes.count;
+            items[k] = (in ? slots[k] : slot) - shapes.first;
+            here |= static_cast<std::uint32_t>(in) << k;
+        }
+        NormalsAt at{shapes, items, same, point, point};
+        visit_geometry(shapes.kind, shapes.transformed, at);
+        normal = select_triple(from_bits<double>(here), at.normal, normal);
+        left &= ~here;
+    }
+    return normal;
+}
 
 /// The largest coordinate of a bounded shape: its formula's rounding is relative to that too, however near to
 /// the world's origin the ray is.
@@ -37,42 +104,39 @@ HWY_INLINE double box_reach(const World& world, std::uint32_t slot) {
     return reach;
 }
 
-/// Fills the hits of a TileScratch from t and slot of rays [0, count), which are rays first... of
-/// scratch.rays.
-inline void find_surfaces(const World& world, TileScratch& s, int first, int count) {
-    const RaySpan r = s.rays.rays(first);
-    s.hits = 0;
-    for (int i = 0; i < count; ++i) {
-        if (s.slot[i] == k_none) continue;
-        const std::uint32_t slot = s.slot[i];
-        const Triple<double> o{r.ox[i], r.oy[i], r.oz[i]}, d{r.dx[i], r.dy[i], r.dz[i]};
-        const Triple<double> point = o + d * s.t[i];
-        const ShapeClass& shapes = world.class_of(slot);
-        NormalAt at{shapes, slot - shapes.first, point, {}};
-        visit_geometry(shapes.kind, shapes.transformed, at);
-        const bool behind = dot(at.normal, d) > 0;
-        const bool turn = behind && (world.material[slot] & k_turn_normal) != 0;
-        const Triple<double> n = turn ? -at.normal : at.normal;
-
-        Triple<double> eye = -d;
-        if (world.camera.has_lighting_eye && s.rays.path(first + i).branch == Branch::camera) {
-            const Vec3 e = world.camera.lighting_eye;
-            eye = Triple<double>{e.x, e.y, e.z} - point;
+/// Fills the columns of the hits from what collect_hits took.
+inline void find_surfaces(const World& world, TileScratch& s, int generation) {
+    if (s.hits == 0) return;
+    // Lanes past the last hit are computed with, though nothing of them is kept.
+    std::fill_n(s.hit_slot.begin() + s.hits, k_ray_padding, s.hit_slot[static_cast<std::size_t>(s.hits - 1)]);
+    const bool eye_apart = world.camera.has_lighting_eye && generation == 0;
+    std::uint32_t last_slot = k_none, last_material = 0;
+    double last_reach = 0;
+    for (int h = 0; h < s.hits; h += lane_count<double>()) {
+        const std::uint32_t* slots = s.hit_slot.data() + h;
+        alignas(64) double reach[lane_count<double>()];
+        std::uint32_t turns = 0;
+        for (int k = 0; k < lane_count<double>(); ++k) {
+            if (slots[k] != last_slot) {
+                last_slot = slots[k];
+                last_material = world.material[last_slot];
+                last_reach = box_reach(world, last_slot);
+            }
+            reach[k] = last_reach;
+            s.material[static_cast<std::size_t>(h + k)] = last_material & k_material_index;
+            turns |= static_cast<std::uint32_t>((last_material & k_turn_normal) != 0) << k;
         }
-        if (world.conventions.normalize) eye = normalize(eye);
+        const Triple<Doubles> point = load_triple(s.point, h), d = load_triple(s.incoming, h);
+        const Triple<Doubles> normal = normals_at(world, slots, all_same(slots), point);
+        const auto behind = dot(normal, d) > Doubles(0);
+        const auto turned = behind && from_bits<double>(turns);
+        store_triple(select_triple(turned, -normal, normal), s.normal, h);
+        store(select(behind, Doubles(1), Doubles(0)), s.behind.data() + h);
 
-        const int h = s.hits++;
-        s.ray[h] = i;
-        s.material[h] = world.material[slot] & k_material_index;
-        s.behind[h] = behind;
-        const auto put = [h](TileScratch::Column* to, const Triple<double>& v) {
-            to[0][h] = v.x, to[1][h] = v.y, to[2][h] = v.z;
-        };
-        put(s.point, point);
-        put(s.normal, n);
-        put(s.incoming, d);
-        put(s.to_eye, eye);
-        s.magnitude[h] = max_abs(o) + max_abs(point) + box_reach(world, slot);
+        Triple<Doubles> eye = eye_apart ? lanes_of(world.camera.lighting_eye) - point : -d;
+        if (world.conventions.normalize) eye = normalize(eye);
+        store_triple(eye, s.to_eye, h);
+        store(load(s.magnitude.data() + h) + load(reach), s.magnitude.data() + h);
     }
 }
 

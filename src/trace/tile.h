@@ -11,8 +11,16 @@
 namespace glint {
 
 inline constexpr int k_tile_side = 32;
+inline constexpr int k_tile_block = 8;  // camera rays go in blocks of 8 x 8, so that neighbours walk together
 inline constexpr int k_tile_pixels = k_tile_side * k_tile_side;
 inline constexpr int k_stream = 1024;  // rays that pass a stage together, at most
+static_assert(k_stream >= k_tile_pixels);
+
+struct TileJob {
+    int x = 0, y = 0, width = 0, height = 0;  // pixels of the picture
+    float* rgb = nullptr;  // pixel (x, y) of the tile goes to rgb[3 (row * row_pixels + column)]
+    int row_pixels = 0;
+};
 
 /// The parts of a pixel, in the order in which they are added up. Light found after the first mirror or glass
 /// surface belongs to the branch taken there.
@@ -26,10 +34,26 @@ enum Layer : int {
     k_layers
 };
 
-struct TileJob {
-    int x = 0, y = 0, width = 0, height = 0;  // pixels of the picture
-    float* rgb = nullptr;  // pixel (x, y) of the tile goes to rgb[3 (row * row_pixels + column)]
-    int row_pixels = 0;
+/// From a pixel of a layer to that of the next one.
+inline constexpr int k_layer_stride = k_tile_pixels + k_ray_padding;
+
+/// Sums over the samples, by layer and pixel. Pixels are numbered as the camera rays go, without gaps.
+struct PixelSums {
+    std::array<double, k_layers * k_layer_stride> channel[3];
+    std::array<bool, k_layers> touched;  // others count as 0, whatever they hold
+
+    void clear() { touched.fill(false); }
+    /// To be called before anything is added to a layer.
+    void touch(int layer) {
+        if (touched[static_cast<std::size_t>(layer)]) return;
+        touched[static_cast<std::size_t>(layer)] = true;
+        for (auto& sums : channel) {
+            const auto first = sums.begin() + layer * k_layer_stride;
+            std::fill(first, first + k_layer_stride, 0.0);
+        }
+    }
+    double* of(int layer, int c) { return channel[c].data() + layer * k_layer_stride; }
+    const double* of(int layer, int c) const { return channel[c].data() + layer * k_layer_stride; }
 };
 
 /// What a tile's stages write, reused from tile to tile by one thread. Columns are by hit unless said
@@ -38,27 +62,36 @@ struct TileScratch {
     static constexpr int k_size = k_stream + k_ray_padding;
     using Column = std::array<double, k_size>;
 
-    RayQueue rays, next_rays;                                            // this generation, and the one after
-    RayQueue transmitted_rays;                                           // of the group at hand
-    std::array<std::array<double, 3 * k_layers>, k_tile_pixels> pixels;  // sums over the samples, by pixel
+    RayQueue rays, next_rays;   // this generation, and the one after
+    RayQueue transmitted_rays;  // of the group at hand
+    PixelSums sums;
 
     std::array<std::int32_t, k_tile_pixels> sample_rays;  // mirror and glass rays of the sample, by pixel
 
     Column t;                                // by ray
     std::array<std::uint32_t, k_size> slot;  // by ray
 
+    /// The part of a stream that belongs to one group: it ends before these rays and hits.
+    struct Part {
+        int rays, hits;
+    };
+    std::array<Part, k_stream> part;
+    int parts = 0;
+
     int hits = 0;
-    std::array<std::int32_t, k_size> ray;  // which ray of the stream it is
-    std::array<std::uint32_t, k_size> material;
-    std::array<std::uint8_t, k_size> behind;  // the ray came from behind the shape's own normal
+    std::array<std::uint32_t, k_size> hit_slot, material;
+    Column behind;                     // 1: the ray came from behind the shape's own normal; else 0
+    Column hit_t;                      // with Beer's law
+    Column weight[3], target, medium;  // of the ray (RayColumn)
     Column point[3], normal[3], incoming[3], to_eye[3], magnitude;
     Column diffuse[3], specular[3];        // sums over the lights
     Column n_l, s, attenuation;            // of the light at hand
-    std::array<std::uint8_t, k_size> lit;  // 0: the light at hand adds nothing
+    std::array<std::uint8_t, k_size> lit;  // by vector, a bit a hit: the light at hand may add something
 
-    Column shadow[8];                             // by shadow ray: the columns of a RaySpan
-    std::array<std::int32_t, k_size> shadow_hit;  // by shadow ray: for which hit
-    std::array<std::uint8_t, k_size> occluded;    // by shadow ray
+    Column power, shininess;  // of the highlights of the light at hand, one after the other
+
+    Column shadow[8];                           // by shadow ray: the columns of a RaySpan
+    std::array<std::uint8_t, k_size> occluded;  // by shadow ray
     RaySpan shadow_rays() const {
         return {shadow[0].data(), shadow[1].data(), shadow[2].data(), shadow[3].data(),
                 shadow[4].data(), shadow[5].data(), shadow[6].data(), shadow[7].data()};

@@ -1,0 +1,46 @@
+// The materials of a vector of hits.
+#if defined(GLINT_TRACE_MATERIAL_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef GLINT_TRACE_MATERIAL_INL_H_
+#undef GLINT_TRACE_MATERIAL_INL_H_
+#else
+#define GLINT_TRACE_MATERIAL_INL_H_
+#endif
+
+#include "simd/vec3-inl.h"
+#include "world/world.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace glint {
+namespace HWY_NAMESPACE {
+
+/// The values of each lane's material. Neighbours mostly share one: it is then read once.
+struct MaterialLanes {
+    const double* base;
+    const std::uint32_t* index;
+    bool same;
+
+    HWY_INLINE MaterialLanes(const World& world, const std::uint32_t* material)
+        : base(world.materials.data()), index(material), same(all_same(material)) {}
+
+    HWY_INLINE Doubles value(int k) const {
+        if (same)
+            return Doubles(base[std::size_t{index[0]} * k_material_values + static_cast<std::size_t>(k)]);
+        return gather(base + k, index, k_material_values);
+    }
+    HWY_INLINE Triple<Doubles> color(int k) const { return {value(k), value(k + 1), value(k + 2)}; }
+};
+
+/// What the surface's own light counts for. a: mirror, f: transmission. blend: (1-f)(1-a); add: 1. At the
+/// last generation the limit may keep it whole.
+HWY_INLINE Doubles local_share(const World& world, const MaterialLanes& material, int generation) {
+    const Conventions& rules = world.conventions;
+    const bool at_limit = generation >= world.settings.reflections;
+    if (rules.mirror == MirrorRule::add || (at_limit && rules.limit == LimitRule::keep)) return Doubles(1);
+    return (Doubles(1) - material.value(k_transmission)) * (Doubles(1) - material.value(k_mirror));
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace glint
+HWY_AFTER_NAMESPACE();
+
+#endif
