@@ -137,21 +137,49 @@ HWY_INLINE void store_narrow(Doubles x, float* to) {
     hn::StoreU(hn::DemoteTo(d, x.v), d, to);
 }
 
-/// Rounds to nearest and adds to lane_count<double>() floats.
-HWY_INLINE void add_narrow(Doubles x, float* to) {
-    const hn::Rebind<float, Tag<double>> d;
-    hn::StoreU(hn::Add(hn::LoadU(d, to), hn::DemoteTo(d, x.v)), d, to);
+/// As many floats as Doubles has lanes.
+struct NarrowFloats {
+    using D = hn::Rebind<float, Tag<double>>;
+    hn::Vec<D> v;
+    HWY_INLINE NarrowFloats() : v(hn::Zero(D())) {}
+    /// Adds the numbers rounded to nearest.
+    HWY_INLINE void add(Doubles x) { v = hn::Add(v, hn::DemoteTo(D(), x.v)); }
+    HWY_INLINE void store(float* to) const { hn::StoreU(v, D(), to); }
+};
+/// Stores a[0] b[0] c[0] a[1] b[1] c[1] ...
+HWY_INLINE void store_interleaved(NarrowFloats a, NarrowFloats b, NarrowFloats c, float* to) {
+    hn::StoreInterleaved3(a.v, b.v, c.v, NarrowFloats::D(), to);
 }
 
 /// The least and the greatest lane; no lane is NaN.
 HWY_INLINE float min_of_lanes(Floats x) { return hn::GetLane(hn::MinOfLanes(Tag<float>(), x.v)); }
 HWY_INLINE float max_of_lanes(Floats x) { return hn::GetLane(hn::MaxOfLanes(Tag<float>(), x.v)); }
 
-/// Lane i of the result is base[stride * index[i]]; index holds lane_count<double>() entries.
-HWY_INLINE Doubles gather(const double* base, const std::uint32_t* index, std::uint32_t stride = 1) {
-    alignas(64) double lanes[lane_count<double>()];
-    for (int i = 0; i < lane_count<double>(); ++i) lanes[i] = base[std::size_t{stride} * index[i]];
-    return load(lanes);
+/// Numbers from 32-bit arrays, lane_count<double>() of them.
+using IndexTag = hn::Rebind<std::uint32_t, Tag<double>>;
+HWY_INLINE bool all_same(const std::uint32_t* x) {
+    const IndexTag d;
+    return hn::AllTrue(d, hn::Eq(hn::LoadU(d, x), hn::Set(d, x[0])));
+}
+
+/// A vector of places in an array: stride * index[i].
+struct Places {
+    using D = hn::RebindToSigned<Tag<double>>;
+    hn::Vec<D> v;
+    HWY_INLINE explicit Places(const std::uint32_t* index, std::uint32_t stride = 1) {
+#if HWY_TARGET == HWY_SCALAR
+        v = hn::Set(D(), static_cast<std::int64_t>(std::uint64_t{index[0]} * stride));
+#else
+        const hn::Repartition<std::uint32_t, D> halves;
+        const hn::RebindToUnsigned<D> wide;
+        const auto indices = hn::BitCast(halves, hn::PromoteTo(wide, hn::LoadU(IndexTag(), index)));
+        v = hn::BitCast(D(), hn::MulEven(indices, hn::Set(halves, stride)));
+#endif
+    }
+};
+/// Lane i of the result is base[places[i]].
+HWY_INLINE Doubles gather(const double* base, const Places& places) {
+    return Doubles(hn::GatherIndex(Tag<double>(), base, places.v));
 }
 
 /// 0, 1, 2, ...
@@ -163,13 +191,6 @@ HWY_INLINE LaneMask<double> first_lanes(int count) { return iota() < Doubles(sta
 /// How many lanes are set.
 template <class T> HWY_INLINE int count(LaneMask<T> m) {
     return static_cast<int>(hn::CountTrue(Tag<T>(), m.m));
-}
-
-/// Numbers from 32-bit arrays, lane_count<double>() of them.
-using IndexTag = hn::Rebind<std::uint32_t, Tag<double>>;
-HWY_INLINE bool all_same(const std::uint32_t* x) {
-    const IndexTag d;
-    return hn::AllTrue(d, hn::Eq(hn::LoadU(d, x), hn::Set(d, x[0])));
 }
 
 /// Bit i of the result is lane i.

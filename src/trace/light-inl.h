@@ -7,6 +7,9 @@
 #define GLINT_TRACE_LIGHT_INL_H_
 #endif
 
+#include <bit>
+#include <cstring>
+
 #include "geometry/leave-inl.h"
 #include "lighting/phong-inl.h"
 #include "trace/hit_declarations-inl.h"
@@ -103,11 +106,19 @@ inline void take_shadows(TileScratch& s) {
     const std::uint8_t* occluded = s.occluded.data();
     for (int i = 0; i < s.hits; i += lane_count<double>()) {
         std::uint8_t& lit = s.lit[static_cast<std::size_t>(i / lane_count<double>())];
-        std::uint32_t still = lit;
-        for (std::uint32_t bits = lit; bits != 0; bits &= bits - 1) {
-            if (*occluded++ != 0) still &= ~(bits & (0 - bits));
+        const int rays = std::popcount(lit);
+        if (rays == 0) continue;
+        std::uint64_t flags = 0;  // of all rays of the vector, in the order of memory
+        std::memcpy(&flags, occluded, sizeof(flags));
+        if (flags << (64 - 8 * rays) == 0) {
+            occluded += rays;
+            continue;
         }
-        lit = static_cast<std::uint8_t>(still);
+        std::uint32_t dark = 0;
+        for (std::uint32_t bits = lit; bits != 0; bits &= bits - 1) {
+            dark |= bits & (0 - bits) & (0u - *occluded++);  // no branch: shadows are not foreseen
+        }
+        lit = static_cast<std::uint8_t>(lit & ~dark);
     }
 }
 

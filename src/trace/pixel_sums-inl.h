@@ -13,24 +13,40 @@ HWY_BEFORE_NAMESPACE();
 namespace glint {
 namespace HWY_NAMESPACE {
 
-/// Adds colours of up to a vector of rays to the pixels of a layer. No pixel is named twice.
-HWY_INLINE void add_to(TileScratch& s, int layer, const double* pixels, LaneMask<double> m,
-                       Triple<Doubles> c) {
-    double* sums[3] = {s.sums.of(layer, 0), s.sums.of(layer, 1), s.sums.of(layer, 2)};
-    const Doubles pixel = load(pixels);
-    const int first = static_cast<int>(pixels[0]);
-    if (all(pixel == Doubles(pixels[0]) + iota() || !m)) {
-        const Triple<Doubles> sum = load_triple(sums, first);
-        store_triple(select_triple(m, sum + c, sum), sums, first);
-        return;
+/// The pixels of up to a vector of rays. No pixel is named twice.
+struct PixelLanes {
+    const double* pixels;
+    LaneMask<double> set;
+    bool in_a_row;  // neighbours in memory
+
+    HWY_INLINE PixelLanes(const double* numbers, LaneMask<double> m)
+        : pixels(numbers), set(m), in_a_row(all(load(numbers) == Doubles(numbers[0]) + iota() || !m)) {}
+
+    /// Adds colours to the pixels' sums of a layer, one after the other.
+    template <class... Colors>
+    HWY_INLINE void add(PixelSums& all_sums, int layer, const Colors&... colors) const {
+        double* sums[3] = {all_sums.of(layer, 0), all_sums.of(layer, 1), all_sums.of(layer, 2)};
+        if (in_a_row) {
+            const int first = static_cast<int>(pixels[0]);
+            const Triple<Doubles> before = load_triple(sums, first);
+            Triple<Doubles> sum = before;
+            ((sum = sum + colors), ...);
+            store_triple(select_triple(set, sum, before), sums, first);
+            return;
+        }
+        alignas(k_ray_alignment) double lanes[sizeof...(colors)][3][lane_count<double>()];
+        int stored = 0;
+        (store_triple(colors, lanes[stored++], 0), ...);
+        for (std::uint32_t bits = to_bits(set); bits != 0; bits &= bits - 1) {
+            const int k = __builtin_ctz(bits), p = static_cast<int>(pixels[k]);
+            for (int c = 0; c < 3; ++c) {
+                double sum = sums[c][p];
+                for (const auto& color : lanes) sum += color[c][k];
+                sums[c][p] = sum;
+            }
+        }
     }
-    alignas(64) double lanes[3][lane_count<double>()];
-    store_triple(c, lanes, 0);
-    for (std::uint32_t bits = to_bits(m); bits != 0; bits &= bits - 1) {
-        const int k = __builtin_ctz(bits), p = static_cast<int>(pixels[k]);
-        for (int a = 0; a < 3; ++a) sums[a][p] += lanes[a][k];
-    }
-}
+};
 
 /// What rays that hit nothing see.
 HWY_INLINE Color seen_in_the_void(const World& world) {
@@ -48,13 +64,13 @@ inline void add_misses(const World& world, TileScratch& s, int first, int from, 
         const auto missed = !(load(s.t.data() + i) < Doubles(k_infinity)) && first_lanes(to - i);
         if (!any(missed)) continue;
         if (camera) {
-            alignas(64) double pixels[lane_count<double>()];
+            alignas(k_ray_alignment) double pixels[lane_count<double>()];
             store(Doubles(static_cast<double>(first + i)) + iota(), pixels);
             s.sums.touch(k_layer_background);
-            add_to(s, k_layer_background, pixels, missed, seen);
+            PixelLanes(pixels, missed).add(s.sums, k_layer_background, seen);
         } else {
-            add_to(s, k_layer_reflected, s.rays.column(k_ray_target) + first + i, missed,
-                   load_triple(weights, i) * seen);
+            const PixelLanes pixels(s.rays.column(k_ray_target) + first + i, missed);
+            pixels.add(s.sums, k_layer_reflected, load_triple(weights, i) * seen);
         }
     }
 }
@@ -68,7 +84,7 @@ inline void add_unlit(const World& world, TileScratch& s) {
         if (world.settings.shading == Shading::normals) {
             c = (load_triple(s.normal, h) + lanes_of(Vec3{1, 1, 1})) * Doubles(0.5);
         }
-        add_to(s, k_layer_ambient, s.target.data() + h, first_lanes(s.hits - h), c);
+        PixelLanes(s.target.data() + h, first_lanes(s.hits - h)).add(s.sums, k_layer_ambient, c);
     }
 }
 
@@ -76,19 +92,23 @@ inline void add_unlit(const World& world, TileScratch& s) {
 inline void add_hits(const World& world, TileScratch& s, int from, int to, int generation) {
     if (from == to) return;
     const bool camera = generation == 0;
-    const int layers[3] = {camera ? k_layer_ambient : k_layer_reflected,
-                           camera ? k_layer_diffuse : k_layer_reflected,
-                           camera ? k_layer_specular : k_layer_reflected};
-    for (const int layer : layers) s.sums.touch(layer);
+    if (camera) {
+        for (const int layer : {k_layer_ambient, k_layer_diffuse, k_layer_specular}) s.sums.touch(layer);
+    }
     for (int h = from; h < to; h += lane_count<double>()) {
         const MaterialLanes material(world, s.material.data() + h);
         const Triple<Doubles> weight = load_triple(s.weight, h) * local_share(world, material, generation);
-        const Triple<Doubles> ambient = material.color(k_ambient) * lanes_of(world.ambient);
-        const auto hit = first_lanes(to - h);
-        const double* pixels = s.target.data() + h;
-        add_to(s, layers[0], pixels, hit, weight * ambient);
-        add_to(s, layers[1], pixels, hit, weight * load_triple(s.diffuse, h));
-        add_to(s, layers[2], pixels, hit, weight * load_triple(s.specular, h));
+        const Triple<Doubles> ambient = weight * (material.color(k_ambient) * lanes_of(world.ambient)),
+                              diffuse = weight * load_triple(s.diffuse, h),
+                              specular = weight * load_triple(s.specular, h);
+        const PixelLanes pixels(s.target.data() + h, first_lanes(to - h));
+        if (camera) {
+            pixels.add(s.sums, k_layer_ambient, ambient);
+            pixels.add(s.sums, k_layer_diffuse, diffuse);
+            pixels.add(s.sums, k_layer_specular, specular);
+        } else {
+            pixels.add(s.sums, k_layer_reflected, ambient, diffuse, specular);
+        }
     }
 }
 
@@ -102,38 +122,46 @@ HWY_INLINE Doubles film_part(Doubles part) {
 /// background + ambient + diffuse + specular + reflected + transmitted, in that order.
 inline void fold_pixels(const World& world, const TileJob& job, const PixelSums& sums) {
     const double samples = static_cast<double>(world.settings.samples) * world.settings.samples;
+    int layers[k_layers], touched = 0;
+    for (int layer = 0; layer < k_layers; ++layer) {
+        if (sums.touched[static_cast<std::size_t>(layer)]) layers[touched++] = layer;
+    }
+    const auto add = [&](NarrowFloats& to, const double* from) HWY_ATTR {
+        const Doubles sum = load(from);
+        to.add(film_part(samples > 1 ? sum / Doubles(samples) : sum));
+    };
     for_each_row(job, [&](int x, int y, int first, int width) HWY_ATTR {
-        alignas(64) float rgb[3][k_tile_block] = {};
-        for (int layer = 0; layer < k_layers; ++layer) {
-            if (!sums.touched[static_cast<std::size_t>(layer)]) continue;
-            for (int c = 0; c < 3; ++c) {
-                for (int i = 0; i < k_tile_block; i += lane_count<double>()) {
-                    Doubles part = load(sums.of(layer, c) + first + i);
-                    if (samples > 1) part = part / Doubles(samples);
-                    add_narrow(film_part(part), &rgb[c][i]);
-                }
-            }
-        }
         float* to = job.rgb + 3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(job.row_pixels) +
                                    static_cast<std::size_t>(x));
-        for (int i = 0; i < width; ++i) {
-            for (int c = 0; c < 3; ++c) *to++ = rgb[c][i];
+        for (int i = 0; i < width; i += lane_count<double>(), to += 3 * lane_count<double>()) {
+            NarrowFloats rgb[3];
+            for (int layer = 0; layer < touched; ++layer) {
+                for (int c = 0; c < 3; ++c) add(rgb[c], sums.of(layers[layer], c) + first + i);
+            }
+            if (i + lane_count<double>() <= width) {
+                store_interleaved(rgb[0], rgb[1], rgb[2], to);
+            } else {
+                float lanes[3 * lane_count<double>()];
+                store_interleaved(rgb[0], rgb[1], rgb[2], lanes);
+                std::copy_n(lanes, 3 * (width - i), to);
+            }
         }
     });
 }
 
 /// A tile whose rays all hit nothing: the fold of one sum.
 inline void fill_with_void(const World& world, const TileJob& job) {
-    const Color seen = seen_in_the_void(world);
-    alignas(64) float rgb[3][lane_count<double>()] = {};
-    const Triple<Doubles> lanes = lanes_of(seen);
-    add_narrow(film_part(lanes.x), rgb[0]);
-    add_narrow(film_part(lanes.y), rgb[1]);
-    add_narrow(film_part(lanes.z), rgb[2]);
+    const Triple<Doubles> seen = lanes_of(seen_in_the_void(world));
+    NarrowFloats r, g, b;
+    r.add(film_part(seen.x));
+    g.add(film_part(seen.y));
+    b.add(film_part(seen.z));
+    float rgb[3 * lane_count<double>()];
+    store_interleaved(r, g, b, rgb);
     for (int y = 0; y < job.height; ++y) {
         float* to = job.rgb + 3 * static_cast<std::size_t>(y) * static_cast<std::size_t>(job.row_pixels);
         for (int x = 0; x < job.width; ++x) {
-            for (int c = 0; c < 3; ++c) *to++ = rgb[c][0];
+            for (int c = 0; c < 3; ++c) *to++ = rgb[c];
         }
     }
 }

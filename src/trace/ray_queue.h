@@ -2,6 +2,7 @@
 // Rays waiting to be traced, as columns that grow; their memory is kept from tile to tile.
 #include <algorithm>
 #include <cstddef>
+#include <new>
 #include <vector>
 
 #include "bvh/rays.h"
@@ -19,6 +20,20 @@ enum RayColumn : int {
     k_ray_target = 11,  // the pixel in the tile, + k_layer_stride after a first transmission
     k_ray_medium = 12,  // with Beer's law: the material it travels in; k_none: air
     k_ray_columns = 13
+};
+
+inline constexpr std::size_t k_ray_alignment = 64;  // bytes: a line of the cache, the widest vector
+
+/// Memory that begins with a line of the cache.
+template <class T> struct AlignedMemory {
+    using value_type = T;
+    AlignedMemory() = default;
+    template <class U> AlignedMemory(const AlignedMemory<U>&) {}
+    T* allocate(std::size_t n) {
+        return static_cast<T*>(::operator new(n * sizeof(T), std::align_val_t(k_ray_alignment)));
+    }
+    void deallocate(T* p, std::size_t) { ::operator delete(p, std::align_val_t(k_ray_alignment)); }
+    friend bool operator==(const AlignedMemory&, const AlignedMemory&) { return true; }
 };
 
 /// Rays in groups: a pixel has at most one ray in a group, and its groups come in the order in which its
@@ -74,7 +89,7 @@ class RayQueue {
     }
 
   private:
-    std::vector<double> columns_[k_ray_columns];
+    std::vector<double, AlignedMemory<double>> columns_[k_ray_columns];
     std::vector<int> group_ends_;
     int size_ = 0;
 };

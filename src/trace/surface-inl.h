@@ -45,12 +45,12 @@ HWY_INLINE void take_hits(const World& world, TileScratch& s, int first, int i, 
     s.hits += count_here;
 }
 
-/// Takes the hits of rays [0, count), which are rays first... of scratch.rays, group by group.
-inline void collect_hits(const World& world, TileScratch& s, int first, int count, int generation) {
+/// Takes the hits of rays [from, to) of the stream that begins with ray `first`, group by group.
+inline void collect_hits(const World& world, TileScratch& s, int first, int from, int to, int generation) {
     s.hits = s.parts = 0;
-    std::size_t group = s.rays.group_of(first);
-    for (int i = 0; i < count; ++group) {
-        const int end = number::min(s.rays.group_end(group) - first, count);
+    std::size_t group = s.rays.group_of(first + from);
+    for (int i = from; i < to; ++group) {
+        const int end = number::min(s.rays.group_end(group) - first, to);
         for (; i < end; i += lane_count<double>()) take_hits(world, s, first, i, end, generation == 0);
         i = end;
         s.part[static_cast<std::size_t>(s.parts++)] = {end, s.hits};
@@ -66,7 +66,7 @@ struct NormalsAt {
     template <class Geometry> HWY_INLINE void visit() {
         Doubles p[Geometry::k_values];
         for (int k = 0; k < Geometry::k_values; ++k) {
-            p[k] = same ? Doubles(shapes.column(k)[items[0]]) : gather(shapes.column(k), items);
+            p[k] = same ? Doubles(shapes.column(k)[items[0]]) : gather(shapes.column(k), Places(items));
         }
         normal = Geometry::normal(p, point);
     }
@@ -110,24 +110,24 @@ inline void find_surfaces(const World& world, TileScratch& s, int generation) {
     // Lanes past the last hit are computed with, though nothing of them is kept.
     std::fill_n(s.hit_slot.begin() + s.hits, k_ray_padding, s.hit_slot[static_cast<std::size_t>(s.hits - 1)]);
     const bool eye_apart = world.camera.has_lighting_eye && generation == 0;
-    std::uint32_t last_slot = k_none, last_material = 0;
-    double last_reach = 0;
     for (int h = 0; h < s.hits; h += lane_count<double>()) {
         const std::uint32_t* slots = s.hit_slot.data() + h;
-        alignas(64) double reach[lane_count<double>()];
+        std::uint32_t* materials = s.material.data() + h;
+        const bool same = all_same(slots);
+        alignas(k_ray_alignment) double reach[lane_count<double>()];
         std::uint32_t turns = 0;
-        for (int k = 0; k < lane_count<double>(); ++k) {
-            if (slots[k] != last_slot) {
-                last_slot = slots[k];
-                last_material = world.material[last_slot];
-                last_reach = box_reach(world, last_slot);
-            }
-            reach[k] = last_reach;
-            s.material[static_cast<std::size_t>(h + k)] = last_material & k_material_index;
-            turns |= static_cast<std::uint32_t>((last_material & k_turn_normal) != 0) << k;
+        for (int k = 0; k < (same ? 1 : lane_count<double>()); ++k) {
+            const std::uint32_t material = world.material[slots[k]];
+            reach[k] = box_reach(world, slots[k]);
+            materials[k] = material & k_material_index;
+            turns |= static_cast<std::uint32_t>((material & k_turn_normal) != 0) << k;
+        }
+        if (same) {
+            std::fill_n(materials + 1, lane_count<double>() - 1, materials[0]);
+            turns = turns != 0 ? (1u << lane_count<double>()) - 1 : 0;
         }
         const Triple<Doubles> point = load_triple(s.point, h), d = load_triple(s.incoming, h);
-        const Triple<Doubles> normal = normals_at(world, slots, all_same(slots), point);
+        const Triple<Doubles> normal = normals_at(world, slots, same, point);
         const auto behind = dot(normal, d) > Doubles(0);
         const auto turned = behind && from_bits<double>(turns);
         store_triple(select_triple(turned, -normal, normal), s.normal, h);
@@ -136,7 +136,8 @@ inline void find_surfaces(const World& world, TileScratch& s, int generation) {
         Triple<Doubles> eye = eye_apart ? lanes_of(world.camera.lighting_eye) - point : -d;
         if (world.conventions.normalize) eye = normalize(eye);
         store_triple(eye, s.to_eye, h);
-        store(load(s.magnitude.data() + h) + load(reach), s.magnitude.data() + h);
+        store(load(s.magnitude.data() + h) + (same ? Doubles(reach[0]) : load(reach)),
+              s.magnitude.data() + h);
     }
 }
 

@@ -17,38 +17,54 @@ HWY_BEFORE_NAMESPACE();
 namespace glint {
 namespace HWY_NAMESPACE {
 
-/// Adds the light of a stream's rays to their pixels, group by group.
-inline void add_light(const World& world, TileScratch& s, int first, int generation) {
-    TileScratch::Part from{0, 0};
+/// Adds the light of a share's rays, those from number `from` of the stream on, to their pixels, group by
+/// group.
+inline void add_light(const World& world, TileScratch& s, int first, int from, int generation) {
+    TileScratch::Part begin{from, 0};
     for (int i = 0; i < s.parts; ++i) {
-        const TileScratch::Part to = s.part[static_cast<std::size_t>(i)];
-        add_misses(world, s, first, from.rays, to.rays, generation);
-        add_hits(world, s, from.hits, to.hits, generation);
-        from = to;
+        const TileScratch::Part end = s.part[static_cast<std::size_t>(i)];
+        add_misses(world, s, first, begin.rays, end.rays, generation);
+        add_hits(world, s, begin.hits, end.hits, generation);
+        begin = end;
     }
+}
+
+/// The rays of one generation, which are traced: what they find goes to the pixels, what leaves it to the
+/// next rays.
+inline void shade_share(const World& world, TileScratch& s, int first, int from, int to, int generation) {
+    const Shading shading = world.settings.shading;
+    collect_hits(world, s, first, from, to, generation);
+    find_surfaces(world, s, generation);
+    if (shading == Shading::color || shading == Shading::normals) {
+        add_misses(world, s, first, from, to, generation);
+        add_unlit(world, s);
+        return;
+    }
+    absorb(world, s);
+    light_hits(world, s);
+    add_light(world, s, first, from, generation);
+    queue_branches(world, s, generation);
+}
+
+/// Whether rays [0, count) of the stream all hit nothing.
+inline bool all_miss(const TileScratch& s, int count) {
+    for (int i = 0; i < count; i += lane_count<double>()) {
+        if (any(load(s.t.data() + i) < Doubles(k_infinity) && first_lanes(count - i))) return false;
+    }
+    return true;
 }
 
 /// One sample of each pixel: the camera's rays and all that come of them, generation after generation.
 /// Returns whether any camera ray hit something.
 inline bool trace_sample(const World& world, TileScratch& s) {
-    const Shading shading = world.settings.shading;
-    const bool lit = shading != Shading::color && shading != Shading::normals;
     for (int generation = 0; s.rays.size() > 0; ++generation) {
         s.next_rays.clear();
         for (int first = 0; first < s.rays.size(); first += k_stream) {
             const int count = number::min(k_stream, s.rays.size() - first);
             nearest_hit(world, s.rays.rays(first), count, k_beam, s.t.data(), s.slot.data());
-            collect_hits(world, s, first, count, generation);
-            if (s.hits == 0 && generation == 0) return false;
-            find_surfaces(world, s, generation);
-            if (lit) {
-                absorb(world, s);
-                light_hits(world, s);
-                add_light(world, s, first, generation);
-                queue_branches(world, s, generation);
-            } else {
-                add_misses(world, s, first, 0, count, generation);
-                add_unlit(world, s);
+            if (generation == 0 && all_miss(s, count)) return false;
+            for (int i = 0; i < count; i += k_share) {
+                shade_share(world, s, first, i, number::min(i + k_share, count), generation);
             }
         }
         std::swap(s.rays, s.next_rays);

@@ -13,8 +13,9 @@ namespace glint {
 inline constexpr int k_tile_side = 32;
 inline constexpr int k_tile_block = 8;  // camera rays go in blocks of 8 x 8, so that neighbours walk together
 inline constexpr int k_tile_pixels = k_tile_side * k_tile_side;
-inline constexpr int k_stream = 1024;  // rays that pass a stage together, at most
-static_assert(k_stream >= k_tile_pixels);
+inline constexpr int k_stream = k_tile_pixels;  // rays that are traced together, at most
+/// Rays of a stream whose hits pass the stages together, at most: their columns stay in the first cache.
+inline constexpr int k_share = 256;
 
 struct TileJob {
     int x = 0, y = 0, width = 0, height = 0;  // pixels of the picture
@@ -39,7 +40,7 @@ inline constexpr int k_layer_stride = k_tile_pixels + k_ray_padding;
 
 /// Sums over the samples, by layer and pixel. Pixels are numbered as the camera rays go, without gaps.
 struct PixelSums {
-    std::array<double, k_layers * k_layer_stride> channel[3];
+    alignas(k_ray_alignment) std::array<double, k_layers * k_layer_stride> channel[3];
     std::array<bool, k_layers> touched;  // others count as 0, whatever they hold
 
     void clear() { touched.fill(false); }
@@ -59,8 +60,11 @@ struct PixelSums {
 /// What a tile's stages write, reused from tile to tile by one thread. Columns are by hit unless said
 /// otherwise.
 struct TileScratch {
-    static constexpr int k_size = k_stream + k_ray_padding;
-    using Column = std::array<double, k_size>;
+    // Vectors that straddle the lines of the cache cost twice.
+    template <class T, std::size_t n> struct alignas(k_ray_alignment) Aligned : std::array<T, n> {};
+    template <class T> using PerRay = Aligned<T, k_stream + k_ray_padding>;
+    template <class T> using PerHit = Aligned<T, k_share + k_ray_padding>;
+    using Column = PerHit<double>;
 
     RayQueue rays, next_rays;   // this generation, and the one after
     RayQueue transmitted_rays;  // of the group at hand
@@ -68,30 +72,30 @@ struct TileScratch {
 
     std::array<std::int32_t, k_tile_pixels> sample_rays;  // mirror and glass rays of the sample, by pixel
 
-    Column t;                                // by ray
-    std::array<std::uint32_t, k_size> slot;  // by ray
+    PerRay<double> t;            // by ray of the stream
+    PerRay<std::uint32_t> slot;  // by ray of the stream
 
-    /// The part of a stream that belongs to one group: it ends before these rays and hits.
+    /// What of a share belongs to one group: it ends before these rays of the stream and these hits.
     struct Part {
         int rays, hits;
     };
-    std::array<Part, k_stream> part;
+    std::array<Part, k_share> part;
     int parts = 0;
 
     int hits = 0;
-    std::array<std::uint32_t, k_size> hit_slot, material;
+    PerHit<std::uint32_t> hit_slot, material;
     Column behind;                     // 1: the ray came from behind the shape's own normal; else 0
     Column hit_t;                      // with Beer's law
     Column weight[3], target, medium;  // of the ray (RayColumn)
     Column point[3], normal[3], incoming[3], to_eye[3], magnitude;
-    Column diffuse[3], specular[3];        // sums over the lights
-    Column n_l, s, attenuation;            // of the light at hand
-    std::array<std::uint8_t, k_size> lit;  // by vector, a bit a hit: the light at hand may add something
+    Column diffuse[3], specular[3];  // sums over the lights
+    Column n_l, s, attenuation;      // of the light at hand
+    PerHit<std::uint8_t> lit;        // by vector, a bit a hit: the light at hand may add something
 
     Column power, shininess;  // of the highlights of the light at hand, one after the other
 
-    Column shadow[8];                           // by shadow ray: the columns of a RaySpan
-    std::array<std::uint8_t, k_size> occluded;  // by shadow ray
+    Column shadow[8];               // by shadow ray: the columns of a RaySpan
+    PerHit<std::uint8_t> occluded;  // by shadow ray
     RaySpan shadow_rays() const {
         return {shadow[0].data(), shadow[1].data(), shadow[2].data(), shadow[3].data(),
                 shadow[4].data(), shadow[5].data(), shadow[6].data(), shadow[7].data()};
