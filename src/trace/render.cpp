@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "base/guard.h"
+#include "base/huge_pages.h"
 #include "base/parallel_for.h"
 #include "glint/render.h"
 #include "trace/kernels.h"
@@ -55,7 +56,11 @@ void render_into(const World& world, const RenderOptions& options, const Kernels
     Image image;
     image.width = crop.width;
     image.height = crop.height;
-    image.rgb.resize(3 * static_cast<std::size_t>(crop.width) * static_cast<std::size_t>(crop.height));
+    const std::size_t numbers =
+        3 * static_cast<std::size_t>(crop.width) * static_cast<std::size_t>(crop.height);
+    image.rgb.reserve(numbers);
+    prefer_huge_pages(image.rgb.data(), numbers * sizeof(float));
+    image.rgb.resize(numbers);
 
     const int across = (crop.width + k_tile_side - 1) / k_tile_side,
               down = (crop.height + k_tile_side - 1) / k_tile_side;

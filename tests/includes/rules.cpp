@@ -64,9 +64,9 @@ std::optional<std::string> check_library(std::string_view path, const Room& room
 
 const std::vector<Room>& rooms() {
     static const std::vector<Room> list = {
-        {"base", {}, {"oneapi/tbb/", "fmt/", "immintrin.h"}},
+        {"base", {}, {"oneapi/tbb/", "fmt/", "immintrin.h", "sys/mman.h"}},
         {"math", {"base"}, {}},
-        {"simd", {"base", "math"}, {"hwy/"}},
+        {"simd", {"base", "math"}, {"hwy/", "cpuid.h"}},
         {"geometry", {"base", "math", "simd"}, {}},
         {"lighting", {"base", "math", "simd"}, {}},
         {"bvh", {"base", "math", "simd"}, {}},
