@@ -55,30 +55,35 @@ inline void make_camera_rays(const World& world, const TileJob& job, int i, int 
     const PixelSample where = world.conventions.pixel_sample;
     const bool orthographic = camera.projection == Projection::orthographic;
     const bool unit = world.conventions.ray_direction == RayDirection::unit;
-    const Triple<Doubles> position = lanes_of(camera.position), right = lanes_of(camera.right),
-                          forward = lanes_of(camera.forward);
     const int count = job.width * job.height;
-    rays.clear();
-    rays.reserve(count);
-    double *o[3], *d[3];
-    for (int a = 0; a < 3; ++a) {
-        o[a] = rays.column(k_ray_origin + a);
-        d[a] = rays.column(k_ray_direction + a);
+    rays.start_alike(count, camera.position, world.conventions.camera_t_min, k_infinity);
+    if (orthographic) rays.reserve(count);  // what they share is written over
+    double* o[3] = {rays.column(k_ray_origin), rays.column(k_ray_origin + 1), rays.column(k_ray_origin + 2)};
+    double* d[3] = {rays.column(k_ray_direction), rays.column(k_ray_direction + 1),
+                    rays.column(k_ray_direction + 2)};
+
+    alignas(k_ray_alignment) double beside[3][k_tile_side];  // by column of the tile
+    for (int x = 0; x < k_tile_side; x += lane_count<double>()) {
+        const Doubles column = Doubles(static_cast<double>(job.x + x)) + iota();
+        store_triple(lanes_of(camera.right) * viewport_x(world.settings, where, column, i), beside, x);
+    }
+    Vec3 above[k_tile_side];
+    for (int y = 0; y < job.height; ++y) {
+        above[y] = camera.up * viewport_y(world.settings, where, job.y + y, j);
     }
     for_each_row(job, [&](int x, int y, int first, int width) HWY_ATTR {
-        const Triple<Doubles> above = lanes_of(camera.up * viewport_y(world.settings, where, job.y + y, j));
         for (int c = 0; c < width; c += lane_count<double>()) {
-            const Doubles column = Doubles(static_cast<double>(job.x + x + c)) + iota();
-            const Triple<Doubles> across = right * viewport_x(world.settings, where, column, i) + above;
-            const Triple<Doubles> origin = orthographic ? position + across : position;
-            Triple<Doubles> direction = orthographic ? forward : forward + across;
+            const Triple<Doubles> across = load_triple(beside, x + c) + lanes_of(above[y]);
+            Triple<Doubles> direction = lanes_of(camera.forward);
+            if (orthographic) {
+                store_triple(lanes_of(camera.position) + across, o, first + c);
+            } else {
+                direction = direction + across;
+            }
             if (unit) direction = normalize(direction);
-            store_triple(origin, o, first + c);
             store_triple(direction, d, first + c);
         }
     });
-    std::fill_n(rays.column(k_ray_t_min), count, world.conventions.camera_t_min);
-    std::fill_n(rays.column(k_ray_t_max), count, std::numeric_limits<double>::infinity());
     rays.grow(count);
     rays.end_group();
 }

@@ -1,11 +1,14 @@
 #pragma once
 // Rays waiting to be traced, as columns that grow; their memory is kept from tile to tile.
 #include <algorithm>
+#include <array>
 #include <cstddef>
+#include <cstring>
 #include <new>
 #include <vector>
 
 #include "bvh/rays.h"
+#include "glint/vec.h"
 
 namespace glint {
 
@@ -48,9 +51,21 @@ class RayQueue {
 
     /// Makes room for this many rays and their padding.
     void reserve(int rays) {
-        const auto needed = static_cast<std::size_t>(rays + k_ray_padding);
-        if (columns_[0].size() >= needed) return;
-        for (auto& column : columns_) column.resize(2 * needed);
+        make_room(rays);
+        alike_rays_ = 0;
+    }
+    /// Begins with camera rays that share these numbers. They are written unless they are still here, from a
+    /// tile whose rays all missed.
+    void start_alike(int rays, Vec3 origin, double t_min, double t_max) {
+        clear();
+        make_room(rays);
+        const std::array<double, 5> numbers{origin.x, origin.y, origin.z, t_min, t_max};
+        if (alike_rays_ >= rays && std::memcmp(&numbers, &alike_, sizeof(numbers)) == 0) return;
+        constexpr int columns[] = {k_ray_origin, k_ray_origin + 1, k_ray_origin + 2, k_ray_t_min,
+                                   k_ray_t_max};
+        for (std::size_t i = 0; i < numbers.size(); ++i) std::fill_n(column(columns[i]), rays, numbers[i]);
+        alike_ = numbers;
+        alike_rays_ = rays;
     }
     /// To be written from size() on, within what is reserved; grow() makes rays of it.
     double* column(int c) { return columns_[c].data(); }
@@ -89,6 +104,15 @@ class RayQueue {
     }
 
   private:
+    void make_room(int rays) {
+        const auto needed = static_cast<std::size_t>(rays + k_ray_padding);
+        if (columns_[0].size() >= needed) return;
+        for (auto& column : columns_) column.resize(2 * needed);
+        alike_rays_ = 0;
+    }
+
+    std::array<double, 5> alike_{};  // see start_alike
+    int alike_rays_ = 0;             // so many have them
     std::vector<double, AlignedMemory<double>> columns_[k_ray_columns];
     std::vector<int> group_ends_;
     int size_ = 0;

@@ -79,7 +79,7 @@ void render_tile(const World& world, const TileJob& job, TileScratch& s) {
         for (int i = 0; i < samples; ++i) {
             make_camera_rays(world, job, i, j, s.rays);
             s.counts.camera += static_cast<std::uint64_t>(s.rays.size());
-            s.sample_rays.fill(0);
+            if (is_limited(world)) s.sample_rays.fill(0);
             if (trace_sample(world, s)) continue;
             if (samples == 1) return fill_with_void(world, job);
             add_misses(world, s, 0, 0, s.rays.size(), 0);
