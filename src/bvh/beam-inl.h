@@ -1,12 +1,5 @@
-// The hierarchy's slab expression, for single rays in lanes and, by intervals, for a beam of them.
-//
-// Every decision about a box uses one expression of a ray and the box's planes, in single precision:
-//   entry = max over axes of (near plane - origin) * inverse,   exit = min over axes of (far plane - origin)
-//   * inverse
-// with the origin and the inverse direction rounded so that entry is never too late and exit never too early.
-// IEEE rounding is monotone: the entry of a box is at most that of any box inside it, and an interval
-// evaluation of the same expression bounds every ray of a beam. So grouping rays, or the shape of the tree,
-// cannot change what is hit.
+// A beam: rays of nearly one way, which walk the hierarchy together by interval evaluation of the slab
+// expression.
 #if defined(GLINT_BVH_BEAM_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLINT_BVH_BEAM_INL_H_
 #undef GLINT_BVH_BEAM_INL_H_
@@ -14,191 +7,97 @@
 #define GLINT_BVH_BEAM_INL_H_
 #endif
 
-#include <limits>
-
-#include "bvh/bvh.h"
-#include "bvh/rays.h"
-#include "simd/lanes-inl.h"
+#include "bvh/slab-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace glint {
 namespace HWY_NAMESPACE {
 
-/// Up to k_beam rays that walk the hierarchy together.
-struct Beam {
-    static constexpr int k_size = k_beam + 16;  // a full vector of padding
-    // By axis and ray: the rounded origins and inverse directions for the near and for the far plane.
-    alignas(64) float near_origin[3][k_size], far_origin[3][k_size];
-    alignas(64) float near_inverse[3][k_size], far_inverse[3][k_size];
-    // Rounded to nearest, for the shapes' filters; a direction's largest component is about 1.
-    alignas(64) float origin[3][k_size], direction[3][k_size];
-    alignas(64) float t_min[k_size];  // rounded down
-    alignas(64) float t_max[k_size];  // rounded up; shrinks to the nearest hit so far; -infinity once a ray
-                                      // needs no more
-    int count = 0;
-
-    // Over all rays: which way they go along an axis (0: both), and the intervals of the above.
+/// Intervals of the slab expression's numbers over some rays.
+struct Intervals {
     struct Axis {
-        int sign = 0;
+        int sign = 0;  // which way all rays go; 0: some this, some that
         float near_origin = 0,
               far_origin = 0;  // the end of the interval that gives the earliest entry, the latest exit
         float near_least = 0, near_most = 0, far_least = 0, far_most = 0;
+
+        /// Wider than the numbers of any ray with origin and inverse direction in these ranges, which are
+        /// within a margin of the origin, and the inverse shrunk and grown by 2^-21.
+        HWY_INLINE void set(float least_origin, float most_origin, float least_inverse, float most_inverse) {
+            sign = least_inverse > 0 ? 1 : most_inverse < 0 ? -1 : 0;
+            const float below = slightly_below(least_origin), above = slightly_above(most_origin);
+            near_origin = sign > 0 ? above : below;
+            far_origin = sign > 0 ? below : above;
+            near_least = least_inverse * (sign > 0 ? k_shrink : k_grow);
+            near_most = most_inverse * (sign > 0 ? k_grow : k_shrink);
+            far_least = near_least, far_most = near_most;
+        }
+
+      private:
+        static constexpr float k_grow = 1 + 0x1p-19f, k_shrink = 1 - 0x1p-19f;
+        static HWY_INLINE float slightly_below(float f) { return f - ((f < 0 ? -f : f) * 0x1p-21f + 1e-36f); }
+        static HWY_INLINE float slightly_above(float f) { return -slightly_below(-f); }
     };
     Axis axis[3];
-    float least_t_min = 0, most_t_max = 0;
+    float least_t_min = -std::numeric_limits<float>::infinity(),
+          most_t_max = std::numeric_limits<float>::infinity();
+};
+
+/// Rays [first, first + count) of prepared ones.
+struct Beam : Intervals {
+    SlabRays& rays;
+    int first, count;
+    bool common_origin = true;  // in single precision
+
+    /// All its rays, as bits; ray `first` is the lowest.
+    HWY_INLINE std::uint64_t all() const { return ~std::uint64_t{0} >> (64 - count); }
+
+    HWY_INLINE Beam(SlabRays& prepared, int from, int rays_count)
+        : rays(prepared), first(from), count(rays_count) {
+        for (int a = 0; a < 3; ++a) {
+            const Range inverse = range(rays.near_inverse[a]), origin = range(rays.origin[a]);
+            common_origin = common_origin && origin.least == origin.most;
+            axis[a].set(origin.least, origin.most, inverse.least, inverse.most);
+        }
+        least_t_min = range(rays.t_min).least;
+        update_t_max();
+    }
 
     /// After rays' t_max have shrunk.
-    HWY_INLINE void update_t_max() {
-        Floats most(-std::numeric_limits<float>::infinity());
-        for (int i = 0; i < count; i += lane_count<float>()) most = max(most, load(t_max + i));
-        most_t_max = max_of_lanes(most);
-    }
-};
+    HWY_INLINE void update_t_max() { most_t_max = range(rays.t_max).most; }
 
-/// A float at most x, at least x less two units in the last place.
-HWY_INLINE float float_below(double x) {
-    const float f = static_cast<float>(x);
-    return f - ((f < 0 ? -f : f) * 0x1p-23f + 1e-37f);
-}
-HWY_INLINE float float_above(double x) { return -float_below(-x); }
-
-/// A vector of padding of the slab expression's numbers: see Beam::t_min and t_max.
-HWY_INLINE Floats rounding_margin(Floats f) { return abs(f) * Floats(0x1p-23f) + Floats(1e-37f); }
-
-/// The three coordinates of a vector of rays, rounded to single precision, and their inverse directions, into
-/// the beam. A ray with a NaN or an infinite number in it, or one beyond single precision, meets no box.
-/// Returns who may.
-HWY_INLINE auto narrow_rays(const RaySpan& rays, int from, int to, Beam& beam) {
-    const double* origins[3] = {rays.ox + from, rays.oy + from, rays.oz + from};
-    const double* directions[3] = {rays.dx + from, rays.dy + from, rays.dz + from};
-    const Doubles limit(1e37), tiny(1e-30);
-    auto usable = abs(load(origins[0])) < limit;
-    for (int a = 0; a < 3; ++a)
-        usable = usable && abs(load(origins[a])) < limit && abs(load(directions[a])) < limit;
-    Doubles direction[3], least_inverse(std::numeric_limits<double>::infinity());
-    for (int a = 0; a < 3; ++a) {
-        Doubles d = select(usable, load(directions[a]), Doubles(1));
-        // A direction of 0 along an axis becomes tiny: the slab then covers all t, or none.
-        d = select(abs(d) < tiny, select(d < Doubles(0), -tiny, tiny), d);
-        const Doubles inverse = Doubles(1) / d;
-        direction[a] = d;
-        least_inverse = min(least_inverse, abs(inverse));
-        store_narrow(select(usable, load(origins[a]), Doubles(0)), beam.origin[a] + to);
-        store_narrow(inverse, beam.near_inverse[a] + to);
-    }
-    // Its largest component is about 1, so that its square is a float too.
-    for (int a = 0; a < 3; ++a) store_narrow(direction[a] * least_inverse, beam.direction[a] + to);
-    return usable;
-}
-
-/// The slab expression's numbers of an axis from its rounded origins and inverse directions, and their
-/// intervals.
-HWY_INLINE void make_axis(Beam& beam, int a, int padded) {
-    const Floats infinity(std::numeric_limits<float>::infinity());
-    Floats least_origin = infinity, most_origin = -infinity, least_inverse = infinity,
-           most_inverse = -infinity;
-    const Floats shrink(1 - 0x1p-21f), grow(1 + 0x1p-21f);
-    for (int i = 0; i < padded; i += lane_count<float>()) {
-        const Floats o = load(beam.origin[a] + i), inverse = load(beam.near_inverse[a] + i);
-        const Floats below = o - rounding_margin(o), above = o + rounding_margin(o);
-        const auto ahead = inverse > Floats(0);
-        store(select(ahead, above, below), beam.near_origin[a] + i);
-        store(select(ahead, below, above), beam.far_origin[a] + i);
-        store(inverse * shrink, beam.near_inverse[a] + i);
-        store(inverse * grow, beam.far_inverse[a] + i);
-        least_origin = min(least_origin, below), most_origin = max(most_origin, above);
-        least_inverse = min(least_inverse, inverse), most_inverse = max(most_inverse, inverse);
-    }
-    Beam::Axis& axis = beam.axis[a];
-    const float least = min_of_lanes(least_inverse), most = max_of_lanes(most_inverse);
-    axis.sign = least > 0 ? 1 : most < 0 ? -1 : 0;
-    axis.near_origin = axis.sign > 0 ? max_of_lanes(most_origin) : min_of_lanes(least_origin);
-    axis.far_origin = axis.sign > 0 ? min_of_lanes(least_origin) : max_of_lanes(most_origin);
-    // Rounding is monotone: the least product is the product of the least.
-    axis.near_least = least * (1 - 0x1p-21f), axis.near_most = most * (1 - 0x1p-21f);
-    axis.far_least = least * (1 + 0x1p-21f), axis.far_most = most * (1 + 0x1p-21f);
-}
-
-/// Prepares the beam of rays [first, first + count) of the stream, 1 <= count <= k_beam.
-inline void make_beam(const RaySpan& rays, int first, int count, Beam& beam) {
-    beam.count = count;
-    const int padded = (count + k_ray_padding - 1) / k_ray_padding * k_ray_padding;
-    const Doubles never(-std::numeric_limits<double>::infinity());
-    for (int i = 0; i < count; i += lane_count<double>()) {
-        const auto usable = narrow_rays(rays, first + i, i, beam);
-        store_narrow(load(rays.t_min + first + i), beam.t_min + i);
-        store_narrow(select(usable, load(rays.t_max + first + i), never), beam.t_max + i);
-    }
-    for (int i = count; i < padded;
-         ++i) {  // the last vector's other lanes repeat the first ray, and never hit
-        for (int a = 0; a < 3; ++a) {
-            beam.origin[a][i] = beam.origin[a][0];
-            beam.direction[a][i] = beam.direction[a][0];
-            beam.near_inverse[a][i] = beam.near_inverse[a][0];
+  private:
+    struct Range {
+        float least, most;
+    };
+    HWY_INLINE Range range(const float* column) const {
+        const Floats infinity(std::numeric_limits<float>::infinity());
+        Floats least = infinity, most = -infinity;
+        int i = first;
+        for (; i + lane_count<float>() <= first + count; i += lane_count<float>()) {
+            const Floats x = load(column + i);
+            least = min(least, x), most = max(most, x);
         }
-        beam.t_min[i] = beam.t_min[0];
-        beam.t_max[i] = -std::numeric_limits<float>::infinity();
+        if (i < first + count) {
+            const auto mine = first_lanes<float>(first + count - i);
+            const Floats x = load(column + i);
+            least = min(least, select(mine, x, infinity)), most = max(most, select(mine, x, -infinity));
+        }
+        return {min_of_lanes(least), max_of_lanes(most)};
     }
-    for (int a = 0; a < 3; ++a) make_axis(beam, a, padded);
-    Floats least(std::numeric_limits<float>::infinity());
-    for (int i = 0; i < padded; i += lane_count<float>()) {
-        const Floats t_min = load(beam.t_min + i), t_max = load(beam.t_max + i);
-        const Floats below = t_min - rounding_margin(t_min);
-        store(below, beam.t_min + i);
-        store(select(t_max < Floats(-1e37f), t_max, t_max + rounding_margin(t_max)), beam.t_max + i);
-        least = min(least, below);
-    }
-    beam.least_t_min = min_of_lanes(least);
-    beam.update_t_max();
-}
-
-/// A vector of slab intervals.
-struct Slab {
-    Floats entry, exit;
 };
 
-/// The slab expression for rays [i, i + lanes) of the beam and one box.
-HWY_INLINE Slab box_slab(const Beam& beam, int i, const float* lo, const float* hi) {
+/// Bounds of the slab expression over all rays, for a vector of boxes given by the columns of their lower and
+/// upper planes.
+HWY_INLINE Slab beam_slab(const Intervals& beam, const float* const lo[3], const float* const hi[3]) {
     Slab slab{Floats(-std::numeric_limits<float>::infinity()),
               Floats(std::numeric_limits<float>::infinity())};
     for (int a = 0; a < 3; ++a) {
-        const Floats near_inverse = load(beam.near_inverse[a] + i),
-                     far_inverse = load(beam.far_inverse[a] + i);
-        const Floats lower(lo[a]), upper(hi[a]);
-        const auto ahead = near_inverse > Floats(0);
-        const Floats near = select(ahead, lower, upper), far = select(ahead, upper, lower);
-        slab.entry = max(slab.entry, (near - load(beam.near_origin[a] + i)) * near_inverse);
-        slab.exit = min(slab.exit, (far - load(beam.far_origin[a] + i)) * far_inverse);
-    }
-    return slab;
-}
-
-/// The slab expression for ray i of the beam and a vector of boxes, given as their planes' columns.
-HWY_INLINE Slab boxes_slab(const Beam& beam, int i, const float* const lo[3], const float* const hi[3]) {
-    Slab slab{Floats(-std::numeric_limits<float>::infinity()),
-              Floats(std::numeric_limits<float>::infinity())};
-    for (int a = 0; a < 3; ++a) {
-        const bool ahead = beam.near_inverse[a][i] > 0;
-        const Floats near = load(ahead ? lo[a] : hi[a]), far = load(ahead ? hi[a] : lo[a]);
-        slab.entry =
-            max(slab.entry, (near - Floats(beam.near_origin[a][i])) * Floats(beam.near_inverse[a][i]));
-        slab.exit = min(slab.exit, (far - Floats(beam.far_origin[a][i])) * Floats(beam.far_inverse[a][i]));
-    }
-    return slab;
-}
-
-/// Bounds of the slab expression over all rays of the beam, for a vector of a node's children from `child`
-/// on.
-HWY_INLINE Slab node_slab(const Beam& beam, const BvhNode& node, int child) {
-    Slab slab{Floats(-std::numeric_limits<float>::infinity()),
-              Floats(std::numeric_limits<float>::infinity())};
-    for (int a = 0; a < 3; ++a) {
-        const Beam::Axis& axis = beam.axis[a];
+        const Intervals::Axis& axis = beam.axis[a];
         if (axis.sign == 0) continue;
-        const float* near = axis.sign > 0 ? node.lo[a] : node.hi[a];
-        const float* far = axis.sign > 0 ? node.hi[a] : node.lo[a];
-        const Floats to_near = load(near + child) - Floats(axis.near_origin);
-        const Floats to_far = load(far + child) - Floats(axis.far_origin);
+        const Floats to_near = load(axis.sign > 0 ? lo[a] : hi[a]) - Floats(axis.near_origin);
+        const Floats to_far = load(axis.sign > 0 ? hi[a] : lo[a]) - Floats(axis.far_origin);
+        // Rounding is monotone: the least product is the product of the least.
         const Floats entry =
             to_near * select(to_near >= Floats(0), Floats(axis.near_least), Floats(axis.near_most));
         const Floats exit =
@@ -207,6 +106,95 @@ HWY_INLINE Slab node_slab(const Beam& beam, const BvhNode& node, int child) {
         slab.exit = min(slab.exit, exit);
     }
     return slab;
+}
+
+/// The slab expression for rays [i, i + lanes), of the beam, and one box.
+HWY_INLINE Slab box_slab(const Beam& beam, int i, const float* lo, const float* hi) {
+    const SlabRays& rays = beam.rays;
+    Slab slab{Floats(-std::numeric_limits<float>::infinity()),
+              Floats(std::numeric_limits<float>::infinity())};
+    for (int a = 0; a < 3; ++a) {
+        const Floats near_inverse = load(rays.near_inverse[a] + i),
+                     far_inverse = load(rays.far_inverse[a] + i);
+        const Floats lower(lo[a]), upper(hi[a]);
+        Floats near = lower, far = upper;
+        if (beam.axis[a].sign < 0) near = upper, far = lower;
+        if (beam.axis[a].sign == 0) {
+            const auto ahead = near_inverse > Floats(0);
+            near = select(ahead, lower, upper), far = select(ahead, upper, lower);
+        }
+        slab.entry = max(slab.entry, (near - load(rays.near_origin[a] + i)) * near_inverse);
+        slab.exit = min(slab.exit, (far - load(rays.far_origin[a] + i)) * far_inverse);
+    }
+    return slab;
+}
+HWY_INLINE LaneMask<float> meets(const SlabRays& rays, int i, const Slab& slab) {
+    return meets(slab, load(rays.t_min + i), load(rays.t_max + i));
+}
+
+/// Which of some of the beam's rays meet a box before their t_max.
+HWY_INLINE std::uint64_t rays_that_meet(const Beam& beam, std::uint64_t some, const float* lo,
+                                        const float* hi) {
+    constexpr int lanes = lane_count<float>();
+    std::uint64_t met = 0;
+    for (int r = 0; r < beam.count; r += lanes) {
+        const std::uint32_t here = static_cast<std::uint32_t>(some >> r) & first_bits(lanes);
+        if (here == 0) continue;
+        const int i = beam.first + r;
+        met |= std::uint64_t{to_bits(meets(beam.rays, i, box_slab(beam, i, lo, hi))) & here} << r;
+    }
+    return met;
+}
+
+/// Which of them some ray may meet before its t_max, as bits.
+HWY_INLINE std::uint32_t meets(const Intervals& beam, const Slab& slab) {
+    return to_bits(meets(slab, Floats(beam.least_t_min), Floats(beam.most_t_max)));
+}
+
+/// Which of a node's children some ray may meet, as bits; entries gets the earliest entries.
+HWY_INLINE std::uint32_t children_met(const Intervals& beam, const BvhNode& node, float* entries) {
+    std::uint32_t met = 0;
+    for (int c = 0; c < k_bvh_width; c += lane_count<float>()) {
+        const float* lo[3] = {node.lo[0] + c, node.lo[1] + c, node.lo[2] + c};
+        const float* hi[3] = {node.hi[0] + c, node.hi[1] + c, node.hi[2] + c};
+        const Slab slab = beam_slab(beam, lo, hi);
+        store(slab.entry, entries + c);
+        met |= meets(beam, slab) << c;
+    }
+    return met;
+}
+
+/// Whether none of rays [first, first + count) of a stream can meet anything in the hierarchy. False if in
+/// doubt.
+inline bool all_miss(const Bvh& bvh, const RaySpan& rays, int first, int count) {
+    if (bvh.nodes.empty()) return true;
+    const double* origins[3] = {rays.ox + first, rays.oy + first, rays.oz + first};
+    const double* directions[3] = {rays.dx + first, rays.dy + first, rays.dz + first};
+    constexpr int lanes = lane_count<double>();
+    if (count < lanes) return false;
+    const Doubles infinity(std::numeric_limits<double>::infinity());
+    Intervals all;
+    for (int a = 0; a < 3; ++a) {
+        Doubles least_origin = infinity, most_origin = -infinity, least = infinity, most = -infinity;
+        // The last vector ends with the last ray. A ray with a NaN meets nothing: the order of arguments
+        // leaves it out.
+        for (int k = 0; k < count; k += lanes) {
+            const int i = number::min(k, count - lanes);
+            const Doubles o = load(origins[a] + i), d = load(directions[a] + i);
+            least_origin = min(o, least_origin), most_origin = max(o, most_origin);
+            least = min(d, least), most = max(d, most);
+        }
+        const double d_least = min_of_lanes(least), d_most = max_of_lanes(most);
+        if (!(d_least > 1e-30) && !(d_most < -1e-30)) continue;  // sign 0: the axis decides nothing
+        all.axis[a].set(static_cast<float>(min_of_lanes(least_origin)),
+                        static_cast<float>(max_of_lanes(most_origin)), static_cast<float>(1 / d_most),
+                        static_cast<float>(1 / d_least));
+    }
+    alignas(64) float entries[k_bvh_width];
+    std::uint32_t met = children_met(all, bvh.nodes[0], entries);
+    for (; met != 0; met &= met - 1)
+        if (!bvh.nodes[0].child[__builtin_ctz(met)].is_none()) return false;
+    return true;
 }
 
 }  // namespace HWY_NAMESPACE

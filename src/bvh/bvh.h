@@ -16,7 +16,7 @@ inline constexpr std::uint32_t k_bvh_max_items = 1u << 27;
 
 /// A reference to a node, or to a leaf: items [first, first + count) in leaf order.
 struct BvhChild {
-    std::uint32_t bits = 0;
+    std::uint32_t bits;  // not set by default: a walk's stack has thousands
     static BvhChild none() { return {0}; }
     static BvhChild node(std::uint32_t index) { return {index}; }
     static BvhChild leaf(std::uint32_t first, std::uint32_t count) {

@@ -1,4 +1,4 @@
-// Walking the hierarchy with a beam.
+// Walking the hierarchy with a beam, or with one ray.
 #if defined(GLINT_BVH_TRAVERSE_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLINT_BVH_TRAVERSE_INL_H_
 #undef GLINT_BVH_TRAVERSE_INL_H_
@@ -12,48 +12,132 @@ HWY_BEFORE_NAMESPACE();
 namespace glint {
 namespace HWY_NAMESPACE {
 
-/// Calls leaf.visit(first, count) for every leaf whose box some ray of the beam may meet before its t_max,
-/// nearest first when `ordered`. visit may shrink the beam's t_max; the walk ends when no ray has anything
-/// left to find.
-template <bool ordered, class Leaf> HWY_INLINE void traverse(const Bvh& bvh, Beam& beam, Leaf& leaf) {
-    if (bvh.nodes.empty()) return;
-    struct Entry {
+/// What is still to be visited; on top the next. Not set at first: it has thousands of entries.
+template <class Visit> class Visits {
+  public:
+    bool empty() const { return top_ == 0; }
+    HWY_INLINE const Visit& pop() { return stack_[--top_]; }
+    int size() const { return top_; }
+    HWY_INLINE void push(const Visit& visit) { stack_[top_++] = visit; }
+    /// Pushes below those from `base` on that have an earlier entry: the nearest stays on top.
+    HWY_INLINE void push_ordered(const Visit& visit, int base) {
+        int at = top_++;
+        for (; at > base && stack_[at - 1].entry < visit.entry; --at) stack_[at] = stack_[at - 1];
+        stack_[at] = visit;
+    }
+
+  private:
+    Visit stack_[k_bvh_max_depth * (k_bvh_width - 1) + 1];
+    int top_ = 0;
+};
+
+/// Walks ray i of prepared ones from a child on: leaf.visit(i, first, count) for every leaf whose box the ray
+/// meets before its t_max, nearest first when `ordered`. visit may shrink the ray's t_max.
+template <bool ordered, class Leaf>
+HWY_INLINE void traverse_ray(const Bvh& bvh, const SlabRays& rays, int i, BvhChild next, Leaf& leaf) {
+    struct Visit {
         BvhChild child;
         float entry;
     };
-    Entry stack[k_bvh_max_depth * (k_bvh_width - 1) + 1];
-    int top = 0;
-    stack[top++] = {BvhChild::node(0), -std::numeric_limits<float>::infinity()};
-    while (top > 0) {
-        const Entry next = stack[--top];
+    const SlabRay ray(rays, i);
+    const Floats t_min(rays.t_min[i]);
+    // Where in a node its near and far planes are.
+    int near_at[3], far_at[3];
+    for (int a = 0; a < 3; ++a) {
+        near_at[a] = (ray.ahead[a] ? 0 : 3 * k_bvh_width) + a * k_bvh_width;
+        far_at[a] = (ray.ahead[a] ? 3 * k_bvh_width : 0) + a * k_bvh_width;
+    }
+    Visits<Visit> visits;
+    float t_max = rays.t_max[i];
+    for (;;) {
+        if (next.is_leaf()) {
+            leaf.visit(i, next.first(), next.count());
+            t_max = rays.t_max[i];
+            if (t_max < rays.t_min[i]) return;
+        } else {
+            const BvhNode& node = bvh.nodes[next.index()];
+            const float* planes = node.lo[0];
+            alignas(64) float entries[k_bvh_width];
+            std::uint32_t met = 0;
+            for (int c = 0; c < k_bvh_width; c += lane_count<float>()) {
+                const float* near[3] = {planes + near_at[0] + c, planes + near_at[1] + c,
+                                        planes + near_at[2] + c};
+                const float* far[3] = {planes + far_at[0] + c, planes + far_at[1] + c,
+                                       planes + far_at[2] + c};
+                const Slab slab = ray.meet(near, far);
+                if constexpr (ordered)
+                    store(slab.entry, entries + c);
+                else
+                    store(max(slab.entry, t_min) - min(slab.exit, Floats(t_max)), entries + c);
+                met |= to_bits(meets(slab, t_min, Floats(t_max))) << c;
+            }
+            if (met != 0) {
+                if ((met & (met - 1)) == 0) {
+                    next = node.child[__builtin_ctz(met)];
+                    continue;
+                }
+                const int base = visits.size();
+                for (; met != 0; met &= met - 1) {
+                    const int c = __builtin_ctz(met);
+                    visits.push_ordered({node.child[c], entries[c]}, base);
+                }
+            }
+        }
+        do {
+            if (visits.empty()) return;
+            const Visit& top = visits.pop();
+            next = top.child;
+            if (!ordered || !(top.entry > t_max)) break;
+        } while (true);
+    }
+}
+
+/// Rays that go on alone when fewer than this of a beam are left.
+inline constexpr int k_least_beam = 8;
+
+/// Calls leaf.visit(beam, mine, first, count) for every leaf whose box some rays of the beam meet before
+/// their t_max: those that are set in `mine`; nearest first when `ordered`. Where few rays are left, they go
+/// on alone. visit may shrink rays' t_max (and then updates the beam's).
+template <bool ordered, class Leaf> HWY_INLINE void traverse_beam(const Bvh& bvh, Beam& beam, Leaf& leaf) {
+    struct Visit {
+        BvhChild child;
+        float entry;
+        std::uint64_t mine;
+    };
+    Visits<Visit> visits;
+    visits.push({BvhChild::node(0), -std::numeric_limits<float>::infinity(), beam.all()});
+    while (!visits.empty()) {
+        const Visit next = visits.pop();
         // Also true once every ray is done: most_t_max is then -infinity.
         if (next.entry > beam.most_t_max) continue;
+        if (__builtin_popcountll(next.mine) < k_least_beam) {
+            for (std::uint64_t bits = next.mine; bits != 0; bits &= bits - 1) {
+                const int i = beam.first + __builtin_ctzll(bits);
+                if (next.entry > beam.rays.t_max[i]) continue;
+                traverse_ray<ordered>(bvh, beam.rays, i, next.child, leaf);
+            }
+            beam.update_t_max();
+            continue;
+        }
         if (next.child.is_leaf()) {
-            leaf.visit(next.child.first(), next.child.count());
-            if (beam.most_t_max < beam.least_t_min) return;
+            leaf.visit(beam, next.mine, next.child.first(), next.child.count());
             continue;
         }
         const BvhNode& node = bvh.nodes[next.child.index()];
         alignas(64) float entries[k_bvh_width];
-        std::uint32_t met = 0;
-        for (int c = 0; c < k_bvh_width; c += lane_count<float>()) {
-            const Slab slab = node_slab(beam, node, c);
-            const auto meets = slab.entry <= slab.exit && slab.entry <= Floats(beam.most_t_max) &&
-                               slab.exit >= Floats(beam.least_t_min);
-            store(slab.entry, entries + c);
-            met |= to_bits(meets) << c;
-        }
-        const int base = top;
+        std::uint32_t met = children_met(beam, node, entries);
+        const int base = visits.size();
         for (; met != 0; met &= met - 1) {
             const int c = __builtin_ctz(met);
-            if (node.child[c].is_none()) continue;  // a beam of mixed directions meets empty boxes too
-            const Entry entry{node.child[c], entries[c]};
-            int at = top++;
+            const float lo[3] = {node.lo[0][c], node.lo[1][c], node.lo[2][c]};
+            const float hi[3] = {node.hi[0][c], node.hi[1][c], node.hi[2][c]};
+            const std::uint64_t mine = rays_that_meet(beam, next.mine, lo, hi);
+            if (mine == 0) continue;
             if constexpr (ordered) {
-                // Insertion sort: the nearest ends on top.
-                for (; at > base && stack[at - 1].entry < entry.entry; --at) stack[at] = stack[at - 1];
+                visits.push_ordered({node.child[c], entries[c], mine}, base);
+            } else {
+                visits.push({node.child[c], entries[c], mine});
             }
-            stack[at] = entry;
         }
     }
 }

@@ -25,6 +25,11 @@ namespace HWY_NAMESPACE {
 struct PolygonGeometry : TriangleGeometry {};
 template <class Geometry> inline constexpr bool k_is_packed = !std::is_same_v<Geometry, PolygonGeometry>;
 
+/// Their formula takes a TriangleGeometry::Sight of the ray.
+template <class Geometry>
+inline constexpr bool k_is_triangle =
+    std::is_same_v<Geometry, TriangleGeometry> || std::is_same_v<Geometry, SmoothTriangleGeometry>;
+
 /// Calls visitor.visit<Geometry>() for the geometry of a kind, under a transform or not. Kinds that take a
 /// map into their own parameters (k_takes_maps) are never packed with one.
 template <class Geometry, class Visitor> HWY_INLINE void visit_kind(bool transformed, Visitor&& visitor) {

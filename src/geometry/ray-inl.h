@@ -29,12 +29,13 @@ template <class T> struct Roots {
     T b, h;
 };
 template <class T> HWY_INLINE Roots<T> closest_approach(Triple<T> q, Triple<T> d, T radius) {
-    const T dd = dot(d, d);
-    const T b = -(dot(q, d) / dd);
+    const T inverse = T(1) / dot(d, d);
+    const T b = -(dot(q, d) * inverse);
     const Triple<T> f = q + d * b;
     const T discriminant = radius * radius - dot(f, f);
     const auto real = discriminant >= T(0);
-    return {real, b, sqrt(max(discriminant, T(0)) / dd)};
+    if (!any(real)) return {real, b, T(0)};
+    return {real, b, sqrt(max(discriminant, T(0)) * inverse)};
 }
 
 }  // namespace HWY_NAMESPACE

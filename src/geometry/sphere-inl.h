@@ -38,14 +38,19 @@ struct SphereGeometry {
     /// In single precision: false only where `hit` in double is false. With u = 2^-24, the coordinates'
     /// conversions, q, b and f are wrong by less than 16 u (|o| + |c|) in each coordinate; the test allows
     /// for twice that.
-    template <class F> static HWY_INLINE auto may_hit(const F* p, const Ray<F>& ray) {
-        const Triple<F> c = triple(p), q = ray.origin - c, d = ray.direction;
-        const Triple<F> f = q - d * (dot(q, d) / dot(d, d));
-        const F magnitude =
-            (abs(ray.origin.x) + abs(ray.origin.y) + abs(ray.origin.z)) + (abs(c.x) + abs(c.y) + abs(c.z));
-        const F reach = p[3] * F(1 + 0x1p-20f) + magnitude * F(0x1p-19f);
-        return !(dot(f, f) * F(1 - 0x1p-20f) > reach * reach);  // a NaN may hit
-    }
+    template <class F> struct Filter {
+        Triple<F> q;
+        F reach_squared;
+        static HWY_INLINE Filter of(const F* p, const Triple<F>& o) {
+            const F magnitude = (abs(o.x) + abs(o.y) + abs(o.z)) + (abs(p[0]) + abs(p[1]) + abs(p[2]));
+            const F reach = p[3] * F(1 + 0x1p-20f) + magnitude * F(0x1p-19f);
+            return {o - triple(p), reach * reach};
+        }
+        HWY_INLINE auto may_hit(const Triple<F>& d) const {
+            const Triple<F> f = q - d * (dot(q, d) / dot(d, d));
+            return !(dot(f, f) * F(1 - 0x1p-20f) > reach_squared);  // a NaN may hit
+        }
+    };
 
     template <class T> static HWY_INLINE Triple<T> normal(const T* p, Triple<T> point) {
         return normalize(point - triple(p));

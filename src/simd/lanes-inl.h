@@ -1,7 +1,7 @@
 // Lanes<T>: as many numbers as the instruction set computes at once, with the operators and the names of
 // math/number.h. The only file that includes Highway. Included once a target, inside foreach_target.h
 // (trace/kernels.cpp). Of Highway, only what IEEE 754 defines exactly: no MulAdd family, no Approximate*, no
-// SumOfLanes, no Min / Max.
+// SumOfLanes; Min and Max only where they are a comparison and a choice.
 #if defined(GLINT_SIMD_LANES_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLINT_SIMD_LANES_INL_H_
 #undef GLINT_SIMD_LANES_INL_H_
@@ -11,6 +11,7 @@
 
 #include <hwy/highway.h>
 
+#include <bit>
 #include <cstdint>
 #include <type_traits>
 
@@ -87,8 +88,14 @@ template <class T> HWY_INLINE LaneMask<T> and_not(LaneMask<T> a, LaneMask<T> b) 
 }
 template <class T> HWY_INLINE Lanes<T> sqrt(Lanes<T> x) { return Lanes<T>(hn::Sqrt(x.v)); }
 template <class T> HWY_INLINE Lanes<T> abs(Lanes<T> x) { return Lanes<T>(hn::Abs(x.v)); }
+#if HWY_ARCH_X86 && HWY_TARGET != HWY_SCALAR
+// x86's own are exactly these: minimum(a, b) = a < b ? a : b, maximum(a, b) = a > b ? a : b.
+template <class T> HWY_INLINE Lanes<T> min(Lanes<T> a, Lanes<T> b) { return Lanes<T>(hn::Min(a.v, b.v)); }
+template <class T> HWY_INLINE Lanes<T> max(Lanes<T> a, Lanes<T> b) { return Lanes<T>(hn::Max(b.v, a.v)); }
+#else
 template <class T> HWY_INLINE Lanes<T> min(Lanes<T> a, Lanes<T> b) { return select(a < b, a, b); }
 template <class T> HWY_INLINE Lanes<T> max(Lanes<T> a, Lanes<T> b) { return select(a < b, b, a); }
+#endif
 template <class T> HWY_INLINE Lanes<T> with_sign_of(Lanes<T> x, Lanes<T> s) {
     return select(s < Lanes<T>(0), -x, x);
 }
@@ -154,6 +161,8 @@ HWY_INLINE void store_interleaved(NarrowFloats a, NarrowFloats b, NarrowFloats c
 /// The least and the greatest lane; no lane is NaN.
 HWY_INLINE float min_of_lanes(Floats x) { return hn::GetLane(hn::MinOfLanes(Tag<float>(), x.v)); }
 HWY_INLINE float max_of_lanes(Floats x) { return hn::GetLane(hn::MaxOfLanes(Tag<float>(), x.v)); }
+HWY_INLINE double min_of_lanes(Doubles x) { return hn::GetLane(hn::MinOfLanes(Tag<double>(), x.v)); }
+HWY_INLINE double max_of_lanes(Doubles x) { return hn::GetLane(hn::MaxOfLanes(Tag<double>(), x.v)); }
 
 /// Numbers from 32-bit arrays, lane_count<double>() of them.
 using IndexTag = hn::Rebind<std::uint32_t, Tag<double>>;
@@ -195,15 +204,22 @@ template <class T> HWY_INLINE int count(LaneMask<T> m) {
 
 /// Bit i of the result is lane i.
 template <class T> HWY_INLINE std::uint32_t to_bits(LaneMask<T> m) {
-#if HWY_TARGET == HWY_AVX3
-    return m.m.raw;
-#else
-    std::uint8_t bytes[8] = {};
-    hn::StoreMaskBits(Tag<T>(), m.m, bytes);
-    const std::uint32_t bits = bytes[0] | static_cast<std::uint32_t>(bytes[1]) << 8;
+    std::uint32_t bits = 0;
+    if constexpr (lane_count<T>() == 1) {
+        bits = hn::AllTrue(Tag<T>(), m.m) ? 1 : 0;
+    } else {
+        static_assert(std::endian::native == std::endian::little);
+        hn::StoreMaskBits(Tag<T>(), m.m, reinterpret_cast<std::uint8_t*>(&bits));
+    }
     return bits & ((1u << lane_count<T>()) - 1);
-#endif
 }
+/// The first n lanes (all, if there are no more).
+template <class T> HWY_INLINE LaneMask<T> first_lanes(int n) {
+    return {hn::FirstN(Tag<T>(), static_cast<std::size_t>(n))};
+}
+/// The n lowest bits, 0 <= n < 32.
+HWY_INLINE std::uint32_t first_bits(int n) { return (1u << n) - 1; }
+
 template <class T> HWY_INLINE LaneMask<T> from_bits(std::uint32_t bits) {
     const std::uint8_t bytes[8] = {static_cast<std::uint8_t>(bits), static_cast<std::uint8_t>(bits >> 8)};
     return {hn::LoadMaskBits(Tag<T>(), bytes)};

@@ -39,7 +39,7 @@ const GalleryPicture k_gallery[] = {
     {"epfl/mirror_room.json", "size=160x160 reflections=8", 0xf7ccdb3fc701bfda},
     {"epfl/three_lights.json", "size=160x160", 0x6999db1e60601be7},
     {"epfl/two_scenes.js", "size=160x160", 0x6f7cbeb3391345c5},
-    {"glint/acne.glint", "size=160x100", 0x0633aa4761ee32bc},
+    {"glint/acne.glint", "size=160x100", 0xa96c24ede7d9f51d},
     {"glint/attenuation.glint", "size=160x42", 0x38950e9e0091f670},
     {"glint/caffeine.glint", "size=160x120", 0x2a831db41c33aa3a},
     {"glint/glass.glint", "size=120x79 aa=1", 0x8e402a0a40dc3035},

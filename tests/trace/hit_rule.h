@@ -29,10 +29,10 @@ inline Interval box_interval(const World& world, std::uint32_t slot, Vec3 o, Vec
     const double origin[3] = {o.x, o.y, o.z}, direction[3] = {d.x, d.y, d.z};
     Interval in{-std::numeric_limits<float>::infinity(), std::numeric_limits<float>::infinity()};
     for (int a = 0; a < 3; ++a) {
-        double along = direction[a];
-        if (std::fabs(along) < 1e-30) along = along < 0 ? -1e-30 : 1e-30;
+        auto along = static_cast<float>(direction[a]);
+        if (std::fabs(along) < 1e-30f) along = along < 0 ? -1e-30f : 1e-30f;
         const float lo = world.box_lo[a][slot], hi = world.box_hi[a][slot];
-        const auto inverse = static_cast<float>(1 / along);
+        const float inverse = 1 / along;
         const float below = rounded_down(origin[a]), above = rounded_up(origin[a]);
         const float to_near = along > 0 ? lo - above : hi - below,
                     to_far = along > 0 ? hi - below : lo - above;

@@ -1,0 +1,52 @@
+// The nearest hits, or the occlusions, of some rays as they grow.
+#if defined(GLINT_TRACE_HIT_RESULT_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef GLINT_TRACE_HIT_RESULT_INL_H_
+#undef GLINT_TRACE_HIT_RESULT_INL_H_
+#else
+#define GLINT_TRACE_HIT_RESULT_INL_H_
+#endif
+
+#include "bvh/slab-inl.h"
+#include "world/world.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace glint {
+namespace HWY_NAMESPACE {
+
+/// The answers of nearest_hit or any_hit for a chunk of rays, as they grow.
+struct HitResult {
+    const World& world;
+    SlabRays& slab_rays;
+    double* t;                // by ray: the least so far; starts as t_max
+    std::uint32_t* slot;      // nearest_hit: k_none at first
+    std::uint8_t* occluded;   // any_hit; null for nearest_hit
+    std::uint32_t* occluder;  // any_hit: the last one
+
+    /// Which of two slots hit at the same t is seen: the first in the scene; of the triangles of one polygon,
+    /// the first packed.
+    HWY_INLINE bool precedes(std::uint32_t a, std::uint32_t b) const {
+        const std::uint32_t shape_a = world.shape_index[a], shape_b = world.shape_index[b];
+        return shape_a < shape_b || (shape_a == shape_b && a < b);
+    }
+
+    /// new_t is at most t[ray], which may be t_max itself.
+    HWY_INLINE void accept(int ray, double new_t, std::uint32_t new_slot) const {
+        if (occluded != nullptr) {
+            if (new_t == t[ray] || (world.material[new_slot] & k_no_shadow) != 0) return;
+            occluded[ray] = 1;
+            *occluder = new_slot;
+            slab_rays.t_max[ray] = -std::numeric_limits<float>::infinity();
+            return;
+        }
+        if (new_t == t[ray] && (slot[ray] == k_none || precedes(slot[ray], new_slot))) return;
+        t[ray] = new_t;
+        slot[ray] = new_slot;
+        slab_rays.t_max[ray] = float_above(new_t);
+    }
+};
+
+}  // namespace HWY_NAMESPACE
+}  // namespace glint
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,325 @@
+// Shapes against rays. The hit rule, here and nowhere else:
+//   a ray hits a shape at t if the shape's formula says so and the ray meets the shape's own padded box by
+//   the hierarchy's slab expression; t is clamped into that interval and must lie in (t_min, t_max); nearest
+//   is the least (t, index in the scene).
+// Nothing in it depends on how rays are grouped or on the tree.
+#if defined(GLINT_TRACE_SHAPE_TESTS_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef GLINT_TRACE_SHAPE_TESTS_INL_H_
+#undef GLINT_TRACE_SHAPE_TESTS_INL_H_
+#else
+#define GLINT_TRACE_SHAPE_TESTS_INL_H_
+#endif
+
+#include "bvh/beam-inl.h"
+#include "geometry/kinds-inl.h"
+#include "trace/hit_result-inl.h"
+#include "trace/sights-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace glint {
+namespace HWY_NAMESPACE {
+
+/// Tests shapes against a beam, or one ray, of a chunk of rays.
+struct ShapeTests {
+    const World& world;
+    const RaySpan& rays;  // the chunk's
+    SlabRays& slab_rays;
+    const HitResult& result;
+    Sights& sights;
+
+    HWY_INLINE Ray<Doubles> ray_lanes(int i) const {
+        return {{load(rays.ox + i), load(rays.oy + i), load(rays.oz + i)},
+                {load(rays.dx + i), load(rays.dy + i), load(rays.dz + i)}};
+    }
+    HWY_INLINE Ray<Doubles> one_ray(int i) const {
+        return {{Doubles(rays.ox[i]), Doubles(rays.oy[i]), Doubles(rays.oz[i])},
+                {Doubles(rays.dx[i]), Doubles(rays.dy[i]), Doubles(rays.dz[i])}};
+    }
+
+    /// A leaf: slots [first, first + count), of one class.
+    HWY_INLINE void visit(Beam& beam, std::uint64_t mine, std::uint32_t first, std::uint32_t count) {
+        const ShapeClass& shapes = world.class_of(first);
+        BeamLeaf visitor{*this, shapes, beam, mine, first, count};
+        visit_geometry(shapes.kind, shapes.transformed, visitor);
+        beam.update_t_max();
+    }
+    HWY_INLINE void visit(int ray, std::uint32_t first, std::uint32_t count) {
+        const ShapeClass& shapes = world.class_of(first);
+        RayLeaf visitor{*this, shapes, ray, first, count};
+        visit_geometry(shapes.kind, shapes.transformed, visitor);
+    }
+    /// All shapes of an unbounded class, against rays [0, count) of the chunk: no boxes.
+    HWY_INLINE void visit_unbounded(const ShapeClass& shapes, int count) {
+        Unbounded visitor{*this, shapes, count};
+        visit_geometry(shapes.kind, shapes.transformed, visitor);
+    }
+
+    /// One shape against the beam.
+    HWY_INLINE void visit_shape(Beam& beam, std::uint32_t slot) {
+        const ShapeClass& shapes = world.class_of(slot);
+        BeamShape visitor{*this, shapes, beam, slot};
+        visit_geometry(shapes.kind, shapes.transformed, visitor);
+    }
+
+    struct BeamShape {
+        ShapeTests& tests;
+        const ShapeClass& shapes;
+        const Beam& beam;
+        std::uint32_t slot;
+        template <class Geometry> HWY_INLINE void visit() {
+            if constexpr (Geometry::k_bounded) tests.lone_shape<Geometry>(shapes, beam, slot);
+        }
+    };
+    struct BeamLeaf {
+        ShapeTests& tests;
+        const ShapeClass& shapes;
+        const Beam& beam;
+        std::uint64_t mine;
+        std::uint32_t first, count;
+        template <class Geometry> HWY_INLINE void visit() {
+            if constexpr (Geometry::k_bounded) tests.beam_leaf<Geometry>(shapes, beam, mine, first, count);
+        }
+    };
+    struct RayLeaf {
+        ShapeTests& tests;
+        const ShapeClass& shapes;
+        int ray;
+        std::uint32_t first, count;
+        template <class Geometry> HWY_INLINE void visit() {
+            if constexpr (Geometry::k_bounded) tests.ray_leaf<Geometry>(shapes, first, count, ray);
+        }
+    };
+    struct Unbounded {
+        ShapeTests& tests;
+        const ShapeClass& shapes;
+        int count;
+        template <class Geometry> HWY_INLINE void visit() {
+            if constexpr (!Geometry::k_bounded) {
+                for (std::uint32_t s = shapes.first; s < shapes.first + shapes.count; ++s)
+                    tests.many_rays_unbounded<Geometry>(shapes, s, count);
+            }
+        }
+    };
+
+    template <class Geometry, class T>
+    HWY_INLINE void broadcast_values(const ShapeClass& shapes, std::uint32_t slot, T* p) const {
+        for (int k = 0; k < Geometry::k_values; ++k) p[k] = T(shapes.column(k)[slot - shapes.first]);
+    }
+
+    /// The shape's formula, lanes are rays.
+    template <class Geometry> HWY_INLINE Candidate<Doubles> formula(const Doubles* p, int i, Doubles t_min) {
+        if constexpr (k_is_triangle<Geometry>) {
+            const auto sight = sights.lanes(i);
+            const int axis = sights.common_axis(i);
+            if (axis >= 0) {
+                const TriangleGeometry::TurnAll<Doubles> turned{axis};
+                return Geometry::hit_seen(p, sight, ray_lanes(i).direction, turned, t_min);
+            }
+        }
+        return Geometry::hit(p, ray_lanes(i), t_min);
+    }
+    /// The same, lanes are shapes.
+    template <class Geometry>
+    HWY_INLINE Candidate<Doubles> formula_of_one(const Doubles* p, int i, Doubles t_min) {
+        if constexpr (k_is_triangle<Geometry>) {
+            const auto sight = sights.one(i);
+            const TriangleGeometry::TurnAll<Doubles> turned{sights.axis(i)};
+            return Geometry::hit_seen(p, sight, one_ray(i).direction, turned, t_min);
+        } else {
+            return Geometry::hit(p, one_ray(i), t_min);
+        }
+    }
+
+    /// Settles candidates of rays [i, i + lanes): bits says which may still hit; entry and exit are their box
+    /// intervals.
+    template <class Geometry>
+    HWY_INLINE void settle_rays(const Doubles* p, std::uint32_t slot, int i, std::uint32_t bits,
+                                Doubles entry, Doubles exit) {
+        const Doubles t_min = load(rays.t_min + i);
+        const auto candidate = formula<Geometry>(p, i, t_min);
+        const Doubles t = min(max(candidate.t, entry), exit);
+        bits &= to_bits(candidate.hit && t > t_min && t <= load(result.t + i));
+        if (bits == 0) return;
+        if (result.occluded == nullptr) {
+            // Strictly nearer ones all at once.
+            const Doubles best = load(result.t + i);
+            const auto nearer = t < best && from_bits<double>(bits);
+            store(select(nearer, t, best), result.t + i);
+            alignas(64) float t_max[lane_count<float>()] = {};
+            store_narrow(t, t_max);
+            store(floats_above(load(t_max)), t_max);
+            const std::uint32_t done = to_bits(nearer);
+            for (std::uint32_t b = done; b != 0; b &= b - 1) {
+                const int lane = __builtin_ctz(b);
+                result.slot[i + lane] = slot;
+                slab_rays.t_max[i + lane] = t_max[lane];
+            }
+            bits &= ~done;
+            if (bits == 0) return;
+        }
+        alignas(64) double lanes[lane_count<double>()];
+        store(t, lanes);
+        for (; bits != 0; bits &= bits - 1) {
+            const int lane = __builtin_ctz(bits);
+            result.accept(i + lane, lanes[lane], slot);
+        }
+    }
+
+    /// Which of slots [first, first + lanes) some ray of the beam may meet.
+    HWY_INLINE std::uint32_t meets_shapes(const Beam& beam, std::uint32_t first) const {
+        const float* lo[3] = {&world.box_lo[0][first], &world.box_lo[1][first], &world.box_lo[2][first]};
+        const float* hi[3] = {&world.box_hi[0][first], &world.box_hi[1][first], &world.box_hi[2][first]};
+        return meets(beam, beam_slab(beam, lo, hi));
+    }
+
+    template <class Geometry>
+    HWY_NOINLINE void beam_leaf(const ShapeClass& shapes, const Beam& beam, std::uint64_t mine,
+                                std::uint32_t first, std::uint32_t count) {
+        for (std::uint32_t s = 0; s < count; s += lane_count<float>()) {
+            std::uint32_t bits = meets_shapes(beam, first + s) &
+                                 first_bits(number::min(static_cast<int>(count - s), lane_count<float>()));
+            for (; bits != 0; bits &= bits - 1)
+                beam_shape<Geometry>(shapes, beam, mine,
+                                     first + s + static_cast<std::uint32_t>(__builtin_ctz(bits)));
+        }
+    }
+
+    template <class Geometry>
+    HWY_NOINLINE void lone_shape(const ShapeClass& shapes, const Beam& beam, std::uint32_t slot) {
+        beam_shape<Geometry>(shapes, beam, beam.all(), slot);
+    }
+
+    /// One shape against the beam's rays `mine`, which may meet its box.
+    template <class Geometry>
+    HWY_INLINE void beam_shape(const ShapeClass& shapes, const Beam& beam, std::uint64_t mine,
+                               std::uint32_t slot) {
+        const float lo[3] = {world.box_lo[0][slot], world.box_lo[1][slot], world.box_lo[2][slot]};
+        const float hi[3] = {world.box_hi[0][slot], world.box_hi[1][slot], world.box_hi[2][slot]};
+        constexpr int lanes = lane_count<float>();
+        if constexpr (Geometry::k_filtered) {
+            mine = filter_rays<Geometry>(shapes, beam, mine, slot);
+            if (mine == 0) return;
+        }
+        Doubles p[Geometry::k_values];
+        bool loaded = false;
+        for (int r = 0; r < beam.count; r += lanes) {
+            std::uint32_t bits = static_cast<std::uint32_t>(mine >> r) & first_bits(lanes);
+            if (bits == 0) continue;
+            const int i = beam.first + r;
+            const Slab slab = box_slab(beam, i, lo, hi);
+            bits &= to_bits(meets(slab_rays, i, slab));
+            if (bits == 0) continue;
+            if (!loaded) broadcast_values<Geometry>(shapes, slot, p);
+            loaded = true;
+            alignas(64) float entry[lanes], exit[lanes];
+            store(slab.entry, entry);
+            store(slab.exit, exit);
+            for (int c = 0; c < lanes; c += lane_count<double>()) {
+                const std::uint32_t part = bits >> c & first_bits(lane_count<double>());
+                if (part != 0) settle_rays<Geometry>(p, slot, i + c, part, widen(entry + c), widen(exit + c));
+            }
+        }
+    }
+
+    /// Which of the rays `mine` the shape's filter lets through.
+    template <class Geometry>
+    HWY_INLINE std::uint64_t filter_rays(const ShapeClass& shapes, const Beam& beam, std::uint64_t mine,
+                                         std::uint32_t slot) const {
+        constexpr int lanes = lane_count<float>();
+        using Filter = typename Geometry::template Filter<Floats>;
+        Floats q[Geometry::k_values];
+        for (int k = 0; k < Geometry::k_values; ++k)
+            q[k] = Floats(static_cast<float>(shapes.column(k)[slot - shapes.first]));
+        const auto columns = [&](const float(*c)[SlabRays::k_size], int i) HWY_ATTR {
+            return Triple<Floats>{load(c[0] + i), load(c[1] + i), load(c[2] + i)};
+        };
+        std::uint64_t passed = 0;
+        const auto pass = [&](const Filter& filter, int r) HWY_ATTR {
+            const std::uint32_t here = static_cast<std::uint32_t>(mine >> r) & first_bits(lanes);
+            if (here == 0) return;
+            const auto may = filter.may_hit(columns(slab_rays.direction, beam.first + r));
+            passed |= std::uint64_t{to_bits(may) & here} << r;
+        };
+        if (beam.common_origin) {
+            const Filter filter = Filter::of(
+                q, {Floats(slab_rays.origin[0][beam.first]), Floats(slab_rays.origin[1][beam.first]),
+                    Floats(slab_rays.origin[2][beam.first])});
+            for (int r = 0; r < beam.count; r += lanes) pass(filter, r);
+        } else {
+            for (int r = 0; r < beam.count; r += lanes)
+                pass(Filter::of(q, columns(slab_rays.origin, beam.first + r)), r);
+        }
+        return passed;
+    }
+
+    template <class Geometry>
+    HWY_NOINLINE void many_rays_unbounded(const ShapeClass& shapes, std::uint32_t slot, int count) {
+        Doubles p[Geometry::k_values];
+        broadcast_values<Geometry>(shapes, slot, p);
+        const Doubles infinity(std::numeric_limits<double>::infinity());
+        for (int i = 0; i < count; i += lane_count<double>()) {
+            const std::uint32_t bits = first_bits(number::min(count - i, lane_count<double>()));
+            settle_rays<Geometry>(p, slot, i, bits, -infinity, infinity);
+        }
+    }
+
+    /// The slab expression of ray i with a vector of the shapes' own boxes.
+    struct OwnBoxes {
+        std::uint32_t meets;
+        alignas(64) float entry[lane_count<float>()], exit[lane_count<float>()];
+    };
+    HWY_INLINE void own_boxes(const SlabRay& ray, int i, std::uint32_t first, OwnBoxes& boxes) const {
+        const float *near[3], *far[3];
+        for (int a = 0; a < 3; ++a) {
+            near[a] = (ray.ahead[a] ? world.box_lo[a] : world.box_hi[a]).data() + first;
+            far[a] = (ray.ahead[a] ? world.box_hi[a] : world.box_lo[a]).data() + first;
+        }
+        const Slab slab = ray.meet(near, far);
+        boxes.meets = to_bits(meets(slab, Floats(slab_rays.t_min[i]), Floats(slab_rays.t_max[i])));
+        store(slab.entry, boxes.entry);
+        store(slab.exit, boxes.exit);
+    }
+
+    /// Lanes are shapes.
+    template <class Geometry>
+    HWY_NOINLINE void ray_leaf(const ShapeClass& shapes, std::uint32_t first, std::uint32_t count, int i) {
+        const Doubles t_min(rays.t_min[i]);
+        for (std::uint32_t s = 0; s < count; s += lane_count<double>()) {
+            const std::uint32_t slot = first + s;
+            std::uint32_t bits = first_bits(number::min(static_cast<int>(count - s), lane_count<double>()));
+            OwnBoxes boxes;
+            if constexpr (!Geometry::k_filtered) {
+                own_boxes(SlabRay(slab_rays, i), i, slot, boxes);
+                bits &= boxes.meets;
+                if (bits == 0) continue;
+            }
+            Doubles p[Geometry::k_values];
+            for (int k = 0; k < Geometry::k_values; ++k)
+                p[k] = load(shapes.column(k) + (slot - shapes.first));
+            const auto candidate = formula_of_one<Geometry>(p, i, t_min);
+            bits &= to_bits(candidate.hit);
+            if (bits == 0) continue;
+            if constexpr (Geometry::k_filtered) {
+                own_boxes(SlabRay(slab_rays, i), i, slot, boxes);
+                bits &= boxes.meets;
+            }
+            const Doubles t = min(max(candidate.t, widen(boxes.entry)), widen(boxes.exit));
+            bits &= to_bits(t > t_min && t <= Doubles(result.t[i]));
+            if (bits == 0) continue;
+            alignas(64) double lanes[lane_count<double>()];
+            store(t, lanes);
+            for (; bits != 0; bits &= bits - 1) {
+                const int lane = __builtin_ctz(bits);
+                // The limit may have shrunk since.
+                if (lanes[lane] <= result.t[i])
+                    result.accept(i, lanes[lane], slot + static_cast<std::uint32_t>(lane));
+            }
+        }
+    }
+};
+
+}  // namespace HWY_NAMESPACE
+}  // namespace glint
+HWY_AFTER_NAMESPACE();
+
+#endif
