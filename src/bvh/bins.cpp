@@ -10,9 +10,6 @@ int bins_for(std::uint32_t count) { return count <= 8 ? 6 : count <= 64 ? 8 : k_
 // A range of centroids below it is a point's: its reciprocal would not be finite.
 constexpr float k_least_size = 1e-36f;
 
-// Items are tested several at once.
-float items_cost(std::uint32_t items) { return static_cast<float>((items + 3) / 4); }
-
 }  // namespace
 
 Binning::Binning(const Range& range) : lo(range.centroids.lo), scale{}, bins(bins_for(range.count)) {
@@ -61,7 +58,7 @@ Split Bins::best_split(float area_scale) const {
         for (int b = bins_ - 1; b > 0; --b) {
             grown.add(box_[axis][b]);
             items += count_[axis][b];
-            right_cost[b] = items == 0 ? 0 : half_area(grown, area_scale) * items_cost(items);
+            right_cost[b] = items == 0 ? 0 : half_area(grown, area_scale) * static_cast<float>(items);
         }
         const std::uint32_t all = items + count_[axis][0];
         if (items == 0) continue;  // all in one bin
@@ -72,7 +69,7 @@ Split Bins::best_split(float area_scale) const {
             items += count_[axis][b - 1];
             if (items == 0) continue;
             if (items == all) break;
-            const float cost = half_area(grown, area_scale) * items_cost(items) + right_cost[b];
+            const float cost = half_area(grown, area_scale) * static_cast<float>(items) + right_cost[b];
             if (best.axis >= 0 && cost >= best_cost) continue;
             best.axis = axis;
             best.bin = b;

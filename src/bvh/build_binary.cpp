@@ -12,11 +12,12 @@ namespace glint {
 namespace {
 
 constexpr std::uint32_t k_lowest = 2;         // items of one class in a lowest node, at most
-constexpr std::uint32_t k_mixed = 16;         // items of several classes that are parted both ways
+constexpr std::uint32_t k_mixed = 32;         // items of several classes that are parted both ways
 constexpr std::uint32_t k_least_task = 2048;  // items of a subtree that is worth a thread's while
 constexpr std::uint32_t k_tasks = 64;
-// From this depth on ranges are halved. The depth is then at most 48 + 27 (halving k_bvh_max_items) + the
-// parting of k_lowest items by class: below k_bvh_max_depth.
+// From this depth on ranges are halved, whatever their classes: the depth is then at most 48 + 27
+// (k_bvh_max_items is 2^27), or 48 + 31 where k_mixed items have just begun to be parted by class: below
+// k_bvh_max_depth.
 constexpr int k_balanced_below = 48;
 
 // A scene's areas are taken in units of its own size, so that none overflows.
@@ -138,7 +139,7 @@ class Builder {
             choose_cut(n, half_area(range.box, area_scale_), items_[range.first].item_class, costs_, cut);
         } else if (range.count == 2) {
             build(tree, node, range, halve(items_, range), depth, cut);
-        } else if (range.count > k_mixed || of_one_class(range)) {
+        } else if (range.count > k_mixed || depth >= k_balanced_below || of_one_class(range)) {
             build(tree, node, range, part(range, depth, 1), depth, cut);
         } else {
             build_mixed(tree, node, range, depth, cut);
@@ -167,7 +168,7 @@ class Builder {
         const BinaryNode node_by_place = tree[node];
         tree.resize(static_cast<std::size_t>(end));
         CutCosts cut_by_class;
-        build(tree, node, range, part_classes(items_, range), depth, cut_by_class);
+        build_by_class(tree, node, range, depth, cut_by_class);
         if (cut_by_class.cost[1] < cut.cost[1]) {
             cut = cut_by_class;
             return;
@@ -176,6 +177,18 @@ class Builder {
         tree.resize(static_cast<std::size_t>(end));
         tree.insert(tree.end(), tree_by_place.begin(), tree_by_place.end());
         tree[node] = node_by_place;
+    }
+
+    // Class by class. Nothing is tried both ways below, or the time would grow exponentially.
+    void build_by_class(BinaryTree& tree, std::uint32_t node, const Range& range, int depth,
+                        CutCosts& cut) const {
+        if (of_one_class(range)) return build(tree, node, range, depth, cut);
+        const Parts parts = part_classes(items_, range);
+        const std::uint32_t left = add_children(tree, node, range);
+        CutCosts left_cut, right_cut;
+        build(tree, left, parts.left, depth + 1, left_cut);
+        build_by_class(tree, left + 1, parts.right, depth + 1, right_cut);
+        choose_cut(tree[node], half_area(range.box, area_scale_), left_cut, right_cut, costs_, cut);
     }
 
     // The top tree without its cut, and the tasks; children come after their parents.

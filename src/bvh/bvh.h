@@ -57,7 +57,7 @@ struct LeafCost {
     float block = 1;
     float item = 0;
     int lanes = 8;
-    int most = k_leaf_size;  // items, at most k_leaf_size
+    int most = 8;  // items, at most k_leaf_size
 };
 
 /// Puts the items into leaf order and returns the hierarchy over them: a binary tree by the surface-area

