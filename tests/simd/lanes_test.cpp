@@ -1,0 +1,111 @@
+// What moves lanes, on every instruction set of this machine and for every mask, beside the same in plain
+// code.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "simd/lanes_test.cpp"
+#include <hwy/foreach_target.h>
+
+#include "simd/lanes-inl.h"
+#include "simd/targets.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace glint {
+namespace HWY_NAMESPACE {
+
+// What came of it; columns have room for a vector.
+struct Moved {
+    int lanes;
+    std::vector<double> compressed, expanded, gathered;
+    std::vector<std::uint32_t> compressed_numbers;
+    std::vector<float> interleaved;
+    int set;
+    bool same;
+};
+
+Moved move_lanes(const double* values, const std::uint32_t* numbers, std::uint32_t bits) {
+    Moved m;
+    m.lanes = lane_count<double>();
+    for (auto* column : {&m.compressed, &m.expanded, &m.gathered}) column->resize(8);
+    m.compressed_numbers.resize(8);
+    m.interleaved.resize(24);
+    const auto mask = from_bits<double>(bits);
+    m.set = count(mask);
+    compress_store(load(values), mask, m.compressed.data());
+    compress_store(numbers, mask, m.compressed_numbers.data());
+    store(expand_load(values, mask), m.expanded.data());
+    store(gather(values, Places(numbers, 3)), m.gathered.data());
+    m.same = all_same(numbers);
+    NarrowFloats a, b, c;
+    a.add(load(values));
+    b.add(load(values + 8));
+    c.add(load(values + 16));
+    c.add(iota());
+    store_interleaved(a, b, c, m.interleaved.data());
+    return m;
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace glint
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace glint {
+namespace {
+
+template <class M, class Move> void check(const Move& move) {
+    std::vector<double> values(64);
+    for (std::size_t i = 0; i < values.size(); ++i) values[i] = 1 / (1.0 + static_cast<double>(i));
+    const std::vector<std::uint32_t> numbers{5, 0, 3, 7, 7, 20, 1, 2, 0, 0, 0, 0, 0, 0, 0, 0};
+    const std::vector<std::uint32_t> alike(16, 4);
+    const int lanes = move(values.data(), numbers.data(), 0u).lanes;
+    for (std::uint32_t bits = 0; bits < 1u << lanes; ++bits) {
+        const M m = move(values.data(), numbers.data(), bits);
+        std::size_t next = 0;
+        for (std::size_t i = 0; i < static_cast<std::size_t>(lanes); ++i) {
+            const bool set = (bits >> i & 1) != 0;
+            EXPECT_EQ(m.expanded[i], set ? values[next] : 0) << bits;
+            EXPECT_EQ(m.gathered[i], values[3 * numbers[i]]);
+            EXPECT_EQ(m.interleaved[3 * i], static_cast<float>(values[i]));
+            EXPECT_EQ(m.interleaved[3 * i + 1], static_cast<float>(values[i + 8]));
+            EXPECT_EQ(m.interleaved[3 * i + 2], static_cast<float>(values[i + 16]) + static_cast<float>(i));
+            if (!set) continue;
+            EXPECT_EQ(m.compressed[next], values[i]) << bits;
+            EXPECT_EQ(m.compressed_numbers[next], numbers[i]) << bits;
+            ++next;
+        }
+        EXPECT_EQ(m.set, static_cast<int>(next));
+        EXPECT_EQ(m.same, lanes == 1);
+        EXPECT_TRUE(move(values.data(), alike.data(), bits).same);
+    }
+}
+
+TEST(Lanes, AreMovedAsInPlainCode) {
+    [[maybe_unused]] const auto supported = supported_targets();
+#if HWY_TARGETS & HWY_AVX3
+    if (supported & HWY_AVX3) check<N_AVX3::Moved>(N_AVX3::move_lanes);
+#endif
+#if HWY_TARGETS & HWY_AVX2
+    if (supported & HWY_AVX2) check<N_AVX2::Moved>(N_AVX2::move_lanes);
+#endif
+#if HWY_TARGETS & HWY_SSE4
+    if (supported & HWY_SSE4) check<N_SSE4::Moved>(N_SSE4::move_lanes);
+#endif
+#if HWY_TARGETS & HWY_SCALAR
+    check<N_SCALAR::Moved>(N_SCALAR::move_lanes);
+#endif
+}
+
+// What the library itself asks: a target less would be slower, one too many a crash.
+TEST(Lanes, InstructionSetsAreThoseThatHighwayFinds) {
+    constexpr std::int64_t known = HWY_AVX3 | HWY_AVX2 | HWY_SSE4;
+    EXPECT_EQ(supported_targets() & known, hwy::SupportedTargets() & known);
+}
+
+}  // namespace
+}  // namespace glint
+#endif
