@@ -151,11 +151,15 @@ inline void fold_pixels(const World& world, const TileJob& job, const PixelSums&
 
 /// A tile whose rays all hit nothing: the fold of one sum.
 inline void fill_with_void(const World& world, const TileJob& job) {
+    const int samples = world.settings.samples * world.settings.samples;
     const Triple<Doubles> seen = lanes_of(seen_in_the_void(world));
+    Triple<Doubles> sum = lanes_of(Vec3{});
+    for (int i = 0; i < samples; ++i) sum = sum + seen;
+    if (samples > 1) sum = sum / Doubles(static_cast<double>(samples));
     NarrowFloats r, g, b;
-    r.add(film_part(seen.x));
-    g.add(film_part(seen.y));
-    b.add(film_part(seen.z));
+    r.add(film_part(sum.x));
+    g.add(film_part(sum.y));
+    b.add(film_part(sum.z));
     float rgb[3 * lane_count<double>()];
     store_interleaved(r, g, b, rgb);
     for (int y = 0; y < job.height; ++y) {

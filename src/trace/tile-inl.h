@@ -12,6 +12,7 @@
 #include "trace/light-inl.h"
 #include "trace/pixel_sums-inl.h"
 #include "trace/surface-inl.h"
+#include "trace/void_tile-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace glint {
@@ -74,6 +75,11 @@ inline bool trace_sample(const World& world, TileScratch& s) {
 
 void render_tile(const World& world, const TileJob& job, TileScratch& s) {
     const int samples = world.settings.samples;
+    if (sees_nothing(world, job)) {
+        s.counts.camera += static_cast<std::uint64_t>(samples) * static_cast<std::uint64_t>(samples) *
+                           static_cast<std::uint64_t>(job.width * job.height);
+        return fill_with_void(world, job);
+    }
     s.sums.clear();
     for (int j = 0; j < samples; ++j) {
         for (int i = 0; i < samples; ++i) {

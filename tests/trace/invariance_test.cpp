@@ -113,6 +113,34 @@ TEST(Invariance, APictureOfCrops) {
     EXPECT_EQ(rays.camera, 9u * 101u * 75u);
 }
 
+TEST(Invariance, TilesThatSeeNothing) {
+    // An infinite plane behind the camera changes nothing but that no tile is known to see nothing.
+    Random random(94);
+    for (int i = 0; i < 100; ++i) {
+        const double far = log_uniform(random, 5, 1e6);
+        Scene scene;
+        set_size(scene, 160 + below(random, 60), 160);
+        scene.background = {0.21, 0.33, 0.47};
+        scene.settings.samples = 1 + below(random, 2);
+        scene.settings.shading = Shading::color;
+        scene.conventions.pixel_sample = static_cast<PixelSample>(below(random, 3));
+        scene.camera.position = unit_direction(random) * far;
+        scene.camera.look_at = point_in_cube(random, 3);
+        // The shapes of a cloud of 20 units, some pixels each, fill the picture or are in its middle.
+        scene.camera.fov_degrees = std::min(150.0, log_uniform(random, 600, 3000) / far);
+        for (int k = 0; k < 30; ++k) {
+            const Vec3 at = point_in_cube(random, 10);
+            const double size = log_uniform(random, 0.05, 1);
+            scene.add(Cuboid{at, at + Vec3{size, size, size}});
+        }
+        const Image known = render_scene(scene);
+        const Vec3 back = scene.camera.position - scene.camera.look_at;
+        scene.add(Plane{scene.camera.position + back, back});
+        scene.settings.reflections = 0;
+        expect_same_picture(known, render_scene(scene));
+    }
+}
+
 #if defined(__SSE2__)
 TEST(Invariance, TheCallersFloatingPointState) {
     const unsigned before = _mm_getcsr();
