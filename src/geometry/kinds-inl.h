@@ -25,7 +25,7 @@ namespace HWY_NAMESPACE {
 struct PolygonGeometry : TriangleGeometry {};
 template <class Geometry> inline constexpr bool k_is_packed = !std::is_same_v<Geometry, PolygonGeometry>;
 
-/// Their formula takes a TriangleGeometry::Sight of the ray.
+/// Their formula takes a TriangleGeometry::Sight of the ray, and their boxes are computed when needed.
 template <class Geometry>
 inline constexpr bool k_is_triangle =
     std::is_same_v<Geometry, TriangleGeometry> || std::is_same_v<Geometry, SmoothTriangleGeometry>;

@@ -39,6 +39,13 @@ struct TriangleGeometry {
         for (const Vec3& v : triangle.vertices) extent.add(v);
         lo = extent.lo, hi = extent.hi;
     }
+    /// The same, from the packed values: a triangle's box is not worth its memory.
+    template <class T> struct Sides { Triple<T> lo, hi; };
+    template <class T> static HWY_INLINE Sides<T> sides(const T* p) {
+        const auto least = [&](int k) HWY_ATTR { return min(min(p[k], p[k + 3]), p[k + 6]); };
+        const auto most = [&](int k) HWY_ATTR { return max(max(p[k], p[k + 3]), p[k + 6]); };
+        return {{least(0), least(1), least(2)}, {most(0), most(1), most(2)}};
+    }
 
     /// A ray as the formula sees it: from `start` on, the point of its line that is nearest to the world's
     /// origin, so that a distant ray costs no digits; sheared into the plane across the axis (0 to 2) that it

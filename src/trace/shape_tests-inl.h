@@ -13,6 +13,7 @@
 #include "bvh/beam-inl.h"
 #include "geometry/kinds-inl.h"
 #include "trace/hit_result-inl.h"
+#include "trace/own_boxes-inl.h"
 #include "trace/sights-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -165,36 +166,30 @@ struct ShapeTests {
         }
     }
 
-    /// Which of slots [first, first + lanes) some ray of the beam may meet.
-    HWY_INLINE std::uint32_t meets_shapes(const Beam& beam, std::uint32_t first) const {
-        const float* lo[3] = {&world.box_lo[0][first], &world.box_lo[1][first], &world.box_lo[2][first]};
-        const float* hi[3] = {&world.box_hi[0][first], &world.box_hi[1][first], &world.box_hi[2][first]};
-        return meets(beam, beam_slab(beam, lo, hi));
-    }
-
     template <class Geometry>
     HWY_NOINLINE void beam_leaf(const ShapeClass& shapes, const Beam& beam, std::uint64_t mine,
                                 std::uint32_t first, std::uint32_t count) {
         for (std::uint32_t s = 0; s < count; s += lane_count<float>()) {
-            std::uint32_t bits = meets_shapes(beam, first + s) &
+            const OwnBoxes<Geometry> boxes(world, shapes, first + s);
+            std::uint32_t bits = meets(beam, beam_slab(beam, boxes.lo, boxes.hi)) &
                                  first_bits(number::min(static_cast<int>(count - s), lane_count<float>()));
             for (; bits != 0; bits &= bits - 1)
-                beam_shape<Geometry>(shapes, beam, mine,
-                                     first + s + static_cast<std::uint32_t>(__builtin_ctz(bits)));
+                beam_shape<Geometry>(shapes, beam, mine, boxes, first + s, __builtin_ctz(bits));
         }
     }
 
     template <class Geometry>
     HWY_NOINLINE void lone_shape(const ShapeClass& shapes, const Beam& beam, std::uint32_t slot) {
-        beam_shape<Geometry>(shapes, beam, beam.all(), slot);
+        beam_shape<Geometry>(shapes, beam, beam.all(), OwnBoxes<Geometry>(world, shapes, slot), slot, 0);
     }
 
-    /// One shape against the beam's rays `mine`, which may meet its box.
+    /// One shape, number `lane` from slot `first` on, against the beam's rays `mine`.
     template <class Geometry>
     HWY_INLINE void beam_shape(const ShapeClass& shapes, const Beam& beam, std::uint64_t mine,
-                               std::uint32_t slot) {
-        const float lo[3] = {world.box_lo[0][slot], world.box_lo[1][slot], world.box_lo[2][slot]};
-        const float hi[3] = {world.box_hi[0][slot], world.box_hi[1][slot], world.box_hi[2][slot]};
+                               const OwnBoxes<Geometry>& boxes, std::uint32_t first, int lane) {
+        const std::uint32_t slot = first + static_cast<std::uint32_t>(lane);
+        const float lo[3] = {boxes.lo[0][lane], boxes.lo[1][lane], boxes.lo[2][lane]};
+        const float hi[3] = {boxes.hi[0][lane], boxes.hi[1][lane], boxes.hi[2][lane]};
         constexpr int lanes = lane_count<float>();
         if constexpr (Geometry::k_filtered) {
             mine = filter_rays<Geometry>(shapes, beam, mine, slot);
@@ -264,20 +259,23 @@ struct ShapeTests {
     }
 
     /// The slab expression of ray i with a vector of the shapes' own boxes.
-    struct OwnBoxes {
+    struct RaySlab {
         std::uint32_t meets;
         alignas(64) float entry[lane_count<float>()], exit[lane_count<float>()];
     };
-    HWY_INLINE void own_boxes(const SlabRay& ray, int i, std::uint32_t first, OwnBoxes& boxes) const {
+    template <class Geometry>
+    HWY_INLINE void meet_boxes(const ShapeClass& shapes, std::uint32_t first, int i, RaySlab& to) const {
+        const SlabRay ray(slab_rays, i);
+        const OwnBoxes<Geometry> boxes(world, shapes, first);
         const float *near[3], *far[3];
         for (int a = 0; a < 3; ++a) {
-            near[a] = (ray.ahead[a] ? world.box_lo[a] : world.box_hi[a]).data() + first;
-            far[a] = (ray.ahead[a] ? world.box_hi[a] : world.box_lo[a]).data() + first;
+            near[a] = ray.ahead[a] ? boxes.lo[a] : boxes.hi[a];
+            far[a] = ray.ahead[a] ? boxes.hi[a] : boxes.lo[a];
         }
         const Slab slab = ray.meet(near, far);
-        boxes.meets = to_bits(meets(slab, Floats(slab_rays.t_min[i]), Floats(slab_rays.t_max[i])));
-        store(slab.entry, boxes.entry);
-        store(slab.exit, boxes.exit);
+        to.meets = to_bits(meets(slab, Floats(slab_rays.t_min[i]), Floats(slab_rays.t_max[i])));
+        store(slab.entry, to.entry);
+        store(slab.exit, to.exit);
     }
 
     /// Lanes are shapes.
@@ -287,9 +285,9 @@ struct ShapeTests {
         for (std::uint32_t s = 0; s < count; s += lane_count<double>()) {
             const std::uint32_t slot = first + s;
             std::uint32_t bits = first_bits(number::min(static_cast<int>(count - s), lane_count<double>()));
-            OwnBoxes boxes;
+            RaySlab boxes;
             if constexpr (!Geometry::k_filtered) {
-                own_boxes(SlabRay(slab_rays, i), i, slot, boxes);
+                meet_boxes<Geometry>(shapes, slot, i, boxes);
                 bits &= boxes.meets;
                 if (bits == 0) continue;
             }
@@ -300,7 +298,7 @@ struct ShapeTests {
             bits &= to_bits(candidate.hit);
             if (bits == 0) continue;
             if constexpr (Geometry::k_filtered) {
-                own_boxes(SlabRay(slab_rays, i), i, slot, boxes);
+                meet_boxes<Geometry>(shapes, slot, i, boxes);
                 bits &= boxes.meets;
             }
             const Doubles t = min(max(candidate.t, widen(boxes.entry)), widen(boxes.exit));

@@ -97,10 +97,18 @@ HWY_INLINE Triple<Doubles> normals_at(const World& world, const std::uint32_t* s
 /// The largest coordinate of a bounded shape: its formula's rounding is relative to that too, however near to
 /// the world's origin the ray is.
 HWY_INLINE double box_reach(const World& world, std::uint32_t slot) {
+    if (slot >= world.bounded) return 0;
     float reach = 0;
-    for (int a = 0; slot < world.bounded && a < 3; ++a) {
-        reach = max(reach, max(-world.box_lo[a][slot], world.box_hi[a][slot]));
+    if (slot < world.boxed) {
+        for (int a = 0; a < 3; ++a) reach = max(reach, max(-world.box_lo[a][slot], world.box_hi[a][slot]));
+        return reach;
     }
+    const ShapeClass& shapes = world.class_of(slot);
+    double p[9];
+    for (int k = 0; k < 9; ++k) p[k] = shapes.column(k)[slot - shapes.first];
+    const auto [lo, hi] = TriangleGeometry::sides(p);
+    const Aabb box = padded_box({lo.x, lo.y, lo.z}, {hi.x, hi.y, hi.z});
+    for (int a = 0; a < 3; ++a) reach = max(reach, max(-box.lo[a], box.hi[a]));
     return reach;
 }
 

@@ -39,11 +39,13 @@ struct Items {
 struct KindFacts {
     int values = 0;
     bool bounded = true;
+    bool stores_box = true;
     bool takes_maps = false;
     template <class Geometry> void visit() {
         takes_maps = Geometry::k_takes_maps;
         values = Geometry::k_values;
         bounded = Geometry::k_bounded;
+        stores_box = bounded && !k_is_triangle<Geometry>;
     }
 };
 
@@ -206,13 +208,13 @@ class Packer {
         world_.bvh = build_bvh(leaves_, k_leaf_costs, threads_);
     }
 
-    // Bounded classes first; an empty class is left out.
+    // Bounded classes first, those that store their boxes before the others; an empty class is left out.
     void lay_out_classes() {
         std::array<std::uint32_t, k_classes> count{};
         for (const Item& item : items_.list) ++count[class_of(item)];
-        for (const bool bounded : {true, false}) {
+        for (int rank = 0; rank < 3; ++rank) {
             for (int c = 0; c < k_classes; ++c) {
-                if (facts_[c].bounded != bounded || count[c] == 0) continue;
+                if (2 - facts_[c].bounded - facts_[c].stores_box != rank || count[c] == 0) continue;
                 ShapeClass packed;
                 packed.kind = static_cast<ShapeKind>(c / 2);
                 packed.transformed = c % 2 == 1;
@@ -225,7 +227,8 @@ class Packer {
                 world_.classes.push_back(std::move(packed));
                 world_.count += count[c];
             }
-            if (bounded) world_.bounded = world_.count;
+            if (rank == 0) world_.boxed = world_.count;
+            if (rank == 1) world_.bounded = world_.count;
         }
     }
 
@@ -238,8 +241,8 @@ class Packer {
         });
         const std::size_t padded = world_.count + k_ray_padding;
         for (int a = 0; a < 3; ++a) {
-            world_.box_lo[a].assign(world_.bounded + k_ray_padding, 0);
-            world_.box_hi[a].assign(world_.bounded + k_ray_padding, 0);
+            world_.box_lo[a].assign(world_.boxed + k_ray_padding, 0);
+            world_.box_hi[a].assign(world_.boxed + k_ray_padding, 0);
         }
         world_.shape_index.assign(padded, 0);
         world_.material.assign(padded, 0);
@@ -271,7 +274,7 @@ class Packer {
         for (int k = 0; k < n; ++k) {
             packed.values[static_cast<std::size_t>(k) * packed.stride + (slot - packed.first)] = values[k];
         }
-        if (box == nullptr) return;
+        if (slot >= world_.boxed) return;
         for (int a = 0; a < 3; ++a) {
             world_.box_lo[a][slot] = box->lo[a];
             world_.box_hi[a][slot] = box->hi[a];

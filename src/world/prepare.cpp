@@ -27,12 +27,6 @@ std::vector<double> pack_materials(const Scene& scene) {
 
 }  // namespace
 
-const ShapeClass& World::class_of(std::uint32_t slot) const {
-    std::size_t c = 0;
-    while (slot - classes[c].first >= classes[c].count) ++c;
-    return classes[c];
-}
-
 void WorldDeleter::operator()(const World* world) const { delete world; }
 
 PrepareResult prepare(const Scene& scene, int threads) {

@@ -49,10 +49,11 @@ struct PreparedCamera {
 class World {
   public:
     std::vector<ShapeClass> classes;          // bounded classes first
+    std::uint32_t boxed = 0;                  // slots below this have their box stored
     std::uint32_t bounded = 0;                // slots below this are in the hierarchy
     std::uint32_t count = 0;                  // slots
     Bvh bvh;                                  // its leaves refer to slots; its order is dropped
-    std::vector<float> box_lo[3], box_hi[3];  // by slot: the shape's own padded box
+    std::vector<float> box_lo[3], box_hi[3];  // by slot: the shape's own padded box; a triangle's is computed
     std::vector<std::uint32_t> shape_index;   // by slot: the index in Scene::shapes
     std::vector<std::uint32_t> material;      // by slot: the material, k_turn_normal, k_no_shadow
 
@@ -65,7 +66,11 @@ class World {
     RenderSettings settings;
 
     /// The class that a slot belongs to.
-    const ShapeClass& class_of(std::uint32_t slot) const;
+    const ShapeClass& class_of(std::uint32_t slot) const {
+        std::size_t c = 0;
+        while (slot - classes[c].first >= classes[c].count) ++c;
+        return classes[c];
+    }
 };
 
 /// Set in World::material where the convention turns the normal towards the incoming ray.

@@ -8,6 +8,7 @@
 
 #include "geometry/kinds-inl.h"
 #include "trace/rays.h"
+#include "world/own_box.h"
 #include "world/world.h"
 
 namespace glint::testing {
@@ -27,11 +28,12 @@ struct Interval {
 /// Where the ray is within the padded box of a slot.
 inline Interval box_interval(const World& world, std::uint32_t slot, Vec3 o, Vec3 d) {
     const double origin[3] = {o.x, o.y, o.z}, direction[3] = {d.x, d.y, d.z};
+    const Aabb box = own_box(world, slot);
     Interval in{-std::numeric_limits<float>::infinity(), std::numeric_limits<float>::infinity()};
     for (int a = 0; a < 3; ++a) {
         auto along = static_cast<float>(direction[a]);
         if (std::fabs(along) < 1e-30f) along = along < 0 ? -1e-30f : 1e-30f;
-        const float lo = world.box_lo[a][slot], hi = world.box_hi[a][slot];
+        const float lo = box.lo[a], hi = box.hi[a];
         const float inverse = 1 / along;
         const float below = rounded_down(origin[a]), above = rounded_up(origin[a]);
         const float to_near = along > 0 ? lo - above : hi - below,

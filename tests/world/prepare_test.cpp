@@ -35,7 +35,7 @@ TEST(Prepare, EveryShapeHasItsSlots) {
     }
     EXPECT_EQ(next, world->count);
     EXPECT_EQ(shapes.size(), scene.shapes.size());
-    EXPECT_GE(world->box_lo[0].size(), world->bounded + static_cast<std::size_t>(k_ray_padding));
+    EXPECT_GE(world->box_lo[0].size(), world->boxed + static_cast<std::size_t>(k_ray_padding));
     EXPECT_GE(world->shape_index.size(), world->count + static_cast<std::size_t>(k_ray_padding));
 }
 
@@ -64,9 +64,10 @@ TEST(Prepare, LeavesReferToSlotsOfOneClass) {
                 ASSERT_LT(slot, world->bounded);
                 ++met[slot];
                 EXPECT_EQ(&world->class_of(slot), &world->class_of(node.child[c].first()));
+                const Aabb box = own_box(*world, slot);
                 for (int a = 0; a < 3; ++a) {
-                    EXPECT_LE(node.lo[a][c], world->box_lo[a][slot]);
-                    EXPECT_GE(node.hi[a][c], world->box_hi[a][slot]);
+                    EXPECT_LE(node.lo[a][c], box.lo[a]);
+                    EXPECT_GE(node.hi[a][c], box.hi[a]);
                 }
             }
         }
@@ -214,7 +215,8 @@ TEST(Prepare, BoxesHoldTheirShapes) {
     for (std::uint32_t slot = 0; slot < world->bounded; ++slot) {
         const ShapeClass& shapes = world->class_of(slot);
         double lo[3], hi[3];
-        for (int a = 0; a < 3; ++a) lo[a] = world->box_lo[a][slot], hi[a] = world->box_hi[a][slot];
+        const Aabb box = own_box(*world, slot);
+        for (int a = 0; a < 3; ++a) lo[a] = box.lo[a], hi[a] = box.hi[a];
         for (int i = 0; i < 20; ++i) {
             // From well outside the box through a point of it.
             const Vec3 to{random.uniform(lo[0], hi[0]), random.uniform(lo[1], hi[1]),

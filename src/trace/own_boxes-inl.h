@@ -1,0 +1,55 @@
+// The padded boxes of a vector of shapes: stored, or computed from the shapes' values.
+#if defined(GLINT_TRACE_OWN_BOXES_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef GLINT_TRACE_OWN_BOXES_INL_H_
+#undef GLINT_TRACE_OWN_BOXES_INL_H_
+#else
+#define GLINT_TRACE_OWN_BOXES_INL_H_
+#endif
+
+#include "geometry/kinds-inl.h"
+#include "world/world.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace glint {
+namespace HWY_NAMESPACE {
+
+/// The same as padded_box (math/aabb.h), lane by lane: the sides of one axis.
+HWY_INLINE void pad_sides(Doubles lo, Doubles hi, float* lower, float* upper) {
+    const Doubles pad = max(abs(lo), abs(hi)) * Doubles(0x1p-23) + Doubles(1e-30);
+    store_narrow(lo - pad, lower);
+    store_narrow(hi + pad, upper);
+}
+
+/// The planes of the boxes of slots [first, first + lanes), by axis. Of slots past the class nothing is
+/// meant.
+template <class Geometry> struct OwnBoxes {
+    const float *lo[3], *hi[3];
+
+    HWY_INLINE OwnBoxes(const World& world, const ShapeClass& shapes, std::uint32_t first) {
+        if constexpr (k_is_triangle<Geometry>) {
+            for (int i = 0; i < lane_count<float>(); i += lane_count<double>()) {
+                Doubles p[9];
+                for (int k = 0; k < 9; ++k)
+                    p[k] = load(shapes.column(k) + (first - shapes.first) + static_cast<std::uint32_t>(i));
+                const auto sides = TriangleGeometry::sides(p);
+                pad_sides(sides.lo.x, sides.hi.x, computed_[0] + i, computed_[3] + i);
+                pad_sides(sides.lo.y, sides.hi.y, computed_[1] + i, computed_[4] + i);
+                pad_sides(sides.lo.z, sides.hi.z, computed_[2] + i, computed_[5] + i);
+            }
+            for (int a = 0; a < 3; ++a) lo[a] = computed_[a], hi[a] = computed_[3 + a];
+        } else {
+            for (int a = 0; a < 3; ++a) lo[a] = &world.box_lo[a][first], hi[a] = &world.box_hi[a][first];
+        }
+    }
+    OwnBoxes(const OwnBoxes&) = delete;
+    OwnBoxes& operator=(const OwnBoxes&) = delete;
+
+  private:
+    alignas(64) float computed_[6][k_is_triangle<Geometry> ? lane_count<float>() : 1];
+};
+
+}  // namespace HWY_NAMESPACE
+}  // namespace glint
+HWY_AFTER_NAMESPACE();
+
+#endif
