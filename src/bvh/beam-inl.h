@@ -48,6 +48,7 @@ struct Beam : Intervals {
     SlabRays& rays;
     int first, count;
     bool common_origin = true;  // in single precision
+    float least_direction[3], most_direction[3];  // where the origin is common
 
     /// All its rays, as bits; ray `first` is the lowest.
     HWY_INLINE std::uint64_t all() const { return ~std::uint64_t{0} >> (64 - count); }
@@ -58,6 +59,10 @@ struct Beam : Intervals {
             const Range inverse = range(rays.near_inverse[a]), origin = range(rays.origin[a]);
             common_origin = common_origin && origin.least == origin.most;
             axis[a].set(origin.least, origin.most, inverse.least, inverse.most);
+        }
+        for (int a = 0; common_origin && a < 3; ++a) {
+            const Range direction = range(rays.direction[a]);
+            least_direction[a] = direction.least, most_direction[a] = direction.most;
         }
         least_t_min = range(rays.t_min).least;
         update_t_max();

@@ -128,6 +128,19 @@ struct TriangleGeometry {
             // A NaN may hit.
             return !((min(u, min(v, w)) < -slack) && (max(u, max(v, w)) > slack));
         }
+        /// False only where may_hit is false for all directions within [lo, hi]: rounding is monotone.
+        HWY_INLINE auto some_may_hit(const Triple<F>& lo, const Triple<F>& hi) const {
+            const auto least = [&](const Triple<F>& n) HWY_ATTR {
+                return min(lo.x * n.x, hi.x * n.x) + min(lo.y * n.y, hi.y * n.y) +
+                       min(lo.z * n.z, hi.z * n.z);
+            };
+            const auto most = [&](const Triple<F>& n) HWY_ATTR {
+                return max(lo.x * n.x, hi.x * n.x) + max(lo.y * n.y, hi.y * n.y) +
+                       max(lo.z * n.z, hi.z * n.z);
+            };
+            return !((min(most(bc), min(most(ca), most(ab))) < -slack) &&
+                     (max(least(bc), max(least(ca), least(ab))) > slack));
+        }
     };
 
     template <class T> static HWY_INLINE Triple<T> normal(const T* p, Triple<T>) {
