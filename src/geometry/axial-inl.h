@@ -73,6 +73,25 @@ template <class T> struct AxialRay {
     }
 };
 
+/// In single precision: false only where no ray's line comes within `radius` of the axis' line. n = a x d is
+/// across both, and q.n / |n| their distance. With u = 2^-24, M the coordinates of origin and axis, and a
+/// direction of at most about 1, q.n is wrong by less than 54 u M, and radius |n| by 28 u radius; the test
+/// allows for twice that.
+template <class F> struct AxialFilter {
+    Triple<F> q, axis;
+    F radius, slack;
+    static HWY_INLINE AxialFilter around(const F* p, const Triple<F>& o, F most_radius) {
+        const F m = max_abs(o) + max_abs(triple(p));
+        return {o - triple(p), triple(p + 3), most_radius * F(1 + 0x1p-20f), (m + most_radius) * F(0x1p-17f)};
+    }
+    HWY_INLINE auto may_hit(const Triple<F>& d) const {
+        const Triple<F> n = cross(axis, d);
+        const F beyond = abs(dot(q, n)) - slack;
+        // A NaN may hit.
+        return !((beyond > F(0)) && (beyond * beyond > (radius * radius) * dot(n, n)));
+    }
+};
+
 /// The normal of a point that is `along` the axis and `off` the side: that of a cap, where there are caps and
 /// one is nearer.
 template <class T>

@@ -18,7 +18,7 @@ struct ConeGeometry {
         10;  // from, unit axis, height, radius at from, growth of the radius a unit, caps (0 or 1)
     static constexpr bool k_bounded = true;
     static constexpr bool k_takes_maps = false;
-    static constexpr bool k_filtered = false;
+    static constexpr bool k_filtered = true;
 
     static void pack(const Cone& c, double* p) {
         const double height = pack_axis(c.from, c.to, p);
@@ -52,6 +52,14 @@ struct ConeGeometry {
         r.consider_caps(p[9], base, base + growth * height);
         return r.candidate();
     }
+
+    template <class F> struct Filter : AxialFilter<F> {
+        static HWY_INLINE Filter of(const F* p, const Triple<F>& o) {
+            // The other end's radius, with what rounding may take from it.
+            const F end = p[7] + p[8] * p[6];
+            return {AxialFilter<F>::around(p, o, max(p[7], end) + (abs(p[7]) + abs(end)) * F(0x1p-20f))};
+        }
+    };
 
     /// A point nearer to a cap's plane than to the lateral surface belongs to the cap.
     template <class T> static HWY_INLINE Triple<T> normal(const T* p, Triple<T> point) {

@@ -17,7 +17,7 @@ struct CylinderGeometry {
     static constexpr int k_values = 9;  // from, unit axis, height, radius, caps (0 or 1)
     static constexpr bool k_bounded = true;
     static constexpr bool k_takes_maps = false;
-    static constexpr bool k_filtered = false;
+    static constexpr bool k_filtered = true;
 
     static void pack(const Cylinder& c, double* p) {
         pack_axis(c.from, c.to, p);
@@ -32,11 +32,19 @@ struct CylinderGeometry {
         AxialRay<T> r(triple(p + 3), p[6], ray.origin - triple(p), ray.direction, T(0), t_min);
         // Parallel to the axis, the division gives NaN or infinity, and no lateral hit.
         const auto roots = closest_approach(r.q_across, r.d_across, p[7]);
-        r.consider_side(roots.b - roots.h, roots.real);
-        r.consider_side(roots.b + roots.h, roots.real);
+        if (any(roots.real)) {
+            r.consider_side(roots.b - roots.h, roots.real);
+            r.consider_side(roots.b + roots.h, roots.real);
+        }
         r.consider_caps(p[8], p[7], p[7]);
         return r.candidate();
     }
+
+    template <class F> struct Filter : AxialFilter<F> {
+        static HWY_INLINE Filter of(const F* p, const Triple<F>& o) {
+            return {AxialFilter<F>::around(p, o, p[7])};
+        }
+    };
 
     /// A point nearer to a cap than to the lateral surface belongs to the cap.
     template <class T> static HWY_INLINE Triple<T> normal(const T* p, Triple<T> point) {

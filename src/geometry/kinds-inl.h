@@ -30,6 +30,10 @@ template <class Geometry>
 inline constexpr bool k_is_triangle =
     std::is_same_v<Geometry, TriangleGeometry> || std::is_same_v<Geometry, SmoothTriangleGeometry>;
 
+/// Their formula costs one ray no more than their box.
+template <class Geometry>
+inline constexpr bool k_is_cheap = k_is_triangle<Geometry> || std::is_same_v<Geometry, SphereGeometry>;
+
 /// Calls visitor.visit<Geometry>() for the geometry of a kind, under a transform or not. Kinds that take a
 /// map into their own parameters (k_takes_maps) are never packed with one.
 template <class Geometry, class Visitor> HWY_INLINE void visit_kind(bool transformed, Visitor&& visitor) {

@@ -338,7 +338,7 @@ struct ShapeTests {
             const std::uint32_t slot = first + s;
             std::uint32_t bits = first_bits(number::min(static_cast<int>(count - s), lane_count<double>()));
             RaySlab boxes;
-            if constexpr (!Geometry::k_filtered) {
+            if constexpr (!k_is_cheap<Geometry>) {
                 meet_boxes<Geometry>(shapes, slot, i, boxes);
                 bits &= boxes.meets;
                 if (bits == 0) continue;
@@ -349,7 +349,7 @@ struct ShapeTests {
             const auto candidate = formula_of_one<Geometry>(p, i, t_min);
             bits &= to_bits(candidate.hit);
             if (bits == 0) continue;
-            if constexpr (Geometry::k_filtered) {
+            if constexpr (k_is_cheap<Geometry>) {
                 meet_boxes<Geometry>(shapes, slot, i, boxes);
                 bits &= boxes.meets;
             }

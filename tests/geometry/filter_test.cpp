@@ -12,6 +12,8 @@
 #define HWY_TARGET_INCLUDE "geometry/filter_test.cpp"
 #include <hwy/foreach_target.h>
 
+#include "geometry/cone-inl.h"
+#include "geometry/cylinder-inl.h"
 #include "geometry/sphere-inl.h"
 #include "geometry/triangle-inl.h"
 
@@ -38,6 +40,13 @@ void filter_triangles(const std::vector<float>* columns, std::size_t count, std:
     filter_columns<TriangleGeometry>(columns, count, may);
 }
 
+void filter_cylinders(const std::vector<float>* columns, std::size_t count, std::uint8_t* may) {
+    filter_columns<CylinderGeometry>(columns, count, may);
+}
+void filter_cones(const std::vector<float>* columns, std::size_t count, std::uint8_t* may) {
+    filter_columns<ConeGeometry>(columns, count, may);
+}
+
 }  // namespace HWY_NAMESPACE
 }  // namespace glint
 HWY_AFTER_NAMESPACE();
@@ -46,6 +55,8 @@ HWY_AFTER_NAMESPACE();
 namespace glint {
 HWY_EXPORT(filter_spheres);
 HWY_EXPORT(filter_triangles);
+HWY_EXPORT(filter_cylinders);
+HWY_EXPORT(filter_cones);
 namespace testing {
 namespace {
 
@@ -62,6 +73,11 @@ template <class Shape> struct Case {
     Shape shape;
     Vec3 origin, direction;
 };
+
+// The largest component is 1, as that of the directions that the filters get.
+Vec3 scaled_to_1(Vec3 d) {
+    return d / number::max(number::max(number::abs(d.x), number::abs(d.y)), number::abs(d.z));
+}
 
 // Half of the rays pass the sphere at r (1 +- 2^-k); half of the others start at its surface.
 Case<Sphere> random_sphere(Random& random) {
@@ -97,10 +113,46 @@ Case<Triangle> random_triangle(Random& random) {
     Vec3 d = chance(random, 0.2) ? axis_direction(random) : unit_direction(random);
     if (chance(random, 0.1)) d = normalize(b - a + d * 1e-6);  // nearly in the plane
     c.origin = target - d * (chance(random, 0.2) ? 0 : log_uniform(random, 1e-3 * size, 1e6));
-    // The largest component is 1, as that of the directions that the filter gets.
-    const double largest = number::max(number::max(number::abs(d.x), number::abs(d.y)), number::abs(d.z));
-    c.direction = d / largest;
+    c.direction = scaled_to_1(d);
     return c;
+}
+
+// Rays that pass the axis at r (1 +- 2^-k), or nearer; some nearly along it. Thin ones, thick ones, discs.
+struct AxialCase {
+    Vec3 from, to;
+    double radius;
+    Vec3 origin, direction;
+};
+AxialCase random_axial(Random& random) {
+    AxialCase c;
+    const double size = log_uniform(random, 1e-4, 1e4);
+    c.from = point_in_cube(random, chance(random, 0.5) ? size : log_uniform(random, 1e-3, 1e6));
+    const Vec3 axis = chance(random, 0.2) ? axis_direction(random) : unit_direction(random);
+    c.to = c.from + axis * size;
+    c.radius = size * log_uniform(random, 1e-3, 1e2);
+    Vec3 d = chance(random, 0.2) ? axis_direction(random) : unit_direction(random);
+    if (chance(random, 0.1)) d = normalize(axis + d * log_uniform(random, 1e-9, 1e-1));
+    Vec3 aside = cross(axis, d);
+    aside = length(aside) > 1e-12 ? normalize(aside) : perpendicular(random, d);
+    double closest = c.radius * random.uniform(0, 1.2);
+    if (chance(random, 0.5))
+        closest = c.radius * (1 + std::ldexp(chance(random, 0.8) ? -1.0 : 1.0, -3 - below(random, 50)));
+    const Vec3 target = c.from + axis * (size * random.uniform(0, 1)) + aside * closest;
+    c.origin = target - d * (chance(random, 0.2) ? 0 : log_uniform(random, 1e-3 * size, 1e6));
+    c.direction = scaled_to_1(d);
+    return c;
+}
+Case<Cylinder> random_cylinder(Random& random) {
+    const AxialCase c = random_axial(random);
+    return {{c.from, c.to, c.radius, chance(random, 0.5)}, c.origin, c.direction};
+}
+Case<Cone> random_cone(Random& random) {
+    const AxialCase c = random_axial(random);
+    const double other = c.radius * random.uniform(0, 1);
+    const bool turned = chance(random, 0.5);
+    return {{c.from, c.to, turned ? other : c.radius, turned ? c.radius : other, chance(random, 0.5)},
+            c.origin,
+            c.direction};
 }
 
 // Returns the fractions of hits and of rejections.
@@ -159,6 +211,22 @@ TEST(TriangleFilter, NeverRejectsWhatDoubleHits) {
     });
     EXPECT_GT(hits, 0.15);
     EXPECT_GT(rejected, 0.1);
+}
+
+TEST(CylinderFilter, NeverRejectsWhatDoubleHits) {
+    const auto [hits, rejected] = run_cases<plain::CylinderGeometry>(random_cylinder, [](auto... a) {
+        HWY_DYNAMIC_DISPATCH(filter_cylinders)(a...);
+    });
+    EXPECT_GT(hits, 0.25);
+    EXPECT_GT(rejected, 0.02);
+}
+
+TEST(ConeFilter, NeverRejectsWhatDoubleHits) {
+    const auto [hits, rejected] = run_cases<plain::ConeGeometry>(random_cone, [](auto... a) {
+        HWY_DYNAMIC_DISPATCH(filter_cones)(a...);
+    });
+    EXPECT_GT(hits, 0.1);
+    EXPECT_GT(rejected, 0.02);
 }
 
 TEST(TriangleFilter, RejectsMostOfWhatMisses) {
