@@ -2,6 +2,7 @@
 // Memory in large pages.
 #include <cstddef>
 #include <cstdint>
+#include <vector>
 #if defined(__linux__)
 #include <sys/mman.h>
 #endif
@@ -18,6 +19,13 @@ inline void prefer_huge_pages([[maybe_unused]] void* memory, [[maybe_unused]] st
     if (end > begin && end - begin >= huge)
         madvise(reinterpret_cast<void*>(begin), end - begin, MADV_HUGEPAGE);
 #endif
+}
+
+/// Makes an empty vector n values long, in large pages where they are worth it.
+template <class T> void resize_in_huge_pages(std::vector<T>& values, std::size_t n) {
+    values.reserve(n);
+    prefer_huge_pages(values.data(), n * sizeof(T));
+    values.resize(n);
 }
 
 }  // namespace glint

@@ -2,6 +2,7 @@
 // "Efficient Incoherent Ray Traversal on GPUs Through Compressed Wide BVHs", section 3.1).
 #include <cstddef>
 
+#include "base/huge_pages.h"
 #include "base/parallel_for.h"
 #include "bvh/binary_tree.h"
 
@@ -174,7 +175,8 @@ std::vector<BvhNode> make_wide(const std::vector<BinaryTree>& trees, int threads
         s = next;
         next += count;
     }
-    std::vector<BvhNode> nodes(next);
+    std::vector<BvhNode> nodes;
+    resize_in_huge_pages(nodes, next);
     Writer(trees, nodes.data(), 0).write(root);
     parallel_for(links.size(), threads, [&](std::size_t i) {
         Writer(trees, nodes.data(), start[i]).write(links[i].root);

@@ -5,6 +5,7 @@
 #include <span>
 #include <type_traits>
 
+#include "base/huge_pages.h"
 #include "base/parallel_for.h"
 #include "bvh/rays.h"
 #include "geometry/kinds-inl.h"
@@ -189,7 +190,7 @@ class Packer {
                 unbounded_.push_back(i);
             }
         }
-        leaves_.resize(bounded);
+        resize_in_huge_pages(leaves_, bounded);
         std::uint32_t next = 0, skipped = 0;
         for (std::uint32_t i = 0; i < items_.list.size(); ++i) {
             if (skipped < unbounded_.size() && unbounded_[skipped] == i) {
@@ -221,7 +222,8 @@ class Packer {
                 packed.first = world_.count;
                 packed.count = count[c];
                 packed.stride = count[c] + k_ray_padding;
-                packed.values.resize(static_cast<std::size_t>(packed.stride) * facts_[c].values);
+                resize_in_huge_pages(packed.values,
+                                     static_cast<std::size_t>(packed.stride) * facts_[c].values);
                 next_slot_[c] = world_.count;
                 class_index_[c] = world_.classes.size();
                 world_.classes.push_back(std::move(packed));
@@ -234,18 +236,18 @@ class Packer {
 
     // Within a class, bounded items in leaf order, the others in the scene's.
     void lay_out_slots() {
-        slot_.resize(leaves_.size());
+        resize_in_huge_pages(slot_, leaves_.size());
         for (std::size_t i = 0; i < leaves_.size(); ++i) slot_[i] = next_slot_[leaves_[i].item_class]++;
         std::stable_sort(unbounded_.begin(), unbounded_.end(), [&](std::uint32_t a, std::uint32_t b) {
             return class_of(items_.list[a]) < class_of(items_.list[b]);
         });
         const std::size_t padded = world_.count + k_ray_padding;
         for (int a = 0; a < 3; ++a) {
-            world_.box_lo[a].assign(world_.boxed + k_ray_padding, 0);
-            world_.box_hi[a].assign(world_.boxed + k_ray_padding, 0);
+            resize_in_huge_pages(world_.box_lo[a], world_.boxed + k_ray_padding);
+            resize_in_huge_pages(world_.box_hi[a], world_.boxed + k_ray_padding);
         }
-        world_.shape_index.assign(padded, 0);
-        world_.material.assign(padded, 0);
+        resize_in_huge_pages(world_.shape_index, padded);
+        resize_in_huge_pages(world_.material, padded);
     }
 
     // box: of a bounded item.
