@@ -44,14 +44,16 @@ class Sights {
     }
 
   private:
-    static constexpr int k_group = k_ray_padding;
+    // The last ray's vector may end in the next group, whose rays must still be padding.
+    static constexpr int k_group = k_ray_padding / 2;
+    static_assert(k_group % lane_count<double>() == 0);
 
     HWY_INLINE void prepare(int i) {
         const int group = i / k_group;
         if ((ready_ >> group & 1) == 0) prepare_group(group);
     }
     HWY_NOINLINE void prepare_group(int group) {
-        ready_ |= 1u << group;
+        ready_ |= std::uint64_t{1} << group;
         for (int i = group * k_group; i < (group + 1) * k_group; i += lane_count<double>()) {
             const Ray<Doubles> ray{{load(rays_.ox + i), load(rays_.oy + i), load(rays_.oz + i)},
                                    {load(rays_.dx + i), load(rays_.dy + i), load(rays_.dz + i)}};
@@ -68,9 +70,9 @@ class Sights {
     const RaySpan& rays_;
     alignas(64) double column_[6][SlabRays::k_size];
     std::uint8_t axis_[SlabRays::k_size];
-    std::uint32_t ready_ = 0;
+    std::uint64_t ready_ = 0;
+    static_assert(SlabRays::k_size / k_group <= 64);
 };
-static_assert(SlabRays::k_size / k_ray_padding <= 32);
 
 }  // namespace HWY_NAMESPACE
 }  // namespace glint

@@ -147,6 +147,8 @@ inline void find_surfaces(const World& world, TileScratch& s, int generation) {
         store(load(s.magnitude.data() + h) + (same ? Doubles(reach[0]) : load(reach)),
               s.magnitude.data() + h);
     }
+    // A group of hits begins anywhere: its last vector may reach past those above.
+    std::fill_n(s.material.begin() + s.hits, k_ray_padding, s.material[static_cast<std::size_t>(s.hits - 1)]);
 }
 
 }  // namespace HWY_NAMESPACE
