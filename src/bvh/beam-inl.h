@@ -75,18 +75,19 @@ struct Beam : Intervals {
     struct Range {
         float least, most;
     };
+    // A t_min too large for its margin is NaN: the order of arguments leaves it out.
     HWY_INLINE Range range(const float* column) const {
         const Floats infinity(std::numeric_limits<float>::infinity());
         Floats least = infinity, most = -infinity;
         int i = first;
         for (; i + lane_count<float>() <= first + count; i += lane_count<float>()) {
             const Floats x = load(column + i);
-            least = min(least, x), most = max(most, x);
+            least = min(x, least), most = max(most, x);
         }
         if (i < first + count) {
             const auto mine = first_lanes<float>(first + count - i);
             const Floats x = load(column + i);
-            least = min(least, select(mine, x, infinity)), most = max(most, select(mine, x, -infinity));
+            least = min(select(mine, x, infinity), least), most = max(most, select(mine, x, -infinity));
         }
         return {min_of_lanes(least), max_of_lanes(most)};
     }

@@ -31,7 +31,7 @@ struct SlabRays {
     // By axis and ray: the rounded origins and inverse directions for the near and for the far plane.
     alignas(64) float near_origin[3][k_size], far_origin[3][k_size];
     alignas(64) float near_inverse[3][k_size], far_inverse[3][k_size];
-    // Rounded to nearest, for the shapes' filters; a direction's largest component is about 1.
+    // Rounded to nearest, for the shapes' filters; a direction's largest component is about 1, or all are 0.
     alignas(64) float origin[3][k_size], direction[3][k_size];
     alignas(64) float t_min[k_size];  // rounded down
     alignas(64) float t_max[k_size];  // rounded up; shrinks to the nearest hit so far; -infinity once a ray
@@ -88,8 +88,10 @@ inline void prepare_rays(const RaySpan& rays, int count, SlabRays& to) {
             store(inverse * shrink, to.near_inverse[a] + i);
             store(inverse * grow, to.far_inverse[a] + i);
         }
-        // Its largest component is about 1, so that its square is a float too.
-        for (int a = 0; a < 3; ++a) store(direction[a] * least_inverse, to.direction[a] + i);
+        // Its largest component is about 1, so that its square is a float too. Of one so short that what was
+        // made tiny above counts, no filter shall judge: none rejects 0.
+        const Floats stretch = select(least_inverse > Floats(1e22f), zero, least_inverse);
+        for (int a = 0; a < 3; ++a) store(direction[a] * stretch, to.direction[a] + i);
         const Floats t_min = load(to.t_min + i), t_max = load(to.t_max + i);
         store(t_min - rounding_margin(t_min), to.t_min + i);
         store(select(t_max < Floats(-1e37f), t_max, t_max + rounding_margin(t_max)), to.t_max + i);

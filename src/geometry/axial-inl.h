@@ -87,8 +87,8 @@ template <class F> struct AxialFilter {
     HWY_INLINE auto may_hit(const Triple<F>& d) const {
         const Triple<F> n = cross(axis, d);
         const F beyond = abs(dot(q, n)) - slack;
-        // A NaN may hit.
-        return !((beyond > F(0)) && (beyond * beyond > (radius * radius) * dot(n, n)));
+        // A NaN may hit, and what is so near that its square has not u's precision.
+        return !((beyond > F(1e-18f)) && (beyond * beyond > (radius * radius) * dot(n, n)));
     }
 };
 

@@ -37,14 +37,15 @@ struct SphereGeometry {
 
     /// In single precision: false only where `hit` in double is false. With u = 2^-24, the coordinates'
     /// conversions, q, b and f are wrong by less than 16 u (|o| + |c|) in each coordinate; the test allows
-    /// for twice that.
+    /// for twice that, and for squares too small to have u's precision.
     template <class F> struct Filter {
+        static constexpr float k_tiny = 1e-37f;
         Triple<F> q;
         F reach_squared;
         static HWY_INLINE Filter of(const F* p, const Triple<F>& o) {
             const F magnitude = (abs(o.x) + abs(o.y) + abs(o.z)) + (abs(p[0]) + abs(p[1]) + abs(p[2]));
             const F reach = p[3] * F(1 + 0x1p-20f) + magnitude * F(0x1p-19f);
-            return {o - triple(p), reach * reach};
+            return {o - triple(p), reach * reach + F(k_tiny)};
         }
         HWY_INLINE auto may_hit(const Triple<F>& d) const {
             const Triple<F> f = q - d * (dot(q, d) / dot(d, d));

@@ -113,15 +113,16 @@ struct TriangleGeometry {
     /// side if the volumes that it spans with them have one sign. With u = 2^-24 and M the largest coordinate
     /// of a vertex plus that of the origin, vertices from the origin are wrong by less than 2.1 u M, their
     /// cross products by 12.5 u M^2, the volumes, for a direction of at most about 1, by 62 u M^2; the test
-    /// allows for twice that.
+    /// allows for twice that, and for products too small to have u's precision.
     template <class F> struct Filter {
+        static constexpr float k_tiny = 1e-37f;
         Triple<F> ab, bc, ca;
         F slack;
         static HWY_INLINE Filter of(const F* p, const Triple<F>& o) {
             const Triple<F> a = triple(p) - o, b = triple(p + 3) - o, c = triple(p + 6) - o;
             const F m =
                 max(max_abs(triple(p)), max(max_abs(triple(p + 3)), max_abs(triple(p + 6)))) + max_abs(o);
-            return {cross(a, b), cross(b, c), cross(c, a), m * m * F(0x1p-17f)};
+            return {cross(a, b), cross(b, c), cross(c, a), m * m * F(0x1p-17f) + F(k_tiny)};
         }
         HWY_INLINE auto may_hit(const Triple<F>& d) const {
             const F u = dot(d, bc), v = dot(d, ca), w = dot(d, ab);
