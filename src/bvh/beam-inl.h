@@ -47,7 +47,7 @@ struct Intervals {
 struct Beam : Intervals {
     SlabRays& rays;
     int first, count;
-    bool common_origin = true;  // in single precision
+    bool common_origin = true;                    // in single precision
     float least_direction[3], most_direction[3];  // where the origin is common
 
     /// All its rays, as bits; ray `first` is the lowest.
