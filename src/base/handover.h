@@ -6,22 +6,16 @@
 
 namespace glint {
 
+/// Compiled with the sanitizer, where parallel_for.cpp is not: what oneTBB's headers do belongs to oneTBB.
 class Handover {
-#if defined(__SANITIZE_THREAD__)
   public:
-    void task_starts() { started_.load(std::memory_order_acquire); }
-    void task_ends() { ended_.fetch_add(1, std::memory_order_release); }
-    void all_ended() { ended_.load(std::memory_order_acquire); }
-    Handover() { started_.store(1, std::memory_order_release); }
+    Handover();
+    void task_starts();
+    void task_ends();
+    void all_ended();
 
   private:
     std::atomic<int> started_{0}, ended_{0};
-#else
-  public:
-    void task_starts() {}
-    void task_ends() {}
-    void all_ended() {}
-#endif
 };
 
 }  // namespace glint
