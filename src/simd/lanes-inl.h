@@ -205,9 +205,6 @@ HWY_INLINE Doubles gather(const double* base, const Places& places) {
 /// 0, 1, 2, ...
 HWY_INLINE Doubles iota() { return Doubles(hn::Iota(Tag<double>(), 0.0)); }
 
-/// The lanes below `count`.
-HWY_INLINE LaneMask<double> first_lanes(int count) { return iota() < Doubles(static_cast<double>(count)); }
-
 /// How many lanes are set.
 template <class T> HWY_INLINE int count(LaneMask<T> m) {
     return static_cast<int>(hn::CountTrue(Tag<T>(), m.m));
@@ -224,7 +221,7 @@ template <class T> HWY_INLINE std::uint32_t to_bits(LaneMask<T> m) {
     }
     return bits & ((1u << lane_count<T>()) - 1);
 }
-/// The first n lanes (all, if there are no more).
+/// The first n lanes, n >= 0 (all, if there are no more).
 template <class T> HWY_INLINE LaneMask<T> first_lanes(int n) {
     return {hn::FirstN(Tag<T>(), static_cast<std::size_t>(n))};
 }

@@ -163,7 +163,7 @@ inline void queue_branches(const World& world, TileScratch& s, int generation) {
         s.next_rays.reserve(s.next_rays.size() + (end - h));
         s.transmitted_rays.reserve(end - h);
         for (; h < end; h += lane_count<double>()) {
-            queue_vector(world, s, h, first_lanes(end - h), generation, limited);
+            queue_vector(world, s, h, first_lanes<double>(end - h), generation, limited);
         }
         h = end;
         s.next_rays.end_group();

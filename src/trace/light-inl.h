@@ -80,7 +80,7 @@ inline int reach_hits(const World& world, const Light& light, TileScratch& s) {
         const Triple<Doubles> l = rules.normalize ? to_light / distance : to_light;
         const auto c = cosines(surface.normal, l, load_triple(s.to_eye, i), rules);
         // A light in the surface itself has no direction.
-        auto lit = first_lanes(s.hits - i) && distance > zero;
+        auto lit = first_lanes<double>(s.hits - i) && distance > zero;
         if (!constant) {
             const Doubles f_att = attenuation(c0, c1, c2, distance);
             store(f_att, s.attenuation.data() + i);

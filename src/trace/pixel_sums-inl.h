@@ -61,7 +61,7 @@ inline void add_misses(const World& world, TileScratch& s, int first, int from, 
     const double* weights[3] = {s.rays.column(k_ray_weight) + first, s.rays.column(k_ray_weight + 1) + first,
                                 s.rays.column(k_ray_weight + 2) + first};
     for (int i = from; i < to; i += lane_count<double>()) {
-        const auto missed = !(load(s.t.data() + i) < Doubles(k_infinity)) && first_lanes(to - i);
+        const auto missed = !(load(s.t.data() + i) < Doubles(k_infinity)) && first_lanes<double>(to - i);
         if (!any(missed)) continue;
         if (camera) {
             alignas(k_ray_alignment) double pixels[lane_count<double>()];
@@ -84,7 +84,7 @@ inline void add_unlit(const World& world, TileScratch& s) {
         if (world.settings.shading == Shading::normals) {
             c = (load_triple(s.normal, h) + lanes_of(Vec3{1, 1, 1})) * Doubles(0.5);
         }
-        PixelLanes(s.target.data() + h, first_lanes(s.hits - h)).add(s.sums, k_layer_ambient, c);
+        PixelLanes(s.target.data() + h, first_lanes<double>(s.hits - h)).add(s.sums, k_layer_ambient, c);
     }
 }
 
@@ -101,7 +101,7 @@ inline void add_hits(const World& world, TileScratch& s, int from, int to, int g
         const Triple<Doubles> ambient = weight * (material.color(k_ambient) * lanes_of(world.ambient)),
                               diffuse = weight * load_triple(s.diffuse, h),
                               specular = weight * load_triple(s.specular, h);
-        const PixelLanes pixels(s.target.data() + h, first_lanes(to - h));
+        const PixelLanes pixels(s.target.data() + h, first_lanes<double>(to - h));
         if (camera) {
             pixels.add(s.sums, k_layer_ambient, ambient);
             pixels.add(s.sums, k_layer_diffuse, diffuse);

@@ -18,7 +18,8 @@ namespace HWY_NAMESPACE {
 /// Takes the hits among rays [i, end) of the stream, at most a vector of them.
 HWY_INLINE void take_hits(const World& world, TileScratch& s, int first, int i, int end, bool camera) {
     const Doubles t = load(s.t.data() + i);
-    const auto hit = t < Doubles(k_infinity) && first_lanes(end - i);  // a ray that misses keeps its t_max
+    const auto hit =
+        t < Doubles(k_infinity) && first_lanes<double>(end - i);  // a ray that misses keeps its t_max
     const int count_here = count(hit);
     if (count_here == 0) return;
     const auto from = [&](int column) HWY_ATTR { return load(s.rays.column(column) + first + i); };

@@ -48,9 +48,9 @@ inline void shade_share(const World& world, TileScratch& s, int first, int from,
 }
 
 /// Whether rays [0, count) of the stream all hit nothing.
-inline bool all_miss(const TileScratch& s, int count) {
+inline bool all_missed(const TileScratch& s, int count) {
     for (int i = 0; i < count; i += lane_count<double>()) {
-        if (any(load(s.t.data() + i) < Doubles(k_infinity) && first_lanes(count - i))) return false;
+        if (any(load(s.t.data() + i) < Doubles(k_infinity) && first_lanes<double>(count - i))) return false;
     }
     return true;
 }
@@ -63,7 +63,7 @@ inline bool trace_sample(const World& world, TileScratch& s) {
         for (int first = 0; first < s.rays.size(); first += k_stream) {
             const int count = number::min(k_stream, s.rays.size() - first);
             nearest_hit(world, s.rays.rays(first), count, k_beam, s.t.data(), s.slot.data());
-            if (generation == 0 && all_miss(s, count)) return false;
+            if (generation == 0 && all_missed(s, count)) return false;
             for (int i = 0; i < count; i += k_share) {
                 shade_share(world, s, first, i, number::min(i + k_share, count), generation);
             }
