@@ -2,6 +2,7 @@
 // The whole public API.
 #include "glint/conventions.h"
 #include "glint/diagnostic.h"
+#include "glint/explain.h"
 #include "glint/image.h"
 #include "glint/load.h"
 #include "glint/render.h"

@@ -11,6 +11,7 @@
 
 #include "glint/diagnostic.h"
 #include "glint/image.h"
+#include "glint/layers.h"
 #include "glint/scene.h"
 
 namespace glint {
@@ -61,16 +62,18 @@ struct RayCounts {
 };
 
 struct RenderOptions {
-    int threads = 0;           ///< 0 = one a processor
-    std::string isa;           ///< one of isa_names(); empty: the best
-    std::optional<Crop> crop;  ///< only this part of the picture; the Image has the crop's size
+    int threads = 0;            ///< 0 = one a processor
+    std::string isa;            ///< one of isa_names(); empty: the best
+    std::optional<Crop> crop;   ///< only this part of the picture; the Image has the crop's size
+    std::vector<Layer> layers;  ///< what else is wanted, each once
     /// Called from any thread, now and then, with the fraction done (0 to 1). Must not throw.
     std::function<void(double)> progress;
     const std::atomic<bool>* cancel = nullptr;  ///< looked at between tiles
 };
 
 struct RenderResult {
-    std::optional<Image> image;  ///< absent if cancelled or an error
+    std::optional<Image> image;      ///< absent if cancelled or an error
+    std::vector<LayerImage> layers;  ///< in the order of RenderOptions::layers; empty if there is no image
     bool cancelled = false;
     std::string error;  ///< "no such instruction set 'avx9'", "out of memory: ..."; empty if none
     RayCounts rays;

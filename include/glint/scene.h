@@ -52,11 +52,11 @@ struct Attenuation {
 
 struct Light {
     LightKind kind = LightKind::point;
-    Vec3 position;                  ///< point lights
+    Vec3 position{};                ///< point lights
     Vec3 to_light{0, 1, 0};         ///< directional lights: towards the light, any length but 0
     Color color{1, 1, 1};           ///< I_a of an ambient light, else I_l,d: intensity included
     Color specular_color{1, 1, 1};  ///< I_l,s; ambient lights have none
-    Attenuation attenuation;        ///< point lights
+    Attenuation attenuation{};      ///< point lights
 };
 
 struct Material {

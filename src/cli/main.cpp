@@ -24,6 +24,7 @@ constexpr auto k_short_help =
   glint render SCENE...     draw a scene to a picture
   glint info SCENE          say what a scene holds
   glint convert SCENE OUT   write it in glint's own language
+  glint explain SCENE -p X,Y   say why a pixel has its colour
   glint --help              all commands
 
 Example: glint render castle.json -o castle.png
@@ -48,7 +49,8 @@ std::string command_fault(const std::vector<std::string>& arguments) {
     if (is_scene)
         return fmt::format("'{}' is no command; did you mean 'glint render {}'?", word,
                            fmt::join(arguments, " "));
-    return fmt::format("there is no command '{}'; there are render, info, convert and completion", word);
+    return fmt::format("there is no command '{}'; there are render, info, convert, explain and completion",
+                       word);
 }
 
 int run(const std::vector<std::string>& arguments) {
@@ -64,9 +66,8 @@ int run(const std::vector<std::string>& arguments) {
         Run run;
     };
     const Command commands[] = {
-        {"render", add_render(app)},
-        {"info", add_info(app)},
-        {"convert", add_convert(app)},
+        {"render", add_render(app)},         {"info", add_info(app)},
+        {"convert", add_convert(app)},       {"explain", add_explain(app)},
         {"completion", add_completion(app)},
     };
 

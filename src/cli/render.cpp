@@ -5,13 +5,13 @@
 
 #include <chrono>
 #include <cstdio>
-#include <fstream>
 #include <memory>
 #include <nlohmann/json.hpp>
 
 #include "cli/commands.h"
 #include "cli/failure.h"
 #include "cli/output_file.h"
+#include "cli/picture_arguments.h"
 #include "cli/progress.h"
 #include "cli/scene_arguments.h"
 #include "cli/show.h"
@@ -31,12 +31,11 @@ constexpr auto k_examples = R"(Examples:
   glint render - --format cgfs -o - < a.cgfs > a.png    from standard input to standard output
   glint render castle.json --show                       also as text, in the terminal)";
 
-constexpr double k_bytes_a_pixel = 12;  // three floats
-
 struct RenderArguments {
     SceneArguments scene;
-    std::string output, size, shading, reflections, aa, crop, transfer = "none", isa, stats;
-    bool no_shadows = false, show = false, quiet = false;
+    PictureArguments picture;
+    std::string output, crop, transfer = "none", isa, stats;
+    bool show = false, quiet = false;
     int bits = 8, threads = 0;
 };
 
@@ -48,29 +47,6 @@ double seconds_since(Clock::time_point start) {
 struct Times {
     double load = 0, prepare = 0, trace = 0, encode = 0;
 };
-
-// What limits this process: the machine's memory, or less by the container's rule.
-double memory_limit() {
-    double limit =
-        static_cast<double>(::sysconf(_SC_PHYS_PAGES)) * static_cast<double>(::sysconf(_SC_PAGE_SIZE));
-    for (const char* rule : {"/sys/fs/cgroup/memory.max", "/sys/fs/cgroup/memory/memory.limit_in_bytes"}) {
-        double bytes = 0;
-        if (std::ifstream(rule) >> bytes && bytes > 0 && bytes < limit) limit = bytes;
-    }
-    return limit;
-}
-
-void check_memory(double width, double height) {
-    const double needed = width * height * k_bytes_a_pixel, limit = memory_limit();
-    if (needed <= limit) return;
-    const std::string rest = std::max(width, height) > k_max_size
-                                 ? fmt::format("; the most is {} pixels a side", k_max_size)
-                                 : "; draw it in parts with --crop";
-    throw Failure(k_bad_input,
-                  fmt::format("a picture of {:.0f}x{:.0f} needs {} of memory ({} bytes a pixel), and this "
-                              "machine has {}{}",
-                              width, height, bytes_text(needed), k_bytes_a_pixel, bytes_text(limit), rest));
-}
 
 FileFormat format_of(const std::string& path, const OutputFile& output) {
     const std::string ending = extension(path);
@@ -85,23 +61,6 @@ std::string default_output(const std::string& scene_file) {
     return scene_file == "-" ? "picture.png" : stem(scene_file) + ".png";
 }
 
-// Fills in the settings that the command line overrides. Checks the size's memory first: a size too large for
-// any picture is answered by what it would need.
-void add_settings(RenderArguments& arguments) {
-    auto& settings = arguments.scene.settings;
-    if (!arguments.size.empty()) {
-        const auto size = parse_size(arguments.size);
-        if (size && size->width > 0 && size->height > 0 && arguments.crop.empty()) {
-            check_memory(static_cast<double>(size->width), static_cast<double>(size->height));
-        }
-        settings.emplace_back("size", arguments.size);
-    }
-    if (!arguments.shading.empty()) settings.emplace_back("shading", arguments.shading);
-    if (arguments.no_shadows) settings.emplace_back("shadows", "false");
-    if (!arguments.reflections.empty()) settings.emplace_back("reflections", arguments.reflections);
-    if (!arguments.aa.empty()) settings.emplace_back("aa", arguments.aa);
-}
-
 std::optional<Crop> crop_of(const RenderArguments& arguments, const RenderSettings& settings) {
     if (arguments.crop.empty()) return std::nullopt;
     const auto crop = parse_crop(arguments.crop);
@@ -114,15 +73,6 @@ std::optional<Crop> crop_of(const RenderArguments& arguments, const RenderSettin
                                            settings.width, settings.height));
     }
     return crop;
-}
-
-void check_isa(const std::string& isa) {
-    if (isa.empty()) return;
-    const auto names = isa_names();
-    if (std::find(names.begin(), names.end(), isa) != names.end()) return;
-    const std::vector<std::string_view> views(names.begin(), names.end());
-    throw Failure(k_usage,
-                  fmt::format("--isa: no instruction set '{}' here; there are {}", isa, joined(views)));
 }
 
 std::string stats_text(const RenderResult& result, const Times& times) {
@@ -173,7 +123,7 @@ int render_command(RenderArguments& arguments) {
         throw Failure(k_usage, "--stats and the picture cannot both go to standard output");
     }
     check_isa(arguments.isa);
-    add_settings(arguments);
+    add_settings(arguments.picture, arguments.crop.empty(), arguments.scene);
 
     Times times;
     LoadedScene loaded = load_scene(arguments.scene);
@@ -243,14 +193,7 @@ Run add_render(CLI::App& app) {
                     ".png, in the "
                     "current folder")
         ->option_text("OUT");
-    command.add_option("-s,--size", a.size, "Pixels; default: the file's, or the profile's")
-        ->option_text("WxH");
-    command.add_option("--shading", a.shading, "What a surface shows")
-        ->option_text("phong|blinn-phong|diffuse|color|normals");
-    command.add_flag("--no-shadows", a.no_shadows, "Every light reaches everything");
-    command.add_option("--reflections", a.reflections, "Most mirror generations; 0: no mirrors")
-        ->option_text("N");
-    command.add_option("--aa", a.aa, "N x N regular samples a pixel")->option_text("N");
+    add_picture_arguments(command, a.picture);
     command.add_option("--crop", a.crop, "Only this part of the picture; X and Y count from its top left")
         ->option_text("WxH+X+Y");
     command

@@ -11,6 +11,7 @@
 #include "lighting/glass-inl.h"
 #include "lighting/phong-inl.h"
 #include "trace/light-inl.h"
+#include "trace/record-inl.h"
 #include "trace/surface-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -23,13 +24,14 @@ namespace HWY_NAMESPACE {
 struct Branches {
     Triple<Doubles> reflected, transmitted;  // weights
     Triple<Doubles> through;                 // direction of the transmitted ray
+    Doubles fresnel;                         // F
 };
 HWY_INLINE Branches branches_of(const World& world, const MaterialLanes& material,
                                 const SurfacePoint<Doubles>& surface, LaneMask<double> glass,
                                 LaneMask<double> from_inside, Triple<Doubles> weight) {
     const Conventions& rules = world.conventions;
     const Doubles a = material.value(k_mirror), f = material.value(k_transmission), one(1);
-    Branches b{weight, weight, weight};
+    Branches b{weight, weight, weight, Doubles(0)};
     Doubles mirror = rules.mirror == MirrorRule::blend ? (one - f) * a : a;
     if (any(glass)) {  // otherwise nothing is asked of the transmitted ray
         const Doubles ior = material.value(k_ior);
@@ -41,6 +43,7 @@ HWY_INLINE Branches branches_of(const World& world, const MaterialLanes& materia
         if (rules.fresnel == Fresnel::schlick)
             fresnel = schlick(-dot(facing, incoming) / length(incoming), ior);
         fresnel = select(refraction.total, one, fresnel);
+        b.fresnel = fresnel;
         mirror = select(glass, mirror + f * fresnel, mirror);
         b.transmitted = weight * select(glass, f * (one - fresnel), Doubles(0));
         // Without Beer's law the way through glass is tinted once, where it begins.
@@ -140,8 +143,10 @@ HWY_INLINE void queue_vector(const World& world, TileScratch& s, int h, LaneMask
         push(s.next_rays, rays, reflected, beer);
         s.counts.mirror += static_cast<std::uint64_t>(count(reflected));
     }
-    if (!any(glass)) return;
-    const auto transmitted = counts(b.transmitted);
+    const auto transmitted = any(glass) ? counts(b.transmitted) && glass : glass;
+    if (s.record != nullptr)
+        record_branches(s, h, {leaves, glass, reflected, transmitted}, b.reflected, b.transmitted, b.fresnel,
+                        rules.min_weight);
     if (!any(transmitted)) return;
     rays.direction = b.through;
     rays.origin = leave_through(surface, rays.direction, glass_offset, rules.epsilon);
@@ -155,7 +160,10 @@ HWY_INLINE void queue_vector(const World& world, TileScratch& s, int h, LaneMask
 /// Queues the mirror and glass rays of the hits: of each group of rays first all reflected, then all
 /// transmitted ones, so that rays of one kind walk together and a pixel's keep their order.
 inline void queue_branches(const World& world, TileScratch& s, int generation) {
-    if (generation >= world.settings.reflections) return;
+    if (generation >= world.settings.reflections) {
+        if (s.record != nullptr) record_limit(world, s);
+        return;
+    }
     const bool limited = is_limited(world);
     int h = 0;
     for (int part = 0; part < s.parts; ++part) {
@@ -167,8 +175,8 @@ inline void queue_branches(const World& world, TileScratch& s, int generation) {
         }
         h = end;
         s.next_rays.end_group();
-        if (generation == 0 && s.next_rays.size() > 0) s.sums.touch(k_layer_reflected);
-        if (generation == 0 && s.transmitted_rays.size() > 0) s.sums.touch(k_layer_transmitted);
+        if (generation == 0 && s.next_rays.size() > 0) s.sums.touch(Layer::reflection);
+        if (generation == 0 && s.transmitted_rays.size() > 0) s.sums.touch(Layer::transmission);
         s.next_rays.take_group(s.transmitted_rays);
     }
 }

@@ -47,5 +47,18 @@ const std::vector<Kernels>& available_kernels() {
     return list;
 }
 
+const Kernels* find_kernels(std::string_view isa) {
+    for (const Kernels& k : available_kernels()) {
+        if (isa.empty() || isa == k.isa) return &k;
+    }
+    return nullptr;
+}
+
+std::string no_kernels_error(std::string_view isa) {
+    std::string list;
+    for (const Kernels& k : available_kernels()) list += (list.empty() ? "" : ", ") + std::string(k.isa);
+    return "this machine has no instruction set '" + std::string(isa) + "'; it has " + list;
+}
+
 }  // namespace glint
 #endif

@@ -2,6 +2,7 @@
 // What is compiled once for every instruction set, and chosen once a render.
 #include <cstdint>
 #include <memory>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -30,5 +31,9 @@ struct Kernels {
 
 /// The kernels that this machine can run, best first.
 const std::vector<Kernels>& available_kernels();
+/// Those of an instruction set (empty: the best), or null.
+const Kernels* find_kernels(std::string_view isa);
+/// What to say where there are none.
+std::string no_kernels_error(std::string_view isa);
 
 }  // namespace glint

@@ -12,7 +12,6 @@
 
 #include "geometry/leave-inl.h"
 #include "lighting/phong-inl.h"
-#include "trace/hit_declarations-inl.h"
 #include "trace/material-inl.h"
 #include "trace/tile.h"
 
@@ -34,6 +33,41 @@ HWY_INLINE SurfacePoint<Doubles> surface_at(const TileScratch& s, int h) {
 HWY_INLINE bool has_no_attenuation(const Light& light) {
     const Attenuation& a = light.attenuation;
     return light.kind == LightKind::directional || (a.c0 <= 1 && a.c1 == 0 && a.c2 == 0);
+}
+
+/// A light as a vector of hits sees it.
+struct LightLanes {
+    Triple<Doubles> to_light;
+    Doubles distance;  // its length
+    Doubles attenuation;
+    Cosines<Doubles> cosines;
+    LaneMask<double> lit;  // it may add something there
+};
+HWY_INLINE LightLanes light_at(const World& world, const Light& light, const LightingRules& rules,
+                               const TileScratch& s, int i) {
+    const Doubles zero(0);
+    const auto adds = [&](Triple<Doubles> a, Triple<Doubles> b)
+                          HWY_ATTR { return !(a.x * b.x == zero && a.y * b.y == zero && a.z * b.z == zero); };
+    const bool is_point = light.kind == LightKind::point;
+    const Triple<Doubles> to_light =
+        is_point ? lanes_of(light.position) - load_triple(s.point, i) : lanes_of(light.to_light);
+    const Doubles distance = length(to_light);
+    const Triple<Doubles> l = rules.normalize ? to_light / distance : to_light;
+    const auto c = cosines(load_triple(s.normal, i), l, load_triple(s.to_eye, i), rules);
+    // A light in the surface itself has no direction.
+    auto lit = first_lanes<double>(s.hits - i) && distance > zero;
+    Doubles f_att(1);
+    if (!has_no_attenuation(light)) {
+        const Attenuation& a = light.attenuation;
+        f_att = attenuation(Doubles(a.c0), Doubles(a.c1), Doubles(a.c2), distance);
+        lit = lit && f_att > zero;
+    }
+    const MaterialLanes material(world, s.material.data() + i);
+    const auto faces = rules.clamp_cosines ? c.n_l > zero : !(c.n_l == zero);
+    lit = lit &&
+          ((faces && adds(material.color(k_diffuse), lanes_of(light.color))) ||
+           (has_highlight(c, rules) && adds(material.color(k_specular), lanes_of(light.specular_color))));
+    return {to_light, distance, f_att, c, lit};
 }
 
 /// Writes shadow rays number `at`... of the set lanes. A point light's ray is traced from the light to the
@@ -64,39 +98,19 @@ HWY_INLINE void put_shadow_rays(const World& world, const Light& light, const Su
 /// of those.
 inline int reach_hits(const World& world, const Light& light, TileScratch& s) {
     const LightingRules rules = lighting_rules(world);
-    const Triple<Doubles> diffuse_light = lanes_of(light.color),
-                          specular_light = lanes_of(light.specular_color);
-    const Triple<Doubles> position = lanes_of(light.position), towards = lanes_of(light.to_light);
-    const bool is_point = light.kind == LightKind::point, constant = has_no_attenuation(light);
-    const Doubles c0(light.attenuation.c0), c1(light.attenuation.c1), c2(light.attenuation.c2);
-    const Doubles zero(0);
-    const auto adds = [&](Triple<Doubles> a, Triple<Doubles> b)
-                          HWY_ATTR { return !(a.x * b.x == zero && a.y * b.y == zero && a.z * b.z == zero); };
+    const bool constant = has_no_attenuation(light);
     int rays = 0;
     for (int i = 0; i < s.hits; i += lane_count<double>()) {
-        const SurfacePoint<Doubles> surface = surface_at(s, i);
-        const Triple<Doubles> to_light = is_point ? position - surface.point : towards;
-        const Doubles distance = length(to_light);
-        const Triple<Doubles> l = rules.normalize ? to_light / distance : to_light;
-        const auto c = cosines(surface.normal, l, load_triple(s.to_eye, i), rules);
-        // A light in the surface itself has no direction.
-        auto lit = first_lanes<double>(s.hits - i) && distance > zero;
-        if (!constant) {
-            const Doubles f_att = attenuation(c0, c1, c2, distance);
-            store(f_att, s.attenuation.data() + i);
-            lit = lit && f_att > zero;
-        }
-        const MaterialLanes material(world, s.material.data() + i);
-        const auto faces = rules.clamp_cosines ? c.n_l > zero : !(c.n_l == zero);
-        lit = lit && ((faces && adds(material.color(k_diffuse), diffuse_light)) ||
-                      (has_highlight(c, rules) && adds(material.color(k_specular), specular_light)));
-        s.lit[static_cast<std::size_t>(i / lane_count<double>())] = static_cast<std::uint8_t>(to_bits(lit));
-        if (!any(lit)) continue;
-        store(c.n_l, s.n_l.data() + i);
-        store(c.s, s.s.data() + i);
+        const LightLanes at = light_at(world, light, rules, s, i);
+        s.lit[static_cast<std::size_t>(i / lane_count<double>())] =
+            static_cast<std::uint8_t>(to_bits(at.lit));
+        if (!any(at.lit)) continue;
+        if (!constant) store(at.attenuation, s.attenuation.data() + i);
+        store(at.cosines.n_l, s.n_l.data() + i);
+        store(at.cosines.s, s.s.data() + i);
         if (!world.settings.shadows) continue;
-        put_shadow_rays(world, light, surface, to_light, lit, s, rays);
-        rays += count(lit);
+        put_shadow_rays(world, light, surface_at(s, i), at.to_light, at.lit, s, rays);
+        rays += count(at.lit);
     }
     return rays;
 }
@@ -147,11 +161,14 @@ inline void compute_powers(const World& world, const LightingRules& rules, TileS
     }
 }
 
+/// k_d I_l,d N·L f_att, or k_s I_l,s S^n f_att.
+HWY_INLINE Triple<Doubles> contribution(Triple<Doubles> k, Color light, Doubles term, Doubles attenuation) {
+    return (k * lanes_of(light) * term) * attenuation;
+}
+
 /// The second half: adds the terms of the hits that are still lit.
 inline void add_terms(const World& world, const Light& light, TileScratch& s) {
     const LightingRules rules = lighting_rules(world);
-    const Triple<Doubles> diffuse_light = lanes_of(light.color),
-                          specular_light = lanes_of(light.specular_color);
     const bool constant = has_no_attenuation(light);
     compute_powers(world, rules, s);
     const double* power = s.power.data();
@@ -161,35 +178,17 @@ inline void add_terms(const World& world, const Light& light, TileScratch& s) {
         const auto lit = from_bits<double>(bits);
         const MaterialLanes material(world, s.material.data() + i);
         const Doubles f_att = constant ? Doubles(1) : load(s.attenuation.data() + i);
-        const auto add = [&](TileScratch::Column* to, Triple<Doubles> k, Triple<Doubles> color, Doubles term)
-                             HWY_ATTR {
-                                 const Triple<Doubles> sum = load_triple(to, i);
-                                 const Triple<Doubles> more = (k * color * term) * f_att;
-                                 store_triple(select_triple(lit, sum + more, sum), to, i);
-                             };
-        add(s.diffuse, material.color(k_diffuse), diffuse_light, diffuse_term(load(s.n_l.data() + i), rules));
+        const auto add = [&](TileScratch::Column* to, Triple<Doubles> more) HWY_ATTR {
+            const Triple<Doubles> sum = load_triple(to, i);
+            store_triple(select_triple(lit, sum + more, sum), to, i);
+        };
+        add(s.diffuse, contribution(material.color(k_diffuse), light.color,
+                                    diffuse_term(load(s.n_l.data() + i), rules), f_att));
         const auto bright = highlights(s, rules, i);
         if (!any(bright)) continue;
         const Doubles specular = expand_load(power, bright);
         power += count(bright);
-        add(s.specular, material.color(k_specular), specular_light, specular);
-    }
-}
-
-/// Sums diffuse and specular of all hits over the lights, in the scene's order.
-inline void light_hits(const World& world, TileScratch& s) {
-    for (int c = 0; c < 3; ++c) {
-        std::fill_n(s.diffuse[c].begin(), s.hits, 0.0);
-        std::fill_n(s.specular[c].begin(), s.hits, 0.0);
-    }
-    for (const Light& light : world.lights) {
-        const int rays = reach_hits(world, light, s);
-        if (rays > 0) {
-            any_hit(world, s.shadow_rays(), rays, k_beam, s.occluded.data());
-            take_shadows(s);
-            s.counts.shadow += static_cast<std::uint64_t>(rays);
-        }
-        add_terms(world, light, s);
+        add(s.specular, contribution(material.color(k_specular), light.specular_color, specular, f_att));
     }
 }
 

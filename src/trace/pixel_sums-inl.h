@@ -24,7 +24,7 @@ struct PixelLanes {
 
     /// Adds colours to the pixels' sums of a layer, one after the other.
     template <class... Colors>
-    HWY_INLINE void add(PixelSums& all_sums, int layer, const Colors&... colors) const {
+    HWY_INLINE void add(PixelSums& all_sums, Layer layer, const Colors&... colors) const {
         double* sums[3] = {all_sums.of(layer, 0), all_sums.of(layer, 1), all_sums.of(layer, 2)};
         if (in_a_row) {
             const int first = static_cast<int>(pixels[0]);
@@ -66,65 +66,82 @@ inline void add_misses(const World& world, TileScratch& s, int first, int from, 
         if (camera) {
             alignas(k_ray_alignment) double pixels[lane_count<double>()];
             store(Doubles(static_cast<double>(first + i)) + iota(), pixels);
-            s.sums.touch(k_layer_background);
-            PixelLanes(pixels, missed).add(s.sums, k_layer_background, seen);
+            s.sums.touch(Layer::background);
+            PixelLanes(pixels, missed).add(s.sums, Layer::background, seen);
         } else {
             const PixelLanes pixels(s.rays.column(k_ray_target) + first + i, missed);
-            pixels.add(s.sums, k_layer_reflected, load_triple(weights, i) * seen);
+            pixels.add(s.sums, Layer::reflection, load_triple(weights, i) * seen);
         }
     }
+}
+
+/// What a vector of hits shows where shading looks no further.
+HWY_INLINE Triple<Doubles> unlit_color(const World& world, const TileScratch& s, int h) {
+    if (world.settings.shading == Shading::normals)
+        return (load_triple(s.normal, h) + lanes_of(Vec3{1, 1, 1})) * Doubles(0.5);
+    return MaterialLanes(world, s.material.data() + h).color(k_color);
 }
 
 /// Adds the surfaces of hits to their pixels: shading modes that look no further.
 inline void add_unlit(const World& world, TileScratch& s) {
-    s.sums.touch(k_layer_ambient);
+    s.sums.touch(Layer::ambient);
     for (int h = 0; h < s.hits; h += lane_count<double>()) {
-        const MaterialLanes material(world, s.material.data() + h);
-        Triple<Doubles> c = material.color(k_color);
-        if (world.settings.shading == Shading::normals) {
-            c = (load_triple(s.normal, h) + lanes_of(Vec3{1, 1, 1})) * Doubles(0.5);
-        }
-        PixelLanes(s.target.data() + h, first_lanes<double>(s.hits - h)).add(s.sums, k_layer_ambient, c);
+        PixelLanes(s.target.data() + h, first_lanes<double>(s.hits - h))
+            .add(s.sums, Layer::ambient, unlit_color(world, s, h));
     }
 }
 
-/// Adds the light of hits [from, to) to their pixels, weighted.
+/// k_a I_a.
+HWY_INLINE Triple<Doubles> ambient_of(const World& world, const MaterialLanes& material) {
+    return material.color(k_ambient) * lanes_of(world.ambient);
+}
+
+/// The light of a vector of hits as their pixels get it, weighted.
+struct HitLight {
+    Triple<Doubles> ambient, diffuse, specular;
+};
+HWY_INLINE HitLight light_of(const World& world, const TileScratch& s, const MaterialLanes& material, int h,
+                             int generation) {
+    const Triple<Doubles> weight = load_triple(s.weight, h) * local_share(world, material, generation);
+    return {weight * ambient_of(world, material), weight * load_triple(s.diffuse, h),
+            weight * load_triple(s.specular, h)};
+}
+
+/// Adds the light of hits [from, to) to their pixels.
 inline void add_hits(const World& world, TileScratch& s, int from, int to, int generation) {
     if (from == to) return;
     const bool camera = generation == 0;
     if (camera) {
-        for (const int layer : {k_layer_ambient, k_layer_diffuse, k_layer_specular}) s.sums.touch(layer);
+        for (const Layer layer : {Layer::ambient, Layer::diffuse, Layer::specular}) s.sums.touch(layer);
     }
     for (int h = from; h < to; h += lane_count<double>()) {
         const MaterialLanes material(world, s.material.data() + h);
-        const Triple<Doubles> weight = load_triple(s.weight, h) * local_share(world, material, generation);
-        const Triple<Doubles> ambient = weight * (material.color(k_ambient) * lanes_of(world.ambient)),
-                              diffuse = weight * load_triple(s.diffuse, h),
-                              specular = weight * load_triple(s.specular, h);
+        const HitLight light = light_of(world, s, material, h, generation);
         const PixelLanes pixels(s.target.data() + h, first_lanes<double>(to - h));
         if (camera) {
-            pixels.add(s.sums, k_layer_ambient, ambient);
-            pixels.add(s.sums, k_layer_diffuse, diffuse);
-            pixels.add(s.sums, k_layer_specular, specular);
+            pixels.add(s.sums, Layer::ambient, light.ambient);
+            pixels.add(s.sums, Layer::diffuse, light.diffuse);
+            pixels.add(s.sums, Layer::specular, light.specular);
         } else {
-            pixels.add(s.sums, k_layer_reflected, ambient, diffuse, specular);
+            pixels.add(s.sums, Layer::reflection, light.ambient, light.diffuse, light.specular);
         }
     }
 }
 
 /// A part of a pixel as the film keeps it.
-HWY_INLINE Doubles film_part(Doubles part) {
-    part = select(part == part, part, Doubles(0));  // no NaN reaches the film
-    return min(max(part, Doubles(-1e30)), Doubles(1e30));
+template <class T> HWY_INLINE T film_part(T part) {
+    part = select(part == part, part, T(0));  // no NaN reaches the film
+    return min(max(part, T(-1e30)), T(1e30));
 }
 
 /// The pixel's fold (docs/architecture.md): each layer averaged over the samples and rounded to float, then
 /// background + ambient + diffuse + specular + reflected + transmitted, in that order.
 inline void fold_pixels(const World& world, const TileJob& job, const PixelSums& sums) {
     const double samples = static_cast<double>(world.settings.samples) * world.settings.samples;
-    int layers[k_layers], touched = 0;
-    for (int layer = 0; layer < k_layers; ++layer) {
-        if (sums.touched[static_cast<std::size_t>(layer)]) layers[touched++] = layer;
+    Layer layers[k_light_layers];
+    int touched = 0;
+    for (int layer = 0; layer < k_light_layers; ++layer) {
+        if (sums.touched[static_cast<std::size_t>(layer)]) layers[touched++] = static_cast<Layer>(layer);
     }
     const auto add = [&](NarrowFloats& to, const double* from) HWY_ATTR {
         const Doubles sum = load(from);

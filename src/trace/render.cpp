@@ -12,19 +12,6 @@
 namespace glint {
 namespace {
 
-const Kernels* find_kernels(std::string_view isa) {
-    for (const Kernels& k : available_kernels()) {
-        if (isa.empty() || isa == k.isa) return &k;
-    }
-    return nullptr;
-}
-
-std::string known_isas() {
-    std::string list;
-    for (const Kernels& k : available_kernels()) list += (list.empty() ? "" : ", ") + std::string(k.isa);
-    return list;
-}
-
 // Why a crop cannot be had, or nothing.
 std::string crop_error(const Crop& c, const RenderSettings& settings) {
     if (c.width < 1 || c.height < 1 || c.x < 0 || c.y < 0 || c.x > settings.width - c.width ||
@@ -51,6 +38,39 @@ struct AtomicCounts {
     RayCounts get() const { return {camera, shadow, mirror, transmitted, cut}; }
 };
 
+std::vector<LayerImage> empty_layers(const std::vector<Layer>& wanted, const Crop& crop) {
+    std::vector<LayerImage> layers;
+    for (const Layer layer : wanted) {
+        const std::size_t channels = layer_infos()[static_cast<std::size_t>(layer)].channels.size();
+        layers.push_back({layer, crop.width, crop.height, static_cast<int>(channels), {}});
+        layers.back().values.resize(channels * static_cast<std::size_t>(crop.width) *
+                                    static_cast<std::size_t>(crop.height));
+    }
+    return layers;
+}
+
+// Where a tile's layers go whose first pixel has this number in the image.
+LayerTargets targets_at(std::vector<LayerImage>& layers, std::size_t pixel) {
+    LayerTargets targets;
+    for (LayerImage& layer : layers) {
+        targets.data[static_cast<std::size_t>(layer.layer)] =
+            layer.values.data() + static_cast<std::size_t>(layer.channels) * pixel;
+    }
+    return targets;
+}
+
+// Why these layers cannot be had, or nothing.
+std::string layers_error(const std::vector<Layer>& layers) {
+    bool wanted[k_layers] = {};
+    for (const Layer layer : layers) {
+        const auto l = static_cast<std::size_t>(layer);
+        if (l >= k_layers) return "there is no such layer";
+        if (wanted[l]) return "the layer '" + std::string(layer_infos()[l].name) + "' is asked for twice";
+        wanted[l] = true;
+    }
+    return {};
+}
+
 void render_into(const World& world, const RenderOptions& options, const Kernels& kernels, const Crop& crop,
                  RenderResult& result) {
     Image image;
@@ -65,6 +85,7 @@ void render_into(const World& world, const RenderOptions& options, const Kernels
     const int across = (crop.width + k_tile_side - 1) / k_tile_side,
               down = (crop.height + k_tile_side - 1) / k_tile_side;
     const auto tiles = static_cast<std::size_t>(across) * static_cast<std::size_t>(down);
+    std::vector<LayerImage> layers = empty_layers(options.layers, crop);
     AtomicCounts rays;
     std::atomic<std::size_t> done{0};
     const auto cancelled = [&] {
@@ -79,10 +100,12 @@ void render_into(const World& world, const RenderOptions& options, const Kernels
         job.y = crop.y + row;
         job.width = std::min(k_tile_side, crop.width - column);
         job.height = std::min(k_tile_side, crop.height - row);
-        job.rgb =
-            image.rgb.data() + 3 * (static_cast<std::size_t>(row) * static_cast<std::size_t>(crop.width) +
-                                    static_cast<std::size_t>(column));
+        const std::size_t first = static_cast<std::size_t>(row) * static_cast<std::size_t>(crop.width) +
+                                  static_cast<std::size_t>(column);
+        job.rgb = image.rgb.data() + 3 * first;
         job.row_pixels = crop.width;
+        const LayerTargets targets = targets_at(layers, first);
+        if (!layers.empty()) job.layers = &targets;
         TileScratch& scratch = thread_scratch();
         scratch.counts = {};
         kernels.render_tile(world, job, scratch);
@@ -95,6 +118,7 @@ void render_into(const World& world, const RenderOptions& options, const Kernels
         result.cancelled = true;
     } else {
         result.image = std::move(image);
+        result.layers = std::move(layers);
     }
 }
 
@@ -104,11 +128,12 @@ RenderResult render(const World& world, const RenderOptions& options) {
     RenderResult result;
     const Kernels* kernels = find_kernels(options.isa);
     if (kernels == nullptr) {
-        result.error = "this machine has no instruction set '" + options.isa + "'; it has " + known_isas();
+        result.error = no_kernels_error(options.isa);
         return result;
     }
     const Crop crop = options.crop.value_or(Crop{world.settings.width, world.settings.height, 0, 0});
     result.error = crop_error(crop, world.settings);
+    if (result.error.empty()) result.error = layers_error(options.layers);
     if (!result.error.empty()) return result;
     result.isa = kernels->isa;
     result.threads = thread_count(options.threads);

@@ -9,6 +9,7 @@
 #include "trace/branch-inl.h"
 #include "trace/camera_rays-inl.h"
 #include "trace/hit_declarations-inl.h"
+#include "trace/layers-inl.h"
 #include "trace/light-inl.h"
 #include "trace/pixel_sums-inl.h"
 #include "trace/surface-inl.h"
@@ -17,6 +18,27 @@
 HWY_BEFORE_NAMESPACE();
 namespace glint {
 namespace HWY_NAMESPACE {
+
+/// Sums diffuse and specular of all hits over the lights, in the scene's order.
+inline void light_hits(const World& world, TileScratch& s, int generation) {
+    const bool count_shadows = generation == 0 && s.seen.wanted;
+    for (int c = 0; c < 3; ++c) {
+        std::fill_n(s.diffuse[c].begin(), s.hits, 0.0);
+        std::fill_n(s.specular[c].begin(), s.hits, 0.0);
+    }
+    for (const Light& light : world.lights) {
+        const int rays = reach_hits(world, light, s);
+        if (rays > 0) {
+            any_hit(world, s.shadow_rays(), rays, k_beam, s.occluded.data());
+            if (count_shadows) count_lit(s, s.seen.asked, 1), count_lit(s, s.seen.blocked, 1);
+            take_shadows(s);
+            if (count_shadows) count_lit(s, s.seen.blocked, -1);
+            s.counts.shadow += static_cast<std::uint64_t>(rays);
+        }
+        add_terms(world, light, s);
+        if (s.record != nullptr) record_light(world, light, s);
+    }
+}
 
 /// Adds the light of a share's rays, those from number `from` of the stream on, to their pixels, group by
 /// group.
@@ -36,14 +58,21 @@ inline void shade_share(const World& world, TileScratch& s, int first, int from,
     const Shading shading = world.settings.shading;
     collect_hits(world, s, first, from, to, generation);
     find_surfaces(world, s, generation);
+    if (generation == 0 && s.seen.wanted) see_surfaces(world, s, first, from, to);
     if (shading == Shading::color || shading == Shading::normals) {
         add_misses(world, s, first, from, to, generation);
         add_unlit(world, s);
+        if (s.record != nullptr) {
+            record_rays(world, s, first, from, to, generation);
+            record_unlit(world, s);
+        }
         return;
     }
     absorb(world, s);
-    light_hits(world, s);
+    if (s.record != nullptr) record_rays(world, s, first, from, to, generation);
+    light_hits(world, s, generation);
     add_light(world, s, first, from, generation);
+    if (s.record != nullptr) record_sums(world, s, generation);
     queue_branches(world, s, generation);
 }
 
@@ -63,7 +92,7 @@ inline bool trace_sample(const World& world, TileScratch& s) {
         for (int first = 0; first < s.rays.size(); first += k_stream) {
             const int count = number::min(k_stream, s.rays.size() - first);
             nearest_hit(world, s.rays.rays(first), count, k_beam, s.t.data(), s.slot.data());
-            if (generation == 0 && all_missed(s, count)) return false;
+            if (generation == 0 && !s.is_watched() && all_missed(s, count)) return false;
             for (int i = 0; i < count; i += k_share) {
                 shade_share(world, s, first, i, number::min(i + k_share, count), generation);
             }
@@ -75,7 +104,10 @@ inline bool trace_sample(const World& world, TileScratch& s) {
 
 void render_tile(const World& world, const TileJob& job, TileScratch& s) {
     const int samples = world.settings.samples;
-    if (sees_nothing(world, job)) {
+    const bool layers = job.layers != nullptr;
+    s.seen.wanted = layers;
+    if (layers) clear_seen(s.seen);
+    if (!s.is_watched() && sees_nothing(world, job)) {
         s.counts.camera += static_cast<std::uint64_t>(samples) * static_cast<std::uint64_t>(samples) *
                            static_cast<std::uint64_t>(job.width * job.height);
         return fill_with_void(world, job);
@@ -86,12 +118,15 @@ void render_tile(const World& world, const TileJob& job, TileScratch& s) {
             make_camera_rays(world, job, i, j, s.rays);
             s.counts.camera += static_cast<std::uint64_t>(s.rays.size());
             if (is_limited(world)) s.sample_rays.fill(0);
+            s.seen.is_middle = i == samples / 2 && j == samples / 2;
+            if (s.record != nullptr) s.record->sample = j * samples + i;
             if (trace_sample(world, s)) continue;
             if (samples == 1) return fill_with_void(world, job);
             add_misses(world, s, 0, 0, s.rays.size(), 0);
         }
     }
     fold_pixels(world, job, s.sums);
+    if (layers) write_layers(world, job, s);
 }
 
 }  // namespace HWY_NAMESPACE

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "bvh/rays.h"
+#include "glint/layers.h"
 #include "glint/render.h"
 #include "trace/ray_queue.h"
 
@@ -17,44 +18,51 @@ inline constexpr int k_stream = k_tile_pixels;  // rays that are traced together
 /// Rays of a stream whose hits pass the stages together, at most: their columns stay in the first cache.
 inline constexpr int k_share = 256;
 
+struct TileRecord;
+
+/// Where the layers of a tile go, as its rgb does; null: not asked for.
+struct LayerTargets {
+    std::array<float*, k_layers> data{};
+    float* of(Layer layer) const { return data[static_cast<std::size_t>(layer)]; }
+};
+
+/// What layers tell of the first surfaces, by pixel of the tile. Empty unless asked for.
+struct SeenSurfaces {
+    std::vector<double> normal[3], position[3], albedo[3], depth, object, material;
+    std::vector<double> asked, blocked;  // lights, over the samples
+    bool wanted = false;
+    bool is_middle = false;  // the sample at hand is the middle one
+};
+
 struct TileJob {
     int x = 0, y = 0, width = 0, height = 0;  // pixels of the picture
     float* rgb = nullptr;  // pixel (x, y) of the tile goes to rgb[3 (row * row_pixels + column)]
     int row_pixels = 0;
-};
-
-/// The parts of a pixel, in the order in which they are added up. Light found after the first mirror or glass
-/// surface belongs to the branch taken there.
-enum Layer : int {
-    k_layer_background,
-    k_layer_ambient,
-    k_layer_diffuse,
-    k_layer_specular,
-    k_layer_reflected,
-    k_layer_transmitted,
-    k_layers
+    const LayerTargets* layers = nullptr;  // what else is asked for
 };
 
 /// From a pixel of a layer to that of the next one.
 inline constexpr int k_layer_stride = k_tile_pixels + k_ray_padding;
 
-/// Sums over the samples, by layer and pixel. Pixels are numbered as the camera rays go, without gaps.
+/// Sums over the samples, by light layer and pixel. Pixels are numbered as the camera rays go, without gaps.
 struct PixelSums {
-    alignas(k_ray_alignment) std::array<double, k_layers * k_layer_stride> channel[3];
-    std::array<bool, k_layers> touched;  // others count as 0, whatever they hold
+    alignas(k_ray_alignment) std::array<double, k_light_layers * k_layer_stride> channel[3];
+    std::array<bool, k_light_layers> touched;  // others count as 0, whatever they hold
 
     void clear() { touched.fill(false); }
     /// To be called before anything is added to a layer.
-    void touch(int layer) {
+    void touch(Layer layer) {
         if (touched[static_cast<std::size_t>(layer)]) return;
         touched[static_cast<std::size_t>(layer)] = true;
         for (auto& sums : channel) {
-            const auto first = sums.begin() + layer * k_layer_stride;
+            const auto first = sums.begin() + static_cast<int>(layer) * k_layer_stride;
             std::fill(first, first + k_layer_stride, 0.0);
         }
     }
-    double* of(int layer, int c) { return channel[c].data() + layer * k_layer_stride; }
-    const double* of(int layer, int c) const { return channel[c].data() + layer * k_layer_stride; }
+    double* of(Layer layer, int c) { return channel[c].data() + static_cast<int>(layer) * k_layer_stride; }
+    const double* of(Layer layer, int c) const {
+        return channel[c].data() + static_cast<int>(layer) * k_layer_stride;
+    }
 };
 
 /// What a tile's stages write, reused from tile to tile by one thread. Columns are by hit unless said
@@ -102,6 +110,10 @@ struct TileScratch {
     }
 
     RayCounts counts;
+    SeenSurfaces seen;
+    TileRecord* record = nullptr;  // where a tile of one pixel writes down what it does (trace/record.h)
+    /// Whether the stages are to be gone through even where nothing is hit.
+    bool is_watched() const { return record != nullptr || seen.wanted; }
 };
 
 }  // namespace glint

@@ -6,10 +6,8 @@
 #include <array>
 #include <bit>
 #include <cstring>
-#include <filesystem>
-#include <fstream>
-#include <sstream>
 
+#include "gallery/scene_file.h"
 #include "glint/glint.h"
 #include "image/golden.h"
 
@@ -74,31 +72,9 @@ std::uint64_t hash(const Image& image) {
     return h;
 }
 
-// The files that a scene includes.
-class Beside : public Sources {
-  public:
-    std::optional<std::string> read(std::string_view name, std::string_view from, std::string&) override {
-        std::ostringstream text;
-        const std::string folder(from.substr(0, from.rfind('/') + 1));
-        text << std::ifstream(folder + std::string(name), std::ios::binary).rdbuf();
-        return text.str();
-    }
-};
-
 WorldPtr load_world(const GalleryPicture& p) {
-    const std::string path = std::string(GLINT_PROJECT_DIR "/scenes/") + p.scene;
-    std::ostringstream text;
-    text << std::ifstream(path, std::ios::binary).rdbuf();
-    const std::string held = text.str();
-    const SceneText scene_text{path, held, ""};
-    Beside beside;
-    LoadOptions options;
-    std::istringstream settings(p.settings);
-    for (std::string pair; settings >> pair;)
-        options.settings.emplace_back(pair.substr(0, pair.find('=')), pair.substr(pair.find('=') + 1));
-    LoadResult loaded = load({&scene_text, 1}, options, &beside);
-    if (!loaded.scene) return {};
-    return prepare(*loaded.scene).world;
+    const auto scene = test::load_file(std::string(GLINT_PROJECT_DIR "/scenes/") + p.scene, p.settings);
+    return scene ? prepare(*scene).world : WorldPtr();
 }
 
 class Gallery : public testing::TestWithParam<GalleryPicture> {};
@@ -150,13 +126,8 @@ INSTANTIATE_TEST_SUITE_P(Scenes, Gallery, testing::ValuesIn(k_gallery),
                          [](const auto& p) { return file_name(p.param); });
 
 TEST(GalleryList, NamesEveryScene) {
-    for (const auto& entry : std::filesystem::recursive_directory_iterator(GLINT_PROJECT_DIR "/scenes")) {
-        if (!entry.is_regular_file()) continue;
-        const std::string path = entry.path().string();
-        // Halves of one scene, drawn together by the tests of the command.
-        if (path.find("/only_") != std::string::npos) continue;
-        // What other scenes include.
-        if (path.find("/parts/") != std::string::npos) continue;
+    for (const std::string& path : test::scene_files(GLINT_PROJECT_DIR "/scenes")) {
+        if (path.find("/faults/") != std::string::npos) continue;  // of tests/inspect/faults.cpp
         const bool listed = std::any_of(std::begin(k_gallery), std::end(k_gallery),
                                         [&](const GalleryPicture& p) { return path.ends_with(p.scene); });
         EXPECT_TRUE(listed) << path << " is drawn by no test";

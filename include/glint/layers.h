@@ -1,0 +1,60 @@
+#pragma once
+// The parts of a picture: what its light is made of, and what its first surfaces are.
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "glint/image.h"
+
+namespace glint {
+
+/// The first six are light: added up as floats in this order they are the picture, exactly. Light that was
+/// found beyond a mirror belongs to reflection, beyond glass to transmission, whichever the path met first.
+/// The others tell of the first surface that the pixel's middle sample (row and column n / 2 of n) meets.
+enum class Layer : std::uint8_t {
+    background,
+    ambient,
+    diffuse,
+    specular,
+    reflection,
+    transmission,
+    normal,    ///< unit, as the surface was lit; 0 where nothing is hit
+    depth,     ///< distance from where the camera ray starts, in world units; infinity where nothing is hit
+    position,  ///< in world space; 0 where nothing is hit
+    albedo,    ///< k_d; 0 where nothing is hit
+    shadow,    ///< 0 to 1: of the lights that would add something to the first surfaces, how many are blocked
+    object,    ///< index in Scene::shapes + 1 (exact up to 2^24); 0: nothing
+    material,  ///< index in Scene::materials + 1, their number + 1 for the default; 0: nothing
+};
+inline constexpr int k_light_layers = 6, k_layers = 13;
+
+struct LayerInfo {
+    Layer layer;
+    std::string_view name;      ///< "ambient"
+    std::string_view channels;  ///< a letter each: "RGB", "XYZ", "Z" ...
+    std::string_view description;
+};
+/// All layers, by their number.
+std::span<const LayerInfo> layer_infos();
+std::optional<Layer> find_layer(std::string_view name);
+
+/// One layer: `channels` floats a pixel, row by row from the top.
+struct LayerImage {
+    Layer layer = Layer::background;
+    std::int32_t width = 0, height = 0;
+    int channels = 3;
+    std::vector<float> values;
+};
+
+/// A layer as a picture to look at: light and albedo as they are; normals 0.5 (N + 1); depth from white
+/// (nearest) to black; position across the layer's own range; shadow as grey; objects and materials in
+/// colours of their own.
+Image viewable(const LayerImage& layer);
+
+/// One OpenEXR file of several parts: `beauty` (the picture), then each layer under its name. Never throws.
+EncodeResult encode_layers(const Image& picture, std::span<const LayerImage> layers);
+
+}  // namespace glint

@@ -1,0 +1,180 @@
+// glint explain: why a pixel has its colour.
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <charconv>
+#include <cstdio>
+#include <cstdlib>
+#include <memory>
+
+#include "cli/commands.h"
+#include "cli/explain_text.h"
+#include "cli/failure.h"
+#include "cli/output_file.h"
+#include "cli/picture_arguments.h"
+#include "cli/scene_arguments.h"
+#include "cli/terminal.h"
+#include "cli/text.h"
+
+namespace glint::cli {
+namespace {
+
+constexpr auto k_examples = R"(Examples:
+  glint explain castle.json -p 320,200                        its rays, lights and sums
+  glint explain castle.json -p 320,200 --why-not 2            why the second light adds nothing there
+  glint explain castle.json -p 320,200 --overlay rays.png     the rays drawn over the picture
+  glint explain castle.json -p 320,200 --as json | jq .value
+  glint explain spheres.pov -p 315,185 --origin bottom-left --as printrays)";
+
+struct ExplainArguments {
+    SceneArguments scene;
+    PictureArguments picture;
+    std::string pixel, sample, form = "text", origin = "top-left", why_not, overlay, isa;
+};
+
+struct Pair {
+    int x = 0, y = 0;
+};
+
+// "320,200".
+Pair parse_pair(std::string_view option, const std::string& text, std::string_view example) {
+    Pair pair;
+    const char *end = text.data() + text.size(), *comma = text.data() + std::min(text.find(','), text.size());
+    const auto first = std::from_chars(text.data(), comma, pair.x);
+    const auto second = comma == end ? std::from_chars_result{comma, std::errc::invalid_argument}
+                                     : std::from_chars(comma + 1, end, pair.y);
+    if (first.ec != std::errc() || first.ptr != comma || second.ec != std::errc() || second.ptr != end)
+        throw Failure(k_usage, fmt::format("{}: expected {}, found '{}'", option, example, text));
+    return pair;
+}
+
+Pair pixel_of(const ExplainArguments& arguments, const RenderSettings& settings) {
+    Pair pixel = parse_pair("--pixel", arguments.pixel, "X,Y, as 320,200");
+    const auto [x, y] = pixel;
+    if (x < 0 || y < 0 || x >= settings.width || y >= settings.height) {
+        throw Failure(k_usage,
+                      fmt::format("--pixel {}: the picture has {}x{} pixels, the first is 0,0 at the {}",
+                                  arguments.pixel, settings.width, settings.height, arguments.origin));
+    }
+    if (arguments.origin == "bottom-left") pixel.y = settings.height - 1 - y;
+    return pixel;
+}
+
+int sample_of(const ExplainArguments& arguments, int n) {
+    if (arguments.sample.empty()) return n / 2 * n + n / 2;
+    const Pair sample = parse_pair("--sample", arguments.sample, "I,J, as 0,1");
+    if (sample.x < 0 || sample.y < 0 || sample.x >= n || sample.y >= n)
+        throw Failure(k_usage, fmt::format("--sample {}: a pixel has {}x{} samples, the first is 0,0",
+                                           arguments.sample, n, n));
+    return sample.y * n + sample.x;
+}
+
+// A light by its name, or by its number in the scene from 1.
+std::uint32_t find_light(const std::string& text, const Scene& scene) {
+    const auto count = static_cast<std::uint32_t>(scene.lights.size());
+    for (std::uint32_t i = 0; i < count; ++i) {
+        if (scene.light_texts.name(i) == text) return i;
+    }
+    std::uint32_t number = 0;
+    const auto read = std::from_chars(text.data(), text.data() + text.size(), number);
+    if (read.ec == std::errc() && read.ptr == text.data() + text.size() && number >= 1 && number <= count)
+        return number - 1;
+    std::string known;
+    for (std::uint32_t i = 0; i < std::min(count, 20u); ++i)
+        known += fmt::format("\n  {}: {}", i + 1, light_text(scene, i));
+    throw Failure(k_usage, fmt::format("--why-not: there is no light '{}'; there {} {}{}", text,
+                                       count == 1 ? "is" : "are", counted(count, "light"), known));
+}
+
+void write_overlay(const ExplainArguments& arguments, const OutputFile& output, const Scene& scene,
+                   const World& world, const Explanation& explanation) {
+    check_memory(scene.settings.width, scene.settings.height);
+    RenderOptions options;
+    options.isa = arguments.isa;
+    RenderResult picture = render(world, options);
+    if (!picture.image) throw Failure(k_bad_input, picture.error);
+    draw_overlay(*picture.image, explanation, scene, world);
+    const EncodeResult encoded = encode(*picture.image);
+    if (!encoded.error.empty())
+        throw Failure(k_bad_input, fmt::format("cannot encode the picture: {}", encoded.error));
+    output.write(encoded.bytes);
+}
+
+int explain_command(ExplainArguments& arguments) {
+    std::optional<OutputFile> overlay;
+    if (!arguments.overlay.empty()) {
+        overlay.emplace(arguments.overlay);
+        if (!overlay->is_stream() && extension(arguments.overlay) != ".png")
+            throw Failure(k_usage, fmt::format("--overlay '{}': the name ends in .png", arguments.overlay));
+        if (overlay->is_standard_output())
+            throw Failure(k_usage, "--overlay and the explanation cannot both go to standard output");
+    }
+    check_isa(arguments.isa);
+    add_settings(arguments.picture, false, arguments.scene);
+    LoadedScene loaded = load_scene(arguments.scene);
+    const Scene& scene = loaded.scene;
+    const Pair pixel = pixel_of(arguments, scene.settings);
+    ExplainStyle style;
+    style.colors = is_terminal(STDOUT_FILENO) && std::getenv("NO_COLOR") == nullptr;
+    style.sample = sample_of(arguments, scene.settings.samples);
+    std::optional<std::uint32_t> light;
+    if (!arguments.why_not.empty()) light = find_light(arguments.why_not, scene);
+
+    const PrepareResult prepared = prepare(scene);
+    add_warnings(loaded.warnings, prepared.diagnostics);
+    print(loaded.warnings);
+    if (!prepared.world) throw Failure(k_bad_input, {});
+    const Explanation explanation = explain(scene, *prepared.world, pixel.x, pixel.y, arguments.isa);
+    if (!explanation.error.empty()) throw Failure(k_bad_input, explanation.error);
+
+    if (light) {
+        fmt::print("{}", why_not_text(explanation, scene, *light, style));
+    } else if (arguments.form == "json") {
+        fmt::print("{}\n", explanation_json(explanation, scene));
+    } else if (arguments.form == "printrays") {
+        const int row = arguments.origin == "bottom-left" ? scene.settings.height - 1 - pixel.y : pixel.y;
+        fmt::print("{}", print_rays(explanation, scene, row, style));
+    } else {
+        fmt::print("{}", explanation_text(explanation, scene, style));
+    }
+    if (overlay) write_overlay(arguments, *overlay, scene, *prepared.world, explanation);
+    return k_done;
+}
+
+}  // namespace
+
+Run add_explain(CLI::App& app) {
+    CLI::App& command = *app.add_subcommand("explain", "Say why a pixel has its colour");
+    const auto arguments = std::make_shared<ExplainArguments>();
+    ExplainArguments& a = *arguments;
+    add_scene_arguments(command, a.scene);
+    command.add_option("-p,--pixel", a.pixel, "The pixel, counted from 0 at the top left")
+        ->required()
+        ->option_text("X,Y");
+    command
+        .add_option(
+            "--sample", a.sample,
+            "Whose rays are told, column and row of the pixel's --aa samples; default: the middle one")
+        ->option_text("I,J");
+    command
+        .add_option("--as", a.form,
+                    "text (default); json (docs/explain.md has its schema); printrays: CSC 473's own layout")
+        ->check(one_of({"text", "json", "printrays"}))
+        ->option_text("text|json|printrays");
+    command.add_option("--origin", a.origin, "Where pixel 0,0 is; default: top-left")
+        ->check(one_of({"top-left", "bottom-left"}))
+        ->option_text("top-left|bottom-left");
+    command
+        .add_option("--why-not", a.why_not,
+                    "Only what this light does there, by its name or its number from 1")
+        ->option_text("LIGHT");
+    command.add_option("--overlay", a.overlay, "Also draw the picture with the pixel's rays over it")
+        ->option_text("OUT.png");
+    add_picture_arguments(command, a.picture);
+    command.add_option("--isa", a.isa, "Instruction set (`glint info --isa` lists them)")
+        ->option_text("NAME");
+    command.footer(k_examples);
+    return [arguments] { return explain_command(*arguments); };
+}
+
+}  // namespace glint::cli

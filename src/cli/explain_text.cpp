@@ -1,0 +1,334 @@
+#include "cli/explain_text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+#include "cli/text.h"
+#include "glint/image.h"
+
+namespace glint::cli {
+namespace {
+
+std::string number(double x) { return fmt::format("{:.6g}", x == 0 ? 0.0 : x); }
+std::string vec(Vec3 v) { return fmt::format("({}, {}, {})", number(v.x), number(v.y), number(v.z)); }
+std::string color(Color c) {
+    return c.r == c.g && c.g == c.b ? number(c.r)
+                                    : fmt::format("({}, {}, {})", number(c.r), number(c.g), number(c.b));
+}
+// Floats as short as tells them from their neighbours.
+std::string color(const float (&c)[3]) {
+    return c[0] == c[1] && c[1] == c[2] ? fmt::format("{}", c[0])
+                                        : fmt::format("({}, {}, {})", c[0], c[1], c[2]);
+}
+
+std::string item_text(const Scene& scene, const ItemTexts& texts, std::uint32_t index, std::string kind) {
+    const auto name = texts.name(index);
+    kind += name.empty() ? fmt::format(" {}", index + 1) : fmt::format(" '{}'", name);
+    const SourcePlace place = texts.place(index);
+    if (place.line != 0 && place.file < scene.files.size())
+        kind += fmt::format(" ({}:{}:{})", scene.files[place.file], place.line, place.column);
+    return kind;
+}
+
+std::string material_text(const Scene& scene, const ExplainedHit& hit) {
+    const Material& m = material_of(hit, scene);
+    std::string text = hit.material == k_none
+                           ? "the default material"
+                           : item_text(scene, scene.material_texts, hit.material, "material");
+    text += fmt::format(": k_a {}, k_d {}, k_s {}, n {}", color(m.ambient), color(m.diffuse),
+                        color(m.specular), number(m.shininess));
+    if (m.mirror > 0) text += fmt::format(", mirror {}", number(m.mirror));
+    if (m.transmission > 0)
+        text += fmt::format(", transmission {}, ior {}", number(m.transmission), number(m.ior));
+    return text;
+}
+
+// Two spaces in the colour that the numbers are, after them.
+std::string swatch(const ExplainStyle& style, double r, double g, double b) {
+    if (!style.colors) return {};
+    return fmt::format("  \x1b[48;2;{};{};{}m    \x1b[0m", to_byte(static_cast<float>(r)),
+                       to_byte(static_cast<float>(g)), to_byte(static_cast<float>(b)));
+}
+std::string swatch(const ExplainStyle& style, Color c) { return swatch(style, c.r, c.g, c.b); }
+
+std::string_view cosine_name(const Scene& scene) {
+    return scene.settings.shading == Shading::phong ? "R·V" : "N·H";
+}
+
+// Why a light adds nothing, whole.
+std::string nothing_text(const Scene& scene, const LightTerms& terms) {
+    switch (reason(terms)) {
+        case LightReason::adds:
+            return {};
+        case LightReason::blocked:
+            if (!terms.blocker) return "blocked";
+            return fmt::format("blocked by {}, {} from P at {}", shape_text(scene, terms.blocker->shape),
+                               number(terms.blocker->distance), vec(terms.blocker->point));
+        case LightReason::behind:
+            return fmt::format("behind the surface: N·L = {}", number(terms.n_l));
+        case LightReason::no_color:
+            return "its colour times the surface's is black";
+        case LightReason::faded:
+            return "too far: its attenuation is 0";
+        case LightReason::in_surface:
+            return "it is at P itself: no direction leads to it";
+    }
+    return {};
+}
+
+std::string highlight_text(const Scene& scene, const ExplainedHit& hit, const LightTerms& terms) {
+    switch (highlight_reason(terms, hit, scene)) {
+        case HighlightReason::adds:
+            return fmt::format("{} = {}, to the power {} = {}", cosine_name(scene), number(terms.s),
+                               number(material_of(hit, scene).shininess), number(terms.power));
+        case HighlightReason::none:
+            return "no highlight: k_s or the light's specular colour is black";
+        case HighlightReason::behind:
+            return "no highlight: N·L <= 0";
+        case HighlightReason::turned_away:
+            return fmt::format("no highlight: {} = {}, turned away from the eye", cosine_name(scene),
+                               number(terms.s));
+    }
+    return {};
+}
+
+class Tree {
+  public:
+    Tree(const Explanation& e, const Scene& scene, const ExplainStyle& style)
+        : e_(e), scene_(scene), style_(style) {}
+
+    void tell(std::size_t ray, int depth) {
+        const ExplainedRay& r = e_.rays[ray];
+        const std::string_view kind = r.parent < 0    ? "camera ray"
+                                      : r.transmitted ? "ray through glass"
+                                                      : "mirror ray";
+        line(depth, fmt::format("{} {} from {} towards {}{}", kind, ray, vec(r.origin), vec(r.direction),
+                                r.parent < 0 ? "" : ", weight " + color(r.weight)));
+        if (!r.hit) {
+            const bool black = r.background.r == 0 && r.background.g == 0 && r.background.b == 0;
+            line(depth + 1, black ? "hits nothing: black"
+                                  : fmt::format("hits nothing: the background, {}{}", color(r.background),
+                                                swatch(style_, r.background)));
+            return;
+        }
+        tell_hit(r, depth + 1);
+        tell_branch(r.hit->reflected, "mirror", depth + 1);
+        tell_branch(r.hit->transmitted, "glass", depth + 1);
+    }
+
+    std::string text;
+
+  private:
+    void line(int depth, const std::string& content) {
+        text.append(static_cast<std::size_t>(2 * std::min(depth, 40)), ' ');
+        text += content;
+        text += '\n';
+    }
+
+    void tell_hit(const ExplainedRay& r, int depth) {
+        const ExplainedHit& hit = *r.hit;
+        line(depth,
+             fmt::format("hits {} at t = {}, from its {}{}", shape_text(scene_, hit.shape), number(r.t),
+                         hit.behind ? "back" : "front", hit.turned ? ": N turned to the ray" : ""));
+        line(depth + 1, fmt::format("P {}  N {}  V {}", vec(hit.point), vec(hit.normal), vec(hit.to_eye)));
+        line(depth + 1, material_text(scene_, hit));
+        const Shading shading = scene_.settings.shading;
+        if (shading == Shading::color || shading == Shading::normals) {
+            line(depth + 1, fmt::format("shown: {}{}", color(hit.ambient), swatch(style_, hit.ambient)));
+            return;
+        }
+        line(depth + 1,
+             fmt::format("ambient k_a I_a = {}{}", color(hit.ambient), swatch(style_, hit.ambient)));
+        for (const LightTerms& terms : hit.lights) tell_light(hit, terms, depth + 1);
+        const Color sum = hit.ambient + hit.diffuse + hit.specular;
+        line(depth + 1,
+             fmt::format("all: ambient {} + diffuse {} + specular {} = {}{}", color(hit.ambient),
+                         color(hit.diffuse), color(hit.specular), color(sum), swatch(style_, sum)));
+        if (hit.local_share != 1 || r.parent >= 0) {
+            const Color part = hit.parts[0] + hit.parts[1] + hit.parts[2];
+            line(depth + 1, fmt::format("counts {} x {} (beside mirror and glass): {}{}", color(hit.weight),
+                                        number(hit.local_share), color(part), swatch(style_, part)));
+        }
+    }
+
+    void tell_light(const ExplainedHit& hit, const LightTerms& terms, int depth) {
+        const std::string name = light_text(scene_, terms.light);
+        const std::string nothing = nothing_text(scene_, terms);
+        if (!nothing.empty()) {
+            line(depth, fmt::format("{}: {}", name, nothing));
+            return;
+        }
+        const Color sum = terms.diffuse + terms.specular;
+        const Light& light = scene_.lights[terms.light];
+        line(depth, fmt::format("{}: diffuse {} + specular {}{}", name, color(terms.diffuse),
+                                color(terms.specular), swatch(style_, sum)));
+        line(
+            depth + 1,
+            fmt::format("{}N·L = {}; {}{}",
+                        light.kind == LightKind::point ? fmt::format("distance {}; ", number(terms.distance))
+                                                       : std::string(),
+                        number(terms.n_l), highlight_text(scene_, hit, terms),
+                        terms.attenuation == 1 ? std::string()
+                                               : fmt::format("; attenuation {}", number(terms.attenuation))));
+    }
+
+    void tell_branch(const Branch& branch, std::string_view what, int depth) {
+        switch (branch.state) {
+            case BranchState::none:
+                return;
+            case BranchState::traced:
+                return tell(static_cast<std::size_t>(branch.ray), depth);
+            case BranchState::limit:
+                return line(depth, fmt::format("{}: ends here, the limit of {} reflections is reached", what,
+                                               scene_.settings.reflections));
+            case BranchState::faint:
+                return line(
+                    depth, fmt::format(
+                               "{}: not followed, its weight {} is {}", what, color(branch.weight),
+                               scene_.conventions.min_weight > 0
+                                   ? fmt::format("below min_weight {}", number(scene_.conventions.min_weight))
+                                   : std::string("0")));
+            case BranchState::cut:
+                return line(depth, fmt::format("{}: not followed, a sample has at most {} rays", what,
+                                               k_max_sample_rays));
+        }
+    }
+
+    const Explanation& e_;
+    const Scene& scene_;
+    const ExplainStyle& style_;
+};
+
+std::size_t camera_ray(const Explanation& e, int sample) {
+    for (std::size_t i = 0; i < e.rays.size(); ++i) {
+        if (e.rays[i].sample == sample && e.rays[i].parent < 0) return i;
+    }
+    return 0;
+}
+
+// "picture row by row": of the layers that light is in, what each adds.
+void tell_sum(const Explanation& e, const ExplainStyle& style, std::string& text) {
+    auto out = std::back_inserter(text);
+    if (e.samples > 1)
+        fmt::format_to(out, "the pixel: the mean of {0} x {0} samples\n", e.samples);
+    else
+        text += "the pixel\n";
+    for (int l = 0; l < k_light_layers; ++l) {
+        const float(&part)[3] = e.layers[l];
+        if (part[0] == 0 && part[1] == 0 && part[2] == 0) continue;
+        fmt::format_to(out, "  {} {:13}{}{}\n", l == 0 ? ' ' : '+',
+                       layer_infos()[static_cast<std::size_t>(l)].name, color(part),
+                       swatch(style, part[0], part[1], part[2]));
+    }
+    fmt::format_to(out, "  = {:13}{}\n", "value", color(e.value));
+    const bool clamps = std::any_of(e.value, e.value + 3, [](float v) { return v < 0 || v > 1; });
+    fmt::format_to(out, "    {:13}{} {} {}{}{}\n", "bytes", to_byte(e.value[0]), to_byte(e.value[1]),
+                   to_byte(e.value[2]), clamps ? "  (clamped to 0 ... 1)" : "",
+                   swatch(style, e.value[0], e.value[1], e.value[2]));
+}
+
+}  // namespace
+
+std::string shape_text(const Scene& scene, std::uint32_t shape) {
+    return item_text(scene, scene.shape_texts, shape, std::string(shape_word(scene.shapes[shape].kind)));
+}
+
+std::string light_text(const Scene& scene, std::uint32_t light) {
+    return item_text(scene, scene.light_texts, light,
+                     scene.lights[light].kind == LightKind::point ? "point light" : "directional light");
+}
+
+std::string explanation_text(const Explanation& e, const Scene& scene, const ExplainStyle& style) {
+    std::string text =
+        fmt::format("pixel {},{} of {}x{}", e.x, e.y, scene.settings.width, scene.settings.height);
+    if (e.samples > 1)
+        text += fmt::format(", sample {},{} of {}x{}", style.sample % e.samples, style.sample / e.samples,
+                            e.samples, e.samples);
+    text += '\n';
+    Tree tree(e, scene, style);
+    tree.tell(camera_ray(e, style.sample), 0);
+    text += tree.text;
+    tell_sum(e, style, text);
+    return text;
+}
+
+std::string why_not_text(const Explanation& e, const Scene& scene, std::uint32_t light,
+                         const ExplainStyle& style) {
+    const ExplainedRay& ray = e.rays[camera_ray(e, style.sample)];
+    const std::string name = light_text(scene, light);
+    if (scene.lights[light].kind == LightKind::ambient)
+        return fmt::format("{} is ambient: it reaches everything\n", name);
+    if (!ray.hit)
+        return fmt::format("{} has nothing to light: the camera ray of pixel {},{} hits nothing\n", name, e.x,
+                           e.y);
+    for (const LightTerms& terms : ray.hit->lights) {
+        if (terms.light != light) continue;
+        std::string text =
+            fmt::format("at P {} on {}\n", vec(ray.hit->point), shape_text(scene, ray.hit->shape));
+        const std::string nothing = nothing_text(scene, terms);
+        if (nothing.empty()) {
+            return text + fmt::format("{} does add something: diffuse {} + specular {} ({})\n", name,
+                                      color(terms.diffuse), color(terms.specular),
+                                      highlight_text(scene, *ray.hit, terms));
+        }
+        text += fmt::format("{} adds nothing: {}\n", name, nothing);
+        if (reason(terms) == LightReason::behind && !ray.hit->turned && ray.hit->behind) {
+            text +=
+                "the ray sees the back of the surface, whose normal is not turned: see the convention "
+                "'facing'\n";
+        }
+        if (reason(terms) == LightReason::blocked && terms.blocker &&
+            terms.blocker->shape == ray.hit->shape && terms.blocker->distance < 1e-3 * terms.distance) {
+            text += "the surface shadows itself right at P: see the convention 'epsilon'\n";
+        }
+        return text;
+    }
+    return fmt::format("{} was not asked: this shading has no lights\n", name);
+}
+
+std::string print_rays(const Explanation& e, const Scene& scene, int y, const ExplainStyle& style) {
+    std::string text = fmt::format("Pixel: [{}, {}] Color: ({}, {}, {})\n", e.x, y, to_byte(e.value[0]),
+                                   to_byte(e.value[1]), to_byte(e.value[2]));
+    auto out = std::back_inserter(text);
+    const auto braces = [](double a, double b, double c, std::string_view separator) {
+        return fmt::format("{{{:.4f}{}{:.4f}{}{:.4f}}}", a, separator, b, separator, c);
+    };
+    const auto triple = [&](Vec3 v) { return braces(v.x, v.y, v.z, " "); };
+    const auto rgb = [&](Color c) { return braces(c.r, c.g, c.b, ", "); };
+    std::vector<std::size_t> waiting{camera_ray(e, style.sample)};
+    while (!waiting.empty()) {
+        const ExplainedRay& ray = e.rays[waiting.back()];
+        waiting.pop_back();
+        const auto row = [&](std::string_view label, const std::string& value) {
+            fmt::format_to(out, "{:>20}: {}\n", label, value);
+        };
+        text += "----\n";
+        row("Iteration type", ray.parent < 0 ? "Primary" : ray.transmitted ? "Refraction" : "Reflection");
+        row("Ray", triple(ray.origin) + " -> " + triple(ray.direction));
+        if (!ray.hit) {
+            text += "  No intersection.\n";
+            continue;
+        }
+        const ExplainedHit& hit = *ray.hit;
+        std::string kind(shape_word(scene.shapes[hit.shape].kind));
+        kind.front() = static_cast<char>(kind.front() - 'a' + 'A');
+        row("Hit Object", fmt::format("(ID #{} - {})", hit.shape + 1, kind));
+        row("Intersection", fmt::format("{} at T = {:.4f}", triple(hit.point), ray.t));
+        row("Normal", triple(hit.normal));
+        row("Ambient", rgb(hit.ambient));
+        row("Diffuse", rgb(hit.diffuse));
+        row("Specular", rgb(hit.specular));
+        if (material_of(hit, scene).transmission > 0)
+            row("Extra Info", hit.behind ? "into-air" : "into-object");
+        // The last is told first: through the glass, then what it mirrors.
+        for (const Branch* branch : {&hit.reflected, &hit.transmitted}) {
+            if (branch->ray >= 0) waiting.push_back(static_cast<std::size_t>(branch->ray));
+        }
+    }
+    return text;
+}
+
+}  // namespace glint::cli

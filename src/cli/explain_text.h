@@ -1,0 +1,31 @@
+#pragma once
+// An explanation as text: for people in a terminal, and in CSC 473's own layout.
+#include <string>
+
+#include "glint/explain.h"
+
+namespace glint::cli {
+
+struct ExplainStyle {
+    bool colors = false;  ///< swatches, by the terminal's 24-bit colours
+    int sample = 0;       ///< the one whose rays are told: row n + column
+};
+
+/// The tree of rays of a sample, then the pixel's sum.
+std::string explanation_text(const Explanation& explanation, const Scene& scene, const ExplainStyle& style);
+
+/// What one light (a number in Scene::lights) does where the sample's camera ray hits, and what would change
+/// it.
+std::string why_not_text(const Explanation& explanation, const Scene& scene, std::uint32_t light,
+                         const ExplainStyle& style);
+
+/// CSC 473's `printrays`: a block a ray, each followed by those it lets go. y: the pixel's row as the user
+/// counts it.
+std::string print_rays(const Explanation& explanation, const Scene& scene, int y, const ExplainStyle& style);
+
+/// "sphere 'ball' (castle.json:12:5)", as far as it is known.
+std::string shape_text(const Scene& scene, std::uint32_t shape);
+/// "point light 'key' (castle.json:40:3)"; one without a name has its number in the scene, from 1.
+std::string light_text(const Scene& scene, std::uint32_t light);
+
+}  // namespace glint::cli

@@ -1,0 +1,77 @@
+#include "cli/picture_arguments.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <fstream>
+
+#include "cli/failure.h"
+#include "cli/text.h"
+
+namespace glint::cli {
+namespace {
+
+constexpr double k_bytes_a_pixel = 12;  // three floats
+
+// What limits this process: the machine's memory, or less by the container's rule.
+double memory_limit() {
+    double limit =
+        static_cast<double>(::sysconf(_SC_PHYS_PAGES)) * static_cast<double>(::sysconf(_SC_PAGE_SIZE));
+    for (const char* rule : {"/sys/fs/cgroup/memory.max", "/sys/fs/cgroup/memory/memory.limit_in_bytes"}) {
+        double bytes = 0;
+        if (std::ifstream(rule) >> bytes && bytes > 0 && bytes < limit) limit = bytes;
+    }
+    return limit;
+}
+
+}  // namespace
+
+void check_memory(double width, double height) {
+    const double needed = width * height * k_bytes_a_pixel, limit = memory_limit();
+    if (needed <= limit) return;
+    const std::string rest = std::max(width, height) > k_max_size
+                                 ? fmt::format("; the most is {} pixels a side", k_max_size)
+                                 : "; draw it in parts with --crop";
+    throw Failure(k_bad_input,
+                  fmt::format("a picture of {:.0f}x{:.0f} needs {} of memory ({} bytes a pixel), and this "
+                              "machine has {}{}",
+                              width, height, bytes_text(needed), k_bytes_a_pixel, bytes_text(limit), rest));
+}
+
+void check_isa(const std::string& isa) {
+    if (isa.empty()) return;
+    const auto names = isa_names();
+    if (std::find(names.begin(), names.end(), isa) != names.end()) return;
+    const std::vector<std::string_view> views(names.begin(), names.end());
+    throw Failure(k_usage,
+                  fmt::format("--isa: no instruction set '{}' here; there are {}", isa, joined(views)));
+}
+
+void add_picture_arguments(CLI::App& command, PictureArguments& a) {
+    command.add_option("-s,--size", a.size, "Pixels; default: the file's, or the profile's")
+        ->option_text("WxH");
+    command.add_option("--shading", a.shading, "What a surface shows")
+        ->option_text("phong|blinn-phong|diffuse|color|normals");
+    command.add_flag("--no-shadows", a.no_shadows, "Every light reaches everything");
+    command.add_option("--reflections", a.reflections, "Most mirror generations; 0: no mirrors")
+        ->option_text("N");
+    command.add_option("--aa", a.aa, "N x N regular samples a pixel")->option_text("N");
+}
+
+void add_settings(const PictureArguments& arguments, bool is_whole, SceneArguments& scene) {
+    auto& settings = scene.settings;
+    if (!arguments.size.empty()) {
+        const auto size = parse_size(arguments.size);
+        if (size && size->width > 0 && size->height > 0 && is_whole) {
+            check_memory(static_cast<double>(size->width), static_cast<double>(size->height));
+        }
+        settings.emplace_back("size", arguments.size);
+    }
+    if (!arguments.shading.empty()) settings.emplace_back("shading", arguments.shading);
+    if (arguments.no_shadows) settings.emplace_back("shadows", "false");
+    if (!arguments.reflections.empty()) settings.emplace_back("reflections", arguments.reflections);
+    if (!arguments.aa.empty()) settings.emplace_back("aa", arguments.aa);
+}
+
+}  // namespace glint::cli

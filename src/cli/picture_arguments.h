@@ -1,0 +1,29 @@
+#pragma once
+// The options that say how a scene is drawn, whatever is done with the picture.
+#include <CLI/CLI.hpp>
+#include <string>
+
+#include "cli/scene_arguments.h"
+
+namespace glint::cli {
+
+struct PictureArguments {
+    std::string size, shading, reflections, aa;
+    bool no_shadows = false;
+};
+
+/// Adds --size, --shading, --no-shadows, --reflections and --aa.
+void add_picture_arguments(CLI::App& command, PictureArguments& arguments);
+
+/// Adds what the arguments say to the settings that load_scene applies. Checks the memory that a picture of
+/// that size needs first: a size too large for any picture is answered by what it would need. is_whole: the
+/// whole picture is kept.
+void add_settings(const PictureArguments& arguments, bool is_whole, SceneArguments& scene);
+
+/// Throws Failure if this machine has not the memory for a picture.
+void check_memory(double width, double height);
+
+/// Throws Failure of usage if this machine has no such instruction set.
+void check_isa(const std::string& isa);
+
+}  // namespace glint::cli

@@ -1,0 +1,217 @@
+// Writing down what the stages did (trace/record.h). Each function is called right after the stage it is
+// named for, and calls what that stage called: the numbers are the same to the bit.
+#if defined(GLINT_TRACE_RECORD_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef GLINT_TRACE_RECORD_INL_H_
+#undef GLINT_TRACE_RECORD_INL_H_
+#else
+#define GLINT_TRACE_RECORD_INL_H_
+#endif
+
+#include "trace/light-inl.h"
+#include "trace/pixel_sums-inl.h"
+#include "trace/record.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace glint {
+namespace HWY_NAMESPACE {
+
+template <class Column> inline Vec3 vec3_at(const Column* from, int i) {
+    return {(&from[0][0])[i], (&from[1][0])[i], (&from[2][0])[i]};
+}
+template <class Column> inline Color color_at(const Column* from, int i) {
+    return {(&from[0][0])[i], (&from[1][0])[i], (&from[2][0])[i]};
+}
+
+/// A vector of triples as numbers.
+struct TripleNumbers {
+    alignas(k_ray_alignment) double lanes[3][lane_count<double>()];
+    explicit TripleNumbers(const Triple<Doubles>& v) { store_triple(v, lanes, 0); }
+    Color color(int k) const { return {lanes[0][k], lanes[1][k], lanes[2][k]}; }
+    Vec3 vec3(int k) const { return {lanes[0][k], lanes[1][k], lanes[2][k]}; }
+};
+struct Numbers {
+    alignas(k_ray_alignment) double lanes[lane_count<double>()];
+    explicit Numbers(Doubles v) { store(v, lanes); }
+    double operator[](int k) const { return lanes[k]; }
+};
+
+/// Calls visit(h, k): lane k of the vector of hits that begins at h.
+template <class Visit> inline void for_each_hit(const TileScratch& s, const Visit& visit) {
+    for (int h = 0; h < s.hits; h += lane_count<double>()) {
+        visit(h, number::min(lane_count<double>(), s.hits - h));
+    }
+}
+
+/// A hit's surface.
+inline ExplainedHit recorded_hit(const World& world, const TileScratch& s, std::size_t h) {
+    const auto i = static_cast<int>(h);
+    ExplainedHit hit;
+    hit.shape = world.shape_index[s.hit_slot[h]];
+    hit.material = s.material[h];
+    hit.point = vec3_at(s.point, i);
+    hit.normal = vec3_at(s.normal, i);
+    hit.to_eye = vec3_at(s.to_eye, i);
+    hit.behind = s.behind[h] > 0;
+    hit.turned = hit.behind && (world.material[s.hit_slot[h]] & k_turn_normal) != 0;
+    hit.weight = color_at(s.weight, i);
+    return hit;
+}
+
+/// Rays [from, to) of the stream and what they hit: after find_surfaces and absorb.
+inline void record_rays(const World& world, TileScratch& s, int first, int from, int to, int generation) {
+    TileRecord& record = *s.record;
+    record.share.clear();
+    const bool camera = generation == 0;
+    for (int i = from; i < to; ++i) {
+        const auto at = [&](int column) { return s.rays.column(column)[first + i]; };
+        ExplainedRay ray;
+        ray.sample = record.sample;
+        ray.generation = generation;
+        if (!camera) {
+            const TileRecord::Leaving& leaving = record.leaving[record.next++];
+            ray.parent = leaving.ray;
+            ray.transmitted = leaving.transmitted;
+            ExplainedHit& hit = *record.rays[static_cast<std::size_t>(leaving.ray)].hit;
+            (ray.transmitted ? hit.transmitted : hit.reflected).ray = static_cast<int>(record.rays.size());
+        }
+        ray.origin = {at(k_ray_origin), at(k_ray_origin + 1), at(k_ray_origin + 2)};
+        ray.direction = {at(k_ray_direction), at(k_ray_direction + 1), at(k_ray_direction + 2)};
+        ray.t_min = at(k_ray_t_min);
+        ray.t = s.t[static_cast<std::size_t>(i)];
+        ray.weight =
+            camera ? Color{1, 1, 1} : Color{at(k_ray_weight), at(k_ray_weight + 1), at(k_ray_weight + 2)};
+        if (ray.t < k_infinity) {
+            ray.hit = recorded_hit(world, s, record.share.size());
+            record.share.push_back(record.rays.size());
+        } else if (camera || world.conventions.mirror_miss != MissRule::black) {
+            ray.background = ray.weight * seen_in_the_void(world);
+        }
+        record.rays.push_back(std::move(ray));
+    }
+}
+
+/// What shading modes that look no further show: after add_unlit.
+inline void record_unlit(const World& world, TileScratch& s) {
+    for_each_hit(s, [&](int h, int lanes) HWY_ATTR {
+        const TripleNumbers shown(unlit_color(world, s, h));
+        for (int k = 0; k < lanes; ++k) {
+            ExplainedHit& hit = s.record->hit(h + k);
+            hit.ambient = hit.parts[0] = shown.color(k);
+        }
+    });
+}
+
+/// One light: after its terms were added.
+inline void record_light(const World& world, const Light& light, TileScratch& s) {
+    const LightingRules rules = lighting_rules(world);
+    int rays = 0;
+    for_each_hit(s, [&](int h, int lanes) HWY_ATTR {
+        const MaterialLanes material(world, s.material.data() + h);
+        const LightLanes at = light_at(world, light, rules, s, h);
+        const auto bright = has_highlight(at.cosines, rules);
+        const Doubles power =
+            select(bright, highlight_power(at.cosines.s, material.value(k_shininess), rules), Doubles(0));
+        const TripleNumbers to_light(at.to_light),
+            diffuse(contribution(material.color(k_diffuse), light.color, diffuse_term(at.cosines.n_l, rules),
+                                 at.attenuation)),
+            specular(contribution(material.color(k_specular), light.specular_color, power, at.attenuation));
+        const Numbers distance(at.distance), f_att(at.attenuation), n_l(at.cosines.n_l), cosine(at.cosines.s),
+            powers(power);
+        const std::uint32_t may_add = to_bits(at.lit),
+                            lit = s.lit[static_cast<std::size_t>(h / lane_count<double>())];
+        for (int k = 0; k < lanes; ++k) {
+            LightTerms r;
+            r.light = static_cast<std::uint32_t>(&light - world.lights.data());
+            r.to_light = to_light.vec3(k);
+            r.distance = distance[k];
+            r.attenuation = f_att[k];
+            r.n_l = n_l[k];
+            r.s = cosine[k];
+            r.power = powers[k];
+            r.may_add = (may_add >> k & 1) != 0;
+            r.blocked = r.may_add && (lit >> k & 1) == 0;
+            if (r.may_add && world.settings.shadows) {
+                r.has_ray = true;
+                r.origin = vec3_at(s.shadow, rays);
+                r.direction = vec3_at(s.shadow + 3, rays);
+                r.t_min = s.shadow[6][static_cast<std::size_t>(rays)];
+                r.t_max = s.shadow[7][static_cast<std::size_t>(rays)];
+                ++rays;
+            }
+            if (r.may_add && !r.blocked) {
+                r.diffuse = diffuse.color(k);
+                r.specular = specular.color(k);
+            }
+            s.record->hit(h + k).lights.push_back(r);
+        }
+    });
+}
+
+/// Which hits of a vector have branches, have glass, and sent a ray out.
+struct BranchMasks {
+    LaneMask<double> leaves, glass, reflected, transmitted;
+};
+
+/// What left a vector of hits: as it is queued.
+inline void record_branches(TileScratch& s, int h, const BranchMasks& masks, const Triple<Doubles>& reflected,
+                            const Triple<Doubles>& transmitted, Doubles fresnel, double min_weight) {
+    const TripleNumbers weights[2] = {TripleNumbers(reflected), TripleNumbers(transmitted)};
+    const Numbers f(fresnel);
+    const std::uint32_t has[2] = {to_bits(masks.leaves), to_bits(masks.glass)},
+                        traced[2] = {to_bits(masks.reflected), to_bits(masks.transmitted)};
+    for (int k = 0; k < lane_count<double>(); ++k) {
+        if ((has[0] >> k & 1) == 0) continue;
+        ExplainedHit& hit = s.record->hit(h + k);
+        hit.fresnel = (has[1] >> k & 1) != 0 ? f[k] : 0;
+        Branch* branches[2] = {&hit.reflected, &hit.transmitted};
+        for (int side = 0; side < 2; ++side) {
+            if ((has[side] >> k & 1) == 0) continue;
+            const Color weight = weights[side].color(k);
+            const double most = max(max(weight.r, weight.g), weight.b);
+            const bool went = (traced[side] >> k & 1) != 0;
+            *branches[side] = {went                             ? BranchState::traced
+                               : most > 0 && most >= min_weight ? BranchState::cut
+                                                                : BranchState::faint,
+                               weight, -1};
+            if (went)
+                s.record->leaving.push_back(
+                    {static_cast<int>(s.record->share[static_cast<std::size_t>(h + k)]), side == 1});
+        }
+    }
+}
+
+/// At the last generation nothing leaves.
+inline void record_limit(const World& world, TileScratch& s) {
+    for (int h = 0; h < s.hits; ++h) {
+        ExplainedHit& hit = s.record->hit(h);
+        const double* material = world.materials.data() + std::size_t{hit.material} * k_material_values;
+        if (material[k_mirror] > 0) hit.reflected.state = BranchState::limit;
+        if (material[k_transmission] > 0) hit.transmitted.state = BranchState::limit;
+    }
+}
+
+/// What the hits add to their pixel: after add_hits.
+inline void record_sums(const World& world, TileScratch& s, int generation) {
+    for_each_hit(s, [&](int h, int lanes) HWY_ATTR {
+        const MaterialLanes material(world, s.material.data() + h);
+        const HitLight light = light_of(world, s, material, h, generation);
+        const TripleNumbers ambient(ambient_of(world, material)),
+            parts[3] = {TripleNumbers(light.ambient), TripleNumbers(light.diffuse),
+                        TripleNumbers(light.specular)};
+        const Numbers share(local_share(world, material, generation));
+        for (int k = 0; k < lanes; ++k) {
+            ExplainedHit& hit = s.record->hit(h + k);
+            hit.ambient = ambient.color(k);
+            hit.diffuse = color_at(s.diffuse, h + k);
+            hit.specular = color_at(s.specular, h + k);
+            hit.local_share = share[k];
+            for (int part = 0; part < 3; ++part) hit.parts[part] = parts[part].color(k);
+        }
+    });
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace glint
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,26 @@
+#pragma once
+// What the stages of a tile of one pixel write down of it (trace/record-inl.h), for explain().
+#include <cstddef>
+#include <vector>
+
+#include "glint/explain.h"
+
+namespace glint {
+
+struct TileRecord {
+    /// Light numbers are the World's, and a default material has the number after the last.
+    std::vector<ExplainedRay> rays;
+    int sample = 0;  // at hand
+
+    struct Leaving {
+        int ray;  // it leaves this one's hit
+        bool transmitted;
+    };
+    std::vector<Leaving> leaving;  // branches that were traced, in the order of their rays
+    std::size_t next = 0;          // the first of these whose ray has not come
+
+    std::vector<std::size_t> share;  // the rays of the hits of the share at hand
+    ExplainedHit& hit(int h) { return *rays[share[static_cast<std::size_t>(h)]].hit; }
+};
+
+}  // namespace glint

@@ -1,0 +1,207 @@
+// What explain() says of a pixel is what render() draws, and adds up.
+#include "glint/explain.h"
+
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <random>
+
+#include "gallery/scene_file.h"
+#include "trace/kernels.h"
+#include "world/world.h"
+
+namespace glint {
+namespace {
+
+// As the film has it: the mean, as a float.
+float film(double sum, int samples) {
+    const double n = static_cast<double>(samples) * samples;
+    const double mean = samples > 1 ? sum / n : sum;
+    return static_cast<float>(std::fmin(std::fmax(std::isnan(mean) ? 0 : mean, -1e30), 1e30));
+}
+
+// The pixel's layers, added up from what the rays are said to add, in their order.
+void add_up(const Explanation& e, float (&layers)[k_light_layers][3]) {
+    double sums[k_light_layers][3] = {};
+    const auto add = [&](Layer layer, Color c) {
+        double(&sum)[3] = sums[static_cast<std::size_t>(layer)];
+        sum[0] += c.r;
+        sum[1] += c.g;
+        sum[2] += c.b;
+    };
+    for (std::size_t i = 0; i < e.rays.size(); ++i) {
+        const ExplainedRay& ray = e.rays[i];
+        const auto layer = layer_of(e, i);
+        if (!ray.hit) {
+            add(layer.value_or(Layer::background), ray.background);
+            continue;
+        }
+        constexpr Layer own[] = {Layer::ambient, Layer::diffuse, Layer::specular};
+        for (int part = 0; part < 3; ++part) add(layer.value_or(own[part]), ray.hit->parts[part]);
+    }
+    for (int l = 0; l < k_light_layers; ++l)
+        for (int c = 0; c < 3; ++c) layers[l][c] = film(sums[l][c], e.samples);
+}
+
+// The last occluder before the surface, met one after the other from where the shadow ray starts.
+double last_t(const World& world, const LightTerms& terms) {
+    double last = -1, t_min = terms.t_min;
+    for (;;) {
+        double columns[8][1 + k_ray_padding] = {
+            {terms.origin.x},    {terms.origin.y},    {terms.origin.z}, {terms.direction.x},
+            {terms.direction.y}, {terms.direction.z}, {t_min},          {terms.t_max}};
+        double t[1 + k_ray_padding];
+        std::uint32_t slot[1 + k_ray_padding];
+        available_kernels().front().nearest_hit(
+            world,
+            {columns[0], columns[1], columns[2], columns[3], columns[4], columns[5], columns[6], columns[7]},
+            1, 1, t, slot);
+        if (slot[0] == k_none) return last;
+        if ((world.material[slot[0]] & k_no_shadow) == 0) last = t[0];
+        t_min = t[0];
+    }
+}
+
+double length(Vec3 v) { return std::sqrt(dot(v, v)); }
+
+void check_light(const Scene& scene, const World& world, const ExplainedHit& hit, const LightTerms& terms) {
+    EXPECT_EQ(terms.blocked, terms.blocker.has_value());
+    if (!terms.blocked) return;
+    const bool from_light =
+        scene.lights[terms.light].kind == LightKind::point && scene.conventions.shadow_stops_at_light;
+    if (!from_light) return;  // the ray starts at the point: the kernels' own nearest hit
+    const double t = last_t(world, terms);
+    ASSERT_GE(t, 0) << "the shadow ray of a blocked light meets nothing";
+    const double distance = length(terms.origin + terms.direction * t - hit.point);
+    EXPECT_NEAR(terms.blocker->distance, distance, 1e-6 * (1 + terms.distance))
+        << "another blocker is nearer to the point";
+}
+
+void check_pixel(const Scene& scene, const World& world, const Image& picture, int x, int y) {
+    const Explanation e = explain(scene, world, x, y);
+    ASSERT_EQ(e.error, "");
+    float layers[k_light_layers][3];
+    add_up(e, layers);
+    for (int c = 0; c < 3; ++c) {
+        const float drawn =
+            picture.rgb[3 * static_cast<std::size_t>(y * picture.width + x) + static_cast<std::size_t>(c)];
+        ASSERT_EQ(std::bit_cast<std::uint32_t>(e.value[c]), std::bit_cast<std::uint32_t>(drawn))
+            << x << ',' << y << " channel " << c;
+        float sum = 0;
+        for (int l = 0; l < k_light_layers; ++l) {
+            ASSERT_EQ(layers[l][c], e.layers[l][c]) << x << ',' << y << " layer " << l;
+            sum += e.layers[l][c];
+        }
+        ASSERT_EQ(sum, drawn) << x << ',' << y;
+    }
+    for (const ExplainedRay& ray : e.rays) {
+        if (!ray.hit) continue;
+        Color diffuse, specular;
+        for (const LightTerms& terms : ray.hit->lights) {
+            diffuse = diffuse + terms.diffuse;
+            specular = specular + terms.specular;
+            check_light(scene, world, *ray.hit, terms);
+        }
+        ASSERT_EQ(diffuse, ray.hit->diffuse);
+        ASSERT_EQ(specular, ray.hit->specular);
+        for (const Branch* branch : {&ray.hit->reflected, &ray.hit->transmitted}) {
+            ASSERT_EQ(branch->state == BranchState::traced, branch->ray >= 0);
+            if (branch->ray < 0) continue;
+            const ExplainedRay& child = e.rays.at(static_cast<std::size_t>(branch->ray));
+            ASSERT_EQ(&e.rays.at(static_cast<std::size_t>(child.parent)), &ray);
+            ASSERT_EQ(child.weight, branch->weight);
+            ASSERT_EQ(child.transmitted, branch == &ray.hit->transmitted);
+        }
+    }
+}
+
+TEST(Explain, TenThousandPixelsAreThePicturesOwn) {
+    std::mt19937 random(5);
+    int pixels = 0, blocked = 0;
+    const auto files = test::scene_files(GLINT_PROJECT_DIR "/scenes");
+    const auto each = 10000 / static_cast<int>(files.size()) / 2 + 1;
+    for (const std::string& file : files) {
+        for (const char* settings : {"", "aa=2 reflections=3"}) {
+            auto scene = test::load_file(file, settings);
+            ASSERT_TRUE(scene) << file;
+            SCOPED_TRACE(file + " " + settings);
+            // Small enough to be quick, and of sides that tiles do not like.
+            scene->settings.height = 97 * scene->settings.height / scene->settings.width;
+            scene->settings.width = 97;
+            const WorldPtr world = prepare(*scene).world;
+            ASSERT_TRUE(world);
+            const RenderResult whole = render(*world);
+            ASSERT_TRUE(whole.image);
+            for (int i = 0; i < each && !testing::Test::HasFatalFailure(); ++i) {
+                const int x = static_cast<int>(random() % 97u);
+                const int y = static_cast<int>(random() % static_cast<unsigned>(whole.image->height));
+                check_pixel(*scene, *world, *whole.image, x, y);
+                ++pixels;
+                for (const ExplainedRay& ray : explain(*scene, *world, x, y).rays)
+                    for (const LightTerms& terms : ray.hit ? ray.hit->lights : std::vector<LightTerms>())
+                        blocked += terms.blocked;
+            }
+        }
+    }
+    EXPECT_GE(pixels, 10000);
+    EXPECT_GT(blocked, 1000) << "too few shadows to say much about blockers";
+}
+
+TEST(Explain, UnlitShadingsAndEveryInstructionSet) {
+    for (const char* settings : {"shading=normals", "shading=color", "shading=diffuse", "shadows=false"}) {
+        auto scene = test::load_file(GLINT_PROJECT_DIR "/scenes/epfl/castle.json",
+                                     std::string("size=64x64 ") + settings);
+        ASSERT_TRUE(scene);
+        const WorldPtr world = prepare(*scene).world;
+        const RenderResult whole = render(*world);
+        for (int i = 0; i < 64; ++i) check_pixel(*scene, *world, *whole.image, i, (37 * i) % 64);
+    }
+    const auto scene = test::load_file(GLINT_PROJECT_DIR "/scenes/epfl/castle.json", "size=64x64");
+    const WorldPtr world = prepare(*scene).world;
+    const std::string first = explanation_json(explain(*scene, *world, 30, 50), *scene);
+    for (const std::string& isa : isa_names())
+        EXPECT_EQ(explanation_json(explain(*scene, *world, 30, 50, isa), *scene), first) << isa;
+}
+
+// The page of a book: the sum of a pixel by hand.
+TEST(Explain, APlaneUnderOneLight) {
+    Scene scene;
+    scene.materials.push_back({.ambient = {0.1, 0.1, 0.1}, .diffuse = {0.5, 0.5, 0.5}});
+    scene.add(Plane{}, 0);
+    scene.add(Sphere{.center = {0, 2, 0}, .radius = 0.5}, 0);
+    scene.lights.push_back({.kind = LightKind::ambient, .color = {1, 1, 1}});
+    scene.lights.push_back({.position = {0, 4, 0}});
+    scene.camera.position = {0, 1, 4};
+    scene.camera.look_at = {0, 0, 0};
+    scene.settings.width = scene.settings.height = 65;
+    const WorldPtr world = prepare(scene).world;
+    ASSERT_TRUE(world);
+    const Explanation e = explain(scene, *world, 32, 32);
+    ASSERT_EQ(e.rays.size(), 1u);
+    ASSERT_TRUE(e.rays[0].hit);
+    const ExplainedHit& hit = *e.rays[0].hit;
+    EXPECT_EQ(hit.shape, 0u);
+    ASSERT_EQ(hit.lights.size(), 1u);
+    const LightTerms& terms = hit.lights[0];
+    EXPECT_EQ(terms.light, 1u);
+    EXPECT_EQ(reason(terms), LightReason::blocked);
+    ASSERT_TRUE(terms.blocker);
+    EXPECT_EQ(terms.blocker->shape, 1u);
+    EXPECT_NEAR(terms.blocker->distance, 1.5, 1e-6) << "the sphere's near side, seen from P";
+    EXPECT_NEAR(e.value[0], 0.1f, 1e-7f);
+}
+
+TEST(Explain, WhatCannotBeExplained) {
+    const auto scene = test::load_file(GLINT_PROJECT_DIR "/scenes/epfl/castle.json", "size=64x64");
+    const WorldPtr world = prepare(*scene).world;
+    EXPECT_NE(explain(*scene, *world, 64, 0).error, "");
+    EXPECT_NE(explain(*scene, *world, 0, -1).error, "");
+    EXPECT_NE(explain(*scene, *world, 0, 0, "avx9").error, "");
+    const auto json = nlohmann::json::parse(explanation_json(explain(*scene, *world, 64, 0), *scene));
+    EXPECT_TRUE(json.contains("error"));
+}
+
+}  // namespace
+}  // namespace glint
