@@ -4,6 +4,7 @@
 #include "glint/diagnostic.h"
 #include "glint/explain.h"
 #include "glint/image.h"
+#include "glint/layers.h"
 #include "glint/load.h"
 #include "glint/render.h"
 #include "glint/scene.h"

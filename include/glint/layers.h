@@ -50,8 +50,8 @@ struct LayerImage {
 };
 
 /// A layer as a picture to look at: light and albedo as they are; normals 0.5 (N + 1); depth from white
-/// (nearest) to black; position across the layer's own range; shadow as grey; objects and materials in
-/// colours of their own.
+/// (nearest) to dark (farthest), black where nothing is hit; position across the layer's own range; shadow as
+/// grey; objects and materials in colours of their own.
 Image viewable(const LayerImage& layer);
 
 /// One OpenEXR file of several parts: `beauty` (the picture), then each layer under its name. Never throws.

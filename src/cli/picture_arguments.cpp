@@ -12,8 +12,6 @@
 namespace glint::cli {
 namespace {
 
-constexpr double k_bytes_a_pixel = 12;  // three floats
-
 // What limits this process: the machine's memory, or less by the container's rule.
 double memory_limit() {
     double limit =
@@ -27,8 +25,8 @@ double memory_limit() {
 
 }  // namespace
 
-void check_memory(double width, double height) {
-    const double needed = width * height * k_bytes_a_pixel, limit = memory_limit();
+void check_memory(double width, double height, double bytes) {
+    const double needed = width * height * bytes, limit = memory_limit();
     if (needed <= limit) return;
     const std::string rest = std::max(width, height) > k_max_size
                                  ? fmt::format("; the most is {} pixels a side", k_max_size)
@@ -36,7 +34,7 @@ void check_memory(double width, double height) {
     throw Failure(k_bad_input,
                   fmt::format("a picture of {:.0f}x{:.0f} needs {} of memory ({} bytes a pixel), and this "
                               "machine has {}{}",
-                              width, height, bytes_text(needed), k_bytes_a_pixel, bytes_text(limit), rest));
+                              width, height, bytes_text(needed), bytes, bytes_text(limit), rest));
 }
 
 void check_isa(const std::string& isa) {

@@ -20,8 +20,9 @@ void add_picture_arguments(CLI::App& command, PictureArguments& arguments);
 /// whole picture is kept.
 void add_settings(const PictureArguments& arguments, bool is_whole, SceneArguments& scene);
 
-/// Throws Failure if this machine has not the memory for a picture.
-void check_memory(double width, double height);
+/// Throws Failure if this machine has not the memory for a picture. bytes: a pixel; a picture alone has three
+/// floats.
+void check_memory(double width, double height, double bytes = 12);
 
 /// Throws Failure of usage if this machine has no such instruction set.
 void check_isa(const std::string& isa);

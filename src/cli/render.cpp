@@ -10,6 +10,7 @@
 
 #include "cli/commands.h"
 #include "cli/failure.h"
+#include "cli/layer_files.h"
 #include "cli/output_file.h"
 #include "cli/picture_arguments.h"
 #include "cli/progress.h"
@@ -26,6 +27,7 @@ constexpr auto k_examples = R"(Examples:
   glint render spheres.cgfs lights.cgfs -s 600x600      two listings as one scene
   glint render castle.json -o castle.exr --aa 3         9 samples a pixel, linear floats
   glint render castle.json --shading phong --no-shadows --reflections 0
+  glint render castle.json -o castle.exr --aov all      normals, depth, shadows ... as parts of the file
   glint render castle.json --crop 100x80+320+200        only a part, as it is in the whole
   glint render castle.json --convention limit=drop      one convention changed
   glint render - --format cgfs -o - < a.cgfs > a.png    from standard input to standard output
@@ -34,7 +36,7 @@ constexpr auto k_examples = R"(Examples:
 struct RenderArguments {
     SceneArguments scene;
     PictureArguments picture;
-    std::string output, crop, transfer = "none", isa, stats;
+    std::string output, aov, crop, transfer = "none", isa, stats;
     bool show = false, quiet = false;
     int bits = 8, threads = 0;
 };
@@ -123,6 +125,7 @@ int render_command(RenderArguments& arguments) {
         throw Failure(k_usage, "--stats and the picture cannot both go to standard output");
     }
     check_isa(arguments.isa);
+    const LayerFiles layers(arguments.aov, path, encoding.format, output.is_stream());
     add_settings(arguments.picture, arguments.crop.empty(), arguments.scene);
 
     Times times;
@@ -132,7 +135,7 @@ int render_command(RenderArguments& arguments) {
     options.crop = crop_of(arguments, loaded.scene.settings);
     const Crop drawn =
         options.crop ? *options.crop : Crop{loaded.scene.settings.width, loaded.scene.settings.height};
-    check_memory(drawn.width, drawn.height);
+    check_memory(drawn.width, drawn.height, layers.bytes_a_pixel());
 
     auto stage = Clock::now();
     const PrepareResult prepared = prepare(loaded.scene, arguments.threads);
@@ -147,6 +150,7 @@ int render_command(RenderArguments& arguments) {
         ProgressBar bar(!arguments.quiet);
         options.threads = arguments.threads;
         options.isa = arguments.isa;
+        options.layers = layers.wanted();
         options.progress = [&](double fraction) { bar.update(fraction); };
         result = render(*prepared.world, options);
     }
@@ -161,11 +165,14 @@ int render_command(RenderArguments& arguments) {
     }
 
     stage = Clock::now();
-    const EncodeResult encoded = encode(*result.image, encoding);
+    const EncodeResult encoded = encoding.format == FileFormat::exr && !result.layers.empty()
+                                     ? encode_layers(*result.image, result.layers)
+                                     : encode(*result.image, encoding);
     times.encode = seconds_since(stage);
     if (!encoded.error.empty())
         throw Failure(k_bad_input, fmt::format("cannot encode the picture: {}", encoded.error));
     output.write(encoded.bytes);
+    layers.write(result.layers, encoding);
     if (stats) stats->write(bytes_of(stats_text(result, times)));
     if (arguments.show) {
         fmt::print("{}", half_blocks(*result.image, terminal_columns(), encoding.transfer));
@@ -194,6 +201,7 @@ Run add_render(CLI::App& app) {
                     "current folder")
         ->option_text("OUT");
     add_picture_arguments(command, a.picture);
+    add_layer_argument(command, a.aov);
     command.add_option("--crop", a.crop, "Only this part of the picture; X and Y count from its top left")
         ->option_text("WxH+X+Y");
     command

@@ -90,4 +90,24 @@ EncodeResult encode(const Image& image, const EncodeOptions& options) {
     return result;
 }
 
+EncodeResult encode_layers(const Image& picture, std::span<const LayerImage> layers) {
+    EncodeResult result;
+    std::string error = guard([&] {
+        result.error = fault(picture, {});
+        for (const LayerImage& layer : layers) {
+            if (!result.error.empty()) return;
+            if (layer.width != picture.width || layer.height != picture.height ||
+                layer.values.size() != picture.rgb.size() / 3 * static_cast<std::size_t>(layer.channels))
+                result.error = "a layer has not the picture's size";
+        }
+#if defined(GLINT_WITH_EXR)
+        if (result.error.empty()) result = encode_exr_layers(picture, layers);
+#else
+        result.error = "this build writes no OpenEXR";
+#endif
+    });
+    if (!error.empty()) result = {{}, std::move(error)};
+    return result;
+}
+
 }  // namespace glint

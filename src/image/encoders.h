@@ -3,11 +3,14 @@
 // what their libraries throw; encode() guards them.
 #include "glint/conventions.h"
 #include "glint/image.h"
+#include "glint/layers.h"
 
 namespace glint {
 
 EncodeResult encode_png(const Image& image, const EncodeOptions& options);
 EncodeResult encode_ppm(const Image& image, const EncodeOptions& options);
 EncodeResult encode_exr(const Image& image);
+/// Of several parts; the layers have the picture's size.
+EncodeResult encode_exr_layers(const Image& picture, std::span<const LayerImage> layers);
 
 }  // namespace glint

@@ -3,7 +3,10 @@
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
 #include <ImfIO.h>
+#include <ImfMultiPartOutputFile.h>
 #include <ImfOutputFile.h>
+#include <ImfOutputPart.h>
+#include <ImfPartType.h>
 
 #include <algorithm>
 #include <cstring>
@@ -30,27 +33,71 @@ class MemoryStream : public Imf::OStream {
     std::size_t position_ = 0;
 };
 
+// One part of a file: channels, interleaved in memory.
+struct Part {
+    std::string name;
+    std::string_view channels;  // a letter each
+    const float* values;
+    std::int32_t width, height;
+};
+
+Imf::Header header_of(const Part& part) {
+    Imf::Header header(part.width, part.height);
+    header.compression() = Imf::ZIP_COMPRESSION;
+    for (const char channel : part.channels)
+        header.channels().insert(std::string(1, channel), Imf::Channel(Imf::FLOAT));
+    return header;
+}
+
+Imf::FrameBuffer frame_of(const Part& part) {
+    Imf::FrameBuffer frame;
+    const std::size_t pixel = part.channels.size() * sizeof(float);
+    for (std::size_t c = 0; c < part.channels.size(); ++c) {
+        // The library only reads from the slices of an output file, but wants them writable.
+        auto* first = reinterpret_cast<char*>(const_cast<float*>(part.values + c));
+        frame.insert(std::string(1, part.channels[c]),
+                     Imf::Slice(Imf::FLOAT, first, pixel, pixel * static_cast<std::size_t>(part.width)));
+    }
+    return frame;
+}
+
 }  // namespace
 
 EncodeResult encode_exr(const Image& image) {
     EncodeResult result;
-    Imf::Header header(image.width, image.height);
-    header.compression() = Imf::ZIP_COMPRESSION;
-    constexpr const char* names[] = {"R", "G", "B"};
-    Imf::FrameBuffer channels;
-    for (int c = 0; c < 3; ++c) {
-        header.channels().insert(names[c], Imf::Channel(Imf::FLOAT));
-        // The library only reads from the slices of an output file, but wants them writable.
-        auto* first = reinterpret_cast<char*>(const_cast<float*>(image.rgb.data() + c));
-        channels.insert(names[c],
-                        Imf::Slice(Imf::FLOAT, first, 3 * sizeof(float), 3 * sizeof(float) * image.width));
-    }
+    const Part part{"", "RGB", image.rgb.data(), image.width, image.height};
     {
         MemoryStream stream(result.bytes);
-        Imf::OutputFile file(stream, header, 0);
-        file.setFrameBuffer(channels);
-        file.writePixels(image.height);
+        Imf::OutputFile file(stream, header_of(part), 0);
+        file.setFrameBuffer(frame_of(part));
+        file.writePixels(part.height);
     }  // the file's end writes its table of lines
+    return result;
+}
+
+EncodeResult encode_exr_layers(const Image& picture, std::span<const LayerImage> layers) {
+    std::vector<Part> parts{{"beauty", "RGB", picture.rgb.data(), picture.width, picture.height}};
+    for (const LayerImage& layer : layers) {
+        const LayerInfo& info = layer_infos()[static_cast<std::size_t>(layer.layer)];
+        parts.push_back(
+            {std::string(info.name), info.channels, layer.values.data(), layer.width, layer.height});
+    }
+    std::vector<Imf::Header> headers;
+    for (const Part& part : parts) {
+        headers.push_back(header_of(part));
+        headers.back().setName(part.name);
+        headers.back().setType(Imf::SCANLINEIMAGE);
+    }
+    EncodeResult result;
+    {
+        MemoryStream stream(result.bytes);
+        Imf::MultiPartOutputFile file(stream, headers.data(), static_cast<int>(headers.size()), false, 0);
+        for (std::size_t i = 0; i < parts.size(); ++i) {
+            Imf::OutputPart output(file, static_cast<int>(i));
+            output.setFrameBuffer(frame_of(parts[i]));
+            output.writePixels(parts[i].height);
+        }
+    }
     return result;
 }
 

@@ -2,35 +2,17 @@
 #include <ImfChannelList.h>
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
-#include <ImfIO.h>
 #include <ImfInputFile.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cstring>
 
+#include "image/memory_input.h"
 #include "image/pictures.h"
 
 namespace glint {
 namespace {
-
-class MemoryInput : public Imf::IStream {
-  public:
-    explicit MemoryInput(const std::vector<std::uint8_t>& bytes) : Imf::IStream("memory"), bytes_(bytes) {}
-    bool read(char out[], int count) override {
-        if (position_ + static_cast<std::size_t>(count) > bytes_.size())
-            throw std::runtime_error("end of file");
-        std::memcpy(out, bytes_.data() + position_, static_cast<std::size_t>(count));
-        position_ += static_cast<std::size_t>(count);
-        return position_ < bytes_.size();
-    }
-    uint64_t tellg() override { return position_; }
-    void seekg(uint64_t position) override { position_ = position; }
-
-  private:
-    const std::vector<std::uint8_t>& bytes_;
-    std::size_t position_ = 0;
-};
 
 TEST(Exr, ReadsBackEqual) {
     for (const auto& [width, height] :
@@ -40,7 +22,7 @@ TEST(Exr, ReadsBackEqual) {
         image.rgb[1] = -1e-40f;
         const EncodeResult encoded = encode(image, {FileFormat::exr});
         ASSERT_EQ(encoded.error, "");
-        MemoryInput stream(encoded.bytes);
+        test::MemoryInput stream(encoded.bytes);
         Imf::InputFile file(stream, 0);
         std::vector<float> read(image.rgb.size());
         Imf::FrameBuffer channels;

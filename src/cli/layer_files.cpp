@@ -1,0 +1,77 @@
+#include "cli/layer_files.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <sstream>
+
+#include "cli/failure.h"
+#include "cli/text.h"
+
+namespace glint::cli {
+namespace {
+
+std::vector<std::string_view> layer_names() {
+    std::vector<std::string_view> names;
+    for (const LayerInfo& info : layer_infos()) names.push_back(info.name);
+    return names;
+}
+
+std::vector<Layer> parse(const std::string& aov) {
+    std::vector<Layer> layers;
+    if (aov == "all") {
+        for (const LayerInfo& info : layer_infos()) layers.push_back(info.layer);
+        return layers;
+    }
+    std::istringstream words(aov);
+    for (std::string word; std::getline(words, word, ',');) {
+        const auto layer = find_layer(word);
+        if (!layer)
+            throw Failure(k_usage, fmt::format("--aov: there is no layer '{}'; there are {}, or all", word,
+                                               joined(layer_names())));
+        if (std::find(layers.begin(), layers.end(), *layer) == layers.end()) layers.push_back(*layer);
+    }
+    return layers;
+}
+
+}  // namespace
+
+void add_layer_argument(CLI::App& command, std::string& aov) {
+    command
+        .add_option(
+            "--aov", aov,
+            fmt::format("Also write these layers, with commas between: {}; or all. OpenEXR: as parts of "
+                        "the file; else in files beside it, as castle.normal.png",
+                        joined(layer_names())))
+        ->option_text("LAYERS");
+}
+
+LayerFiles::LayerFiles(const std::string& aov, const std::string& picture, FileFormat format, bool is_stream)
+    : wanted_(parse(aov)) {
+    if (wanted_.empty() || format == FileFormat::exr) return;
+    if (is_stream)
+        throw Failure(k_usage, "--aov: standard output holds one picture; name a file with --output");
+    const std::string ending = extension(picture), base = picture.substr(0, picture.size() - ending.size());
+    for (const Layer layer : wanted_) {
+        files_.emplace_back(
+            fmt::format("{}.{}{}", base, layer_infos()[static_cast<std::size_t>(layer)].name, ending));
+    }
+}
+
+double LayerFiles::bytes_a_pixel() const {
+    double floats = 3;
+    for (const Layer layer : wanted_)
+        floats += static_cast<double>(layer_infos()[static_cast<std::size_t>(layer)].channels.size());
+    return floats * sizeof(float);
+}
+
+void LayerFiles::write(const std::vector<LayerImage>& layers, const EncodeOptions& encoding) const {
+    for (std::size_t i = 0; i < files_.size(); ++i) {
+        const EncodeResult encoded = encode(viewable(layers[i]), encoding);
+        if (!encoded.error.empty())
+            throw Failure(k_bad_input, fmt::format("cannot encode a layer: {}", encoded.error));
+        files_[i].write(encoded.bytes);
+    }
+}
+
+}  // namespace glint::cli
