@@ -145,7 +145,7 @@ class Tree {
         for (const LightTerms& terms : hit.lights) tell_light(hit, terms, depth + 1);
         const Color sum = hit.ambient + hit.diffuse + hit.specular;
         line(depth + 1,
-             fmt::format("all: ambient {} + diffuse {} + specular {} = {}{}", color(hit.ambient),
+             fmt::format("sum: ambient {} + diffuse {} + specular {} = {}{}", color(hit.ambient),
                          color(hit.diffuse), color(hit.specular), color(sum), swatch(style_, sum)));
         if (hit.local_share != 1 || r.parent >= 0) {
             const Color part = hit.parts[0] + hit.parts[1] + hit.parts[2];
@@ -202,14 +202,39 @@ class Tree {
     const ExplainStyle& style_;
 };
 
-std::size_t camera_ray(const Explanation& e, int sample) {
-    for (std::size_t i = 0; i < e.rays.size(); ++i) {
-        if (e.rays[i].sample == sample && e.rays[i].parent < 0) return i;
-    }
-    return 0;
+// What may be wrong with the scene where a light adds nothing.
+std::string hint(const LightTerms& terms, const ExplainedHit& hit, const Scene& scene) {
+    if (reason(terms) == LightReason::behind && hit.behind && !hit.turned)
+        return "the ray sees the back of the surface, whose normal is not turned: see the convention "
+               "'facing'\n";
+    if (!terms.blocker) return {};
+    const Blocker& blocker = *terms.blocker;
+    if (blocker.shape == hit.shape && blocker.distance < 1e-3 * terms.distance)
+        return "the surface shadows itself right at P: see the convention 'epsilon'\n";
+    if (scene.lights[terms.light].kind == LightKind::point && blocker.distance > terms.distance)
+        return fmt::format(
+            "that is beyond the light, {} from P: see the convention 'shadow_stops_at_light'\n",
+            number(terms.distance));
+    return {};
 }
 
-// "picture row by row": of the layers that light is in, what each adds.
+// The rays whose light is in a layer, of the sample that is told.
+std::string rays_text(const Explanation& e, Layer layer) {
+    std::string text;
+    int told = 0;
+    for (std::size_t i = 0; i < e.rays.size(); ++i) {
+        if (layer_of(e, i) != layer) continue;
+        const ExplainedRay& ray = e.rays[i];
+        const Color adds =
+            ray.hit ? ray.hit->parts[0] + ray.hit->parts[1] + ray.hit->parts[2] : ray.background;
+        if (adds == Color{}) continue;
+        if (++told > 12) return text + " + ...";
+        text += fmt::format("{}ray {}: {}", told == 1 ? "   " : " + ", i, color(adds));
+    }
+    return text;
+}
+
+// The layers that there is light in, and what they add up to.
 void tell_sum(const Explanation& e, const ExplainStyle& style, std::string& text) {
     auto out = std::back_inserter(text);
     if (e.samples > 1)
@@ -219,9 +244,9 @@ void tell_sum(const Explanation& e, const ExplainStyle& style, std::string& text
     for (int l = 0; l < k_light_layers; ++l) {
         const float(&part)[3] = e.layers[l];
         if (part[0] == 0 && part[1] == 0 && part[2] == 0) continue;
-        fmt::format_to(out, "  {} {:13}{}{}\n", l == 0 ? ' ' : '+',
-                       layer_infos()[static_cast<std::size_t>(l)].name, color(part),
-                       swatch(style, part[0], part[1], part[2]));
+        const auto layer = static_cast<Layer>(l);
+        fmt::format_to(out, "  + {:13}{}{}{}\n", layer_infos()[static_cast<std::size_t>(l)].name, color(part),
+                       swatch(style, part[0], part[1], part[2]), e.samples == 1 ? rays_text(e, layer) : "");
     }
     fmt::format_to(out, "  = {:13}{}\n", "value", color(e.value));
     const bool clamps = std::any_of(e.value, e.value + 3, [](float v) { return v < 0 || v > 1; });
@@ -231,6 +256,13 @@ void tell_sum(const Explanation& e, const ExplainStyle& style, std::string& text
 }
 
 }  // namespace
+
+std::size_t camera_ray(const Explanation& e, int sample) {
+    for (std::size_t i = 0; i < e.rays.size(); ++i) {
+        if (e.rays[i].sample == sample && e.rays[i].parent < 0) return i;
+    }
+    return 0;
+}
 
 std::string shape_text(const Scene& scene, std::uint32_t shape) {
     return item_text(scene, scene.shape_texts, shape, std::string(shape_word(scene.shapes[shape].kind)));
@@ -275,60 +307,9 @@ std::string why_not_text(const Explanation& e, const Scene& scene, std::uint32_t
                                       highlight_text(scene, *ray.hit, terms));
         }
         text += fmt::format("{} adds nothing: {}\n", name, nothing);
-        if (reason(terms) == LightReason::behind && !ray.hit->turned && ray.hit->behind) {
-            text +=
-                "the ray sees the back of the surface, whose normal is not turned: see the convention "
-                "'facing'\n";
-        }
-        if (reason(terms) == LightReason::blocked && terms.blocker &&
-            terms.blocker->shape == ray.hit->shape && terms.blocker->distance < 1e-3 * terms.distance) {
-            text += "the surface shadows itself right at P: see the convention 'epsilon'\n";
-        }
-        return text;
+        return text + hint(terms, *ray.hit, scene);
     }
     return fmt::format("{} was not asked: this shading has no lights\n", name);
-}
-
-std::string print_rays(const Explanation& e, const Scene& scene, int y, const ExplainStyle& style) {
-    std::string text = fmt::format("Pixel: [{}, {}] Color: ({}, {}, {})\n", e.x, y, to_byte(e.value[0]),
-                                   to_byte(e.value[1]), to_byte(e.value[2]));
-    auto out = std::back_inserter(text);
-    const auto braces = [](double a, double b, double c, std::string_view separator) {
-        return fmt::format("{{{:.4f}{}{:.4f}{}{:.4f}}}", a, separator, b, separator, c);
-    };
-    const auto triple = [&](Vec3 v) { return braces(v.x, v.y, v.z, " "); };
-    const auto rgb = [&](Color c) { return braces(c.r, c.g, c.b, ", "); };
-    std::vector<std::size_t> waiting{camera_ray(e, style.sample)};
-    while (!waiting.empty()) {
-        const ExplainedRay& ray = e.rays[waiting.back()];
-        waiting.pop_back();
-        const auto row = [&](std::string_view label, const std::string& value) {
-            fmt::format_to(out, "{:>20}: {}\n", label, value);
-        };
-        text += "----\n";
-        row("Iteration type", ray.parent < 0 ? "Primary" : ray.transmitted ? "Refraction" : "Reflection");
-        row("Ray", triple(ray.origin) + " -> " + triple(ray.direction));
-        if (!ray.hit) {
-            text += "  No intersection.\n";
-            continue;
-        }
-        const ExplainedHit& hit = *ray.hit;
-        std::string kind(shape_word(scene.shapes[hit.shape].kind));
-        kind.front() = static_cast<char>(kind.front() - 'a' + 'A');
-        row("Hit Object", fmt::format("(ID #{} - {})", hit.shape + 1, kind));
-        row("Intersection", fmt::format("{} at T = {:.4f}", triple(hit.point), ray.t));
-        row("Normal", triple(hit.normal));
-        row("Ambient", rgb(hit.ambient));
-        row("Diffuse", rgb(hit.diffuse));
-        row("Specular", rgb(hit.specular));
-        if (material_of(hit, scene).transmission > 0)
-            row("Extra Info", hit.behind ? "into-air" : "into-object");
-        // The last is told first: through the glass, then what it mirrors.
-        for (const Branch* branch : {&hit.reflected, &hit.transmitted}) {
-            if (branch->ray >= 0) waiting.push_back(static_cast<std::size_t>(branch->ray));
-        }
-    }
-    return text;
 }
 
 }  // namespace glint::cli

@@ -23,6 +23,9 @@ std::string why_not_text(const Explanation& explanation, const Scene& scene, std
 /// counts it.
 std::string print_rays(const Explanation& explanation, const Scene& scene, int y, const ExplainStyle& style);
 
+/// The number of a sample's camera ray.
+std::size_t camera_ray(const Explanation& explanation, int sample);
+
 /// "sphere 'ball' (castle.json:12:5)", as far as it is known.
 std::string shape_text(const Scene& scene, std::uint32_t shape);
 /// "point light 'key' (castle.json:40:3)"; one without a name has its number in the scene, from 1.

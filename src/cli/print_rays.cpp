@@ -1,0 +1,53 @@
+// CSC 473's own layout of a pixel's rays.
+#include <fmt/format.h>
+
+#include <iterator>
+#include <vector>
+
+#include "cli/explain_text.h"
+
+namespace glint::cli {
+
+std::string print_rays(const Explanation& e, const Scene& scene, int y, const ExplainStyle& style) {
+    std::string text = fmt::format("Pixel: [{}, {}] Color: ({}, {}, {})\n", e.x, y, to_byte(e.value[0]),
+                                   to_byte(e.value[1]), to_byte(e.value[2]));
+    auto out = std::back_inserter(text);
+    const auto braces = [](double a, double b, double c, std::string_view separator) {
+        return fmt::format("{{{:.4f}{}{:.4f}{}{:.4f}}}", a, separator, b, separator, c);
+    };
+    const auto triple = [&](Vec3 v) { return braces(v.x, v.y, v.z, " "); };
+    const auto rgb = [&](Color c) { return braces(c.r, c.g, c.b, ", "); };
+    std::vector<std::size_t> waiting{camera_ray(e, style.sample)};
+    while (!waiting.empty()) {
+        const ExplainedRay& ray = e.rays[waiting.back()];
+        waiting.pop_back();
+        const auto row = [&](std::string_view label, const std::string& value) {
+            fmt::format_to(out, "{:>20}: {}\n", label, value);
+        };
+        text += "----\n";
+        row("Iteration type", ray.parent < 0 ? "Primary" : ray.transmitted ? "Refraction" : "Reflection");
+        row("Ray", triple(ray.origin) + " -> " + triple(ray.direction));
+        if (!ray.hit) {
+            text += "  No intersection.\n";
+            continue;
+        }
+        const ExplainedHit& hit = *ray.hit;
+        std::string kind(shape_word(scene.shapes[hit.shape].kind));
+        kind.front() = static_cast<char>(kind.front() - 'a' + 'A');
+        row("Hit Object", fmt::format("(ID #{} - {})", hit.shape + 1, kind));
+        row("Intersection", fmt::format("{} at T = {:.4f}", triple(hit.point), ray.t));
+        row("Normal", triple(hit.normal));
+        row("Ambient", rgb(hit.ambient));
+        row("Diffuse", rgb(hit.diffuse));
+        row("Specular", rgb(hit.specular));
+        if (material_of(hit, scene).transmission > 0)
+            row("Extra Info", hit.behind ? "into-air" : "into-object");
+        // The last is told first: through the glass, then what it mirrors.
+        for (const Branch* branch : {&hit.reflected, &hit.transmitted}) {
+            if (branch->ray >= 0) waiting.push_back(static_cast<std::size_t>(branch->ray));
+        }
+    }
+    return text;
+}
+
+}  // namespace glint::cli

@@ -1,0 +1,121 @@
+// glint explain: its forms, and what it answers to what cannot be explained. What it says is tests/inspect's.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "cli/process.h"
+
+namespace glint::test {
+namespace {
+
+const std::string k_castle = GLINT_SOURCE "/scenes/epfl/castle.json";
+
+TEST(Explain, TellsOfAPixel) {
+    const Folder folder;
+    const Finished r = run(folder, {"explain", k_castle, "-p", "320,440"});
+    EXPECT_EQ(r.code, 0) << r.err;
+    EXPECT_TRUE(r.out.starts_with("pixel 320,440 of 640x640\ncamera ray 0 from (25, -37, 13.5)")) << r.out;
+    EXPECT_TRUE(contains(r.out, "castle.json:")) << r.out;
+    EXPECT_TRUE(contains(r.out, "\nthe pixel\n")) << r.out;
+    EXPECT_FALSE(contains(r.out, "\x1b[")) << "colours, though this is no terminal";
+    EXPECT_EQ(folder.count(), 0);
+}
+
+TEST(Explain, TheBytesOfTheJsonAreTheFiles) {
+    const Folder folder;
+    ASSERT_EQ(run(folder, {"render", k_castle, "-s", "80x80", "-o", "c.ppm", "--shading", "phong"}).code, 0);
+    const std::string ppm = folder.read("c.ppm");
+    const std::size_t pixels = ppm.size() - 3 * 80 * 80;
+    for (const auto& [x, y] : {std::pair{40, 60}, std::pair{0, 0}, std::pair{79, 79}, std::pair{37, 41}}) {
+        const std::string at = std::to_string(x) + "," + std::to_string(y);
+        const Finished r =
+            run(folder, {"explain", k_castle, "-s", "80x80", "--shading", "phong", "--as", "json", "-p", at});
+        ASSERT_EQ(r.code, 0) << r.err;
+        const auto json = nlohmann::json::parse(r.out);
+        for (std::size_t c = 0; c < 3; ++c) {
+            const auto byte =
+                static_cast<std::uint8_t>(ppm[pixels + 3 * static_cast<std::size_t>(80 * y + x) + c]);
+            EXPECT_EQ(json["bytes"][c], byte) << at;
+        }
+        // The same pixel, counted from below.
+        const std::string below = std::to_string(x) + "," + std::to_string(79 - y);
+        EXPECT_EQ(run(folder, {"explain", k_castle, "-s", "80x80", "--shading", "phong", "--as", "json", "-p",
+                               below, "--origin", "bottom-left"})
+                      .out,
+                  r.out);
+    }
+}
+
+// CSC 473's layout, to the blank: a ball before nothing, in a mirror.
+TEST(Explain, PrintsRaysAsTheCourseDoes) {
+    const Folder folder;
+    folder.write("a.pov",
+                 R"(camera { location <0, 0, 14> up <0, 1, 0> right <1.33333, 0, 0> look_at <0, 0, 0> }
+light_source { <-100, 100, 100> color rgb <1.5, 1.5, 1.5> }
+sphere { <0, 0, 0>, 2 pigment { color rgb <1, 0, 1> } finish { ambient 0.2 diffuse 0.4 reflection 0.5 } }
+)");
+    const Finished r = run(folder, {"explain", "a.pov", "-p", "320,239", "--origin", "bottom-left", "--as",
+                                    "printrays", "-s", "640x480"});
+    EXPECT_EQ(r.code, 0) << r.err;
+    EXPECT_EQ(r.out, R"(Pixel: [320, 239] Color: (69, 0, 69)
+----
+      Iteration type: Primary
+                 Ray: {0.0000 0.0000 14.0000} -> {0.0010 -0.0010 -1.0000}
+          Hit Object: (ID #1 - Sphere)
+        Intersection: {0.0125 -0.0125 1.9999} at T = 12.0001
+              Normal: {0.0063 -0.0063 1.0000}
+             Ambient: {0.2000, 0.0000, 0.2000}
+             Diffuse: {0.3373, 0.0000, 0.3373}
+            Specular: {0.0000, 0.0000, 0.0000}
+----
+      Iteration type: Reflection
+                 Ray: {0.0125 -0.0125 2.0009} -> {0.0135 -0.0135 0.9998}
+  No intersection.
+)");
+}
+
+TEST(Explain, WhyALightAddsNothing) {
+    const Folder folder;
+    const std::string acne = GLINT_SOURCE "/scenes/faults/acne.glint";
+    const Finished r = run(folder, {"explain", acne, "-p", "140,110", "--why-not", "sun"});
+    EXPECT_EQ(r.code, 0) << r.err;
+    EXPECT_TRUE(contains(r.out, "adds nothing: blocked by sphere 'ball'")) << r.out;
+    EXPECT_TRUE(contains(r.out, "see the convention 'epsilon'")) << r.out;
+    EXPECT_EQ(run(folder, {"explain", acne, "-p", "140,110", "--why-not", "2"}).out, r.out);
+    EXPECT_TRUE(
+        contains(run(folder, {"explain", acne, "-p", "140,110", "--why-not", "1"}).out, "is ambient"));
+    EXPECT_TRUE(
+        contains(run(folder, {"explain", acne, "-p", "10,10", "--why-not", "2"}).out, "hits nothing"));
+    const Finished none = run(folder, {"explain", acne, "-p", "140,110", "--why-not", "moon"});
+    EXPECT_EQ(none.code, 2);
+    EXPECT_TRUE(contains(none.err, "there is no light 'moon'; there are 2 lights")) << none.err;
+}
+
+TEST(Explain, DrawsItsRaysOverThePicture) {
+    const Folder folder;
+    ASSERT_EQ(run(folder, {"render", k_castle, "-s", "64x64", "-o", "plain.ppm"}).code, 0);
+    ASSERT_EQ(run(folder, {"explain", k_castle, "-s", "64x64", "-p", "30,50", "--overlay", "rays.png"}).code,
+              0);
+    EXPECT_TRUE(folder.read("rays.png").starts_with("\x89PNG"));
+    EXPECT_EQ(run(folder, {"explain", k_castle, "-p", "3,3", "--overlay", "rays.gif"}).code, 2);
+    EXPECT_EQ(run(folder, {"explain", k_castle, "-p", "3,3", "--overlay", "-"}).code, 2);
+    EXPECT_EQ(run(folder, {"explain", k_castle, "-p", "3,3", "--overlay", "no/rays.png"}).code, 1);
+}
+
+TEST(Explain, WhatMakesNoSense) {
+    const Folder folder;
+    for (const char* pixel :
+         {"", "3", "3,", ",3", "a,b", "3,4,5", "3.5,4", "640,0", "0,640", "-1,0", "99999999999,0"}) {
+        const Finished r = run(folder, {"explain", k_castle, std::string("--pixel=") + pixel});
+        EXPECT_EQ(r.code, 2) << pixel;
+        EXPECT_TRUE(contains(r.err, "pixel")) << r.err;
+    }
+    EXPECT_EQ(run(folder, {"explain", k_castle}).code, 2);
+    EXPECT_EQ(run(folder, {"explain", k_castle, "-p", "1,1", "--sample", "1,0"}).code, 2);
+    EXPECT_EQ(run(folder, {"explain", k_castle, "-p", "1,1", "--aa", "2", "--sample", "1,0"}).code, 0);
+    EXPECT_EQ(run(folder, {"explain", k_castle, "-p", "1,1", "--as", "xml"}).code, 2);
+    EXPECT_EQ(run(folder, {"explain", "no.json", "-p", "1,1"}).code, 1);
+}
+
+}  // namespace
+}  // namespace glint::test

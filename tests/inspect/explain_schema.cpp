@@ -1,0 +1,90 @@
+// explain's JSON is what docs/explain.schema.json says: as much of JSON Schema as that file uses.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "gallery/scene_file.h"
+#include "glint/explain.h"
+
+namespace glint {
+namespace {
+
+using nlohmann::json;
+
+class Schema {
+  public:
+    explicit Schema(json root) : root_(std::move(root)) {}
+
+    // What is wrong with a value, or an empty string.
+    std::string fault(const json& value) const { return fault(value, root_, "$"); }
+
+  private:
+    static bool has_type(const json& value, const std::string& type) {
+        if (type == "integer") return value.is_number_integer();
+        if (type == "number") return value.is_number();
+        return type == value.type_name();
+    }
+
+    std::string fault(const json& value, const json& rule, const std::string& at) const {
+        if (rule.contains("$ref"))
+            return fault(value, root_.at(json::json_pointer(rule["$ref"].get<std::string>().substr(1))), at);
+        if (rule.contains("type")) {
+            const json types = rule["type"].is_array() ? rule["type"] : json::array({rule["type"]});
+            bool fits = false;
+            for (const json& type : types) fits = fits || has_type(value, type);
+            if (!fits) return at + " is no " + rule["type"].dump() + ": " + value.dump();
+        }
+        if (rule.contains("enum")) {
+            const json& words = rule["enum"];
+            if (std::find(words.begin(), words.end(), value) == words.end())
+                return at + " is " + value.dump();
+        }
+        for (const json& name : rule.value("required", json::array())) {
+            if (!value.contains(name)) return at + " lacks " + name.dump();
+        }
+        if (value.is_array() && rule.contains("items")) {
+            for (std::size_t i = 0; i < value.size(); ++i) {
+                const std::string wrong = fault(value[i], rule["items"], at + "[" + std::to_string(i) + "]");
+                if (!wrong.empty()) return wrong;
+            }
+        }
+        if (!value.is_object()) return {};
+        const json properties = rule.value("properties", json::object());
+        for (const auto& [name, member] : value.items()) {
+            if (properties.contains(name)) {
+                const std::string wrong = fault(member, properties[name], at + "." + name);
+                if (!wrong.empty()) return wrong;
+            } else if (rule.value("additionalProperties", json(true)) == json(false)) {
+                return at + " has '" + name + "', which the schema does not know";
+            }
+        }
+        return {};
+    }
+
+    json root_;
+};
+
+TEST(ExplainSchema, HoldsOverTheGallery) {
+    std::ifstream file(GLINT_PROJECT_DIR "/docs/explain.schema.json");
+    const Schema schema(json::parse(file));
+    std::string all;
+    for (const std::string& path : test::scene_files(GLINT_PROJECT_DIR "/scenes")) {
+        const auto scene = test::load_file(path, "size=40x40");
+        ASSERT_TRUE(scene) << path;
+        const WorldPtr world = prepare(*scene).world;
+        for (int i = -1; i < 40; i += 3) {
+            const std::string text = explanation_json(explain(*scene, *world, i, (7 * i + 11) % 40), *scene);
+            EXPECT_EQ(schema.fault(json::parse(text)), "") << path << " pixel " << i;
+            all += text;
+        }
+    }
+    for (const char* word : {"\"error\"", "\"blocker\"", "\"limit\"", "\"transmitted\",\"sample\"",
+                             "\"turned_away\"", "\"behind\""})
+        EXPECT_NE(all.find(word), std::string::npos) << word << " was never asked about";
+    EXPECT_NE(schema.fault(json{{"pixel", {1, 2}}}), "");
+    EXPECT_NE(schema.fault(json{{"pixel", {1, 2}}, {"samples", 1}, {"more", 1}}), "");
+    EXPECT_NE(schema.fault(json{{"pixel", {1, 2.5}}, {"samples", 1}}), "");
+}
+
+}  // namespace
+}  // namespace glint
