@@ -1,6 +1,8 @@
 #pragma once
 // Pictures: linear float RGB, and their encodings.
 #include <cstdint>
+#include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -41,5 +43,23 @@ EncodeResult encode(const Image& image, const EncodeOptions& options = {});
 
 /// The byte that `encode` writes for a channel value with 8 bits.
 std::uint8_t to_byte(float value, Transfer transfer = Transfer::none);
+
+struct DecodeOptions {
+    /// A picture of more pixels is refused before memory is taken for it: a small file can claim any size.
+    std::int64_t max_pixels = std::int64_t{1} << 26;
+};
+
+struct DecodeResult {
+    std::optional<Image> image;  ///< absent if there was an error
+    int bits = 8;       ///< of a channel in the file: 1 to 16, or 32 for floats (OpenEXR, also of 16 bits)
+    std::string note;   ///< what the numbers leave out, "its transparency is left out"; empty if nothing
+    std::string error;  ///< "no picture: ...", "the PNG file is cut off"
+};
+
+/// The picture of a PNG, PPM or PGM (P2, P3, P5, P6), OpenEXR or JPEG file, told apart by its first bytes.
+/// Whole numbers v of a file become v / 255 (by 8 bits; or what the file's own maximum is), as they are: no
+/// gamma is decoded, and transparency is left out. So encode() makes the same bytes of what was read. Floats
+/// stay as they are; those not finite become 0. Never throws; the memory is bounded by max_pixels.
+DecodeResult decode(std::span<const std::uint8_t> bytes, const DecodeOptions& options = {});
 
 }  // namespace glint

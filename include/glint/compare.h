@@ -1,0 +1,107 @@
+#pragma once
+// Two pictures held against each other, and the classic causes of a difference.
+#include <atomic>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "glint/image.h"
+#include "glint/scene.h"
+
+namespace glint {
+
+// ---- Figures ----
+
+/// In 255ths: a pixel of the reference whose 3x3 neighbourhood has a channel that varies by more than this
+/// lies on an edge. (The reference alone says so: a faulty picture cannot excuse itself by its own edges.)
+inline constexpr double k_edge_step = 25;
+
+struct CompareOptions {
+    /// false: channels are the bytes that encode() writes. true: they are floats, not clamped; then equal
+    /// means the same number.
+    bool as_floats = false;
+    double within = 2;  ///< in 255ths, 0 to 255
+    int threads = 0;
+};
+
+/// Pixels by how far their worst channel is from the reference's.
+struct PixelCounts {
+    std::uint64_t pixels = 0, equal = 0;
+    std::uint64_t within_1 = 0;  ///< at most 1/255, equal ones included
+    std::uint64_t within = 0;    ///< at most CompareOptions::within 255ths
+};
+
+/// The difference of one channel of one pixel.
+struct LargestDifference {
+    double value = 0;            ///< in 255ths
+    std::int32_t x = 0, y = 0;   ///< from the top left
+    float a[3] = {}, b[3] = {};  ///< the pixel's colours
+};
+
+struct PictureDifference {
+    std::string error;  ///< "the pictures have different sizes: ..."; empty if none
+    PixelCounts all, edges, interiors;
+    double mean = 0, rms = 0;    ///< of all channels, in 255ths
+    std::optional<double> psnr;  ///< decibels against 1.0; absent for equal pictures
+    /// Structural similarity (Wang, Bovik, Sheikh and Simoncelli 2004) of the luminance 0.299 R + 0.587 G +
+    /// 0.114 B: windows of 11 x 11 with a Gaussian of sigma 1.5, K1 = 0.01, K2 = 0.03, those that lie wholly
+    /// within the picture. Absent if a side is shorter than 11 pixels.
+    std::optional<double> ssim;
+    LargestDifference largest;
+};
+
+/// Holds picture a against the reference b. Never throws.
+PictureDifference compare(const Image& a, const Image& b, const CompareOptions& options = {});
+
+/// |a - b| as a picture, every channel times `gain` (0: so that the largest becomes 1) and clamped to 1. An
+/// Image without pixels if the sizes differ or memory runs out. Never throws.
+Image difference_image(const Image& a, const Image& b, double gain = 0);
+
+// ---- Causes ----
+
+/// A cause is named if it explains at least this much of a difference.
+inline constexpr double k_least_explained = 0.3;
+
+/// One explanation of a difference.
+struct Cause {
+    std::string name;         ///< a word: "ambient-missing"
+    std::string explanation;  ///< what it is and what to do, in a sentence or two
+    double explained = 0;     ///< share of the mean difference that goes away with it, k_least_explained to 1
+    double remaining = 0;     ///< mean difference that stays, in 255ths
+    bool rendered = false;    ///< found by rendering the scene with the fault
+};
+
+struct CauseReport {
+    std::string error;          ///< different sizes, or no memory; empty if none
+    double difference = 0;      ///< the mean difference of the pictures, in 255ths
+    std::vector<Cause> causes;  ///< the best first; none if nothing explains enough
+    int tried = 0;              ///< causes that were tried
+    /// With a scene: the mean difference of its rendering from either picture, in 255ths.
+    std::optional<double> scene_from_a, scene_from_b;
+    /// The scene draws a and not b: the causes are those of b's difference from a.
+    bool swapped = false;
+};
+
+struct CauseOptions {
+    int threads = 0;
+    /// Called now and then with the fraction done (0 to 1). Must not throw.
+    std::function<void(double)> progress;
+    const std::atomic<bool>* cancel = nullptr;  ///< looked at between renderings
+};
+
+/// What best explains how the picture `a` differs from the reference `b`. Without a scene only what can be
+/// seen in the pictures is tried (flipped, shifted, channels, gamma, scale); with the scene that draws b,
+/// also the faults of lighting and tracing, by rendering the scene with each. docs/compare.md lists them and
+/// says how they are ranked. Never throws.
+CauseReport find_causes(const Image& a, const Image& b, const Scene* scene = nullptr,
+                        const CauseOptions& options = {});
+
+/// The same for many pictures of one reference, drawing each alternative once. In the order of `pictures`.
+std::vector<CauseReport> find_causes(std::span<const Image> pictures, const Image& b, const Scene* scene,
+                                     const CauseOptions& options = {});
+
+}  // namespace glint

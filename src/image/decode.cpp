@@ -1,0 +1,79 @@
+// Choosing the decoder by a file's first bytes.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string_view>
+#include <utility>
+
+#include "base/fp_environment.h"
+#include "base/guard.h"
+#include "image/decoders.h"
+
+namespace glint {
+namespace {
+
+bool begins_with(ByteSpan bytes, std::string_view magic) {
+    return bytes.size() >= magic.size() &&
+           std::equal(magic.begin(), magic.end(), bytes.begin(),
+                      [](char c, std::uint8_t byte) { return static_cast<std::uint8_t>(c) == byte; });
+}
+
+[[noreturn, maybe_unused]] void refuse(std::string_view format) {
+    throw Undecodable(fmt::format("this build reads no {}", format));
+}
+
+DecodeResult decode_any(ByteSpan bytes, const DecodeOptions& options) {
+    if (begins_with(bytes, "\x89PNG")) {
+#if defined(GLINT_WITH_PNG)
+        return decode_png(bytes, options);
+#else
+        refuse("PNG");
+#endif
+    }
+    if (begins_with(bytes, "\x76\x2f\x31\x01")) {
+#if defined(GLINT_WITH_EXR)
+        return decode_exr(bytes, options);
+#else
+        refuse("OpenEXR");
+#endif
+    }
+    if (begins_with(bytes, "\xff\xd8\xff")) {
+#if defined(GLINT_WITH_JPEG)
+        return decode_jpeg(bytes, options);
+#else
+        refuse("JPEG");
+#endif
+    }
+    for (const std::string_view magic : {"P2", "P3", "P5", "P6"}) {
+        if (begins_with(bytes, magic)) return decode_ppm(bytes, options);
+    }
+    throw Undecodable(bytes.empty() ? "an empty file" : "no PNG, PPM, PGM, OpenEXR or JPEG file");
+}
+
+}  // namespace
+
+void check_size(std::int64_t width, std::int64_t height, const DecodeOptions& options) {
+    if (width < 1 || height < 1 || width > k_max_size || height > k_max_size) {
+        throw Undecodable(fmt::format("a picture of {} x {} pixels; those read have 1 to {} a side", width,
+                                      height, k_max_size));
+    }
+    if (width * height > options.max_pixels) {
+        throw Undecodable(fmt::format("a picture of {} x {} pixels; those read have at most {} in all", width,
+                                      height, options.max_pixels));
+    }
+}
+
+DecodeResult decode(std::span<const std::uint8_t> bytes, const DecodeOptions& options) {
+    DecodeResult result;
+    std::string error = guard([&] {
+        const DefaultFpEnvironment environment;
+        result = decode_any(bytes, options);
+    });
+    if (!error.empty()) {
+        result = {};
+        result.error = std::move(error);
+    }
+    return result;
+}
+
+}  // namespace glint

@@ -1,0 +1,96 @@
+// JPEG by libjpeg(-turbo), grey or colour, 8 bits.
+#include <csetjmp>
+#include <cstdio>  // jpeglib.h needs it before
+#include <vector>
+
+#include "image/decoders.h"
+// (a line between, or the headers would be sorted into one block)
+#include <jpeglib.h>
+
+namespace glint {
+namespace {
+
+// Progressive files send the picture in passes; honest ones have about ten, hostile ones thousands.
+constexpr int k_most_scans = 100;
+
+struct ErrorManager {
+    jpeg_error_mgr manager;  // first: libjpeg knows only this part
+    std::jmp_buf jump;
+    char message[JMSG_LENGTH_MAX];
+    bool is_cut;
+};
+
+[[noreturn]] void fail(ErrorManager& errors) { std::longjmp(errors.jump, 1); }
+
+[[noreturn]] void on_error(j_common_ptr info) {
+    auto& errors = *reinterpret_cast<ErrorManager*>(info->err);
+    info->err->format_message(info, errors.message);
+    fail(errors);
+}
+
+// Warnings are about damaged data, which libjpeg replaces by grey.
+void on_message(j_common_ptr info, int level) {
+    if (level < 0) on_error(info);
+}
+
+void on_progress(j_common_ptr info) {
+    if (reinterpret_cast<j_decompress_ptr>(info)->input_scan_number <= k_most_scans) return;
+    auto& errors = *reinterpret_cast<ErrorManager*>(info->err);
+    std::snprintf(errors.message, sizeof errors.message, "more than %d passes", k_most_scans);
+    fail(errors);
+}
+
+struct Jpeg {
+    jpeg_decompress_struct info{};
+    ErrorManager errors{};
+    jpeg_progress_mgr progress{};
+    ~Jpeg() { jpeg_destroy_decompress(&info); }  // also of one that was never created: all zero
+};
+
+// Runs body(), between whose start and end libjpeg may jump: no destructor may be pending inside it.
+template <class Body> void guard_jumps(Jpeg& file, Body&& body) {
+    if (setjmp(file.errors.jump) != 0) throw Undecodable(std::string("JPEG: ") + file.errors.message);
+    body();
+}
+
+}  // namespace
+
+DecodeResult decode_jpeg(ByteSpan bytes, const DecodeOptions& options) {
+    Jpeg file;
+    file.info.err = jpeg_std_error(&file.errors.manager);
+    file.errors.manager.error_exit = on_error;
+    file.errors.manager.emit_message = on_message;
+    file.progress.progress_monitor = on_progress;
+    guard_jumps(file, [&] {
+        jpeg_create_decompress(&file.info);
+        file.info.progress = &file.progress;
+        jpeg_mem_src(&file.info, bytes.data(), static_cast<unsigned long>(bytes.size()));
+        jpeg_read_header(&file.info, TRUE);
+    });
+    check_size(file.info.image_width, file.info.image_height, options);
+    if (file.info.num_components != 1 && file.info.num_components != 3)
+        throw Undecodable("JPEG: neither grey nor RGB");
+
+    const std::size_t width = file.info.image_width, height = file.info.image_height;
+    Image image{static_cast<std::int32_t>(width), static_cast<std::int32_t>(height), {}};
+    std::vector<std::uint8_t> row(3 * width);
+    image.rgb.resize(3 * width * height);
+    guard_jumps(file, [&] {
+        file.info.out_color_space = JCS_RGB;
+        file.info.dct_method = JDCT_ISLOW;
+        jpeg_start_decompress(&file.info);
+        for (std::size_t y = 0; y < height; ++y) {
+            JSAMPROW rows[] = {row.data()};
+            jpeg_read_scanlines(&file.info, rows, 1);
+            for (std::size_t i = 0; i < row.size(); ++i)
+                image.rgb[3 * width * y + i] = static_cast<float>(row[i]) / 255.0f;
+        }
+        jpeg_finish_decompress(&file.info);
+    });
+    DecodeResult result;
+    result.note = "JPEG changes colours a little";
+    result.image = std::move(image);
+    return result;
+}
+
+}  // namespace glint

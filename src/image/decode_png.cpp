@@ -1,0 +1,128 @@
+// PNG by libpng: any colour type, 1 to 16 bits, interlaced or not.
+#include <png.h>
+
+#include <csetjmp>
+#include <cstring>
+#include <vector>
+
+#include "image/decoders.h"
+
+namespace glint {
+namespace {
+
+// A byte of deflate is at most this many bytes of picture (zlib's own figure): a file that claims more is cut
+// off.
+constexpr std::size_t k_most_inflated = 1032;
+
+// What outlives a longjmp, and what libpng's callbacks see.
+struct Reading {
+    ByteSpan bytes;
+    std::size_t at = 0;
+    std::string error;
+    bool has_holes = false;  // a pixel that is not opaque
+};
+
+void read_bytes(png_structp png, png_bytep out, std::size_t count) {
+    auto& reading = *static_cast<Reading*>(png_get_io_ptr(png));
+    if (count > reading.bytes.size() - reading.at) png_error(png, "the file is cut off");
+    std::memcpy(out, reading.bytes.data() + reading.at, count);
+    reading.at += count;
+}
+
+[[noreturn]] void on_error(png_structp png, png_const_charp message) {
+    auto& reading = *static_cast<Reading*>(png_get_error_ptr(png));
+    try {
+        reading.error = message;
+    } catch (...) {  // no exception through C: an empty message is answered below
+    }
+    png_longjmp(png, 1);
+}
+
+void on_warning(png_structp, png_const_charp) {}
+
+struct Png {
+    png_structp png = nullptr;
+    png_infop info = nullptr;
+    ~Png() { png_destroy_read_struct(&png, &info, nullptr); }
+};
+
+// Runs body(), between whose start and end libpng may jump: no destructor may be pending inside it.
+template <class Body> void guard_jumps(Png& file, Reading& reading, Body&& body) {
+    if (setjmp(png_jmpbuf(file.png)) != 0) {
+        throw Undecodable("PNG: " + (reading.error.empty() ? std::string("unreadable") : reading.error));
+    }
+    body();
+}
+
+// Channels of 8 or 16 bits: RGBA, whatever the file has.
+void ask_for_rgba(const Png& file, int bits) {
+    png_set_expand(file.png);  // palettes, greys of few bits, a transparent colour
+    png_set_gray_to_rgb(file.png);
+    png_set_add_alpha(file.png, bits == 16 ? 0xffff : 0xff, PNG_FILLER_AFTER);
+}
+
+// One row of RGBA to RGB floats; true if a pixel is not opaque.
+bool take_row(const std::uint8_t* row, std::int32_t width, int bits, float* rgb) {
+    bool has_holes = false;
+    const auto channel = [&](std::int32_t i) -> std::uint32_t {
+        return bits == 16 ? std::uint32_t{row[2 * i]} << 8 | row[2 * i + 1] : row[i];
+    };
+    const std::uint32_t most = bits == 16 ? 65535 : 255;
+    for (std::int32_t x = 0; x < width; ++x) {
+        for (int c = 0; c < 3; ++c)
+            rgb[3 * x + c] = static_cast<float>(channel(4 * x + c)) / static_cast<float>(most);
+        has_holes = has_holes || channel(4 * x + 3) != most;
+    }
+    return has_holes;
+}
+
+}  // namespace
+
+DecodeResult decode_png(ByteSpan bytes, const DecodeOptions& options) {
+    Reading reading{bytes, 0, {}, false};
+    Png file;
+    file.png = png_create_read_struct(PNG_LIBPNG_VER_STRING, &reading, on_error, on_warning);
+    if (file.png == nullptr) throw std::bad_alloc();
+    file.info = png_create_info_struct(file.png);
+    if (file.info == nullptr) throw std::bad_alloc();
+    png_set_read_fn(file.png, &reading, read_bytes);
+    png_set_user_limits(file.png, k_max_size, k_max_size);
+    png_set_chunk_malloc_max(file.png, 1 << 23);  // texts and profiles, which are not looked at
+    png_set_crc_action(file.png, PNG_CRC_ERROR_QUIT, PNG_CRC_WARN_DISCARD);
+    guard_jumps(file, reading, [&] { png_read_info(file.png, file.info); });
+
+    const std::size_t width = png_get_image_width(file.png, file.info),
+                      height = png_get_image_height(file.png, file.info);
+    check_size(static_cast<std::int64_t>(width), static_cast<std::int64_t>(height), options);
+    const std::size_t packed_row = png_get_rowbytes(file.png, file.info);
+    if (packed_row * height / k_most_inflated > bytes.size()) throw Undecodable("PNG: the file is cut off");
+    const int file_bits = png_get_bit_depth(file.png, file.info), bits = file_bits == 16 ? 16 : 8;
+
+    Image image{static_cast<std::int32_t>(width), static_cast<std::int32_t>(height), {}};
+    image.rgb.resize(3 * width * height);
+    const std::size_t row_bytes = 4 * width * (bits / 8);
+    const bool interlaced = png_get_interlace_type(file.png, file.info) != PNG_INTERLACE_NONE;
+    std::vector<std::uint8_t> rows(interlaced ? row_bytes * height : row_bytes);
+    std::vector<png_bytep> pointers;
+    for (std::size_t y = 0; interlaced && y < height; ++y) pointers.push_back(&rows[y * row_bytes]);
+    guard_jumps(file, reading, [&] {
+        ask_for_rgba(file, bits);
+        if (interlaced) png_set_interlace_handling(file.png);
+        png_read_update_info(file.png, file.info);
+        if (interlaced) png_read_image(file.png, pointers.data());
+        for (std::size_t y = 0; y < height; ++y) {
+            if (!interlaced) png_read_row(file.png, rows.data(), nullptr);
+            const std::uint8_t* row = interlaced ? pointers[y] : rows.data();
+            reading.has_holes |= take_row(row, image.width, bits, &image.rgb[3 * width * y]);
+        }
+        png_read_end(file.png, nullptr);
+    });
+
+    DecodeResult result;
+    result.bits = file_bits;
+    result.image = std::move(image);
+    if (reading.has_holes) result.note = "its transparency is left out";
+    return result;
+}
+
+}  // namespace glint

@@ -1,0 +1,97 @@
+// PPM and PGM, as text (P2, P3) and raw (P5, P6): https://netpbm.sourceforge.net/doc/ppm.html
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "image/decoders.h"
+
+namespace glint {
+namespace {
+
+constexpr std::uint32_t k_largest = 65535;  // that a sample may be
+
+bool is_space(std::uint8_t c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
+
+class Reader {
+  public:
+    Reader(ByteSpan bytes, std::size_t at) : bytes_(bytes), at_(at) {}
+
+    std::size_t left() const { return bytes_.size() - at_; }
+    std::uint8_t byte() { return bytes_[at_++]; }
+
+    // A whole number after spaces and comments.
+    std::uint32_t number(const char* what, std::uint32_t most) {
+        while (left() > 0 && (is_space(bytes_[at_]) || bytes_[at_] == '#')) {
+            if (bytes_[at_] != '#') {
+                ++at_;
+            } else {
+                while (left() > 0 && bytes_[at_] != '\n' && bytes_[at_] != '\r') ++at_;
+            }
+        }
+        if (left() == 0) throw Undecodable(fmt::format("the PPM file ends before {}", what));
+        std::uint32_t value = 0;
+        const std::size_t start = at_;
+        for (; left() > 0 && bytes_[at_] >= '0' && bytes_[at_] <= '9'; ++at_) {
+            value = value * 10 + (bytes_[at_] - std::uint32_t{'0'});
+            if (value > most)
+                throw Undecodable(fmt::format("in the PPM file, {} is more than {}", what, most));
+        }
+        if (at_ == start)
+            throw Undecodable(fmt::format("in the PPM file, byte {} is no number: expected {}", at_, what));
+        return value;
+    }
+
+    // The one space that ends a raw file's header.
+    void end_header() {
+        if (left() == 0 || !is_space(byte()))
+            throw Undecodable("in the PPM file, no space follows the maximum");
+    }
+
+  private:
+    ByteSpan bytes_;
+    std::size_t at_;
+};
+
+}  // namespace
+
+DecodeResult decode_ppm(ByteSpan bytes, const DecodeOptions& options) {
+    const bool is_grey = bytes[1] == '2' || bytes[1] == '5', is_raw = bytes[1] >= '5';
+    Reader in(bytes, 2);
+    // One more than what is allowed, so that check_size() has the word.
+    const std::uint32_t width = in.number("the width", 99999999);
+    const std::uint32_t height = in.number("the height", 99999999);
+    check_size(width, height, options);
+    const std::uint32_t most = in.number("the maximum", k_largest);
+    if (most == 0) throw Undecodable("in the PPM file, the maximum is 0");
+    if (is_raw) in.end_header();
+    const std::size_t pixels = std::size_t{width} * height, samples = pixels * (is_grey ? 1 : 3);
+    const std::size_t bytes_each = most < 256 ? 1 : 2;
+    // As text a sample has at least two bytes, the last one.
+    if (in.left() < (is_raw ? samples * bytes_each : 2 * samples - 1))
+        throw Undecodable("the PPM file is cut off");
+
+    DecodeResult result;
+    result.bits = most < 256 ? 8 : 16;
+    Image image{static_cast<std::int32_t>(width), static_cast<std::int32_t>(height), {}};
+    image.rgb.resize(3 * pixels);
+    const auto sample = [&] {
+        std::uint32_t value = 0;
+        if (!is_raw) {
+            value = in.number("a sample", most);
+        } else {
+            value = in.byte();
+            if (bytes_each == 2) value = value << 8 | in.byte();
+        }
+        return static_cast<float>(std::min(value, most)) / static_cast<float>(most);
+    };
+    for (std::size_t i = 0; i < pixels; ++i) {
+        float* rgb = &image.rgb[3 * i];
+        rgb[0] = sample();
+        rgb[1] = is_grey ? rgb[0] : sample();
+        rgb[2] = is_grey ? rgb[0] : sample();
+    }
+    result.image = std::move(image);
+    return result;
+}
+
+}  // namespace glint

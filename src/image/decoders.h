@@ -1,0 +1,30 @@
+#pragma once
+// One function a file format, for bytes that begin as that format does. They throw what their libraries
+// throw, bad_alloc, and Undecodable; decode() guards them.
+#include <cstdint>
+#include <span>
+#include <stdexcept>
+#include <string>
+
+#include "glint/conventions.h"
+#include "glint/image.h"
+
+namespace glint {
+
+using ByteSpan = std::span<const std::uint8_t>;
+
+/// What is wrong with a file, as decode() answers it.
+class Undecodable : public std::runtime_error {
+  public:
+    using std::runtime_error::runtime_error;
+};
+
+/// Throws Undecodable if a picture of this size is not to be read.
+void check_size(std::int64_t width, std::int64_t height, const DecodeOptions& options);
+
+DecodeResult decode_png(ByteSpan bytes, const DecodeOptions& options);
+DecodeResult decode_ppm(ByteSpan bytes, const DecodeOptions& options);
+DecodeResult decode_exr(ByteSpan bytes, const DecodeOptions& options);
+DecodeResult decode_jpeg(ByteSpan bytes, const DecodeOptions& options);
+
+}  // namespace glint
