@@ -17,6 +17,7 @@ Run add_render(CLI::App& app);
 Run add_info(CLI::App& app);
 Run add_convert(CLI::App& app);
 Run add_explain(CLI::App& app);
+Run add_compare(CLI::App& app);
 Run add_completion(CLI::App& app);
 
 }  // namespace glint::cli

@@ -31,7 +31,7 @@ class Descriptor {
 std::string reason(int error) { return error == ENOENT ? "no such file" : std::strerror(error); }
 
 // Reads to the end; returns what is wrong, or an empty string.
-std::string read_all(int descriptor, std::string& text) {
+std::string read_all(int descriptor, bool binary, std::string& text) {
     constexpr std::size_t step = 1 << 16;
     for (;;) {
         const std::size_t size = text.size();
@@ -42,13 +42,13 @@ std::string read_all(int descriptor, std::string& text) {
         if (count < 0 && errno == EINTR) continue;
         if (count < 0) return reason(errno);
         // What is not text the readers name, by its place: no need for more of it.
-        if (count == 0 || text.find('\0', size) != std::string::npos) return {};
+        if (count == 0 || (!binary && text.find('\0', size) != std::string::npos)) return {};
     }
 }
 
 }  // namespace
 
-std::optional<InputFile> InputFile::open(const std::string& path, std::string& why) {
+std::optional<InputFile> InputFile::open(const std::string& path, std::string& why, bool binary) {
     const Descriptor file(path == "-" ? STDIN_FILENO : ::open(path.c_str(), O_RDONLY | O_CLOEXEC));
     struct stat about {};
     if (file.number() < 0 || ::fstat(file.number(), &about) != 0) {
@@ -69,7 +69,7 @@ std::optional<InputFile> InputFile::open(const std::string& path, std::string& w
             return input;
         }
     }
-    why = read_all(file.number(), input.read_);
+    why = read_all(file.number(), binary, input.read_);
     if (!why.empty()) return std::nullopt;
     return input;
 }

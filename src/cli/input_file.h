@@ -13,8 +13,8 @@ namespace glint::cli {
 class InputFile {
   public:
     /// Opens and reads `path` ("-": standard input). `why` says what is wrong ("no such file") if nothing is
-    /// returned.
-    static std::optional<InputFile> open(const std::string& path, std::string& why);
+    /// returned. `binary`: NUL bytes are expected (else reading a pipe stops at the first).
+    static std::optional<InputFile> open(const std::string& path, std::string& why, bool binary = false);
 
     InputFile(InputFile&& other) noexcept;
     InputFile& operator=(InputFile&& other) noexcept;

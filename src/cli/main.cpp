@@ -21,11 +21,12 @@ namespace {
 constexpr auto k_short_help =
     R"(glint draws classically lit scenes: Phong and Blinn-Phong, hard shadows, mirrors, glass.
 
-  glint render SCENE...     draw a scene to a picture
-  glint info SCENE          say what a scene holds
-  glint convert SCENE OUT   write it in glint's own language
-  glint explain SCENE -p X,Y   say why a pixel has its colour
-  glint --help              all commands
+  glint render SCENE...       draw a scene to a picture
+  glint info SCENE            say what a scene holds
+  glint convert SCENE OUT     write it in glint's own language
+  glint explain SCENE -p X,Y  say why a pixel has its colour
+  glint compare A.png B.png   hold a picture against a reference: where and why they differ
+  glint --help                all commands
 
 Example: glint render castle.json -o castle.png
 )";
@@ -37,7 +38,7 @@ int say_usage(const std::string& command, const std::string& message) {
 }
 
 // `glint scene.cgfs`: a file where a command belongs.
-std::string command_fault(const std::vector<std::string>& arguments) {
+std::string command_fault(const CLI::App& app, const std::vector<std::string>& arguments) {
     const std::string& word = arguments.front();
     const std::string ending = extension(word);
     bool is_scene = word == "-" || ::access(word.c_str(), F_OK) == 0;
@@ -49,8 +50,11 @@ std::string command_fault(const std::vector<std::string>& arguments) {
     if (is_scene)
         return fmt::format("'{}' is no command; did you mean 'glint render {}'?", word,
                            fmt::join(arguments, " "));
-    return fmt::format("there is no command '{}'; there are render, info, convert, explain and completion",
-                       word);
+    std::vector<std::string> names;
+    for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
+        names.push_back(command->get_name());
+    const std::vector<std::string_view> views(names.begin(), names.end());
+    return fmt::format("there is no command '{}'; there are {}", word, joined(views));
 }
 
 int run(const std::vector<std::string>& arguments) {
@@ -65,11 +69,16 @@ int run(const std::vector<std::string>& arguments) {
         std::string name;
         Run run;
     };
+    // clang-format off
     const Command commands[] = {
-        {"render", add_render(app)},         {"info", add_info(app)},
-        {"convert", add_convert(app)},       {"explain", add_explain(app)},
+        {"render", add_render(app)},
+        {"info", add_info(app)},
+        {"convert", add_convert(app)},
+        {"explain", add_explain(app)},
+        {"compare", add_compare(app)},
         {"completion", add_completion(app)},
     };
+    // clang-format on
 
     if (arguments.empty()) {
         fmt::print("{}", k_short_help);
@@ -83,7 +92,7 @@ int run(const std::vector<std::string>& arguments) {
         return k_usage;
     }
     if (command == std::end(commands) && (word == "-" || !word.starts_with('-'))) {
-        return say_usage("", command_fault(arguments));
+        return say_usage("", command_fault(app, arguments));
     }
     const std::string name = command == std::end(commands) ? "" : command->name;
     try {

@@ -71,18 +71,22 @@ CLI::Validator one_of(std::vector<std::string> words) {
 }
 
 void add_scene_arguments(CLI::App& command, SceneArguments& arguments) {
-    std::vector<std::string> format_names;
-    for (const FormatInfo& format : formats()) format_names.emplace_back(format.name);
-    const auto profiles = profile_names();
     command
         .add_option("SCENE", arguments.files,
                     "Scene files, read together as one scene; - is standard input (then --format is needed)")
         ->required();
+    command.add_option("--scene", arguments.scene_name, "Which scene of a file that holds several")
+        ->option_text("NAME");
+    add_convention_arguments(command, arguments);
+}
+
+void add_convention_arguments(CLI::App& command, SceneArguments& arguments) {
+    std::vector<std::string> format_names;
+    for (const FormatInfo& format : formats()) format_names.emplace_back(format.name);
+    const auto profiles = profile_names();
     command.add_option("--format", arguments.format, "The scene's format, whatever its file is called")
         ->check(one_of(format_names))
         ->option_text(fmt::format("{}", fmt::join(format_names, "|")));
-    command.add_option("--scene", arguments.scene_name, "Which scene of a file that holds several")
-        ->option_text("NAME");
     command
         .add_option(
             "--profile", arguments.profile,

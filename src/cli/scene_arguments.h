@@ -21,6 +21,9 @@ struct SceneArguments {
 /// Adds SCENE..., --format, --scene, --profile and --convention.
 void add_scene_arguments(CLI::App& command, SceneArguments& arguments);
 
+/// --format, --profile and --convention alone, for commands whose scene is an option.
+void add_convention_arguments(CLI::App& command, SceneArguments& arguments);
+
 struct LoadedScene {
     Scene scene;
     std::vector<Diagnostic> warnings;

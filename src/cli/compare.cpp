@@ -1,0 +1,159 @@
+// glint compare: a picture held against a reference, and why they differ.
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "cli/commands.h"
+#include "cli/compare_report.h"
+#include "cli/failure.h"
+#include "cli/output_file.h"
+#include "cli/picture_file.h"
+#include "cli/progress.h"
+#include "cli/scene_option.h"
+#include "cli/text.h"
+#include "cli/vary.h"
+
+namespace glint::cli {
+namespace {
+
+constexpr auto k_examples = R"(Examples:
+  glint compare mine.png reference.png                        figures, and the likeliest cause
+  glint compare mine.png castle.png --scene castle.json       tries many more causes, by rendering
+  glint compare mine.png castle.png --within 2 --fail-percent 1    exit code 0 if 99% are within 2/255
+  glint compare mine.png castle.png --diff difference.png
+  glint compare castle.json --vary reflections=0..6           from which on nothing changes)";
+
+struct CompareArguments {
+    std::vector<std::string> files;
+    SceneOption scene;
+    std::optional<double> within, fail_percent, hard_fail;
+    std::string diff, vary;
+    bool json = false, quiet = false;
+    int threads = 0;
+};
+
+// Without limits only identical pictures pass. --within and --fail-percent go together; --hard-fail may stand
+// alone.
+bool passes(const CompareArguments& arguments, const PictureDifference& d) {
+    if (arguments.hard_fail && d.largest.value > *arguments.hard_fail) return false;
+    if (!arguments.within && !arguments.fail_percent)
+        return arguments.hard_fail || d.all.equal == d.all.pixels;
+    const std::uint64_t good = arguments.within ? d.all.within : d.all.equal;
+    const double failing = 100 * static_cast<double>(d.all.pixels - good) / static_cast<double>(d.all.pixels);
+    return failing <= arguments.fail_percent.value_or(0);
+}
+
+void write_difference(const OutputFile& file, const CompareArguments& arguments, const Image& a,
+                      const Image& b, double largest) {
+    EncodeOptions options;
+    options.threads = arguments.threads;
+    const EncodeResult encoded = encode(difference_image(a, b), options);
+    if (!encoded.error.empty()) throw Failure(k_bad_input, encoded.error);
+    file.write(encoded.bytes);
+    if (arguments.quiet) return;
+    fmt::print(stderr, "{}  |A - B|{}\n", arguments.diff,
+               largest > 0 ? fmt::format(" times {:.4g}", 255 / largest) : ", all black");
+}
+
+std::string note_text(const std::string& file, const DecodeResult& picture) {
+    return picture.note.empty() ? "" : fmt::format("{}: {}\n", file, picture.note);
+}
+
+int compare_command(CompareArguments& arguments) {
+    if (!arguments.vary.empty()) {
+        if (!arguments.scene.scene.files.empty() || !arguments.diff.empty())
+            throw Failure(k_usage,
+                          "--vary takes a scene in place of two pictures, without --scene and --diff");
+        arguments.scene.scene.files = arguments.files;
+        take_settings(arguments.scene);
+        return vary_command(arguments.scene.scene, parse_variation(arguments.vary), arguments.threads,
+                            arguments.json, arguments.quiet);
+    }
+    if (arguments.files.size() != 2)
+        throw Failure(k_usage, fmt::format("expected two pictures, found {}; or SCENE --vary KEY=VALUES",
+                                           arguments.files.size()));
+    std::optional<OutputFile> diff;
+    if (!arguments.diff.empty()) {
+        diff.emplace(arguments.diff);
+        if (!diff->is_stream() && extension(arguments.diff) != ".png")
+            throw Failure(k_usage,
+                          fmt::format("--diff '{}': expected a name that ends in .png", arguments.diff));
+        if (diff->is_standard_output() && !arguments.quiet)
+            throw Failure(k_usage, "--diff - needs --quiet: the report goes to standard output, too");
+    }
+    const std::optional<LoadedScene> scene = load_scene_option(arguments.scene, arguments.quiet);
+    const DecodeResult a = read_picture(arguments.files[0]), b = read_picture(arguments.files[1]);
+    if (!arguments.quiet)
+        fmt::print(stderr, "{}{}", note_text(arguments.files[0], a), note_text(arguments.files[1], b));
+
+    CompareReport report;
+    report.a = arguments.files[0];
+    report.b = arguments.files[1];
+    report.width = b.image->width;
+    report.height = b.image->height;
+    CompareOptions options;
+    options.threads = arguments.threads;
+    options.within = arguments.within.value_or(options.within);
+    options.as_floats = report.as_floats = a.bits > 8 && a.bits == b.bits;
+    report.within = options.within;
+    report.difference = compare(*a.image, *b.image, options);
+    if (!report.difference.error.empty()) throw Failure(k_bad_input, report.difference.error);
+    report.passes = passes(arguments, report.difference);
+    if (diff) write_difference(*diff, arguments, *a.image, *b.image, report.difference.largest.value);
+    if (arguments.quiet) return report.passes ? k_done : k_bad_input;
+
+    if (report.difference.all.equal != report.difference.all.pixels) {
+        ProgressBar bar(true);
+        CauseOptions cause_options;
+        cause_options.threads = arguments.threads;
+        cause_options.progress = [&](double fraction) { bar.update(fraction); };
+        report.with_scene = scene.has_value();
+        report.causes = find_causes(*a.image, *b.image, scene ? &scene->scene : nullptr, cause_options);
+    }
+    fmt::print("{}", arguments.json ? json_report(report) : text_report(report));
+    return report.passes ? k_done : k_bad_input;
+}
+
+}  // namespace
+
+Run add_compare(CLI::App& app) {
+    CLI::App& command =
+        *app.add_subcommand("compare", "Hold a picture against a reference and say why they differ");
+    const auto arguments = std::make_shared<CompareArguments>();
+    CompareArguments& a = *arguments;
+    command
+        .add_option(
+            "FILE", a.files,
+            "A and B: the picture and the reference, PNG, PPM, OpenEXR or JPEG; with --vary, scene files")
+        ->required();
+    command
+        .add_option("--within", a.within,
+                    "A pixel may differ by N 255ths (default: 2 for the report; no limit)")
+        ->check(CLI::Range(0.0, 1e6))
+        ->option_text("N");
+    command.add_option("--fail-percent", a.fail_percent, "P percent of the pixels may differ by more")
+        ->check(CLI::Range(0.0, 100.0))
+        ->option_text("P");
+    command.add_option("--hard-fail", a.hard_fail, "No pixel at all may differ by more than N 255ths")
+        ->check(CLI::Range(0.0, 1e6))
+        ->option_text("N");
+    command
+        .add_option("--diff", a.diff,
+                    "Write |A - B| as a PNG, amplified so that the largest difference is white")
+        ->option_text("OUT.png");
+    command
+        .add_option("--vary", a.vary,
+                    "Draw a scene with each value of a setting: which steps change the picture")
+        ->option_text("KEY=VALUES");
+    add_scene_option(command, a.scene,
+                     "The scene that draws B: causes are tried by rendering it with each; may be repeated");
+    command.add_option("-t,--threads", a.threads, "Threads; 0 (default): one a processor")
+        ->check(CLI::Range(0, 1024))
+        ->option_text("N");
+    command.add_flag("--json", a.json, "Print JSON");
+    command.add_flag("-q,--quiet", a.quiet, "Say nothing but errors: the exit code is the answer");
+    command.footer(k_examples);
+    return [arguments] { return compare_command(*arguments); };
+}
+
+}  // namespace glint::cli

@@ -1,0 +1,155 @@
+#include "cli/compare_report.h"
+
+#include <fmt/format.h>
+
+#include <iterator>
+#include <nlohmann/json.hpp>
+
+#include "cli/text.h"
+
+namespace glint::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::size_t k_most_other_causes = 3;
+
+std::string color_text(const float (&c)[3], bool as_floats) {
+    if (as_floats) return fmt::format("({:.5g}, {:.5g}, {:.5g})", c[0], c[1], c[2]);
+    return fmt::format("({}, {}, {})", to_byte(c[0]), to_byte(c[1]), to_byte(c[2]));
+}
+
+void add_counts(std::string& text, const char* name, const PixelCounts& counts) {
+    fmt::format_to(std::back_inserter(text), "{:<10}{:>13} {:>10} {:>13} {:>13}\n", name,
+                   with_commas(counts.pixels), percent_text(counts.equal, counts.pixels),
+                   percent_text(counts.within_1, counts.pixels), percent_text(counts.within, counts.pixels));
+}
+
+void add_causes(std::string& text, const CompareReport& report) {
+    const CauseReport& causes = *report.causes;
+    auto out = std::back_inserter(text);
+    if (!causes.error.empty()) {
+        fmt::format_to(out, "causes     {}\n", causes.error);
+        return;
+    }
+    if (causes.swapped) {
+        fmt::format_to(out,
+                       "The scene draws {}, and not {}: what follows explains the latter (A is yours, B the "
+                       "reference).\n",
+                       report.a, report.b);
+    } else if (causes.scene_from_b && *causes.scene_from_b > 0) {
+        fmt::format_to(out, "scene      its own picture is {:.3g} of 255 from {}, in the mean{}\n",
+                       *causes.scene_from_b, report.b,
+                       *causes.scene_from_b > causes.difference / 2
+                           ? ": it does not draw that picture, so do not trust the causes"
+                           : "");
+    }
+    if (causes.causes.empty()) {
+        fmt::format_to(out, "No classic cause explains {} of the difference; {} were tried{}.\n",
+                       share_text(k_least_explained), causes.tried,
+                       report.with_scene ? "" : ", and --scene SCENE tries more");
+        return;
+    }
+    const Cause& best = causes.causes.front();
+    fmt::format_to(out, "{}\n  ({}: explains {} of the difference)\n", best.explanation, best.name,
+                   share_text(best.explained));
+    for (std::size_t i = 1; i < causes.causes.size() && i <= k_most_other_causes; ++i) {
+        fmt::format_to(out, "{} {} ({})", i == 1 ? "  less likely:" : ",", causes.causes[i].name,
+                       share_text(causes.causes[i].explained));
+    }
+    if (causes.causes.size() > 1) text += "\n";
+    if (!report.with_scene && best.explained < 0.95) text += "  --scene SCENE tries more causes.\n";
+}
+
+Json counts_json(const PixelCounts& counts) {
+    return {{"pixels", counts.pixels},
+            {"equal", counts.equal},
+            {"within_1", counts.within_1},
+            {"within", counts.within}};
+}
+
+template <class T> Json or_null(const std::optional<T>& value) {
+    return value ? Json(*value) : Json(nullptr);
+}
+
+Json causes_json(const CauseReport& report) {
+    Json json = {{"tried", report.tried}, {"swapped", report.swapped}};
+    json["scene_from_a"] = or_null(report.scene_from_a);
+    json["scene_from_b"] = or_null(report.scene_from_b);
+    if (!report.error.empty()) json["error"] = report.error;
+    json["causes"] = Json::array();
+    for (const Cause& cause : report.causes) {
+        json["causes"].push_back({{"name", cause.name},
+                                  {"explanation", cause.explanation},
+                                  {"explained", cause.explained},
+                                  {"remaining", cause.remaining},
+                                  {"rendered", cause.rendered}});
+    }
+    return json;
+}
+
+}  // namespace
+
+std::string percent_text(std::uint64_t part, std::uint64_t whole) {
+    if (whole == 0) return "-";
+    if (part == whole) return "100%";
+    if (part == 0) return "0%";
+    const double percent = 100 * static_cast<double>(part) / static_cast<double>(whole);
+    if (percent < 0.01) return "<0.01%";
+    return percent > 99.99 ? ">99.99%" : fmt::format("{:.2f}%", percent);
+}
+
+std::string share_text(double share) {
+    const std::string text = fmt::format("{:.3g}%", 100 * share);
+    return share < 1 && text == "100%" ? ">99.9%" : text;
+}
+
+std::string text_report(const CompareReport& report) {
+    const PictureDifference& d = report.difference;
+    std::string text;
+    auto out = std::back_inserter(text);
+    fmt::format_to(out, "{} against {}, {}x{} pixels{}\n", report.a, report.b, report.width, report.height,
+                   report.as_floats ? ", as floats" : "");
+    if (d.all.equal == d.all.pixels) return text + "identical\n";
+    fmt::format_to(out, "{:<10}{:>13} {:>10} {:>13} {:>13}\n", "", "pixels", "equal", "within 1/255",
+                   fmt::format("within {:.4g}/255", report.within));
+    add_counts(text, "all", d.all);
+    add_counts(text, "edges", d.edges);
+    add_counts(text, "interiors", d.interiors);
+    fmt::format_to(out, "of 255     mean {:.4g}, root mean square {:.4g}", d.mean, d.rms);
+    if (d.psnr) fmt::format_to(out, "; PSNR {:.2f} dB", *d.psnr);
+    if (d.ssim) fmt::format_to(out, ", SSIM {:.4f}", *d.ssim);
+    fmt::format_to(out, "\nlargest    {:.4g} at x {}, y {}: {}, and in the reference {}\n", d.largest.value,
+                   d.largest.x, d.largest.y, color_text(d.largest.a, report.as_floats),
+                   color_text(d.largest.b, report.as_floats));
+    if (report.causes) add_causes(text, report);
+    return text;
+}
+
+std::string json_report(const CompareReport& report) {
+    const PictureDifference& d = report.difference;
+    Json json = {{"a", report.a},
+                 {"b", report.b},
+                 {"width", report.width},
+                 {"height", report.height},
+                 {"as_floats", report.as_floats},
+                 {"passes", report.passes},
+                 {"identical", d.all.equal == d.all.pixels},
+                 {"within", report.within}};
+    json["all"] = counts_json(d.all);
+    json["edges"] = counts_json(d.edges);
+    json["interiors"] = counts_json(d.interiors);
+    json["mean"] = d.mean;
+    json["rms"] = d.rms;
+    json["psnr"] = or_null(d.psnr);
+    json["ssim"] = or_null(d.ssim);
+    json["largest"] = {{"value", d.largest.value},
+                       {"x", d.largest.x},
+                       {"y", d.largest.y},
+                       {"a", d.largest.a},
+                       {"b", d.largest.b}};
+    json["diagnosis"] = report.causes ? causes_json(*report.causes) : Json(nullptr);
+    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace glint::cli

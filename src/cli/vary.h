@@ -1,0 +1,23 @@
+#pragma once
+// `glint compare SCENE --vary KEY=VALUES`: which values of a setting change the picture.
+#include <string>
+#include <vector>
+
+#include "cli/scene_arguments.h"
+
+namespace glint::cli {
+
+struct Variation {
+    std::size_t key = 0;
+    std::vector<std::string> values;
+};
+
+/// "reflections=0..5" or "epsilon=0,1e-6,1e-3". Throws Failure: of usage.
+Variation parse_variation(const std::string& text);
+
+/// Draws the scene with each value and prints how many pixels each step changes; returns the exit code.
+/// Throws Failure.
+int vary_command(const SceneArguments& arguments, const Variation& variation, int threads, bool json,
+                 bool quiet);
+
+}  // namespace glint::cli
