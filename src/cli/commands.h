@@ -18,6 +18,7 @@ Run add_info(CLI::App& app);
 Run add_convert(CLI::App& app);
 Run add_explain(CLI::App& app);
 Run add_compare(CLI::App& app);
+Run add_versus(CLI::App& app);
 Run add_completion(CLI::App& app);
 
 }  // namespace glint::cli

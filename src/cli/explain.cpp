@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "cli/commands.h"
+#include "cli/draw.h"
 #include "cli/explain_text.h"
 #include "cli/failure.h"
 #include "cli/output_file.h"
@@ -86,20 +87,6 @@ std::uint32_t find_light(const std::string& text, const Scene& scene) {
                                        count == 1 ? "is" : "are", counted(count, "light"), known));
 }
 
-void write_overlay(const ExplainArguments& arguments, const OutputFile& output, const Scene& scene,
-                   const World& world, const Explanation& explanation) {
-    check_memory(scene.settings.width, scene.settings.height);
-    RenderOptions options;
-    options.isa = arguments.isa;
-    RenderResult picture = render(world, options);
-    if (!picture.image) throw Failure(k_bad_input, picture.error);
-    draw_overlay(*picture.image, explanation, scene, world);
-    const EncodeResult encoded = encode(*picture.image);
-    if (!encoded.error.empty())
-        throw Failure(k_bad_input, fmt::format("cannot encode the picture: {}", encoded.error));
-    output.write(encoded.bytes);
-}
-
 int explain_command(ExplainArguments& arguments) {
     std::optional<OutputFile> overlay;
     if (!arguments.overlay.empty()) {
@@ -137,7 +124,12 @@ int explain_command(ExplainArguments& arguments) {
     } else {
         fmt::print("{}", explanation_text(explanation, scene, style));
     }
-    if (overlay) write_overlay(arguments, *overlay, scene, *prepared.world, explanation);
+    if (overlay) {
+        check_memory(scene.settings.width, scene.settings.height);
+        Image picture = draw(*prepared.world, 0, arguments.isa);
+        draw_overlay(picture, explanation, scene, *prepared.world);
+        write_png(picture, *overlay);
+    }
     return k_done;
 }
 

@@ -109,9 +109,9 @@ class Tree {
                                 r.parent < 0 ? "" : ", weight " + color(r.weight)));
         if (!r.hit) {
             const bool black = r.background.r == 0 && r.background.g == 0 && r.background.b == 0;
-            line(depth + 1, black ? "hits nothing: black"
-                                  : fmt::format("hits nothing: the background, {}{}", color(r.background),
-                                                swatch(style_, r.background)));
+            line(depth + 1, black ? "hits nothing: adds nothing"
+                                  : fmt::format("hits nothing, sees the background: adds {}{}",
+                                                color(r.background), swatch(style_, r.background)));
             return;
         }
         tell_hit(r, depth + 1);

@@ -76,6 +76,7 @@ int run(const std::vector<std::string>& arguments) {
         {"convert", add_convert(app)},
         {"explain", add_explain(app)},
         {"compare", add_compare(app)},
+        {"versus", add_versus(app)},
         {"completion", add_completion(app)},
     };
     // clang-format on

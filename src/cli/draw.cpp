@@ -1,0 +1,34 @@
+#include "cli/draw.h"
+
+#include <fmt/format.h>
+
+#include "cli/failure.h"
+#include "cli/output_file.h"
+#include "cli/scene_arguments.h"
+
+namespace glint::cli {
+
+WorldPtr prepare_or_fail(const Scene& scene, int threads) {
+    PrepareResult prepared = prepare(scene, threads);
+    if (prepared.world) return std::move(prepared.world);
+    print(prepared.diagnostics);
+    throw Failure(k_bad_input, {});
+}
+
+Image draw(const World& world, int threads, const std::string& isa) {
+    RenderOptions options;
+    options.threads = threads;
+    options.isa = isa;
+    RenderResult result = render(world, options);
+    if (!result.image) throw Failure(k_bad_input, result.error);
+    return std::move(*result.image);
+}
+
+void write_png(const Image& picture, const OutputFile& output) {
+    const EncodeResult encoded = encode(picture);
+    if (!encoded.error.empty())
+        throw Failure(k_bad_input, fmt::format("cannot encode the picture: {}", encoded.error));
+    output.write(encoded.bytes);
+}
+
+}  // namespace glint::cli

@@ -1,0 +1,166 @@
+// glint versus: a scene drawn by two conventions, and what the difference comes from.
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <memory>
+
+#include "cli/commands.h"
+#include "cli/compare_report.h"
+#include "cli/draw.h"
+#include "cli/explain_text.h"
+#include "cli/failure.h"
+#include "cli/picture_arguments.h"
+#include "cli/scene_arguments.h"
+#include "cli/terminal.h"
+#include "cli/text.h"
+
+namespace glint::cli {
+namespace {
+
+constexpr auto k_examples = R"(Examples:
+  glint versus castle.json --a profile=epfl --b profile=cgfs
+  glint versus castle.json --a shading=phong --b shading=blinn-phong
+  glint versus castle.json --a shading=phong --b shading=blinn-phong --match-exponents
+  glint versus castle.json --a reflections=0 --b reflections=3 -o mirrors.png)";
+
+constexpr double k_matching_factor = 4;  // of exponents: docs/lighting.md
+
+struct VersusArguments {
+    SceneArguments scene;
+    PictureArguments picture;
+    std::vector<std::string> a, b;
+    std::string output;
+    bool match_exponents = false, json = false;
+};
+
+struct Side {
+    std::string name;
+    LoadedScene loaded;
+    WorldPtr world;
+    Image image;
+};
+
+// KEY=VALUE as --a and --b take them: any setting, or the profile to start from.
+SceneArguments with_settings(SceneArguments scene, const std::vector<std::string>& settings) {
+    for (const std::string& setting : settings) {
+        if (setting.starts_with("profile=")) {
+            scene.profile = setting.substr(setting.find('=') + 1);
+        } else {
+            scene.conventions.push_back(setting);
+        }
+    }
+    return scene;
+}
+
+Side draw_side(const VersusArguments& arguments, const std::vector<std::string>& settings) {
+    Side side;
+    side.name = settings.empty() ? "as it is" : fmt::format("{}", fmt::join(settings, " "));
+    side.loaded = load_scene(with_settings(arguments.scene, settings));
+    Scene& scene = side.loaded.scene;
+    if (arguments.match_exponents && scene.settings.shading == Shading::blinn_phong) {
+        for (Material& material : scene.materials) material.shininess *= k_matching_factor;
+        side.name += fmt::format(" with exponents times {}", k_matching_factor);
+    }
+    side.world = prepare_or_fail(scene);
+    side.image = draw(*side.world);
+    return side;
+}
+
+// A, B and their difference beside each other.
+Image beside(const Image& a, const Image& b, const Image& difference) {
+    Image all{3 * a.width, a.height, std::vector<float>(3 * a.rgb.size())};
+    const auto row = static_cast<std::ptrdiff_t>(3) * a.width;
+    auto to = all.rgb.begin();
+    for (std::ptrdiff_t y = 0; y < a.height; ++y) {
+        for (const Image* image : {&a, &b, &difference})
+            to = std::copy_n(image->rgb.begin() + y * row, row, to);
+    }
+    return all;
+}
+
+std::string explained(const Side& side, const LargestDifference& pixel, ExplainStyle style) {
+    const int n = side.loaded.scene.settings.samples;
+    style.sample = n / 2 * n + n / 2;
+    return explanation_text(explain(side.loaded.scene, *side.world, pixel.x, pixel.y), side.loaded.scene,
+                            style);
+}
+
+std::string explained_json(const Side& side, const LargestDifference& pixel) {
+    return explanation_json(explain(side.loaded.scene, *side.world, pixel.x, pixel.y), side.loaded.scene);
+}
+
+int versus_command(VersusArguments& arguments) {
+    std::optional<OutputFile> output;
+    if (!arguments.output.empty()) {
+        output.emplace(arguments.output);
+        if (!output->is_stream() && extension(arguments.output) != ".png")
+            throw Failure(k_usage, fmt::format("--output '{}': the name ends in .png", arguments.output));
+        if (output->is_standard_output())
+            throw Failure(k_usage, "the pictures and the report cannot both go to standard output");
+    }
+    if (arguments.a.empty() && arguments.b.empty())
+        throw Failure(k_usage, "expected --a KEY=VALUE or --b KEY=VALUE: what the two drawings differ in");
+    add_settings(arguments.picture, true, arguments.scene);
+    const Side a = draw_side(arguments, arguments.a), b = draw_side(arguments, arguments.b);
+    print(a.loaded.warnings);
+    const PictureDifference difference = compare(a.image, b.image);
+    if (!difference.error.empty()) throw Failure(k_bad_input, difference.error);
+    CompareReport report;
+    report.a = a.name;
+    report.b = b.name;
+    report.width = a.image.width;
+    report.height = a.image.height;
+    report.within = CompareOptions{}.within;
+    report.difference = difference;
+    const bool same = difference.all.equal == difference.all.pixels;
+    if (arguments.json) {
+        std::string text = json_report(report);
+        text.resize(text.rfind('}'));
+        while (text.back() == '\n') text.pop_back();
+        if (!same)
+            text += fmt::format(",\n  \"explanations\": [{},\n{}]", explained_json(a, difference.largest),
+                                explained_json(b, difference.largest));
+        fmt::print("{}\n}}\n", text);
+    } else {
+        fmt::print("{}", text_report(report));
+        ExplainStyle style;
+        style.colors = is_terminal(STDOUT_FILENO) && std::getenv("NO_COLOR") == nullptr;
+        if (!same)
+            fmt::print("\nA: {}\n{}\nB: {}\n{}", a.name, explained(a, difference.largest, style), b.name,
+                       explained(b, difference.largest, style));
+    }
+    if (output) write_png(beside(a.image, b.image, difference_image(a.image, b.image)), *output);
+    return k_done;
+}
+
+}  // namespace
+
+Run add_versus(CLI::App& app) {
+    CLI::App& command = *app.add_subcommand(
+        "versus", "Draw a scene by two conventions, and explain the pixel that differs most");
+    const auto arguments = std::make_shared<VersusArguments>();
+    VersusArguments& v = *arguments;
+    add_scene_arguments(command, v.scene);
+    const auto side = [&](const char* option, std::vector<std::string>& settings, const char* description) {
+        command.add_option(option, settings, description)
+            ->option_text("KEY=VALUE")
+            ->expected(1)
+            ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    };
+    side("--a", v.a,
+         "A setting of the first drawing: a convention, a render setting, or profile=NAME; may be repeated");
+    side("--b", v.b, "The same of the second; without --a or --b, that drawing is of the scene as it is");
+    command.add_flag("--match-exponents", v.match_exponents,
+                     "Blinn-Phong with exponents times 4, which makes highlights about as wide as Phong's");
+    command.add_option("-o,--output", v.output, "Write both pictures and their difference beside each other")
+        ->option_text("OUT.png");
+    command.add_flag("--json", v.json, "Print JSON");
+    add_picture_arguments(command, v.picture);
+    command.footer(k_examples);
+    return [arguments] { return versus_command(*arguments); };
+}
+
+}  // namespace glint::cli
