@@ -165,14 +165,11 @@ class Tree {
         const Light& light = scene_.lights[terms.light];
         line(depth, fmt::format("{}: diffuse {} + specular {}{}", name, color(terms.diffuse),
                                 color(terms.specular), swatch(style_, sum)));
-        line(
-            depth + 1,
-            fmt::format("{}N·L = {}; {}{}",
-                        light.kind == LightKind::point ? fmt::format("distance {}; ", number(terms.distance))
-                                                       : std::string(),
-                        number(terms.n_l), highlight_text(scene_, hit, terms),
-                        terms.attenuation == 1 ? std::string()
-                                               : fmt::format("; attenuation {}", number(terms.attenuation))));
+        std::string how = fmt::format("L {}", vec(terms.to_light * (1 / terms.distance)));
+        if (light.kind == LightKind::point) how += fmt::format(", distance {}", number(terms.distance));
+        if (terms.attenuation != 1) how += fmt::format(", attenuation {}", number(terms.attenuation));
+        line(depth + 1,
+             fmt::format("{}; N·L = {}; {}", how, number(terms.n_l), highlight_text(scene_, hit, terms)));
     }
 
     void tell_branch(const Branch& branch, std::string_view what, int depth) {
