@@ -1,6 +1,7 @@
 #pragma once
 // What a fuzzer does with a scene: write it as .glint and read that again; draw it.
 #include <cmath>
+#include <cstring>
 #include <string>
 #include <string_view>
 
@@ -39,7 +40,22 @@ inline std::string fuzz_convert(std::string_view text, std::string format) {
     return again == written ? std::string() : "written again:\n" + written + "\nnow:\n" + again;
 }
 
-/// Loads the text and, if it is a scene, draws it with few pixels. An empty string, or what is wrong.
+/// Takes some pixels of a picture apart. An empty string, or what is wrong.
+inline std::string fuzz_explain(const Scene& scene, const World& world, const Image& image) {
+    for (const int x : {0, image.width / 2, image.width - 1}) {
+        const int y = x * (image.height - 1) / std::max(image.width - 1, 1);
+        const Explanation e = explain(scene, world, x, y);
+        if (!e.error.empty()) return "a pixel that is not explained: " + e.error;
+        const float* drawn = &image.rgb[3 * static_cast<std::size_t>(y * image.width + x)];
+        if (std::memcmp(e.value, drawn, sizeof(e.value)) != 0)
+            return "a pixel that is explained to be another";
+        if (explanation_json(e, scene).size() < 100) return "an explanation without JSON";
+    }
+    return {};
+}
+
+/// Loads the text and, if it is a scene, draws it with few pixels and explains some. An empty string, or what
+/// is wrong.
 inline std::string fuzz_render(std::string_view text, std::string format) {
     const SceneText texts[] = {{"fuzz", text, std::move(format)}};
     LoadResult loaded = load(texts);
@@ -58,7 +74,7 @@ inline std::string fuzz_render(std::string_view text, std::string format) {
     for (const float channel : result.image->rgb) {
         if (std::isnan(channel)) return "a pixel that is not a number";
     }
-    return {};
+    return fuzz_explain(*loaded.scene, *prepared.world, *result.image);
 }
 
 }  // namespace glint
