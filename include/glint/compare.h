@@ -77,9 +77,12 @@ struct Cause {
 
 struct CauseReport {
     std::string error;          ///< different sizes, or no memory; empty if none
-    double difference = 0;      ///< the mean difference of the pictures, in 255ths
+    double difference = 0;      ///< the mean difference of the pictures but for their rims, in 255ths
     std::vector<Cause> causes;  ///< the best first; none if nothing explains enough
     int tried = 0;              ///< causes that were tried
+    /// The shares are of the difference away from edges, and of what exceeds 2/255: another renderer's
+    /// samples and roundings hide the rest.
+    bool away_from_edges = false;
     /// With a scene: the mean difference of its rendering from either picture, in 255ths.
     std::optional<double> scene_from_a, scene_from_b;
     /// The scene draws a and not b: the causes are those of b's difference from a.

@@ -51,10 +51,10 @@ void add_causes(std::string& text, const CompareReport& report) {
         return;
     }
     const Cause& best = causes.causes.front();
-    fmt::format_to(out, "{}\n  ({}: explains {} of the difference)\n", best.explanation, best.name,
-                   share_text(best.explained));
+    fmt::format_to(out, "{}\n  ({}: explains {} of the difference{})\n", best.explanation, best.name,
+                   share_text(best.explained), causes.away_from_edges ? " away from edges" : "");
     for (std::size_t i = 1; i < causes.causes.size() && i <= k_most_other_causes; ++i) {
-        fmt::format_to(out, "{} {} ({})", i == 1 ? "  less likely:" : ",", causes.causes[i].name,
+        fmt::format_to(out, "{} {} ({})", i == 1 ? "  other causes:" : ",", causes.causes[i].name,
                        share_text(causes.causes[i].explained));
     }
     if (causes.causes.size() > 1) text += "\n";
@@ -73,7 +73,8 @@ template <class T> Json or_null(const std::optional<T>& value) {
 }
 
 Json causes_json(const CauseReport& report) {
-    Json json = {{"tried", report.tried}, {"swapped", report.swapped}};
+    Json json = {
+        {"tried", report.tried}, {"swapped", report.swapped}, {"away_from_edges", report.away_from_edges}};
     json["scene_from_a"] = or_null(report.scene_from_a);
     json["scene_from_b"] = or_null(report.scene_from_b);
     if (!report.error.empty()) json["error"] = report.error;

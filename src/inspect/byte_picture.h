@@ -22,8 +22,18 @@ struct BytePicture {
 /// The bytes that encode() writes. Throws bad_alloc.
 BytePicture to_bytes(const Image& image, int threads, Transfer transfer = Transfer::none);
 
-/// The mean of all channels' differences, in 255ths, of two pictures of one size. A mean of absolute values:
-/// few large differences, as edges have, weigh no more than they are.
-double mean_difference(const BytePicture& a, const BytePicture& b);
+/// One number a pixel: does it lie on an edge (k_edge_step of glint/compare.h)? Throws bad_alloc.
+std::vector<std::uint8_t> edges_of(const BytePicture& picture, int threads);
+
+/// Mean differences of two pictures' channels, in 255ths. They are means of absolute values, so that few
+/// large differences weigh no more than they are. The outermost pixels are left out: what a shifted picture
+/// has there nobody knows.
+struct Distance {
+    double all = 0;
+    double calm =
+        0;  ///< away from edges, and only what exceeds k_noise: the same whatever samples and roundings
+};
+inline constexpr int k_noise = 2;
+Distance distance(const BytePicture& a, const BytePicture& b, const std::vector<std::uint8_t>& edges);
 
 }  // namespace glint

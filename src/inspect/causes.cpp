@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <stdexcept>
 
 #include "base/fp_environment.h"
 #include "base/guard.h"
@@ -21,19 +22,34 @@ constexpr double k_same_part = 0.1;
 // Of causes that explain nearly the same (by this part of the difference) the simplest, which is the earliest
 // in the table, is named first.
 constexpr double k_tie = 0.003;
+// Another look is taken if nothing explains the one share, and what can be bent is dropped if something else
+// explains the other.
+constexpr double k_explained_partly = 0.7, k_explained_well = 0.9;
+// What is fitted to the picture has to explain more.
+constexpr double k_least_fitted = 0.85;
+// In 255ths: less is nothing to explain.
+constexpr double k_least_calm = 0.01;
+
+std::string capital(std::string text) {
+    if (text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 'a' + 'A');
+    return text;
+}
 
 struct Candidate {
     Cause cause;
     double least = k_least_explained;
+    int freedom = 0;     // PictureCause::freedom
+    Distance left = {};  // from the picture to explain
 };
 
 // One picture to explain, and what has been found about it.
 struct Search {
     BytePicture faulty;
     CauseReport report;
+    Distance whole;  // what there is to explain
     std::vector<Candidate> found;
 
-    bool is_open() const { return report.error.empty() && report.difference > 0; }
+    bool is_open() const { return report.error.empty() && whole.all > 0; }
 };
 
 struct Drawn {
@@ -44,7 +60,10 @@ struct Drawn {
 class CauseFinder {
   public:
     CauseFinder(const Image& reference, const Scene* scene, const CauseOptions& options)
-        : reference_(reference), bytes_(to_bytes(reference, options.threads)), options_(options) {
+        : reference_(reference),
+          bytes_(to_bytes(reference, options.threads)),
+          edges_(edges_of(bytes_, options.threads)),
+          options_(options) {
         if (scene == nullptr) return;
         scene_ = std::make_unique<Scene>(*scene);
         scene_->settings.width = reference.width;
@@ -61,7 +80,8 @@ class CauseFinder {
             return search;
         }
         search.faulty = to_bytes(picture, options_.threads);
-        search.report.difference = mean_difference(search.faulty, bytes_);
+        search.whole = distance(search.faulty, bytes_, edges_);
+        search.report.difference = search.whole.all;
         return search;
     }
 
@@ -103,8 +123,8 @@ class CauseFinder {
                 continue;
             }
             CauseReport& report = search.report;
-            report.scene_from_a = mean_difference(drawn_->bytes, search.faulty);
-            report.scene_from_b = mean_difference(drawn_->bytes, bytes_);
+            report.scene_from_a = distance(drawn_->bytes, search.faulty, edges_).all;
+            report.scene_from_b = distance(drawn_->bytes, bytes_, edges_).all;
             const double near = k_same_part * report.difference;
             report.swapped = *report.scene_from_a<near&& * report.scene_from_b> near;
         }
@@ -115,13 +135,11 @@ class CauseFinder {
         return search.report.swapped ? bytes_ : search.faulty;
     }
 
-    // What remains with this cause is `made`'s difference from the target.
+    // `made` is what the cause makes of the reference.
     void judge(Search& search, const BytePicture& made, Candidate candidate) const {
-        CauseReport& report = search.report;
-        ++report.tried;
-        candidate.cause.remaining = mean_difference(made, target(search));
-        candidate.cause.explained = 1 - candidate.cause.remaining / report.difference;
-        if (candidate.cause.explained >= candidate.least) search.found.push_back(std::move(candidate));
+        ++search.report.tried;
+        candidate.left = distance(made, target(search), edges_);
+        search.found.push_back(std::move(candidate));
     }
 
     void try_pictures(Search& search) const {
@@ -129,14 +147,19 @@ class CauseFinder {
         // The scene's floats know what bytes have lost, if it draws this very picture.
         const bool by_scene =
             drawn_ && (report.swapped || *report.scene_from_b < k_same_part * report.difference);
-        const PictureSource source{by_scene ? drawn_->image : reference_, by_scene ? drawn_->bytes : bytes_,
-                                   target(search), by_scene, options_.threads};
+        const PictureSource source{by_scene ? drawn_->image : reference_,
+                                   by_scene ? drawn_->bytes : bytes_,
+                                   target(search),
+                                   edges_,
+                                   by_scene,
+                                   options_.threads};
         for (const PictureCause& cause : picture_causes()) {
             const std::optional<FaultyPicture> made = cause.make(source);
             if (!made || made->picture.rgb == source.bytes.rgb) continue;
             judge(search, made->picture,
                   {{cause.name, fmt::format(fmt::runtime(cause.explanation), made->detail), 0, 0, false},
-                   cause.least});
+                   cause.least,
+                   cause.freedom});
         }
     }
 
@@ -154,39 +177,76 @@ class CauseFinder {
                 if (search.is_open())
                     judge(search, made->bytes, {{causes[i].name, causes[i].explanation, 0, 0, true}});
             }
-        }
-        for (Search& search : searches) {
-            if (search.is_open() && !is_cancelled()) try_intensity(search);
+            if (!causes[i].part.empty()) try_multiples(searches, causes[i], *made);
         }
     }
 
-    // All lights by one factor, which is fitted: the background stays as it is, unlike in a scaled picture.
-    void try_intensity(Search& search) const {
-        const auto factor = fit_scale(drawn_->image, drawn_->bytes, target(search));
-        if (!factor) return;
-        Scene scene = *scene_;
-        scale_lights(scene, *factor);
-        if (const std::optional<Drawn> made = draw(scene)) {
-            judge(
-                search, made->bytes,
-                {{"light-intensity",
-                  fmt::format("All lights are {:.3g} times as bright: an intensity, or a factor of the sum.",
-                              *factor),
-                  0, 0, true},
-                 0.7});
+    // The part of the light that is missing in `without`, by a factor that is fitted. Light is a sum, so the
+    // picture with any multiple of a part is known from those with and without it.
+    void try_multiples(std::vector<Search>& searches, const SceneCause& cause, const Drawn& without) const {
+        std::vector<float> part = drawn_->image.rgb;
+        for (std::size_t i = 0; i < part.size(); ++i) part[i] -= without.image.rgb[i];
+        for (Search& search : searches) {
+            if (!search.is_open()) continue;
+            const auto factor = fit_factor(without.image.rgb, part, drawn_->bytes, target(search));
+            if (!factor) continue;
+            Image image = without.image;
+            for (std::size_t i = 0; i < part.size(); ++i)
+                image.rgb[i] += static_cast<float>(*factor) * part[i];
+            judge(search, to_bytes(image, options_.threads),
+                  {{cause.scaled,
+                    fmt::format("{} is {:.3g} times what it should be.", capital(cause.part), *factor), 0, 0,
+                    true},
+                   k_least_fitted});
         }
+    }
+
+    // Fills in what each explains, of the whole or of what is away from edges, and drops what explains too
+    // little.
+    static std::vector<Candidate> explaining(const Search& search, bool calm) {
+        std::vector<Candidate> list = search.found;
+        const double whole = calm ? search.whole.calm : search.whole.all;
+        for (Candidate& c : list) {
+            c.cause.remaining = calm ? c.left.calm : c.left.all;
+            c.cause.explained = 1 - c.cause.remaining / whole;
+        }
+        // Of what can be bent, edges are what it bends.
+        std::erase_if(
+            list, [&](const Candidate& c) { return c.cause.explained < c.least || (calm && c.freedom > 0); });
+        for (int freedom = 0; freedom < 2; ++freedom) {
+            if (explains(list, freedom, k_explained_well))
+                std::erase_if(list, [&](const Candidate& c) { return c.freedom > freedom; });
+        }
+        return list;
+    }
+
+    // Does a candidate of no more freedom explain this much?
+    static bool explains(const std::vector<Candidate>& list, int freedom, double share) {
+        return std::any_of(list.begin(), list.end(), [&](const Candidate& c) {
+            return c.freedom <= freedom && c.cause.explained >= share;
+        });
     }
 
     // The best first, one of each name.
     void rank(Search& search) const {
-        std::vector<Candidate>& found = search.found;
-        const double tie = k_tie * search.report.difference;
-        std::vector<Cause>& causes = search.report.causes;
+        if (!search.is_open()) return;
+        CauseReport& report = search.report;
+        std::vector<Candidate> found = explaining(search, false);
+        double whole = search.whole.all;
+        if (!explains(found, 2, k_explained_partly) && search.whole.calm > k_least_calm) {
+            std::vector<Candidate> calm = explaining(search, true);
+            if (explains(calm, 0, k_explained_partly)) {
+                found = std::move(calm);
+                whole = search.whole.calm;
+                report.away_from_edges = true;
+            }
+        }
+        std::vector<Cause>& causes = report.causes;
         while (!found.empty()) {
             const auto least = std::min_element(found.begin(), found.end(), [](const auto& x, const auto& y) {
                 return x.cause.remaining < y.cause.remaining;
             });
-            const double limit = least->cause.remaining + (least->cause.remaining > 0 ? tie : 0);
+            const double limit = least->cause.remaining + (least->cause.remaining > 0 ? k_tie * whole : 0);
             const auto best = std::find_if(found.begin(), found.end(),
                                            [&](const auto& c) { return c.cause.remaining <= limit; });
             Cause cause = std::move(best->cause);
@@ -198,6 +258,7 @@ class CauseFinder {
 
     const Image& reference_;
     const BytePicture bytes_;
+    const std::vector<std::uint8_t> edges_;
     const CauseOptions& options_;
     std::unique_ptr<Scene> scene_;
     std::optional<Drawn> drawn_;
@@ -210,6 +271,8 @@ std::vector<CauseReport> find_causes(std::span<const Image> pictures, const Imag
     std::vector<CauseReport> reports;
     const std::string error = guard([&] {
         const DefaultFpEnvironment environment;
+        if (b.width < 1 || b.height < 1 || b.rgb.size() != std::size_t{3} * b.width * b.height)
+            throw std::invalid_argument("the reference has no pixels, or their numbers do not fit its size");
         CauseFinder finder(b, scene, options);
         std::vector<Search> searches;
         for (const Image& picture : pictures) searches.push_back(finder.start(picture));

@@ -50,17 +50,28 @@ Result transposed(const PictureSource& s) {
     return moved(s, [](std::int32_t x, std::int32_t y) { return At{y, x}; });
 }
 
-// The best of the eight neighbours, for a cause that has a direction.
-template <class Make> Result best_direction(const PictureSource& s, Make&& make) {
+double left_by(const PictureSource& s, const BytePicture& made) {
+    return distance(made, s.faulty, s.edges).all;
+}
+
+// Sideways and up or down before the diagonals.
+using Direction = std::pair<int, int>;
+constexpr std::array<Direction, 8> k_directions = {
+    {{1, 0}, {-1, 0}, {0, 1}, {0, -1}, {1, 1}, {1, -1}, {-1, 1}, {-1, -1}}};
+
+Result shifted(const PictureSource& s) {
     Result best;
     double least = 0;
-    // Sideways and up or down before the diagonals: of equals the simpler one.
-    constexpr std::array<std::array<int, 2>, 8> steps = {
-        {{1, 0}, {-1, 0}, {0, 1}, {0, -1}, {1, 1}, {1, -1}, {-1, 1}, {-1, -1}}};
-    for (const auto& [dx, dy] : steps) {
-        Result found = make(dx, dy);
-        const double left = mean_difference(s.faulty, found->picture);
-        if (!best || left < 0.98 * least) {
+    for (const auto& [dx, dy] : k_directions) {
+        Result found = moved(
+            s,
+            [&, dx = dx, dy = dy](std::int32_t x, std::int32_t y) {
+                return At{std::clamp(x - dx, 0, s.bytes.width - 1),
+                          std::clamp(y - dy, 0, s.bytes.height - 1)};
+            },
+            direction_text(dx, dy));
+        const double left = left_by(s, found->picture);
+        if (!best || left < least) {
             best = std::move(found);
             least = left;
         }
@@ -68,21 +79,32 @@ template <class Make> Result best_direction(const PictureSource& s, Make&& make)
     return best;
 }
 
-Result shifted(const PictureSource& s) {
-    return best_direction(s, [&](int dx, int dy) {
-        const auto from = [&](std::int32_t x, std::int32_t y) {
-            return At{std::clamp(x - dx, 0, s.bytes.width - 1), std::clamp(y - dy, 0, s.bytes.height - 1)};
-        };
-        return moved(s, from, direction_text(dx, dy));
-    });
-}
+// How a picture half a pixel away looks is not known, but each of its channels is between two neighbours of
+// the reference, or four by a diagonal. The more neighbours, the more they explain of anything: so a diagonal
+// has to leave much less than the sides, and a direction much less than its opposite (more samples a pixel
+// have no direction).
+constexpr double k_diagonal_leaves = 0.3, k_opposite_leaves = 3;
 
 Result half_shifted(const PictureSource& s) {
-    return best_direction(s, [&](int dx, int dy) -> Result {
-        return FaultyPicture{nearest_between(s.bytes, s.faulty, std::min(-dx, 0), std::max(-dx, 0),
-                                             std::min(-dy, 0), std::max(-dy, 0)),
-                             direction_text(dx, dy)};
-    });
+    std::array<Result, 8> made;
+    std::array<double, 8> left{};
+    for (std::size_t i = 0; i < 8; ++i) {
+        const auto [dx, dy] = k_directions[i];
+        made[i] = FaultyPicture{nearest_between(s.bytes, s.faulty, std::min(-dx, 0), std::max(-dx, 0),
+                                                std::min(-dy, 0), std::max(-dy, 0)),
+                                direction_text(dx, dy)};
+        left[i] = left_by(s, made[i]->picture);
+    }
+    const auto side =
+        static_cast<std::size_t>(std::min_element(left.begin(), left.begin() + 4) - left.begin());
+    const auto diagonal =
+        static_cast<std::size_t>(std::min_element(left.begin() + 4, left.end()) - left.begin());
+    const std::size_t best = left[diagonal] < k_diagonal_leaves * left[side] ? diagonal : side;
+    const auto [dx, dy] = k_directions[best];
+    const auto opposite = static_cast<std::size_t>(
+        std::find(k_directions.begin(), k_directions.end(), Direction{-dx, -dy}) - k_directions.begin());
+    if (left[opposite] < k_opposite_leaves * left[best]) return std::nullopt;
+    return std::move(made[best]);
 }
 
 Result anti_aliased(const PictureSource& s) {
@@ -128,11 +150,16 @@ Result inverted(const PictureSource& s) {
 }
 
 Result scaled(const PictureSource& s) {
-    const std::optional<double> factor = fit_scale(s.reference, s.bytes, s.faulty);
+    const std::optional<double> factor = fit_factor({}, s.reference.rgb, s.bytes, s.faulty);
     if (!factor) return std::nullopt;
     Image image = s.reference;
     for (float& value : image.rgb) value *= static_cast<float>(*factor);
-    return FaultyPicture{to_bytes(image, s.threads), fmt::format("{:.3g}", *factor)};
+    FaultyPicture out{to_bytes(image, s.threads), fmt::format("{:.3g}", *factor)};
+    for (std::size_t i = 0; !s.unclamped && i < image.rgb.size();
+         ++i) {  // a file's 255 may have been anything above
+        if (s.bytes.rgb[i] == 255) out.picture.rgb[i] = std::max(out.picture.rgb[i], s.faulty.rgb[i]);
+    }
+    return out;
 }
 
 // The whole part of value * scale, of which a byte keeps the lowest bits, or the most it can hold.
@@ -177,23 +204,23 @@ Result background(const PictureSource& s) {
 }
 
 // What has no free parameter is believed earlier than what is fitted to the picture.
-constexpr double k_moved = k_least_explained, k_curved = 0.7, k_fitted = 0.85;
+constexpr double k_moved = k_least_explained, k_curved = 0.7, k_fitted = 0.85, k_specks = 0.4;
 
 }  // namespace
 
-std::optional<double> fit_scale(const Image& reference, const BytePicture& bytes, const BytePicture& faulty) {
-    double ab = 0, bb = 0;
-    for (std::size_t i = 0; i < bytes.rgb.size(); ++i) {
-        const auto b = static_cast<double>(reference.rgb[i]);
-        const int a = faulty.rgb[i];
-        if (a == bytes.rgb[i] || a == 0 || a == 255 || !(b > 0)) continue;
-        if (b >= 1 && bytes.rgb[i] == 255 && b < 1.0000001)
-            continue;  // a file's 255 may have been anything above
-        ab += a / 255.0 * b;
-        bb += b * b;
+std::optional<double> fit_factor(const std::vector<float>& rest, const std::vector<float>& part,
+                                 const BytePicture& bytes, const BytePicture& faulty) {
+    double products = 0, squares = 0;
+    for (std::size_t i = 0; i < part.size(); ++i) {
+        const int was = bytes.rgb[i], is = faulty.rgb[i];
+        if (is == was || is == 0 || is == 255 || was == 0 || was == 255) continue;
+        const auto p = static_cast<double>(part[i]);
+        const double wanted = is / 255.0 - (rest.empty() ? 0 : static_cast<double>(rest[i]));
+        products += wanted * p;
+        squares += p * p;
     }
-    if (!(bb > 0)) return std::nullopt;
-    const double factor = ab / bb;
+    if (!(squares > 0)) return std::nullopt;
+    const double factor = products / squares;
     if (std::fabs(factor - 1) < 0.005 || factor <= 0) return std::nullopt;
     return factor;
 }
@@ -247,14 +274,14 @@ const std::vector<PictureCause>& picture_causes() {
          "apply "
          "it once, at the very end.",
          k_curved, no_gamma_22},
-        {"not-clamped",
-         "Colours above 1 begin again at black: clamp to 1 before making a byte of 255 times the value.",
-         k_moved, [](const PictureSource& s) { return whole_part(s, 255.0, true); }},
         {"rounded-down",
          "Bytes are cut off and not rounded: write floor(255 v + 0.5). The difference is 1/255 at most.",
          k_curved, [](const PictureSource& s) { return whole_part(s, 255.0, false); }},
         {"rounded-down", "Bytes are floor(256 v) in place of 255 v rounded. The difference is 1/255 at most.",
          k_curved, [](const PictureSource& s) { return whole_part(s, 256.0, false); }},
+        {"not-clamped",
+         "Colours above 1 begin again at black: clamp to 1 before making a byte of 255 times the value.",
+         k_moved, [](const PictureSource& s) { return whole_part(s, 255.0, true); }},
         {"light-intensity",
          "Everything is {} times as bright: a light's intensity, or a factor of all lights.", k_fitted,
          scaled},
@@ -263,15 +290,15 @@ const std::vector<PictureCause>& picture_causes() {
         {"shifted-half-pixel",
          "Everything is half a pixel {}: rays pass through a pixel's middle (x + 0.5) here and its corner "
          "there.",
-         k_fitted, half_shifted},
+         k_fitted, half_shifted, 1},
         {"acne",
          "Dark specks on lit surfaces (acne): a shadow ray hits the very surface it leaves. Start it a "
          "little off "
          "the surface, or ignore hits with t below a small epsilon.",
-         k_curved, specks},
+         k_specks, specks, 1},
         {"anti-aliasing",
          "Only edges differ: the number or the places of the samples in a pixel, not the lighting.", k_fitted,
-         anti_aliased},
+         anti_aliased, 2},
     };
     return table;
 }

@@ -65,22 +65,30 @@ struct Row {
     bool (*applies)(const Scene&);
     void (*put)(Scene&);
     const char* explanation;
+    const char* part = "";
+    const char* scaled = "";
 };
 
 constexpr Row k_lighting[] = {
     {"ambient-missing", [](const Scene& s) { return any_light(s, is_ambient); },
      [](Scene& s) { std::erase_if(s.lights, is_ambient); },
-     "The ambient term is missing: add k_a I_a to every surface that is hit, once, also in shadow."},
+     "The ambient term is missing: add k_a I_a to every surface that is hit, once, also in shadow.",
+     "the ambient term", "ambient-scaled"},
     {"diffuse-missing", is_lit,
      [](Scene& s) { for_each_material(s, [](Material& m) {
                         m.diffuse = {0, 0, 0};
                     }); },
-     "The diffuse term is missing: add k_d I (N.L) for every light that reaches the point."},
+     "The diffuse term is missing: add k_d I (N.L) for every light that reaches the point.",
+     "the diffuse term", "diffuse-scaled"},
     {"specular-missing", has_highlights,
      [](Scene& s) { for_each_material(s, [](Material& m) {
                         m.specular = {0, 0, 0};
                     }); },
-     "The specular term is missing: add k_s I (R.V)^n, or (N.H)^n, for every light that reaches the point."},
+     "The specular term is missing: add k_s I (R.V)^n, or (N.H)^n, for every light that reaches the point.",
+     "the specular term", "specular-scaled"},
+    {"unlit", is_lit, [](Scene& s) { std::erase_if(s.lights, [](const Light&) { return true; }); },
+     "No light arrives at all: surfaces that are hit are black.", "the light of all lights together",
+     "light-intensity"},
     {"shadows-missing", has_shadows, [](Scene& s) { s.settings.shadows = false; },
      "Shadows are missing: before a light adds anything, see whether a ray from the point to it hits "
      "something."},
@@ -302,9 +310,10 @@ void add_single_lights(const Scene& scene, std::vector<SceneCause>& causes) {
     if (!is_lit(scene) || lights.size() < 2 || lights.size() > k_most_lights) return;
     for (std::size_t k = 0; k < lights.size(); ++k) {
         const std::string text = light_text(scene, lights[k], static_cast<int>(k) + 1);
-        causes.push_back({"light-missing",
-                          fmt::format("The light of {} is missing: sum over all lights.", text),
-                          [i = lights[k]](Scene& s) { s.lights.erase(s.lights.begin() + i); }});
+        causes.push_back(
+            {"light-missing",
+             fmt::format("The light of {} is missing, or never arrives: sum over all lights.", text),
+             [i = lights[k]](Scene& s) { s.lights.erase(s.lights.begin() + i); }, text, "light-scaled"});
     }
     for (std::size_t k = 0; lights.size() > 2 && k < lights.size(); ++k) {
         causes.push_back(
@@ -333,22 +342,16 @@ void add_sample_counts(const Scene& scene, std::vector<SceneCause>& causes) {
 
 }  // namespace
 
-void scale_lights(Scene& scene, double factor) {
-    for (Light& light : scene.lights) {
-        light.color = light.color * factor;
-        light.specular_color = light.specular_color * factor;
-    }
-}
-
 std::vector<SceneCause> scene_causes(const Scene& scene) {
     std::vector<SceneCause> causes;
     const auto add = [&](std::span<const Row> rows) {
         for (const Row& row : rows) {
-            if (row.applies(scene)) causes.push_back({row.name, row.explanation, row.put});
+            if (row.applies(scene))
+                causes.push_back({row.name, row.explanation, row.put, row.part, row.scaled});
         }
     };
-    add(k_lighting);
     add_single_lights(scene, causes);
+    add(k_lighting);
     add(k_tracing);
     add_half_shifts(scene, causes);
     add_sample_counts(scene, causes);

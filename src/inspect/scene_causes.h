@@ -11,12 +11,12 @@ namespace glint {
 struct SceneCause {
     std::string name, explanation;
     std::function<void(Scene&)> put;  ///< puts the fault into a copy of the scene
+    /// If the fault takes away a part of the sum of light: that part's name, "the ambient term". Then a
+    /// multiple of it is tried, too, as the cause `scaled`.
+    std::string part = {}, scaled = {};
 };
 
 /// The causes that can make a difference to this scene, simple ones first.
 std::vector<SceneCause> scene_causes(const Scene& scene);
-
-/// Multiplies every light's intensity.
-void scale_lights(Scene& scene, double factor);
 
 }  // namespace glint
