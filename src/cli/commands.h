@@ -19,6 +19,7 @@ Run add_convert(CLI::App& app);
 Run add_explain(CLI::App& app);
 Run add_compare(CLI::App& app);
 Run add_versus(CLI::App& app);
+Run add_grade(CLI::App& app);
 Run add_completion(CLI::App& app);
 
 }  // namespace glint::cli

@@ -77,6 +77,7 @@ int run(const std::vector<std::string>& arguments) {
         {"explain", add_explain(app)},
         {"compare", add_compare(app)},
         {"versus", add_versus(app)},
+        {"grade", add_grade(app)},
         {"completion", add_completion(app)},
     };
     // clang-format on

@@ -329,6 +329,18 @@ void add_single_lights(const Scene& scene, std::vector<SceneCause>& causes) {
     }
 }
 
+constexpr int k_most_levels = 8;  // of reflection that are tried one by one
+
+void add_reflection_levels(const Scene& scene, std::vector<SceneCause>& causes) {
+    const int asked = scene.settings.reflections;
+    if (!has_mirrors(scene)) return;
+    for (int n = 1; n < std::min(asked - 1, k_most_levels); ++n) {
+        causes.push_back({"reflections-fewer",
+                          fmt::format("The recursion stops after {} of {} levels of reflection.", n, asked),
+                          [n](Scene& s) { s.settings.reflections = n; }});
+    }
+}
+
 void add_sample_counts(const Scene& scene, std::vector<SceneCause>& causes) {
     for (const int n : {1, 2, 3, 4}) {
         if (n == scene.settings.samples) continue;
@@ -353,6 +365,7 @@ std::vector<SceneCause> scene_causes(const Scene& scene) {
     add_single_lights(scene, causes);
     add(k_lighting);
     add(k_tracing);
+    add_reflection_levels(scene, causes);
     add_half_shifts(scene, causes);
     add_sample_counts(scene, causes);
     return causes;

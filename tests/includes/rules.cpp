@@ -74,11 +74,11 @@ const std::vector<Room>& rooms() {
         {"formats", {"base", "math", "scene"}, {"fmt/", "fast_float/"}},
         {"world", all_but({"trace", "inspect", "image", "cli", "wasm"}), {"fmt/"}},
         {"trace", all_but({"inspect", "image", "cli", "wasm"}), {"fmt/"}},
-        {"inspect", all_but({"cli", "wasm"}), {"fmt/", "nlohmann/"}},
+        {"inspect", all_but({"cli", "wasm"}), {"fmt/", "fast_float/", "nlohmann/"}},
         {"image", {"base", "math"}, {"fmt/", "zlib.h", "png.h", "jpeglib.h", "Imf", "Imath"}, false},
         {"cli",
          all_but({"wasm"}),
-         {"fmt/", "nlohmann/", "CLI/", "sys/", "unistd.h", "fcntl.h", "csignal", "signal.h", "termios.h"},
+         {"fmt/", "nlohmann/", "CLI/", "sys/", "unistd.h", "fcntl.h", "fnmatch.h", "csignal", "signal.h", "termios.h"},
          false},
         {"wasm", all_but({"cli"}), {"fmt/", "nlohmann/"}},
     };

@@ -1,0 +1,79 @@
+#include "inspect/grading.h"
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "base/guard.h"
+#include "glint/render.h"
+
+namespace glint {
+namespace {
+
+std::string draw(const Scene& scene, int threads, Image& image) {
+    const PrepareResult prepared = prepare(scene, threads);
+    if (!prepared.world) return "the scene cannot be drawn";
+    RenderOptions options;
+    options.threads = threads;
+    RenderResult result = render(*prepared.world, options);
+    if (!result.image) return result.error;
+    image = std::move(*result.image);
+    return {};
+}
+
+bool is_right(const std::uint8_t* a, const std::uint8_t* b) {
+    for (int c = 0; c < 3; ++c) {
+        if (std::abs(int{a[c]} - int{b[c]}) > k_right_within) return false;
+    }
+    return true;
+}
+
+// Right pixels of those marked; all, if none is.
+double right_share(const BytePicture& a, const BytePicture& b, const std::vector<std::uint8_t>& marks) {
+    std::size_t marked = 0, right = 0;
+    for (std::size_t i = 0; i < marks.size(); ++i) {
+        if (marks[i] == 0) continue;
+        ++marked;
+        right += is_right(&a.rgb[3 * i], &b.rgb[3 * i]);
+    }
+    return marked == 0 ? 1 : static_cast<double>(right) / static_cast<double>(marked);
+}
+
+}  // namespace
+
+double points_factor(double share) {
+    return std::clamp((share - k_no_share) / (k_full_share - k_no_share), 0.0, 1.0);
+}
+
+WantedPicture draw_wanted(const Scene& scene, const RubricRow& row, int threads) {
+    WantedPicture wanted;
+    std::string failure = guard([&] {
+        wanted.scene = with_settings(scene, row.settings);
+        wanted.error = draw(wanted.scene, threads, wanted.image);
+        if (!wanted.error.empty()) return;
+        wanted.bytes = to_bytes(wanted.image, threads);
+        wanted.counts = edges_of(wanted.bytes, threads);
+        for (std::uint8_t& mark : wanted.counts) mark = mark == 0;
+        if (row.without.empty()) return;
+        Image image;
+        wanted.error = draw(with_settings(wanted.scene, row.without), threads, image);
+        if (!wanted.error.empty()) return;
+        const BytePicture without = to_bytes(image, threads);
+        wanted.shows = wanted.counts;
+        for (std::size_t i = 0; i < wanted.shows.size(); ++i) {
+            if (is_right(&without.rgb[3 * i], &wanted.bytes.rgb[3 * i])) wanted.shows[i] = 0;
+        }
+    });
+    if (!failure.empty()) wanted.error = std::move(failure);
+    return wanted;
+}
+
+PartScore grade(const Image& picture, const WantedPicture& wanted, double points, int threads) {
+    const BytePicture bytes = to_bytes(picture, threads);
+    PartScore score;
+    score.share = right_share(bytes, wanted.bytes, wanted.counts);
+    score.part_share = wanted.shows.empty() ? score.share : right_share(bytes, wanted.bytes, wanted.shows);
+    score.points = points * points_factor(std::min(score.share, score.part_share));
+    return score;
+}
+
+}  // namespace glint

@@ -1,0 +1,177 @@
+#include "inspect/rubric.h"
+
+#include <fast_float/fast_float.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+
+#include "base/text.h"
+#include "glint/conventions.h"
+
+namespace glint {
+namespace {
+
+constexpr double k_most_points = 1e6;
+
+struct Word {
+    std::string_view text;
+    std::size_t at = 0;  // in the line
+};
+
+bool is_space(char c) { return c == ' ' || c == '\t' || c == '\r'; }
+
+std::optional<int> light_count(std::string_view text) {
+    if (text.empty() || text.size() > 6) return std::nullopt;
+    int count = 0;
+    for (const char c : text) {
+        if (c < '0' || c > '9') return std::nullopt;
+        count = count * 10 + (c - '0');
+    }
+    return count;
+}
+
+// Why a pair is no setting, or an empty string.
+std::string setting_fault(std::string_view key, std::string_view value) {
+    if (key == "lights") {
+        if (value == "all" || value == "ambient" || light_count(value)) return {};
+        return fmt::format("expected all, ambient or a number of lights, found {}", quoted(value));
+    }
+    const std::optional<std::size_t> index = find_setting(key);
+    if (!index || key == "size") {
+        std::vector<std::string_view> names = {"lights"};
+        for (const SettingKey& known : setting_keys()) names.push_back(known.name);
+        return fmt::format("there is no setting {} for a rubric", quoted(key)) + did_you_mean(key, names);
+    }
+    Scene scratch;
+    return set_setting(scratch, *index, value, {SettingOrigin::Kind::command, {}});
+}
+
+class LineReader {
+  public:
+    LineReader(std::string_view name, std::string_view line, std::uint32_t number, RubricResult& result)
+        : name_(name), line_(line), number_(number), result_(result) {}
+
+    void read() {
+        std::vector<Word> words;
+        if (!split(words) || words.empty()) return;
+        if (words.size() < 3) return fail(words.back(), "expected PART POINTS FILE [KEY=VALUE...]");
+        RubricRow row{std::string(words[0].text), 0, std::string(words[2].text), {}, {}};
+        const std::string_view points = words[1].text;
+        const auto [end, error] =
+            fast_float::from_chars(points.data(), points.data() + points.size(), row.points);
+        if (error != std::errc() || end != points.data() + points.size() || !(row.points > 0) ||
+            row.points > k_most_points) {
+            return fail(words[1], fmt::format("expected the part's points, a number above 0, found {}",
+                                              quoted(points)));
+        }
+        RubricSettings* settings = &row.settings;
+        for (std::size_t i = 3; i < words.size(); ++i) {
+            if (words[i].text == "without" && settings == &row.settings) {
+                settings = &row.without;
+            } else if (!take_setting(words[i], *settings)) {
+                return;
+            }
+        }
+        if (settings == &row.without && row.without.empty())
+            return fail(words.back(), "expected KEY=VALUE after `without`");
+        result_.rows.push_back(std::move(row));
+    }
+
+  private:
+    // Words, or texts between quotes; nothing from # on. False if a quote is not closed.
+    bool split(std::vector<Word>& words) {
+        for (std::size_t i = 0; i < line_.size() && line_[i] != '#';) {
+            if (is_space(line_[i])) {
+                ++i;
+                continue;
+            }
+            const bool in_quotes = line_[i] == '"';
+            const std::size_t start = in_quotes ? i + 1 : i;
+            std::size_t end = start;
+            while (end < line_.size() && (in_quotes ? line_[end] != '"' : !is_space(line_[end]))) ++end;
+            words.push_back({line_.substr(start, end - start), start});
+            if (in_quotes && end == line_.size()) {
+                fail(words.back(), "the quote is not closed");
+                return false;
+            }
+            i = end + (in_quotes ? 1 : 0);
+        }
+        return true;
+    }
+
+    bool take_setting(const Word& word, RubricSettings& settings) {
+        const std::size_t equals = word.text.find('=');
+        if (equals == std::string_view::npos) {
+            fail(word, fmt::format("expected KEY=VALUE, found {}", quoted(word.text)));
+            return false;
+        }
+        const std::string_view key = word.text.substr(0, equals), value = word.text.substr(equals + 1);
+        if (const std::string wrong = setting_fault(key, value); !wrong.empty()) {
+            fail(word, wrong);
+            return false;
+        }
+        settings.emplace_back(key, value);
+        return true;
+    }
+
+    void fail(const Word& word, std::string message) {
+        Diagnostic d;
+        d.file = name_;
+        d.line = number_;
+        d.column = static_cast<std::uint32_t>(word.at + 1);
+        d.length = static_cast<std::uint32_t>(std::max<std::size_t>(word.text.size(), 1));
+        d.message = std::move(message);
+        constexpr std::size_t k_most_shown = 200;
+        if (line_.size() <= k_most_shown) {
+            d.source_line = line_;
+            d.caret = static_cast<std::uint32_t>(word.at);
+        }
+        result_.diagnostics.push_back(std::move(d));
+    }
+
+    std::string_view name_, line_;
+    std::uint32_t number_;
+    RubricResult& result_;
+};
+
+void keep_lights(Scene& scene, std::string_view which) {
+    const int count =
+        which == "ambient" ? 0 : light_count(which).value_or(static_cast<int>(scene.lights.size()));
+    int seen = 0;
+    std::erase_if(scene.lights,
+                  [&](const Light& light) { return light.kind != LightKind::ambient && seen++ >= count; });
+}
+
+}  // namespace
+
+RubricResult read_rubric(std::string_view name, std::string_view text) {
+    RubricResult result;
+    std::uint32_t number = 0;
+    while (!text.empty()) {
+        const std::size_t end = std::min(text.find('\n'), text.size());
+        LineReader(name, text.substr(0, end), ++number, result).read();
+        text.remove_prefix(std::min(end + 1, text.size()));
+    }
+    if (result.rows.empty() && result.diagnostics.empty()) {
+        Diagnostic d;
+        d.file = name;
+        d.message = "the rubric has no parts: expected lines of PART POINTS FILE [KEY=VALUE...]";
+        result.diagnostics.push_back(std::move(d));
+    }
+    return result;
+}
+
+Scene with_settings(const Scene& scene, const RubricSettings& settings) {
+    Scene changed = scene;
+    for (const auto& [key, value] : settings) {
+        if (key == "lights") {
+            keep_lights(changed, value);
+        } else if (const auto index = find_setting(key)) {
+            set_setting(changed, *index, value, {SettingOrigin::Kind::command, {}});
+        }
+    }
+    return changed;
+}
+
+}  // namespace glint
