@@ -1,5 +1,6 @@
 #pragma once
 // The whole public API.
+#include "glint/check.h"
 #include "glint/compare.h"
 #include "glint/conventions.h"
 #include "glint/diagnostic.h"

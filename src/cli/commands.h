@@ -16,6 +16,7 @@ CLI::Validator one_of(std::vector<std::string> words);
 Run add_render(CLI::App& app);
 Run add_info(CLI::App& app);
 Run add_convert(CLI::App& app);
+Run add_check(CLI::App& app);
 Run add_explain(CLI::App& app);
 Run add_compare(CLI::App& app);
 Run add_versus(CLI::App& app);

@@ -57,21 +57,6 @@ void check_output(const std::string& path, const OutputFile& output, const std::
     }
 }
 
-// The texts that the scene includes, for their comments: files that were found once.
-std::vector<InputFile> open_included(const LoadedScene& loaded, std::vector<SceneText>& texts) {
-    std::vector<InputFile> files;
-    std::vector<std::string> names;
-    for (std::size_t i = loaded.texts.size(); i < loaded.scene.files.size(); ++i) {
-        std::string why;
-        if (auto file = InputFile::open(loaded.scene.files[i], why)) {
-            files.push_back(std::move(*file));
-            names.push_back(loaded.scene.files[i]);
-        }
-    }
-    for (std::size_t i = 0; i < files.size(); ++i) texts.push_back({names[i], files[i].text(), {}});
-    return files;
-}
-
 int convert_command(ConvertArguments& arguments) {
     take_output(arguments);
     const std::string& path = arguments.output;

@@ -24,6 +24,7 @@ constexpr auto k_short_help =
   glint render SCENE...       draw a scene to a picture
   glint info SCENE            say what a scene holds
   glint convert SCENE OUT     write it in glint's own language
+  glint check SCENE           name its likely mistakes
   glint explain SCENE -p X,Y  say why a pixel has its colour
   glint compare A.png B.png   hold a picture against a reference: where and why they differ
   glint --help                all commands
@@ -74,6 +75,7 @@ int run(const std::vector<std::string>& arguments) {
         {"render", add_render(app)},
         {"info", add_info(app)},
         {"convert", add_convert(app)},
+        {"check", add_check(app)},
         {"explain", add_explain(app)},
         {"compare", add_compare(app)},
         {"versus", add_versus(app)},

@@ -139,6 +139,20 @@ LoadedScene load_scene(const SceneArguments& arguments) {
     return {std::move(*result.scene), std::move(result.diagnostics), std::move(files), std::move(texts)};
 }
 
+std::vector<InputFile> open_included(const LoadedScene& loaded, std::vector<SceneText>& texts) {
+    std::vector<InputFile> files;
+    std::vector<std::string> names;
+    for (std::size_t i = loaded.texts.size(); i < loaded.scene.files.size(); ++i) {
+        std::string why;
+        if (auto file = InputFile::open(loaded.scene.files[i], why)) {
+            files.push_back(std::move(*file));
+            names.push_back(loaded.scene.files[i]);
+        }
+    }
+    for (std::size_t i = 0; i < files.size(); ++i) texts.push_back({names[i], files[i].text(), {}});
+    return files;
+}
+
 void add_warnings(std::vector<Diagnostic>& warnings, const std::vector<Diagnostic>& more) {
     for (const Diagnostic& d : more) {
         const bool known = std::any_of(warnings.begin(), warnings.end(), [&](const Diagnostic& w) {

@@ -9,7 +9,7 @@
 #include "base/guard.h"
 #include "formats/profile_file.h"
 #include "formats/registry.h"
-#include "scene/findings.h"
+#include "scene/mistakes.h"
 
 namespace glint {
 namespace {
@@ -115,10 +115,10 @@ class Loader {
     }
 
     void check() {
-        for (Finding& finding : find_mistakes(reading_.scene)) {
-            const SourcePlace place = finding.place;
+        for (Mistake& mistake : find_mistakes(reading_.scene)) {
+            const SourcePlace place = mistake.place;
             if (place.line == 0 || place.file >= reading_.texts.size()) {
-                add(finding.severity, "", std::move(finding.message));
+                add(mistake.severity, "", std::move(mistake.message));
                 continue;
             }
             const TextPlace& text = reading_.texts[place.file];
@@ -126,7 +126,7 @@ class Loader {
             const auto word_end = text.text.find_first_of(" \t\r\n{[(:=,", offset);
             const std::size_t length = std::min(word_end, text.text.size()) - offset;
             reading_.diagnostics.add(
-                make_diagnostic(finding.severity, text, offset, length, std::move(finding.message)));
+                make_diagnostic(mistake.severity, text, offset, length, std::move(mistake.message)));
         }
     }
 

@@ -3,7 +3,7 @@
 
 #include "base/text.h"
 #include "math/number.h"
-#include "scene/findings.h"
+#include "scene/mistakes.h"
 #include "scene/ranges.h"
 #include "scene/settings.h"
 #include "scene/validate_shapes.h"
@@ -33,7 +33,7 @@ class Validator {
   public:
     explicit Validator(const Scene& scene) : scene_(scene), shapes_(scene) {}
 
-    std::vector<Finding> run() {
+    std::vector<Mistake> run() {
         check_settings();
         check_camera();
         check_color(k_channel, scene_.background, scene_.background_place, "the scene", "background");
@@ -43,15 +43,15 @@ class Validator {
         check_counts();
         for (std::size_t i = 0; !full() && i < scene_.shapes.size(); ++i)
             check_shape(static_cast<std::uint32_t>(i));
-        if (findings_.empty()) warn();
-        return std::move(findings_);
+        if (mistakes_.empty()) warn();
+        return std::move(mistakes_);
     }
 
   private:
-    bool full() const { return findings_.size() >= k_max_errors; }
+    bool full() const { return mistakes_.size() >= k_max_errors; }
 
     void error(SourcePlace place, std::string message) {
-        if (!full()) findings_.push_back({Severity::error, place, std::move(message)});
+        if (!full()) mistakes_.push_back({Severity::error, place, std::move(message)});
     }
 
     void check(const Range& range, double x, SourcePlace place, std::string_view of, std::string_view what) {
@@ -226,10 +226,10 @@ class Validator {
     void warn() {
         const Shading shading = scene_.settings.shading;
         if (scene_.shapes.empty()) {
-            findings_.push_back(
+            mistakes_.push_back(
                 {Severity::warning, {}, "the scene has no shapes: the picture shows only its background"});
         } else if (scene_.lights.empty() && shading != Shading::color && shading != Shading::normals) {
-            findings_.push_back(
+            mistakes_.push_back(
                 {Severity::warning,
                  {},
                  "the scene has no lights: the picture will be black but for its background"});
@@ -240,7 +240,7 @@ class Validator {
     void warn_of_cones() {
         for (std::size_t i = 0; i < scene_.shapes.size(); ++i) {
             if (scene_.shapes[i].kind != ShapeKind::cone) continue;
-            findings_.push_back(
+            mistakes_.push_back(
                 {Severity::warning, scene_.shape_texts.place(static_cast<std::uint32_t>(i)),
                  fmt::format("the conventions of {} draw no cones; `--convention cones=true` does",
                              scene_.profile)});
@@ -250,23 +250,23 @@ class Validator {
 
     const Scene& scene_;
     ShapeCheck shapes_;
-    std::vector<Finding> findings_;
+    std::vector<Mistake> mistakes_;
 };
 
 }  // namespace
 
-std::vector<Finding> find_mistakes(const Scene& scene) { return Validator(scene).run(); }
+std::vector<Mistake> find_mistakes(const Scene& scene) { return Validator(scene).run(); }
 
 std::vector<Diagnostic> validate(const Scene& scene) {
     std::vector<Diagnostic> diagnostics;
-    for (Finding& finding : find_mistakes(scene)) {
+    for (Mistake& mistake : find_mistakes(scene)) {
         Diagnostic d;
-        d.severity = finding.severity;
-        d.message = std::move(finding.message);
-        if (finding.place.line != 0 && finding.place.file < scene.files.size()) {
-            d.file = scene.files[finding.place.file];
-            d.line = finding.place.line;
-            d.column = finding.place.column;
+        d.severity = mistake.severity;
+        d.message = std::move(mistake.message);
+        if (mistake.place.line != 0 && mistake.place.file < scene.files.size()) {
+            d.file = scene.files[mistake.place.file];
+            d.line = mistake.place.line;
+            d.column = mistake.place.column;
             d.length = 1;
         }
         diagnostics.push_back(std::move(d));

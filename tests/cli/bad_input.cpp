@@ -84,7 +84,7 @@ TEST(BadInput, Usage) {
         {{"render", "-", "-", "--format", "cgfs"}, "once"},
         {{"render", "a.cgfs", "-o", "-", "--stats", "-"}, "--stats"},
         {{"info"}, "SCENE"},
-        {{"rendr", "a.cgfs"}, "there are render, info, convert, explain, compare, versus, grade and completion"},
+        {{"rendr", "a.cgfs"}, "there are render, info, convert, check, "},
         {{"a.cgfs"}, "glint render a.cgfs"},
         {{"other.json", "-s", "10x10"}, "glint render other.json -s 10x10"},
         {{"completion", "fish"}, "bash"},

@@ -7,13 +7,13 @@
 
 namespace glint {
 
-struct Finding {
+struct Mistake {
     Severity severity = Severity::error;
     SourcePlace place;  ///< line 0: of the scene as a whole
     std::string message;
 };
 
 /// What validate() reports: at most 20 errors, then the warnings.
-std::vector<Finding> find_mistakes(const Scene& scene);
+std::vector<Mistake> find_mistakes(const Scene& scene);
 
 }  // namespace glint

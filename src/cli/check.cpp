@@ -1,0 +1,88 @@
+// glint check: a scene's likely mistakes.
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "cli/commands.h"
+#include "cli/failure.h"
+#include "cli/scene_arguments.h"
+#include "cli/text.h"
+
+namespace glint::cli {
+namespace {
+
+constexpr auto k_examples = R"(Examples:
+  glint check castle.json                              what is likely wrong, each with its line and remedy
+  glint check castle.json --strict                     exit code 1 if there is anything
+  glint check spheres.cgfs lights.cgfs --json          two listings as one scene; an array of findings
+  glint check homework.pov --convention reflections=1  as it is drawn with one reflection)";
+
+struct CheckArguments {
+    SceneArguments scene;
+    bool strict = false, json = false;
+    int threads = 0;
+};
+
+std::string json_text(const std::vector<Finding>& findings) {
+    using Json = nlohmann::ordered_json;
+    Json list = Json::array();
+    for (const Finding& f : findings) {
+        const Diagnostic& d = f.diagnostic;
+        Json item = {{"id", f.id}, {"severity", "warning"}};
+        if (d.line != 0) {
+            item["file"] = d.file;
+            item["line"] = d.line;
+            item["column"] = d.column;
+        }
+        item["message"] = d.message;
+        item["remedy"] = f.remedy;
+        list.push_back(std::move(item));
+    }
+    // File names need not be UTF-8.
+    return list.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+int check_command(const CheckArguments& arguments) {
+    LoadedScene loaded = load_scene(arguments.scene);
+    std::vector<SceneText> texts = loaded.texts;
+    const std::vector<InputFile> included = open_included(loaded, texts);
+    CheckOptions options;
+    options.threads = arguments.threads;
+    options.texts = texts;
+    const CheckResult result = check(loaded.scene, options);
+    add_warnings(loaded.warnings, result.diagnostics);
+    print(loaded.warnings);
+    if (has_errors(result.diagnostics)) throw Failure(k_bad_input, {});
+    if (!result.error.empty()) throw Failure(k_bad_input, result.error);
+    if (arguments.json) {
+        fmt::print("{}", json_text(result.findings));
+    } else {
+        for (const Finding& finding : result.findings) fmt::print("{}", to_string(finding));
+        const std::size_t mistakes = result.findings.size();
+        fmt::print("{}: {}\n", fmt::join(arguments.scene.files, " "),
+                   mistakes == 0 ? "no likely mistakes found" : counted(mistakes, "likely mistake"));
+    }
+    const bool clean = result.findings.empty() && loaded.warnings.empty();
+    return arguments.strict && !clean ? k_bad_input : k_done;
+}
+
+}  // namespace
+
+Run add_check(CLI::App& app) {
+    CLI::App& command =
+        *app.add_subcommand("check", "Name a scene's likely mistakes, each with its line and remedy");
+    const auto arguments = std::make_shared<CheckArguments>();
+    add_scene_arguments(command, arguments->scene);
+    command.add_option("-t,--threads", arguments->threads,
+                    "Threads; 0 (default): one a processor. The findings are the same")
+        ->check(CLI::Range(0, 1024))
+        ->option_text("N");
+    command.add_flag("--strict", arguments->strict, "Exit code 1 if there is any warning");
+    command.add_flag("--json", arguments->json, "The findings as a JSON array");
+    command.footer(k_examples);
+    return [arguments] { return check_command(*arguments); };
+}
+
+}  // namespace glint::cli

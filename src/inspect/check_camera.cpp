@@ -1,0 +1,76 @@
+// The camera: inside a shape, or where it sees nothing.
+#include <fmt/format.h>
+
+#include "inspect/checks.h"
+#include "math/transform.h"
+
+namespace glint {
+namespace {
+
+std::string text(Vec3 v) { return fmt::format("({:.4g}, {:.4g}, {:.4g})", v.x, v.y, v.z); }
+
+bool contains(const Bounds& outer, const Bounds& inner) {
+    const double slack = 1e-5 * (length(outer.min) + length(outer.max));
+    return outer.min.x <= inner.min.x + slack && outer.min.y <= inner.min.y + slack &&
+           outer.min.z <= inner.min.z + slack && outer.max.x >= inner.max.x - slack &&
+           outer.max.y >= inner.max.y - slack && outer.max.z >= inner.max.z - slack;
+}
+
+// A sky, or a room: it holds all that there is, and there is more than it.
+bool holds_everything(const World& world, std::uint32_t shape) {
+    if (world.bounded < 2) return false;
+    for (std::uint32_t slot = 0; slot < world.bounded; ++slot) {
+        if (world.shape_index[slot] == shape) return contains(box_of_slot(world, slot), bounds(world));
+    }
+    return false;
+}
+
+void check_inside(Subject& subject) {
+    const Scene& scene = subject.scene();
+    for (const std::uint32_t shape : shapes_around(subject, scene.camera.position)) {
+        if (holds_everything(subject.world(), shape)) continue;
+        subject.report("camera-inside-shape", scene.camera_place,
+                       fmt::format("the camera at {} is inside {}: its picture is of the shape's inside",
+                                   text(scene.camera.position), subject.shape_and_line(shape)),
+                       "move the camera out of the shape, or make the shape smaller");
+    }
+}
+
+}  // namespace
+
+bool check_camera(Subject& subject, const Sight& sight) {
+    if (subject.scene().camera.projection == Projection::perspective) check_inside(subject);
+    const World& world = subject.world();
+    if (world.count == 0) return false;
+    bool planes = false;
+    for (const Generation& g : sight.generations) {
+        for (const SurfaceHit& h : g.hits) {
+            if (h.slot < world.bounded) return true;
+            planes = true;
+        }
+    }
+    if (world.bounded == 0 && planes) return true;
+    const SourcePlace place = subject.scene().camera_place;
+    if (world.bounded == 0) {
+        subject.report("camera-sees-nothing", place,
+                       "the camera looks away from every plane of the scene: the picture is only background",
+                       "turn the camera towards a plane");
+        return false;
+    }
+    const Bounds all = bounds(world);
+    const Vec3 middle = (all.min + all.max) * 0.5, way = middle - world.camera.position;
+    const double along = dot(way, normalize(world.camera.forward));
+    const bool away = along <= 0;
+    subject.report(
+        "camera-sees-nothing", place,
+        fmt::format("the camera sees none of the scene's shapes{}: it looks along {} from {}, and the middle of "
+                    "what there is, {}, lies {}",
+                    planes ? " but planes" : "", text(normalize(world.camera.forward)),
+                    text(world.camera.position), text(middle),
+                    away ? "behind it" : fmt::format("{:.4g} before it", along)),
+        fmt::format("let it look at {}{}", text(middle),
+                    planes && !away ? ", and see that no plane hides the shapes" : ""));
+    return false;
+}
+
+}  // namespace glint

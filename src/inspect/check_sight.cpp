@@ -1,0 +1,215 @@
+#include "inspect/check_sight.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "base/parallel_for.h"
+#include "geometry/kinds-inl.h"
+#include "geometry/leave-inl.h"
+#include "lighting/glass-inl.h"
+#include "math/transform.h"
+#include "trace/camera_rays-inl.h"
+#include "trace/kernels.h"
+
+namespace glint {
+namespace {
+
+using namespace HWY_NAMESPACE;
+
+constexpr std::int32_t k_longest = 640;        // camera rays a side, at most
+constexpr std::size_t k_most_followed = 65536;  // mirror and glass rays of a generation
+constexpr int k_most_generations = 4;
+constexpr std::size_t k_chunk = 4096;
+
+Triple<double> triple_of(Vec3 v) { return {v.x, v.y, v.z}; }
+Vec3 vec_of(Triple<double> v) { return {v.x, v.y, v.z}; }
+
+// The unit normal of one slot's shape at a point.
+struct NormalOf {
+    const ShapeClass& shapes;
+    std::uint32_t item;
+    Triple<double> point, normal;
+    template <class Geometry> void visit() {
+        double p[Geometry::k_values];
+        for (int k = 0; k < Geometry::k_values; ++k) p[k] = shapes.column(k)[item];
+        normal = Geometry::normal(p, point);
+    }
+};
+
+double largest(Vec3 v) { return max_abs(triple_of(v)); }
+
+// The mirror and glass rays that leave some hits, as the renderer's own, weights apart.
+RayList leaving_rays(const World& world, const RayList& from, const std::vector<SurfaceHit>& hits) {
+    const Conventions& rules = world.conventions;
+    const auto leaves = [&](const SurfaceHit& h) {
+        const double* m = world.materials.data() + std::size_t{h.material} * k_material_values;
+        return std::pair{m[k_mirror] > 0, m[k_transmission] > 0};
+    };
+    std::size_t count = 0;
+    for (const SurfaceHit& h : hits) count += leaves(h).first || leaves(h).second ? 1 : 0;
+    const std::size_t step = count / k_most_followed + 1;
+    const Bounds all = bounds(world);
+    const double reach = all.min.x <= all.max.x ? std::max(largest(all.min), largest(all.max)) : 0;
+    RayList rays;
+    std::size_t number = 0;
+    for (const SurfaceHit& h : hits) {
+        const auto [mirror, glass] = leaves(h);
+        if ((!mirror && !glass) || number++ % step != 0) continue;
+        const SurfacePoint<double> surface{triple_of(h.point), triple_of(h.normal), triple_of(h.incoming),
+                                           largest(from.origin(h.ray)) + largest(h.point) + reach};
+        const auto add = [&](Triple<double> direction, bool through) {
+            const auto origin = through ? leave_through(surface, direction, rules.offset, rules.epsilon)
+                                        : leave(surface, direction, rules.offset, rules.epsilon);
+            rays.add(vec_of(origin), vec_of(direction), leave_t_min(rules.offset, rules.epsilon));
+        };
+        const Triple<double> d = surface.incoming, n = surface.normal;
+        bool reflects = mirror;
+        if (glass) {
+            const double ior = world.materials[std::size_t{h.material} * k_material_values + k_ior];
+            const auto refraction = refracted(d, dot(n, d) > 0 ? -n : n, h.behind ? ior : 1 / ior);
+            if (!refraction.total) add(refraction.direction, true);
+            reflects = mirror || refraction.total || rules.fresnel == Fresnel::schlick;
+        }
+        if (reflects) add(d - n * (2 * dot(d, n)), false);
+    }
+    return rays;
+}
+
+std::vector<SurfaceHit> surface_hits(const World& world, const RayList& rays, int threads) {
+    const HitList found = nearest_hits(world, rays, threads);
+    std::vector<SurfaceHit> hits;
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        if (found.slot[i] != k_none) hits.push_back(surface_hit(world, rays, found, i));
+    }
+    return hits;
+}
+
+}  // namespace
+
+void RayList::add(Vec3 o, Vec3 d, double t_min, double t_max) {
+    const double values[8] = {o.x, o.y, o.z, d.x, d.y, d.z, t_min, t_max};
+    for (int c = 0; c < 8; ++c) {
+        columns_[c][columns_[c].size() - k_ray_padding] = values[c];
+        columns_[c].push_back(0);
+    }
+}
+
+RaySpan RayList::from(std::size_t i) const {
+    return {columns_[0].data() + i, columns_[1].data() + i, columns_[2].data() + i, columns_[3].data() + i,
+            columns_[4].data() + i, columns_[5].data() + i, columns_[6].data() + i, columns_[7].data() + i};
+}
+
+HitList nearest_hits(const World& world, const RayList& rays, int threads) {
+    const Kernels& kernels = available_kernels().front();
+    HitList hits{std::vector<double>(rays.size()), std::vector<std::uint32_t>(rays.size())};
+    parallel_for((rays.size() + k_chunk - 1) / k_chunk, threads, [&](std::size_t chunk) {
+        // The kernels write whole vectors: a chunk's answers must not reach into its neighbour's.
+        double t[k_chunk + k_ray_padding];
+        std::uint32_t slot[k_chunk + k_ray_padding];
+        const std::size_t first = chunk * k_chunk, count = std::min(k_chunk, rays.size() - first);
+        kernels.nearest_hit(world, rays.from(first), static_cast<int>(count), k_beam, t, slot);
+        std::copy_n(t, count, hits.t.begin() + static_cast<std::ptrdiff_t>(first));
+        std::copy_n(slot, count, hits.slot.begin() + static_cast<std::ptrdiff_t>(first));
+    });
+    return hits;
+}
+
+SurfaceHit surface_hit(const World& world, const RayList& rays, const HitList& hits, std::size_t ray) {
+    SurfaceHit h;
+    h.ray = ray;
+    h.slot = hits.slot[ray];
+    h.shape = world.shape_index[h.slot];
+    h.material = world.material[h.slot] & k_material_index;
+    h.turned = (world.material[h.slot] & k_turn_normal) != 0;
+    h.incoming = rays.direction(ray);
+    h.point = rays.origin(ray) + h.incoming * hits.t[ray];
+    const ShapeClass& shapes = world.class_of(h.slot);
+    NormalOf of{shapes, h.slot - shapes.first, triple_of(h.point), {}};
+    visit_geometry(shapes.kind, shapes.transformed, of);
+    h.normal = vec_of(of.normal);
+    h.behind = dot(h.normal, h.incoming) > 0;
+    if (h.behind && h.turned) h.normal = -h.normal;
+    return h;
+}
+
+RayList camera_rays(const World& world, SmallSize size, double x, double y) {
+    const PreparedCamera& camera = world.camera;
+    const PixelSample where = world.conventions.pixel_sample;
+    RenderSettings settings;
+    settings.width = size.width;
+    settings.height = size.height;
+    RayList rays;
+    for (std::int32_t row = 0; row < size.height; ++row) {
+        const double up =
+            (middle(where, size.height) - (row + y + offset_y(where))) / size.height;
+        for (std::int32_t column = 0; column < size.width; ++column) {
+            const Vec3 across =
+                camera.right * viewport_x(settings, where, column + x, 0) + camera.up * up;
+            const bool orthographic = camera.projection == Projection::orthographic;
+            Vec3 direction = orthographic ? camera.forward : camera.forward + across;
+            if (world.conventions.ray_direction == RayDirection::unit) direction = glint::normalize(direction);
+            rays.add(orthographic ? camera.position + across : camera.position, direction,
+                     world.conventions.camera_t_min);
+        }
+    }
+    return rays;
+}
+
+Sight::Sight(const World& world, int threads) : size(small_size(world.settings, k_longest)) {
+    RayList rays = camera_rays(world, size, 0, 0);
+    generations.push_back({surface_hits(world, rays, threads)});
+    const int most = std::min(world.settings.reflections, k_most_generations);
+    for (int g = 0; g < most; ++g) {
+        rays = leaving_rays(world, rays, generations.back().hits);
+        if (rays.size() == 0) break;
+        generations.push_back({surface_hits(world, rays, threads)});
+    }
+}
+
+std::vector<std::uint32_t> shapes_along(const World& world, Vec3 point, Vec3 direction) {
+    constexpr int k_most = 1000;
+    std::vector<std::uint32_t> shapes;
+    double t_min = 0;
+    for (int i = 0; i < k_most; ++i) {
+        RayList ray;
+        ray.add(point, direction, t_min);
+        const HitList hit = nearest_hits(world, ray, 1);
+        if (hit.slot[0] == k_none) break;
+        shapes.push_back(world.shape_index[hit.slot[0]]);
+        t_min = hit.t[0];
+    }
+    return shapes;
+}
+
+std::vector<std::uint32_t> shapes_around(const Subject& subject, Vec3 point) {
+    // The closed kinds are convex: a ray from inside meets one of them once, in any direction.
+    const Vec3 way{0.5773, 0.6211, 0.5301};
+    const auto once = [&](Vec3 direction) {
+        std::vector<std::uint32_t> met = shapes_along(subject.world(), point, direction), single;
+        std::sort(met.begin(), met.end());
+        for (std::size_t i = 0; i < met.size(); ++i) {
+            const bool repeated =
+                (i > 0 && met[i - 1] == met[i]) || (i + 1 < met.size() && met[i + 1] == met[i]);
+            if (!repeated && subject.is_closed(met[i])) single.push_back(met[i]);
+        }
+        return single;
+    };
+    const std::vector<std::uint32_t> one = once(way), other = once(-way);
+    std::vector<std::uint32_t> both;
+    std::set_intersection(one.begin(), one.end(), other.begin(), other.end(), std::back_inserter(both));
+    return both;
+}
+
+Bounds box_of_slot(const World& world, std::uint32_t slot) {
+    if (slot < world.boxed) {
+        return {{world.box_lo[0][slot], world.box_lo[1][slot], world.box_lo[2][slot]},
+                {world.box_hi[0][slot], world.box_hi[1][slot], world.box_hi[2][slot]}};
+    }
+    const ShapeClass& shapes = world.class_of(slot);  // triangles, whose first values are the vertices
+    double p[9];
+    for (int k = 0; k < 9; ++k) p[k] = shapes.column(k)[slot - shapes.first];
+    const auto [lo, hi] = TriangleGeometry::sides(p);
+    return {vec_of(lo), vec_of(hi)};
+}
+
+}  // namespace glint

@@ -1,0 +1,80 @@
+#pragma once
+// What the camera sees, ray by ray, by the renderer's own kernels.
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "bvh/rays.h"
+#include "inspect/check_subject.h"
+
+namespace glint {
+
+/// Rays as columns, padded as the kernels want it.
+class RayList {
+  public:
+    RayList() {
+        for (auto& c : columns_) c.resize(k_ray_padding);
+    }
+    void add(Vec3 origin, Vec3 direction, double t_min, double t_max = k_far);
+    std::size_t size() const { return columns_[0].size() - k_ray_padding; }
+    Vec3 origin(std::size_t i) const { return {columns_[0][i], columns_[1][i], columns_[2][i]}; }
+    Vec3 direction(std::size_t i) const { return {columns_[3][i], columns_[4][i], columns_[5][i]}; }
+    RaySpan from(std::size_t i) const;
+
+    static constexpr double k_far = std::numeric_limits<double>::infinity();
+
+  private:
+    std::vector<double> columns_[8];
+};
+
+/// The nearest hit of each ray; slot is k_none and t the ray's t_max where there is none.
+struct HitList {
+    std::vector<double> t;
+    std::vector<std::uint32_t> slot;
+};
+HitList nearest_hits(const World& world, const RayList& rays, int threads);
+
+/// A point of a surface that a ray met.
+struct SurfaceHit {
+    Vec3 point, normal;        // unit normal, turned to the ray where the conventions say so
+    Vec3 incoming;             // the ray's direction
+    std::uint32_t slot = 0, shape = 0, material = 0;
+    std::size_t ray = 0;       // the number of the ray
+    bool turned = false;       // the conventions turn this shape's normal
+    bool behind = false;       // the ray came from behind the shape's own normal
+};
+SurfaceHit surface_hit(const World& world, const RayList& rays, const HitList& hits, std::size_t ray);
+
+/// What the rays of one generation met.
+struct Generation {
+    std::vector<SurfaceHit> hits;
+};
+
+/// The camera's rays at `size`, each through the place where the renderer's passes plus (x, y) pixels.
+RayList camera_rays(const World& world, SmallSize size, double x, double y);
+
+/// The first generations of rays through the picture.
+class Sight {
+  public:
+    /// Traces a ray a pixel, or fewer where the picture is large, and follows them into mirrors and glass.
+    Sight(const World& world, int threads);
+
+    SmallSize size;                       // of the grid of camera rays
+    std::vector<Generation> generations;  // [0]: directly seen
+    const std::vector<SurfaceHit>& seen() const { return generations[0].hits; }
+    std::size_t rays() const {
+        return static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height);
+    }
+};
+
+/// Every shape that a ray from `point` meets in a direction chosen once, in order of distance, as often as it
+/// is met. At most a thousand.
+std::vector<std::uint32_t> shapes_along(const World& world, Vec3 point, Vec3 direction);
+
+/// The closed shapes that hold the point.
+std::vector<std::uint32_t> shapes_around(const Subject& subject, Vec3 point);
+
+/// The box of a bounded slot.
+Bounds box_of_slot(const World& world, std::uint32_t slot);
+
+}  // namespace glint

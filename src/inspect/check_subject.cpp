@@ -1,0 +1,151 @@
+#include "inspect/check_subject.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "base/diagnostics.h"
+#include "base/text.h"
+
+namespace glint {
+namespace {
+
+constexpr std::size_t k_most_named = 5;
+
+std::string item(std::string_view word, std::uint32_t index, std::string_view name) {
+    return name.empty() ? fmt::format("{} {}", word, std::uint64_t{index} + 1)
+                        : fmt::format("{} {}", word, quoted(name));
+}
+
+// Byte offset of a place; the end of the text if it has no such line.
+std::size_t offset_of(std::string_view text, SourcePlace place) {
+    std::size_t start = 0;
+    for (std::uint32_t line = 1; line < place.line; ++line) {
+        const std::size_t end = text.find('\n', start);
+        if (end == std::string_view::npos) return text.size();
+        start = end + 1;
+    }
+    return std::min(start + place.column - 1, text.size());
+}
+
+}  // namespace
+
+SmallSize small_size(const RenderSettings& settings, std::int32_t longest) {
+    const std::int64_t most = std::max(settings.width, settings.height);
+    if (most <= longest) return {settings.width, settings.height};
+    const auto scaled = [&](std::int32_t side) {
+        return static_cast<std::int32_t>(std::max<std::int64_t>(1, (2 * side * std::int64_t{longest} + most) / (2 * most)));
+    };
+    return {scaled(settings.width), scaled(settings.height)};
+}
+
+void Subject::restore() {
+    world_.settings = scene_.settings;
+    world_.conventions = scene_.conventions;
+}
+
+Image Subject::draw(std::int32_t longest) {
+    const SmallSize size = small_size(world_.settings, longest);
+    const RenderSettings saved = world_.settings;
+    world_.settings.width = size.width;
+    world_.settings.height = size.height;
+    world_.settings.samples = 1;
+    RenderOptions options;
+    options.threads = options_.threads;
+    RenderResult result = render(world_, options);
+    world_.settings = saved;
+    return result.image ? std::move(*result.image) : Image{};
+}
+
+void Subject::report(std::string_view id, SourcePlace place, std::string message, std::string remedy) {
+    Finding finding;
+    finding.id = id;
+    Diagnostic& d = finding.diagnostic;
+    d.severity = Severity::warning;
+    if (place.line != 0 && place.file < scene_.files.size()) {
+        d.file = scene_.files[place.file];
+        d.line = place.line;
+        d.column = place.column;
+        d.length = 1;
+        for (const SceneText& text : options_.texts) {
+            if (text.name != d.file) continue;
+            const std::size_t offset = offset_of(text.text, place);
+            const auto word_end = text.text.find_first_of(" \t\r\n{[(:=,", offset);
+            d = make_diagnostic(Severity::warning, {text.name, text.text}, offset,
+                                std::min(word_end, text.text.size()) - offset, {});
+            break;
+        }
+    } else {
+        place = {};
+    }
+    d.message = std::move(message);
+    finding.remedy = std::move(remedy);
+    findings_.emplace_back(place, std::move(finding));
+}
+
+std::vector<Finding> Subject::take() {
+    std::stable_sort(findings_.begin(), findings_.end(), [](const auto& a, const auto& b) {
+        const SourcePlace &p = a.first, &q = b.first;
+        if ((p.line == 0) != (q.line == 0)) return p.line != 0;
+        if (p.file != q.file) return p.file < q.file;
+        return p.line != q.line ? p.line < q.line : p.column < q.column;
+    });
+    std::vector<Finding> list;
+    list.reserve(findings_.size());
+    for (auto& [place, finding] : findings_) list.push_back(std::move(finding));
+    return list;
+}
+
+std::string Subject::line_of(SourcePlace place) const {
+    if (place.line == 0 || place.file >= scene_.files.size()) return {};
+    return place.file == 0 ? fmt::format(" (line {})", place.line)
+                           : fmt::format(" ({}:{})", scene_.files[place.file], place.line);
+}
+
+std::string Subject::shape(std::uint32_t i) const {
+    return item(shape_word(scene_.shapes[i].kind), i, scene_.shape_texts.name(i));
+}
+std::string Subject::shape_and_line(std::uint32_t i) const {
+    return shape(i) + line_of(scene_.shape_texts.place(i));
+}
+std::string Subject::light(std::uint32_t i) const { return item("light", i, scene_.light_texts.name(i)); }
+std::string Subject::material(std::uint32_t i) const {
+    return i >= scene_.materials.size()
+               ? "the default material"
+               : item("material", i, scene_.material_texts.name(i)) + line_of(scene_.material_texts.place(i));
+}
+
+std::string Subject::some_shapes(const std::vector<std::uint32_t>& shapes) const {
+    std::string text;
+    const std::size_t named = shapes.size() <= k_most_named + 1 ? shapes.size() : k_most_named;
+    for (std::size_t i = 0; i < named; ++i) {
+        const bool last = i + 1 == named && named == shapes.size();
+        text += i == 0 ? "" : last ? " and " : ", ";
+        text += shape_and_line(shapes[i]);
+    }
+    if (named < shapes.size()) text += fmt::format(" and {} more", shapes.size() - named);
+    return text;
+}
+
+bool Subject::is_closed(std::uint32_t index) const {
+    const Shape& shape = scene_.shapes[index];
+    switch (shape.kind) {
+        case ShapeKind::sphere:
+        case ShapeKind::box:
+            return true;
+        case ShapeKind::cylinder:
+            return scene_.get<Cylinder>()[shape.index].caps;
+        case ShapeKind::cone:
+            return scene_.get<Cone>()[shape.index].caps;
+        default:
+            return false;
+    }
+}
+
+const Material& Subject::material_of(std::uint32_t shape) const {
+    static const Material k_default;
+    const std::uint32_t material = scene_.shapes[shape].material;
+    return material == k_none ? k_default : scene_.materials[material];
+}
+
+}  // namespace glint

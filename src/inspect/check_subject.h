@@ -1,0 +1,61 @@
+#pragma once
+// What the checks work on: the scene, its world, small pictures of it, and the list of findings.
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "glint/check.h"
+#include "glint/render.h"
+#include "world/world.h"
+
+namespace glint {
+
+/// The sides of the picture, made small: at most `longest` pixels, in about the same proportion.
+struct SmallSize {
+    std::int32_t width, height;
+};
+SmallSize small_size(const RenderSettings& settings, std::int32_t longest);
+
+class Subject {
+  public:
+    /// world: of the scene; the subject's own from here on.
+    Subject(const Scene& scene, World& world, const CheckOptions& options)
+        : scene_(scene), world_(world), options_(options) {}
+
+    const Scene& scene() const { return scene_; }
+    const World& world() const { return world_; }
+    int threads() const { return options_.threads; }
+
+    /// What is changed for one picture, or for some rays: call restore() afterwards.
+    World& change() { return world_; }
+    void restore();
+
+    /// The picture with the world as it is, one sample a pixel, at most `longest` pixels a side.
+    Image draw(std::int32_t longest);
+
+    void report(std::string_view id, SourcePlace place, std::string message, std::string remedy);
+    std::vector<Finding> take();
+
+    /// "sphere 'ball'" or "sphere 3", and with its line: "sphere 3 (line 7)", if it has one.
+    std::string shape(std::uint32_t index) const;
+    std::string shape_and_line(std::uint32_t index) const;
+    std::string light(std::uint32_t index) const;
+    std::string material(std::uint32_t index) const;
+
+    /// The first few of a list: "sphere 1 (line 3), sphere 2 (line 4) and 98 more".
+    std::string some_shapes(const std::vector<std::uint32_t>& shapes) const;
+
+    /// Whether a shape encloses a space: no ray gets in or out without meeting it.
+    bool is_closed(std::uint32_t shape) const;
+    const Material& material_of(std::uint32_t shape) const;
+
+  private:
+    std::string line_of(SourcePlace place) const;
+
+    const Scene& scene_;
+    World& world_;
+    const CheckOptions& options_;
+    std::vector<std::pair<SourcePlace, Finding>> findings_;
+};
+
+}  // namespace glint
