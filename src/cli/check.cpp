@@ -75,7 +75,8 @@ Run add_check(CLI::App& app) {
         *app.add_subcommand("check", "Name a scene's likely mistakes, each with its line and remedy");
     const auto arguments = std::make_shared<CheckArguments>();
     add_scene_arguments(command, arguments->scene);
-    command.add_option("-t,--threads", arguments->threads,
+    command
+        .add_option("-t,--threads", arguments->threads,
                     "Threads; 0 (default): one a processor. The findings are the same")
         ->check(CLI::Range(0, 1024))
         ->option_text("N");

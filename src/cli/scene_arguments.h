@@ -35,8 +35,8 @@ struct LoadedScene {
 /// printing what is wrong with it.
 LoadedScene load_scene(const SceneArguments& arguments);
 
-/// Adds the texts that the scene includes to `texts`, as far as they can be opened again; keep what is returned
-/// as long as them.
+/// Adds the texts that the scene includes to `texts`, as far as they can be opened again; keep what is
+/// returned as long as them.
 std::vector<InputFile> open_included(const LoadedScene& loaded, std::vector<SceneText>& texts);
 
 /// Adds the warnings of prepare() that load() has not given already.

@@ -11,15 +11,52 @@ namespace glint {
 namespace {
 
 constexpr CheckKind k_kinds[] = {
-    {"camera-inside-shape", "the camera stands inside a closed shape that is not all of the scene"},
-    {"camera-sees-nothing", "no bounded shape is in the picture, nor in its mirrors"},
+    {"camera-inside-shape", "the camera is inside a closed shape that does not hold all of the scene"},
+    {"camera-sees-nothing", "no shape is in the picture, or none but planes"},
+    {"camera-frame-skewed",
+     "the camera's axes are not at right angles, or no rotation where one is asked for"},
+    {"light-inside-shape", "a light that adds nothing is inside a closed shape"},
+    {"light-behind-everything", "a light is behind every surface that the camera sees"},
+    {"light-behind-plane", "a plane stands between a light and all that the camera sees"},
+    {"light-blocked", "every shadow ray to a light is blocked"},
+    {"light-adds-nothing", "no material reflects a light"},
+    {"light-too-weak", "a light adds less than half of 1/255 to any pixel"},
+    {"light-without-color", "a light is black"},
+    {"light-color-255", "a light's colour looks like bytes"},
+    {"shape-outside-view", "shapes are outside the picture"},
+    {"shape-hidden", "shapes are hidden behind or inside others"},
+    {"shape-too-small", "shapes are smaller than a pixel"},
+    {"shape-written-twice", "two shapes are the same and in the same place"},
+    {"faces-coincide", "faces of two shapes of different looks are in one place, and seen"},
+    {"seen-from-behind", "flat surfaces are seen from behind, where nothing turns their normals"},
+    {"normals-against-winding", "vertex normals point against the triangle's winding"},
+    {"normals-on-both-sides", "a triangle's vertex normals point to both sides of it"},
+    {"normal-not-unit", "a normal is not of length 1, where the format's source takes it so"},
+    {"direction-not-unit", "a light's direction is not of length 1, and is not normalised"},
+    {"material-unused", "no shape has a material"},
+    {"material-color-255", "a material's colour looks like bytes"},
+    {"material-almost-black", "a material's colour is below 1/255"},
+    {"shininess-zero", "a highlight has the exponent 0"},
+    {"picture-black", "the whole picture is black"},
+    {"picture-one-color", "the whole picture has one colour"},
+    {"picture-clamped", "much of the picture is brighter than 1"},
+    {"epsilon-too-small", "rays meet the surface that they leave: shadow acne"},
+    {"epsilon-too-large", "rays start beyond what is near"},
+    {"reflections-too-few", "one reflection more changes much of the picture"},
 };
 
 void run_checks(const Scene& scene, World& world, const CheckOptions& options, CheckResult& result) {
     Subject subject(scene, world, options);
     const Sight sight(world, options.threads);
-    const bool sees = check_camera(subject, sight);
-    (void)sees;
+    if (check_camera(subject, sight)) {
+        check_lights(subject, sight);
+        check_shapes(subject, sight);
+        check_faces(subject);
+        check_normals(subject, sight);
+        check_picture(subject, sight);
+    }
+    check_vectors(subject);
+    check_materials(subject);
     result.findings = subject.take();
 }
 

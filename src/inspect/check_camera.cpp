@@ -63,11 +63,11 @@ bool check_camera(Subject& subject, const Sight& sight) {
     const bool away = along <= 0;
     subject.report(
         "camera-sees-nothing", place,
-        fmt::format("the camera sees none of the scene's shapes{}: it looks along {} from {}, and the middle of "
-                    "what there is, {}, lies {}",
-                    planes ? " but planes" : "", text(normalize(world.camera.forward)),
-                    text(world.camera.position), text(middle),
-                    away ? "behind it" : fmt::format("{:.4g} before it", along)),
+        fmt::format(
+            "the camera sees none of the scene's shapes{}: it looks along {} from {}, and the middle of "
+            "what there is, {}, lies {}",
+            planes ? " but planes" : "", text(normalize(world.camera.forward)), text(world.camera.position),
+            text(middle), away ? "behind it" : fmt::format("{:.4g} before it", along)),
         fmt::format("let it look at {}{}", text(middle),
                     planes && !away ? ", and see that no plane hides the shapes" : ""));
     return false;

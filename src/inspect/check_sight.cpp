@@ -16,7 +16,7 @@ namespace {
 
 using namespace HWY_NAMESPACE;
 
-constexpr std::int32_t k_longest = 640;        // camera rays a side, at most
+constexpr std::int32_t k_longest = 640;         // camera rays a side, at most
 constexpr std::size_t k_most_followed = 65536;  // mirror and glass rays of a generation
 constexpr int k_most_generations = 4;
 constexpr std::size_t k_chunk = 4096;
@@ -140,14 +140,13 @@ RayList camera_rays(const World& world, SmallSize size, double x, double y) {
     settings.height = size.height;
     RayList rays;
     for (std::int32_t row = 0; row < size.height; ++row) {
-        const double up =
-            (middle(where, size.height) - (row + y + offset_y(where))) / size.height;
+        const double up = (middle(where, size.height) - (row + y + offset_y(where))) / size.height;
         for (std::int32_t column = 0; column < size.width; ++column) {
-            const Vec3 across =
-                camera.right * viewport_x(settings, where, column + x, 0) + camera.up * up;
+            const Vec3 across = camera.right * viewport_x(settings, where, column + x, 0) + camera.up * up;
             const bool orthographic = camera.projection == Projection::orthographic;
             Vec3 direction = orthographic ? camera.forward : camera.forward + across;
-            if (world.conventions.ray_direction == RayDirection::unit) direction = glint::normalize(direction);
+            if (world.conventions.ray_direction == RayDirection::unit)
+                direction = glint::normalize(direction);
             rays.add(orthographic ? camera.position + across : camera.position, direction,
                      world.conventions.camera_t_min);
         }

@@ -36,12 +36,12 @@ HitList nearest_hits(const World& world, const RayList& rays, int threads);
 
 /// A point of a surface that a ray met.
 struct SurfaceHit {
-    Vec3 point, normal;        // unit normal, turned to the ray where the conventions say so
-    Vec3 incoming;             // the ray's direction
+    Vec3 point, normal;  // unit normal, turned to the ray where the conventions say so
+    Vec3 incoming;       // the ray's direction
     std::uint32_t slot = 0, shape = 0, material = 0;
-    std::size_t ray = 0;       // the number of the ray
-    bool turned = false;       // the conventions turn this shape's normal
-    bool behind = false;       // the ray came from behind the shape's own normal
+    std::size_t ray = 0;  // the number of the ray
+    bool turned = false;  // the conventions turn this shape's normal
+    bool behind = false;  // the ray came from behind the shape's own normal
 };
 SurfaceHit surface_hit(const World& world, const RayList& rays, const HitList& hits, std::size_t ray);
 

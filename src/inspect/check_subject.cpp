@@ -34,7 +34,8 @@ SmallSize small_size(const RenderSettings& settings, std::int32_t longest) {
     const std::int64_t most = std::max(settings.width, settings.height);
     if (most <= longest) return {settings.width, settings.height};
     const auto scaled = [&](std::int32_t side) {
-        return static_cast<std::int32_t>(std::max<std::int64_t>(1, (2 * side * std::int64_t{longest} + most) / (2 * most)));
+        return static_cast<std::int32_t>(
+            std::max<std::int64_t>(1, (2 * side * std::int64_t{longest} + most) / (2 * most)));
     };
     return {scaled(settings.width), scaled(settings.height)};
 }
@@ -42,6 +43,14 @@ SmallSize small_size(const RenderSettings& settings, std::int32_t longest) {
 void Subject::restore() {
     world_.settings = scene_.settings;
     world_.conventions = scene_.conventions;
+    world_.lights = lights_;
+    world_.ambient = ambient_;
+}
+
+void Subject::turn_order() {
+    const auto last = static_cast<std::uint32_t>(scene_.shapes.size()) - 1;
+    for (std::uint32_t slot = 0; slot < world_.count; ++slot)
+        world_.shape_index[slot] = last - world_.shape_index[slot];
 }
 
 Image Subject::draw(std::int32_t longest) {

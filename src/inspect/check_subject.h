@@ -20,15 +20,19 @@ class Subject {
   public:
     /// world: of the scene; the subject's own from here on.
     Subject(const Scene& scene, World& world, const CheckOptions& options)
-        : scene_(scene), world_(world), options_(options) {}
+        : scene_(scene), world_(world), options_(options), lights_(world.lights), ambient_(world.ambient) {}
 
     const Scene& scene() const { return scene_; }
     const World& world() const { return world_; }
     int threads() const { return options_.threads; }
 
-    /// What is changed for one picture, or for some rays: call restore() afterwards.
+    /// For one picture, or for some rays: settings, conventions, lights and ambient light may be changed.
+    /// Call restore() afterwards.
     World& change() { return world_; }
     void restore();
+    /// Turns the order of the scene's shapes around: of two that are hit at the same t the later is seen. A
+    /// second call turns it back.
+    void turn_order();
 
     /// The picture with the world as it is, one sample a pixel, at most `longest` pixels a side.
     Image draw(std::int32_t longest);
@@ -55,6 +59,8 @@ class Subject {
     const Scene& scene_;
     World& world_;
     const CheckOptions& options_;
+    const std::vector<Light> lights_;
+    const Color ambient_;
     std::vector<std::pair<SourcePlace, Finding>> findings_;
 };
 

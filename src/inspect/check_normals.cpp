@@ -1,0 +1,95 @@
+// Surfaces that turn their backs on the viewer where nothing turns them around, and vertex normals against
+// their triangle's winding.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "inspect/checks.h"
+#include "math/transform.h"
+
+namespace glint {
+namespace {
+
+// Of the pixels in which a surface is seen, those in which it is seen from behind.
+struct Views {
+    std::size_t front = 0, behind = 0;
+    bool mostly_behind() const { return behind > 9 * front && behind > 0; }
+};
+
+// Not those that enclose a space: their insides are meant to be dark.
+bool is_sheet(ShapeKind kind) {
+    return kind == ShapeKind::plane || kind == ShapeKind::disc || kind == ShapeKind::triangle ||
+           kind == ShapeKind::smooth_triangle || kind == ShapeKind::polygon;
+}
+
+void check_backs(Subject& subject, const Sight& sight) {
+    const Scene& scene = subject.scene();
+    const Shading shading = scene.settings.shading;
+    if (shading == Shading::color || shading == Shading::normals || subject.world().lights.empty()) return;
+    std::vector<Views> views(scene.shapes.size());
+    for (const SurfaceHit& h : sight.seen()) {
+        if (h.turned || !is_sheet(scene.shapes[h.shape].kind)) continue;
+        ++(h.behind ? views[h.shape].behind : views[h.shape].front);
+    }
+    std::vector<std::uint32_t> backs;
+    std::size_t pixels = 0, fronts = 0;
+    for (std::uint32_t i = 0; i < views.size(); ++i) {
+        fronts += views[i].front > 0 ? 1 : 0;
+        if (!views[i].mostly_behind()) continue;
+        backs.push_back(i);
+        pixels += views[i].behind;
+    }
+    if (backs.empty()) return;
+    subject.report(
+        "seen-from-behind", scene.shape_texts.place(backs.front()),
+        fmt::format(
+            "{} {} seen from behind, in {:.2g}% of the picture, where the lights of the viewer's side do not "
+            "reach: these conventions turn no normals ({} flat shapes are seen from the front)",
+            subject.some_shapes(backs), backs.size() == 1 ? "is" : "are",
+            100 * static_cast<double>(pixels) / static_cast<double>(sight.rays()), fronts),
+        "turn the normal around, or the order of the vertices: the front is where they go counter-clockwise");
+}
+
+void check_vertex_normals(Subject& subject) {
+    const Scene& scene = subject.scene();
+    std::vector<std::uint32_t> against, mixed;
+    std::size_t smooth = 0;
+    for (std::uint32_t i = 0; i < scene.shapes.size(); ++i) {
+        const Shape& shape = scene.shapes[i];
+        if (shape.kind != ShapeKind::smooth_triangle) continue;
+        ++smooth;
+        const SmoothTriangle& t = scene.get<SmoothTriangle>()[shape.index];
+        Vec3 face = cross(t.vertices[1] - t.vertices[0], t.vertices[2] - t.vertices[0]);
+        // A mirroring turns the winding around, but no normals.
+        if (shape.transform != k_none && determinant(scene.transforms[shape.transform]) < 0) face = -face;
+        const auto backward = std::count_if(std::begin(t.normals), std::end(t.normals),
+                                            [&](Vec3 n) { return dot(n, face) < 0; });
+        if (backward == 3) against.push_back(i);
+        if (backward == 1 || backward == 2) mixed.push_back(i);
+    }
+    if (!against.empty()) {
+        subject.report(
+            "normals-against-winding", scene.shape_texts.place(against.front()),
+            fmt::format("the vertex normals of {} of {} smooth triangles point to the side where their "
+                        "vertices go clockwise: {}",
+                        against.size(), smooth, subject.some_shapes(against)),
+            "turn the normals around, or the order of the vertices");
+    }
+    if (!mixed.empty()) {
+        subject.report(
+            "normals-on-both-sides", scene.shape_texts.place(mixed.front()),
+            fmt::format("the vertex normals of {} of {} smooth triangles point to different sides of "
+                        "them: {}",
+                        mixed.size(), smooth, subject.some_shapes(mixed)),
+            "let the three normals of a triangle point to one side of it");
+    }
+}
+
+}  // namespace
+
+void check_normals(Subject& subject, const Sight& sight) {
+    check_backs(subject, sight);
+    check_vertex_normals(subject);
+}
+
+}  // namespace glint

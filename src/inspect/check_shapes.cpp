@@ -1,0 +1,207 @@
+// Shapes that nobody sees: not directly, not in the first mirrors, not by their shadows.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "inspect/checks.h"
+#include "math/extent.h"
+#include "math/number.h"
+
+namespace glint {
+namespace {
+
+constexpr std::size_t k_most_lights = 16;
+constexpr std::size_t k_by_hand = 64;  // shapes of a scene that is written, not computed
+constexpr std::size_t k_most_enclosed = 8;
+constexpr std::size_t k_most_points = 20000;  // a generation, whose shadows are followed
+
+// Which shapes cast a shadow on what is seen: the first that a light meets on its way there.
+void mark_shadows(const Subject& subject, const Sight& sight, std::vector<bool>& seen) {
+    const World& world = subject.world();
+    if (!world.settings.shadows) return;
+    for (std::size_t l = 0; l < world.lights.size() && l < k_most_lights; ++l) {
+        const Light& light = world.lights[l];
+        const bool point_light = light.kind == LightKind::point;
+        RayList rays;
+        for (const Generation& g : sight.generations) {
+            const std::size_t step = g.hits.size() / k_most_points + 1;
+            for (std::size_t i = 0; i < g.hits.size(); i += step) {
+                const SurfaceHit& h = g.hits[i];
+                const Vec3 to_light = point_light ? light.position - h.point : light.to_light;
+                if (!(dot(h.normal, to_light) > 0)) continue;
+                if (point_light) {
+                    rays.add(light.position, -to_light, 0, 1 - 1e-6);
+                } else {
+                    const double reach = 1e-9 * (1 + number::sqrt(dot(h.point, h.point)));
+                    rays.add(h.point + h.normal * reach, to_light, 0);
+                }
+            }
+        }
+        for (const std::uint32_t slot : nearest_hits(world, rays, subject.threads()).slot)
+            if (slot != k_none) seen[world.shape_index[slot]] = true;
+    }
+}
+
+// Where things are in the picture.
+class Frame {
+  public:
+    Frame(const PreparedCamera& camera, const RenderSettings& settings)
+        : camera_(camera), width_(settings.width), height_(settings.height) {
+        const double volume = dot(cross(camera.right, camera.up), camera.forward);
+        to_x_ = cross(camera.up, camera.forward) / volume;
+        to_y_ = cross(camera.forward, camera.right) / volume;
+        to_depth_ = cross(camera.right, camera.up) / volume;
+    }
+
+    enum class Place { outside, tiny, inside };
+    Place place_of(const Bounds& box) const {
+        int out[5] = {};
+        Extent pixels;
+        bool before = true;
+        for (int corner = 0; corner < 8; ++corner) {
+            const Vec3 p{corner & 1 ? box.max.x : box.min.x, corner & 2 ? box.max.y : box.min.y,
+                         corner & 4 ? box.max.z : box.min.z};
+            const Vec3 way = p - camera_.position;
+            const double x = dot(way, to_x_), y = dot(way, to_y_), depth = dot(way, to_depth_);
+            const bool flat = camera_.projection == Projection::orthographic;
+            const double half = flat ? 0.5 : depth / 2;
+            out[0] += depth <= 0;
+            out[1] += x > half, out[2] += x < -half;
+            out[3] += y > half, out[4] += y < -half;
+            before = before && depth > 0;
+            const double size = flat ? 1 : depth;
+            if (depth > 0) pixels.add({x / size * width_, y / size * height_, 0});
+        }
+        if (std::find(std::begin(out), std::end(out), 8) != std::end(out)) return Place::outside;
+        const bool tiny = before && pixels.hi.x - pixels.lo.x < 1 && pixels.hi.y - pixels.lo.y < 1;
+        return tiny ? Place::tiny : Place::inside;
+    }
+
+    /// Whether any of the picture's rays could meet the plane, were there nothing else.
+    bool may_see(Vec3 point, Vec3 normal) const {
+        for (int i = 0; i < 25; ++i) {
+            const Vec3 across = camera_.right * (i % 5 * 0.25 - 0.5) + camera_.up * (i / 5 * 0.25 - 0.5);
+            const bool flat = camera_.projection == Projection::orthographic;
+            const Vec3 origin = flat ? camera_.position + across : camera_.position;
+            const Vec3 direction = flat ? camera_.forward : camera_.forward + across;
+            if (dot(point - origin, normal) / dot(direction, normal) > 0) return true;
+        }
+        return false;
+    }
+
+  private:
+    const PreparedCamera& camera_;
+    double width_, height_;
+    Vec3 to_x_, to_y_, to_depth_;
+};
+
+struct Unseen {
+    std::vector<std::uint32_t> outside, hidden, tiny;
+    std::size_t shapes = 0;  // that are drawn at all
+};
+
+Unseen find_unseen(const World& world, const std::vector<bool>& seen) {
+    constexpr double far = std::numeric_limits<double>::infinity();
+    const Frame frame(world.camera, world.settings);
+    // A polygon has several slots: seen if any is.
+    std::vector<Bounds> boxes(seen.size(), {{far, far, far}, {-far, -far, -far}});
+    std::vector<std::uint32_t> plane(seen.size(), k_none);
+    for (std::uint32_t slot = 0; slot < world.count; ++slot) {
+        const std::uint32_t shape = world.shape_index[slot];
+        if (slot >= world.bounded) {
+            plane[shape] = slot;
+            continue;
+        }
+        const Bounds box = box_of_slot(world, slot);
+        Bounds& all = boxes[shape];
+        all.min = {number::min(all.min.x, box.min.x), number::min(all.min.y, box.min.y),
+                   number::min(all.min.z, box.min.z)};
+        all.max = {number::max(all.max.x, box.max.x), number::max(all.max.y, box.max.y),
+                   number::max(all.max.z, box.max.z)};
+    }
+    Unseen unseen;
+    for (std::uint32_t shape = 0; shape < seen.size(); ++shape) {
+        const bool drawn = plane[shape] != k_none || boxes[shape].min.x <= boxes[shape].max.x;
+        if (!drawn) continue;
+        ++unseen.shapes;
+        if (seen[shape]) continue;
+        auto place = Frame::Place::inside;
+        if (plane[shape] == k_none) {
+            place = frame.place_of(boxes[shape]);
+        } else {
+            const ShapeClass& planes = world.class_of(plane[shape]);
+            const std::uint32_t item = plane[shape] - planes.first;
+            const auto value = [&](int k) { return planes.column(k)[item]; };
+            if (!frame.may_see({value(0), value(1), value(2)}, {value(3), value(4), value(5)}))
+                place = Frame::Place::outside;
+        }
+        auto& list = place == Frame::Place::outside ? unseen.outside
+                     : place == Frame::Place::tiny  ? unseen.tiny
+                                                    : unseen.hidden;
+        list.push_back(shape);
+    }
+    return unseen;
+}
+
+// In a scene written by hand every shape is meant to be seen. A model of hundreds has backs and insides: only
+// its named shapes count, or too many.
+std::vector<std::uint32_t> worth_naming(const Scene& scene, const Unseen& unseen,
+                                        const std::vector<std::uint32_t>& list) {
+    if (unseen.shapes <= k_by_hand || list.size() > unseen.shapes / 2) return list;
+    std::vector<std::uint32_t> named;
+    std::copy_if(list.begin(), list.end(), std::back_inserter(named),
+                 [&](std::uint32_t shape) { return !scene.shape_texts.name(shape).empty(); });
+    return named;
+}
+
+// What is inside of what, of the first few.
+std::string enclosure(const Subject& subject, const World& world, const std::vector<std::uint32_t>& list) {
+    for (std::size_t i = 0; i < list.size() && i < k_most_enclosed; ++i) {
+        std::uint32_t slot = 0;
+        while (slot < world.bounded && world.shape_index[slot] != list[i]) ++slot;
+        if (slot == world.bounded) continue;
+        const Bounds box = box_of_slot(world, slot);
+        for (const std::uint32_t around : shapes_around(subject, (box.min + box.max) * 0.5)) {
+            if (around == list[i]) continue;
+            return fmt::format("; the middle of {} is inside {}", subject.shape(list[i]),
+                               subject.shape_and_line(around));
+        }
+    }
+    return {};
+}
+
+}  // namespace
+
+void check_shapes(Subject& subject, const Sight& sight) {
+    const Scene& scene = subject.scene();
+    const World& world = subject.world();
+    std::vector<bool> seen(scene.shapes.size());
+    for (const Generation& g : sight.generations)
+        for (const SurfaceHit& h : g.hits) seen[h.shape] = true;
+    mark_shadows(subject, sight, seen);
+    const Unseen unseen = find_unseen(world, seen);
+    const std::string reach =
+        sight.generations.size() < 2
+            ? "and no shadow of theirs is seen either"
+            : fmt::format(
+                  "nor in the first {} of the mirrors' and glass's generations, and no shadow of theirs is "
+                  "seen either",
+                  sight.generations.size() - 1);
+    const auto report = [&](std::string_view id, const std::vector<std::uint32_t>& all, std::string_view why,
+                            bool inside, std::string remedy) {
+        const std::vector<std::uint32_t> list = worth_naming(scene, unseen, all);
+        if (list.empty()) return;
+        subject.report(id, scene.shape_texts.place(list.front()),
+                       fmt::format("{} of {} shapes {}, {}: {}{}", list.size(), unseen.shapes, why, reach,
+                                   subject.some_shapes(list), inside ? enclosure(subject, world, list) : ""),
+                       std::move(remedy));
+    };
+    report("shape-outside-view", unseen.outside, "are outside the picture", false,
+           "move them, or the camera, or widen its view");
+    report("shape-hidden", unseen.hidden, "are hidden behind or inside others", true,
+           "move them, or what hides them, or leave them out");
+    report("shape-too-small", unseen.tiny, "are smaller than a pixel", false,
+           "make them larger, or the picture, or bring the camera nearer");
+}
+
+}  // namespace glint

@@ -1,0 +1,101 @@
+// Vectors that are taken as unit vectors and are none, and camera frames that distort.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "inspect/checks.h"
+#include "math/number.h"
+#include "math/transform.h"
+
+namespace glint {
+namespace {
+
+constexpr double k_slack = 0.01;  // people write (0.62, -0.78, 0)
+
+bool is_unit(Vec3 v) { return number::abs(length(v) - 1) <= k_slack; }
+std::string text(Vec3 v) { return fmt::format("({:.4g}, {:.4g}, {:.4g})", v.x, v.y, v.z); }
+
+// What the sources' own programs take as unit vectors: data, as the profiles are.
+struct UnitVectors {
+    std::string_view profile;
+    bool planes, vertices;
+    std::string_view reason;
+};
+constexpr UnitVectors k_sources[] = {
+    {"epfl", true, false, "RT2's lighting takes it as it is, and N.L with it"},
+    {"csc473", true, false, "n.p = d then puts the plane at d / |n| from the origin, not at d"},
+    {"nff", false, true, "the format asks for normalised ones"},
+};
+
+void check_shape_normals(Subject& subject) {
+    const Scene& scene = subject.scene();
+    const auto* source = std::find_if(std::begin(k_sources), std::end(k_sources),
+                                      [&](const UnitVectors& u) { return u.profile == scene.profile; });
+    if (source == std::end(k_sources)) return;
+    std::vector<std::uint32_t> found;
+    Vec3 example;
+    for (std::uint32_t i = 0; i < scene.shapes.size(); ++i) {
+        const Shape& shape = scene.shapes[i];
+        const auto look = [&](Vec3 n) {
+            if (is_unit(n) || (!found.empty() && found.back() == i)) return;
+            if (found.empty()) example = n;
+            found.push_back(i);
+        };
+        if (source->planes && shape.kind == ShapeKind::plane) look(scene.get<Plane>()[shape.index].normal);
+        if (source->vertices && shape.kind == ShapeKind::smooth_triangle)
+            for (const Vec3& n : scene.get<SmoothTriangle>()[shape.index].normals) look(n);
+    }
+    if (found.empty()) return;
+    const Vec3 unit = normalize(example);
+    subject.report(
+        "normal-not-unit", scene.shape_texts.place(found.front()),
+        fmt::format("the normal {} of {} has the length {:.4g}: {}{}", text(example),
+                    subject.shape(found.front()), length(example), source->reason,
+                    found.size() == 1 ? "" : fmt::format("; so it is with {} shapes", found.size())),
+        fmt::format("write {}", text(unit)));
+}
+
+void check_light_directions(Subject& subject) {
+    const Scene& scene = subject.scene();
+    if (scene.conventions.normalize) return;
+    for (std::uint32_t i = 0; i < scene.lights.size(); ++i) {
+        const Light& light = scene.lights[i];
+        if (light.kind != LightKind::directional || is_unit(light.to_light)) continue;
+        subject.report(
+            "direction-not-unit", scene.light_texts.place(i),
+            fmt::format("the direction {} of {} has the length {:.4g}, and normalize = false leaves it so: "
+                        "the light is {:.4g} times as strong",
+                        text(light.to_light), subject.light(i), length(light.to_light),
+                        length(light.to_light)),
+            fmt::format("write {}", text(normalize(light.to_light))));
+    }
+}
+
+void check_frame(Subject& subject) {
+    const Scene& scene = subject.scene();
+    if (!scene.camera.frame) return;
+    const CameraFrame& f = *scene.camera.frame;
+    const double skew = number::abs(dot(normalize(f.right), normalize(f.up)));
+    // Where a ray is as long as the viewport's point makes it, the frame is a rotation of a unit viewport.
+    const bool rotation = scene.conventions.ray_direction == RayDirection::viewport;
+    const bool turned = rotation && (number::abs(dot(normalize(f.right), normalize(f.forward))) > k_slack ||
+                                     number::abs(dot(normalize(f.up), normalize(f.forward))) > k_slack ||
+                                     !is_unit(f.forward) || !is_unit(f.right) || !is_unit(f.up));
+    if (skew <= k_slack && !turned) return;
+    subject.report("camera-frame-skewed", scene.camera_place,
+                   fmt::format("the camera's right {}, up {} and forward {} {}: the picture is distorted",
+                               text(f.right), text(f.up), text(f.forward),
+                               skew > k_slack ? "are not at right angles" : "are no rotation"),
+                   rotation ? "give three unit vectors at right angles to each other"
+                            : "let up be perpendicular to right");
+}
+
+}  // namespace
+
+void check_vectors(Subject& subject) {
+    check_shape_normals(subject);
+    check_light_directions(subject);
+    check_frame(subject);
+}
+
+}  // namespace glint
