@@ -50,8 +50,7 @@ void run_checks(const Scene& scene, World& world, const CheckOptions& options, C
     const Sight sight(world, options.threads);
     if (check_camera(subject, sight)) {
         check_lights(subject, sight);
-        check_shapes(subject, sight);
-        check_faces(subject);
+        check_shapes(subject, sight, check_faces(subject));
         check_normals(subject, sight);
         check_picture(subject, sight);
     }

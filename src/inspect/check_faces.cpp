@@ -92,7 +92,7 @@ bool are_twins(const Scene& scene, std::uint32_t a, std::uint32_t b) {
     return values_of(scene, scene.shapes[a]) == values_of(scene, scene.shapes[b]);
 }
 
-void check_twins(Subject& subject) {
+void check_twins(Subject& subject, std::vector<bool>& covered) {
     const Scene& scene = subject.scene();
     std::vector<std::pair<std::uint64_t, std::uint32_t>> keys;
     keys.reserve(scene.shapes.size());
@@ -105,6 +105,7 @@ void check_twins(Subject& subject) {
             twins.emplace_back(keys[i].second, keys[i - 1].second);
     }
     std::sort(twins.begin(), twins.end());
+    for (const auto& [later, earlier] : twins) covered[later] = covered[earlier] = true;
     for (std::size_t i = 0; i < twins.size() && i < k_most_reported; ++i) {
         const auto [later, earlier] = twins[i];
         const std::size_t more = i + 1 == k_most_reported ? twins.size() - k_most_reported : 0;
@@ -168,17 +169,27 @@ class Coincidences {
             if (second.slot[i] != k_none) consider(before[i], surface_hit(world_, beyond, second, i));
     }
 
-    void report() const {
+    /// Marks the shapes whose faces are not seen for another's sake.
+    void report(std::vector<bool>& covered) const {
         std::vector<std::pair<std::size_t, Pair>> list;
-        for (const auto& [pair, pixels] : pixels_)
-            if (static_cast<double>(pixels) > k_least_share * static_cast<double>(rays_) &&
-                !are_twins(subject_.scene(), pair.earlier, pair.later))
-                list.emplace_back(pixels, pair);
+        std::size_t all = 0;
+        for (const auto& [pair, pixels] : pixels_) {
+            if (are_twins(subject_.scene(), pair.earlier, pair.later)) continue;
+            list.emplace_back(pixels, pair);
+            all += pixels;
+        }
+        const double least = k_least_share * static_cast<double>(rays_);
+        if (static_cast<double>(all) <= least) return;
         std::stable_sort(list.begin(), list.end(),
                          [](const auto& a, const auto& b) { return a.first > b.first; });
-        for (std::size_t i = 0; i < list.size() && i < k_most_reported; ++i) {
+        for (const auto& [pixels, pair] : list) covered[pair.earlier] = covered[pair.later] = true;
+        // Of thousands of small ones none may be large enough by itself.
+        std::size_t named = 1;
+        while (named < list.size() && named<k_most_reported&& static_cast<double>(list[named].first)> least)
+            ++named;
+        for (std::size_t i = 0; i < named; ++i) {
             const auto& [pixels, pair] = list[i];
-            const std::size_t more = i + 1 == k_most_reported ? list.size() - k_most_reported : 0;
+            const std::size_t more = i + 1 == named ? list.size() - named : 0;
             subject_.report(
                 "faces-coincide", subject_.scene().shape_texts.place(pair.later),
                 fmt::format(
@@ -186,7 +197,10 @@ class Coincidences {
                     "the file or rounding decides which one a pixel shows{}",
                     subject_.shape(pair.later), subject_.shape_and_line(pair.earlier),
                     100 * static_cast<double>(pixels) / static_cast<double>(rays_),
-                    more == 0 ? "" : fmt::format("; and so it is with {} more pairs of shapes", more)),
+                    more == 0 ? ""
+                              : fmt::format("; in {:.2g}% of it {} pairs of shapes do so",
+                                            100 * static_cast<double>(all) / static_cast<double>(rays_),
+                                            list.size())),
                 "move one of them by more than epsilon, or leave out what is covered");
         }
     }
@@ -215,11 +229,13 @@ class Coincidences {
 
 }  // namespace
 
-void check_faces(Subject& subject) {
-    check_twins(subject);
+std::vector<bool> check_faces(Subject& subject) {
+    std::vector<bool> covered(subject.scene().shapes.size());
+    check_twins(subject, covered);
     Coincidences coincidences(subject);
     coincidences.find();
-    coincidences.report();
+    coincidences.report(covered);
+    return covered;
 }
 
 }  // namespace glint

@@ -58,10 +58,9 @@ void check_vertex_normals(Subject& subject) {
         const Shape& shape = scene.shapes[i];
         if (shape.kind != ShapeKind::smooth_triangle) continue;
         ++smooth;
+        // As it is written: a mirroring would turn the winding around, but no normals.
         const SmoothTriangle& t = scene.get<SmoothTriangle>()[shape.index];
-        Vec3 face = cross(t.vertices[1] - t.vertices[0], t.vertices[2] - t.vertices[0]);
-        // A mirroring turns the winding around, but no normals.
-        if (shape.transform != k_none && determinant(scene.transforms[shape.transform]) < 0) face = -face;
+        const Vec3 face = cross(t.vertices[1] - t.vertices[0], t.vertices[2] - t.vertices[0]);
         const auto backward = std::count_if(std::begin(t.normals), std::end(t.normals),
                                             [&](Vec3 n) { return dot(n, face) < 0; });
         if (backward == 3) against.push_back(i);

@@ -172,10 +172,10 @@ std::string enclosure(const Subject& subject, const World& world, const std::vec
 
 }  // namespace
 
-void check_shapes(Subject& subject, const Sight& sight) {
+void check_shapes(Subject& subject, const Sight& sight, const std::vector<bool>& explained) {
     const Scene& scene = subject.scene();
     const World& world = subject.world();
-    std::vector<bool> seen(scene.shapes.size());
+    std::vector<bool> seen = explained;
     for (const Generation& g : sight.generations)
         for (const SurfaceHit& h : g.hits) seen[h.shape] = true;
     mark_shadows(subject, sight, seen);

@@ -11,6 +11,8 @@ namespace glint {
 namespace {
 
 constexpr std::size_t k_most_named = 5;
+constexpr std::int32_t k_probe = 24;  // longest side of a picture that counts rays
+constexpr double k_most_rays = 4e6;   // of a picture
 
 std::string item(std::string_view word, std::uint32_t index, std::string_view name) {
     return name.empty() ? fmt::format("{} {}", word, std::uint64_t{index} + 1)
@@ -53,8 +55,7 @@ void Subject::turn_order() {
         world_.shape_index[slot] = last - world_.shape_index[slot];
 }
 
-Image Subject::draw(std::int32_t longest) {
-    const SmallSize size = small_size(world_.settings, longest);
+RenderResult Subject::draw_at(SmallSize size) {
     const RenderSettings saved = world_.settings;
     world_.settings.width = size.width;
     world_.settings.height = size.height;
@@ -63,6 +64,24 @@ Image Subject::draw(std::int32_t longest) {
     options.threads = options_.threads;
     RenderResult result = render(world_, options);
     world_.settings = saved;
+    return result;
+}
+
+// Mirrors of glass can double the rays at each generation.
+SmallSize Subject::affordable(std::int32_t longest) {
+    if (rays_a_pixel_ == 0) {
+        const SmallSize size = small_size(scene_.settings, k_probe);
+        const RenderResult probe = draw_at(size);
+        rays_a_pixel_ = static_cast<double>(probe.rays.total()) / size.width / size.height;
+    }
+    SmallSize size = small_size(scene_.settings, longest);
+    while (longest > k_probe && rays_a_pixel_ * size.width * size.height > k_most_rays)
+        size = small_size(scene_.settings, longest /= 2);
+    return size;
+}
+
+Image Subject::draw(std::int32_t longest) {
+    RenderResult result = draw_at(affordable(longest));
     return result.image ? std::move(*result.image) : Image{};
 }
 

@@ -34,7 +34,8 @@ class Subject {
     /// second call turns it back.
     void turn_order();
 
-    /// The picture with the world as it is, one sample a pixel, at most `longest` pixels a side.
+    /// The picture with the world as it is, one sample a pixel, at most `longest` pixels a side; fewer where
+    /// the scene's rays multiply. Of the same size for the same `longest`.
     Image draw(std::int32_t longest);
 
     void report(std::string_view id, SourcePlace place, std::string message, std::string remedy);
@@ -55,12 +56,15 @@ class Subject {
 
   private:
     std::string line_of(SourcePlace place) const;
+    RenderResult draw_at(SmallSize size);
+    SmallSize affordable(std::int32_t longest);
 
     const Scene& scene_;
     World& world_;
     const CheckOptions& options_;
     const std::vector<Light> lights_;
     const Color ambient_;
+    double rays_a_pixel_ = 0;  // of the scene as it is, once drawn
     std::vector<std::pair<SourcePlace, Finding>> findings_;
 };
 

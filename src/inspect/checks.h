@@ -10,10 +10,10 @@ namespace glint {
 bool check_camera(Subject& subject, const Sight& sight);
 /// Lights that add nothing, and colours of lights that are none.
 void check_lights(Subject& subject, const Sight& sight);
-/// Shapes that nobody sees.
-void check_shapes(Subject& subject, const Sight& sight);
-/// Surfaces in the same place, and shapes written twice.
-void check_faces(Subject& subject);
+/// Surfaces in the same place, and shapes written twice. Returns which shapes are named so, by index.
+std::vector<bool> check_faces(Subject& subject);
+/// Shapes that nobody sees, but for those whose reason is known.
+void check_shapes(Subject& subject, const Sight& sight, const std::vector<bool>& explained);
 /// Surfaces that turn their backs on the viewer, and vertex normals against their triangle's.
 void check_normals(Subject& subject, const Sight& sight);
 /// Vectors that their source takes as unit vectors.
