@@ -22,6 +22,7 @@ constexpr auto k_examples = R"(Examples:
   glint grade handed_in --scene castle.json --rubric rt2.rubric --csv grades.csv)";
 
 constexpr std::size_t k_batch = 32;  // pictures in memory at a time
+constexpr double k_gain = 4;         // of the differences on the sheet
 constexpr std::int32_t k_thumb = 160, k_least_thumb = 16, k_sheet_height = 30000;  // pixels
 
 struct GradeArguments {
@@ -107,7 +108,7 @@ int grade_pictures(const GradeArguments& arguments, const Scene* scene, const Im
                 CompareOptions options;
                 options.threads = arguments.threads;
                 entry.difference = compare(*read.image, reference, options);
-                cell.difference = scaled_down(difference_image(*read.image, reference), side);
+                cell.difference = scaled_down(difference_image(*read.image, reference, k_gain), side);
                 pictures.push_back(std::move(*read.image));
             }
             cells.push_back(std::move(cell));
@@ -116,7 +117,7 @@ int grade_pictures(const GradeArguments& arguments, const Scene* scene, const Im
         auto reports = find_causes(
             pictures, reference, scene, cause_options(arguments.threads, [&](double fraction) {
                 bar->update((static_cast<double>(first) + fraction * static_cast<double>(last - first)) /
-                           static_cast<double>(count));
+                            static_cast<double>(count));
             }));
         auto report = reports.begin();
         for (std::size_t i = first; i < last; ++i) {
@@ -176,7 +177,7 @@ class PartGrader {
             SheetCell cell{scaled_down(*read.image, side), {}, static_cast<int>(i + 1)};
             if (part.error.empty()) {
                 part.score = grade(*read.image, wanted_, row_.points, arguments_.threads);
-                cell.difference = scaled_down(difference_image(*read.image, wanted_.image), side);
+                cell.difference = scaled_down(difference_image(*read.image, wanted_.image, k_gain), side);
                 if (part.score.points < row_.points) {
                     faulty.push_back(std::move(*read.image));
                     whose.push_back(i);
@@ -218,7 +219,7 @@ int grade_by_rubric(const GradeArguments& arguments, const Scene& scene, const s
             const std::size_t last = std::min(first + k_batch, count);
             grader.grade_batch(submissions, first, last, k, graded, show, side);
             bar->update((static_cast<double>(k) + static_cast<double>(last) / static_cast<double>(count)) /
-                       static_cast<double>(columns));
+                        static_cast<double>(columns));
         }
     }
     bar.reset();  // its line is free again
@@ -275,7 +276,8 @@ Run add_grade(CLI::App& app) {
     command.add_option("--json", a.json, "Write all figures and causes as JSON")->option_text("OUT");
     command
         .add_option("--sheet", a.sheet,
-                    "Write a PNG of all pictures, each above its difference, by the table's numbers; 0: the "
+                    "Write a PNG of all pictures, each above four times its difference, by the table's "
+                    "numbers; 0: the "
                     "reference")
         ->option_text("OUT.png");
     command.add_option("-t,--threads", a.threads, "Threads; 0 (default): one a processor")

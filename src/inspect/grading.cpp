@@ -51,6 +51,8 @@ WantedPicture draw_wanted(const Scene& scene, const RubricRow& row, int threads)
         wanted.error = draw(wanted.scene, threads, wanted.image);
         if (!wanted.error.empty()) return;
         wanted.bytes = to_bytes(wanted.image, threads);
+        for (std::size_t i = 0; i < wanted.image.rgb.size(); ++i)
+            wanted.image.rgb[i] = static_cast<float>(wanted.bytes.rgb[i]) / 255;
         wanted.counts = edges_of(wanted.bytes, threads);
         for (std::uint8_t& mark : wanted.counts) mark = mark == 0;
         if (row.without.empty()) return;

@@ -16,8 +16,8 @@ inline constexpr double k_full_share = 0.99, k_no_share = 0.5;
 /// The picture that a row of a rubric wants.
 struct WantedPicture {
     std::string error;  ///< the scene cannot be drawn so
-    Image image;
-    Scene scene;  ///< that draws it
+    Image image;        ///< as a file of 8 bits holds it
+    Scene scene;        ///< that draws it
     BytePicture bytes;
     std::vector<std::uint8_t> counts;  ///< one a pixel: away from edges
     std::vector<std::uint8_t>

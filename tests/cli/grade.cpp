@@ -1,0 +1,207 @@
+// glint grade: the table of a folder of submissions, by a reference and by RT2's rubric.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <regex>
+
+#include "cli/process.h"
+#include "image/read_png.h"
+
+namespace glint::test {
+namespace {
+
+const std::string k_castle = GLINT_SOURCE "/scenes/epfl/castle.json";
+const std::string k_rubric = GLINT_SOURCE "/scenes/epfl/rt2.rubric";
+
+class Grade : public ::testing::Test {
+  protected:
+    void draw(const std::string& out, std::vector<std::string> more) {
+        std::filesystem::create_directories(std::filesystem::path(folder.path(out)).parent_path());
+        std::vector<std::string> arguments = {"render", k_castle, "-s", "96x72", "-q", "-o", out};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        const Finished r = run(folder, arguments);
+        ASSERT_EQ(r.code, 0) << r.err;
+    }
+    // The pictures that RT2 asks for.
+    void hand_in(const std::string& name) {
+        draw(name + "/castle_diffuse.png", {"--shading", "diffuse", "--no-shadows", "--reflections", "0"});
+        draw(name + "/castle_phong.png", {"--shading", "phong", "--no-shadows", "--reflections", "0"});
+        draw(name + "/castle_blinn.png", {"--no-shadows", "--reflections", "0"});
+        draw(name + "/castle_shadows.png", {"--reflections", "0"});
+        draw(name + "/castle_reflections.png", {});
+        // The ambient part alone: the scene with its lamps out.
+        std::ifstream in(k_castle);
+        const std::string json{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+        const std::size_t lights = json.find("\"lights\"");
+        const std::string out = std::regex_replace(
+            json.substr(lights), std::regex("(\"position\": \\[[^\\]]*\\], \"color\": )\\[[^\\]]*\\]"),
+            "$1[0, 0, 0]");
+        folder.write("dark.json", json.substr(0, lights) + out);
+        const Finished r = run(folder, {"render", "dark.json", "-s", "96x72", "-q", "-o",
+                                        name + "/castle_ambient.png", "--no-shadows", "--reflections", "0"});
+        ASSERT_EQ(r.code, 0) << r.err;
+    }
+    Finished grade(std::vector<std::string> more) {
+        more.insert(more.begin(), "grade");
+        return run(folder, more);
+    }
+    nlohmann::json graded(std::vector<std::string> more) {
+        more.insert(more.end(), {"--json", "out.json"});
+        const Finished r = grade(more);
+        EXPECT_EQ(r.code, 0) << r.err;
+        return nlohmann::json::parse(folder.read("out.json"));
+    }
+    const Folder folder;
+};
+
+TEST_F(Grade, PicturesAgainstAReference) {
+    draw("right.png", {});
+    draw("in/ada.png", {});
+    draw("in/ben.png", {"--no-shadows"});
+    draw("in/eve/picture.png", {"--reflections", "0"});
+    draw("in/zoe.png", {"--crop", "20x20+0+0"});
+    folder.write("in/max.png", "not a picture");
+    folder.write("in/readme.txt", "no picture either");
+    const Finished r = grade({"in", "--scene", k_castle, "--reference", "right.png", "--csv", "t.csv",
+                              "--json", "t.json", "--sheet", "t.png"});
+    EXPECT_EQ(r.code, 0) << r.err;
+    const auto json = nlohmann::json::parse(folder.read("t.json"));
+    ASSERT_EQ(json.size(), 5u);
+    const auto cause = [&](int i) { return json[i]["causes"].empty() ? "" : json[i]["causes"][0]["name"]; };
+    EXPECT_EQ(json[0]["name"], "ada");
+    EXPECT_EQ(json[0]["equal"], 1);
+    EXPECT_EQ(json[1]["name"], "ben");
+    EXPECT_EQ(cause(1), "shadows-missing");
+    EXPECT_EQ(json[2]["name"], "eve");
+    EXPECT_EQ(cause(2), "reflections-missing");
+    EXPECT_TRUE(contains(json[3]["error"], "no PNG"));
+    EXPECT_TRUE(contains(json[4]["error"], "20x20 pixels, expected 96x72"));
+    EXPECT_TRUE(contains(r.out, "1  ada")) << r.out;
+    EXPECT_TRUE(contains(r.out, "shadows-missing (100%)")) << r.out;
+    const std::string csv = folder.read("t.csv");
+    EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 6);
+    EXPECT_TRUE(contains(csv, "\r\nben,in/ben.png,6912,")) << csv;
+    const Picture sheet = read_png(folder.path("t.png"));
+    EXPECT_EQ(sheet.error, "");
+    EXPECT_GT(sheet.width, 96 * 2);
+    // The scene's own picture is the reference if none is given.
+    draw("in/zoe.png", {});
+    const auto own = graded({"in", "--scene", k_castle, "--convention", "size=96x72"});
+    EXPECT_EQ(own[4]["equal"], 1);
+}
+
+// The example of docs/teaching.md.
+TEST_F(Grade, ByRt2sRubric) {
+    hand_in("in/ada");
+    hand_in("in/ben");
+    hand_in("in/eve");
+    draw("in/ben/castle_shadows.png", {"--reflections", "0", "--no-shadows"});
+    std::filesystem::remove(folder.path("in/eve/castle_diffuse.png"));
+    draw("in/eve/castle_blinn.png", {"--shading", "phong", "--no-shadows", "--reflections", "0"});
+    const std::vector<std::string> arguments = {"in",     "--scene",      k_castle,     "--rubric",
+                                                k_rubric, "--convention", "size=96x72", "--csv",
+                                                "t.csv",  "--sheet",      "t.png"};
+    const auto json = graded(arguments);
+    ASSERT_EQ(json.size(), 3u);
+    EXPECT_EQ(json[0]["total"], 90);
+    EXPECT_EQ(json[0]["of"], 90);
+    ASSERT_EQ(json[1]["parts"].size(), 7u);
+    EXPECT_EQ(json[1]["parts"][5]["part"], "shadows");
+    EXPECT_EQ(json[1]["parts"][5]["points"], 0);
+    EXPECT_EQ(json[1]["parts"][5]["cause"]["name"], "shadows-missing");
+    EXPECT_EQ(json[1]["total"], 65);
+    EXPECT_EQ(json[2]["parts"][1]["points"], 0);
+    EXPECT_TRUE(contains(json[2]["parts"][1]["error"], "no file *diffuse*.png"));
+    EXPECT_LT(json[2]["parts"][3]["points"], 5) << "Phong for Blinn-Phong";
+    EXPECT_EQ(json[2]["parts"][3]["cause"]["name"], "shading-model");
+    EXPECT_EQ(json[2]["parts"][2]["points"], 10);
+    const std::string csv = folder.read("t.csv");
+    EXPECT_TRUE(
+        csv.starts_with("name,ambient,diffuse,phong,blinn-phong,sum of lights,shadows,reflections,total,of,"))
+        << csv;
+    EXPECT_TRUE(contains(csv, "\nada,5.00,15.00,10.00,10.00,5.00,25.00,20.00,90.00,90.00,")) << csv;
+    EXPECT_EQ(read_png(folder.path("t.png")).error, "");
+    // One's own folder.
+    const auto own =
+        graded({"in/ada", "--scene", k_castle, "--rubric", k_rubric, "--convention", "size=96x72"});
+    ASSERT_EQ(own.size(), 1u);
+    EXPECT_EQ(own[0]["name"], "ada");
+    EXPECT_EQ(own[0]["total"], 90);
+}
+
+TEST_F(Grade, BlackPicturesGetNothing) {
+    hand_in("in/ada");
+    std::string black = "P6\n96 72\n255\n";
+    black.resize(black.size() + 96 * 72 * 3);
+    for (const char* name : {"ambient", "diffuse", "phong", "blinn", "shadows", "reflections"})
+        folder.write("in/ada/castle_" + std::string(name) + ".png", black);  // whatever its name says
+    EXPECT_EQ(
+        graded({"in", "--scene", k_castle, "--rubric", k_rubric, "--convention", "size=96x72"})[0]["total"],
+        0);
+}
+
+TEST_F(Grade, BadInput) {
+    draw("right.png", {});
+    std::filesystem::create_directory(folder.path("empty"));
+    const std::pair<std::vector<std::string>, const char*> cases[] = {
+        {{"none", "--reference", "right.png"}, "folder 'none': No such file"},
+        {{"right.png", "--reference", "right.png"}, "folder 'right.png': Not a directory"},
+        {{"empty", "--reference", "right.png"}, "folder 'empty' holds no pictures"},
+        {{"empty", "--reference", "none.png"}, "none.png: no such file"},
+        {{"empty", "--scene", k_castle, "--rubric", "none.rubric"}, "none.rubric: no such file"}};
+    for (const auto& [arguments, message] : cases) {
+        const Finished r = grade(arguments);
+        EXPECT_EQ(r.code, 1) << message;
+        EXPECT_TRUE(contains(r.err, message)) << r.err;
+    }
+    EXPECT_EQ(grade({"empty"}).code, 2);
+    EXPECT_EQ(grade({"empty", "--reference", "right.png", "--rubric", k_rubric}).code, 2);
+    EXPECT_EQ(grade({}).code, 2);
+}
+
+TEST_F(Grade, MistakesInARubricHaveTheirPlace) {
+    std::filesystem::create_directory(folder.path("in"));
+    folder.write("bad.rubric",
+                 "# a comment\n"
+                 "ambient five *.png\n"
+                 "diffuse 15\n"
+                 "phong 10 *.png shadding=phong\n"
+                 "phong 10 *.png shading=plastic   # and a comment\n"
+                 "\"sum of 5 *.png\n"
+                 "shadows 25 *.png lights=none\n"
+                 "shadows 25 *.png size=3x4\n"
+                 "shadows 25 *.png without\n"
+                 "shadows 25 *.png reflections\n");
+    const Finished r = grade({"in", "--scene", k_castle, "--rubric", "bad.rubric"});
+    EXPECT_EQ(r.code, 1);
+    for (const char* message :
+         {"bad.rubric:2:9: error: expected the part's points",
+          "bad.rubric:3:9: error: expected PART POINTS FILE",
+          "bad.rubric:4:16: error: there is no setting 'shadding' for a rubric; did you mean "
+          "`shading`?",
+          "bad.rubric:5:16: error: expected phong | blinn-phong", "bad.rubric:6:2: error: the quote",
+          "bad.rubric:7:18: error: expected all, ambient or a number",
+          "bad.rubric:8:18: error: there is no setting 'size'",
+          "bad.rubric:9:18: error: expected KEY=VALUE after",
+          "bad.rubric:10:18: error: expected KEY=VALUE, found 'reflections'"}) {
+        EXPECT_TRUE(contains(r.err, message)) << message << "\n" << r.err;
+    }
+    folder.write("empty.rubric", "# nothing\n\n");
+    const Finished empty = grade({"in", "--scene", k_castle, "--rubric", "empty.rubric"});
+    EXPECT_EQ(empty.code, 1);
+    EXPECT_TRUE(contains(empty.err, "the rubric has no parts")) << empty.err;
+}
+
+// A file's name is not to become a formula in a spreadsheet.
+TEST_F(Grade, NamesAreTextInCsv) {
+    draw("right.png", {});
+    draw("in/=1+2.png", {});
+    draw("in/a,\"b\".png", {});
+    ASSERT_EQ(grade({"in", "--reference", "right.png", "--csv", "t.csv"}).code, 0);
+    const std::string csv = folder.read("t.csv");
+    EXPECT_TRUE(contains(csv, "\n'=1+2,")) << csv;
+    EXPECT_TRUE(contains(csv, "\n\"a,\"\"b\"\"\",")) << csv;
+}
+
+}  // namespace
+}  // namespace glint::test
