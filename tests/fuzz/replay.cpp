@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "fuzz/fuzz_load.h"
+#include "fuzz/fuzz_picture.h"
 #include "fuzz/fuzz_scene.h"
 
 namespace {
@@ -40,6 +41,15 @@ TEST_P(Corpus, EverySceneIsWrittenAndDrawn) {
         EXPECT_EQ(glint::fuzz_convert(text, GetParam()), "") << path;
         EXPECT_EQ(glint::fuzz_render(text, GetParam()), "") << path;
     });
+}
+
+TEST(PictureCorpus, EveryFileHasAnAnswer) {
+    EXPECT_GE(for_each_text("decode",
+                            [](const std::string& bytes, const std::string& path) {
+                                const auto* data = reinterpret_cast<const std::uint8_t*>(bytes.data());
+                                EXPECT_EQ(glint::fuzz_decode({data, bytes.size()}), "") << path;
+                            }),
+              10);
 }
 
 // A folder a reader, called as its format.
