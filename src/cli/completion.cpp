@@ -33,7 +33,7 @@ std::string script(const CLI::App& app) {
     for (const SettingKey& key : setting_keys()) conventions += fmt::format(" {}=", key.name);
     return fmt::format(R"(# bash completion for glint, printed by `glint completion bash`
 _glint() {{
-    local word=${{COMP_WORDS[COMP_CWORD]}} before=${{COMP_WORDS[COMP_CWORD-1]}} command=${{COMP_WORDS[1]}} options='' words=''
+    local word=${{COMP_WORDS[COMP_CWORD]}} before=${{COMP_WORDS[COMP_CWORD-1]}} command=${{COMP_WORDS[1]}} options='' words='' pictures=''
     COMPREPLY=()
     if [[ $COMP_CWORD == 1 ]]; then
         mapfile -t COMPREPLY < <(compgen -W '{commands} --help --version' -- "$word")
@@ -41,6 +41,7 @@ _glint() {{
     fi
     case $command in
 {options}    esac
+    [[ $command == compare || $command == grade ]] && pictures=1
     case $before in
         --shading) words='phong blinn-phong diffuse color normals' ;;
         --transfer) words='none srgb' ;;
@@ -50,7 +51,8 @@ _glint() {{
         --convention) words='{conventions}'; compopt -o nospace 2>/dev/null ;;
         --isa) [[ $command == render ]] && words=$(glint info --isa 2>/dev/null) ;;
         completion) words='bash' ;;
-        -s|--size|--crop|--reflections|--aa|-t|--threads|--scene) return ;;
+        --scene) [[ $pictures ]] || return ;;
+        -s|--size|--crop|--reflections|--aa|-t|--threads|--scene-name|--within|--fail-percent|--hard-fail) return ;;
     esac
     if [[ -n $words && $word != -* ]]; then
         mapfile -t COMPREPLY < <(compgen -W "$words" -- "$word")
@@ -61,7 +63,7 @@ _glint() {{
         local file ending
         compopt -o filenames 2>/dev/null
         while IFS= read -r file; do
-            if [[ -d $file || $before == -o || $before == --output || $before == --stats ]]; then
+            if [[ -d $file || $pictures || $before == -o || $before == --output || $before == --stats ]]; then
                 COMPREPLY+=("$file")
             else
                 for ending in{extensions}; do

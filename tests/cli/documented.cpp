@@ -24,8 +24,9 @@ TEST(Documented, EveryOption) {
     std::ifstream file(GLINT_SOURCE "/docs/command.md");
     const std::string docs{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
     const Folder folder;
-    const std::pair<const char*, std::size_t> commands[] = {
-        {"render", 20}, {"info", 8}, {"convert", 9}, {"explain", 17}, {"versus", 17}};
+    const std::pair<const char*, std::size_t> commands[] = {{"render", 20},  {"info", 8},    {"convert", 9},
+                                                            {"explain", 17}, {"versus", 17}, {"compare", 20},
+                                                            {"grade", 17}};
     for (const auto& [command, at_least] : commands) {
         const std::size_t begin = docs.find(std::string("\n## glint ") + command + "\n");
         ASSERT_NE(begin, std::string::npos) << command;
@@ -48,6 +49,8 @@ TEST(Documented, EveryHelpHasExamples) {
                                                          {"convert", "--help"},
                                                          {"explain", "--help"},
                                                          {"versus", "--help"},
+                                                         {"compare", "--help"},
+                                                         {"grade", "--help"},
                                                          {"completion", "--help"}};
     for (const auto& arguments : helps) {
         const Finished r = run(folder, arguments);

@@ -90,7 +90,6 @@ TEST_F(Grade, PicturesAgainstAReference) {
     EXPECT_EQ(own[4]["equal"], 1);
 }
 
-// The example of docs/teaching.md.
 TEST_F(Grade, ByRt2sRubric) {
     hand_in("in/ada");
     hand_in("in/ben");
@@ -127,6 +126,32 @@ TEST_F(Grade, ByRt2sRubric) {
     ASSERT_EQ(own.size(), 1u);
     EXPECT_EQ(own[0]["name"], "ada");
     EXPECT_EQ(own[0]["total"], 90);
+}
+
+// The worked example of docs/teaching.md, as it stands there: its commands, and the table that they print.
+TEST_F(Grade, TheWorkedExample) {
+    std::ifstream in(GLINT_SOURCE "/docs/teaching.md");
+    std::string commands, table;
+    bool answered = false, inside = false;
+    for (std::string line; std::getline(in, line);) {
+        inside = inside || line.starts_with("    for student");
+        answered = answered || (inside && line == "answers");
+        if (line.starts_with("Nobody has handed in")) break;
+        if (inside && line.starts_with("    ")) (answered ? table : commands) += line.substr(4) + "\n";
+    }
+    std::filesystem::copy(k_castle, folder.path("castle.json"));
+    std::filesystem::copy(k_rubric, folder.path("rt2.rubric"));
+    folder.write("commands", commands);
+    const std::string glint_folder = std::filesystem::path(GLINT_COMMAND).parent_path();
+    const std::string line =
+        "cd '" + folder.path() + "' && PATH='" + glint_folder + "':$PATH sh -e commands > table 2> errors";
+    EXPECT_EQ(std::system(line.c_str()), 0) << folder.read("errors");
+    std::string found = folder.read("table");
+    found.erase(
+        std::unique(found.begin(), found.end(), [](char a, char b) { return a == '\n' && b == '\n'; }),
+        found.end());  // the page's empty lines are not indented
+    EXPECT_EQ(found, table);
+    EXPECT_GT(table.size(), 500u);
 }
 
 TEST_F(Grade, BlackPicturesGetNothing) {
