@@ -143,11 +143,11 @@ Unseen find_unseen(const World& world, const std::vector<bool>& seen) {
     return unseen;
 }
 
-// In a scene written by hand every shape is meant to be seen. A model of hundreds has backs and insides: only
-// its named shapes count, or too many.
+// In a scene written by hand every shape is meant to be seen. A model of hundreds has backs and insides, and
+// goes on outside the picture: only its named shapes count, or where half of it is not there.
 std::vector<std::uint32_t> worth_naming(const Scene& scene, const Unseen& unseen,
-                                        const std::vector<std::uint32_t>& list) {
-    if (unseen.shapes <= k_by_hand || list.size() > unseen.shapes / 2) return list;
+                                        const std::vector<std::uint32_t>& list, bool half_counts) {
+    if (unseen.shapes <= k_by_hand || (half_counts && list.size() > unseen.shapes / 2)) return list;
     std::vector<std::uint32_t> named;
     std::copy_if(list.begin(), list.end(), std::back_inserter(named),
                  [&](std::uint32_t shape) { return !scene.shape_texts.name(shape).empty(); });
@@ -180,28 +180,29 @@ void check_shapes(Subject& subject, const Sight& sight, const std::vector<bool>&
         for (const SurfaceHit& h : g.hits) seen[h.shape] = true;
     mark_shadows(subject, sight, seen);
     const Unseen unseen = find_unseen(world, seen);
-    const std::string reach =
-        sight.generations.size() < 2
-            ? "and no shadow of theirs is seen either"
-            : fmt::format(
-                  "nor in the first {} of the mirrors' and glass's generations, and no shadow of theirs is "
-                  "seen either",
-                  sight.generations.size() - 1);
-    const auto report = [&](std::string_view id, const std::vector<std::uint32_t>& all, std::string_view why,
-                            bool inside, std::string remedy) {
-        const std::vector<std::uint32_t> list = worth_naming(scene, unseen, all);
+    const std::size_t deep = sight.generations.size() - 1;
+    const std::string mirrors =
+        deep == 0 ? ""
+                  : fmt::format("; nor is anything in the first {} of mirrors and glass",
+                                deep == 1 ? "generation" : fmt::format("{} generations", deep));
+    const auto report = [&](std::string_view id, const std::vector<std::uint32_t>& all,
+                            std::string_view where, bool hidden, std::string remedy) {
+        const std::vector<std::uint32_t> list = worth_naming(scene, unseen, all, !hidden);
         if (list.empty()) return;
-        subject.report(id, scene.shape_texts.place(list.front()),
-                       fmt::format("{} of {} shapes {}, {}: {}{}", list.size(), unseen.shapes, why, reach,
-                                   subject.some_shapes(list), inside ? enclosure(subject, world, list) : ""),
-                       std::move(remedy));
+        subject.report(
+            id, scene.shape_texts.place(list.front()),
+            fmt::format("{} of {} {} {}, and no shadow of {} is seen{}: {}{}", list.size(),
+                        unseen.shapes == 1 ? "1 shape" : fmt::format("{} shapes", unseen.shapes),
+                        list.size() == 1 ? "is" : "are", where, list.size() == 1 ? "it" : "them", mirrors,
+                        subject.some_shapes(list), hidden ? enclosure(subject, world, list) : ""),
+            std::move(remedy));
     };
-    report("shape-outside-view", unseen.outside, "are outside the picture", false,
-           "move them, or the camera, or widen its view");
-    report("shape-hidden", unseen.hidden, "are hidden behind or inside others", true,
-           "move them, or what hides them, or leave them out");
-    report("shape-too-small", unseen.tiny, "are smaller than a pixel", false,
-           "make them larger, or the picture, or bring the camera nearer");
+    report("shape-outside-view", unseen.outside, "outside the picture", false,
+           "move what is outside, or the camera, or widen its view");
+    report("shape-hidden", unseen.hidden, "hidden behind or inside others", true,
+           "move what is hidden, or what hides it, or leave it out");
+    report("shape-too-small", unseen.tiny, "smaller than a pixel", false,
+           "make the shape larger, or the picture, or bring the camera nearer");
 }
 
 }  // namespace glint
