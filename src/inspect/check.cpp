@@ -11,7 +11,7 @@ namespace glint {
 namespace {
 
 constexpr CheckKind k_kinds[] = {
-    {"camera-inside-shape", "the camera is inside a closed shape that does not hold all of the scene"},
+    {"camera-inside-shape", "the camera is inside a closed shape that holds nothing else"},
     {"camera-sees-nothing", "no shape is in the picture, or none but planes"},
     {"camera-frame-skewed",
      "the camera's axes are not at right angles, or no rotation where one is asked for"},

@@ -10,25 +10,25 @@ namespace {
 std::string text(Vec3 v) { return fmt::format("({:.4g}, {:.4g}, {:.4g})", v.x, v.y, v.z); }
 
 bool contains(const Bounds& outer, const Bounds& inner) {
-    const double slack = 1e-5 * (length(outer.min) + length(outer.max));
-    return outer.min.x <= inner.min.x + slack && outer.min.y <= inner.min.y + slack &&
-           outer.min.z <= inner.min.z + slack && outer.max.x >= inner.max.x - slack &&
-           outer.max.y >= inner.max.y - slack && outer.max.z >= inner.max.z - slack;
+    return outer.min.x <= inner.min.x && outer.min.y <= inner.min.y && outer.min.z <= inner.min.z &&
+           outer.max.x >= inner.max.x && outer.max.y >= inner.max.y && outer.max.z >= inner.max.z;
 }
 
-// A sky, or a room: it holds all that there is, and there is more than it.
-bool holds_everything(const World& world, std::uint32_t shape) {
-    if (world.bounded < 2) return false;
-    for (std::uint32_t slot = 0; slot < world.bounded; ++slot) {
-        if (world.shape_index[slot] == shape) return contains(box_of_slot(world, slot), bounds(world));
-    }
+// A sky, or a room: it holds other shapes too.
+bool is_room(const World& world, std::uint32_t shape) {
+    std::uint32_t own = 0;
+    while (own < world.bounded && world.shape_index[own] != shape) ++own;
+    if (own == world.bounded) return false;
+    const Bounds room = box_of_slot(world, own);
+    for (std::uint32_t slot = 0; slot < world.bounded; ++slot)
+        if (slot != own && contains(room, box_of_slot(world, slot))) return true;
     return false;
 }
 
 void check_inside(Subject& subject) {
     const Scene& scene = subject.scene();
     for (const std::uint32_t shape : shapes_around(subject, scene.camera.position)) {
-        if (holds_everything(subject.world(), shape)) continue;
+        if (is_room(subject.world(), shape)) continue;
         subject.report("camera-inside-shape", scene.camera_place,
                        fmt::format("the camera at {} is inside {}: its picture is of the shape's inside",
                                    text(scene.camera.position), subject.shape_and_line(shape)),

@@ -53,7 +53,7 @@ class Frame {
         to_depth_ = cross(camera.right, camera.up) / volume;
     }
 
-    enum class Place { outside, tiny, inside };
+    enum class Place : std::uint8_t { not_drawn, outside, tiny, inside };
     Place place_of(const Bounds& box) const {
         int out[5] = {};
         Extent pixels;
@@ -101,43 +101,29 @@ struct Unseen {
 };
 
 Unseen find_unseen(const World& world, const std::vector<bool>& seen) {
-    constexpr double far = std::numeric_limits<double>::infinity();
+    using Place = Frame::Place;
     const Frame frame(world.camera, world.settings);
-    // A polygon has several slots: seen if any is.
-    std::vector<Bounds> boxes(seen.size(), {{far, far, far}, {-far, -far, -far}});
-    std::vector<std::uint32_t> plane(seen.size(), k_none);
+    // Of a polygon's triangles the best placed one counts.
+    std::vector<Place> places(seen.size(), Place::not_drawn);
     for (std::uint32_t slot = 0; slot < world.count; ++slot) {
-        const std::uint32_t shape = world.shape_index[slot];
-        if (slot >= world.bounded) {
-            plane[shape] = slot;
-            continue;
+        Place& place = places[world.shape_index[slot]];
+        if (slot < world.bounded) {
+            place = std::max(place, frame.place_of(box_of_slot(world, slot)));
+        } else {
+            const ShapeClass& planes = world.class_of(slot);
+            const auto value = [&](int k) { return planes.column(k)[slot - planes.first]; };
+            const bool met = frame.may_see({value(0), value(1), value(2)}, {value(3), value(4), value(5)});
+            place = met ? Place::inside : Place::outside;
         }
-        const Bounds box = box_of_slot(world, slot);
-        Bounds& all = boxes[shape];
-        all.min = {number::min(all.min.x, box.min.x), number::min(all.min.y, box.min.y),
-                   number::min(all.min.z, box.min.z)};
-        all.max = {number::max(all.max.x, box.max.x), number::max(all.max.y, box.max.y),
-                   number::max(all.max.z, box.max.z)};
     }
     Unseen unseen;
     for (std::uint32_t shape = 0; shape < seen.size(); ++shape) {
-        const bool drawn = plane[shape] != k_none || boxes[shape].min.x <= boxes[shape].max.x;
-        if (!drawn) continue;
+        if (places[shape] == Place::not_drawn) continue;
         ++unseen.shapes;
         if (seen[shape]) continue;
-        auto place = Frame::Place::inside;
-        if (plane[shape] == k_none) {
-            place = frame.place_of(boxes[shape]);
-        } else {
-            const ShapeClass& planes = world.class_of(plane[shape]);
-            const std::uint32_t item = plane[shape] - planes.first;
-            const auto value = [&](int k) { return planes.column(k)[item]; };
-            if (!frame.may_see({value(0), value(1), value(2)}, {value(3), value(4), value(5)}))
-                place = Frame::Place::outside;
-        }
-        auto& list = place == Frame::Place::outside ? unseen.outside
-                     : place == Frame::Place::tiny  ? unseen.tiny
-                                                    : unseen.hidden;
+        auto& list = places[shape] == Place::outside ? unseen.outside
+                     : places[shape] == Place::tiny  ? unseen.tiny
+                                                     : unseen.hidden;
         list.push_back(shape);
     }
     return unseen;
