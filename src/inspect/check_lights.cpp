@@ -7,6 +7,7 @@
 
 #include "inspect/checks.h"
 #include "math/number.h"
+#include "math/transform.h"
 
 namespace glint {
 namespace {
@@ -65,6 +66,7 @@ struct Blockage {
 Blockage find_blockage(const Subject& subject, const Sight& sight, const Light& light) {
     Blockage found;
     RayList rays;
+    const Conventions& rules = subject.scene().conventions;
     const bool point_light = light.kind == LightKind::point;
     for (const Generation& g : sight.generations) {
         const std::size_t step = g.hits.size() / k_most_points + 1;
@@ -75,7 +77,9 @@ Blockage find_blockage(const Subject& subject, const Sight& sight, const Light& 
             if (!(dot(h.normal, to_light) > 0)) continue;
             ++found.facing;
             if (point_light) {
-                rays.add(light.position, -to_light, 0, 1 - 1e-6);
+                // As the renderer's, which sees epsilon past the light there.
+                const double past = rules.offset == Offset::direction ? rules.epsilon / length(to_light) : 0;
+                rays.add(light.position, -to_light, -past, 1 - 1e-6);
             } else {
                 const double reach = 1e-9 * (1 + number::sqrt(dot(h.point, h.point)));
                 rays.add(h.point + h.normal * reach, to_light, 0);
@@ -126,9 +130,8 @@ void report_dark(Subject& subject, const Sight& sight, std::uint32_t index) {
         const bool plane = subject.scene().shapes[b.blocker].kind == ShapeKind::plane;
         return subject.report(
             plane ? "light-behind-plane" : "light-blocked", place,
-            fmt::format("{} lights nothing that the camera sees: {} {} stands between it and {} of {} points",
-                        name, plane ? "the plane" : "the shape", subject.shape_and_line(b.blocker),
-                        b.by_blocker, b.facing),
+            fmt::format("{} lights nothing that the camera sees: {} stands between it and {} of {} points",
+                        name, subject.shape_and_line(b.blocker), b.by_blocker, b.facing),
             plane ? "move the light to the other side of the plane"
                   : "move the light, or the shape before it");
     }

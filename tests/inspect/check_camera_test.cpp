@@ -30,7 +30,9 @@ TEST(CheckCamera, NotInsideWhatIsOpenBesideItOrAroundAll) {
           // its box holds the camera, it does not
           "sphere { center = (3, 4, 9.5)  radius = 3.5 }",
           // the sky
-          "sphere { center = (0, 0, 0)  radius = 200  color = (0.4, 0.5, 0.9)  ambient = 3 }"}) {
+          "sphere { center = (0, 0, 0)  radius = 200  color = (0.4, 0.5, 0.9)  ambient = 3 }",
+          // a room under a sky
+          "box { min = (-9, -1, -9)  max = (9, 9, 9) }\nsphere { center = (0, 0, 0)  radius = 200 }"}) {
         EXPECT_FALSE(has(ids_of(k_clean + shape), "camera-inside")) << shape << "\n"
                                                                     << ids_of(k_clean + shape);
     }

@@ -48,6 +48,13 @@ box "shade" { min = (-4, 20, -4)  max = (4, 21, 4) }
     EXPECT_TRUE(has(only_message(text), "box 'shade' (line 5)")) << only_message(text);
 }
 
+TEST(CheckLights, BlockedByWhatItLiesIn) {
+    // By the lecture's rule a surface through the light itself is before it.
+    const std::string lamp = "disc \"lamp\" { center = (3, 6, 5)  normal = (-3, 4, 3)  radius = 0.5 }\n";
+    EXPECT_FALSE(has(ids_of(k_clean + lamp), "light-"));
+    EXPECT_TRUE(has(ids_of("profile = lecture5\n" + k_clean + lamp), "light-blocked@4"));
+}
+
 TEST(CheckLights, ARimLightIsNoMistake) {
     // From behind, but its rim is seen; and a small highlight in a scene without diffuse surfaces.
     EXPECT_EQ(ids_of(k_clean + "light { position = (-3, 4, -6)  intensity = 0.4 }\n"), "");
