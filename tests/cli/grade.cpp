@@ -11,7 +11,7 @@ namespace glint::test {
 namespace {
 
 const std::string k_castle = GLINT_SOURCE "/scenes/epfl/castle.json";
-const std::string k_rubric = GLINT_SOURCE "/scenes/epfl/rt2.rubric";
+const std::string k_rubric = GLINT_SOURCE "/docs/rt2.rubric";
 
 class Grade : public ::testing::Test {
   protected:
