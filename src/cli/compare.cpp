@@ -65,13 +65,14 @@ int compare_command(CompareArguments& arguments) {
             throw Failure(k_usage,
                           "--vary takes a scene in place of two pictures, without --scene and --diff");
         arguments.scene.scene.files = arguments.files;
-        take_settings(arguments.scene);
-        return vary_command(arguments.scene.scene, parse_variation(arguments.vary), arguments.threads,
+        return vary_command(arguments.scene, parse_variation(arguments.vary), arguments.threads,
                             arguments.json, arguments.quiet);
     }
     if (arguments.files.size() != 2)
         throw Failure(k_usage, fmt::format("expected two pictures, found {}; or SCENE --vary KEY=VALUES",
                                            arguments.files.size()));
+    if (!arguments.scene.picture.size.empty())
+        throw Failure(k_usage, "--size is for --vary: a scene beside pictures has theirs");
     std::optional<OutputFile> diff;
     if (!arguments.diff.empty()) {
         diff.emplace(arguments.diff);

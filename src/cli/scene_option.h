@@ -2,21 +2,17 @@
 // The scene that stands beside pictures: `--scene FILE` and how it is drawn.
 #include <optional>
 
-#include "cli/scene_arguments.h"
+#include "cli/picture_arguments.h"
 
 namespace glint::cli {
 
 struct SceneOption {
     SceneArguments scene;  ///< no files: no scene was given
-    std::string shading, reflections, aa;
-    bool no_shadows = false;
+    PictureArguments picture;
 };
 
-/// Adds --scene FILE, --scene-name and render's options of how the scene is drawn.
+/// Adds --scene FILE, --scene-name and the options of how the scene is drawn.
 void add_scene_option(CLI::App& command, SceneOption& option, const char* description);
-
-/// Hands the options of how the scene is drawn to its arguments, before load_scene.
-void take_settings(SceneOption& option);
 
 /// The scene, with its warnings printed unless `quiet`; nothing if none was given. Throws Failure as
 /// load_scene does.

@@ -132,10 +132,8 @@ Variation parse_variation(const std::string& text) {
     return variation;
 }
 
-int vary_command(const SceneArguments& arguments, const Variation& variation, int threads, bool json,
-                 bool quiet) {
-    LoadedScene loaded = load_scene(arguments);
-    if (!quiet) print(loaded.warnings);
+int vary_command(SceneOption& scene, const Variation& variation, int threads, bool json, bool quiet) {
+    LoadedScene loaded = *load_scene_option(scene, quiet);
     std::vector<Step> steps;
     Image before;
     {

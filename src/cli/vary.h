@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "cli/scene_arguments.h"
+#include "cli/scene_option.h"
 
 namespace glint::cli {
 
@@ -17,7 +17,6 @@ Variation parse_variation(const std::string& text);
 
 /// Draws the scene with each value and prints how many pixels each step changes; returns the exit code.
 /// Throws Failure.
-int vary_command(const SceneArguments& arguments, const Variation& variation, int threads, bool json,
-                 bool quiet);
+int vary_command(SceneOption& scene, const Variation& variation, int threads, bool json, bool quiet);
 
 }  // namespace glint::cli

@@ -148,24 +148,24 @@ TEST_F(Compare, BadInput) {
              {"right.png", "dark.png", "right.png"},
              {"right.png", "dark.png", "--within", "-1"},
              {"right.png", "dark.png", "--fail-percent", "101"},
+             {"right.png", "dark.png", "--scene", "a.cgfs", "--size", "80x60"},
              {"right.png", "dark.png", "--scene", "a.cgfs", "--shading", "plastic"}}) {
         EXPECT_EQ(compare(arguments).code, 2) << testing::PrintToString(arguments);
     }
 }
 
 TEST_F(Compare, VarySaysFromWhichValueOnNothingChanges) {
-    const Finished r = compare({"a.cgfs", "--vary", "reflections=0..4", "--convention", "size=40x30"});
+    const Finished r = compare({"a.cgfs", "--vary", "reflections=0..4", "--size", "40x30"});
     EXPECT_EQ(r.code, 0) << r.err;
     EXPECT_TRUE(contains(r.out, "from reflections = ")) << r.out;
-    const auto json = nlohmann::json::parse(compare({"a.cgfs", "--vary", "shading=phong,phong,blinn-phong",
-                                                     "--convention", "size=40x30", "--json"})
-                                                .out);
+    const auto json = nlohmann::json::parse(
+        compare({"a.cgfs", "--vary", "shading=phong,phong,blinn-phong", "--size", "40x30", "--json"}).out);
     ASSERT_EQ(json["steps"].size(), 3u);
     EXPECT_EQ(json["steps"][1]["changed"], 0);
     EXPECT_GT(json["steps"][2]["changed"], 0);
     EXPECT_EQ(json["settled_from"], nullptr);
     const auto settled = nlohmann::json::parse(
-        compare({"a.cgfs", "--vary", "reflections=1,0,0", "--convention", "size=40x30", "--json"}).out);
+        compare({"a.cgfs", "--vary", "reflections=1,0,0", "--size", "40x30", "--json"}).out);
     EXPECT_EQ(settled["settled_from"], "0");
 }
 

@@ -86,7 +86,7 @@ TEST_F(Grade, PicturesAgainstAReference) {
     EXPECT_GT(sheet.width, 96 * 2);
     // The scene's own picture is the reference if none is given.
     draw("in/zoe.png", {});
-    const auto own = graded({"in", "--scene", k_castle, "--convention", "size=96x72"});
+    const auto own = graded({"in", "--scene", k_castle, "--size", "96x72"});
     EXPECT_EQ(own[4]["equal"], 1);
 }
 
@@ -97,9 +97,8 @@ TEST_F(Grade, ByRt2sRubric) {
     draw("in/ben/castle_shadows.png", {"--reflections", "0", "--no-shadows"});
     std::filesystem::remove(folder.path("in/eve/castle_diffuse.png"));
     draw("in/eve/castle_blinn.png", {"--shading", "phong", "--no-shadows", "--reflections", "0"});
-    const std::vector<std::string> arguments = {"in",     "--scene",      k_castle,     "--rubric",
-                                                k_rubric, "--convention", "size=96x72", "--csv",
-                                                "t.csv",  "--sheet",      "t.png"};
+    const std::vector<std::string> arguments = {"in",    "--scene", k_castle, "--rubric", k_rubric, "--size",
+                                                "96x72", "--csv",   "t.csv",  "--sheet",  "t.png"};
     const auto json = graded(arguments);
     ASSERT_EQ(json.size(), 3u);
     EXPECT_EQ(json[0]["total"], 90);
@@ -121,8 +120,7 @@ TEST_F(Grade, ByRt2sRubric) {
     EXPECT_TRUE(contains(csv, "\nada,5.00,15.00,10.00,10.00,5.00,25.00,20.00,90.00,90.00,")) << csv;
     EXPECT_EQ(read_png(folder.path("t.png")).error, "");
     // One's own folder.
-    const auto own =
-        graded({"in/ada", "--scene", k_castle, "--rubric", k_rubric, "--convention", "size=96x72"});
+    const auto own = graded({"in/ada", "--scene", k_castle, "--rubric", k_rubric, "--size", "96x72"});
     ASSERT_EQ(own.size(), 1u);
     EXPECT_EQ(own[0]["name"], "ada");
     EXPECT_EQ(own[0]["total"], 90);
@@ -160,9 +158,7 @@ TEST_F(Grade, BlackPicturesGetNothing) {
     black.resize(black.size() + 96 * 72 * 3);
     for (const char* name : {"ambient", "diffuse", "phong", "blinn", "shadows", "reflections"})
         folder.write("in/ada/castle_" + std::string(name) + ".png", black);  // whatever its name says
-    EXPECT_EQ(
-        graded({"in", "--scene", k_castle, "--rubric", k_rubric, "--convention", "size=96x72"})[0]["total"],
-        0);
+    EXPECT_EQ(graded({"in", "--scene", k_castle, "--rubric", k_rubric, "--size", "96x72"})[0]["total"], 0);
 }
 
 TEST_F(Grade, BadInput) {
