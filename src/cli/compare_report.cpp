@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <iterator>
 #include <nlohmann/json.hpp>
+#include <span>
 
 #include "cli/text.h"
 
@@ -23,6 +25,14 @@ void add_counts(std::string& text, const char* name, const PixelCounts& counts) 
     fmt::format_to(std::back_inserter(text), "{:<10}{:>13} {:>10} {:>13} {:>13}\n", name,
                    with_commas(counts.pixels), percent_text(counts.equal, counts.pixels),
                    percent_text(counts.within_1, counts.pixels), percent_text(counts.within, counts.pixels));
+}
+
+void add_others(std::string& text, const char* how, std::span<const Cause> causes) {
+    if (causes.empty()) return;
+    std::vector<std::string> words;
+    for (const Cause& cause : causes.first(std::min(causes.size(), k_most_other_causes)))
+        words.push_back(fmt::format("{} ({})", cause.name, share_text(cause.explained)));
+    text += fmt::format("  {}: {}\n", how, fmt::join(words, ", "));
 }
 
 void add_causes(std::string& text, const CompareReport& report) {
@@ -53,11 +63,11 @@ void add_causes(std::string& text, const CompareReport& report) {
     const Cause& best = causes.causes.front();
     fmt::format_to(out, "{}\n  ({}: explains {} of the difference{})\n", best.explanation, best.name,
                    share_text(best.explained), causes.away_from_edges ? " away from edges" : "");
-    for (std::size_t i = 1; i < causes.causes.size() && i <= k_most_other_causes; ++i) {
-        fmt::format_to(out, "{} {} ({})", i == 1 ? "  other causes:" : ",", causes.causes[i].name,
-                       share_text(causes.causes[i].explained));
-    }
-    if (causes.causes.size() > 1) text += "\n";
+    // What leaves exactly the same cannot be told apart by these pictures.
+    const auto lesser = std::find_if(causes.causes.begin() + 1, causes.causes.end(),
+                                     [&](const Cause& c) { return c.remaining != best.remaining; });
+    add_others(text, "just as well", {causes.causes.begin() + 1, lesser});
+    add_others(text, "less likely", {lesser, causes.causes.end()});
     if (!report.with_scene && best.explained < 0.95) text += "  --scene SCENE tries more causes.\n";
 }
 
