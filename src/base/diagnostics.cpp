@@ -12,6 +12,17 @@ namespace {
 constexpr std::size_t k_max_shown = 160;  // bytes of a source line that a message shows
 constexpr std::uint32_t k_max_warnings = 100;
 
+// Byte offset of a place; the end of the text if it has no such line.
+std::size_t offset_of(std::string_view text, SourcePlace place) {
+    std::size_t start = 0;
+    for (std::uint32_t line = 1; line < place.line; ++line) {
+        const std::size_t end = text.find('\n', start);
+        if (end == std::string_view::npos) return text.size();
+        start = end + 1;
+    }
+    return std::min(start + place.column - 1, text.size());
+}
+
 }  // namespace
 
 LineColumn line_column(std::string_view text, std::size_t offset) {
@@ -53,6 +64,13 @@ Diagnostic make_diagnostic(Severity severity, TextPlace where, std::size_t offse
     }
     d.caret = static_cast<std::uint32_t>(offset - shown);
     return d;
+}
+
+Diagnostic diagnostic_at(Severity severity, TextPlace where, SourcePlace place, std::string message) {
+    const std::size_t offset = offset_of(where.text, place);
+    const auto word_end = where.text.find_first_of(" \t\r\n{[(:=,", offset);
+    const std::size_t length = std::min(word_end, where.text.size()) - offset;
+    return make_diagnostic(severity, where, offset, length, std::move(message));
 }
 
 void Diagnostics::add(Diagnostic diagnostic) {

@@ -26,6 +26,9 @@ struct TextPlace {
 Diagnostic make_diagnostic(Severity severity, TextPlace where, std::size_t offset, std::size_t length,
                            std::string message);
 
+/// The diagnostic for the word at a place (line > 0) of a text.
+Diagnostic diagnostic_at(Severity severity, TextPlace where, SourcePlace place, std::string message);
+
 /// A list of diagnostics that stops growing: at most max_errors errors and 100 warnings. Warnings that
 /// `warn_once` gives with the same key appear once.
 class Diagnostics {

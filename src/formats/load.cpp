@@ -22,17 +22,6 @@ Diagnostic without_place(Severity severity, std::string_view file, std::string m
     return d;
 }
 
-// Byte offset of a place; the end of the text if it has no such line.
-std::size_t offset_of(std::string_view text, SourcePlace place) {
-    std::size_t start = 0;
-    for (std::uint32_t line = 1; line < place.line; ++line) {
-        const std::size_t end = text.find('\n', start);
-        if (end == std::string_view::npos) return text.size();
-        start = end + 1;
-    }
-    return std::min(start + place.column - 1, text.size());
-}
-
 class Loader {
   public:
     Loader(std::span<const SceneText> texts, const LoadOptions& options, Sources* sources)
@@ -121,12 +110,8 @@ class Loader {
                 add(mistake.severity, "", std::move(mistake.message));
                 continue;
             }
-            const TextPlace& text = reading_.texts[place.file];
-            const std::size_t offset = offset_of(text.text, place);
-            const auto word_end = text.text.find_first_of(" \t\r\n{[(:=,", offset);
-            const std::size_t length = std::min(word_end, text.text.size()) - offset;
-            reading_.diagnostics.add(
-                make_diagnostic(mistake.severity, text, offset, length, std::move(mistake.message)));
+            reading_.diagnostics.add(diagnostic_at(mistake.severity, reading_.texts[place.file], place,
+                                                   std::move(mistake.message)));
         }
     }
 

@@ -7,8 +7,6 @@
 namespace glint {
 namespace {
 
-std::string text(Vec3 v) { return fmt::format("({:.4g}, {:.4g}, {:.4g})", v.x, v.y, v.z); }
-
 bool contains(const Bounds& outer, const Bounds& inner) {
     return outer.min.x <= inner.min.x && outer.min.y <= inner.min.y && outer.min.z <= inner.min.z &&
            outer.max.x >= inner.max.x && outer.max.y >= inner.max.y && outer.max.z >= inner.max.z;
@@ -31,7 +29,7 @@ void check_inside(Subject& subject) {
         if (is_room(subject.world(), shape)) continue;
         subject.report("camera-inside-shape", scene.camera_place,
                        fmt::format("the camera at {} is inside {}: its picture is of the shape's inside",
-                                   text(scene.camera.position), subject.shape_and_line(shape)),
+                                   vector_text(scene.camera.position), subject.shape_and_line(shape)),
                        "move the camera out of the shape, or make the shape smaller");
     }
 }
@@ -66,9 +64,10 @@ bool check_camera(Subject& subject, const Sight& sight) {
         fmt::format(
             "the camera sees none of the scene's shapes{}: it looks along {} from {}, and the middle of "
             "what there is, {}, lies {}",
-            planes ? " but planes" : "", text(normalize(world.camera.forward)), text(world.camera.position),
-            text(middle), away ? "behind it" : fmt::format("{:.4g} before it", along)),
-        fmt::format("let it look at {}{}", text(middle),
+            planes ? " but planes" : "", vector_text(normalize(world.camera.forward)),
+            vector_text(world.camera.position), vector_text(middle),
+            away ? "behind it" : fmt::format("{:.4g} before it", along)),
+        fmt::format("let it look at {}{}", vector_text(middle),
                     planes && !away ? ", and see that no plane hides the shapes" : ""));
     return false;
 }

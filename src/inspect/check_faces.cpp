@@ -131,10 +131,6 @@ double tolerance(const Conventions& rules, double magnitude) {
     return number::min(number::max(epsilon, 1e-9 * magnitude), 1e-4 * magnitude);
 }
 
-double magnitude_of(const RayList& rays, const SurfaceHit& h) {
-    return length(rays.origin(h.ray)) + length(h.point);
-}
-
 class Coincidences {
   public:
     explicit Coincidences(Subject& subject) : subject_(subject), world_(subject.world()) {}
@@ -161,7 +157,7 @@ class Coincidences {
             if (slope < k_grazing * length(hit.incoming)) continue;
             const double t = first.t[i];
             beyond.add(rays.origin(i), hit.incoming, t,
-                       t + tolerance(world_.conventions, magnitude_of(rays, hit)) / slope);
+                       t + tolerance(world_.conventions, hit.magnitude) / slope);
             before.push_back(hit);
         }
         const HitList second = nearest_hits(world_, beyond, subject_.threads());

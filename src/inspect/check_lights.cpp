@@ -7,7 +7,6 @@
 
 #include "inspect/checks.h"
 #include "math/number.h"
-#include "math/transform.h"
 
 namespace glint {
 namespace {
@@ -64,29 +63,11 @@ struct Blockage {
 };
 
 Blockage find_blockage(const Subject& subject, const Sight& sight, const Light& light) {
+    const ShadowRays shadows = shadow_rays(subject.world(), sight, light, k_most_points);
+    const HitList hits = nearest_hits(subject.world(), shadows.rays, subject.threads());
     Blockage found;
-    RayList rays;
-    const Conventions& rules = subject.scene().conventions;
-    const bool point_light = light.kind == LightKind::point;
-    for (const Generation& g : sight.generations) {
-        const std::size_t step = g.hits.size() / k_most_points + 1;
-        for (std::size_t i = 0; i < g.hits.size(); i += step) {
-            const SurfaceHit& h = g.hits[i];
-            const Vec3 to_light = point_light ? light.position - h.point : light.to_light;
-            ++found.points;
-            if (!(dot(h.normal, to_light) > 0)) continue;
-            ++found.facing;
-            if (point_light) {
-                // As the renderer's, which sees epsilon past the light there.
-                const double past = rules.offset == Offset::direction ? rules.epsilon / length(to_light) : 0;
-                rays.add(light.position, -to_light, -past, 1 - 1e-6);
-            } else {
-                const double reach = 1e-9 * (1 + number::sqrt(dot(h.point, h.point)));
-                rays.add(h.point + h.normal * reach, to_light, 0);
-            }
-        }
-    }
-    const HitList hits = nearest_hits(subject.world(), rays, subject.threads());
+    found.points = shadows.points;
+    found.facing = shadows.rays.size();
     std::unordered_map<std::uint32_t, std::size_t> counts;
     for (const std::uint32_t slot : hits.slot) {
         if (slot == k_none) continue;

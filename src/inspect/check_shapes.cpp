@@ -20,24 +20,8 @@ void mark_shadows(const Subject& subject, const Sight& sight, std::vector<bool>&
     const World& world = subject.world();
     if (!world.settings.shadows) return;
     for (std::size_t l = 0; l < world.lights.size() && l < k_most_lights; ++l) {
-        const Light& light = world.lights[l];
-        const bool point_light = light.kind == LightKind::point;
-        RayList rays;
-        for (const Generation& g : sight.generations) {
-            const std::size_t step = g.hits.size() / k_most_points + 1;
-            for (std::size_t i = 0; i < g.hits.size(); i += step) {
-                const SurfaceHit& h = g.hits[i];
-                const Vec3 to_light = point_light ? light.position - h.point : light.to_light;
-                if (!(dot(h.normal, to_light) > 0)) continue;
-                if (point_light) {
-                    rays.add(light.position, -to_light, 0, 1 - 1e-6);
-                } else {
-                    const double reach = 1e-9 * (1 + number::sqrt(dot(h.point, h.point)));
-                    rays.add(h.point + h.normal * reach, to_light, 0);
-                }
-            }
-        }
-        for (const std::uint32_t slot : nearest_hits(world, rays, subject.threads()).slot)
+        const ShadowRays shadows = shadow_rays(world, sight, world.lights[l], k_most_points);
+        for (const std::uint32_t slot : nearest_hits(world, shadows.rays, subject.threads()).slot)
             if (slot != k_none) seen[world.shape_index[slot]] = true;
     }
 }

@@ -38,8 +38,12 @@ struct NormalOf {
 
 double largest(Vec3 v) { return max_abs(triple_of(v)); }
 
+SurfacePoint<double> surface_point(const SurfaceHit& h) {
+    return {triple_of(h.point), triple_of(h.normal), triple_of(h.incoming), h.magnitude};
+}
+
 // The mirror and glass rays that leave some hits, as the renderer's own, weights apart.
-RayList leaving_rays(const World& world, const RayList& from, const std::vector<SurfaceHit>& hits) {
+RayList leaving_rays(const World& world, const std::vector<SurfaceHit>& hits) {
     const Conventions& rules = world.conventions;
     const auto leaves = [&](const SurfaceHit& h) {
         const double* m = world.materials.data() + std::size_t{h.material} * k_material_values;
@@ -48,15 +52,12 @@ RayList leaving_rays(const World& world, const RayList& from, const std::vector<
     std::size_t count = 0;
     for (const SurfaceHit& h : hits) count += leaves(h).first || leaves(h).second ? 1 : 0;
     const std::size_t step = count / k_most_followed + 1;
-    const Bounds all = bounds(world);
-    const double reach = all.min.x <= all.max.x ? std::max(largest(all.min), largest(all.max)) : 0;
     RayList rays;
     std::size_t number = 0;
     for (const SurfaceHit& h : hits) {
         const auto [mirror, glass] = leaves(h);
         if ((!mirror && !glass) || number++ % step != 0) continue;
-        const SurfacePoint<double> surface{triple_of(h.point), triple_of(h.normal), triple_of(h.incoming),
-                                           largest(from.origin(h.ray)) + largest(h.point) + reach};
+        const SurfacePoint<double> surface = surface_point(h);
         const auto add = [&](Triple<double> direction, bool through) {
             const auto origin = through ? leave_through(surface, direction, rules.offset, rules.epsilon)
                                         : leave(surface, direction, rules.offset, rules.epsilon);
@@ -129,6 +130,11 @@ SurfaceHit surface_hit(const World& world, const RayList& rays, const HitList& h
     h.normal = vec_of(of.normal);
     h.behind = dot(h.normal, h.incoming) > 0;
     if (h.behind && h.turned) h.normal = -h.normal;
+    h.magnitude = largest(rays.origin(ray)) + largest(h.point);
+    if (h.slot < world.bounded) {
+        const Bounds box = box_of_slot(world, h.slot);
+        h.magnitude += std::max(largest(box.min), largest(box.max));
+    }
     return h;
 }
 
@@ -159,10 +165,36 @@ Sight::Sight(const World& world, int threads) : size(small_size(world.settings, 
     generations.push_back({surface_hits(world, rays, threads)});
     const int most = std::min(world.settings.reflections, k_most_generations);
     for (int g = 0; g < most; ++g) {
-        rays = leaving_rays(world, rays, generations.back().hits);
+        rays = leaving_rays(world, generations.back().hits);
         if (rays.size() == 0) break;
         generations.push_back({surface_hits(world, rays, threads)});
     }
+}
+
+ShadowRays shadow_rays(const World& world, const Sight& sight, const Light& light, std::size_t most) {
+    const Conventions& rules = world.conventions;
+    const bool from_light = light.kind == LightKind::point && rules.shadow_stops_at_light;
+    ShadowRays found;
+    for (const Generation& g : sight.generations) {
+        const std::size_t step = g.hits.size() / most + 1;
+        for (std::size_t i = 0; i < g.hits.size(); i += step) {
+            const SurfaceHit& h = g.hits[i];
+            const Vec3 to_light = light.kind == LightKind::point ? light.position - h.point : light.to_light;
+            ++found.points;
+            if (!(glint::dot(h.normal, to_light) > 0)) continue;
+            const Vec3 start =
+                vec_of(leave(surface_point(h), triple_of(to_light), rules.offset, rules.epsilon));
+            if (!from_light) {
+                found.rays.add(start, to_light, leave_t_min(rules.offset, rules.epsilon));
+                continue;
+            }
+            const Vec3 way = start - light.position;
+            // It sees epsilon past the light there (trace/light-inl.h).
+            const double past = rules.offset == Offset::direction ? rules.epsilon / glint::length(way) : 0;
+            found.rays.add(light.position, way, -past, rules.offset == Offset::ray ? 1 - rules.epsilon : 1);
+        }
+    }
+    return found;
 }
 
 std::vector<std::uint32_t> shapes_along(const World& world, Vec3 point, Vec3 direction) {

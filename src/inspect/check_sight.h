@@ -39,9 +39,10 @@ struct SurfaceHit {
     Vec3 point, normal;  // unit normal, turned to the ray where the conventions say so
     Vec3 incoming;       // the ray's direction
     std::uint32_t slot = 0, shape = 0, material = 0;
-    std::size_t ray = 0;  // the number of the ray
-    bool turned = false;  // the conventions turn this shape's normal
-    bool behind = false;  // the ray came from behind the shape's own normal
+    std::size_t ray = 0;   // the number of the ray
+    bool turned = false;   // the conventions turn this shape's normal
+    double magnitude = 0;  // as SurfacePoint's
+    bool behind = false;   // the ray came from behind the shape's own normal
 };
 SurfaceHit surface_hit(const World& world, const RayList& rays, const HitList& hits, std::size_t ray);
 
@@ -66,6 +67,14 @@ class Sight {
         return static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height);
     }
 };
+
+/// The shadow rays of a light from what is seen, as the renderer traces them, of at most `most` hits a
+/// generation.
+struct ShadowRays {
+    RayList rays;            // of the points that face the light
+    std::size_t points = 0;  // all that were looked at
+};
+ShadowRays shadow_rays(const World& world, const Sight& sight, const Light& light, std::size_t most);
 
 /// Every shape that a ray from `point` meets in a direction chosen once, in order of distance, as often as it
 /// is met. At most a thousand.

@@ -19,18 +19,9 @@ std::string item(std::string_view word, std::uint32_t index, std::string_view na
                         : fmt::format("{} {}", word, quoted(name));
 }
 
-// Byte offset of a place; the end of the text if it has no such line.
-std::size_t offset_of(std::string_view text, SourcePlace place) {
-    std::size_t start = 0;
-    for (std::uint32_t line = 1; line < place.line; ++line) {
-        const std::size_t end = text.find('\n', start);
-        if (end == std::string_view::npos) return text.size();
-        start = end + 1;
-    }
-    return std::min(start + place.column - 1, text.size());
-}
-
 }  // namespace
+
+std::string vector_text(Vec3 v) { return fmt::format("({:.4g}, {:.4g}, {:.4g})", v.x, v.y, v.z); }
 
 SmallSize small_size(const RenderSettings& settings, std::int32_t longest) {
     const std::int64_t most = std::max(settings.width, settings.height);
@@ -97,10 +88,7 @@ void Subject::report(std::string_view id, SourcePlace place, std::string message
         d.length = 1;
         for (const SceneText& text : options_.texts) {
             if (text.name != d.file) continue;
-            const std::size_t offset = offset_of(text.text, place);
-            const auto word_end = text.text.find_first_of(" \t\r\n{[(:=,", offset);
-            d = make_diagnostic(Severity::warning, {text.name, text.text}, offset,
-                                std::min(word_end, text.text.size()) - offset, {});
+            d = diagnostic_at(Severity::warning, {text.name, text.text}, place, {});
             break;
         }
     } else {

@@ -10,6 +10,9 @@
 
 namespace glint {
 
+/// As findings write it: "(1, 2.5, -3)".
+std::string vector_text(Vec3 v);
+
 /// The sides of the picture, made small: at most `longest` pixels, in about the same proportion.
 struct SmallSize {
     std::int32_t width, height;

@@ -13,7 +13,6 @@ namespace {
 constexpr double k_slack = 0.01;  // people write (0.62, -0.78, 0)
 
 bool is_unit(Vec3 v) { return number::abs(length(v) - 1) <= k_slack; }
-std::string text(Vec3 v) { return fmt::format("({:.4g}, {:.4g}, {:.4g})", v.x, v.y, v.z); }
 
 // What the sources' own programs take as unit vectors: data, as the profiles are.
 struct UnitVectors {
@@ -49,10 +48,10 @@ void check_shape_normals(Subject& subject) {
     const Vec3 unit = normalize(example);
     subject.report(
         "normal-not-unit", scene.shape_texts.place(found.front()),
-        fmt::format("the normal {} of {} has the length {:.4g}: {}{}", text(example),
+        fmt::format("the normal {} of {} has the length {:.4g}: {}{}", vector_text(example),
                     subject.shape(found.front()), length(example), source->reason,
                     found.size() == 1 ? "" : fmt::format("; so it is with {} shapes", found.size())),
-        fmt::format("write {}", text(unit)));
+        fmt::format("write {}", vector_text(unit)));
 }
 
 void check_light_directions(Subject& subject) {
@@ -65,9 +64,9 @@ void check_light_directions(Subject& subject) {
             "direction-not-unit", scene.light_texts.place(i),
             fmt::format("the direction {} of {} has the length {:.4g}, and normalize = false leaves it so: "
                         "the light is {:.4g} times as strong",
-                        text(light.to_light), subject.light(i), length(light.to_light),
+                        vector_text(light.to_light), subject.light(i), length(light.to_light),
                         length(light.to_light)),
-            fmt::format("write {}", text(normalize(light.to_light))));
+            fmt::format("write {}", vector_text(normalize(light.to_light))));
     }
 }
 
@@ -84,7 +83,7 @@ void check_frame(Subject& subject) {
     if (skew <= k_slack && !turned) return;
     subject.report("camera-frame-skewed", scene.camera_place,
                    fmt::format("the camera's right {}, up {} and forward {} {}: the picture is distorted",
-                               text(f.right), text(f.up), text(f.forward),
+                               vector_text(f.right), vector_text(f.up), vector_text(f.forward),
                                skew > k_slack ? "are not at right angles" : "are no rotation"),
                    rotation ? "give three unit vectors at right angles to each other"
                             : "let up be perpendicular to right");

@@ -63,6 +63,17 @@ TEST(CheckVectors, NotUnitWhereTheFormatWantsIt) {
     EXPECT_EQ(ids_of(with("3"), "a.json"), "normal-not-unit@6");
 }
 
+TEST(CheckVectors, VertexNormalsOfAPatch) {
+    const auto patch = [](std::string_view z) {
+        return fmt::format(
+            "v\nfrom 0 0 5\nat 0 0 0\nup 0 1 0\nangle 45\nhither 1\nresolution 64 64\nl 3 3 5\n"
+            "f 0.8 0.5 0.3 0.8 0 1 0 1\npp 3\n-1 -1 0 0 0 1\n1 -1 0 0 0 {}\n0 1 0 0 0 1\n",
+            z);
+    };
+    EXPECT_EQ(ids_of(patch("1"), "a.nff"), "");
+    EXPECT_EQ(ids_of(patch("2"), "a.nff"), "normal-not-unit@10");
+}
+
 TEST(CheckVectors, DirectionsThatAreNotNormalised) {
     const std::string light = "light { type = directional  to_light = (1, 2, 2)  intensity = 0.2 }\n";
     EXPECT_EQ(ids_of(k_clean + light), "");
