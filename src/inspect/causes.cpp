@@ -57,6 +57,18 @@ struct Drawn {
     BytePicture bytes;
 };
 
+// Shapes without a material get one of the scene's, so that faults of materials reach them.
+void name_default_material(Scene& scene) {
+    const auto index = static_cast<std::uint32_t>(scene.materials.size());
+    bool used = false;
+    for (Shape& shape : scene.shapes) {
+        if (shape.material != k_none) continue;
+        shape.material = index;
+        used = true;
+    }
+    if (used) scene.materials.emplace_back();
+}
+
 class CauseFinder {
   public:
     CauseFinder(const Image& reference, const Scene* scene, const CauseOptions& options)
@@ -68,6 +80,7 @@ class CauseFinder {
         scene_ = std::make_unique<Scene>(*scene);
         scene_->settings.width = reference.width;
         scene_->settings.height = reference.height;
+        name_default_material(*scene_);
     }
 
     Search start(const Image& picture) const {

@@ -212,6 +212,24 @@ TEST(Causes, OfAPictureThatTheSceneDraws) {
     EXPECT_TRUE(foreign.causes.empty()) << all_causes(foreign);
 }
 
+// A scene of code, whose shapes have no material of their own.
+TEST(Causes, ReachTheDefaultMaterial) {
+    Scene scene;
+    scene.settings.width = scene.settings.height = 60;
+    scene.add(Sphere{{0, 0, -4}, 1});
+    scene.lights.push_back({});
+    scene.lights.back().kind = LightKind::ambient;
+    scene.lights.push_back({});
+    scene.lights.back().position = {3, 4, 0};
+    Scene faulty = scene;
+    Material material;
+    material.diffuse = {0, 0, 0};
+    faulty.materials.push_back(material);
+    faulty.shapes[0].material = 0;
+    const CauseReport report = find_causes(as_file(draw(faulty)), as_file(draw(scene)), &scene);
+    EXPECT_EQ(first_cause(report), "diffuse-missing") << all_causes(report);
+}
+
 TEST(Causes, OfManyPicturesAreThoseOfEach) {
     const TestScene& scene = test_scenes()[0];
     const Scene reference_scene = read_scene(scene.text);

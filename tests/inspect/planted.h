@@ -87,7 +87,8 @@ inline std::string with_balls_behind_lamps(std::string text) {
         const double x = std::stod((*it)[1]), y = std::stod((*it)[2]), z = std::stod((*it)[3]);
         const double radius = 0.5 * std::sqrt(x * x + y * y + z * z);
         balls += "sphere { center = (" + std::to_string(1.6 * x) + ", " + std::to_string(1.6 * y) + ", " +
-                 std::to_string(1.6 * z) + ")  radius = " + std::to_string(radius) + " }\n";
+                 std::to_string(1.6 * z) + ")  radius = " + std::to_string(radius) +
+                 "  ambient = 0.1  diffuse = 0.8  specular = 0.1  shininess = 20 }\n";
     }
     return text + balls;
 }
