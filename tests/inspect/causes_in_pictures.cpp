@@ -144,25 +144,29 @@ TEST(CausesInPictures, HalfAPixel) {
         const std::pair<int, int> from[] = {{0, 0}, {2, 0}, {1, 1}, {0, 1}};
         const char* const words[] = {
             "pixel to the right:", "pixel to the left:", "pixel up:", "pixel to the right and up:"};
-        for (int i = 0; i < 4; ++i) {
+        std::vector<Image> pictures;
+        for (const auto& [dx, dy] : from) {
             Image faulty{160, 120, std::vector<float>(160 * 120 * 3)};
             for (int y = 0; y < 120; ++y) {
                 for (int x = 0; x < 160; ++x) {
-                    const int u = std::min(2 * x + from[i].first, 319), v = 2 * y + from[i].second;
+                    const int u = std::min(2 * x + dx, 319), v = 2 * y + dy;
                     std::copy_n(&large.rgb[3 * (v * 320 + u)], 3, &faulty.rgb[3 * (y * 160 + x)]);
                 }
             }
-            for (const bool with_scene : {false, true}) {
-                const CauseReport report =
-                    find_causes(faulty, reference, with_scene ? &reference_scene : nullptr);
-                EXPECT_EQ(first_cause(report), "shifted-half-pixel")
-                    << scene.name << with_scene << all_causes(report);
-                if (report.causes.empty()) continue;
-                EXPECT_NE(report.causes.front().explanation.find(words[i]), std::string::npos)
-                    << words[i] << report.causes.front().explanation;
+            pictures.push_back(std::move(faulty));
+        }
+        for (const bool with_scene : {false, true}) {
+            const auto reports = find_causes(std::span<const Image>(pictures), reference,
+                                             with_scene ? &reference_scene : nullptr);
+            for (std::size_t i = 0; i < reports.size(); ++i) {
+                EXPECT_EQ(first_cause(reports[i]), "shifted-half-pixel")
+                    << scene.name << with_scene << all_causes(reports[i]);
+                if (reports[i].causes.empty()) continue;
+                EXPECT_NE(reports[i].causes.front().explanation.find(words[i]), std::string::npos)
+                    << words[i] << reports[i].causes.front().explanation;
                 std::cout << "half a " << words[i] << " " << scene.name
-                          << (with_scene ? " by the scene " : " ") << 100 * report.causes.front().explained
-                          << "%\n";
+                          << (with_scene ? " by the scene " : " ")
+                          << 100 * reports[i].causes.front().explained << "%\n";
             }
         }
     }
