@@ -99,6 +99,11 @@ const Plant k_plants[] = {
     {"mirrors add", "mirror-added", key("mirror", "add")},
     {"white highlights", "highlight-not-light-color", with_white_highlights},
     {"light from behind", "back-sides-lit", key("clamp_cosines", "false")},
+    {"highlights behind", "highlight-behind", key("specular_gate", "false"),
+     [](const std::string& text) {  // else they lie in their own shape's shadow, or are too small
+         const std::string lit = replaced(text, "shadows = true", "shadows = false");
+         return with_key(scaled_numbers(lit, "shininess = ([0-9.]+)", 0.1), "specular_gate", "true");
+     }},
     {"not unit", "not-normalized", key("normalize", "false")},
     {"past the light", "shadow-past-light", key("shadow_stops_at_light", "false")},
     {"last light missing", "light-missing", without_last_light},
