@@ -111,5 +111,16 @@ TEST(CheckFaces, NearMisses) {
     }
 }
 
+TEST(CheckFaces, AnEdgeThatPixelsLieOnIsNoFace) {
+    // The diagonal of the square runs through the middles of pixels.
+    EXPECT_EQ(ids_of(R"(render { size = 64 x 64 }
+camera { projection = orthographic  width = 4  position = (0, 0, 8)  look_at = (0, 0, 0) }
+light { position = (3, 4, 8)  intensity = 0.7 }
+triangle { vertices = ((-1, -1, 0), (1, -1, 0), (1, 1, 0))  color = (1, 0, 0) }
+triangle { vertices = ((-1, -1, 0), (1, 1, 0), (-1, 1, 0))  color = (0, 1, 0) }
+)"),
+              "");
+}
+
 }  // namespace
 }  // namespace glint
