@@ -19,10 +19,10 @@ template <class Visit> class Visits {
     HWY_INLINE const Visit& pop() { return stack_[--top_]; }
     int size() const { return top_; }
     HWY_INLINE void push(const Visit& visit) { stack_[top_++] = visit; }
-    /// Pushes below those from `base` on that have an earlier entry: the nearest stays on top.
+    /// Pushes below those from `base` on that are nearer: the nearest stays on top.
     HWY_INLINE void push_ordered(const Visit& visit, int base) {
         int at = top_++;
-        for (; at > base && stack_[at - 1].entry < visit.entry; --at) stack_[at] = stack_[at - 1];
+        for (; at > base && stack_[at - 1].is_nearer_than(visit); --at) stack_[at] = stack_[at - 1];
         stack_[at] = visit;
     }
 
@@ -31,14 +31,52 @@ template <class Visit> class Visits {
     int top_ = 0;
 };
 
+/// A child below the whole number that tells when it is entered (ordered_bits).
+struct KeyedChild {
+    std::int64_t key;
+    HWY_INLINE KeyedChild(BvhChild child, std::int32_t entry)
+        : key(entry * (std::int64_t{1} << 32) + child.bits) {}
+    KeyedChild() {}  // not set: see Visits
+    BvhChild child() const { return {static_cast<std::uint32_t>(key)}; }
+    std::int32_t entry() const { return static_cast<std::int32_t>(key >> 32); }
+    bool is_nearer_than(const KeyedChild& other) const { return key < other.key; }
+};
+
+/// Puts the nearer of two first. Which one it is cannot be foreseen, so there is no branch; of min and max
+/// g++ 12 would make vectors.
+HWY_INLINE void sort(KeyedChild& a, KeyedChild& b) {
+    const std::int64_t swapped = (a.key ^ b.key) & -static_cast<std::int64_t>(b.key < a.key);
+    a.key ^= swapped;
+    b.key ^= swapped;
+}
+
+/// Pushes the children that are met, the nearest last, but for the nearest itself, which is returned.
+/// met is not 0.
+HWY_INLINE BvhChild push_all_but_nearest(const BvhNode& node, std::uint32_t met, const std::int32_t* entries,
+                                         Visits<KeyedChild>& visits) {
+    const auto take = [&]() HWY_ATTR {
+        const int c = __builtin_ctz(met);
+        met &= met - 1;
+        return KeyedChild(node.child[c], entries[c]);
+    };
+    KeyedChild nearest = take();
+    if (met == 0) return nearest.child();
+    KeyedChild second = take();
+    sort(nearest, second);
+    for (const int base = visits.size(); met != 0;) {
+        KeyedChild another = take();
+        sort(second, another);
+        sort(nearest, second);
+        visits.push_ordered(another, base);
+    }
+    visits.push(second);
+    return nearest.child();
+}
+
 /// Walks ray i of prepared ones from a child on: leaf.visit(i, first, count) for every leaf whose box the ray
 /// meets before its t_max, nearest first when `ordered`. visit may shrink the ray's t_max.
 template <bool ordered, class Leaf>
 HWY_INLINE void traverse_ray(const Bvh& bvh, const SlabRays& rays, int i, BvhChild next, Leaf& leaf) {
-    struct Visit {
-        BvhChild child;
-        float entry;
-    };
     const SlabRay ray(rays, i);
     const Floats t_min(rays.t_min[i]);
     // Where in a node its near and far planes are.
@@ -47,7 +85,7 @@ HWY_INLINE void traverse_ray(const Bvh& bvh, const SlabRays& rays, int i, BvhChi
         near_at[a] = (ray.ahead[a] ? 0 : 3 * k_bvh_width) + a * k_bvh_width;
         far_at[a] = (ray.ahead[a] ? 3 * k_bvh_width : 0) + a * k_bvh_width;
     }
-    Visits<Visit> visits;
+    Visits<KeyedChild> visits;
     float t_max = rays.t_max[i];
     for (;;) {
         if (next.is_leaf()) {
@@ -57,7 +95,7 @@ HWY_INLINE void traverse_ray(const Bvh& bvh, const SlabRays& rays, int i, BvhChi
         } else {
             const BvhNode& node = bvh.nodes[next.index()];
             const float* planes = node.lo[0];
-            alignas(64) float entries[k_bvh_width];
+            alignas(64) std::int32_t entries[k_bvh_width];
             std::uint32_t met = 0;
             for (int c = 0; c < k_bvh_width; c += lane_count<float>()) {
                 const float* near[3] = {planes + near_at[0] + c, planes + near_at[1] + c,
@@ -66,28 +104,22 @@ HWY_INLINE void traverse_ray(const Bvh& bvh, const SlabRays& rays, int i, BvhChi
                                        planes + far_at[2] + c};
                 const Slab slab = ray.meet(near, far);
                 if constexpr (ordered)
-                    store(slab.entry, entries + c);
+                    store_ordered_bits(slab.entry, entries + c);
                 else
-                    store(max(slab.entry, t_min) - min(slab.exit, Floats(t_max)), entries + c);
+                    store_ordered_bits(max(slab.entry, t_min) - min(slab.exit, Floats(t_max)), entries + c);
                 met |= to_bits(meets(slab, t_min, Floats(t_max))) << c;
             }
             if (met != 0) {
-                if ((met & (met - 1)) == 0) {
-                    next = node.child[__builtin_ctz(met)];
-                    continue;
-                }
-                const int base = visits.size();
-                for (; met != 0; met &= met - 1) {
-                    const int c = __builtin_ctz(met);
-                    visits.push_ordered({node.child[c], entries[c]}, base);
-                }
+                next = push_all_but_nearest(node, met, entries, visits);
+                continue;
             }
         }
+        const std::int32_t limit = ordered_bits(t_max);
         do {
             if (visits.empty()) return;
-            const Visit& top = visits.pop();
-            next = top.child;
-            if (!ordered || !(top.entry > t_max)) break;
+            const KeyedChild top = visits.pop();
+            next = top.child();
+            if (!ordered || !(top.entry() > limit)) break;
         } while (true);
     }
 }
@@ -103,6 +135,7 @@ template <bool ordered, class Leaf> HWY_INLINE void traverse_beam(const Bvh& bvh
         BvhChild child;
         float entry;
         std::uint64_t mine;
+        bool is_nearer_than(const Visit& other) const { return entry < other.entry; }
     };
     Visits<Visit> visits;
     visits.push({BvhChild::node(0), -std::numeric_limits<float>::infinity(), beam.all()});

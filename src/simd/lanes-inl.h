@@ -202,6 +202,19 @@ HWY_INLINE Doubles gather(const double* base, const Places& places) {
     return Doubles(hn::GatherIndex(Tag<double>(), base, places.v));
 }
 
+/// A whole number that orders as the float does, -0 before 0; f is not NaN.
+HWY_INLINE std::int32_t ordered_bits(float f) {
+    const auto bits = std::bit_cast<std::int32_t>(f);
+    return bits ^ static_cast<std::int32_t>(static_cast<std::uint32_t>(bits >> 31) >> 1);
+}
+HWY_INLINE void store_ordered_bits(Floats f, std::int32_t* to) {
+    const hn::RebindToSigned<Tag<float>> d;
+    const hn::RebindToUnsigned<Tag<float>> du;
+    const auto bits = hn::BitCast(d, f.v);
+    const auto sign = hn::BitCast(du, hn::ShiftRight<31>(bits));
+    hn::StoreU(hn::Xor(bits, hn::BitCast(d, hn::ShiftRight<1>(sign))), d, to);
+}
+
 /// 0, 1, 2, ...
 HWY_INLINE Doubles iota() { return Doubles(hn::Iota(Tag<double>(), 0.0)); }
 
