@@ -77,13 +77,11 @@ HWY_INLINE BvhChild push_all_but_nearest(const BvhNode& node, std::uint32_t met,
 /// meets before its t_max, nearest first when `ordered`. visit may shrink the ray's t_max.
 template <bool ordered, class Leaf>
 HWY_INLINE void traverse_ray(const Bvh& bvh, const SlabRays& rays, int i, BvhChild next, Leaf& leaf) {
-    const SlabRay ray(rays, i);
-    const Floats t_min(rays.t_min[i]);
     // Where in a node its near and far planes are.
     int near_at[3], far_at[3];
     for (int a = 0; a < 3; ++a) {
-        near_at[a] = (ray.ahead[a] ? 0 : 3 * k_bvh_width) + a * k_bvh_width;
-        far_at[a] = (ray.ahead[a] ? 3 * k_bvh_width : 0) + a * k_bvh_width;
+        near_at[a] = (rays.near_inverse[a][i] > 0 ? 0 : 3 * k_bvh_width) + a * k_bvh_width;
+        far_at[a] = (rays.near_inverse[a][i] > 0 ? 3 * k_bvh_width : 0) + a * k_bvh_width;
     }
     Visits<KeyedChild> visits;
     float t_max = rays.t_max[i];
@@ -93,6 +91,9 @@ HWY_INLINE void traverse_ray(const Bvh& bvh, const SlabRays& rays, int i, BvhChi
             t_max = rays.t_max[i];
             if (t_max < rays.t_min[i]) return;
         } else {
+            // Made anew for each node, from cached memory: kept, its vectors would be saved around each leaf.
+            const SlabRay ray(rays, i);
+            const Floats t_min(rays.t_min[i]);
             const BvhNode& node = bvh.nodes[next.index()];
             const float* planes = node.lo[0];
             alignas(64) std::int32_t entries[k_bvh_width];
