@@ -1,7 +1,7 @@
 // Lanes<T>: as many numbers as the instruction set computes at once, with the operators and the names of
-// math/number.h. The only file that includes Highway. Included once a target, inside foreach_target.h
-// (trace/kernels.cpp). Of Highway, only what IEEE 754 defines exactly: no MulAdd family, no Approximate*, no
-// SumOfLanes; Min and Max only where they are a comparison and a choice.
+// math/number.h. The only file that includes Highway; compress-inl.h has it from here. Included once a
+// target, inside foreach_target.h (trace/kernels.cpp). Of Highway, only what IEEE 754 defines exactly: no
+// MulAdd family, no Approximate*, no SumOfLanes; Min and Max only where they are a comparison and a choice.
 #if defined(GLINT_SIMD_LANES_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLINT_SIMD_LANES_INL_H_
 #undef GLINT_SIMD_LANES_INL_H_
@@ -244,69 +244,6 @@ HWY_INLINE std::uint32_t first_bits(int n) { return (1u << n) - 1; }
 template <class T> HWY_INLINE LaneMask<T> from_bits(std::uint32_t bits) {
     const std::uint8_t bytes[8] = {static_cast<std::uint8_t>(bits), static_cast<std::uint8_t>(bits >> 8)};
     return {hn::LoadMaskBits(Tag<T>(), bytes)};
-}
-
-#if HWY_TARGET == HWY_AVX2
-/// Half i of the result, 32 bits, is half order[i] of x.
-HWY_INLINE Doubles in_order(Doubles x, const std::uint32_t* order) {
-    const hn::Repartition<std::uint32_t, Tag<double>> halves;
-    const auto indices = hn::IndicesFromVec(halves, hn::Load(halves, order));
-    return Doubles(hn::BitCast(Tag<double>(), hn::TableLookupLanes(hn::BitCast(halves, x.v), indices)));
-}
-#endif
-
-/// The lanes that are set, one after the other, then whatever. As hn::Compress, of which g++ 12 copies the
-/// table to the stack at each call.
-HWY_INLINE Doubles compress(Doubles x, LaneMask<double> m) {
-#if HWY_TARGET == HWY_AVX3
-    return Doubles(hn::Vec<Tag<double>>{_mm512_maskz_compress_pd(m.m.raw, x.v.raw)});
-#elif HWY_TARGET == HWY_AVX2
-    alignas(32) static constexpr std::uint32_t k_order[16][8] = {
-        {0, 1, 2, 3, 4, 5, 6, 7}, {0, 1, 2, 3, 4, 5, 6, 7}, {2, 3, 0, 1, 4, 5, 6, 7},
-        {0, 1, 2, 3, 4, 5, 6, 7}, {4, 5, 0, 1, 2, 3, 6, 7}, {0, 1, 4, 5, 2, 3, 6, 7},
-        {2, 3, 4, 5, 0, 1, 6, 7}, {0, 1, 2, 3, 4, 5, 6, 7}, {6, 7, 0, 1, 2, 3, 4, 5},
-        {0, 1, 6, 7, 2, 3, 4, 5}, {2, 3, 6, 7, 0, 1, 4, 5}, {0, 1, 2, 3, 6, 7, 4, 5},
-        {4, 5, 6, 7, 0, 1, 2, 3}, {0, 1, 4, 5, 6, 7, 2, 3}, {2, 3, 4, 5, 6, 7, 0, 1},
-        {0, 1, 2, 3, 4, 5, 6, 7}};
-    return in_order(x, k_order[to_bits(m)]);
-#elif HWY_TARGET == HWY_SSE4
-    return to_bits(m) == 2 ? Doubles(hn::Reverse(Tag<double>(), x.v)) : x;
-#else
-    return Doubles(hn::Compress(x.v, m.m));
-#endif
-}
-
-/// Stores the lanes that are set one after the other. `to` must have room for a whole vector.
-HWY_INLINE void compress_store(Doubles x, LaneMask<double> m, double* to) { store(compress(x, m), to); }
-/// The same of lane_count<double>() numbers.
-HWY_INLINE void compress_store(const std::uint32_t* from, LaneMask<double> m, std::uint32_t* to) {
-#if HWY_TARGET == HWY_AVX3
-    const IndexTag d;
-    hn::StoreU(decltype(hn::Zero(d)){_mm256_maskz_compress_epi32(m.m.raw, hn::LoadU(d, from).raw)}, d, to);
-#else
-    for (std::uint32_t bits = to_bits(m); bits != 0; bits &= bits - 1) *to++ = from[__builtin_ctz(bits)];
-#endif
-}
-
-/// The other way: the numbers from `from` on to the lanes that are set, 0 to the others. A whole vector may
-/// be read.
-HWY_INLINE Doubles expand_load(const double* from, LaneMask<double> m) {
-#if HWY_TARGET == HWY_AVX3
-    return Doubles(hn::Vec<Tag<double>>{_mm512_maskz_expandloadu_pd(m.m.raw, from)});
-#elif HWY_TARGET == HWY_AVX2
-    alignas(32) static constexpr std::uint32_t k_order[16][8] = {
-        {0, 1, 0, 1, 0, 1, 0, 1}, {0, 1, 0, 1, 0, 1, 0, 1}, {0, 1, 0, 1, 0, 1, 0, 1},
-        {0, 1, 2, 3, 0, 1, 0, 1}, {0, 1, 0, 1, 0, 1, 0, 1}, {0, 1, 0, 1, 2, 3, 0, 1},
-        {0, 1, 0, 1, 2, 3, 0, 1}, {0, 1, 2, 3, 4, 5, 0, 1}, {0, 1, 0, 1, 0, 1, 0, 1},
-        {0, 1, 0, 1, 0, 1, 2, 3}, {0, 1, 0, 1, 0, 1, 2, 3}, {0, 1, 2, 3, 0, 1, 4, 5},
-        {0, 1, 0, 1, 0, 1, 2, 3}, {0, 1, 0, 1, 2, 3, 4, 5}, {0, 1, 0, 1, 2, 3, 4, 5},
-        {0, 1, 2, 3, 4, 5, 6, 7}};
-    return select(m, in_order(load(from), k_order[to_bits(m)]), Doubles(0));
-#else
-    alignas(64) double lanes[lane_count<double>()] = {};
-    for (std::uint32_t bits = to_bits(m); bits != 0; bits &= bits - 1) lanes[__builtin_ctz(bits)] = *from++;
-    return load(lanes);
-#endif
 }
 
 }  // namespace HWY_NAMESPACE

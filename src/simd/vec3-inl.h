@@ -7,7 +7,7 @@
 #endif
 
 #include "glint/vec.h"
-#include "simd/lanes-inl.h"
+#include "simd/compress-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace glint {

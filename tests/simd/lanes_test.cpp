@@ -10,7 +10,7 @@
 #define HWY_TARGET_INCLUDE "simd/lanes_test.cpp"
 #include <hwy/foreach_target.h>
 
-#include "simd/lanes-inl.h"
+#include "simd/compress-inl.h"
 #include "simd/targets.h"
 
 HWY_BEFORE_NAMESPACE();
