@@ -170,39 +170,6 @@ HWY_INLINE std::uint32_t children_met(const Intervals& beam, const BvhNode& node
     return met;
 }
 
-/// Whether none of rays [first, first + count) of a stream can meet anything in the hierarchy. False if in
-/// doubt.
-inline bool all_miss(const Bvh& bvh, const RaySpan& rays, int first, int count) {
-    if (bvh.nodes.empty()) return true;
-    const double* origins[3] = {rays.ox + first, rays.oy + first, rays.oz + first};
-    const double* directions[3] = {rays.dx + first, rays.dy + first, rays.dz + first};
-    constexpr int lanes = lane_count<double>();
-    if (count < lanes) return false;
-    const Doubles infinity(std::numeric_limits<double>::infinity());
-    Intervals all;
-    for (int a = 0; a < 3; ++a) {
-        Doubles least_origin = infinity, most_origin = -infinity, least = infinity, most = -infinity;
-        // The last vector ends with the last ray. A ray with a NaN meets nothing: the order of arguments
-        // leaves it out.
-        for (int k = 0; k < count; k += lanes) {
-            const int i = number::min(k, count - lanes);
-            const Doubles o = load(origins[a] + i), d = load(directions[a] + i);
-            least_origin = min(o, least_origin), most_origin = max(o, most_origin);
-            least = min(d, least), most = max(d, most);
-        }
-        const double d_least = min_of_lanes(least), d_most = max_of_lanes(most);
-        if (!(d_least > 1e-30) && !(d_most < -1e-30)) continue;  // sign 0: the axis decides nothing
-        all.axis[a].set(static_cast<float>(min_of_lanes(least_origin)),
-                        static_cast<float>(max_of_lanes(most_origin)), static_cast<float>(1 / d_most),
-                        static_cast<float>(1 / d_least));
-    }
-    alignas(64) float entries[k_bvh_width];
-    std::uint32_t met = children_met(all, bvh.nodes[0], entries);
-    for (; met != 0; met &= met - 1)
-        if (!bvh.nodes[0].child[__builtin_ctz(met)].is_none()) return false;
-    return true;
-}
-
 }  // namespace HWY_NAMESPACE
 }  // namespace glint
 HWY_AFTER_NAMESPACE();

@@ -75,20 +75,9 @@ void nearest_hit(const World& world, const RaySpan& rays, int count, int beam, d
         t[i] = rays.t_max[i];
         slot[i] = k_none;
     }
-    // Neighbours that all miss, such as a part of the sky, cost no more than this.
-    const auto miss = [&](int first) HWY_ATTR {
-        return world.bounded == world.count &&
-               all_miss(world.bvh, rays, first, number::min(k_beam, count - first));
-    };
-    for (int first = 0; first < count;) {
-        int end = first;
-        while (end < count && end - first < SlabRays::k_most && !miss(end))
-            end = number::min(end + k_beam, count);
-        if (end > first)
-            trace_chunk<true>(world, from(rays, first), end - first, beam, t + first, slot + first, nullptr);
-        else
-            end = number::min(end + k_beam, count);
-        first = end;
+    for (int first = 0; first < count; first += SlabRays::k_most) {
+        trace_chunk<true>(world, from(rays, first), number::min(SlabRays::k_most, count - first), beam,
+                          t + first, slot + first, nullptr);
     }
 }
 
