@@ -47,14 +47,14 @@ struct Intervals {
 struct Beam : Intervals {
     SlabRays& rays;
     int first, count;
-    bool common_origin = true;                    // in single precision
+    bool common_origin;                           // in double, and of rays that are usable
     float least_direction[3], most_direction[3];  // where the origin is common
 
     /// All its rays, as bits; ray `first` is the lowest.
     HWY_INLINE std::uint64_t all() const { return ~std::uint64_t{0} >> (64 - count); }
 
     HWY_INLINE Beam(SlabRays& prepared, int from, int rays_count)
-        : rays(prepared), first(from), count(rays_count) {
+        : rays(prepared), first(from), count(rays_count), common_origin(prepared.common_origin) {
         for (int a = 0; a < 3; ++a) {
             const Range inverse = range(rays.near_inverse[a]), origin = range(rays.origin[a]);
             common_origin = common_origin && origin.least == origin.most;

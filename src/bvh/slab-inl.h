@@ -36,6 +36,7 @@ struct SlabRays {
     alignas(64) float t_min[k_size];  // rounded down
     alignas(64) float t_max[k_size];  // rounded up; shrinks to the nearest hit so far; -infinity once a ray
                                       // needs no more
+    bool common_origin;               // all rays have the same one, in double
 };
 
 /// A float at most x, at least x less two units in the last place.
@@ -68,8 +69,19 @@ HWY_INLINE void narrow_rays(const RaySpan& rays, int i, SlabRays& to) {
     store_narrow(select(usable, load(rays.t_max + i), never), to.t_max + i);
 }
 
+/// Whether rays [0, count) have one origin.
+inline bool have_common_origin(const RaySpan& rays, int count) {
+    const Doubles x(rays.ox[0]), y(rays.oy[0]), z(rays.oz[0]);
+    for (int i = 0; i < count; i += lane_count<double>()) {
+        const auto same = load(rays.ox + i) == x && load(rays.oy + i) == y && load(rays.oz + i) == z;
+        if (any(and_not(first_lanes<double>(count - i), same))) return false;
+    }
+    return true;
+}
+
 /// Prepares rays [0, count) of the stream, 1 <= count <= SlabRays::k_most.
 inline void prepare_rays(const RaySpan& rays, int count, SlabRays& to) {
+    to.common_origin = have_common_origin(rays, count);
     for (int i = 0; i < count; i += lane_count<double>()) narrow_rays(rays, i, to);
     // An inverse is wrong by 2^-23 of itself, the slab's difference and product by 2^-24 each.
     const Floats zero(0), tiny(1e-30f), shrink(1 - 0x1p-21f), grow(1 + 0x1p-21f);

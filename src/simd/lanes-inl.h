@@ -158,22 +158,9 @@ HWY_INLINE void store_interleaved(NarrowFloats a, NarrowFloats b, NarrowFloats c
     hn::StoreInterleaved3(a.v, b.v, c.v, NarrowFloats::D(), to);
 }
 
-/// lane_count<float>() doubles, rounded to nearest.
-HWY_INLINE Floats load_narrow(const double* from) {
-#if HWY_TARGET == HWY_SCALAR
-    return Floats(static_cast<float>(*from));
-#else
-    const hn::Rebind<float, Tag<double>> half;
-    return Floats(hn::Combine(Tag<float>(), hn::DemoteTo(half, load(from + lane_count<double>()).v),
-                              hn::DemoteTo(half, load(from).v)));
-#endif
-}
-
 /// The least and the greatest lane; no lane is NaN.
 HWY_INLINE float min_of_lanes(Floats x) { return hn::GetLane(hn::MinOfLanes(Tag<float>(), x.v)); }
 HWY_INLINE float max_of_lanes(Floats x) { return hn::GetLane(hn::MaxOfLanes(Tag<float>(), x.v)); }
-HWY_INLINE double min_of_lanes(Doubles x) { return hn::GetLane(hn::MinOfLanes(Tag<double>(), x.v)); }
-HWY_INLINE double max_of_lanes(Doubles x) { return hn::GetLane(hn::MaxOfLanes(Tag<double>(), x.v)); }
 
 /// Numbers from 32-bit arrays, lane_count<double>() of them.
 using IndexTag = hn::Rebind<std::uint32_t, Tag<double>>;

@@ -20,14 +20,16 @@ HWY_INLINE void pad_sides(Doubles lo, Doubles hi, float* lower, float* upper) {
     store_narrow(hi + pad, upper);
 }
 
-/// The planes of the boxes of slots [first, first + lanes), by axis. Of slots past the class nothing is
-/// meant.
+/// The planes of the boxes of slots [first, first + count), count <= lanes, by axis. What is past them means
+/// nothing.
 template <class Geometry> struct OwnBoxes {
     const float *lo[3], *hi[3];
 
-    HWY_INLINE OwnBoxes(const World& world, const ShapeClass& shapes, std::uint32_t first) {
+    HWY_INLINE OwnBoxes(const World& world, const ShapeClass& shapes, std::uint32_t first,
+                        [[maybe_unused]] int count) {
         if constexpr (k_is_triangle<Geometry>) {
-            for (int i = 0; i < lane_count<float>(); i += lane_count<double>()) {
+            int i = 0;
+            do {
                 Doubles p[9];
                 for (int k = 0; k < 9; ++k)
                     p[k] = load(shapes.column(k) + (first - shapes.first) + static_cast<std::uint32_t>(i));
@@ -35,7 +37,8 @@ template <class Geometry> struct OwnBoxes {
                 pad_sides(sides.lo.x, sides.hi.x, computed_[0] + i, computed_[3] + i);
                 pad_sides(sides.lo.y, sides.hi.y, computed_[1] + i, computed_[4] + i);
                 pad_sides(sides.lo.z, sides.hi.z, computed_[2] + i, computed_[5] + i);
-            }
+                i += lane_count<double>();
+            } while (i < count);
             for (int a = 0; a < 3; ++a) lo[a] = computed_[a], hi[a] = computed_[3 + a];
         } else {
             for (int a = 0; a < 3; ++a) lo[a] = &world.box_lo[a][first], hi[a] = &world.box_hi[a][first];

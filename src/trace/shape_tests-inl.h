@@ -10,8 +10,7 @@
 #define GLINT_TRACE_SHAPE_TESTS_INL_H_
 #endif
 
-#include "bvh/beam-inl.h"
-#include "geometry/kinds-inl.h"
+#include "trace/beam_filters-inl.h"
 #include "trace/hit_result-inl.h"
 #include "trace/own_boxes-inl.h"
 #include "trace/sights-inl.h"
@@ -19,34 +18,6 @@
 HWY_BEFORE_NAMESPACE();
 namespace glint {
 namespace HWY_NAMESPACE {
-
-/// The filters of a vector of triangles for a beam whose rays share their origin.
-template <class Geometry> class SharedFilters {
-  public:
-    /// Of slots [first, first + lanes). Returns which some ray of the beam may hit.
-    HWY_INLINE std::uint32_t prepare(const ShapeClass& shapes, const Beam& beam, std::uint32_t first) {
-        Floats p[9];
-        for (int k = 0; k < 9; ++k) p[k] = load_narrow(shapes.column(k) + (first - shapes.first));
-        const auto& rays = beam.rays;
-        const auto f = TriangleGeometry::Filter<Floats>::of(
-            p, {Floats(rays.origin[0][beam.first]), Floats(rays.origin[1][beam.first]),
-                Floats(rays.origin[2][beam.first])});
-        const Floats values[10] = {f.ab.x, f.ab.y, f.ab.z, f.bc.x, f.bc.y,
-                                   f.bc.z, f.ca.x, f.ca.y, f.ca.z, f.slack};
-        for (int k = 0; k < 10; ++k) store(values[k], value_[k]);
-        const float *lo = beam.least_direction, *hi = beam.most_direction;
-        return to_bits(f.some_may_hit({Floats(lo[0]), Floats(lo[1]), Floats(lo[2])},
-                                      {Floats(hi[0]), Floats(hi[1]), Floats(hi[2])}));
-    }
-    /// Triangle number `lane` in all lanes.
-    HWY_INLINE TriangleGeometry::Filter<Floats> one(int lane) const {
-        const auto at = [&](int k) HWY_ATTR { return Floats(value_[k][lane]); };
-        return {{at(0), at(1), at(2)}, {at(3), at(4), at(5)}, {at(6), at(7), at(8)}, at(9)};
-    }
-
-  private:
-    alignas(64) float value_[10][k_is_triangle<Geometry> ? lane_count<float>() : 1];
-};
 
 /// Tests shapes against a beam, or one ray, of a chunk of rays.
 struct ShapeTests {
@@ -64,6 +35,8 @@ struct ShapeTests {
         return {{Doubles(rays.ox[i]), Doubles(rays.oy[i]), Doubles(rays.oz[i])},
                 {Doubles(rays.dx[i]), Doubles(rays.dy[i]), Doubles(rays.dz[i])}};
     }
+
+    Vec3 origin(const Beam& b) const { return {rays.ox[b.first], rays.oy[b.first], rays.oz[b.first]}; }
 
     /// A leaf: slots [first, first + count), of one class.
     HWY_INLINE void visit(Beam& beam, std::uint64_t mine, std::uint32_t first, std::uint32_t count) {
@@ -198,13 +171,13 @@ struct ShapeTests {
     HWY_NOINLINE void beam_leaf(const ShapeClass& shapes, const Beam& beam, std::uint64_t mine,
                                 std::uint32_t first, std::uint32_t count) {
         for (std::uint32_t s = 0; s < count; s += lane_count<float>()) {
-            const OwnBoxes<Geometry> boxes(world, shapes, first + s);
-            std::uint32_t bits = meets(beam, beam_slab(beam, boxes.lo, boxes.hi)) &
-                                 first_bits(number::min(static_cast<int>(count - s), lane_count<float>()));
+            const int n = number::min(static_cast<int>(count - s), lane_count<float>());
+            const OwnBoxes<Geometry> boxes(world, shapes, first + s, n);
+            std::uint32_t bits = meets(beam, beam_slab(beam, boxes.lo, boxes.hi)) & first_bits(n);
             if (bits == 0) continue;
             SharedFilters<Geometry> filters;
             if constexpr (k_is_triangle<Geometry>) {
-                if (beam.common_origin) bits &= filters.prepare(shapes, beam, first + s);
+                if (beam.common_origin) bits &= filters.prepare(shapes, beam, origin(beam), first + s, n);
             }
             for (; bits != 0; bits &= bits - 1)
                 beam_shape<Geometry>(shapes, beam, mine, boxes, filters, first + s, __builtin_ctz(bits));
@@ -215,10 +188,10 @@ struct ShapeTests {
     HWY_NOINLINE void lone_shape(const ShapeClass& shapes, const Beam& beam, std::uint32_t slot) {
         SharedFilters<Geometry> filters;
         if constexpr (k_is_triangle<Geometry>) {
-            if (beam.common_origin && (filters.prepare(shapes, beam, slot) & 1) == 0) return;
+            if (beam.common_origin && filters.prepare(shapes, beam, origin(beam), slot, 1) == 0) return;
         }
-        beam_shape<Geometry>(shapes, beam, beam.all(), OwnBoxes<Geometry>(world, shapes, slot), filters, slot,
-                             0);
+        beam_shape<Geometry>(shapes, beam, beam.all(), OwnBoxes<Geometry>(world, shapes, slot, 1), filters,
+                             slot, 0);
     }
 
     /// One shape, number `lane` from slot `first` on, against the beam's rays `mine`.
@@ -231,7 +204,7 @@ struct ShapeTests {
         const float hi[3] = {boxes.hi[0][lane], boxes.hi[1][lane], boxes.hi[2][lane]};
         constexpr int lanes = lane_count<float>();
         if constexpr (Geometry::k_filtered) {
-            mine = filter_rays<Geometry>(shapes, beam, mine, filters, slot, lane);
+            mine = filter_rays(shapes, beam, mine, filters, slot, lane);
             if (mine == 0) return;
         }
         Doubles p[Geometry::k_values];
@@ -256,50 +229,6 @@ struct ShapeTests {
     }
 
     template <class Geometry>
-    HWY_INLINE void broadcast_narrow(const ShapeClass& shapes, std::uint32_t slot, Floats* q) const {
-        for (int k = 0; k < Geometry::k_values; ++k)
-            q[k] = Floats(static_cast<float>(shapes.column(k)[slot - shapes.first]));
-    }
-
-    /// Which of the rays `mine` the shape's filter lets through.
-    template <class Geometry>
-    HWY_INLINE std::uint64_t filter_rays(const ShapeClass& shapes, const Beam& beam, std::uint64_t mine,
-                                         const SharedFilters<Geometry>& filters, std::uint32_t slot,
-                                         int lane) const {
-        constexpr int lanes = lane_count<float>();
-        using Filter = typename Geometry::template Filter<Floats>;
-        const auto columns = [&](const float(*c)[SlabRays::k_size], int i) HWY_ATTR {
-            return Triple<Floats>{load(c[0] + i), load(c[1] + i), load(c[2] + i)};
-        };
-        std::uint64_t passed = 0;
-        const auto pass = [&](const Filter& filter, int r) HWY_ATTR {
-            const std::uint32_t here = static_cast<std::uint32_t>(mine >> r) & first_bits(lanes);
-            if (here == 0) return;
-            const auto may = filter.may_hit(columns(slab_rays.direction, beam.first + r));
-            passed |= std::uint64_t{to_bits(may) & here} << r;
-        };
-        if (k_is_triangle<Geometry> && beam.common_origin) {
-            if constexpr (k_is_triangle<Geometry>) {
-                const Filter filter = filters.one(lane);
-                for (int r = 0; r < beam.count; r += lanes) pass(filter, r);
-            }
-        } else if (beam.common_origin) {
-            Floats q[Geometry::k_values];
-            broadcast_narrow<Geometry>(shapes, slot, q);
-            const Filter filter = Filter::of(
-                q, {Floats(slab_rays.origin[0][beam.first]), Floats(slab_rays.origin[1][beam.first]),
-                    Floats(slab_rays.origin[2][beam.first])});
-            for (int r = 0; r < beam.count; r += lanes) pass(filter, r);
-        } else {
-            Floats q[Geometry::k_values];
-            broadcast_narrow<Geometry>(shapes, slot, q);
-            for (int r = 0; r < beam.count; r += lanes)
-                pass(Filter::of(q, columns(slab_rays.origin, beam.first + r)), r);
-        }
-        return passed;
-    }
-
-    template <class Geometry>
     HWY_NOINLINE void many_rays_unbounded(const ShapeClass& shapes, std::uint32_t slot, int count) {
         Doubles p[Geometry::k_values];
         broadcast_values<Geometry>(shapes, slot, p);
@@ -318,7 +247,7 @@ struct ShapeTests {
     template <class Geometry>
     HWY_INLINE void meet_boxes(const ShapeClass& shapes, std::uint32_t first, int i, RaySlab& to) const {
         const SlabRay ray(slab_rays, i);
-        const OwnBoxes<Geometry> boxes(world, shapes, first);
+        const OwnBoxes<Geometry> boxes(world, shapes, first, lane_count<double>());
         const float *near[3], *far[3];
         for (int a = 0; a < 3; ++a) {
             near[a] = ray.ahead[a] ? boxes.lo[a] : boxes.hi[a];

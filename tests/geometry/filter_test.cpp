@@ -229,6 +229,56 @@ TEST(ConeFilter, NeverRejectsWhatDoubleHits) {
     EXPECT_GT(rejected, 0.02);
 }
 
+// The filter for rays of one origin, as a beam makes it: computed in double, then rounded.
+plain::TriangleGeometry::Filter<float> one_origin_filter(const Triangle& triangle, const Vec3& origin) {
+    double p[9];
+    plain::TriangleGeometry::pack(triangle, p);
+    const auto f =
+        plain::TriangleGeometry::Filter<double>::from_one_origin(p, {origin.x, origin.y, origin.z});
+    const auto narrow = [](const plain::Triple<double>& v) {
+        return plain::Triple<float>{static_cast<float>(v.x), static_cast<float>(v.y),
+                                    static_cast<float>(v.z)};
+    };
+    return {narrow(f.ab), narrow(f.bc), narrow(f.ca), static_cast<float>(f.slack)};
+}
+plain::Triple<float> narrow_direction(const Vec3& d) {
+    return {static_cast<float>(d.x), static_cast<float>(d.y), static_cast<float>(d.z)};
+}
+
+TEST(TriangleFilter, OfOneOriginNeverRejectsWhatDoubleHits) {
+    Random random(44);
+    int hits = 0, rejected = 0;
+    constexpr int cases = k_blocks * 100;
+    for (int i = 0; i < cases; ++i) {
+        const auto c = random_triangle(random);
+        const Vec3 o = c.origin, d = c.direction;
+        double p[9];
+        plain::TriangleGeometry::pack(c.shape, p);
+        const bool hit =
+            plain::TriangleGeometry::hit(p, plain::Ray<double>{{o.x, o.y, o.z}, {d.x, d.y, d.z}}, -1e300).hit;
+        const bool may = one_origin_filter(c.shape, o).may_hit(narrow_direction(d));
+        ASSERT_TRUE(may || !hit) << "case " << i << ": a hit was filtered away";
+        hits += hit;
+        rejected += !may;
+    }
+    EXPECT_GT(hits, cases * 15 / 100);
+    EXPECT_GT(rejected, cases / 10);
+}
+
+TEST(TriangleFilter, OfOneOriginRejectsWhatPassesASmallOneFarAway) {
+    // At a tenth of its size, which is a ten-thousandth of its distance.
+    Random random(45);
+    int rejected = 0;
+    constexpr int cases = 10000;
+    for (int i = 0; i < cases; ++i) {
+        const Vec3 where = point_in_cube(random, 10), d = unit_direction(random);
+        const Vec3 across = perpendicular(random, d) * 1e-3, up = cross(d, across);
+        const Vec3 o = where - across * 0.1 + up * 0.3 - d * 10;
+        rejected += !one_origin_filter({{where, where + across, where + up}}, o).may_hit(narrow_direction(d));
+    }
+    EXPECT_GT(rejected, cases * 9 / 10);
+}
+
 TEST(TriangleFilter, RejectsMostOfWhatMisses) {
     // Rays that pass a triangle at a tenth of its size, from within 100 of it.
     Random random(43);
