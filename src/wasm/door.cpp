@@ -1,98 +1,41 @@
 #include "wasm/door.h"
 
-// The browser has no file system for the JSON library to know.
-#define JSON_HAS_FILESYSTEM 0
-#define JSON_HAS_EXPERIMENTAL_FILESYSTEM 0
 #include <cstdlib>
-#include <map>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
-#include <string_view>
+#include <utility>
 #include <vector>
 
-#include "glint/glint.h"
+#include "math/quantize.h"
+#include "wasm/describe.h"
+#include "wasm/request.h"
 
 using nlohmann::json;
+using nlohmann::ordered_json;
 
 struct GlintScene {
+    glint::wasm::RequestTexts texts;
+    std::optional<glint::Scene> scene;  // as it is drawn: as opened, and what glint_prepare changed
+    glint::Camera camera;               // as opened, as the next two
+    glint::Conventions conventions;
+    glint::RenderSettings settings;
+    std::vector<glint::SettingOrigin> origins;
     glint::WorldPtr world;
     glint::Image image;
-    json report;
-    std::string report_text;
+    glint::RayCounts rays;
+    std::vector<std::uint8_t> pixels;
+    ordered_json report;
+    std::string report_text, answer;
 
-    void write_report() { report_text = report.dump(-1, ' ', false, json::error_handler_t::replace); }
+    void write_report() { report_text = to_text(report); }
+    void fail(const std::string& why) {
+        report["error"] = why;
+        write_report();
+    }
+    static std::string to_text(const ordered_json& value) {
+        return value.dump(-1, ' ', false, ordered_json::error_handler_t::replace);
+    }
 };
-
-namespace {
-
-/// The string member `name` of an object, or an empty string.
-std::string string_member(const json& object, const char* name) {
-    if (!object.is_object()) return {};
-    const auto member = object.find(name);
-    return member != object.end() && member->is_string() ? member->get<std::string>() : std::string();
-}
-
-json to_json(const glint::Diagnostic& d) {
-    return {{"severity", d.severity == glint::Severity::error ? "error" : "warning"},
-            {"file", d.file},
-            {"line", d.line},
-            {"column", d.column},
-            {"length", d.length},
-            {"message", d.message},
-            {"text", glint::to_string(d)}};
-}
-
-void add_diagnostics(json& report, const std::vector<glint::Diagnostic>& diagnostics) {
-    for (const glint::Diagnostic& d : diagnostics) report["diagnostics"].push_back(to_json(d));
-}
-
-/// The request's "includes".
-class Includes : public glint::Sources {
-  public:
-    explicit Includes(const json& request) {
-        const auto list = request.is_object() ? request.find("includes") : request.end();
-        if (list != request.end() && list->is_array()) {
-            for (const json& text : *list) texts_[string_member(text, "name")] = string_member(text, "text");
-        }
-    }
-    std::optional<std::string> read(std::string_view name, std::string_view from, std::string& why) override {
-        const std::string folder(from.substr(0, from.rfind('/') + 1));
-        const auto at = texts_.find(folder + std::string(name));
-        if (at != texts_.end()) return at->second;
-        why = "no such text is among the request's includes";
-        return std::nullopt;
-    }
-
-  private:
-    std::map<std::string, std::string> texts_;
-};
-
-glint::LoadResult load(const json& request) {
-    std::vector<std::string> owned;
-    std::vector<glint::SceneText> texts;
-    const auto list = request.is_object() ? request.find("texts") : request.end();
-    if (list != request.end() && list->is_array()) {
-        owned.reserve(list->size());  // the views below point into it
-        for (const json& text : *list) {
-            owned.push_back(string_member(text, "text"));
-            texts.push_back({string_member(text, "name"), owned.back(), string_member(text, "format")});
-        }
-    }
-    glint::LoadOptions options;
-    options.profile = string_member(request, "profile");
-    options.scene_name = string_member(request, "scene");
-    const auto settings = request.is_object() ? request.find("settings") : request.end();
-    if (settings != request.end() && settings->is_object()) {
-        for (const auto& [key, value] : settings->items()) {
-            options.settings.emplace_back(key, value.is_string() ? value.get<std::string>() : value.dump());
-        }
-    }
-    Includes includes(request);
-    return glint::load(texts, options, &includes);
-}
-
-}  // namespace
 
 char* glint_allocate(std::uint32_t bytes) { return static_cast<char*>(std::malloc(bytes)); }
 
@@ -103,18 +46,23 @@ GlintScene* glint_open(const char* request, std::uint32_t length) {
     scene->report = {{"ready", false}, {"diagnostics", json::array()}};
     const json parsed = json::parse(request, request + length, nullptr, false);
     if (parsed.is_discarded()) {
-        scene->report["error"] = "the request is not JSON";
-        scene->write_report();
+        scene->fail("the request is not JSON");
         return scene;
     }
-    glint::LoadResult loaded = load(parsed);
-    add_diagnostics(scene->report, loaded.diagnostics);
+    scene->texts = glint::wasm::read_texts(parsed);
+    glint::LoadResult loaded = glint::wasm::load(scene->texts, parsed);
+    for (const glint::Diagnostic& d : loaded.diagnostics)
+        scene->report["diagnostics"].push_back(glint::wasm::to_json(d));
     if (loaded.scene) {
-        const glint::RenderSettings& settings = loaded.scene->settings;
-        scene->report["width"] = settings.width;
-        scene->report["height"] = settings.height;
+        scene->scene = std::move(loaded.scene);
+        scene->camera = scene->scene->camera;
+        scene->conventions = scene->scene->conventions;
+        scene->settings = scene->scene->settings;
+        scene->origins = scene->scene->origins;
+        scene->report["width"] = scene->settings.width;
+        scene->report["height"] = scene->settings.height;
         // What prepare() says, load() has said: it validates too.
-        scene->world = glint::prepare(*loaded.scene, 1).world;
+        scene->world = glint::prepare(*scene->scene, 1).world;
         scene->report["ready"] = scene->world != nullptr;
     }
     scene->write_report();
@@ -123,7 +71,35 @@ GlintScene* glint_open(const char* request, std::uint32_t length) {
 
 void glint_close(GlintScene* scene) { delete scene; }
 
+std::int32_t glint_prepare(GlintScene* scene, const char* request, std::uint32_t length) {
+    if (!scene->scene) return 0;
+    scene->world = nullptr;
+    scene->scene->camera = scene->camera;
+    scene->scene->conventions = scene->conventions;
+    scene->scene->settings = scene->settings;
+    scene->scene->origins = scene->origins;
+    const std::string wrong =
+        glint::wasm::apply(json::parse(request, request + length, nullptr, false), *scene->scene);
+    if (!wrong.empty()) {
+        scene->fail(wrong);
+        return 0;
+    }
+    glint::PrepareResult prepared = glint::prepare(*scene->scene, 1);
+    scene->world = std::move(prepared.world);
+    if (!scene->world) {
+        scene->fail(prepared.diagnostics.empty() ? "out of memory" : prepared.diagnostics.front().message);
+        return 0;
+    }
+    return 1;
+}
+
 const char* glint_report(const GlintScene* scene) { return scene->report_text.c_str(); }
+
+const char* glint_info(GlintScene* scene) {
+    scene->answer =
+        scene->world ? GlintScene::to_text(glint::wasm::describe(*scene->scene, *scene->world)) : "null";
+    return scene->answer.c_str();
+}
 
 const float* glint_render(GlintScene* scene, std::int32_t x, std::int32_t y, std::int32_t width,
                           std::int32_t height) {
@@ -133,12 +109,43 @@ const float* glint_render(GlintScene* scene, std::int32_t x, std::int32_t y, std
     options.crop = glint::Crop{width, height, x, y};
     glint::RenderResult result = glint::render(*scene->world, options);
     if (!result.image) {
-        scene->report["error"] = result.error;
-        scene->write_report();
+        scene->image = {};
+        scene->fail(result.error);
         return nullptr;
     }
     scene->image = std::move(*result.image);
+    scene->rays = result.rays;
     return scene->image.rgb.data();
+}
+
+const std::uint8_t* glint_pixels(GlintScene* scene) {
+    const std::vector<float>& rgb = scene->image.rgb;
+    if (rgb.empty()) return nullptr;
+    scene->pixels.resize(rgb.size() / 3 * 4);
+    for (std::size_t from = 0, to = 0; from < rgb.size(); from += 3, to += 4) {
+        for (std::size_t c = 0; c < 3; ++c) {
+            scene->pixels[to + c] =
+                static_cast<std::uint8_t>(glint::quantize(static_cast<double>(rgb[from + c]), 255));
+        }
+        scene->pixels[to + 3] = 255;
+    }
+    return scene->pixels.data();
+}
+
+double glint_rays(const GlintScene* scene) { return static_cast<double>(scene->rays.total()); }
+
+const char* glint_explain(GlintScene* scene, std::int32_t x, std::int32_t y) {
+    scene->answer = "null";
+    if (scene->world) {
+        scene->answer =
+            glint::explanation_json(glint::explain(*scene->scene, *scene->world, x, y), *scene->scene);
+    }
+    return scene->answer.c_str();
+}
+
+const char* glint_convert(GlintScene* scene) {
+    scene->answer = scene->scene ? glint::write_glint(*scene->scene, scene->texts.all()) : std::string();
+    return scene->answer.c_str();
 }
 
 const char* glint_version() { return GLINT_VERSION; }

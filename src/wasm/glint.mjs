@@ -1,5 +1,5 @@
-// The door from JavaScript's side (door.h is the other), for browsers and node alike. One instance has one thread: a page
-// that wants more makes one in each of its workers.
+// The door from JavaScript's side (door.h is the other), for browsers and node alike; glint.d.mts says what everything
+// takes and gives. One instance has one thread: a page that wants more makes one in each of its workers.
 
 /** The few functions of wasi_snapshot_preview1 that wasi-libc links; glint itself reaches no file and no clock. */
 function wasi(memory) {
@@ -46,44 +46,75 @@ class Glint {
         return this.#exports.memory.buffer.byteLength;
     }
 
-    /** Reads and prepares a scene; the request is glint_open's (door.h). Close it when it is no longer needed. */
+    /** Reads and prepares a scene. Close it when it is no longer needed. */
     open(request) {
-        const bytes = new TextEncoder().encode(typeof request === 'string' ? request : JSON.stringify(request));
-        const at = this.#exports.glint_allocate(bytes.length + 1);
-        if (at === 0) throw new Error('out of memory');
-        new Uint8Array(this.#exports.memory.buffer).set(bytes, at);
-        const handle = this.#exports.glint_open(at, bytes.length);
-        this.#exports.glint_free(at);
-        return new Scene(this.#exports, handle, (from) => this.#text(from));
+        return new Scene(this.#exports, withText(this.#exports, request, (at, length) => this.#exports.glint_open(at, length)));
     }
 
     #text(from) {
-        const memory = new Uint8Array(this.#exports.memory.buffer);
-        return new TextDecoder().decode(memory.slice(from, memory.indexOf(0, from)));
+        return textAt(this.#exports, from);
     }
+}
+
+/** The text with a final zero at an address of the instance's memory. */
+function textAt(exports, from) {
+    const memory = new Uint8Array(exports.memory.buffer);
+    return new TextDecoder().decode(memory.slice(from, memory.indexOf(0, from)));
+}
+
+/** Calls `use` with the address and length of a request in the instance's memory. */
+function withText(exports, request, use) {
+    const bytes = new TextEncoder().encode(typeof request === 'string' ? request : JSON.stringify(request));
+    const at = exports.glint_allocate(bytes.length + 1);
+    if (at === 0) throw new Error('out of memory');
+    new Uint8Array(exports.memory.buffer).set(bytes, at);
+    const result = use(at, bytes.length);
+    exports.glint_free(at);
+    return result;
 }
 
 class Scene {
     #exports;
     #handle;
-    #text;
 
-    constructor(exports, handle, text) {
+    constructor(exports, handle) {
         this.#exports = exports;
         this.#handle = handle;
-        this.#text = text;
     }
 
-    /** {ready, width, height, diagnostics, error}: see glint_report. */
     get report() {
-        return JSON.parse(this.#text(this.#exports.glint_report(this.#handle)));
+        return JSON.parse(textAt(this.#exports, this.#exports.glint_report(this.#handle)));
     }
 
-    /** The linear RGB floats of a rectangle of the picture, row by row from the top. Throws what glint_report says. */
+    get info() {
+        return JSON.parse(textAt(this.#exports, this.#exports.glint_info(this.#handle)));
+    }
+
+    prepare(request) {
+        const done = withText(this.#exports, request, (at, length) => this.#exports.glint_prepare(this.#handle, at, length));
+        if (done === 0) throw new Error(this.report.error ?? 'the scene has errors');
+    }
+
     render(x, y, width, height) {
         const at = this.#exports.glint_render(this.#handle, x, y, width, height);
         if (at === 0) throw new Error(this.report.error ?? 'the scene has errors');
         return new Float32Array(this.#exports.memory.buffer, at, 3 * width * height).slice();
+    }
+
+    renderPixels(x, y, width, height) {
+        if (this.#exports.glint_render(this.#handle, x, y, width, height) === 0)
+            throw new Error(this.report.error ?? 'the scene has errors');
+        const at = this.#exports.glint_pixels(this.#handle);
+        const pixels = new Uint8ClampedArray(this.#exports.memory.buffer, at, 4 * width * height).slice();
+        return {pixels, rays: this.#exports.glint_rays(this.#handle)};
+    }
+
+    explain(x, y) {
+        return JSON.parse(textAt(this.#exports, this.#exports.glint_explain(this.#handle, x, y)));
+    }
+
+    toGlint() {
+        return textAt(this.#exports, this.#exports.glint_convert(this.#handle));
     }
 
     close() {

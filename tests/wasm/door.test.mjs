@@ -1,10 +1,12 @@
 // The browser build in node: the same bytes as the native build, tiles that make the whole, and bad input.
-// GLINT_WASM: glint.wasm; GLINT_NATIVE_DOOR: native_door of a native build; GLINT_SCENES: the folder scenes/.
+// GLINT_WASM: glint.wasm; GLINT_PACKAGE: the npm package; GLINT_NATIVE_DOOR: native_door of a native build; GLINT_SCENES: the
+// folder scenes/.
 import assert from 'node:assert/strict';
 import {execFileSync} from 'node:child_process';
-import {readdirSync, readFileSync} from 'node:fs';
+import {existsSync, readdirSync, readFileSync} from 'node:fs';
 import {join, relative} from 'node:path';
 import {test} from 'node:test';
+import {gzipSync} from 'node:zlib';
 
 import {instantiate} from '../../src/wasm/glint.mjs';
 
@@ -29,9 +31,13 @@ function open(...args) {
     return {scene, report};
 }
 
+/** What the same door says natively. */
+function native(body, ...what) {
+    return execFileSync(process.env.GLINT_NATIVE_DOOR, what.map(String), {input: JSON.stringify(body), maxBuffer: 1 << 28});
+}
+
 function nativeFloats(body, x, y, width, height) {
-    const bytes = execFileSync(process.env.GLINT_NATIVE_DOOR, [x, y, width, height].map(String),
-                               {input: JSON.stringify(body), maxBuffer: 1 << 28});
+    const bytes = native(body, 'render', x, y, width, height);
     return new Float32Array(bytes.buffer, bytes.byteOffset, bytes.length / 4);
 }
 
@@ -72,6 +78,69 @@ test('tiles make the whole', () => {
     }
     assert.throws(() => scene.render(width - 10, 0, 20, 10), /./);
     scene.close();
+});
+
+for (const {paths, settings} of pictures) {
+    test(`the same explanations, facts and .glint as natively: ${paths.join(' + ')}`, () => {
+        const {scene, report} = open(paths, settings);
+        const body = request(paths, settings);
+        for (const [x, y] of [[0.5, 0.6], [0.31, 0.77]]) {
+            const pixel = [Math.floor(x * report.width), Math.floor(y * report.height)];
+            const here = scene.explain(...pixel);
+            assert.deepEqual(here, JSON.parse(native(body, 'explain', ...pixel)));
+            assert.deepEqual([...scene.renderPixels(...pixel, 1, 1).pixels], [...here.bytes, 255]);
+        }
+        assert.deepEqual(scene.info, JSON.parse(native(body, 'info')));
+        assert.equal(scene.toGlint(), native(body, 'convert').toString());
+        assert.ok(scene.toGlint().length > 100);
+        scene.close();
+    });
+}
+
+test('the facts of a scene', () => {
+    const {scene} = open(['cgfs/three_mirrors.cgfs'], {shading: 'blinn-phong'});
+    const {info} = scene;
+    assert.deepEqual([info.width, info.height, info.profile, info.shapes], [600, 600, 'cgfs', {sphere: 4}]);
+    assert.deepEqual(info.lights.map((light) => light.kind), ['ambient', 'point', 'directional']);
+    assert.deepEqual(info.lights[1].position, [2, 1, 0]);
+    assert.deepEqual(info.lights[1].place, {file: 'cgfs/three_mirrors.cgfs', line: 12, column: 1});
+    assert.deepEqual(info.camera.view, {right: [1, 0, 0], up: [0, 1, 0], forward: [0, 0, 1]});
+    const shading = info.settings.find((setting) => setting.name === 'shading');
+    assert.deepEqual([shading.value, shading.profile_value, shading.origin], ['blinn-phong', 'phong', 'command']);
+    scene.close();
+});
+
+test('a scene is prepared otherwise, and as it was again', () => {
+    const {scene} = open(...tiled);
+    const pixels = () => scene.renderPixels(0, 0, scene.info.width, scene.info.height);
+    const whole = pixels();
+    assert.ok(whole.rays > 160 * 160);
+    scene.prepare({settings: {size: '40x30', shading: 'normals'}});
+    const small = open(tiled[0], {...tiled[1], size: '40x30', shading: 'normals'}).scene;
+    assert.deepEqual(pixels().pixels, small.renderPixels(0, 0, 40, 30).pixels);
+    scene.prepare({camera: {position: [0, 0, 90], look_at: [0, 0, 0], up: [0, 1, 0], width: 60}});
+    assert.equal(scene.info.camera.projection, 'orthographic');
+    assert.notDeepEqual(pixels().pixels, whole.pixels);
+    for (const bad of ['{', '3', {settings: {size: '0x0'}}, {settings: {no: '1'}}, {camera: {position: [1, 2]}},
+                       {camera: {position: [0, 0, 0], look_at: [0, 0, 0], up: [0, 1, 0], width: 1}}]) {
+        assert.throws(() => scene.prepare(bad), /./, JSON.stringify(bad));
+        assert.throws(() => scene.render(0, 0, 1, 1), /./);
+    }
+    scene.prepare({});
+    assert.deepEqual(pixels(), whole);
+    small.close();
+    scene.close();
+});
+
+test('the package is what npm would publish, and under a megabyte compressed', () => {
+    const folder = process.env.GLINT_PACKAGE;
+    const {files, version} = JSON.parse(readFileSync(join(folder, 'package.json'), 'utf8'));
+    for (const file of files) assert.ok(existsSync(join(folder, file)), file);
+    assert.equal(version, glint.version);
+    const size = gzipSync(readFileSync(process.env.GLINT_WASM), {level: 9}).length;
+    assert.ok(size < 1e6, `${size} bytes`);
+    const shown = execFileSync(process.execPath, [join(folder, 'example.mjs')]).toString();
+    assert.match(shown, /pixel \(30, 30\) is/);
 });
 
 test('bad scenes have messages with places', () => {

@@ -1,5 +1,8 @@
-// The browser's door compiled for this machine: native_door X Y WIDTH HEIGHT reads a request from standard
-// input and writes the rectangle's floats to standard output, for the tests to compare.
+// The browser's door compiled for this machine, for the tests to compare. A request comes from standard
+// input:
+//   native_door render X Y WIDTH HEIGHT    writes the rectangle's floats to standard output
+//   native_door explain X Y                the pixel's explanation
+//   native_door info, native_door convert  what glint_info and glint_convert say
 #include <cstdio>
 #include <cstdlib>
 #include <iostream>
@@ -8,15 +11,30 @@
 
 #include "wasm/door.h"
 
+namespace {
+
+bool write(const void* data, std::size_t bytes) { return std::fwrite(data, 1, bytes, stdout) == bytes; }
+bool write(const std::string& text) { return write(text.data(), text.size()); }
+
+bool render(GlintScene* scene, int x, int y, int width, int height) {
+    const float* const rgb = glint_render(scene, x, y, width, height);
+    if (rgb == nullptr) std::fprintf(stderr, "%s\n", glint_report(scene));
+    return rgb != nullptr &&
+           write(rgb, 3 * sizeof(float) * static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+}
+
+}  // namespace
+
 int main(int argc, char** argv) {
-    if (argc != 5) return 2;
+    const std::string what = argc > 1 ? argv[1] : "";
+    const auto number = [&](int i) { return i < argc ? std::atoi(argv[i]) : 0; };
     const std::string request{std::istreambuf_iterator<char>(std::cin), {}};
     GlintScene* const scene = glint_open(request.data(), static_cast<std::uint32_t>(request.size()));
-    const int width = std::atoi(argv[3]), height = std::atoi(argv[4]);
-    const float* const rgb = glint_render(scene, std::atoi(argv[1]), std::atoi(argv[2]), width, height);
-    if (rgb == nullptr) std::fprintf(stderr, "%s\n", glint_report(scene));
-    const std::size_t floats = 3 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
-    const bool written = rgb != nullptr && std::fwrite(rgb, sizeof(float), floats, stdout) == floats;
+    bool done = false;
+    if (what == "render") done = render(scene, number(2), number(3), number(4), number(5));
+    if (what == "explain") done = write(glint_explain(scene, number(2), number(3)));
+    if (what == "info") done = write(glint_info(scene));
+    if (what == "convert") done = write(glint_convert(scene));
     glint_close(scene);
-    return written ? 0 : 1;
+    return done ? 0 : 1;
 }

@@ -1,0 +1,111 @@
+#include "wasm/describe.h"
+
+#include "world/prepare_camera.h"
+
+namespace glint::wasm {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json vec(Vec3 v) { return {v.x, v.y, v.z}; }
+Json color(Color c) { return {c.r, c.g, c.b}; }
+
+/// {"file", "line", "column"}, or null for what no text says.
+Json place_json(const Scene& scene, SourcePlace place) {
+    if (place.line == 0 || place.file >= scene.files.size()) return nullptr;
+    return {{"file", scene.files[place.file]}, {"line", place.line}, {"column", place.column}};
+}
+
+Json camera_json(const Scene& scene) {
+    const Camera& camera = scene.camera;
+    Json json = {
+        {"projection", camera.projection == Projection::perspective ? "perspective" : "orthographic"},
+        {"position", vec(camera.position)},
+        {"place", place_json(scene, scene.camera_place)},
+        {"has_frame", camera.frame.has_value()}};
+    if (!camera.frame) {
+        json["look_at"] = vec(camera.look_at);
+        json["up"] = vec(camera.up);
+        json["fov"] = camera.fov_degrees;
+        json["fov_axis"] = camera.fov_axis == FovAxis::x ? "x" : "y";
+        json["width"] = camera.width;
+    }
+    const PreparedCamera prepared = prepare_camera(camera, scene.settings);
+    json["view"] = {
+        {"right", vec(prepared.right)}, {"up", vec(prepared.up)}, {"forward", vec(prepared.forward)}};
+    return json;
+}
+
+Json light_json(const Scene& scene, std::uint32_t index) {
+    const Light& light = scene.lights[index];
+    constexpr const char* words[] = {"ambient", "point", "directional"};
+    Json json = {{"kind", words[static_cast<std::size_t>(light.kind)]},
+                 {"name", scene.light_texts.name(index)},
+                 {"place", place_json(scene, scene.light_texts.place(index))},
+                 {"color", color(light.color)}};
+    if (light.kind == LightKind::point) json["position"] = vec(light.position);
+    if (light.kind == LightKind::directional) json["to_light"] = vec(light.to_light);
+    return json;
+}
+
+/// Every setting: its value, what the profile has, and who set it.
+Json settings_json(const Scene& scene) {
+    Scene plain;
+    apply_profile(plain, scene.profile);
+    constexpr const char* words[] = {"profile", "file", "command", "code"};
+    Json list = Json::array();
+    const auto keys = setting_keys();
+    for (std::size_t i = 0; i < keys.size(); ++i) {
+        const SettingOrigin origin = i < scene.origins.size() ? scene.origins[i] : SettingOrigin{};
+        list.push_back({{"name", keys[i].name},
+                        {"values", keys[i].values},
+                        {"description", keys[i].description},
+                        {"is_convention", keys[i].is_convention},
+                        {"value", get_setting(scene, i)},
+                        {"profile_value", get_setting(plain, i)},
+                        {"origin", words[static_cast<std::size_t>(origin.kind)]},
+                        {"place", place_json(scene, origin.place)}});
+    }
+    return list;
+}
+
+Json shapes_json(const Scene& scene) {
+    std::size_t counts[k_shape_kinds] = {};
+    for (const Shape& shape : scene.shapes) ++counts[static_cast<std::size_t>(shape.kind)];
+    Json json = Json::object();
+    for (std::size_t kind = 0; kind < k_shape_kinds; ++kind) {
+        if (counts[kind] != 0) json[std::string(shape_word(static_cast<ShapeKind>(kind)))] = counts[kind];
+    }
+    return json;
+}
+
+}  // namespace
+
+Json to_json(const Diagnostic& d) {
+    return {{"severity", d.severity == Severity::error ? "error" : "warning"},
+            {"file", d.file},
+            {"line", d.line},
+            {"column", d.column},
+            {"length", d.length},
+            {"message", d.message},
+            {"text", to_string(d)}};
+}
+
+Json describe(const Scene& scene, const World& world) {
+    const Bounds box = bounds(world);
+    Json lights = Json::array();
+    for (std::uint32_t i = 0; i < scene.lights.size(); ++i) lights.push_back(light_json(scene, i));
+    return {{"profile", scene.profile},
+            {"files", scene.files},
+            {"width", scene.settings.width},
+            {"height", scene.settings.height},
+            {"shapes", shapes_json(scene)},
+            {"material_count", scene.materials.size()},
+            {"bounds", box.min.x <= box.max.x ? Json{{"min", vec(box.min)}, {"max", vec(box.max)}} : Json()},
+            {"background", color(scene.background)},
+            {"camera", camera_json(scene)},
+            {"lights", std::move(lights)},
+            {"settings", settings_json(scene)}};
+}
+
+}  // namespace glint::wasm

@@ -1,0 +1,12 @@
+#pragma once
+// What the door tells of a scene.
+#include "wasm/request.h"
+
+namespace glint::wasm {
+
+nlohmann::ordered_json to_json(const Diagnostic& diagnostic);
+
+/// glint_info's JSON.
+nlohmann::ordered_json describe(const Scene& scene, const World& world);
+
+}  // namespace glint::wasm

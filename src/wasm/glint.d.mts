@@ -1,0 +1,231 @@
+// Types of glint.mjs.
+
+export type Vec3 = [number, number, number];
+
+/** Where something stands in one of the texts. Lines and columns count from 1, columns in bytes of UTF-8. */
+export interface Place {
+    file: string;
+    line: number;
+    column: number;
+}
+
+export interface Diagnostic extends Place {
+    severity: 'error' | 'warning';
+    /** Bytes to underline. */
+    length: number;
+    message: string;
+    /** The whole message with the line and a caret, as the command prints it. */
+    text: string;
+}
+
+export interface SceneText {
+    /** As messages name it; its extension chooses the format unless `format` does. */
+    name: string;
+    text: string;
+    /** "cgfs", "epfl", "csc473", "nff" or "glint". */
+    format?: string;
+}
+
+export interface OpenRequest {
+    /** Read as one scene, in their order. */
+    texts: SceneText[];
+    /** What `include` may find, by name. */
+    includes?: SceneText[];
+    /** Conventions to start from, in place of the format's own: "cgfs", "epfl", ... */
+    profile?: string;
+    /** Which scene of a file that holds several. */
+    scene?: string;
+    /** Settings that override those of the texts, as of `glint render --convention`: {size: '640x480', aa: '2'}. */
+    settings?: Record<string, string>;
+}
+
+export interface PrepareRequest {
+    settings?: Record<string, string>;
+    /** An orthographic camera in place of the scene's own; `width` is in world units. */
+    camera?: {position: Vec3; look_at: Vec3; up: Vec3; width: number};
+}
+
+export interface Report {
+    /** True if the scene can be drawn. */
+    ready: boolean;
+    width?: number;
+    height?: number;
+    diagnostics: Diagnostic[];
+    /** What went wrong with the last request. */
+    error?: string;
+}
+
+export interface Setting {
+    name: string;
+    /** "true | false", "a number from 0 to 1e12", ... */
+    values: string;
+    description: string;
+    /** False: a render setting (size, shading, shadows, reflections, aa). */
+    is_convention: boolean;
+    value: string;
+    /** What the scene's profile has. */
+    profile_value: string;
+    origin: 'profile' | 'file' | 'command' | 'code';
+    place: Place | null;
+}
+
+export interface LightInfo {
+    kind: 'ambient' | 'point' | 'directional';
+    name: string;
+    place: Place | null;
+    color: Vec3;
+    position?: Vec3;
+    to_light?: Vec3;
+}
+
+/** Pixel (i, j) of width x height is seen at s (forward + u right + v up), u = (i + 0.5) / width - 0.5, v from the top. */
+export interface View {
+    right: Vec3;
+    up: Vec3;
+    forward: Vec3;
+}
+
+export interface CameraInfo {
+    projection: 'perspective' | 'orthographic';
+    position: Vec3;
+    place: Place | null;
+    /** True: `view` is what the text says, and look_at to width are absent. */
+    has_frame: boolean;
+    look_at?: Vec3;
+    up?: Vec3;
+    fov?: number;
+    fov_axis?: 'x' | 'y';
+    width?: number;
+    view: View;
+}
+
+export interface SceneInfo {
+    profile: string;
+    files: string[];
+    width: number;
+    height: number;
+    /** Number of shapes by kind; kinds without any are absent. */
+    shapes: Record<string, number>;
+    material_count: number;
+    /** The box around all bounded shapes. */
+    bounds: {min: Vec3; max: Vec3} | null;
+    background: Vec3;
+    camera: CameraInfo;
+    lights: LightInfo[];
+    settings: Setting[];
+}
+
+export interface NamedItem extends Partial<Place> {
+    index?: number;
+    name?: string;
+}
+
+export interface LightTerms {
+    light: NamedItem & {kind: 'point' | 'directional'; color: Vec3; specular_color: Vec3};
+    /** Why it adds something, or nothing. */
+    reason: 'adds' | 'blocked' | 'behind' | 'no_color' | 'faded' | 'in_surface';
+    highlight: 'adds' | 'none' | 'behind' | 'turned_away';
+    to_light: Vec3;
+    distance: number;
+    attenuation: number;
+    /** N·L, and R·V (Phong) or N·H (Blinn-Phong), or null if they are none. */
+    n_l: number | null;
+    s: number | null;
+    power: number;
+    diffuse: Vec3;
+    specular: Vec3;
+    shadow_ray?: {origin: Vec3; direction: Vec3; t_min: number; t_max: number | null};
+    blocker?: {shape: NamedItem & {kind: string}; distance: number; point: Vec3};
+}
+
+export interface Branch {
+    state: 'none' | 'traced' | 'limit' | 'faint' | 'cut';
+    weight?: Vec3;
+    /** Its number in Explanation.rays. */
+    ray?: number;
+}
+
+export interface ExplainedHit {
+    shape: NamedItem & {kind: string};
+    material: NamedItem & {
+        ambient: Vec3;
+        diffuse: Vec3;
+        specular: Vec3;
+        shininess: number;
+        mirror: number;
+        transmission: number;
+        ior: number;
+    };
+    point: Vec3;
+    normal: Vec3;
+    to_eye: Vec3;
+    side: 'front' | 'back';
+    normal_turned: boolean;
+    weight: Vec3;
+    local_share: number;
+    ambient: Vec3;
+    lights: LightTerms[];
+    diffuse: Vec3;
+    specular: Vec3;
+    /** Ambient, diffuse and specular times weight and share: what the pixel gets. */
+    parts: {ambient: Vec3; diffuse: Vec3; specular: Vec3};
+    fresnel: number;
+    reflected: Branch;
+    transmitted: Branch;
+}
+
+export interface ExplainedRay {
+    kind: 'camera' | 'mirror' | 'transmitted';
+    sample: [number, number];
+    generation: number;
+    parent: number | null;
+    layer: string | null;
+    origin: Vec3;
+    direction: Vec3;
+    t_min: number;
+    t: number | null;
+    weight: Vec3;
+    hit?: ExplainedHit;
+    background?: Vec3;
+}
+
+export type LightLayer = 'background' | 'ambient' | 'diffuse' | 'specular' | 'reflection' | 'transmission';
+
+/** Why a pixel is as it is. The layers, added up as floats in their order, are the value. */
+export interface Explanation {
+    pixel: [number, number];
+    /** n of n x n. */
+    samples: number;
+    error?: string;
+    value: Vec3;
+    bytes: Vec3;
+    layers: Record<LightLayer, Vec3>;
+    rays: ExplainedRay[];
+}
+
+/** Makes an instance of glint from a compiled WebAssembly.Module of glint.wasm. */
+export function instantiate(module: WebAssembly.Module): Promise<Glint>;
+
+export interface Glint {
+    readonly version: string;
+    /** Bytes of memory that the instance has taken from its host. It never gives any back. */
+    readonly memoryBytes: number;
+    /** Reads and prepares a scene. Close it when it is no longer needed. */
+    open(request: OpenRequest | string): Scene;
+}
+
+export interface Scene {
+    readonly report: Report;
+    /** Null if the scene is not ready. */
+    readonly info: SceneInfo | null;
+    /** Prepares the scene to be drawn otherwise than its text says. Throws if that cannot be. */
+    prepare(request: PrepareRequest): void;
+    /** The linear RGB floats of a rectangle, row by row from the top. Throws if the scene is not ready. */
+    render(x: number, y: number, width: number, height: number): Float32Array;
+    /** The same as red, green, blue, 255 in bytes, and how many rays that took. */
+    renderPixels(x: number, y: number, width: number, height: number): {pixels: Uint8ClampedArray<ArrayBuffer>; rays: number};
+    explain(x: number, y: number): Explanation | null;
+    /** The scene in glint's own language; empty if it is not ready. */
+    toGlint(): string;
+    close(): void;
+}

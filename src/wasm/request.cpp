@@ -1,0 +1,124 @@
+#include "wasm/request.h"
+
+#include <map>
+#include <optional>
+#include <string_view>
+
+namespace glint::wasm {
+namespace {
+
+using nlohmann::json;
+
+/// The member `name` of an object, or null.
+const json& member(const json& object, const char* name) {
+    static const json null;
+    if (!object.is_object()) return null;
+    const auto at = object.find(name);
+    return at != object.end() ? *at : null;
+}
+
+std::string string_member(const json& object, const char* name) {
+    const json& value = member(object, name);
+    return value.is_string() ? value.get<std::string>() : std::string();
+}
+
+/// A setting's value as the text that set_setting() takes.
+std::string text_of(const json& value) { return value.is_string() ? value.get<std::string>() : value.dump(); }
+
+std::vector<OwnedText> owned_texts(const json& list) {
+    std::vector<OwnedText> owned;
+    if (!list.is_array()) return owned;
+    for (const json& text : list)
+        owned.push_back(
+            {string_member(text, "name"), string_member(text, "text"), string_member(text, "format")});
+    return owned;
+}
+
+std::vector<SceneText> views(const std::vector<OwnedText>& owned) {
+    std::vector<SceneText> texts;
+    for (const OwnedText& text : owned) texts.push_back({text.name, text.text, text.format});
+    return texts;
+}
+
+/// The request's "includes".
+class Includes : public Sources {
+  public:
+    explicit Includes(const std::vector<OwnedText>& texts) {
+        for (const OwnedText& text : texts) texts_[text.name] = text.text;
+    }
+    std::optional<std::string> read(std::string_view name, std::string_view from, std::string& why) override {
+        const std::string folder(from.substr(0, from.rfind('/') + 1));
+        const auto at = texts_.find(folder + std::string(name));
+        if (at != texts_.end()) return std::string(at->second);
+        why = "no such text is among the request's includes";
+        return std::nullopt;
+    }
+
+  private:
+    std::map<std::string, std::string_view> texts_;
+};
+
+/// Three numbers, or nothing.
+std::optional<Vec3> vec3_member(const json& object, const char* name) {
+    const json& value = member(object, name);
+    if (!value.is_array() || value.size() != 3) return std::nullopt;
+    for (const json& number : value) {
+        if (!number.is_number()) return std::nullopt;
+    }
+    return Vec3{value[0].get<double>(), value[1].get<double>(), value[2].get<double>()};
+}
+
+}  // namespace
+
+std::vector<SceneText> RequestTexts::all() const {
+    std::vector<SceneText> list = views(texts);
+    const std::vector<SceneText> more = views(includes);
+    list.insert(list.end(), more.begin(), more.end());
+    return list;
+}
+
+RequestTexts read_texts(const json& request) {
+    return {owned_texts(member(request, "texts")), owned_texts(member(request, "includes"))};
+}
+
+LoadResult load(const RequestTexts& texts, const json& request) {
+    LoadOptions options;
+    options.profile = string_member(request, "profile");
+    options.scene_name = string_member(request, "scene");
+    const json& settings = member(request, "settings");
+    if (settings.is_object()) {
+        for (const auto& [key, value] : settings.items()) options.settings.emplace_back(key, text_of(value));
+    }
+    Includes includes(texts.includes);
+    return load(views(texts.texts), options, &includes);
+}
+
+std::string apply(const json& request, Scene& scene) {
+    if (!request.is_object()) return "the request is not a JSON object";
+    const json& settings = member(request, "settings");
+    if (settings.is_object()) {
+        for (const auto& [key, value] : settings.items()) {
+            const auto index = find_setting(key);
+            if (!index) return "there is no setting '" + key + "'";
+            const std::string wrong =
+                set_setting(scene, *index, text_of(value), {SettingOrigin::Kind::command, {}});
+            if (!wrong.empty()) return key + ": " + wrong;
+        }
+    }
+    const json& camera = member(request, "camera");
+    if (camera.is_null()) return {};
+    const auto position = vec3_member(camera, "position"), look_at = vec3_member(camera, "look_at"),
+               up = vec3_member(camera, "up");
+    const json& width = member(camera, "width");
+    if (!position || !look_at || !up || !width.is_number())
+        return "camera: expected position, look_at and up of three numbers each, and a width";
+    scene.camera = {};
+    scene.camera.projection = Projection::orthographic;
+    scene.camera.position = *position;
+    scene.camera.look_at = *look_at;
+    scene.camera.up = *up;
+    scene.camera.width = width.get<double>();
+    return {};
+}
+
+}  // namespace glint::wasm
