@@ -1,0 +1,131 @@
+// The camera on the page's side: from world to picture, and where the mouse moves it.
+import type {CameraInfo, Vec3} from 'glint-wasm';
+
+import {length} from './text/edit';
+
+export const add = (a: Vec3, b: Vec3, s = 1): Vec3 => [a[0] + s * b[0], a[1] + s * b[1], a[2] + s * b[2]];
+export const sub = (a: Vec3, b: Vec3): Vec3 => add(a, b, -1);
+export const scaled = (a: Vec3, s: number): Vec3 => [a[0] * s, a[1] * s, a[2] * s];
+export const dot = (a: Vec3, b: Vec3) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+export const cross = (a: Vec3, b: Vec3): Vec3 => [
+    a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
+export const unit = (a: Vec3): Vec3 => scaled(a, 1 / (length(a) || 1));
+
+/** `v` turned about a unit axis, by the right-hand rule. */
+function turned(v: Vec3, axis: Vec3, angle: number): Vec3 {
+    const c = Math.cos(angle), s = Math.sin(angle);
+    return add(add(scaled(v, c), cross(axis, v), s), axis, dot(axis, v) * (1 - c));
+}
+
+/** A point as the camera has it: v = depth (forward + u right + v up) for perspective, else forward depth + u right + v up. */
+function inFrame(camera: CameraInfo, point: Vec3): {u: number; v: number; depth: number} {
+    const {right, up, forward} = camera.view;
+    const d = sub(point, camera.position);
+    const volume = dot(cross(right, up), forward);
+    const u = dot(cross(d, up), forward) / volume, v = dot(cross(right, d), forward) / volume,
+          depth = dot(cross(right, up), d) / volume;
+    return {u, v, depth};
+}
+
+/** A line from a to b in the picture, cut where it comes nearer than the camera; null if all of it does. */
+export function projectLine(camera: CameraInfo, width: number, height: number, a: Vec3, b: Vec3):
+    [number, number, number, number] | null {
+    const near = camera.projection === 'perspective' ? 1e-3 : -Infinity;
+    let from = inFrame(camera, a), to = inFrame(camera, b);
+    if (from.depth < near && to.depth < near) return null;
+    const cut = (x: typeof from, y: typeof from) => {
+        const s = (near - x.depth) / (y.depth - x.depth);
+        return {u: x.u + s * (y.u - x.u), v: x.v + s * (y.v - x.v), depth: near};
+    };
+    if (from.depth < near) from = cut(from, to);
+    if (to.depth < near) to = cut(to, from);
+    const pixel = ({u, v, depth}: typeof from) => {
+        const s = camera.projection === 'perspective' ? 1 / depth : 1;
+        return [(0.5 + u * s) * width, (0.5 - v * s) * height] as const;
+    };
+    return [...pixel(from), ...pixel(to)];
+}
+
+export type Move = {kind: 'orbit' | 'pan'; x: number; y: number} | {kind: 'zoom'; factor: number};
+
+/** The point that the camera turns about, and keeps its distance from. */
+function pivotOf(camera: CameraInfo, distance: number): Vec3 {
+    return camera.look_at ?? add(camera.position, unit(camera.view.forward), distance);
+}
+
+/**
+ * The camera after a move. x and y are fractions of the picture's width and height that the mouse went, right and down;
+ * `distance` is how far what is looked at is, for a camera that does not say what it looks at.
+ */
+export function moved(camera: CameraInfo, move: Move, distance: number): CameraInfo {
+    const pivot = pivotOf(camera, distance);
+    const {right, up, forward} = camera.view;
+    const next: CameraInfo = structuredClone(camera);
+    if (move.kind === 'zoom') {
+        if (camera.projection === 'orthographic' && camera.width !== undefined) {
+            next.width = camera.width * move.factor;
+            next.view = {right: scaled(right, move.factor), up: scaled(up, move.factor), forward};
+        } else {
+            next.position = add(pivot, sub(camera.position, pivot), move.factor);
+        }
+        return next;
+    }
+    if (move.kind === 'pan') {
+        const reach = camera.projection === 'perspective' ? length(sub(pivot, camera.position)) / length(forward) : 1;
+        const shift = add(scaled(right, -move.x * reach), up, move.y * reach);
+        next.position = add(camera.position, shift);
+        if (camera.look_at) next.look_at = add(camera.look_at, shift);
+        return next;
+    }
+    // A turntable: about the scene's upright axis, then about the camera's own horizontal one, not over the poles.
+    const upright = camera.up ? unit(camera.up) : nearestAxis(up);
+    const leftHanded = dot(cross(right, up), forward) > 0;
+    const yaw = (leftHanded ? 1 : -1) * move.x * Math.PI;
+    const level = unit(right);
+    const elevation = Math.asin(Math.max(-1, Math.min(1, dot(unit(forward), upright))));
+    const limit = 1.5;
+    const wanted = Math.max(-limit, Math.min(limit, elevation - move.y * Math.PI * 0.6));
+    const pitch = (leftHanded ? -1 : 1) * (wanted - elevation);
+    const turn = (v: Vec3) => turned(turned(v, level, pitch), upright, yaw);
+    next.position = add(pivot, turn(sub(camera.position, pivot)));
+    next.view = {right: turn(right), up: turn(up), forward: turn(forward)};
+    return next;
+}
+
+function nearestAxis(v: Vec3): Vec3 {
+    const largest = Math.max(...v.map(Math.abs));
+    const axis = v.map((c) => (Math.abs(c) === largest ? Math.sign(c) : 0)) as Vec3;
+    return unit(axis);
+}
+
+/** A camera straight above (or from any side) that sees points and a little around them, in parallel projection. */
+export function overview(points: Vec3[], upright: Vec3, yaw: number, tilt: number):
+    {position: Vec3; look_at: Vec3; up: Vec3; width: number} {
+    const low = points.reduce((a, p) => a.map((c, i) => Math.min(c, p[i]!)) as Vec3);
+    const high = points.reduce((a, p) => a.map((c, i) => Math.max(c, p[i]!)) as Vec3);
+    const center = scaled(add(low, high), 0.5);
+    const radius = Math.max(1e-6, ...points.map((p) => length(sub(p, center))));
+    const side = unit(Math.abs(upright[0]) < 0.9 ? cross(upright, [1, 0, 0]) : cross(upright, [0, 1, 0]));
+    const start = turned(side, upright, yaw);
+    const level = cross(upright, start);
+    const towards = turned(upright, level, tilt);  // from the centre to the viewer
+    // What is above the rays is cut away: the parallel rays begin just over them.
+    const reach = Math.max(...points.map((p) => dot(sub(p, center), towards)));
+    return {
+        position: add(center, towards, reach + 0.35 * radius),
+        look_at: center,
+        up: unit(cross(towards, level)),
+        width: 2.5 * radius,
+    };
+}
+
+/** The same as the engine's description of it, for projectLine. */
+export function overviewCamera(view: ReturnType<typeof overview>, width: number, height: number): CameraInfo {
+    const forward = unit(sub(view.look_at, view.position));
+    const x = unit(cross(forward, view.up));
+    const y = cross(x, forward);
+    return {
+        projection: 'orthographic', position: view.position, place: null, has_frame: false,
+        view: {right: scaled(x, view.width), up: scaled(y, (view.width * height) / width), forward},
+    };
+}

@@ -1,0 +1,129 @@
+// The scene's text. It stands in a shadow root, where CodeMirror's styles need no <style> element: the page's
+// Content-Security-Policy permits none.
+import {defaultKeymap, history, historyKeymap, invertedEffects, redo, redoDepth, undo, undoDepth} from '@codemirror/commands';
+import {bracketMatching, indentUnit} from '@codemirror/language';
+import {type Diagnostic as Mark, lintGutter, setDiagnostics} from '@codemirror/lint';
+import {Compartment, EditorState, StateEffect, Transaction} from '@codemirror/state';
+import {EditorView, drawSelection, highlightActiveLine, highlightActiveLineGutter, keymap, lineNumbers} from '@codemirror/view';
+
+import type {Edit} from '../text/edit';
+import {languageOf} from './language';
+
+/** What belongs to a scene beside its text, and is undone with it. */
+export interface Beside {
+    name: string;
+    scene: string | undefined;
+    overrides: Record<string, string>;
+}
+const besideChanged = StateEffect.define<Beside>();
+
+export interface EditorEvents {
+    /** `beside`: it changes as well. */
+    changed(text: string, beside: Beside | null, canUndo: boolean, canRedo: boolean): void;
+    /** What is beside the text now. */
+    beside(): Beside;
+}
+
+const theme = EditorView.theme({
+    '&': {height: '100%', color: 'var(--text)', backgroundColor: 'var(--field)', fontSize: '13px'},
+    '.cm-scroller': {fontFamily: 'var(--mono)', lineHeight: '1.55'},
+    '.cm-content': {caretColor: 'var(--text)', padding: '8px 0'},
+    '.cm-cursor': {borderLeftColor: 'var(--text)', borderLeftWidth: '2px'},
+    '.cm-gutters': {backgroundColor: 'var(--field)', color: 'var(--faint)', border: 'none'},
+    '.cm-activeLine, .cm-activeLineGutter': {backgroundColor: 'var(--line-now)'},
+    '&.cm-focused': {outline: 'none'},
+    '&.cm-focused .cm-selectionBackground, .cm-selectionBackground': {background: 'var(--selection) !important'},
+    '.cm-matchingBracket': {backgroundColor: 'var(--selection) !important', outline: 'none'},
+    '.cm-tooltip': {backgroundColor: 'var(--panel)', color: 'var(--text)', border: '1px solid var(--rule)', borderRadius: '6px'},
+    '.cm-diagnostic': {fontFamily: 'var(--sans)', fontSize: '13px', padding: '6px 10px'},
+    '.tok-comment': {color: 'var(--faint)', fontStyle: 'italic'},
+    '.tok-string': {color: 'var(--string)'},
+    '.tok-number': {color: 'var(--number)'},
+    '.tok-keyword': {color: 'var(--keyword)', fontWeight: '600'},
+    '.tok-key': {color: 'var(--key)'},
+});
+
+export class Editor {
+    readonly #view: EditorView;
+    readonly #language = new Compartment();
+
+    constructor(host: HTMLElement, private readonly events: EditorEvents) {
+        const root = host.shadowRoot ?? host.attachShadow({mode: 'open'});
+        const parent = document.createElement('div');
+        parent.style.height = '100%';
+        root.append(parent);
+        this.#view = new EditorView({parent, root, state: this.#state('', '')});
+    }
+
+    #state(text: string, name: string) {
+        return EditorState.create({
+            doc: text,
+            extensions: [
+                lineNumbers(), history(), drawSelection(), bracketMatching(), highlightActiveLine(), highlightActiveLineGutter(),
+                lintGutter(), indentUnit.of('    '), keymap.of([...defaultKeymap, ...historyKeymap]), theme,
+                this.#language.of(languageOf(name)),
+                EditorView.contentAttributes.of({'aria-label': 'Scene text', spellcheck: 'false', autocapitalize: 'off'}),
+                invertedEffects.of((transaction) =>
+                    transaction.effects.some((one) => one.is(besideChanged)) ? [besideChanged.of(this.events.beside())] : []),
+                EditorView.updateListener.of((update) => {
+                    const beside = update.transactions.flatMap((one) => one.effects).findLast((one) => one.is(besideChanged))?.value;
+                    if (update.docChanged || beside) this.#tell(beside ?? null);
+                }),
+            ],
+        });
+    }
+
+    #tell(beside: Beside | null) {
+        const {state} = this.#view;
+        this.events.changed(state.doc.toString(), beside, undoDepth(state) > 0, redoDepth(state) > 0);
+    }
+
+    get text() {
+        return this.#view.state.doc.toString();
+    }
+
+    /** Another scene: its history begins anew. */
+    open(text: string, name: string) {
+        this.#view.setState(this.#state(text, name));
+        this.#tell(null);
+    }
+
+    /** Edits of a control. Those that follow each other quickly are undone together. */
+    apply(edits: Edit[]) {
+        this.#view.dispatch({changes: edits, annotations: Transaction.userEvent.of('input.control')});
+    }
+
+    /** Changes what is beside the text, and all of the text if it is given. `again`: undone together with the last change. */
+    setBeside(beside: Beside, text?: string, again = false) {
+        const all = {from: 0, to: this.#view.state.doc.length};
+        this.#view.dispatch({
+            ...(text === undefined ? {} : {changes: {...all, insert: text}}),
+            effects: besideChanged.of(beside),
+            annotations: Transaction.addToHistory.of(!again),
+        });
+    }
+
+    /** Chooses the colours. */
+    setName(name: string) {
+        this.#view.dispatch({effects: this.#language.reconfigure(languageOf(name))});
+    }
+
+    undo() {
+        undo(this.#view);
+    }
+    redo() {
+        redo(this.#view);
+    }
+
+    mark(marks: Mark[]) {
+        this.#view.dispatch(setDiagnostics(this.#view.state, marks));
+    }
+
+    /** Selects a place and shows it. */
+    reveal(from: number, to: number) {
+        const most = this.#view.state.doc.length;
+        const anchor = Math.min(from, most), head = Math.min(to, most);
+        this.#view.dispatch({selection: {anchor, head}, effects: EditorView.scrollIntoView(anchor, {y: 'center'})});
+        this.#view.focus();
+    }
+}

@@ -1,0 +1,68 @@
+// Colours for the scene formats: comments, strings, numbers, the words of blocks and keys. One reader for all of them.
+import {type StreamParser, HighlightStyle, StreamLanguage, syntaxHighlighting} from '@codemirror/language';
+import {tags} from '@lezer/highlight';
+
+interface Marks {
+    /** Begins a comment that goes to the end of the line. */
+    comment: RegExp;
+    /** Between /* and its end. */
+    long: boolean;
+}
+
+const marksOf: Record<string, Marks> = {
+    glint: {comment: /^(#|\/\/)/, long: false},
+    cgfs: {comment: /^(#|\/\/)/, long: false},
+    nff: {comment: /^#/, long: false},
+    json: {comment: /^\/\//, long: true},
+    js: {comment: /^\/\//, long: true},
+    pov: {comment: /^\/\//, long: true},
+};
+
+function parser(marks: Marks): StreamParser<{inComment: boolean}> {
+    return {
+        startState: () => ({inComment: false}),
+        token(stream, state) {
+            if (state.inComment) {
+                state.inComment = !stream.match(/^[^]*?\*\//);
+                if (state.inComment) stream.skipToEnd();
+                return 'comment';
+            }
+            if (stream.eatSpace()) return null;
+            if (marks.long && stream.match('/*')) {
+                state.inComment = true;
+                return 'comment';
+            }
+            if (stream.match(marks.comment)) {
+                stream.skipToEnd();
+                return 'comment';
+            }
+            // A key before a colon, then any other string.
+            if (stream.match(/^("(\\.|[^"\\])*"|'(\\.|[^'\\])*')(?=\s*:)/)) return 'propertyName';
+            if (stream.match(/^("(\\.|[^"\\])*"?|'(\\.|[^'\\])*'?)/)) return 'string';
+            if (stream.match(/^[-+]?(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?/)) return 'number';
+            if (stream.match(/^(true|false|null|none)\b/)) return 'bool';
+            if (stream.match(/^[\w-]+(?=\s*[=:])/)) return 'propertyName';
+            if (stream.match(/^[A-Za-z_][\w-]*(?=\s*("[^"]*"\s*)?(\w+\s*)?[{<])/)) return 'keyword';
+            if (stream.match(/^(include|export|const|let|var|default|b|v|l|f|s|p|pp|c|from|at|up|angle|hither|resolution|rgb|rgbf)\b/))
+                return 'keyword';
+            if (stream.match(/^[A-Za-z_][\w-]*/)) return 'variableName';
+            stream.next();
+            return null;
+        },
+    };
+}
+
+const style = HighlightStyle.define([
+    {tag: tags.comment, class: 'tok-comment'},
+    {tag: tags.string, class: 'tok-string'},
+    {tag: tags.number, class: 'tok-number'},
+    {tag: tags.bool, class: 'tok-number'},
+    {tag: tags.keyword, class: 'tok-keyword'},
+    {tag: tags.propertyName, class: 'tok-key'},
+]);
+
+/** The highlighting for a file's name. */
+export function languageOf(name: string) {
+    const marks = marksOf[name.split('.').at(-1)!.toLowerCase()] ?? marksOf['glint']!;
+    return [StreamLanguage.define(parser(marks)), syntaxHighlighting(style)];
+}

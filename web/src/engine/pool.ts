@@ -1,0 +1,113 @@
+// A worker for each core, and a queue of what they are to do.
+import type {Answers, FromWorker, Job, Task, ToWorker} from './protocol';
+
+/** A job that was withdrawn, or whose worker had to be ended. */
+export class Stopped extends Error {}
+
+interface Waiting {
+    job: Job;
+    done: (answer: Answers[keyof Answers]) => void;
+    failed: (why: Error) => void;
+}
+
+interface Member {
+    worker: Worker;
+    running: Waiting | null;
+    timer: number;
+    /** Which key of each view is open in it. */
+    open: Map<string, number>;
+}
+
+/** A text that is not read, or a pixel not explained, in this time is given up, in milliseconds. */
+const patience: Record<Task['what'], number> = {open: 10_000, explain: 10_000, convert: 10_000, tile: Infinity};
+/** A tile that nobody waits for any more may end in this time, before its worker is ended. */
+const grace = 250;
+
+export class Pool {
+    readonly size: number;
+    #members: Member[];
+    #urgent: Waiting[] = [];
+    #queue: Waiting[] = [];
+    #nextId = 0;
+
+    constructor(private readonly module: WebAssembly.Module, size: number) {
+        this.size = size;
+        this.#members = Array.from({length: size}, () => this.#start());
+    }
+
+    #start(): Member {
+        const worker = new Worker(new URL('./worker.ts', import.meta.url), {type: 'module'});
+        const member: Member = {worker, running: null, timer: 0, open: new Map()};
+        worker.addEventListener('message', ({data}: MessageEvent<FromWorker>) => this.#finish(member, data));
+        worker.addEventListener('error', () => this.#replace(member, 'the worker stopped'));
+        worker.postMessage({kind: 'start', module: this.module} satisfies ToWorker);
+        return member;
+    }
+
+    /** Has a job done. Urgent jobs come before the others. */
+    run<T extends Task>(job: Job & {task: T}, urgent = false): Promise<Answers[T['what']]> {
+        return new Promise((done, failed) => {
+            (urgent ? this.#urgent : this.#queue).push({job, done: done as Waiting['done'], failed});
+            this.#next();
+        });
+    }
+
+    /** Withdraws a view's jobs up to `key`. Those that run have a moment to end. */
+    cancel(view: string, key: number) {
+        const concerned = (waiting: Waiting) => waiting.job.view === view && waiting.job.key <= key;
+        const withdrawn = [...this.#urgent, ...this.#queue].filter(concerned);
+        this.#urgent = this.#urgent.filter((waiting) => !concerned(waiting));
+        this.#queue = this.#queue.filter((waiting) => !concerned(waiting));
+        for (const waiting of withdrawn) waiting.failed(new Stopped());
+        for (const member of this.#members) {
+            if (member.running && concerned(member.running)) this.#limit(member, grace);
+        }
+    }
+
+    #limit(member: Member, milliseconds: number) {
+        clearTimeout(member.timer);
+        if (milliseconds === Infinity) return;
+        member.timer = window.setTimeout(() => this.#replace(member, 'it took too long'), milliseconds);
+    }
+
+    #replace(member: Member, why: string) {
+        member.worker.terminate();
+        clearTimeout(member.timer);
+        member.running?.failed(new Stopped(why));
+        this.#members[this.#members.indexOf(member)] = this.#start();
+        this.#next();
+    }
+
+    #finish(member: Member, message: FromWorker) {
+        const {running} = member;
+        member.running = null;
+        clearTimeout(member.timer);
+        if (running && 'answer' in message) {
+            running.done(message.answer);
+        } else if (running && 'error' in message) {
+            if (message.broken) member.open.clear();
+            running.failed(new Error(message.broken ? 'the scene needs more memory than there is' : message.error));
+        }
+        this.#next();
+    }
+
+    #next() {
+        for (const member of this.#members) {
+            const queue = this.#urgent.length > 0 ? this.#urgent : this.#queue;
+            if (member.running || queue.length === 0) continue;
+            // Rather what belongs to a scene that is open here already.
+            const has = ({job}: Waiting) => member.open.get(job.view) === job.key;
+            const waiting = has(queue[0]!) ? queue[0]! : (queue.find(has) ?? queue[0]!);
+            queue.splice(queue.indexOf(waiting), 1);
+            const {view, key, request, prepare, task} = waiting.job;
+            const message: ToWorker = {
+                kind: 'job', id: ++this.#nextId, view, key, prepare, task,
+                request: has(waiting) ? null : request,
+            };
+            member.running = waiting;
+            member.open.set(view, key);
+            this.#limit(member, patience[task.what]);
+            member.worker.postMessage(message);
+        }
+    }
+}

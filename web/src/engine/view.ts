@@ -1,0 +1,191 @@
+// A picture that is drawn coarse to fine, and begun anew whenever it is to show something else.
+import type {OpenRequest, PrepareRequest, SceneInfo} from 'glint-wasm';
+
+import {type Pool, Stopped} from './pool';
+import type {Opened, Rect, Tile} from './protocol';
+
+/** What a view is to show. */
+export interface Subject {
+    request: OpenRequest;
+    /** Changes to what the scene says, e.g. another camera. */
+    prepare: PrepareRequest;
+}
+
+export interface Progress {
+    /** 0 to 1. */
+    fraction: number;
+    rays: number;
+    milliseconds: number;
+}
+
+export interface ViewEvents {
+    /** A subject was read; its scene may have errors. */
+    opened(opened: Opened, key: number): void;
+    /** A picture of this size begins. */
+    sized(width: number, height: number): void;
+    /** Pixels for a rectangle of the picture, which may have to be stretched to it. */
+    painted(tile: ImageData, to: Rect, stretched: boolean): void;
+    progress(progress: Progress): void;
+    /** The picture is complete. */
+    done(progress: Progress, key: number): void;
+    failed(why: string, key: number): void;
+}
+
+/** A first, coarse picture may take this long, in milliseconds, so that dragging something stays smooth. */
+const frameTime = 35;
+const tileTime = 12;
+/** Pixels of the largest picture that the page draws; larger ones are drawn smaller. */
+const mostPixels = 4096 * 4096;
+
+interface Level {
+    width: number;
+    height: number;
+    prepare: PrepareRequest;
+    /** Samples of a pixel. */
+    samples: number;
+    final: boolean;
+}
+
+function setting(info: SceneInfo, name: string): string {
+    return info.settings.find((one) => one.name === name)?.value ?? '';
+}
+
+export class View {
+    /** What is shown, for questions about it; set once it is open. */
+    current: {subject: Subject; key: number; info: SceneInfo; prepare: PrepareRequest} | null = null;
+    #pending: Subject | null = null;
+    #key = 0;
+    #busy = false;
+    #since = 0;
+    #coarseShown = false;
+    #sampleTime = 0.001;
+
+    constructor(private readonly pool: Pool, readonly name: string, private readonly events: ViewEvents) {}
+
+    /** True if there is something still to be drawn. */
+    get busy() {
+        return this.#busy || this.#pending !== null;
+    }
+
+    show(subject: Subject) {
+        this.#pending = subject;
+        if (!this.#busy) {
+            void this.#work();
+        } else if (this.#coarseShown || performance.now() - this.#since > 300) {
+            // Without this rule, a picture that changes all the time would never be seen.
+            this.pool.cancel(this.name, this.#key);
+        }
+    }
+
+    /** Draws no more. */
+    stop() {
+        this.#pending = null;
+        this.pool.cancel(this.name, this.#key);
+    }
+
+    async #work() {
+        this.#busy = true;
+        while (this.#pending) {
+            const subject = this.#pending;
+            this.#pending = null;
+            const key = ++this.#key;
+            this.#since = performance.now();
+            this.#coarseShown = false;
+            try {
+                await this.#draw(subject, key);
+            } catch (error) {
+                const stopped = error instanceof Stopped && error.message === '';
+                this.pool.cancel(this.name, key);
+                if (!stopped && !this.#pending) this.events.failed(error instanceof Error ? error.message : String(error), key);
+            }
+        }
+        this.#busy = false;
+    }
+
+    async #draw(subject: Subject, key: number) {
+        const opened = await this.pool.run(
+            {view: this.name, key, request: subject.request, prepare: {}, task: {what: 'open'}}, true);
+        this.events.opened(opened, key);
+        const {info} = opened;
+        if (!info) return;
+        const levels = this.#levels(subject, info);
+        const last = levels.at(-1)!;
+        this.current = {subject, key, info, prepare: last.prepare};
+        this.events.sized(last.width, last.height);
+        for (const level of levels) {
+            if (this.#pending && this.#coarseShown) return;
+            await this.#drawLevel(subject, key, level, last);
+            this.#coarseShown = true;
+        }
+    }
+
+    #levels(subject: Subject, info: SceneInfo): Level[] {
+        const asked = subject.prepare.settings?.['size']?.split('x').map(Number) ?? [info.width, info.height];
+        const [wholeWidth, wholeHeight] = asked as [number, number];
+        const shrink = Math.min(1, Math.sqrt(mostPixels / (wholeWidth * wholeHeight)));
+        const n = Number(subject.prepare.settings?.['aa'] ?? setting(info, 'aa'));
+        const level = (scale: number, aa: number): Level => {
+            const width = Math.max(1, Math.round(wholeWidth * scale)), height = Math.max(1, Math.round(wholeHeight * scale));
+            const settings: Record<string, string> = {...subject.prepare.settings};
+            if (scale !== 1) settings['size'] = `${width}x${height}`;
+            if (aa !== n) settings['aa'] = String(aa);
+            return {width, height, samples: aa * aa, prepare: {...subject.prepare, settings}, final: false};
+        };
+        const full = {...level(shrink, n), final: true};
+        // At one world unit a pixel, fewer pixels would show less of the scene.
+        if (setting(info, 'pixel_sample') === 'whole') return [full];
+        const affordable = (frameTime * this.pool.size) / this.#sampleTime;
+        const pixels = full.width * full.height;
+        if (pixels * full.samples <= affordable) return [full];
+        const coarse = Math.max(1 / 16, Math.min(1, Math.sqrt(affordable / pixels)));
+        const levels = coarse > 0.9 ? [] : [level(coarse * shrink, 1)];
+        if (coarse < 0.3) levels.push(level(0.5 * shrink, 1));
+        if (full.samples > 1) levels.push(level(shrink, 1));
+        return [...levels, full];
+    }
+
+    async #drawLevel(subject: Subject, key: number, level: Level, last: Level) {
+        const start = performance.now();
+        const pixels = Math.max(64, tileTime / (this.#sampleTime * level.samples));
+        const perWorker = (level.width * level.height) / (2 * this.pool.size);
+        const side = Math.sqrt(Math.min(pixels, Math.max(perWorker, 1024)));
+        const step = side >= 32 ? Math.min(256, 32 * Math.floor(side / 32)) : Math.max(4, Math.floor(side / 4) * 4);
+        // A coarse picture is shown at once; the tiles of the last appear as they are ready.
+        const whole = level.final ? null : new ImageData(level.width, level.height);
+        let done = 0, rays = 0;
+        const progress = () => ({fraction: done / (level.width * level.height), rays, milliseconds: performance.now() - start});
+        const take = (rect: Rect, tile: Tile) => {
+            const area = rect.width * rect.height;
+            done += area;
+            rays += tile.rays;
+            const measured = tile.milliseconds / (area * level.samples);
+            if (area >= 256) this.#sampleTime += 0.15 * (Math.max(measured, 1e-6) - this.#sampleTime);
+            if (whole) {
+                for (let row = 0; row < rect.height; ++row) {
+                    whole.data.set(tile.pixels.subarray(4 * row * rect.width, 4 * (row + 1) * rect.width),
+                                   4 * ((rect.y + row) * level.width + rect.x));
+                }
+            } else {
+                this.events.painted(new ImageData(tile.pixels, rect.width, rect.height), rect, false);
+                this.events.progress(progress());
+            }
+        };
+        await Promise.all(tiles(level.width, level.height, step).map(async (rect) => {
+            const job = {view: this.name, key, request: subject.request, prepare: level.prepare};
+            take(rect, await this.pool.run({...job, task: {what: 'tile', rect}}));
+        }));
+        if (whole) this.events.painted(whole, {x: 0, y: 0, width: last.width, height: last.height}, true);
+        if (level.final) this.events.done(progress(), key);
+    }
+}
+
+/** The rectangles of a picture, from the middle outwards: what one looks at comes first. */
+function tiles(width: number, height: number, step: number): Rect[] {
+    const list: Rect[] = [];
+    for (let y = 0; y < height; y += step) {
+        for (let x = 0; x < width; x += step)
+            list.push({x, y, width: Math.min(step, width - x), height: Math.min(step, height - y)});
+    }
+    const distance = (rect: Rect) => Math.hypot(rect.x + rect.width / 2 - width / 2, rect.y + rect.height / 2 - height / 2);
+    return list.sort((a, b) => distance(a) - distance(b));
+}

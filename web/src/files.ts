@@ -1,0 +1,31 @@
+// Saving what the page has made.
+import {comparison, fileName, settingOf} from './store';
+
+function save(blob: Blob, name: string) {
+    const anchor = document.createElement('a');
+    anchor.href = URL.createObjectURL(blob);
+    anchor.download = name;
+    anchor.click();
+    setTimeout(() => URL.revokeObjectURL(anchor.href), 10_000);
+}
+
+/** "castle" of "epfl/castle.json". */
+export const baseName = () => fileName.value.split('/').at(-1)!.replace(/\.\w+$/, '') || 'picture';
+
+/** castle_BlinnPhong.png, as the course's page names it. */
+export function pictureName(): string {
+    const shading = comparison.value?.key === 'shading' ? comparison.value.a : (settingOf('shading')?.value ?? '');
+    const words = shading.split('-').map((word) => word.charAt(0).toUpperCase() + word.slice(1));
+    return `${baseName()}_${words.join('')}.png`;
+}
+
+export function savePicture(canvas: HTMLCanvasElement) {
+    const name = pictureName();
+    canvas.toBlob((blob) => {
+        if (blob) save(blob, name);
+    }, 'image/png');
+}
+
+export function saveScene(text: string) {
+    save(new Blob([text], {type: 'text/plain'}), fileName.value.split('/').at(-1)!);
+}

@@ -1,0 +1,22 @@
+import {render} from 'preact';
+
+import {startPool} from './engine/start';
+import {failure, machinery, openFirst, state} from './store';
+import {App} from './ui/App';
+import {connectViews} from './ui/pictures';
+
+render(<App />, document.getElementById('app')!);
+try {
+    machinery.pool = await startPool();
+    connectViews(machinery.pool);
+    await openFirst();
+} catch (error) {
+    failure.value = `The engine could not be started: ${error instanceof Error ? error.message : String(error)}`;
+    state.value = 'error';
+}
+addEventListener('hashchange', () => void openFirst());
+if (import.meta.env.PROD && 'serviceWorker' in navigator) {
+    navigator.serviceWorker.register('./sw.js').catch(() => {
+        // Without it the page needs its server again when it is opened next.
+    });
+}

@@ -1,0 +1,67 @@
+// A scene and its settings as a link: all of it is in the fragment, which browsers send nowhere.
+import type {SceneText} from 'glint-wasm';
+
+export interface Shared {
+    name: string;
+    text: string;
+    scene?: string | undefined;
+    includes?: SceneText[] | undefined;
+    overrides?: Record<string, string> | undefined;
+    compare?: {key: string; a: string; b: string} | undefined;
+}
+
+async function through(bytes: Uint8Array<ArrayBuffer>, stream: CompressionStream | DecompressionStream, most = Infinity) {
+    const reader = new Blob([bytes]).stream().pipeThrough(stream).getReader();
+    const parts: BlobPart[] = [];
+    let total = 0;
+    for (;;) {
+        const {done, value} = await reader.read();
+        if (done) break;
+        total += value.length;
+        if (total > most) throw new Error('the link holds more than a scene');
+        parts.push(value as Uint8Array<ArrayBuffer>);
+    }
+    return new Uint8Array(await new Blob(parts).arrayBuffer());
+}
+
+/** The fragment of a link, without its #. */
+export async function toFragment(shared: Shared): Promise<string> {
+    const bytes = await through(new TextEncoder().encode(JSON.stringify(shared)), new CompressionStream('deflate-raw'));
+    let binary = '';
+    for (const byte of bytes) binary += String.fromCharCode(byte);
+    return `1=${btoa(binary).replaceAll('+', '-').replaceAll('/', '_').replace(/=+$/, '')}`;
+}
+
+/** What a fragment holds; null if it is none of ours. */
+export async function fromFragment(fragment: string): Promise<Shared | null> {
+    const match = /^#?1=([\w-]+)$/.exec(fragment);
+    if (!match) return null;
+    try {
+        const binary = atob(match[1]!.replaceAll('-', '+').replaceAll('_', '/'));
+        const bytes = Uint8Array.from(binary, (c) => c.charCodeAt(0));
+        const value: unknown = JSON.parse(new TextDecoder().decode(await through(bytes, new DecompressionStream('deflate-raw'), 64e6)));
+        return checked(value);
+    } catch {
+        return null;
+    }
+}
+
+/** A link may come from anyone: only what has the right types is taken. */
+function checked(value: unknown): Shared | null {
+    if (typeof value !== 'object' || value === null) return null;
+    const {name, text, scene, includes, overrides, compare} = value as Record<string, unknown>;
+    if (typeof name !== 'string' || typeof text !== 'string') return null;
+    const strings = (o: unknown): o is Record<string, string> =>
+        typeof o === 'object' && o !== null && Object.values(o).every((v) => typeof v === 'string');
+    const isText = (o: unknown): o is SceneText => strings(o) && 'name' in o && 'text' in o;
+    return {
+        name,
+        text,
+        scene: typeof scene === 'string' ? scene : undefined,
+        includes: Array.isArray(includes) && includes.every(isText) ? includes : undefined,
+        overrides: strings(overrides) ? overrides : undefined,
+        compare: strings(compare) && 'key' in compare && 'a' in compare && 'b' in compare
+            ? (compare as {key: string; a: string; b: string})
+            : undefined,
+    };
+}

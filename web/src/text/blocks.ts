@@ -1,0 +1,197 @@
+// .glint and .cgfs: blocks of `key = value`.
+import type {Vec3} from 'glint-wasm';
+
+import {type Edit, type LightText, type SceneFormat, length, number} from './edit';
+
+interface Entry {
+    key: string;
+    /** The value's text. */
+    from: number;
+    to: number;
+}
+interface Block {
+    word: string;
+    from: number;
+    /** After the opening brace, and before the closing one. */
+    open: number;
+    close: number;
+    entries: Entry[];
+    blocks: Block[];
+}
+
+interface Token {
+    kind: 'word' | 'string' | '{' | '}' | '(' | ')' | '=';
+    from: number;
+    to: number;
+}
+
+function tokenize(text: string): Token[] {
+    const tokens: Token[] = [];
+    const pattern = /#.*|\/\/.*|"(?:\\.|[^"\\\n])*"?|[{}()=]|[^\s,;{}()="#]+/g;
+    for (const match of text.matchAll(pattern)) {
+        const [found] = match;
+        if (found.startsWith('#') || found.startsWith('//')) continue;
+        const comment = found.indexOf('//');  // within what looks like a word
+        if (comment > 0) continue;
+        const first = found[0]!;
+        const kind = first === '"' ? 'string' : '{}()='.includes(first) ? (first as Token['kind']) : 'word';
+        tokens.push({kind, from: match.index, to: match.index + found.length});
+    }
+    return tokens;
+}
+
+/** Reads what is well-formed; what is not is skipped, as the engine says what is wrong with it. */
+function parse(text: string): Block {
+    const tokens = tokenize(text);
+    let i = 0;
+    const value = (): [number, number] | null => {
+        const first = tokens[i];
+        if (!first || first.kind === '{' || first.kind === '}' || first.kind === '=' || first.kind === ')') return null;
+        let to = first.to;
+        if (first.kind !== '(') ++i;
+        if (tokens[i]?.kind === '(' && (first.kind === '(' || tokens[i]!.from === first.to)) {
+            let depth = 0;
+            do {
+                const token = tokens[i]!;
+                depth += token.kind === '(' ? 1 : token.kind === ')' ? -1 : 0;
+                to = token.to;
+                ++i;
+            } while (depth > 0 && i < tokens.length);
+        } else if (first.kind === 'word' && tokens[i]?.kind === 'word' && text.slice(tokens[i]!.from, tokens[i]!.to) === 'x') {
+            to = tokens[i + 1]?.to ?? to;  // 640 x 480
+            i += 2;
+        }
+        return [first.from, to];
+    };
+    const content = (block: Block, depth: number) => {
+        while (i < tokens.length) {
+            const token = tokens[i]!;
+            if (token.kind === '}') {
+                if (depth > 0) return;
+                ++i;
+                continue;
+            }
+            const next = tokens[i + 1], after = tokens[i + 2];
+            if (token.kind === 'word' && next?.kind === '=') {
+                i += 2;
+                const span = value();
+                if (span) block.entries.push({key: text.slice(token.from, token.to), from: span[0], to: span[1]});
+            } else if (token.kind === 'word' && (next?.kind === '{' || (next && after?.kind === '{')) && depth < 300) {
+                const brace = next.kind === '{' ? next : after!;
+                i += next.kind === '{' ? 2 : 3;
+                const inner: Block = {
+                    word: text.slice(token.from, token.to), from: token.from, open: brace.to, close: text.length, entries: [],
+                    blocks: [],
+                };
+                content(inner, depth + 1);
+                inner.close = tokens[i]?.from ?? text.length;
+                ++i;
+                block.blocks.push(inner);
+            } else {
+                ++i;
+            }
+        }
+    };
+    const root: Block = {word: '', from: 0, open: 0, close: text.length, entries: [], blocks: []};
+    content(root, 0);
+    return root;
+}
+
+/** Sets a key of a block: in its value's place, or as a new last entry written as the others are. */
+function set(text: string, block: Block, key: string, value: string): Edit[] {
+    const said = block.entries.findLast((entry) => entry.key === key);
+    if (said) return [{from: said.from, to: said.to, insert: value}];
+    const last = block.entries.at(-1);
+    if (!last) return [{from: block.open, to: block.open, insert: ` ${key} = ${value} `}];
+    const line = text.slice(text.lastIndexOf('\n', last.from) + 1, last.from);
+    const indent = /^[ \t]*/.exec(line)![0];
+    const isLong = text.slice(block.open, last.from).includes('\n');
+    return [{from: last.to, to: last.to, insert: isLong ? `\n${indent}${key} = ${value}` : `  ${key} = ${value}`}];
+}
+
+const vector = (v: Vec3) => `(${v.map(number).join(', ')})`;
+
+function blockAt(text: string, offset: number, word: string): Block | null {
+    return parse(text).blocks.find((block) => block.word === word && block.from === offset) ?? null;
+}
+
+function light(text: string, offset: number): LightText | null {
+    const block = blockAt(text, offset, 'light');
+    if (!block) return null;
+    const said = (key: string) => block.entries.findLast((entry) => entry.key === key);
+    const intensity = said('intensity');
+    const place = said('position') ?? said('to_light') ?? said('direction');
+    return {
+        intensity: intensity ? Number(text.slice(intensity.from, intensity.to)) : 1,
+        setIntensity: (value) => set(text, block, 'intensity', number(value)),
+        setPlace: (value) => (place ? [{from: place.from, to: place.to, insert: vector(value)}] : null),
+    };
+}
+
+/** Where new lines at the top of a text go: after the comments and settings it begins with. */
+function top(text: string, settings: string[]): number {
+    const root = parse(text);
+    const last = root.entries.findLast((entry) => settings.includes(entry.key));
+    if (last) {
+        const end = text.indexOf('\n', last.to);
+        return end < 0 ? text.length : end + 1;
+    }
+    const comments = /^(?:[ \t]*(?:#|\/\/).*\n)*/.exec(text.replace(/^\uFEFF/, ' '))![0];
+    return comments.length;
+}
+
+export const glint: SceneFormat = {
+    name: '.glint',
+    setting(text, key, value, isConvention) {
+        const word = isConvention ? 'conventions' : 'render';
+        const shown = value.replace(/^(\d+)x(\d+)$/, '$1 x $2');
+        const blocks = parse(text).blocks.filter((block) => block.word === word);
+        const said = blocks.findLast((block) => block.entries.some((entry) => entry.key === key)) ?? blocks.at(-1);
+        if (said) return set(text, said, key, shown);
+        const at = top(text, ['glint', 'profile']);
+        return [{from: at, to: at, insert: `${at > 0 && text[at - 1] !== '\n' ? '\n' : ''}${word} { ${key} = ${shown} }\n`}];
+    },
+    light,
+    camera(text, offset, camera) {
+        const block = offset === null ? null : blockAt(text, offset, 'camera');
+        if (!block) return null;
+        const edits = set(text, block, 'position', vector(camera.position));
+        if (camera.has_frame) {
+            for (const key of ['right', 'up', 'forward'] as const) edits.push(...set(text, block, key, vector(camera.view[key])));
+        } else {
+            edits.push(...set(text, block, 'look_at', vector(camera.look_at!)));
+            if (camera.projection === 'orthographic') edits.push(...set(text, block, 'width', number(camera.width!)));
+        }
+        return merged(edits);
+    },
+};
+
+/** Edits at one and the same place become one: an editor takes them in any order. */
+function merged(edits: Edit[]): Edit[] {
+    const result: Edit[] = [];
+    for (const edit of edits) {
+        const same = result.find((other) => other.from === edit.from && other.to === edit.to && other.from === other.to);
+        if (same) {
+            same.insert += edit.insert;
+        } else {
+            result.push({...edit});
+        }
+    }
+    return result.sort((a, b) => a.from - b.from);
+}
+
+export const cgfs: SceneFormat = {
+    name: '.cgfs',
+    setting: () => null,
+    light,
+    camera(text, offset, camera) {
+        const {right, up, forward} = camera.view;
+        const axes = [right, up, forward].map((axis) => axis.map((c) => c / length(axis)));
+        const rows = [0, 1, 2].map((row) => vector(axes.map((axis) => axis[row]!) as Vec3));
+        const position = vector(camera.position), rotation = `(${rows.join(', ')})`;
+        const block = offset === null ? parse(text).blocks.findLast((one) => one.word === 'camera') : blockAt(text, offset, 'camera');
+        if (block) return merged([...set(text, block, 'position', position), ...set(text, block, 'rotation', rotation)]);
+        const at = top(text, []);
+        return [{from: at, to: at, insert: `camera {\n    position = ${position}\n    rotation = ${rotation}\n}\n`}];
+    },
+};

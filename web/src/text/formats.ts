@@ -1,0 +1,13 @@
+import {cgfs, glint} from './blocks';
+import type {SceneFormat} from './edit';
+import {json} from './json';
+import {nff, pov} from './lines';
+
+const byExtension: Record<string, SceneFormat> = {glint, cgfs, json, js: {...json, name: '.js'}, nff, pov};
+
+export const extensions = Object.keys(byExtension);
+
+/** The format that a name's extension stands for, if any. */
+export function formatOf(name: string): SceneFormat | null {
+    return byExtension[name.split('.').at(-1)!.toLowerCase()] ?? null;
+}

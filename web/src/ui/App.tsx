@@ -1,0 +1,127 @@
+import {useEffect} from 'preact/hooks';
+
+import {machinery, notice, openFiles, pinned, tab} from '../store';
+import {savePicture} from '../files';
+import {canvases} from './pictures';
+import {Compare} from './Compare';
+import {Controls} from './Controls';
+import {Header} from './Header';
+import {Inspector} from './Inspector';
+import {Stage} from './Stage';
+import {TextPane} from './TextPane';
+
+const tabs = [
+    ['text', 'Text'],
+    ['controls', 'Controls'],
+    ['inspect', 'Inspect'],
+    ['compare', 'Compare'],
+] as const;
+
+/** True where keys are for typing. */
+function isTyping(event: KeyboardEvent): boolean {
+    const target = event.composedPath()[0];
+    return target instanceof HTMLElement &&
+        (target.isContentEditable || ['INPUT', 'SELECT', 'TEXTAREA'].includes(target.tagName) && (target as HTMLInputElement).type !== 'range'
+            && (target as HTMLInputElement).type !== 'checkbox');
+}
+
+function useKeys() {
+    useEffect(() => {
+        const pressed = (event: KeyboardEvent) => {
+            if (isTyping(event) || event.defaultPrevented) return;
+            const command = event.ctrlKey || event.metaKey;
+            if (command && event.key.toLowerCase() === 'z') {
+                event.preventDefault();
+                if (event.shiftKey) {
+                    machinery.editor?.redo();
+                } else {
+                    machinery.editor?.undo();
+                }
+            } else if (event.key === 's' && !command && !event.altKey) {
+                savePicture(canvases.first);
+            } else if (event.key === 'Escape' && !document.querySelector('dialog[open]')) {
+                pinned.value = null;
+            }
+        };
+        addEventListener('keydown', pressed);
+        return () => removeEventListener('keydown', pressed);
+    }, []);
+}
+
+function useDrop() {
+    useEffect(() => {
+        const over = (event: DragEvent) => event.preventDefault();
+        const drop = (event: DragEvent) => {
+            event.preventDefault();
+            const files = [...(event.dataTransfer?.files ?? [])];
+            if (files.length > 0) void openFiles(files);
+        };
+        addEventListener('dragover', over);
+        addEventListener('drop', drop);
+        return () => {
+            removeEventListener('dragover', over);
+            removeEventListener('drop', drop);
+        };
+    }, []);
+}
+
+function Tabs() {
+    const move = (event: KeyboardEvent) => {
+        const step = event.key === 'ArrowRight' ? 1 : event.key === 'ArrowLeft' ? -1 : 0;
+        if (step === 0) return;
+        event.preventDefault();
+        const buttons = [...(event.currentTarget as HTMLElement).querySelectorAll<HTMLElement>('[role=tab]')]
+            .filter((button) => button.offsetParent !== null);
+        const at = buttons.indexOf(event.target as HTMLElement);
+        const next = buttons[(at + step + buttons.length) % buttons.length];
+        next?.focus();
+        next?.click();
+    };
+    return (
+        <div class="tabs" role="tablist" aria-label="Panels" onKeyDown={move}>
+            {tabs.map(([name, label]) => (
+                <button
+                    key={name} role="tab" id={`tab-${name}`} class={`tab tab-${name}`} aria-controls={`panel-${name}`}
+                    aria-selected={tab.value === name} tabIndex={tab.value === name ? 0 : -1}
+                    onClick={() => {
+                        tab.value = name;
+                    }}
+                >
+                    {label}
+                </button>
+            ))}
+        </div>
+    );
+}
+
+export function App() {
+    useKeys();
+    useDrop();
+    const panel = (name: string) => ({
+        id: `panel-${name}`, role: 'tabpanel' as const, 'aria-labelledby': `tab-${name}`, class: 'panel',
+        hidden: tab.value !== name,
+    });
+    return (
+        <div class="shell" data-tab={tab.value}>
+            <Header />
+            <main class="columns">
+                <TextPane />
+                <Stage />
+                <section class="side" aria-label="Panels">
+                    <Tabs />
+                    <div {...panel('controls')}><Controls /></div>
+                    <div {...panel('inspect')}>{tab.value === 'inspect' && <Inspector />}</div>
+                    <div {...panel('compare')}><Compare /></div>
+                </section>
+            </main>
+            {notice.value && (
+                <div class="notice" role="status">
+                    <span>{notice.value}</span>
+                    <button class="quiet" aria-label="Dismiss" onClick={() => {
+                        notice.value = '';
+                    }}>✕</button>
+                </div>
+            )}
+        </div>
+    );
+}

@@ -1,0 +1,185 @@
+// The right side: everything of the scene that a page can set. Each control edits the text where its format can say it.
+import type {LightInfo, Setting, Vec3} from 'glint-wasm';
+import {useSignal} from '@preact/signals';
+
+import {
+    convertToGlint, dropOverride, format, info, lightText, overrides, reveal, setLight, setSetting, settingOf, switchLight,
+} from '../store';
+import {Choice, NumberField, Slider, Switch} from './fields';
+
+/** The words of "a | b | c", or nothing. */
+export function wordsOf(setting: Setting): string[] | null {
+    return setting.values.includes(' | ') ? setting.values.split(' | ') : null;
+}
+
+function Outside() {
+    const names = Object.keys(overrides.value);
+    if (names.length === 0) return null;
+    return (
+        <div class="outside" role="note">
+            <p>Set outside the text, which {format.value ? `${format.value.name} cannot say` : 'cannot say it'}:</p>
+            <ul>
+                {names.map((name) => (
+                    <li key={name}>
+                        <code>{name} = {overrides.value[name]}</code>
+                        <button class="quiet" aria-label={`Drop ${name}`} onClick={() => dropOverride(name)}>✕</button>
+                    </li>
+                ))}
+            </ul>
+            <button class="button" onClick={() => void convertToGlint()}>Convert to .glint, with these in it</button>
+        </div>
+    );
+}
+
+function Size() {
+    const [width, height] = (settingOf('size')?.value ?? '1x1').split('x').map(Number) as [number, number];
+    const set = (w: number, h: number) => setSetting('size', `${Math.round(w)}x${Math.round(h)}`);
+    return (
+        <fieldset class="row">
+            <legend>Size</legend>
+            <NumberField label="Width" hidden value={width} min={1} max={65536} step={1} set={(w) => set(w, height)} />
+            <span aria-hidden="true">×</span>
+            <NumberField label="Height" hidden value={height} min={1} max={65536} step={1} set={(h) => set(width, h)} />
+            <button class="quiet" onClick={() => set(width / 2, height / 2)} disabled={width < 64}>½</button>
+            <button class="quiet" onClick={() => set(width * 2, height * 2)} disabled={width > 4096}>×2</button>
+        </fieldset>
+    );
+}
+
+function PictureControls() {
+    const value = (name: string) => settingOf(name)?.value ?? '';
+    return (
+        <section>
+            <h2>Picture</h2>
+            <Choice label="Shading" value={value('shading')} values={wordsOf(settingOf('shading')!)!} set={(v) => setSetting('shading', v)} />
+            <Slider label="Reflections" value={Number(value('reflections'))} min={0} max={Math.max(10, Number(value('reflections')))} step={1}
+                    set={(v) => setSetting('reflections', String(Math.round(v)))} />
+            <Slider label="Samples" value={Number(value('aa'))} min={1} max={Math.max(4, Number(value('aa')))} step={1}
+                    text={`${value('aa')} by ${value('aa')} a pixel`} set={(v) => setSetting('aa', String(Math.round(v)))} />
+            <Size />
+            <Switch label="Shadows" on={value('shadows') === 'true'} set={(on) => setSetting('shadows', String(on))} />
+        </section>
+    );
+}
+
+const kinds: Record<LightInfo['kind'], string> = {ambient: 'Ambient', point: 'Point', directional: 'Directional'};
+
+function Light({light, index}: {light: LightInfo; index: number}) {
+    const said = lightText(index);
+    const place = light.position ?? light.to_light;
+    const reach = useSignal(0);
+    const needed = place ? Math.max(5, ...place.map((c) => Math.abs(c) * 1.25)) : 0;
+    if (needed > reach.value) reach.value = Number(needed.toPrecision(1)) >= needed ? Number(needed.toPrecision(1)) : Math.ceil(needed);
+    const name = light.name || kinds[light.kind];
+    const swatch = light.color.map((c) => Math.round(255 * Math.max(0, Math.min(1, c)))).join(' ');
+    const brightest = Math.max(...light.color);
+    return (
+        <fieldset class="light" data-light={index}>
+            <legend class="for-readers">{`Light ${index + 1}: ${name}`}</legend>
+            <div class="light-head">
+                <Switch label={<><span class="swatch" style={{background: `rgb(${swatch})`}} aria-hidden="true" /> {name}</>}
+                        on={said ? said.intensity !== 0 : brightest !== 0} disabled={!said} set={(on) => switchLight(index, on)} />
+                <span class="kind">{light.name ? kinds[light.kind].toLowerCase() : ''}</span>
+                {light.place && <button class="link" onClick={() => reveal(light.place)}>line {light.place.line}</button>}
+            </div>
+            {said ? (
+                <>
+                    <Slider label="Intensity" value={said.intensity} min={0} max={Math.max(2, Math.ceil(said.intensity))} step={0.01}
+                            set={(v) => setLight(index, {intensity: v})} />
+                    {place && (['x', 'y', 'z'] as const).map((axis, i) => (
+                        <Slider key={axis} label={`${light.kind === 'point' ? 'Position' : 'Towards'} ${axis}`} value={place[i]!} min={-reach.value}
+                                max={reach.value} step={reach.value / 200}
+                                set={(v) => setLight(index, {place: place.map((c, k) => (k === i ? v : c)) as Vec3})} />
+                    ))}
+                </>
+            ) : (
+                <p class="note">{light.place ? `Said in ${light.place.file}` : 'This format has it without saying so'}.
+                    As .glint it can be changed here.</p>
+            )}
+        </fieldset>
+    );
+}
+
+/** Values that teachers use: what happens if one forgets this? */
+const faults = [
+    ['epsilon', '0', 'No epsilon', 'Shadow and mirror rays hit the surface they start from: acne'],
+    ['clamp_cosines', 'false', 'N·L not clamped', 'Light from behind is subtracted'],
+    ['normalize', 'false', 'No normalisation', 'L, V, R and H keep their lengths'],
+    ['specular_gate', 'false', 'Specular without gate', 'Highlights on sides that face away from the light'],
+    ['shadow_stops_at_light', 'false', 'Shadows from behind the light', 'What is beyond the light casts shadows too'],
+] as const;
+
+function Faults() {
+    return (
+        <section>
+            <h2>Classic faults</h2>
+            {faults.map(([key, fault, label, hint]) => {
+                const setting = settingOf(key)!;
+                const isUsual = setting.profile_value === fault;
+                return (
+                    <Switch key={key} label={label} hint={hint} on={setting.value === fault}
+                            set={(on) => setSetting(key, on ? fault : isUsual ? (fault === '0' ? '0.001' : 'true') : setting.profile_value)} />
+                );
+            })}
+        </section>
+    );
+}
+
+function Origin({setting}: {setting: Setting}) {
+    if (setting.origin === 'file' && setting.place)
+        return <button class="link" onClick={() => reveal(setting.place)}>line {setting.place.line}</button>;
+    return <span class="origin">{setting.origin === 'command' ? 'outside the text' : setting.origin === 'profile' ? `as ${info.value!.profile}` : ''}</span>;
+}
+
+function Convention({setting}: {setting: Setting}) {
+    const words = wordsOf(setting);
+    const set = (value: string) => setSetting(setting.name, value);
+    return (
+        <div class="convention" title={setting.description}>
+            {words ? <Choice label={setting.name} value={setting.value} values={words} set={set} />
+                : <NumberField label={setting.name} value={Number(setting.value)} min={0} set={(v) => set(String(v))} />}
+            <Origin setting={setting} />
+        </div>
+    );
+}
+
+export function Controls() {
+    const facts = info.value;
+    if (!facts) return <p class="note">No scene yet.</p>;
+    const conventions = facts.settings.filter((setting) => setting.is_convention);
+    const epsilon = settingOf('epsilon')!;
+    const exponent = Number(epsilon.value) > 0 ? Math.log10(Number(epsilon.value)) : -13;
+    const shapes = Object.entries(facts.shapes).map(([kind, n]) => `${n} ${kind.replace('_', ' ')}${n === 1 ? '' : kind === 'box' ? 'es' : 's'}`);
+    return (
+        <>
+            <Outside />
+            <PictureControls />
+            <section>
+                <h2>Lights</h2>
+                {facts.lights.slice(0, 24).map((light, i) => <Light key={i} light={light} index={i} />)}
+                {facts.lights.length === 0 && <p class="note">There are none: everything is black.</p>}
+                {facts.lights.length > 24 && <p class="note">And {facts.lights.length - 24} more, in the text.</p>}
+            </section>
+            <section>
+                <h2>Epsilon</h2>
+                <div class="slider">
+                    <label for="epsilon">10^{exponent <= -13 ? '−∞' : Number(exponent.toFixed(1))}</label>
+                    <input id="epsilon" type="range" min={-13} max={0} step={0.25} value={exponent} aria-label="Epsilon, as a power of ten"
+                           onInput={(event) => {
+                               const power = event.currentTarget.valueAsNumber;
+                               setSetting('epsilon', power <= -13 ? '0' : String(Number((10 ** power).toPrecision(2))));
+                           }} />
+                    <NumberField label="Epsilon" hidden value={Number(epsilon.value)} min={0} set={(v) => setSetting('epsilon', String(v))} />
+                </div>
+            </section>
+            <Faults />
+            <section>
+                <details>
+                    <summary><h2>Conventions</h2><span class="origin">{facts.profile}</span></summary>
+                    {conventions.map((setting) => <Convention key={setting.name} setting={setting} />)}
+                </details>
+            </section>
+            <p class="note">{shapes.join(', ')}; {facts.material_count} materials.</p>
+        </>
+    );
+}

@@ -1,0 +1,64 @@
+// The vectors at a hit, in space: N upright, the others where they are, seen a little from above.
+import type {Explanation, Vec3} from 'glint-wasm';
+
+import {add, cross, dot, scaled, unit} from '../camera';
+import {selected, settingOf} from '../store';
+import {itemName} from './words';
+
+const degrees = (a: Vec3, b: Vec3) => (Math.acos(Math.max(-1, Math.min(1, dot(a, b)))) * 180) / Math.PI;
+
+export function Diagram({told}: {told: Explanation}) {
+    const {ray, light} = selected.value;
+    const hit = told.rays[ray]?.hit;
+    const terms = hit?.lights[light];
+    if (!hit || !terms) return null;
+    const n = unit(hit.normal), l = unit(terms.to_light), v = unit(hit.to_eye);
+    const r = add(scaled(n, 2 * dot(n, l)), l, -1), h = unit(add(l, v));
+    // The view's axes: L's direction along the surface goes to the left.
+    const along = add(l, n, -dot(l, n));
+    const fallback = cross(n, Math.abs(n[0]) < 0.9 ? [1, 0, 0] : [0, 1, 0]);
+    const left = unit(Math.hypot(...along) > 1e-6 ? along : fallback);
+    const depth = cross(left, n);
+    const lift = 0.32;  // sine of the angle from which the surface is seen
+    const at = (p: Vec3): [number, number] => {
+        const x = -dot(p, left), y = dot(p, depth), z = dot(p, n);
+        return [150 + 96 * x, 128 - 96 * (z * Math.sqrt(1 - lift * lift) + y * lift)];
+    };
+    const isPhong = settingOf('shading')?.value === 'phong';
+    const vectors: [string, Vec3, boolean][] = [['N', n, true], ['L', l, true], ['V', v, true], ['R', r, isPhong], ['H', h, !isPhong]];
+    const angles = [
+        ['N', 'L', degrees(n, l)], ['N', 'V', degrees(n, v)], ['R', 'V', degrees(r, v)], ['N', 'H', degrees(n, h)],
+    ] as const;
+    const [cx, cy] = at([0, 0, 0]);
+    return (
+        <section class="diagram" aria-label="Vectors at the hit">
+            <h3>At {itemName(hit.shape)}, with {terms.light.name ? `“${terms.light.name}”` : `light ${light + 1}`}</h3>
+            <div class="diagram-body">
+                <svg viewBox="0 0 300 190" role="img"
+                     aria-label={`The vectors at the hit: ${angles.map(([a, b, d]) => `${a} and ${b} are ${d.toFixed(1)} degrees apart`).join(', ')}`}>
+                    <ellipse cx={cx} cy={cy} rx={96} ry={96 * lift} class="ground" />
+                    {vectors.map(([name, vector, used]) => {
+                        const [x, y] = at(vector);
+                        const [fx, fy] = at(add(vector, n, -dot(vector, n)));
+                        const [tx, ty] = at(scaled(vector, 1.14));
+                        return (
+                            <g key={name} class={`vector ${name}${used ? '' : ' unused'}`}>
+                                {name !== 'N' && <path class="foot" d={`M${cx} ${cy}L${fx} ${fy}L${x} ${y}`} />}
+                                <line x1={cx} y1={cy} x2={x} y2={y} />
+                                <circle cx={x} cy={y} r={3} />
+                                <text x={tx} y={ty + 4} text-anchor="middle">{name}</text>
+                            </g>
+                        );
+                    })}
+                </svg>
+                <dl class="angles">
+                    {angles.map(([a, b, d]) => (
+                        <div key={a + b} class={(a === 'R' && !isPhong) || (b === 'H' && isPhong) ? 'unused' : ''}>
+                            <dt>∠({a}, {b})</dt><dd class="mono">{d.toFixed(1)}°</dd>
+                        </div>
+                    ))}
+                </dl>
+            </div>
+        </section>
+    );
+}

@@ -1,0 +1,109 @@
+import {useSignal} from '@preact/signals';
+import {useRef} from 'preact/hooks';
+
+import {savePicture, saveScene} from '../files';
+import {gallery} from '../gallery';
+import {fileName, history, link, machinery, notice, openFiles, openFromGallery, sceneName, text} from '../store';
+import {canvases} from './pictures';
+
+const families: [string, string][] = [
+    ['cgfs', 'Computer Graphics from Scratch'],
+    ['epfl', 'EPFL, RT2'],
+    ['csc473', 'CSC 473'],
+    ['glint', 'glint'],
+    ['nff', 'Standard Procedural Databases'],
+];
+
+const title = (scene: {name: string; scene?: string | undefined}) =>
+    (scene.scene ?? scene.name.split('/').at(-1)!.replace(/\.\w+$/, '')).replaceAll('_', ' ');
+
+function SceneMenu() {
+    const dialog = useRef<HTMLDialogElement>(null);
+    return (
+        <>
+            <button class="button" onClick={() => dialog.current?.showModal()} aria-haspopup="dialog">Scenes</button>
+            <dialog ref={dialog} class="menu" aria-label="Scenes"
+                    onClick={(event) => event.target === event.currentTarget && event.currentTarget.close()}>
+                <div class="menu-body">
+                    <div class="menu-head">
+                        <h2>Scenes</h2>
+                        <label class="button file">Open a file…
+                            <input type="file" multiple onChange={(event) => {
+                                void openFiles([...(event.currentTarget.files ?? [])]);
+                                dialog.current?.close();
+                            }} />
+                        </label>
+                        <button class="quiet" aria-label="Close" onClick={() => dialog.current?.close()}>✕</button>
+                    </div>
+                    {families.map(([folder, family]) => (
+                        <section key={folder}>
+                            <h3>{family}</h3>
+                            <div class="thumbs">
+                                {gallery.filter((scene) => scene.name.startsWith(`${folder}/`)).map((scene) => (
+                                    <button
+                                        key={title(scene)} class="thumb" data-scene={scene.scene ?? scene.name}
+                                        aria-current={scene.name === fileName.value && scene.scene === sceneName.value}
+                                        onClick={() => {
+                                            openFromGallery(scene);
+                                            dialog.current?.close();
+                                        }}
+                                    >
+                                        <img src={scene.picture} alt="" width={132} height={99} />
+                                        <span>{title(scene)}</span>
+                                    </button>
+                                ))}
+                            </div>
+                        </section>
+                    ))}
+                </div>
+            </dialog>
+        </>
+    );
+}
+
+async function share() {
+    const address = await link();
+    globalThis.history.replaceState(null, '', address);
+    try {
+        await navigator.clipboard.writeText(address);
+        notice.value = 'The link is copied; it holds the scene and its settings, and nothing was sent anywhere.';
+    } catch {
+        notice.value = 'The link is in the address bar; it holds the scene and its settings.';
+    }
+}
+
+function Theme() {
+    const dark = useSignal(matchMedia('(prefers-color-scheme: dark)').matches);
+    return (
+        <button class="quiet" aria-pressed={dark.value} aria-label="Dark page" title="Dark or light"
+                onClick={() => {
+                    dark.value = !dark.value;
+                    document.documentElement.dataset['theme'] = dark.value ? 'dark' : 'light';
+                }}>
+            ◐
+        </button>
+    );
+}
+
+export function Header() {
+    return (
+        <header class="header">
+            <h1 class="brand"><img src="./icon.svg" alt="" width={22} height={22} />glint</h1>
+            <SceneMenu />
+            <span class="file-name" title={fileName.value}>{fileName.value.split('/').at(-1)}{sceneName.value ? `: ${sceneName.value}` : ''}</span>
+            <div class="group" role="group" aria-label="History">
+                <button class="quiet" aria-label="Undo" title="Undo (Ctrl+Z)" disabled={!history.value.canUndo}
+                        onClick={() => machinery.editor?.undo()}>↶</button>
+                <button class="quiet" aria-label="Redo" title="Redo (Ctrl+Shift+Z)" disabled={!history.value.canRedo}
+                        onClick={() => machinery.editor?.redo()}>↷</button>
+            </div>
+            <div class="spacer" />
+            <div class="group" role="group" aria-label="Save">
+                <button class="button" onClick={() => void share()}>Share link</button>
+                <button class="button" title="Save the picture (s)" onClick={() => savePicture(canvases.first)}>Save PNG</button>
+                <button class="button" onClick={() => saveScene(text.value)}>Save scene</button>
+            </div>
+            <Theme />
+        </header>
+    );
+}

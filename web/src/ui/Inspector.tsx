@@ -1,0 +1,166 @@
+// Why a pixel is what it is: what adds up to its colour, the tree of its rays, and each term of each light.
+import type {Explanation, ExplainedHit, ExplainedRay, LightTerms, Vec3} from 'glint-wasm';
+import type {ComponentChildren} from 'preact';
+
+import {pinned, reveal, selected, settingOf} from '../store';
+import {Diagram} from './Diagram';
+import {TopView} from './TopView';
+import {css, hex, highlights, isBlack, itemName, layerNames, reasons, short, shortColor, shortVector} from './words';
+
+function Sum({told}: {told: Explanation}) {
+    const layers = layerNames.filter((name) => !isBlack(told.layers[name]));
+    const most = Math.max(1, ...told.value, ...[0, 1, 2].map((c) => layers.reduce((sum, name) => sum + Math.max(0, told.layers[name][c]!), 0)));
+    return (
+        <section class="sum" aria-label="What adds up to the colour">
+            {(['red', 'green', 'blue'] as const).map((channel, c) => (
+                <div class="bar-row" key={channel}>
+                    <span>{channel}</span>
+                    <div class="bar">
+                        {layers.map((name) => (
+                            <span key={name} class={`part ${name}`} style={{width: `${(100 * Math.max(0, told.layers[name][c]!)) / most}%`}}
+                                  title={`${name} ${short(told.layers[name][c])}`} />
+                        ))}
+                    </div>
+                    <span class="mono">{short(told.value[c])}</span>
+                </div>
+            ))}
+            <table class="layers">
+                <thead><tr><th scope="col">part</th><th scope="col">red</th><th scope="col">green</th><th scope="col">blue</th></tr></thead>
+                <tbody>
+                    {layers.map((name) => (
+                        <tr key={name}>
+                            <th scope="row"><span class={`key ${name}`} aria-hidden="true" />{name}</th>
+                            {told.layers[name].map((value, c) => <td key={c}>{short(value)}</td>)}
+                        </tr>
+                    ))}
+                </tbody>
+                <tfoot>
+                    <tr data-sum><th scope="row">sum</th>{told.value.map((value, c) => <td key={c}>{short(value)}</td>)}</tr>
+                    <tr><th scope="row">× 255</th>{told.bytes.map((value, c) => <td key={c}>{value}</td>)}</tr>
+                </tfoot>
+            </table>
+        </section>
+    );
+}
+
+/** A line of the outline; with a place it is a button that goes there. */
+function Term({name, value, place, formula}: {
+    name: ComponentChildren; value: string; place?: {line?: number} | null | undefined; formula?: ComponentChildren;
+}) {
+    return (
+        <div class="term">
+            {place?.line !== undefined ? <button class="link" onClick={() => reveal(place)}>{name}</button> : <span>{name}</span>}
+            {formula && <span class="formula">{formula}</span>}
+            <span class="mono value">{value}</span>
+        </div>
+    );
+}
+
+function Light({terms, hit, ray, index}: {terms: LightTerms; hit: ExplainedHit; ray: number; index: number}) {
+    const isPhong = settingOf('shading')?.value === 'phong';
+    const isSelected = selected.value.ray === ray && selected.value.light === index;
+    const {light} = terms;
+    return (
+        <details class="light-terms" open={isSelected} onToggle={(event) => {
+            if ((event.currentTarget as HTMLDetailsElement).open) selected.value = {ray, light: index};
+        }}>
+            <summary>
+                <span class={`dot ${terms.reason}`} aria-hidden="true" />
+                {light.name ? `“${light.name}”` : `${light.kind} light`} {reasons[terms.reason]}
+                {terms.blocker && <> by {itemName(terms.blocker.shape)}</>}
+            </summary>
+            <Term name="the light" place={light} formula={light.kind} value={shortColor(light.color)} />
+            <Term name="L" formula={light.kind === 'point' ? 'P to the light' : 'towards the light'} value={shortVector(terms.to_light)} />
+            {light.kind === 'point' && <Term name="distance" value={short(terms.distance)} />}
+            {terms.attenuation !== 1 && <Term name="f_att" place={light} value={short(terms.attenuation)} />}
+            <Term name="N·L" value={short(terms.n_l)} />
+            <Term name={isPhong ? 'R·V' : 'N·H'} value={short(terms.s)} />
+            {terms.highlight === 'adds'
+                ? <Term name={isPhong ? <>(R·V)<sup>n</sup></> : <>(N·H)<sup>n</sup></>} place={hit.material} formula={`n = ${short(hit.material.shininess)}`} value={short(terms.power)} />
+                : <p class="why">{highlights[terms.highlight]}</p>}
+            {terms.blocker && <Term name="blocker" place={terms.blocker.shape} formula={`${short(terms.blocker.distance)} away`} value={shortVector(terms.blocker.point)} />}
+            <Term name="diffuse" place={hit.material} formula="k_d N·L I" value={shortColor(terms.diffuse)} />
+            <Term name="specular" place={hit.material} formula={<>k_s S<sup>n</sup> I</>} value={shortColor(terms.specular)} />
+        </details>
+    );
+}
+
+const rayNames: Record<ExplainedRay['kind'], string> = {camera: 'Camera ray', mirror: 'Mirror ray', transmitted: 'Ray through glass'};
+const branchWords: Record<string, string> = {
+    limit: 'not followed: the limit of reflections is reached',
+    faint: 'not followed: it would weigh too little',
+    cut: 'not followed: this sample has too many rays already',
+};
+
+function Ray({told, number, depth}: {told: Explanation; number: number; depth: number}) {
+    const ray = told.rays[number]!;
+    const {hit} = ray;
+    const added = hit ? ([0, 1, 2].map((c) => hit.parts.ambient[c]! + hit.parts.diffuse[c]! + hit.parts.specular[c]!) as Vec3) : ray.background!;
+    return (
+        <details class="ray-node" open={depth < 3} data-ray={number}>
+            <summary onClick={() => {
+                if (hit && selected.value.ray !== number) selected.value = {ray: number, light: 0};
+            }}>
+                <span class={`ray-key ${ray.kind}`} aria-hidden="true" />
+                <b>{rayNames[ray.kind]}</b> {hit ? <>meets {itemName(hit.shape)}</> : 'leaves the scene'}
+                <span class="swatch" style={{background: css(added)}} aria-hidden="true" />
+            </summary>
+            {hit ? (
+                <>
+                    <Term name="object" place={hit.shape} formula={`t = ${short(ray.t)}`} value={itemName(hit.shape)} />
+                    <Term name="P" value={shortVector(hit.point)} />
+                    <Term name="N" formula={`${hit.side} side${hit.normal_turned ? ', turned' : ''}`} value={shortVector(hit.normal)} />
+                    <Term name="weight" formula="of this ray in the pixel" value={shortColor(ray.weight)} />
+                    {hit.local_share !== 1 && <Term name="own share" place={hit.material} formula="1 − mirror − glass" value={short(hit.local_share)} />}
+                    <Term name="ambient" place={hit.material} formula="k_a I_a" value={shortColor(hit.ambient)} />
+                    {hit.lights.map((terms, i) => <Light key={i} terms={terms} hit={hit} ray={number} index={i} />)}
+                    <Term name="adds to the pixel" value={shortColor(added)} />
+                    {(['reflected', 'transmitted'] as const).map((side) => {
+                        const branch = hit[side];
+                        if (branch.state === 'none') return null;
+                        if (branch.ray !== undefined) return <Ray key={side} told={told} number={branch.ray} depth={depth + 1} />;
+                        return <p class="why" key={side}>{side === 'reflected' ? 'Mirror ray' : 'Ray through glass'} {branchWords[branch.state]}.</p>;
+                    })}
+                </>
+            ) : <Term name="background" formula="times its weight" value={shortColor(ray.background!)} />}
+        </details>
+    );
+}
+
+export function Inspector() {
+    const told = pinned.value;
+    if (!told) {
+        return (
+            <div class="empty">
+                <p><b>Click a pixel</b> of the picture to take it apart.</p>
+                <p class="note">You see its rays, every term of the lighting equation, and how they add up to its colour. With the keyboard: focus the picture, point with the arrow keys, press Enter.</p>
+            </div>
+        );
+    }
+    const roots = told.rays.map((ray, i) => ({ray, i})).filter(({ray}) => ray.parent === null);
+    return (
+        <div class="inspector" data-pixel={told.pixel.join(',')}>
+            <div class="pixel-head">
+                <span class="swatch large" style={{background: hex(told.bytes)}} aria-hidden="true" />
+                <h2>Pixel ({told.pixel.join(', ')})</h2>
+                <span class="mono">{told.bytes.join(' ')}</span>
+                <button class="quiet" aria-label="Unpin the pixel" onClick={() => {
+                    pinned.value = null;
+                }}>✕</button>
+            </div>
+            <Sum told={told} />
+            <Diagram told={told} />
+            <section class="tree" aria-label="Rays">
+                <h3>Rays</h3>
+                {roots.slice(0, 64).map(({ray, i}) => (
+                    <div key={i}>
+                        {told.samples > 1 && <p class="note">Sample {ray.sample[0] + 1}, {ray.sample[1] + 1} of {told.samples} × {told.samples}</p>}
+                        <Ray told={told} number={i} depth={0} />
+                    </div>
+                ))}
+                {roots.length > 64 && <p class="note">And {roots.length - 64} more samples.</p>}
+            </section>
+            <TopView told={told} />
+        </div>
+    );
+}

@@ -1,0 +1,51 @@
+import {effect} from '@preact/signals';
+import {useEffect, useRef} from 'preact/hooks';
+
+import {Editor} from '../editor/editor';
+import {besideNow, convertToGlint, diagnostics, failure, fileName, format, machinery, reveal, text, textChanged} from '../store';
+import {spanOf} from '../text/places';
+
+export function TextPane() {
+    const host = useRef<HTMLDivElement>(null);
+    useEffect(() => {
+        const editor = new Editor(host.current!, {changed: textChanged, beside: besideNow});
+        machinery.editor = editor;
+        if (text.value) editor.open(text.value, fileName.value);
+        return effect(() => {
+            const here = diagnostics.value.filter((one) => one.line > 0 && one.file === fileName.value);
+            const now = editor.text;
+            editor.mark(here.map((one) => {
+                const [from, to] = spanOf(now, one.line, one.column, one.length);
+                return {from, to: Math.min(Math.max(to, from), now.length), severity: one.severity, message: one.message};
+            }));
+        });
+    }, []);
+    return (
+        <section class="text-pane" aria-label="Scene text" id="panel-text">
+            <div class="pane-head">
+                <h2>{fileName.value.split('/').at(-1)}</h2>
+                {format.value?.name !== '.glint' && (
+                    <button class="link" onClick={() => void convertToGlint()}>convert to .glint</button>
+                )}
+            </div>
+            <div class="editor" ref={host} />
+            <Messages />
+        </section>
+    );
+}
+
+function Messages() {
+    const list = diagnostics.value;
+    if (list.length === 0 && !failure.value) return <div class="messages" aria-live="polite" />;
+    return (
+        <div class="messages" aria-live="polite">
+            {failure.value && <p class="message error">{failure.value}</p>}
+            {list.slice(0, 20).map((one, i) => (
+                <button key={i} class={`message ${one.severity}`} onClick={() => reveal(one)}>
+                    <span class="where">{one.line > 0 ? `${one.file === fileName.value ? '' : `${one.file} `}${one.line}:${one.column}` : one.severity}</span>
+                    {one.message}
+                </button>
+            ))}
+        </div>
+    );
+}

@@ -1,0 +1,79 @@
+// The page's inputs. While one is used, it shows what is typed or dragged; else what the scene says.
+import {useSignal} from '@preact/signals';
+import type {ComponentChildren} from 'preact';
+import {useId} from 'preact/hooks';
+
+export function Switch({label, on, set, disabled, hint}: {
+    label: ComponentChildren; on: boolean; set: (on: boolean) => void; disabled?: boolean; hint?: string;
+}) {
+    return (
+        <label class="switch" title={hint}>
+            <input type="checkbox" role="switch" checked={on} disabled={disabled}
+                   onChange={(event) => set(event.currentTarget.checked)} />
+            <span class="track" aria-hidden="true" />
+            <span>{label}</span>
+        </label>
+    );
+}
+
+export function Slider({label, value, min, max, step, set, disabled, text}: {
+    label: string; value: number; min: number; max: number; step: number; set: (value: number) => void; disabled?: boolean;
+    text?: string;
+}) {
+    const draft = useSignal<number | null>(null);
+    const id = useId();
+    const shown = draft.value ?? value;
+    return (
+        <div class="slider">
+            <label for={id}>{label}</label>
+            <input id={id} type="range" min={min} max={max} step={step} value={shown} disabled={disabled} aria-valuetext={text}
+                   onInput={(event) => {
+                       draft.value = event.currentTarget.valueAsNumber;
+                       set(draft.value);
+                   }}
+                   onChange={() => {
+                       draft.value = null;
+                   }}
+                   onBlur={() => {
+                       draft.value = null;
+                   }} />
+            <NumberField label={label} hidden value={value} min={min} step={step} set={set} disabled={disabled} />
+        </div>
+    );
+}
+
+/** A number to type. `hidden`: its label is for screen readers only. */
+export function NumberField({label, value, set, min, max, step, disabled, hidden}: {
+    label: string; value: number; set: (value: number) => void; min?: number; max?: number; step?: number; disabled?: boolean | undefined;
+    hidden?: boolean;
+}) {
+    const draft = useSignal<string | null>(null);
+    return (
+        <label class="number">
+            <span class={hidden ? 'for-readers' : ''}>{label}</span>
+            <input type="number" value={draft.value ?? String(Number(value.toPrecision(6)))} min={min} max={max} step={step ?? 'any'} disabled={disabled}
+                   onInput={(event) => {
+                       draft.value = event.currentTarget.value;
+                       const typed = event.currentTarget.valueAsNumber;
+                       if (Number.isFinite(typed) && event.currentTarget.validity.rangeUnderflow === false &&
+                           event.currentTarget.validity.rangeOverflow === false) set(typed);
+                   }}
+                   onBlur={() => {
+                       draft.value = null;
+                   }} />
+        </label>
+    );
+}
+
+export function Choice({label, value, values, set, hidden}: {
+    label: string; value: string; values: readonly string[]; set: (value: string) => void; hidden?: boolean;
+}) {
+    return (
+        <label class="choice">
+            <span class={hidden ? 'for-readers' : ''}>{label}</span>
+            <select value={value} onChange={(event) => set(event.currentTarget.value)}>
+                {values.map((one) => <option key={one} value={one}>{one}</option>)}
+            </select>
+        </label>
+    );
+}

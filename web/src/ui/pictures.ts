@@ -1,0 +1,95 @@
+// The canvases of the two pictures, and what the engine's views do to them and to the page's state.
+import {batch, signal} from '@preact/signals';
+
+import type {Pool} from '../engine/pool';
+import type {Opened, Rect} from '../engine/protocol';
+import {View, type ViewEvents} from '../engine/view';
+import {comparison, diagnostics, failure, info, machinery, progress, refreshPin, state} from '../store';
+
+export const size = signal({width: 600, height: 600});
+export const canvases = {first: document.createElement('canvas'), second: document.createElement('canvas')};
+/** Counts the second picture's completions, for the difference. */
+export const secondDone = signal(0);
+export const firstDone = signal(0);
+
+function painter(canvas: HTMLCanvasElement, resized?: (width: number, height: number) => void) {
+    const context = canvas.getContext('2d', {alpha: false})!;
+    let next: {width: number; height: number} | null = null;
+    const coarse = document.createElement('canvas');
+    return {
+        // The old picture stays until there are new pixels.
+        sized(width: number, height: number) {
+            next = width === canvas.width && height === canvas.height ? null : {width, height};
+        },
+        painted(tile: ImageData, to: Rect, stretched: boolean) {
+            if (next) {
+                canvas.width = next.width;
+                canvas.height = next.height;
+                resized?.(next.width, next.height);
+                next = null;
+            }
+            if (!stretched) {
+                context.putImageData(tile, to.x, to.y);
+                return;
+            }
+            coarse.width = tile.width;
+            coarse.height = tile.height;
+            coarse.getContext('2d', {alpha: false})!.putImageData(tile, 0, 0);
+            context.drawImage(coarse, to.x, to.y, to.width, to.height);
+        },
+    };
+}
+
+function opened({report, info: facts}: Opened) {
+    batch(() => {
+        failure.value = facts ? '' : (report.error ?? '');
+        diagnostics.value = report.diagnostics;
+        if (facts) {
+            info.value = facts;
+        } else {
+            state.value = 'error';
+        }
+    });
+}
+
+function failed(why: string) {
+    batch(() => {
+        failure.value = why;
+        state.value = 'error';
+    });
+}
+
+export function connectViews(pool: Pool) {
+    const first: ViewEvents = {
+        ...painter(canvases.first, (width, height) => {
+            size.value = {width, height};
+        }),
+        opened,
+        progress: (now) => {
+            progress.value = now;
+        },
+        done: (now) => {
+            if (machinery.first?.busy && state.value !== 'drawing') return;
+            batch(() => {
+                progress.value = now;
+                state.value = 'done';
+                firstDone.value += 1;
+            });
+            void refreshPin();
+        },
+        failed,
+    };
+    const second: ViewEvents = {
+        ...painter(canvases.second),
+        opened: () => {},
+        progress: () => {},
+        done: () => {
+            secondDone.value += 1;
+        },
+        failed: (why) => {
+            if (comparison.value) failed(why);
+        },
+    };
+    machinery.first = new View(pool, 'first', first);
+    machinery.second = new View(pool, 'second', second);
+}

@@ -1,0 +1,49 @@
+// How the page writes what the engine explains.
+import type {LightTerms, NamedItem, Vec3} from 'glint-wasm';
+
+export const hex = (bytes: Vec3) => `rgb(${bytes.join(' ')})`;
+
+/** "lamp", or "sphere, line 8". */
+export function itemName(item: NamedItem & {kind?: string}): string {
+    const kind = (item.kind ?? '').replace('_', ' ');
+    const name = item.name ? `${kind} “${item.name}”`.trim() : kind;
+    return item.line !== undefined ? `${name}, line ${item.line}` : name;
+}
+
+/** A number in four digits. */
+export function short(value: number | null | undefined): string {
+    if (value === null || value === undefined) return '–';
+    if (value === 0) return '0';
+    const text = Math.abs(value) >= 1e5 || Math.abs(value) < 1e-4 ? value.toExponential(2) : String(Number(value.toPrecision(4)));
+    return text.replace('-', '−');
+}
+
+/** A vector, or one number for a grey. */
+export function shortColor(color: Vec3): string {
+    return color[0] === color[1] && color[1] === color[2] ? short(color[0]) : `(${color.map(short).join(', ')})`;
+}
+export const shortVector = (v: Vec3) => `(${v.map(short).join(', ')})`;
+
+export const isBlack = (color: Vec3) => color.every((c) => c === 0);
+
+/** A linear colour for the page. */
+export const css = (color: Vec3) => hex(color.map((c) => Math.round(255 * Math.max(0, Math.min(1, c)))) as Vec3);
+
+export const reasons: Record<LightTerms['reason'], string> = {
+    adds: 'lights it',
+    blocked: 'is blocked',
+    behind: 'is behind the surface (N·L ≤ 0)',
+    no_color: 'adds nothing: its colour times the surface’s is black',
+    faded: 'has faded with distance',
+    in_surface: 'lies in the surface itself',
+};
+
+export const highlights: Record<LightTerms['highlight'], string> = {
+    adds: '',
+    none: 'the surface has no highlight',
+    behind: 'no highlight: N·L ≤ 0',
+    turned_away: 'no highlight: the mirrored light goes away from the eye (S ≤ 0)',
+};
+
+/** The layers of a pixel, in the order in which they are added. */
+export const layerNames = ['background', 'ambient', 'diffuse', 'specular', 'reflection', 'transmission'] as const;

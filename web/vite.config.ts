@@ -1,0 +1,33 @@
+import {createHash} from 'node:crypto';
+import {defineConfig, type Plugin} from 'vite';
+
+/** Writes sw.js: a service worker that keeps exactly the files of this build, so that the page opens without a network. */
+function offline(): Plugin {
+    return {
+        name: 'offline',
+        apply: 'build',
+        generateBundle(_, bundle) {
+            const files = ['./', ...Object.keys(bundle), 'icon.svg'].filter((name) => !name.endsWith('.map'));
+            const digest = createHash('sha256').update(files.join()).digest('hex').slice(0, 12);
+            const source = `const cacheName = 'glint-${digest}';
+const files = ${JSON.stringify(files)};
+addEventListener('install', (event) => event.waitUntil(
+    caches.open(cacheName).then((cache) => cache.addAll(files)).then(() => skipWaiting())));
+addEventListener('activate', (event) => event.waitUntil(caches.keys().then((names) =>
+    Promise.all(names.filter((name) => name.startsWith('glint-') && name !== cacheName).map((name) => caches.delete(name))))));
+addEventListener('fetch', (event) => {
+    if (event.request.method === 'GET')
+        event.respondWith(caches.match(event.request, {ignoreSearch: true}).then((kept) => kept ?? fetch(event.request)));
+});
+`;
+            this.emitFile({type: 'asset', fileName: 'sw.js', source});
+        },
+    };
+}
+
+export default defineConfig({
+    base: './',
+    build: {target: 'es2022', assetsInlineLimit: 0, modulePreload: {polyfill: false}, chunkSizeWarningLimit: 700},
+    worker: {format: 'es'},
+    plugins: [offline()],
+});
