@@ -2,16 +2,17 @@
 PREFIX ?= /usr/local
 glint = build/release/glint
 
-.PHONY: help demo test build install tidy fuzz bench format clean
+.PHONY: help demo test build install web playground tidy fuzz bench format clean
 
 help:
 	@echo 'make demo     installs what is missing, builds glint and draws castle.png'
 	@echo 'make test     installs what is missing, builds everything and runs every test'
 	@echo 'make build    builds $(glint)'
 	@echo 'make install  installs the command and the library (PREFIX=$(PREFIX), DESTDIR=$(DESTDIR))'
+	@echo 'make playground  builds the web page (make web: to web/dist) and serves it on this machine'
 	@echo 'make bench    installs POV-Ray, Tachyon and Embree and measures glint beside them (docs/performance.md)'
 	@echo 'make tidy     runs clang-tidy; make format, clang-format; make fuzz, the fuzzers'
-	@echo 'make clean    removes build/'
+	@echo 'make clean    removes what was built'
 
 started := $(shell date +%s)
 demo: build
@@ -30,6 +31,15 @@ build:
 install: build
 	@cmake --build --preset release
 	@DESTDIR='$(DESTDIR)' cmake --install build/release --prefix '$(PREFIX)'
+
+web:
+	@tools/install-dependencies web
+	@tools/build-web
+
+# PORT: where; 0 is any that is free.
+PORT ?= 8080
+playground: web
+	@node web/tools/serve.mjs web/dist $(PORT)
 
 tidy:
 	@tools/install-dependencies checks
@@ -52,4 +62,4 @@ format:
 	@git ls-files '*.cpp' '*.h' | xargs clang-format-14 -i
 
 clean:
-	rm -rf build
+	rm -rf build web/dist web/node_modules web/src/gallery

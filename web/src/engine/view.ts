@@ -175,7 +175,7 @@ export class View {
             take(rect, await this.pool.run({...job, task: {what: 'tile', rect}}));
         }));
         if (whole) this.events.painted(whole, {x: 0, y: 0, width: last.width, height: last.height}, true);
-        if (level.final) this.events.done(progress(), key);
+        if (level.final && !this.#pending) this.events.done(progress(), key);
     }
 }
 

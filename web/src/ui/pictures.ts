@@ -46,6 +46,7 @@ function opened({report, info: facts}: Opened) {
         diagnostics.value = report.diagnostics;
         if (facts) {
             info.value = facts;
+            state.value = 'drawing';
         } else {
             state.value = 'error';
         }
@@ -69,7 +70,6 @@ export function connectViews(pool: Pool) {
             progress.value = now;
         },
         done: (now) => {
-            if (machinery.first?.busy && state.value !== 'drawing') return;
             batch(() => {
                 progress.value = now;
                 state.value = 'done';

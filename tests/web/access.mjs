@@ -1,0 +1,147 @@
+// Without a mouse, on a small screen, in the dark.
+import assert from 'node:assert/strict';
+import {test} from 'node:test';
+
+import {choose, clickPicture, native, picture, saved, scenes, settled, shoot, withPage} from './browser.mjs';
+
+/** Presses Tab until an element has the focus. */
+async function tabTo(page, selector) {
+    for (let i = 0; i < 120; ++i) {
+        await page.keyboard.press('Tab');
+        const found = await page.evaluate((wanted) => {
+            let focused = document.activeElement;
+            while (focused?.shadowRoot?.activeElement) focused = focused.shadowRoot.activeElement;
+            return focused?.matches(wanted) ?? false;
+        }, selector);
+        if (found) return;
+    }
+    assert.fail(`Tab does not lead to ${selector}`);
+}
+
+test('with the keyboard alone: a scene, a setting, a pixel, a picture', () => withPage(async (page) => {
+    await tabTo(page, 'button[aria-haspopup=dialog]');
+    await page.keyboard.press('Enter');
+    await tabTo(page, '[data-scene$="castle.json"]');
+    await page.keyboard.press('Enter');
+    await page.waitForFunction(() => document.querySelector('.file-name').textContent === 'castle.json');
+    await settled(page);
+    await tabTo(page, '.frame');
+    await page.keyboard.press('ArrowDown');
+    await page.keyboard.press('Shift+ArrowLeft');
+    await page.waitForFunction(() => /line \d+/.test(document.querySelector('.pixel-line').textContent));
+    await page.keyboard.press('Enter');
+    await page.locator('.inspector').waitFor();
+    assert.equal(await page.locator('.inspector').getAttribute('data-pixel'), '300,321');
+    assert.equal((await saved(page, () => page.keyboard.press('s'))).name, 'castle_BlinnPhong.png');
+    await page.keyboard.press('Escape');
+    await page.locator('.empty').waitFor();
+    await tabTo(page, '[role=tab][aria-selected=true]');
+    await page.keyboard.press('ArrowLeft');
+    await tabTo(page, 'select');
+    await page.keyboard.press('ArrowUp');
+    await settled(page);
+    assert.deepEqual(await picture(page), native(`${scenes}/epfl/castle.json`, '--shading', 'phong'));
+}));
+
+test('everything that can be used has a name, and ids are unique', () => withPage(async (page) => {
+    await clickPicture(page, 0.5, 0.62);
+    await page.locator('.inspector').waitFor();
+    for (const tab of ['Controls', 'Inspect', 'Compare']) {
+        await page.getByRole('tab', {name: tab}).click();
+        const nameless = await page.evaluate(() => [...document.querySelectorAll('button, input, select, [tabindex="0"], canvas, dialog')]
+            .filter((e) => e.checkVisibility() && !e.ariaLabel && !e.getAttribute('aria-label') && !e.labels?.length && !e.textContent.trim() && !e.closest('[aria-label][role=application]'))
+            .map((e) => e.outerHTML.slice(0, 120)));
+        assert.deepEqual(nameless, []);
+    }
+    const ids = await page.evaluate(() => [...document.querySelectorAll('[id]')].map((e) => e.id));
+    assert.equal(new Set(ids).size, ids.length);
+}));
+
+/** Texts whose contrast with what is behind them is below AA's 4.5. */
+function faintTexts(page) {
+    return page.evaluate(() => {
+        const canvas = document.createElement('canvas');
+        canvas.width = canvas.height = 1;
+        const context = canvas.getContext('2d', {willReadFrequently: true});
+        const over = (color, behind) => {
+            context.fillStyle = `rgb(${behind.join(' ')})`;
+            context.fillRect(0, 0, 1, 1);
+            context.fillStyle = color;
+            context.fillRect(0, 0, 1, 1);
+            return [...context.getImageData(0, 0, 1, 1).data].slice(0, 3);
+        };
+        const parent = (e) => e.parentElement ?? e.getRootNode().host ?? null;
+        const background = (e) => {
+            const chain = [];
+            for (let at = e; at; at = parent(at)) chain.unshift(getComputedStyle(at).backgroundColor);
+            return chain.reduce((behind, color) => over(color, behind), [255, 255, 255]);
+        };
+        const luminance = (rgb) => rgb.map((c) => (c / 255 <= 0.04045 ? c / 255 / 12.92 : ((c / 255 + 0.055) / 1.055) ** 2.4))
+            .reduce((sum, c, i) => sum + c * [0.2126, 0.7152, 0.0722][i], 0);
+        const faint = [];
+        const visit = (root) => {
+            for (const e of root.querySelectorAll('*')) {
+                if (e.shadowRoot) visit(e.shadowRoot);
+                const own = [...e.childNodes].some((n) => n.nodeType === Node.TEXT_NODE && n.textContent.trim());
+                if (!own || !e.checkVisibility({opacityProperty: true}) || e.closest('.for-readers, :disabled, .unused, svg, .frame, style')) continue;
+                const behind = background(e);
+                const [a, b] = [luminance(over(getComputedStyle(e).color, behind)), luminance(behind)].sort((x, y) => y - x);
+                const contrast = (a + 0.05) / (b + 0.05);
+                if (contrast < 4.5) faint.push(`${contrast.toFixed(2)} ${e.className} ${e.textContent.trim().slice(0, 30)}`);
+            }
+        };
+        visit(document);
+        return faint;
+    });
+}
+
+for (const scheme of ['light', 'dark']) {
+    test(`contrast is AA, ${scheme}`, () => withPage(async (page) => {
+        await clickPicture(page, 0.5, 0.62);
+        await page.locator('.inspector').waitFor();
+        for (const tab of ['Inspect', 'Compare', 'Controls']) {
+            await page.getByRole('tab', {name: tab}).click();
+            assert.deepEqual(await faintTexts(page), []);
+        }
+        const [ground, words] = await page.evaluate(() => [getComputedStyle(document.body).backgroundColor, getComputedStyle(document.body).color]);
+        const sum = (color) => color.match(/\d+/g).slice(0, 3).reduce((a, b) => a + Number(b), 0);
+        assert.equal(sum(ground) > sum(words), scheme === 'light');
+    }, {scheme}));
+}
+
+test('at 360 pixels nothing is cut off, and every panel can be reached', () => withPage(async (page) => {
+    const overflow = () => page.evaluate(() => {
+        const wide = [...document.querySelectorAll('body *')].filter((e) => e.checkVisibility() && e.getBoundingClientRect().right > 361 &&
+            !e.closest('.frame, .for-readers, .pixel-line')).map((e) => e.className || e.tagName);
+        return {width: document.documentElement.scrollWidth, wide};
+    });
+    for (const tab of ['Controls', 'Compare', 'Text']) {
+        await page.getByRole('tab', {name: tab}).click();
+        assert.deepEqual(await overflow(), {width: 360, wide: []}, tab);
+    }
+    assert.ok(await page.locator('.cm-content').isVisible());
+    await clickPicture(page, 0.5, 0.62);
+    await page.locator('.inspector').waitFor();
+    assert.deepEqual(await overflow(), {width: 360, wide: []}, 'Inspect');
+    await shoot(page, 'playground_small.png');
+    await page.getByRole('button', {name: 'the light'}).first().click();
+    await page.waitForFunction(() => document.querySelector('.editor').checkVisibility());
+    await choose(page, 'glint/still_life.glint');
+}, {width: 360, height: 740}));
+
+test('the page, to look at', () => withPage(async (page) => {
+    await choose(page, 'epfl/castle.json');
+    await clickPicture(page, 0.46, 0.83);
+    await page.locator('.inspector').waitFor();
+    await page.waitForTimeout(800);
+    await shoot(page, 'playground.png');
+}));
+
+test('the page in the dark, to look at', () => withPage(async (page) => {
+    await choose(page, 'cgfs/three_mirrors.cgfs');
+    await page.getByRole('tab', {name: 'Compare'}).click();
+    await page.getByRole('button', {name: '0 | 3 reflections'}).click();
+    await settled(page);
+    await page.waitForTimeout(1200);
+    await shoot(page, 'playground_dark.png');
+}, {scheme: 'dark'}));

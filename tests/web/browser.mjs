@@ -1,0 +1,150 @@
+// The built page in Chromium, and the native command to compare it with. Environment: CHROMIUM, its path; SHOTS, a folder for
+// screenshots.
+import assert from 'node:assert/strict';
+import {execFileSync} from 'node:child_process';
+import {createHash} from 'node:crypto';
+import {existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync} from 'node:fs';
+import {createRequire} from 'node:module';
+import {tmpdir} from 'node:os';
+import {basename, join} from 'node:path';
+import {after} from 'node:test';
+import {fileURLToPath} from 'node:url';
+
+import {serve} from '../../web/tools/serve.mjs';
+
+const {chromium} = createRequire(new URL('../../web/package.json', import.meta.url))('playwright-core');
+export const project = fileURLToPath(new URL('../..', import.meta.url));
+export const scenes = join(project, 'scenes');
+
+const server = await serve(join(project, 'web/dist'), 0);
+export const address = `http://127.0.0.1:${server.address().port}/`;
+const browser = await chromium.launch({
+    executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium',
+    args: process.getuid?.() === 0 ? ['--no-sandbox'] : [],
+});
+const folder = mkdtempSync(join(tmpdir(), 'glint-web-'));
+after(async () => {
+    await browser.close();
+    server.close();
+    server.closeAllConnections();
+    rmSync(folder, {recursive: true});
+});
+
+
+
+/** Opens the page for a test and checks afterwards that it complained of nothing. */
+export async function withPage(use, {width = 1440, height = 900, scheme = 'light', offline = false, path = '', ...more} = {}) {
+    const context = await browser.newContext({
+        viewport: {width, height}, colorScheme: scheme, acceptDownloads: true, serviceWorkers: offline ? 'allow' : 'block', ...more,
+    });
+    const page = await context.newPage();
+    const complaints = [];
+    page.on('pageerror', (error) => complaints.push(error.message));
+    page.on('console', (message) => {
+        if (['error', 'warning'].includes(message.type()) && !message.text().includes('Service Worker registration blocked'))
+            complaints.push(message.text());
+    });
+    try {
+        await page.goto(address + path);
+        await settled(page);
+        await use(page, context);
+        assert.deepEqual(complaints, []);
+    } finally {
+        await context.close();
+    }
+}
+
+/** Waits until the picture is complete. */
+export async function settled(page, state = 'done') {
+    await page.waitForSelector(`[data-state=${state}]`, {timeout: 60_000});
+}
+
+/** SHA-256 of the picture's red, green and blue bytes, and its size. */
+export async function picture(page, which = 0) {
+    const {width, height, bytes} = await page.evaluate(async (index) => {
+        const canvas = document.querySelectorAll('.frame canvas')[index];
+        const {data} = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height);
+        const rgb = new Uint8Array((data.length / 4) * 3);
+        for (let i = 0, o = 0; i < data.length; i += 4) {
+            rgb[o++] = data[i];
+            rgb[o++] = data[i + 1];
+            rgb[o++] = data[i + 2];
+        }
+        const digest = new Uint8Array(await crypto.subtle.digest('SHA-256', rgb));
+        return {width: canvas.width, height: canvas.height, bytes: [...digest]};
+    }, which);
+    return {size: `${width}x${height}`, hash: Buffer.from(bytes).toString('hex')};
+}
+
+/** The same of what the native command draws. */
+export function native(...args) {
+    const file = join(folder, 'native.ppm');
+    execFileSync(join(project, 'build/release/glint'), ['render', ...args, '--quiet', '-o', file], {stdio: ['ignore', 'pipe', 'pipe']});
+    const ppm = readFileSync(file);
+    const header = /^P6\s(\d+)\s(\d+)\s255\s/.exec(ppm.subarray(0, 40).toString('latin1'));
+    const hash = createHash('sha256').update(ppm.subarray(header[0].length)).digest('hex');
+    return {size: `${header[1]}x${header[2]}`, hash};
+}
+
+/** The same of a text. */
+export function nativeText(name, text, ...args) {
+    const file = join(folder, basename(name));
+    writeFileSync(file, text);
+    return native(file, ...args);
+}
+
+/** Opens a gallery scene by its menu: castle.json, or snowman. */
+export async function choose(page, scene) {
+    await page.getByRole('button', {name: 'Scenes', exact: true}).click();
+    await page.locator(`[data-scene$="${scene}"]`).click();
+    await settled(page);
+}
+
+/** Opens a text as a dropped file. */
+export async function drop(page, ...files) {
+    await page.evaluate((list) => {
+        const transfer = new DataTransfer();
+        for (const {name, base64} of list) {
+            const bytes = Uint8Array.from(atob(base64), (c) => c.charCodeAt(0));
+            transfer.items.add(new File([bytes], name));
+        }
+        document.body.dispatchEvent(new DragEvent('drop', {dataTransfer: transfer, bubbles: true, cancelable: true}));
+    }, files.map(({name, text}) => ({name, base64: Buffer.from(text).toString('base64')})));
+}
+
+/** Replaces the editor's text, as pasting does. */
+export async function paste(page, text) {
+    const content = page.locator('.cm-content');
+    await content.click();
+    await page.keyboard.press('Control+A');
+    await content.evaluate((element, pasted) => {
+        const clipboardData = new DataTransfer();
+        clipboardData.setData('text/plain', pasted);
+        element.dispatchEvent(new ClipboardEvent('paste', {clipboardData, bubbles: true, cancelable: true}));
+    }, text);
+}
+
+/** What a button saves: its name and bytes. */
+export async function saved(page, act) {
+    const [download] = await Promise.all([page.waitForEvent('download'), act()]);
+    const file = join(folder, 'download');
+    await download.saveAs(file);
+    return {name: download.suggestedFilename(), bytes: readFileSync(file)};
+}
+
+/** The editor's whole text. */
+export async function sceneText(page) {
+    return (await saved(page, () => page.getByRole('button', {name: 'Save scene'}).click())).bytes.toString();
+}
+
+/** Clicks a point of the picture, in fractions of its size. */
+export async function clickPicture(page, x, y) {
+    const box = await page.locator('.frame').boundingBox();
+    await page.mouse.click(box.x + x * box.width, box.y + y * box.height);
+}
+
+export async function shoot(page, name) {
+    if (process.env.SHOTS && existsSync(process.env.SHOTS)) await page.screenshot({path: join(process.env.SHOTS, name)});
+}
+
+export const book = readFileSync(join(scenes, 'cgfs/three_mirrors.cgfs'), 'utf8');

@@ -1,0 +1,210 @@
+// The controls: each edits its value in the text, or beside it, and the picture is the native one of that text.
+import assert from 'node:assert/strict';
+import {readFileSync} from 'node:fs';
+import {join} from 'node:path';
+import {test} from 'node:test';
+
+import {book, choose, drop, native, nativeText, picture, sceneText, scenes, settled, withPage} from './browser.mjs';
+
+const still = readFileSync(join(scenes, 'glint/still_life.glint'), 'utf8').replace('640 x 480  aa = 2', '120 x 90  aa = 1');
+
+/** Sets a slider, as dragging it does. */
+async function slide(page, slider, value) {
+    await slider.evaluate((input, to) => {
+        input.value = to;
+        input.dispatchEvent(new Event('input', {bubbles: true}));
+        input.dispatchEvent(new Event('change', {bubbles: true}));
+    }, String(value));
+}
+
+const flip = (page, label) => page.getByRole('switch', {name: label, exact: true}).click({force: true});
+
+/** The control, what it does to the text of `still`, and that alone. */
+const edits = [
+    ['shading', (page) => page.getByLabel('Shading').selectOption('normals'), / shading = normals /, null],
+    ['reflections', (page) => slide(page, page.getByRole('slider', {name: 'Reflections'}), 2), /reflections = 2 /, /reflections = 5 /],
+    ['samples', (page) => slide(page, page.getByRole('slider', {name: 'Samples'}), 2), / aa = 2 /, / aa = 1 /],
+    ['size', (page) => page.getByLabel('Width').fill('100'), /size = 100 x 90/, /size = 120 x 90/],
+    ['shadows', (page) => flip(page, 'Shadows'), / shadows = false /, null],
+    ['a light off', (page) => page.locator('[data-light="1"]').getByRole('switch').click({force: true}), /"lamp" .* intensity = 0 /, /intensity = 1\.2 /],
+    ['intensity', (page) => slide(page, page.locator('[data-light="1"]').getByRole('slider', {name: 'Intensity'}), 0.5), /intensity = 0\.5 /, /intensity = 1\.2 /],
+    ['an intensity that was not said', (page) => slide(page, page.locator('[data-light="0"]').getByRole('slider', {name: 'Intensity'}), 0.25), /type = ambient  intensity = 0\.25 /, null],
+    ['position', (page) => page.locator('[data-light="1"]').getByRole('spinbutton', {name: 'Position y'}).fill('2.5'), /position = \(3\.5, 2\.5, 4\)/, /position = \(3\.5, 5, 4\)/],
+    ['direction', (page) => page.locator('[data-light="2"]').getByRole('spinbutton', {name: 'Towards x'}).fill('1'), /to_light = \(1, 3, 2\)/, /to_light = \(-3, 3, 2\)/],
+    ['epsilon', (page) => page.getByRole('spinbutton', {name: 'Epsilon'}).fill('0.25'), /conventions { epsilon = 0\.25 }/, null],
+    ['no epsilon', (page) => flip(page, 'No epsilon'), /conventions { epsilon = 0 }/, null],
+    ['N·L not clamped', (page) => flip(page, 'N·L not clamped'), /conventions { clamp_cosines = false }/, null],
+    ['no normalisation', (page) => flip(page, 'No normalisation'), /conventions { normalize = false }/, null],
+    ['specular without gate', (page) => flip(page, 'Specular without gate'), /conventions { specular_gate = false }/, null],
+    ['shadows from behind the light', (page) => flip(page, 'Shadows from behind the light'), /conventions { shadow_stops_at_light = false }/, null],
+    ['a convention', async (page) => {
+        await page.getByText('Conventions', {exact: true}).click();
+        await page.getByLabel('mirror', {exact: true}).selectOption('add');
+    }, /conventions { mirror = add }/, null],
+];
+
+for (const [name, act, now, then] of edits) {
+    test(`a control edits the text, and undo takes it back: ${name}`, () => withPage(async (page) => {
+        await drop(page, {name: 'still.glint', text: still});
+        await page.waitForFunction(() => document.querySelector('.file-name').textContent === 'still.glint');
+        await settled(page);
+        const before = await picture(page);
+        await act(page);
+        await settled(page);
+        const text = await sceneText(page);
+        assert.match(text, now);
+        if (then) assert.doesNotMatch(text, then);
+        assert.deepEqual(await picture(page), nativeText('still.glint', text));
+        assert.equal(await page.locator('.outside').count(), 0);
+        await page.getByRole('button', {name: 'Undo'}).click();
+        await settled(page);
+        assert.equal(await sceneText(page), still);
+        assert.deepEqual(await picture(page), before);
+    }));
+}
+
+test('a fault that is taken back is as it was', () => withPage(async (page) => {
+    await drop(page, {name: 'still.glint', text: still});
+    await page.waitForFunction(() => document.querySelector('.file-name').textContent === 'still.glint');
+    await settled(page);
+    const before = await picture(page);
+    await flip(page, 'No epsilon');
+    await settled(page);
+    assert.notDeepEqual(await picture(page), before);
+    await flip(page, 'No epsilon');
+    await settled(page);
+    assert.deepEqual(await picture(page), before);
+}));
+
+test('a light that was off is as bright again', () => withPage(async (page) => {
+    const light = page.locator('[data-light="1"]').getByRole('switch');
+    await light.click({force: true});
+    await settled(page);
+    assert.match(await sceneText(page), /type = point {8}intensity = 0 /);
+    await light.click({force: true});
+    await settled(page);
+    assert.equal(await sceneText(page), book);
+}));
+
+const lights = [
+    ['epfl/three_lights.json', 1, /"position": \[-3.4, 1, 3.4\], "color": \[0.5, 0.03125, 0.01875\]/],
+    ['csc473/glass_ball.pov', 1, /light_source { <-12, 1, 14> color rgb <0.5, 0.47727, 0.43182> }/],
+    ['nff/pyramid.nff', 0, /^l 3 1 6 0.5 0.5 0.44444$/m],
+    ['snowman', 1, /position: \[6, 1, 9\], color: \[0.5, 0.425, 0.35\]/],
+];
+for (const [scene, index, expected] of lights) {
+    test(`a light of ${scene}`, () => withPage(async (page) => {
+        await choose(page, scene);
+        const fields = page.locator(`[data-light="${index}"]`);
+        await fields.getByRole('spinbutton', {name: 'Intensity'}).fill('0.5');
+        await settled(page);
+        await fields.getByRole('spinbutton', {name: 'Position y'}).fill('1');
+        await settled(page);
+        assert.match(await sceneText(page), expected);
+        assert.equal(await page.locator('.message.error').count(), 0);
+    }));
+}
+
+const cameras = ['cgfs/three_mirrors.cgfs', 'cgfs/from_the_side.cgfs', 'epfl/three_lights.json', 'snowman', 'csc473/glass_ball.pov',
+                 'nff/pyramid.nff', 'glint/acne.glint', 'glint/lit_sphere.glint'];
+for (const scene of cameras) {
+    test(`orbit, pan and zoom move the camera of ${scene}`, () => withPage(async (page) => {
+        await choose(page, scene);
+        const box = await page.locator('.frame').boundingBox();
+        const at = [box.x + box.width / 2, box.y + box.height / 2];
+        const seen = [await sceneText(page)];
+        const drag = async (key) => {
+            if (key) await page.keyboard.down(key);
+            await page.mouse.move(...at);
+            await page.mouse.down();
+            for (let i = 1; i <= 5; ++i) await page.mouse.move(at[0] + 12 * i, at[1] + 6 * i);
+            await page.mouse.up();
+            if (key) await page.keyboard.up(key);
+        };
+        for (const act of [() => drag(), () => drag('Shift'), () => page.mouse.wheel(0, 300)]) {
+            const before = await picture(page);
+            await act();
+            await page.waitForTimeout(50);
+            await settled(page);
+            seen.push(await sceneText(page));
+            assert.notEqual(seen.at(-1), seen.at(-2));
+            assert.notDeepEqual(await picture(page), before);
+        }
+        assert.equal(await page.locator('.message.error').count(), 0);
+        const name = await page.locator('.file-name').innerText();
+        if (!name.includes(':')) assert.deepEqual(await picture(page), nativeText(name, seen.at(-1)));
+    }));
+}
+
+test('what the camera looks at stays in the middle', () => withPage(async (page) => {
+    await choose(page, 'glint/acne.glint');
+    for (const name of ['Turn left', 'Turn left', 'Turn up', 'Nearer']) {
+        await page.getByRole('button', {name}).click();
+        await settled(page);
+    }
+    const text = await sceneText(page);
+    assert.match(text, /look_at = \(0, 0\.8, 0\)/);
+    const position = /position = \((.*?)\) {2}look_at/.exec(text)[1].split(', ').map(Number);
+    const distance = Math.hypot(position[0], position[1] - 0.8, position[2]);
+    assert.ok(Math.abs(distance - Math.hypot(1.4, 9) / 1.15) < 0.01, `${distance}`);
+}));
+
+test('dragging a slider shows more than 15 frames a second', () => withPage(async (page) => {
+    const figures = [];
+    for (let attempt = 0; attempt < 3; ++attempt) {
+        const frames = await page.evaluate(async () => {
+            const canvas = document.querySelector('.frame canvas'), context = canvas.getContext('2d');
+            let painted = false, frames = 0;
+            for (const name of ['drawImage', 'putImageData']) {
+                const real = context[name];
+                context[name] = (...args) => {
+                    painted = true;
+                    real.apply(context, args);
+                };
+            }
+            const slider = [...document.querySelectorAll('[data-light="1"] input[type=range]')][1];
+            const start = performance.now();
+            let i = 0;
+            while (performance.now() - start < 2000) {
+                slider.value = String(2 * Math.sin(++i / 20));
+                slider.dispatchEvent(new Event('input', {bubbles: true}));
+                await new Promise((next) => requestAnimationFrame(next));
+                if (painted) ++frames;
+                painted = false;
+            }
+            delete context.drawImage;
+            delete context.putImageData;
+            return frames / 2;
+        });
+        figures.push(frames);
+    }
+    console.log(`# frames a second while a slider is dragged, 600x600: ${figures.join(', ')}`);
+    assert.ok(Math.max(...figures) > 15, figures.join());
+    await settled(page);
+    const name = 'three_mirrors.cgfs';
+    assert.deepEqual(await picture(page), nativeText(name, await sceneText(page)));
+}));
+
+test('comparing: two renderings with a border between them, and their difference', () => withPage(async (page) => {
+    await page.getByRole('tab', {name: 'Compare'}).click();
+    await page.getByRole('button', {name: '0 | 3 reflections'}).click();
+    await page.waitForSelector('.right-half canvas');
+    await settled(page);
+    await page.waitForTimeout(1500);
+    const mirrors = join(scenes, 'cgfs/three_mirrors.cgfs');
+    assert.deepEqual(await picture(page, 0), native(mirrors, '--reflections', '0'));
+    assert.deepEqual(await picture(page, 1), native(mirrors, '--reflections', '3'));
+    const border = page.getByRole('slider', {name: 'Border between the pictures'});
+    const box = await page.locator('.frame').boundingBox();
+    await page.mouse.move(box.x + box.width / 2, box.y + 100);
+    await page.mouse.down();
+    await page.mouse.move(box.x + box.width / 4, box.y + 100, {steps: 4});
+    await page.mouse.up();
+    assert.ok(Math.abs(Number(await border.getAttribute('aria-valuenow')) - 25) <= 1);
+    assert.match(await page.locator('.right-half').evaluate((half) => half.style.clipPath), /25(\.\d+)?%/);
+    await page.getByRole('switch', {name: 'Show the difference'}).click({force: true});
+    assert.match(await page.locator('.figures').innerText(), /^[1-9][\d.]*% of the pixels differ, by up to \d+ of 255/);
+    await page.getByRole('button', {name: 'End the comparison'}).click();
+    await settled(page);
+    assert.deepEqual(await picture(page), native(mirrors));
+}));

@@ -1,0 +1,33 @@
+// Every scene of the gallery is drawn to the native bytes, by the page's own menu.
+import assert from 'node:assert/strict';
+import {readdirSync} from 'node:fs';
+import {join} from 'node:path';
+import {test} from 'node:test';
+
+import {choose, native, picture, scenes, withPage} from './browser.mjs';
+
+const files = readdirSync(scenes, {withFileTypes: true})
+    .flatMap((folder) => readdirSync(join(scenes, folder.name), {withFileTypes: true})
+        .filter((entry) => entry.isFile()).map((entry) => `${folder.name}/${entry.name}`));
+
+/** What the page calls a scene, and the native command's arguments for it. */
+function pictures(file) {
+    const path = join(scenes, file);
+    if (file.endsWith('only_lights.cgfs')) return [];
+    if (file.endsWith('only_spheres.cgfs')) return [['cgfs/two_listings.cgfs', [path, path.replace('only_spheres', 'only_lights')]]];
+    if (file.endsWith('two_scenes.js')) return ['snowman', 'pipes'].map((name) => [name, [path, '--scene', name]]);
+    return [[file, [path]]];
+}
+
+for (const family of ['cgfs', 'csc473', 'epfl', 'glint', 'nff']) {
+    test(`the gallery: ${family}`, {timeout: 300_000}, () => withPage(async (page) => {
+        const list = files.filter((file) => file.startsWith(`${family}/`)).flatMap(pictures);
+        assert.ok(list.length >= 2);
+        for (const [name, args] of list) {
+            await choose(page, name);
+            assert.deepEqual(await picture(page), native(...args), name);
+        }
+        // And the menu has no scene that this test does not know.
+        assert.equal(await page.locator('.thumb').count(), files.flatMap(pictures).length);
+    }));
+}

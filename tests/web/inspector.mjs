@@ -1,0 +1,82 @@
+// The inspector: what it shows of a pixel adds up to it, and leads to the text.
+import assert from 'node:assert/strict';
+import {test} from 'node:test';
+
+import {choose, clickPicture, settled, withPage} from './browser.mjs';
+
+/** The numbers of a table's row. */
+async function numbers(row) {
+    return (await row.locator('td').allInnerTexts()).map((text) => Number(text.replace('−', '-')));
+}
+
+for (const [scene, x, y] of [['cgfs/three_mirrors.cgfs', 0.5, 0.85], ['glint/glass.glint', 0.25, 0.5], ['epfl/mirror_room.json', 0.3, 0.6]]) {
+    test(`a pixel of ${scene} is the sum of its parts`, () => withPage(async (page) => {
+        await choose(page, scene);
+        await clickPicture(page, x, y);
+        const inspector = page.locator('.inspector');
+        await inspector.waitFor();
+        const [px, py] = (await inspector.getAttribute('data-pixel')).split(',').map(Number);
+        const shown = await page.evaluate(([i, j]) => {
+            const canvas = document.querySelector('.frame canvas');
+            return [...canvas.getContext('2d').getImageData(i, j, 1, 1).data].slice(0, 3);
+        }, [px, py]);
+        const rows = inspector.locator('.layers tbody tr');
+        const sum = [0, 0, 0];
+        for (let i = 0; i < await rows.count(); ++i) (await numbers(rows.nth(i))).forEach((value, c) => (sum[c] += value));
+        const total = await numbers(inspector.locator('[data-sum]'));
+        // The table shows four digits.
+        sum.forEach((value, c) => assert.ok(Math.abs(value - total[c]) < 1e-3, `${sum} ${total}`));
+        assert.deepEqual(await numbers(inspector.locator('.layers tfoot tr').last()), shown);
+        assert.ok(await rows.count() >= 2);
+    }));
+}
+
+test('the ray tree opens and closes, and its terms lead to their lines', () => withPage(async (page) => {
+    await clickPicture(page, 0.5, 0.62);
+    await page.locator('.inspector').waitFor();
+    const root = page.locator('.ray-node').first();
+    assert.ok(await page.locator('.ray-node .ray-node').count() > 0, 'a mirror ray');
+    assert.match(await root.locator('> summary').innerText(), /Camera ray meets sphere, line 6/);
+    await root.locator('> summary').click();
+    assert.equal(await root.getAttribute('open'), null);
+    await root.locator('> summary').click();
+    await page.locator('.light-terms').first().getByRole('button', {name: 'the light'}).click();
+    await page.waitForFunction(() => document.querySelector('.editor').shadowRoot.querySelector('.cm-activeLine').textContent.includes('point'));
+    await root.getByRole('button', {name: 'object'}).first().click();
+    await page.waitForFunction(() => document.querySelector('.editor').shadowRoot.querySelector('.cm-activeLine').textContent.includes('(255, 0, 0)'));
+    assert.ok(await page.locator('.frame .ray.mirror').count() > 0);
+    assert.ok(await page.locator('.frame .ray.light').count() > 0);
+    const angles = await page.locator('.angles dd').allInnerTexts();
+    assert.equal(angles.length, 4);
+    angles.forEach((angle) => assert.match(angle, /^\d+\.\d°$/));
+}));
+
+test('the view from above can be turned', () => withPage(async (page) => {
+    await clickPicture(page, 0.5, 0.62);
+    const top = page.locator('.top-frame');
+    await top.scrollIntoViewIfNeeded();
+    await page.waitForFunction(() => {
+        const canvas = document.querySelector('.top-frame canvas');
+        return new Set(canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height).data).size > 20;
+    });
+    const before = await top.locator('line').first().getAttribute('x1');
+    await top.focus();
+    for (let i = 0; i < 3; ++i) await page.keyboard.press('ArrowLeft');
+    await page.waitForFunction((x) => document.querySelector('.top-frame line').getAttribute('x1') !== x, before);
+}));
+
+test('pointing at a pixel says what is there; a changed scene is explained anew', () => withPage(async (page) => {
+    const box = await page.locator('.frame').boundingBox();
+    await page.mouse.move(box.x + box.width / 2, box.y + box.height * 0.7);
+    await page.waitForFunction(() => /sphere, line 6/.test(document.querySelector('.pixel-line').textContent));
+    await page.mouse.move(box.x + box.width / 2, box.y + 10);
+    await page.waitForFunction(() => /background/.test(document.querySelector('.pixel-line').textContent));
+    await clickPicture(page, 0.5, 0.7);
+    const sum = page.locator('[data-sum]');
+    const before = await sum.innerText();
+    await page.getByRole('tab', {name: 'Controls'}).click();
+    await page.locator('[data-light="0"]').getByRole('spinbutton', {name: 'Intensity'}).fill('0.4');
+    await settled(page);
+    await page.getByRole('tab', {name: 'Inspect'}).click();
+    await page.waitForFunction((text) => document.querySelector('[data-sum]').innerText !== text, before);
+}));

@@ -1,0 +1,8 @@
+// The playground's tests. One process and one browser: the subjects' files are imported one after the other.
+import './gallery.mjs';
+import './text.mjs';
+import './controls.mjs';
+import './inspector.mjs';
+import './sharing.mjs';
+import './access.mjs';
+import './strain.mjs';

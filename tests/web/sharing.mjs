@@ -1,0 +1,90 @@
+// Links, files, and the page without a network.
+import assert from 'node:assert/strict';
+import {readFileSync} from 'node:fs';
+import {join} from 'node:path';
+import {test} from 'node:test';
+
+import {address, choose, drop, native, picture, saved, sceneText, scenes, settled, withPage} from './browser.mjs';
+
+test('a link holds the scene, its settings and the comparison', () => withPage(async (page, context) => {
+    await choose(page, 'epfl/castle.json');
+    await page.getByLabel('Shading').selectOption('phong');
+    await page.getByLabel('Width').fill('200');
+    await settled(page);
+    await page.getByLabel('Height').fill('150');
+    await settled(page);
+    await page.getByRole('button', {name: 'Share link'}).click();
+    await page.waitForFunction(() => location.hash.startsWith('#1='));
+    const link = page.url();
+    assert.ok(link.length < 8000, `${link.length} characters`);
+    const other = await context.newPage();
+    await other.goto(link);
+    await settled(other);
+    assert.deepEqual(await picture(other), native(join(scenes, 'epfl/castle.json'), '--shading', 'phong', '-s', '200x150'));
+    assert.equal(await sceneText(other), readFileSync(join(scenes, 'epfl/castle.json'), 'utf8'));
+    assert.match(await other.locator('.outside').innerText(), /size = 200x150/);
+}));
+
+test('a link that holds nothing opens the book’s scene', () => withPage(async (page) => {
+    assert.match(await page.locator('.notice').innerText(), /holds no scene/);
+    assert.deepEqual(await picture(page), native(join(scenes, 'cgfs/three_mirrors.cgfs')));
+}, {path: '#1=AAAA'}));
+
+test('the picture is saved by key and by button, under the course’s name', () => withPage(async (page) => {
+    await choose(page, 'epfl/castle.json');
+    const byButton = await saved(page, () => page.getByRole('button', {name: 'Save PNG'}).click());
+    assert.equal(byButton.name, 'castle_BlinnPhong.png');
+    await page.locator('.frame').focus();
+    const byKey = await saved(page, () => page.keyboard.press('s'));
+    assert.equal(byKey.name, 'castle_BlinnPhong.png');
+    assert.deepEqual(byKey.bytes, byButton.bytes);
+    assert.equal(byKey.bytes.subarray(1, 4).toString(), 'PNG');
+    // A key within the text is a letter.
+    await page.locator('.cm-content').click();
+    await page.keyboard.press('s');
+    assert.match(await page.locator('.cm-content').innerText(), /s/);
+}));
+
+test('dropped files are opened: the first scene, and what it includes', () => withPage(async (page) => {
+    const text = '# two files\ninclude "other.cgfs"\nrender { size = 60 x 50 }\ncamera { position = (0, 0, -2)  look_at = (0, 0, 3) }\n';
+    const other = 'sphere { center = (0, 0, 3) radius = 1 color = (200, 10, 10) }\nlight { type = ambient intensity = 1 }\n';
+    await drop(page, {name: 'main.glint', text}, {name: 'other.cgfs', text: other});
+    await page.waitForFunction(() => document.querySelector('.file-name').textContent === 'main.glint');
+    await settled(page);
+    assert.equal((await picture(page)).size, '60x50');
+    assert.equal(await page.locator('.message').count(), 0);
+    await drop(page, {name: 'notes.txt', text: 'no scene'});
+    assert.match(await page.locator('.notice').innerText(), /Not a scene: notes\.txt/);
+    assert.equal(await page.locator('.file-name').innerText(), 'main.glint');
+}));
+
+test('nothing is fetched after the page is loaded, and only from itself before', () => withPage(async (page, context) => {
+    const requests = [];
+    await page.goto('about:blank');
+    page.on('request', (request) => requests.push(request.url()));
+    await page.goto(address);
+    await settled(page);
+    assert.ok(requests.every((url) => url.startsWith(address)), requests.join(' '));
+    assert.ok(requests.some((url) => url.endsWith('.wasm')));
+    await page.waitForLoadState('networkidle');
+    const loaded = requests.length;
+    await context.setOffline(true);
+    await choose(page, 'glint/temple.glint');
+    await page.getByRole('tab', {name: 'Inspect'}).click();
+    await page.locator('.frame').click();
+    await page.locator('.inspector').waitFor();
+    await page.getByRole('button', {name: 'Share link'}).click();
+    assert.deepEqual(requests.slice(loaded), []);
+    await context.setOffline(false);
+}));
+
+test('once loaded, the page opens without its server', () => withPage(async (page, context) => {
+    await page.evaluate(() => navigator.serviceWorker.ready);
+    await page.waitForFunction(() => navigator.serviceWorker.controller || caches.keys().then((names) => names.length > 0));
+    await page.waitForTimeout(500);
+    await context.setOffline(true);
+    await page.reload();
+    await settled(page);
+    assert.deepEqual(await picture(page), native(join(scenes, 'cgfs/three_mirrors.cgfs')));
+    await context.setOffline(false);
+}, {offline: true}));

@@ -1,0 +1,79 @@
+// The text: mistakes are shown at their place, undo, conversion.
+import assert from 'node:assert/strict';
+import {join} from 'node:path';
+import {test} from 'node:test';
+
+import {book, native, nativeText, paste, picture, sceneText, scenes, settled, withPage} from './browser.mjs';
+
+test('a mistake is shown at its line and column, and the last good picture stays', () => withPage(async (page) => {
+    const before = await picture(page);
+    const bad = book.replace('(2, 0, 4) ', '(2, oops, 4) ');
+    await paste(page, bad);
+    await settled(page, 'error');
+    const line = bad.split('\n').findIndex((text) => text.includes('oops')) + 1;
+    const column = bad.split('\n')[line - 1].indexOf('oops') + 1;
+    const message = page.locator('.message.error');
+    assert.match(await message.innerText(), new RegExp(`^${line}:${column}\\s*expected a number, found 'oops'`));
+    const marked = page.locator('.cm-lintRange-error');
+    assert.equal(await marked.innerText(), 'oops');
+    assert.deepEqual(await picture(page), before);
+
+    await page.locator('.cm-line').first().click();
+    await message.click();
+    assert.equal(await page.evaluate(() => document.querySelector('.editor').shadowRoot.getSelection?.().toString() ?? ''),
+        bad.split('\n')[line - 1].slice(column - 1));
+
+    await paste(page, book);
+    await settled(page);
+    assert.deepEqual(await picture(page), before);
+    assert.equal(await page.locator('.message').count(), 0);
+}));
+
+test('columns count characters where the text is not ASCII', () => withPage(async (page) => {
+    await paste(page, '# ü 🌞\nsphere { center = (0, 0, 3) radius = 1 color = (1, 2, 3) } # é\nlight { type = ambient intensity = "ßß" oops }');
+    await settled(page, 'error');
+    assert.match(await page.locator('.cm-lintRange-error').first().innerText(), /"ßß"/);
+}));
+
+test('every message of a scene that is only warned of', () => withPage(async (page) => {
+    await paste(page, book.replace('radius = 1 ', 'radius = 1 spin = 7 '));
+    await settled(page);
+    assert.match(await page.locator('.message.warning').innerText(), /spin/);
+    assert.ok(await page.locator('.cm-lintRange-warning').count() > 0);
+}));
+
+test('undo and redo, of typing and of settings beside the text', () => withPage(async (page) => {
+    const phong = await picture(page);
+    await page.getByLabel('Shading').selectOption('blinn-phong');
+    await settled(page);
+    assert.match(await page.locator('.outside').innerText(), /shading = blinn-phong/);
+    const blinn = native(join(scenes, 'cgfs/three_mirrors.cgfs'), '--shading', 'blinn-phong');
+    assert.deepEqual(await picture(page), blinn);
+    await page.getByRole('button', {name: 'Undo'}).click();
+    await settled(page);
+    assert.deepEqual(await picture(page), phong);
+    assert.equal(await page.locator('.outside').count(), 0);
+    await page.getByRole('button', {name: 'Redo'}).click();
+    await settled(page);
+    assert.deepEqual(await picture(page), blinn);
+}));
+
+test('a scene is converted to .glint, with what its own format cannot say, and back by undo', () => withPage(async (page) => {
+    await page.getByLabel('Shading').selectOption('blinn-phong');
+    await settled(page);
+    const before = await picture(page);
+    await page.getByRole('button', {name: /^Convert to .glint/}).click();
+    await page.waitForFunction(() => document.querySelector('.file-name').textContent === 'three_mirrors.glint');
+    await settled(page);
+    const text = await sceneText(page);
+    assert.match(text, /blinn-phong/);
+    assert.deepEqual(await picture(page), before);
+    assert.deepEqual(nativeText('three_mirrors.glint', text), before);
+    assert.equal(await page.locator('.outside').count(), 0);
+    await page.getByRole('button', {name: 'Undo'}).click();
+    await settled(page);
+    assert.equal(await sceneText(page), book);
+    assert.equal(await page.locator('.file-name').innerText(), 'three_mirrors.cgfs');
+    assert.match(await page.locator('.outside').innerText(), /shading = blinn-phong/);
+    assert.deepEqual(await picture(page), before);
+}));
