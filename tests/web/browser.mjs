@@ -41,8 +41,9 @@ export async function withPage(use, {width = 1440, height = 900, scheme = 'light
     const complaints = [];
     page.on('pageerror', (error) => complaints.push(error.message));
     page.on('console', (message) => {
-        if (['error', 'warning'].includes(message.type()) && !message.text().includes('Service Worker registration blocked'))
-            complaints.push(message.text());
+        // What comes of the tests' own doing.
+        const ours = /Service Worker registration blocked|willReadFrequently/.test(message.text());
+        if (['error', 'warning'].includes(message.type()) && !ours) complaints.push(message.text());
     });
     try {
         await page.goto(address + path);

@@ -8,10 +8,10 @@ import {address, choose, drop, native, picture, saved, sceneText, scenes, settle
 
 test('a link holds the scene, its settings and the comparison', () => withPage(async (page, context) => {
     await choose(page, 'epfl/castle.json');
-    await page.getByLabel('Shading').selectOption('phong');
-    await page.getByLabel('Width').fill('200');
+    await page.getByRole('combobox', {name: 'Shading'}).selectOption('phong');
+    await page.getByRole('spinbutton', {name: 'Width'}).fill('200');
     await settled(page);
-    await page.getByLabel('Height').fill('150');
+    await page.getByRole('spinbutton', {name: 'Height'}).fill('150');
     await settled(page);
     await page.getByRole('button', {name: 'Share link'}).click();
     await page.waitForFunction(() => location.hash.startsWith('#1='));

@@ -20,7 +20,7 @@ test('a mistake is shown at its line and column, and the last good picture stays
 
     await page.locator('.cm-line').first().click();
     await message.click();
-    assert.equal(await page.evaluate(() => document.querySelector('.editor').shadowRoot.getSelection?.().toString() ?? ''),
+    await page.waitForFunction((rest) => document.querySelector('.editor').shadowRoot.getSelection().toString() === rest,
         bad.split('\n')[line - 1].slice(column - 1));
 
     await paste(page, book);
@@ -44,7 +44,7 @@ test('every message of a scene that is only warned of', () => withPage(async (pa
 
 test('undo and redo, of typing and of settings beside the text', () => withPage(async (page) => {
     const phong = await picture(page);
-    await page.getByLabel('Shading').selectOption('blinn-phong');
+    await page.getByRole('combobox', {name: 'Shading'}).selectOption('blinn-phong');
     await settled(page);
     assert.match(await page.locator('.outside').innerText(), /shading = blinn-phong/);
     const blinn = native(join(scenes, 'cgfs/three_mirrors.cgfs'), '--shading', 'blinn-phong');
@@ -59,7 +59,7 @@ test('undo and redo, of typing and of settings beside the text', () => withPage(
 }));
 
 test('a scene is converted to .glint, with what its own format cannot say, and back by undo', () => withPage(async (page) => {
-    await page.getByLabel('Shading').selectOption('blinn-phong');
+    await page.getByRole('combobox', {name: 'Shading'}).selectOption('blinn-phong');
     await settled(page);
     const before = await picture(page);
     await page.getByRole('button', {name: /^Convert to .glint/}).click();

@@ -36,6 +36,13 @@ const theme = EditorView.theme({
     '.cm-matchingBracket': {backgroundColor: 'var(--selection) !important', outline: 'none'},
     '.cm-tooltip': {backgroundColor: 'var(--panel)', color: 'var(--text)', border: '1px solid var(--rule)', borderRadius: '6px'},
     '.cm-diagnostic': {fontFamily: 'var(--sans)', fontSize: '13px', padding: '6px 10px'},
+    // The marks of mistakes without the images that CodeMirror has for them.
+    '.cm-lintRange': {backgroundImage: 'none !important', textDecorationSkipInk: 'none'},
+    '.cm-lintRange-error': {textDecoration: 'underline wavy var(--error)', backgroundColor: 'var(--error-soft)'},
+    '.cm-lintRange-warning': {textDecoration: 'underline wavy var(--warning)'},
+    '.cm-lint-marker': {content: 'normal !important', width: '9px', height: '9px', borderRadius: '50%', margin: '5px 3px'},
+    '.cm-lint-marker-error': {backgroundColor: 'var(--error)'},
+    '.cm-lint-marker-warning': {backgroundColor: 'var(--light)'},
     '.tok-comment': {color: 'var(--faint)', fontStyle: 'italic'},
     '.tok-string': {color: 'var(--string)'},
     '.tok-number': {color: 'var(--number)'},

@@ -9,7 +9,8 @@ export interface Rect {
 }
 
 export type Task =
-    | {what: 'open'}
+    /** With a rectangle: it is drawn as well, which spares a frame a way there and back. */
+    | {what: 'open'; rect?: Rect}
     | {what: 'tile'; rect: Rect}
     | {what: 'explain'; x: number; y: number}
     | {what: 'convert'};
@@ -30,6 +31,7 @@ export type ToWorker =
 export interface Opened {
     report: Report;
     info: SceneInfo | null;
+    tile: Tile | null;
 }
 export interface Tile {
     pixels: Uint8ClampedArray<ArrayBuffer>;

@@ -103,15 +103,22 @@ export class View {
     }
 
     async #draw(subject: Subject, key: number) {
-        const opened = await this.pool.run(
-            {view: this.name, key, request: subject.request, prepare: {}, task: {what: 'open'}}, true);
-        this.events.opened(opened, key);
-        const {info} = opened;
+        // How many samples the first picture may have; the same for what is expected and for what is found.
+        const affordable = (frameTime * this.pool.size) / this.#sampleTime;
+        const expected = this.current ? this.#levels(subject, this.current.info, affordable)[0]! : null;
+        const opening = (expected && !expected.final && await this.#openDrawing(subject, key, expected)) || await this.#open(subject, key);
+        this.events.opened(opening.opened, key);
+        const {info} = opening.opened;
         if (!info) return;
-        const levels = this.#levels(subject, info);
+        const levels = this.#levels(subject, info, affordable);
         const last = levels.at(-1)!;
         this.current = {subject, key, info, prepare: last.prepare};
         this.events.sized(last.width, last.height);
+        if (expected && opening.picture && isSameLevel(expected, levels[0]!)) {
+            this.events.painted(opening.picture, {x: 0, y: 0, width: last.width, height: last.height}, true);
+            this.#coarseShown = true;
+            levels.shift();
+        }
         for (const level of levels) {
             if (this.#pending && this.#coarseShown) return;
             await this.#drawLevel(subject, key, level, last);
@@ -119,7 +126,39 @@ export class View {
         }
     }
 
-    #levels(subject: Subject, info: SceneInfo): Level[] {
+    async #open(subject: Subject, key: number): Promise<Opening> {
+        const job = {view: this.name, key, request: subject.request, prepare: {}};
+        return {opened: await this.pool.run({...job, task: {what: 'open'}}, true), picture: null};
+    }
+
+    /** Opens the scene and draws its first, coarse picture at once, if its size is that of the scene before. */
+    async #openDrawing(subject: Subject, key: number, level: Level): Promise<Opening | null> {
+        const job = {view: this.name, key, request: subject.request, prepare: level.prepare};
+        const rects = strips(level.width, level.height, this.pool.size);
+        const first = this.pool.run({...job, task: {what: 'open', rect: rects[0]!}}, true);
+        const others = rects.slice(1).map((rect) => this.pool.run({...job, task: {what: 'tile', rect}}, true));
+        const drawn = await Promise.allSettled([first, ...others]);
+        const stopped = drawn.find((one) => one.status === 'rejected' && one.reason instanceof Stopped);
+        if (stopped?.status === 'rejected') throw stopped.reason;
+        if (drawn[0]!.status === 'rejected') return null;  // it is not as the one before: from the beginning, then
+        const opened = drawn[0]!.value as Opened;
+        const tiles = [opened.tile, ...drawn.slice(1).map((one) => (one.status === 'fulfilled' ? (one.value as Tile) : null))];
+        if (tiles.includes(null)) return {opened, picture: null};
+        const picture = new ImageData(level.width, level.height);
+        tiles.forEach((tile, i) => {
+            place(tile!, rects[i]!, picture);
+            this.#measure(tile!, rects[i]!, level.samples);
+        });
+        return {opened, picture};
+    }
+
+    #measure(tile: Tile, rect: Rect, samples: number) {
+        const area = rect.width * rect.height;
+        const measured = Math.max(1e-6, tile.milliseconds / (area * samples));
+        if (area >= 256) this.#sampleTime += 0.15 * (measured - this.#sampleTime);
+    }
+
+    #levels(subject: Subject, info: SceneInfo, affordable: number): Level[] {
         const asked = subject.prepare.settings?.['size']?.split('x').map(Number) ?? [info.width, info.height];
         const [wholeWidth, wholeHeight] = asked as [number, number];
         const shrink = Math.min(1, Math.sqrt(mostPixels / (wholeWidth * wholeHeight)));
@@ -127,14 +166,13 @@ export class View {
         const level = (scale: number, aa: number): Level => {
             const width = Math.max(1, Math.round(wholeWidth * scale)), height = Math.max(1, Math.round(wholeHeight * scale));
             const settings: Record<string, string> = {...subject.prepare.settings};
-            if (scale !== 1) settings['size'] = `${width}x${height}`;
+            if (scale !== 1 || aa !== n) settings['size'] = `${width}x${height}`;
             if (aa !== n) settings['aa'] = String(aa);
             return {width, height, samples: aa * aa, prepare: {...subject.prepare, settings}, final: false};
         };
         const full = {...level(shrink, n), final: true};
         // At one world unit a pixel, fewer pixels would show less of the scene.
         if (setting(info, 'pixel_sample') === 'whole') return [full];
-        const affordable = (frameTime * this.pool.size) / this.#sampleTime;
         const pixels = full.width * full.height;
         if (pixels * full.samples <= affordable) return [full];
         const coarse = Math.max(1 / 16, Math.min(1, Math.sqrt(affordable / pixels)));
@@ -158,13 +196,9 @@ export class View {
             const area = rect.width * rect.height;
             done += area;
             rays += tile.rays;
-            const measured = tile.milliseconds / (area * level.samples);
-            if (area >= 256) this.#sampleTime += 0.15 * (Math.max(measured, 1e-6) - this.#sampleTime);
+            this.#measure(tile, rect, level.samples);
             if (whole) {
-                for (let row = 0; row < rect.height; ++row) {
-                    whole.data.set(tile.pixels.subarray(4 * row * rect.width, 4 * (row + 1) * rect.width),
-                                   4 * ((rect.y + row) * level.width + rect.x));
-                }
+                place(tile, rect, whole);
             } else {
                 this.events.painted(new ImageData(tile.pixels, rect.width, rect.height), rect, false);
                 this.events.progress(progress());
@@ -177,6 +211,30 @@ export class View {
         if (whole) this.events.painted(whole, {x: 0, y: 0, width: last.width, height: last.height}, true);
         if (level.final && !this.#pending) this.events.done(progress(), key);
     }
+}
+
+interface Opening {
+    opened: Opened;
+    picture: ImageData | null;
+}
+
+function isSameLevel(a: Level, b: Level): boolean {
+    return a.width === b.width && a.height === b.height && JSON.stringify(a.prepare) === JSON.stringify(b.prepare);
+}
+
+/** Puts a tile's pixels into a picture. */
+function place(tile: Tile, rect: Rect, picture: ImageData) {
+    for (let row = 0; row < rect.height; ++row) {
+        picture.data.set(tile.pixels.subarray(4 * row * rect.width, 4 * (row + 1) * rect.width),
+                         4 * ((rect.y + row) * picture.width + rect.x));
+    }
+}
+
+/** A picture in upright strips: left and right are more alike than above and below. */
+function strips(width: number, height: number, count: number): Rect[] {
+    const n = Math.min(count, width);
+    const edge = (i: number) => Math.round((i * width) / n);
+    return Array.from({length: n}, (_, i) => ({x: edge(i), y: 0, width: edge(i + 1) - edge(i), height}));
 }
 
 /** The rectangles of a picture, from the middle outwards: what one looks at comes first. */

@@ -1,7 +1,7 @@
 // A worker: one instance of glint, one open scene a view.
-import {type Glint, type Scene, instantiate} from 'glint-wasm';
+import {type Glint, type PrepareRequest, type Scene, instantiate} from 'glint-wasm';
 
-import type {Answers, FromWorker, ToWorker} from './protocol';
+import type {Answers, FromWorker, Rect, Tile, ToWorker} from './protocol';
 
 type JobMessage = Extract<ToWorker, {kind: 'job'}>;
 interface OpenScene {
@@ -27,21 +27,33 @@ async function sceneOf(job: JobMessage): Promise<OpenScene> {
     return open;
 }
 
+function prepare(open: OpenScene, request: PrepareRequest) {
+    const wanted = JSON.stringify(request);
+    if (wanted === open.prepared) return;
+    open.prepared = '';
+    open.scene.prepare(request);
+    open.prepared = wanted;
+}
+
+function tile({scene}: OpenScene, {x, y, width, height}: Rect): Tile {
+    const start = performance.now();
+    return {...scene.renderPixels(x, y, width, height), milliseconds: performance.now() - start};
+}
+
 async function work(job: JobMessage): Promise<Answers[keyof Answers]> {
     const open = await sceneOf(job);
     const {scene} = open;
-    if (job.task.what === 'open') return {report: scene.report, info: scene.info};
-    const prepared = JSON.stringify(job.prepare);
-    if (prepared !== open.prepared) {
-        open.prepared = '';
-        scene.prepare(job.prepare);
-        open.prepared = prepared;
+    const {task} = job;
+    if (task.what === 'open') {
+        const {report, info} = scene;
+        if (!task.rect || !info) return {report, info, tile: null};
+        prepare(open, job.prepare);
+        return {report, info, tile: tile(open, task.rect)};
     }
-    if (job.task.what === 'explain') return scene.explain(job.task.x, job.task.y);
-    if (job.task.what === 'convert') return scene.toGlint();
-    const start = performance.now();
-    const {x, y, width, height} = job.task.rect;
-    return {...scene.renderPixels(x, y, width, height), milliseconds: performance.now() - start};
+    prepare(open, job.prepare);
+    if (task.what === 'explain') return scene.explain(task.x, task.y);
+    if (task.what === 'convert') return scene.toGlint();
+    return tile(open, task.rect);
 }
 
 addEventListener('message', async ({data}: MessageEvent<ToWorker>) => {
@@ -53,7 +65,10 @@ addEventListener('message', async ({data}: MessageEvent<ToWorker>) => {
     const transfer: Transferable[] = [];
     try {
         const answer = await work(data);
-        if (answer && typeof answer === 'object' && 'pixels' in answer) transfer.push(answer.pixels.buffer);
+        if (answer && typeof answer === 'object') {
+            if ('pixels' in answer) transfer.push(answer.pixels.buffer);
+            if ('tile' in answer && answer.tile) transfer.push(answer.tile.pixels.buffer);
+        }
         reply = {id: data.id, answer};
     } catch (error) {
         // After a trap the instance's memory is not to be trusted: the next job makes a new one.

@@ -27,10 +27,10 @@ function Value({name, label, value, set}: {name: string; label: string; value: s
     const words = settingOf(name) && wordsOf(settingOf(name)!);
     if (words) return <Choice label={label} value={value} values={words} set={set} />;
     return (
-        <label class="choice">
-            <span>{label}</span>
-            <input type="text" value={value} onChange={(event) => set(event.currentTarget.value)} />
-        </label>
+        <div class="choice">
+            <label for={`compare-${label}`}>{label}</label>
+            <input id={`compare-${label}`} type="text" value={value} onChange={(event) => set(event.currentTarget.value)} />
+        </div>
     );
 }
 

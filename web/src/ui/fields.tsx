@@ -48,10 +48,11 @@ export function NumberField({label, value, set, min, max, step, disabled, hidden
     hidden?: boolean;
 }) {
     const draft = useSignal<string | null>(null);
+    const id = useId();
     return (
-        <label class="number">
-            <span class={hidden ? 'for-readers' : ''}>{label}</span>
-            <input type="number" value={draft.value ?? String(Number(value.toPrecision(6)))} min={min} max={max} step={step ?? 'any'} disabled={disabled}
+        <div class="number">
+            <label for={id} class={hidden ? 'for-readers' : ''}>{label}</label>
+            <input id={id} type="number" value={draft.value ?? String(Number(value.toPrecision(6)))} min={min} max={max} step={step ?? 'any'} disabled={disabled}
                    onInput={(event) => {
                        draft.value = event.currentTarget.value;
                        const typed = event.currentTarget.valueAsNumber;
@@ -61,19 +62,20 @@ export function NumberField({label, value, set, min, max, step, disabled, hidden
                    onBlur={() => {
                        draft.value = null;
                    }} />
-        </label>
+        </div>
     );
 }
 
 export function Choice({label, value, values, set, hidden}: {
     label: string; value: string; values: readonly string[]; set: (value: string) => void; hidden?: boolean;
 }) {
+    const id = useId();
     return (
-        <label class="choice">
-            <span class={hidden ? 'for-readers' : ''}>{label}</span>
-            <select value={value} onChange={(event) => set(event.currentTarget.value)}>
+        <div class="choice">
+            <label for={id} class={hidden ? 'for-readers' : ''}>{label}</label>
+            <select id={id} value={value} onChange={(event) => set(event.currentTarget.value)}>
                 {values.map((one) => <option key={one} value={one}>{one}</option>)}
             </select>
-        </label>
+        </div>
     );
 }
