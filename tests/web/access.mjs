@@ -131,10 +131,13 @@ test('at 360 pixels nothing is cut off, and every panel can be reached', () => w
 
 test('the page, to look at', () => withPage(async (page) => {
     await choose(page, 'epfl/castle.json');
-    await clickPicture(page, 0.46, 0.83);
+    await clickPicture(page, 0.585, 0.79);
     await page.locator('.inspector').waitFor();
     await page.waitForTimeout(800);
     await shoot(page, 'playground.png');
+    await page.locator('.top-view').scrollIntoViewIfNeeded();
+    await page.waitForTimeout(800);
+    await shoot(page, 'playground_rays.png');
 }));
 
 test('the page in the dark, to look at', () => withPage(async (page) => {
