@@ -74,7 +74,7 @@ function Light({light, index}: {light: LightInfo; index: number}) {
     const swatch = light.color.map((c) => Math.round(255 * Math.max(0, Math.min(1, c)))).join(' ');
     const brightest = Math.max(...light.color);
     return (
-        <fieldset class="light" data-light={index}>
+        <fieldset class="light-card" data-light={index}>
             <legend class="for-readers">{`Light ${index + 1}: ${name}`}</legend>
             <div class="light-head">
                 <Switch label={<><span class="swatch" style={{background: `rgb(${swatch})`}} aria-hidden="true" /> {name}</>}

@@ -14,7 +14,7 @@ export function itemName(item: NamedItem & {kind?: string}): string {
 export function short(value: number | null | undefined): string {
     if (value === null || value === undefined) return '–';
     if (value === 0) return '0';
-    const text = Math.abs(value) >= 1e5 || Math.abs(value) < 1e-4 ? value.toExponential(2) : String(Number(value.toPrecision(4)));
+    const text = Math.abs(value) >= 1e5 || Math.abs(value) < 1e-4 ? value.toExponential(1) : String(Number(value.toPrecision(4)));
     return text.replace('-', '−');
 }
 
