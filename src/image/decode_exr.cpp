@@ -11,6 +11,7 @@
 #include <cstring>
 
 #include "image/decoders.h"
+#include "image/exr_header.h"
 
 namespace glint {
 namespace {
@@ -43,67 +44,6 @@ Box box_of(const Imath::Box2i& window) {
             std::int64_t{window.max.y} - window.min.y + 1};
 }
 
-// OpenEXR takes the memory that a header asks for before it looks whether the file is that long. So the sizes
-// of a header (https://openexr.com/en/latest/OpenEXRFileLayout.html) are looked at first: magic number and
-// version, then attributes of name, type, length and value until an empty name.
-class HeaderScan {
-  public:
-    explicit HeaderScan(ByteSpan bytes) : bytes_(bytes) {}
-
-    void check(const DecodeOptions& options) {
-        at_ = 8;
-        for (std::string name = text(); !name.empty(); name = text()) {
-            text();  // its type
-            const std::uint32_t length = number();
-            if (length > bytes_.size() - at_) throw Undecodable("the OpenEXR file is cut off");
-            const std::size_t end = at_ + length;
-            if (name == "dataWindow" && length == 16) {
-                const auto left = edge(), top = edge(), right = edge(), bottom = edge();
-                width_ = right - left + 1;
-                height_ = bottom - top + 1;
-                check_size(width_, height_, options);
-            } else if (name == "tiles" && length == 9) {
-                tile_width_ = number();
-                tile_height_ = number();
-            }
-            at_ = end;
-        }
-        check_tiles();
-    }
-
-  private:
-    // Every tile has eight bytes in the file's table of places.
-    void check_tiles() const {
-        if (tile_width_ == 0 || tile_height_ == 0) return;
-        const auto count = [](std::int64_t side, std::int64_t tile) { return (side + tile - 1) / tile; };
-        const std::int64_t tiles = count(width_, tile_width_) * count(height_, tile_height_);
-        if (tiles > static_cast<std::int64_t>(bytes_.size() / 8))
-            throw Undecodable("the OpenEXR file is cut off");
-    }
-
-    std::string text() {
-        std::string word;
-        for (; at_ < bytes_.size() && bytes_[at_] != 0; ++at_) word += static_cast<char>(bytes_[at_]);
-        if (at_ >= bytes_.size()) throw Undecodable("the OpenEXR file is cut off");
-        ++at_;
-        return word;
-    }
-
-    std::uint32_t number() {
-        if (at_ > bytes_.size() || bytes_.size() - at_ < 4) throw Undecodable("the OpenEXR file is cut off");
-        std::uint32_t value = 0;
-        for (int i = 3; i >= 0; --i) value = value << 8 | bytes_[at_ + i];
-        at_ += 4;
-        return value;
-    }
-    std::int64_t edge() { return static_cast<std::int32_t>(number()); }
-
-    ByteSpan bytes_;
-    std::size_t at_ = 0;
-    std::int64_t width_ = 0, height_ = 0;
-    std::uint32_t tile_width_ = 0, tile_height_ = 0;
-};
-
 // The names of the three channels to read.
 std::array<const char*, 3> channels_of(const Imf::ChannelList& list) {
     std::array<const char*, 3> names = {"R", "G", "B"};
@@ -123,7 +63,7 @@ bool is_finite(float value) { return (std::bit_cast<std::uint32_t>(value) & 0x7f
 }  // namespace
 
 DecodeResult decode_exr(ByteSpan bytes, const DecodeOptions& options) {
-    HeaderScan(bytes).check(options);
+    check_exr_header(bytes, options);
     MemoryStream stream(bytes);
     Imf::InputFile file(stream, 0);
     const Box data = box_of(file.header().dataWindow()), shown = box_of(file.header().displayWindow());

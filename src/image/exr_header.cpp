@@ -1,0 +1,120 @@
+// The header of an OpenEXR file (https://openexr.com/en/latest/OpenEXRFileLayout.html): magic number and
+// version, then attributes of name, type, length and value until an empty name.
+#include "image/exr_header.h"
+
+#include <string>
+#include <string_view>
+
+namespace glint {
+namespace {
+
+// Types whose values have one length only.
+struct FixedType {
+    std::string_view name;
+    std::uint32_t length;
+};
+constexpr FixedType k_fixed[] = {{"box2i", 16},
+                                 {"box2f", 16},
+                                 {"chromaticities", 32},
+                                 {"compression", 1},
+                                 {"deepImageState", 1},
+                                 {"double", 8},
+                                 {"envmap", 1},
+                                 {"float", 4},
+                                 {"int", 4},
+                                 {"keycode", 28},
+                                 {"lineOrder", 1},
+                                 {"m33f", 36},
+                                 {"m33d", 72},
+                                 {"m44f", 64},
+                                 {"m44d", 128},
+                                 {"rational", 8},
+                                 {"tiledesc", 9},
+                                 {"timecode", 8},
+                                 {"v2i", 8},
+                                 {"v2f", 8},
+                                 {"v2d", 16},
+                                 {"v3i", 12},
+                                 {"v3f", 12},
+                                 {"v3d", 24}};
+constexpr std::size_t k_channel_bytes = 16;  // after a channel's name
+
+[[noreturn]] void fail() { throw Undecodable("the OpenEXR file is cut off, or its header is not one"); }
+
+class HeaderScan {
+  public:
+    explicit HeaderScan(ByteSpan bytes) : bytes_(bytes) {}
+
+    void check(const DecodeOptions& options) {
+        at_ = 8;
+        for (std::string_view name = text(); !name.empty(); name = text()) {
+            const std::string_view type = text();
+            const std::uint32_t length = number();
+            if (length > bytes_.size() - at_) fail();
+            const std::size_t end = at_ + length;
+            check_length(type, length, end);
+            if (name == "dataWindow" && type == "box2i") {
+                const std::int64_t left = edge(), top = edge(), right = edge(), bottom = edge();
+                width_ = right - left + 1;
+                height_ = bottom - top + 1;
+                check_size(width_, height_, options);
+            } else if (name == "tiles" && type == "tiledesc") {
+                tile_width_ = number();
+                tile_height_ = number();
+            }
+            at_ = end;
+        }
+        check_tiles();
+    }
+
+  private:
+    void check_length(std::string_view type, std::uint32_t length, std::size_t end) {
+        for (const FixedType& fixed : k_fixed) {
+            if (type == fixed.name && length != fixed.length) fail();
+        }
+        const std::size_t start = at_;
+        if (type == "chlist") {
+            while (!text().empty()) at_ += k_channel_bytes;
+            if (at_ != end) fail();
+        } else if (type == "preview") {
+            if (length < 8 || std::uint64_t{number()} * number() > (length - 8) / 4) fail();
+        }
+        at_ = start;
+    }
+
+    // Every tile has eight bytes in the file's table of places.
+    void check_tiles() const {
+        if (tile_width_ == 0 || tile_height_ == 0) return;
+        const auto count = [](std::int64_t side, std::int64_t tile) { return (side + tile - 1) / tile; };
+        const std::int64_t tiles = count(width_, tile_width_) * count(height_, tile_height_);
+        if (tiles > static_cast<std::int64_t>(bytes_.size() / 8)) fail();
+    }
+
+    // Up to a 0 byte.
+    std::string_view text() {
+        const std::size_t start = at_;
+        while (at_ < bytes_.size() && bytes_[at_] != 0) ++at_;
+        if (at_ >= bytes_.size()) fail();
+        return {reinterpret_cast<const char*>(bytes_.data()) + start, at_++ - start};
+    }
+
+    std::uint32_t number() {
+        if (at_ > bytes_.size() || bytes_.size() - at_ < 4) fail();
+        std::uint32_t value = 0;
+        for (std::size_t i = 4; i-- > 0;) value = value << 8 | bytes_[at_ + i];
+        at_ += 4;
+        return value;
+    }
+    std::int64_t edge() { return static_cast<std::int32_t>(number()); }
+
+    ByteSpan bytes_;
+    std::size_t at_ = 0;
+    std::int64_t width_ = 0, height_ = 0;
+    std::uint32_t tile_width_ = 0, tile_height_ = 0;
+};
+
+}  // namespace
+
+void check_exr_header(ByteSpan bytes, const DecodeOptions& options) { HeaderScan(bytes).check(options); }
+
+}  // namespace glint
