@@ -78,7 +78,8 @@ const std::vector<Room>& rooms() {
         {"image", {"base", "math"}, {"fmt/", "zlib.h", "png.h", "jpeglib.h", "Imf", "Imath"}, false},
         {"cli",
          all_but({"wasm"}),
-         {"fmt/", "nlohmann/", "CLI/", "sys/", "unistd.h", "fcntl.h", "fnmatch.h", "csignal", "signal.h", "termios.h"},
+         {"fmt/", "nlohmann/", "CLI/", "sys/", "unistd.h", "fcntl.h", "fnmatch.h", "csignal", "signal.h",
+          "termios.h"},
          false},
         {"wasm", all_but({"cli"}), {"fmt/", "nlohmann/"}},
     };
