@@ -1,5 +1,6 @@
 // The header of an OpenEXR file (https://openexr.com/en/latest/OpenEXRFileLayout.html): magic number and
-// version, then attributes of name, type, length and value until an empty name.
+// version, then attributes of name, type, length and value until an empty name; of several parts, a header
+// each.
 #include "image/exr_header.h"
 
 #include <string>
@@ -46,7 +47,19 @@ class HeaderScan {
     explicit HeaderScan(ByteSpan bytes) : bytes_(bytes) {}
 
     void check(const DecodeOptions& options) {
+        if (bytes_.size() < 9) fail();
         at_ = 8;
+        constexpr std::uint8_t k_multi_part =
+            0x10;  // of the version's second byte: headers until an empty one
+        do {
+            check_part(options);
+        } while ((bytes_[5] & k_multi_part) != 0 && at_ < bytes_.size() && bytes_[at_] != 0);
+    }
+
+  private:
+    void check_part(const DecodeOptions& options) {
+        width_ = height_ = 0;
+        tile_width_ = tile_height_ = 0;
         for (std::string_view name = text(); !name.empty(); name = text()) {
             const std::string_view type = text();
             const std::uint32_t length = number();
@@ -67,7 +80,6 @@ class HeaderScan {
         check_tiles();
     }
 
-  private:
     void check_length(std::string_view type, std::uint32_t length, std::size_t end) {
         for (const FixedType& fixed : k_fixed) {
             if (type == fixed.name && length != fixed.length) fail();
