@@ -93,17 +93,26 @@ struct Explanation {
     std::string error;  ///< and then nothing else holds
 };
 
+inline constexpr std::size_t k_most_explained_rays = 100000;
+
+struct ExplainOptions {
+    /// The rays of this sample alone are written down, row n + column; -1: of all, if they are not more than
+    /// k_most_explained_rays. Layers and value are always those of the pixel.
+    int sample = -1;
+    std::string isa;  ///< one of isa_names(); empty: the best
+};
+
 /// Draws pixel (x, y), counted from the top left, by render()'s own kernels and writes down what they do. The
 /// world must be of this scene. Never throws.
 Explanation explain(const Scene& scene, const World& world, std::int32_t x, std::int32_t y,
-                    const std::string& isa = {});
+                    const ExplainOptions& options = {});
 
 /// Why a light adds something, or nothing, at a hit.
 enum class LightReason : std::uint8_t {
     adds,
     blocked,     ///< something is between it and the point
     behind,      ///< N·L <= 0, and no highlight either
-    no_color,    ///< its colour times k_d (and k_s, if there is a highlight) is black
+    no_color,    ///< its colour times k_d is black, and there is no highlight either
     faded,       ///< f_att is 0
     in_surface,  ///< the light is at the point itself: no direction leads to it
 };
@@ -112,7 +121,8 @@ LightReason reason(const LightTerms& terms);
 /// Why there is a highlight, or none, blocked lights aside.
 enum class HighlightReason : std::uint8_t {
     adds,
-    none,         ///< k_s times the light's specular colour is black, or the shading has no highlights
+    none,         ///< k_s times the light's specular colour is black
+    unshaded,     ///< the shading has no highlights
     behind,       ///< N·L <= 0, and the convention specular_gate asks for more
     turned_away,  ///< S <= 0: the mirrored light goes away from the eye
 };

@@ -115,6 +115,18 @@ int compare_command(CompareArguments& arguments) {
     return report.passes ? k_done : k_bad_input;
 }
 
+// CLI::Range takes "nan" for a number between any two.
+CLI::Validator number_between(double least, double most) {
+    return CLI::Validator(
+        [=](const std::string& text) -> std::string {
+            char* end = nullptr;
+            const double value = std::strtod(text.c_str(), &end);
+            if (!text.empty() && *end == '\0' && value >= least && value <= most) return {};
+            return fmt::format("expected a number from {} to {}, found '{}'", least, most, text);
+        },
+        "");
+}
+
 }  // namespace
 
 Run add_compare(CLI::App& app) {
@@ -130,13 +142,13 @@ Run add_compare(CLI::App& app) {
     command
         .add_option("--within", a.within,
                     "A pixel may differ by N 255ths (default: 2 for the report; no limit)")
-        ->check(CLI::Range(0.0, 1e6))
+        ->check(number_between(0, 1e6))
         ->option_text("N");
     command.add_option("--fail-percent", a.fail_percent, "P percent of the pixels may differ by more")
-        ->check(CLI::Range(0.0, 100.0))
+        ->check(number_between(0, 100))
         ->option_text("P");
     command.add_option("--hard-fail", a.hard_fail, "No pixel at all may differ by more than N 255ths")
-        ->check(CLI::Range(0.0, 1e6))
+        ->check(number_between(0, 1e6))
         ->option_text("N");
     command
         .add_option("--diff", a.diff,

@@ -103,6 +103,7 @@ int explain_command(ExplainArguments& arguments) {
     const Pair pixel = pixel_of(arguments, scene.settings);
     ExplainStyle style;
     style.colors = is_terminal(STDOUT_FILENO) && std::getenv("NO_COLOR") == nullptr;
+    style.from_below = arguments.origin == "bottom-left";
     style.sample = sample_of(arguments, scene.settings.samples);
     std::optional<std::uint32_t> light;
     if (!arguments.why_not.empty()) light = find_light(arguments.why_not, scene);
@@ -111,7 +112,11 @@ int explain_command(ExplainArguments& arguments) {
     add_warnings(loaded.warnings, prepared.diagnostics);
     print(loaded.warnings);
     if (!prepared.world) throw Failure(k_bad_input, {});
-    const Explanation explanation = explain(scene, *prepared.world, pixel.x, pixel.y, arguments.isa);
+    ExplainOptions options;
+    options.isa = arguments.isa;
+    // Text tells of one sample; JSON of all, unless one is asked for.
+    if (arguments.form != "json" || !arguments.sample.empty()) options.sample = style.sample;
+    const Explanation explanation = explain(scene, *prepared.world, pixel.x, pixel.y, options);
     if (!explanation.error.empty()) throw Failure(k_bad_input, explanation.error);
 
     if (light) {

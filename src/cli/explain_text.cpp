@@ -41,6 +41,7 @@ std::string material_text(const Scene& scene, const ExplainedHit& hit) {
     text += fmt::format(": k_a {}, k_d {}, k_s {}, n {}", color(m.ambient), color(m.diffuse),
                         color(m.specular), number(m.shininess));
     if (m.mirror > 0) text += fmt::format(", mirror {}", number(m.mirror));
+    if (m.mirror > 0 && !(m.mirror_tint == Color{1, 1, 1})) text += " tinted " + color(m.mirror_tint);
     if (m.transmission > 0)
         text += fmt::format(", transmission {}, ior {}", number(m.transmission), number(m.ior));
     return text;
@@ -59,7 +60,7 @@ std::string_view cosine_name(const Scene& scene) {
 }
 
 // Why a light adds nothing, whole.
-std::string nothing_text(const Scene& scene, const LightTerms& terms) {
+std::string nothing_text(const Scene& scene, const ExplainedHit& hit, const LightTerms& terms) {
     switch (reason(terms)) {
         case LightReason::adds:
             return {};
@@ -70,7 +71,9 @@ std::string nothing_text(const Scene& scene, const LightTerms& terms) {
         case LightReason::behind:
             return fmt::format("behind the surface: N·L = {}", number(terms.n_l));
         case LightReason::no_color:
-            return "its colour times the surface's is black";
+            return highlight_reason(terms, hit, scene) == HighlightReason::turned_away
+                       ? "k_d is black here, and the highlight is turned away from the eye"
+                       : "its colour times the surface's is black";
         case LightReason::faded:
             return "too far: its attenuation is 0";
         case LightReason::in_surface:
@@ -86,6 +89,8 @@ std::string highlight_text(const Scene& scene, const ExplainedHit& hit, const Li
                                number(material_of(hit, scene).shininess), number(terms.power));
         case HighlightReason::none:
             return "no highlight: k_s or the light's specular colour is black";
+        case HighlightReason::unshaded:
+            return "this shading has no highlights";
         case HighlightReason::behind:
             return "no highlight: N·L <= 0";
         case HighlightReason::turned_away:
@@ -143,10 +148,15 @@ class Tree {
         line(depth + 1,
              fmt::format("ambient k_a I_a = {}{}", color(hit.ambient), swatch(style_, hit.ambient)));
         for (const LightTerms& terms : hit.lights) tell_light(hit, terms, depth + 1);
+        if (material_of(hit, scene_).transmission > 0)
+            line(depth + 1, fmt::format("glass: reflects F = {}, tint {}", number(hit.fresnel),
+                                        color(material_of(hit, scene_).transmission_tint)));
         const Color sum = hit.ambient + hit.diffuse + hit.specular;
         line(depth + 1,
              fmt::format("sum: ambient {} + diffuse {} + specular {} = {}{}", color(hit.ambient),
                          color(hit.diffuse), color(hit.specular), color(sum), swatch(style_, sum)));
+        if (!(hit.weight == r.weight))
+            line(depth + 1, fmt::format("the way through glass leaves of the weight: {}", color(hit.weight)));
         if (hit.local_share != 1 || r.parent >= 0) {
             const Color part = hit.parts[0] + hit.parts[1] + hit.parts[2];
             line(depth + 1, fmt::format("counts {} x {} (beside mirror and glass): {}{}", color(hit.weight),
@@ -156,15 +166,15 @@ class Tree {
 
     void tell_light(const ExplainedHit& hit, const LightTerms& terms, int depth) {
         const std::string name = light_text(scene_, terms.light);
-        const std::string nothing = nothing_text(scene_, terms);
+        const std::string nothing = nothing_text(scene_, hit, terms);
+        const Light& light = scene_.lights[terms.light];
         if (!nothing.empty()) {
             line(depth, fmt::format("{}: {}", name, nothing));
-            return;
+        } else {
+            line(depth, fmt::format("{}: diffuse {} + specular {}{}", name, color(terms.diffuse),
+                                    color(terms.specular), swatch(style_, terms.diffuse + terms.specular)));
         }
-        const Color sum = terms.diffuse + terms.specular;
-        const Light& light = scene_.lights[terms.light];
-        line(depth, fmt::format("{}: diffuse {} + specular {}{}", name, color(terms.diffuse),
-                                color(terms.specular), swatch(style_, sum)));
+        if (!(terms.distance > 0)) return;
         std::string how = fmt::format("L {}", vec(terms.to_light * (1 / terms.distance)));
         if (light.kind == LightKind::point) how += fmt::format(", distance {}", number(terms.distance));
         if (terms.attenuation != 1) how += fmt::format(", attenuation {}", number(terms.attenuation));
@@ -266,13 +276,16 @@ std::string shape_text(const Scene& scene, std::uint32_t shape) {
 }
 
 std::string light_text(const Scene& scene, std::uint32_t light) {
+    constexpr const char* kinds[] = {"ambient light", "point light", "directional light"};
     return item_text(scene, scene.light_texts, light,
-                     scene.lights[light].kind == LightKind::point ? "point light" : "directional light");
+                     kinds[static_cast<std::size_t>(scene.lights[light].kind)]);
 }
 
 std::string explanation_text(const Explanation& e, const Scene& scene, const ExplainStyle& style) {
+    const int height = scene.settings.height;
     std::string text =
-        fmt::format("pixel {},{} of {}x{}", e.x, e.y, scene.settings.width, scene.settings.height);
+        fmt::format("pixel {},{} of {}x{}{}", e.x, style.from_below ? height - 1 - e.y : e.y,
+                    scene.settings.width, height, style.from_below ? ", rows counted from the bottom" : "");
     if (e.samples > 1)
         text += fmt::format(", sample {},{} of {}x{}", style.sample % e.samples, style.sample / e.samples,
                             e.samples, e.samples);
@@ -297,7 +310,7 @@ std::string why_not_text(const Explanation& e, const Scene& scene, std::uint32_t
         if (terms.light != light) continue;
         std::string text =
             fmt::format("at P {} on {}\n", vec(ray.hit->point), shape_text(scene, ray.hit->shape));
-        const std::string nothing = nothing_text(scene, terms);
+        const std::string nothing = nothing_text(scene, *ray.hit, terms);
         if (nothing.empty()) {
             return text + fmt::format("{} does add something: diffuse {} + specular {} ({})\n", name,
                                       color(terms.diffuse), color(terms.specular),

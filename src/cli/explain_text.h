@@ -7,8 +7,9 @@
 namespace glint::cli {
 
 struct ExplainStyle {
-    bool colors = false;  ///< swatches, by the terminal's 24-bit colours
-    int sample = 0;       ///< the one whose rays are told: row n + column
+    bool colors = false;      ///< swatches, by the terminal's 24-bit colours
+    bool from_below = false;  ///< rows are counted from the bottom
+    int sample = 0;           ///< the one whose rays are told: row n + column
 };
 
 /// The tree of rays of a sample, then the pixel's sum.

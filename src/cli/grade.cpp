@@ -35,6 +35,10 @@ struct GradeArguments {
 // Where the results go besides standard output, found out before the work begins.
 struct Outputs {
     std::optional<OutputFile> csv, json, sheet;
+    // Then the table for people is left out: standard output is one file.
+    bool take_standard_output() const {
+        return (csv && csv->is_standard_output()) || (json && json->is_standard_output());
+    }
 };
 
 void write_text(const std::optional<OutputFile>& file, const std::string& text) {
@@ -125,7 +129,7 @@ int grade_pictures(const GradeArguments& arguments, const Scene* scene, const Im
         }
     }
     bar.reset();  // its line is free again
-    fmt::print("{}", text_table(graded));
+    if (!outputs.take_standard_output()) fmt::print("{}", text_table(graded));
     write_text(outputs.csv, csv_table(graded));
     write_text(outputs.json, json_table(graded));
     write_sheet(outputs, cells, columns, arguments.threads);
@@ -223,7 +227,7 @@ int grade_by_rubric(const GradeArguments& arguments, const Scene& scene, const s
         }
     }
     bar.reset();  // its line is free again
-    fmt::print("{}", text_table(rows, graded));
+    if (!outputs.take_standard_output()) fmt::print("{}", text_table(rows, graded));
     write_text(outputs.csv, csv_table(rows, graded));
     write_text(outputs.json, json_table(rows, graded));
     write_sheet(outputs, cells, columns, arguments.threads);

@@ -62,12 +62,18 @@ double LayerFiles::bytes_a_pixel() const {
     double floats = 3;
     for (const Layer layer : wanted_)
         floats += static_cast<double>(layer_infos()[static_cast<std::size_t>(layer)].channels.size());
-    return floats * sizeof(float);
+    // An OpenEXR file of them is put together in memory, and may be no smaller.
+    return floats * sizeof(float) * (files_.empty() && !wanted_.empty() ? 2 : 1);
 }
 
 void LayerFiles::write(const std::vector<LayerImage>& layers, const EncodeOptions& encoding) const {
     for (std::size_t i = 0; i < files_.size(); ++i) {
-        const EncodeResult encoded = encode(viewable(layers[i]), encoding);
+        // The curve is for light; a normal or a number is no light.
+        EncodeOptions options = encoding;
+        const bool is_light =
+            static_cast<int>(layers[i].layer) < k_light_layers || layers[i].layer == Layer::albedo;
+        if (!is_light) options.transfer = Transfer::none;
+        const EncodeResult encoded = encode(viewable(layers[i]), options);
         if (!encoded.error.empty())
             throw Failure(k_bad_input, fmt::format("cannot encode a layer: {}", encoded.error));
         files_[i].write(encoded.bytes);

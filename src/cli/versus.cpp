@@ -55,11 +55,33 @@ SceneArguments with_settings(SceneArguments scene, const std::vector<std::string
     return scene;
 }
 
-Side draw_side(const VersusArguments& arguments, const std::vector<std::string>& settings) {
+// What a side is called. A faulty setting is told of by its own option.
+std::string name_of(const std::vector<std::string>& settings, const char* option) {
+    for (const std::string& setting : settings) {
+        const std::size_t equals = setting.find('=');
+        if (equals == std::string::npos)
+            throw Failure(k_usage, fmt::format("{}: expected KEY=VALUE, found '{}'", option, setting));
+        const std::string key = setting.substr(0, equals);
+        if (key != "profile" && !find_setting(key))
+            throw Failure(k_usage,
+                          fmt::format("{}: there is no setting '{}'; `glint info` lists them", option, key));
+    }
+    return settings.empty() ? "as it is" : fmt::format("{}", fmt::join(settings, " "));
+}
+
+// A profile brings a size of its own: pictures that are held against each other have that of the first.
+Side draw_side(const VersusArguments& arguments, const std::vector<std::string>& settings, const char* option,
+               const RenderSettings* same_size) {
     Side side;
-    side.name = settings.empty() ? "as it is" : fmt::format("{}", fmt::join(settings, " "));
+    side.name = name_of(settings, option);
     side.loaded = load_scene(with_settings(arguments.scene, settings));
     Scene& scene = side.loaded.scene;
+    const bool has_size = std::any_of(settings.begin(), settings.end(),
+                                      [](const std::string& s) { return s.starts_with("size="); });
+    if (same_size != nullptr && !has_size) {
+        scene.settings.width = same_size->width;
+        scene.settings.height = same_size->height;
+    }
     if (arguments.match_exponents && scene.settings.shading == Shading::blinn_phong) {
         for (Material& material : scene.materials) material.shininess *= k_matching_factor;
         side.name += fmt::format(" with exponents times {}", k_matching_factor);
@@ -84,8 +106,10 @@ Image beside(const Image& a, const Image& b, const Image& difference) {
 std::string explained(const Side& side, const LargestDifference& pixel, ExplainStyle style) {
     const int n = side.loaded.scene.settings.samples;
     style.sample = n / 2 * n + n / 2;
-    return explanation_text(explain(side.loaded.scene, *side.world, pixel.x, pixel.y), side.loaded.scene,
-                            style);
+    ExplainOptions options;
+    options.sample = style.sample;
+    return explanation_text(explain(side.loaded.scene, *side.world, pixel.x, pixel.y, options),
+                            side.loaded.scene, style);
 }
 
 std::string explained_json(const Side& side, const LargestDifference& pixel) {
@@ -104,7 +128,9 @@ int versus_command(VersusArguments& arguments) {
     if (arguments.a.empty() && arguments.b.empty())
         throw Failure(k_usage, "expected --a KEY=VALUE or --b KEY=VALUE: what the two drawings differ in");
     add_settings(arguments.picture, true, arguments.scene);
-    const Side a = draw_side(arguments, arguments.a), b = draw_side(arguments, arguments.b);
+    const RenderSettings whole = load_scene(arguments.scene).scene.settings;
+    const Side a = draw_side(arguments, arguments.a, "--a", &whole);
+    const Side b = draw_side(arguments, arguments.b, "--b", &a.loaded.scene.settings);
     print(a.loaded.warnings);
     const PictureDifference difference = compare(a.image, b.image);
     if (!difference.error.empty()) throw Failure(k_bad_input, difference.error);

@@ -68,6 +68,10 @@ DecodeResult decode_jpeg(ByteSpan bytes, const DecodeOptions& options) {
         jpeg_read_header(&file.info, TRUE);
     });
     check_size(file.info.image_width, file.info.image_height, options);
+    // A block of 8 x 8 pixels takes a bit at least: a few bytes are no large picture.
+    const std::uint64_t blocks = std::uint64_t{file.info.image_width} * file.info.image_height / 64;
+    if (blocks > 8 * std::uint64_t{bytes.size()})
+        throw Undecodable("JPEG: the file is too short for its size");
     if (file.info.num_components != 1 && file.info.num_components != 3)
         throw Undecodable("JPEG: neither grey nor RGB");
 

@@ -83,8 +83,9 @@ void complete(const Scene& scene, const World& world, const Kernels& kernels, Ex
     }
 }
 
-void draw(const World& world, const Kernels& kernels, Explanation& e) {
+void draw(const World& world, const Kernels& kernels, int sample, Explanation& e) {
     TileRecord record;
+    record.only = sample;
     const auto scratch = std::make_unique<TileScratch>();
     scratch->record = &record;
     TileJob job;
@@ -96,6 +97,11 @@ void draw(const World& world, const Kernels& kernels, Explanation& e) {
     for (std::size_t l = 0; l < k_light_layers; ++l) layers.data[l] = e.layers[l];
     job.layers = &layers;
     kernels.render_tile(world, job, *scratch);
+    if (record.is_full) {
+        e.error = "the pixel has more than " + std::to_string(k_most_explained_rays) +
+                  " rays: ask for one of its samples";
+        return;
+    }
     e.rays = std::move(record.rays);
     e.counts = scratch->counts;
 }
@@ -103,23 +109,26 @@ void draw(const World& world, const Kernels& kernels, Explanation& e) {
 }  // namespace
 
 Explanation explain(const Scene& scene, const World& world, std::int32_t x, std::int32_t y,
-                    const std::string& isa) {
+                    const ExplainOptions& options) {
     Explanation e;
     e.x = x;
     e.y = y;
     e.samples = world.settings.samples;
-    const Kernels* kernels = find_kernels(isa);
+    const Kernels* kernels = find_kernels(options.isa);
     if (kernels == nullptr) {
-        e.error = no_kernels_error(isa);
+        e.error = no_kernels_error(options.isa);
     } else if (x < 0 || y < 0 || x >= world.settings.width || y >= world.settings.height) {
         e.error = "pixel " + std::to_string(x) + "," + std::to_string(y) + " is not within the picture of " +
                   std::to_string(world.settings.width) + "x" + std::to_string(world.settings.height);
+    } else if (options.sample >= e.samples * e.samples) {
+        e.error = "a pixel has " + std::to_string(e.samples * e.samples) + " samples";
     } else {
-        e.error = guard([&] {
+        const std::string failure = guard([&] {
             const DefaultFpEnvironment environment;
-            draw(world, *kernels, e);
+            draw(world, *kernels, options.sample, e);
             complete(scene, world, *kernels, e);
         });
+        if (!failure.empty()) e.error = failure;
     }
     return e;
 }

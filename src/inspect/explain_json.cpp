@@ -45,7 +45,9 @@ Json material_json(const Scene& scene, const ExplainedHit& hit) {
     item["specular"] = to_json(m.specular);
     item["shininess"] = m.shininess;
     item["mirror"] = m.mirror;
+    item["mirror_tint"] = to_json(m.mirror_tint);
     item["transmission"] = m.transmission;
+    item["transmission_tint"] = to_json(m.transmission_tint);
     item["ior"] = m.ior;
     return item;
 }

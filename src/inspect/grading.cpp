@@ -64,6 +64,8 @@ WantedPicture draw_wanted(const Scene& scene, const RubricRow& row, int threads)
         for (std::size_t i = 0; i < wanted.shows.size(); ++i) {
             if (is_right(&without.rgb[3 * i], &wanted.bytes.rgb[3 * i])) wanted.shows[i] = 0;
         }
+        if (std::find(wanted.shows.begin(), wanted.shows.end(), 1) == wanted.shows.end())
+            wanted.error = "this part shows nothing in this scene: with and without it is the same picture";
     });
     if (!failure.empty()) wanted.error = std::move(failure);
     return wanted;

@@ -19,10 +19,9 @@ LightReason reason(const LightTerms& terms) {
 }
 
 HighlightReason highlight_reason(const LightTerms& terms, const ExplainedHit& hit, const Scene& scene) {
-    const bool has_highlights =
-        scene.settings.shading == Shading::phong || scene.settings.shading == Shading::blinn_phong;
-    if (!has_highlights ||
-        is_black(material_of(hit, scene).specular, scene.lights[terms.light].specular_color))
+    if (scene.settings.shading != Shading::phong && scene.settings.shading != Shading::blinn_phong)
+        return HighlightReason::unshaded;
+    if (is_black(material_of(hit, scene).specular, scene.lights[terms.light].specular_color))
         return HighlightReason::none;
     const Conventions& rules = scene.conventions;
     if (rules.specular_gate && !(terms.n_l > 0)) return HighlightReason::behind;
@@ -42,7 +41,7 @@ std::string_view word(LightReason reason) {
 }
 
 std::string_view word(HighlightReason reason) {
-    constexpr std::array<std::string_view, 4> words = {"adds", "none", "behind", "turned_away"};
+    constexpr std::array<std::string_view, 5> words = {"adds", "none", "unshaded", "behind", "turned_away"};
     return words[static_cast<std::size_t>(reason)];
 }
 

@@ -68,7 +68,7 @@ inline void record_rays(const World& world, TileScratch& s, int first, int from,
         ray.sample = record.sample;
         ray.generation = generation;
         if (!camera) {
-            const TileRecord::Leaving& leaving = record.leaving[record.next++];
+            const TileRecord::Leaving& leaving = record.leaving[record.arrived++];
             ray.parent = leaving.ray;
             ray.transmitted = leaving.transmitted;
             ExplainedHit& hit = *record.rays[static_cast<std::size_t>(leaving.ray)].hit;

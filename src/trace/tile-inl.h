@@ -105,6 +105,7 @@ inline bool trace_sample(const World& world, TileScratch& s) {
 void render_tile(const World& world, const TileJob& job, TileScratch& s) {
     const int samples = world.settings.samples;
     const bool layers = job.layers != nullptr;
+    TileRecord* const record = s.record;
     s.seen.wanted = layers;
     if (layers) clear_seen(s.seen);
     if (!s.is_watched() && sees_nothing(world, job)) {
@@ -119,12 +120,13 @@ void render_tile(const World& world, const TileJob& job, TileScratch& s) {
             s.counts.camera += static_cast<std::uint64_t>(s.rays.size());
             if (is_limited(world)) s.sample_rays.fill(0);
             s.seen.is_middle = i == samples / 2 && j == samples / 2;
-            if (s.record != nullptr) s.record->sample = j * samples + i;
+            if (record != nullptr) s.record = record->begin(j * samples + i) ? record : nullptr;
             if (trace_sample(world, s)) continue;
             if (samples == 1) return fill_with_void(world, job);
             add_misses(world, s, 0, 0, s.rays.size(), 0);
         }
     }
+    s.record = record;
     fold_pixels(world, job, s.sums);
     if (layers) write_layers(world, job, s);
 }

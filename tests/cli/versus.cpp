@@ -48,6 +48,8 @@ TEST(Versus, ExplainsThePixelThatDiffersMost) {
 
 TEST(Versus, ProfilesAndNoDifference) {
     const Folder folder;
+    // Profiles have sizes of their own; both drawings have the scene's.
+    EXPECT_EQ(run(folder, {"versus", k_lights, "--a", "profile=epfl", "--b", "profile=cgfs"}).code, 0);
     const Finished r = run(folder, versus({"--a", "profile=epfl", "--b", "profile=cgfs"}));
     EXPECT_EQ(r.code, 0) << r.err;
     EXPECT_TRUE(contains(r.out, "B: profile=cgfs")) << r.out;

@@ -45,9 +45,10 @@ void add_up(const Explanation& e, float (&layers)[k_light_layers][3]) {
         for (int c = 0; c < 3; ++c) layers[l][c] = film(sums[l][c], e.samples);
 }
 
-// The last occluder before the surface, met one after the other from where the shadow ray starts.
-double last_t(const World& world, const LightTerms& terms) {
-    double last = -1, t_min = terms.t_min;
+// All that a shadow ray meets and that casts shadows, from where it starts: the t's, by one brute walk.
+std::vector<double> occluders(const World& world, const LightTerms& terms) {
+    std::vector<double> met;
+    double t_min = terms.t_min;
     for (;;) {
         double columns[8][1 + k_ray_padding] = {
             {terms.origin.x},    {terms.origin.y},    {terms.origin.z}, {terms.direction.x},
@@ -58,10 +59,18 @@ double last_t(const World& world, const LightTerms& terms) {
             world,
             {columns[0], columns[1], columns[2], columns[3], columns[4], columns[5], columns[6], columns[7]},
             1, 1, t, slot);
-        if (slot[0] == k_none) return last;
-        if ((world.material[slot[0]] & k_no_shadow) == 0) last = t[0];
+        if (slot[0] == k_none) return met;
+        if ((world.material[slot[0]] & k_no_shadow) == 0) met.push_back(t[0]);
         t_min = t[0];
     }
+}
+double last_t(const World& world, const LightTerms& terms) {
+    const auto met = occluders(world, terms);
+    return met.empty() ? -1 : met.back();
+}
+double first_t(const World& world, const LightTerms& terms) {
+    const auto met = occluders(world, terms);
+    return met.empty() ? -1 : met.front();
 }
 
 double length(Vec3 v) { return std::sqrt(dot(v, v)); }
@@ -71,8 +80,7 @@ void check_light(const Scene& scene, const World& world, const ExplainedHit& hit
     if (!terms.blocked) return;
     const bool from_light =
         scene.lights[terms.light].kind == LightKind::point && scene.conventions.shadow_stops_at_light;
-    if (!from_light) return;  // the ray starts at the point: the kernels' own nearest hit
-    const double t = last_t(world, terms);
+    const double t = from_light ? last_t(world, terms) : first_t(world, terms);
     ASSERT_GE(t, 0) << "the shadow ray of a blocked light meets nothing";
     const double distance = length(terms.origin + terms.direction * t - hit.point);
     EXPECT_NEAR(terms.blocker->distance, distance, 1e-6 * (1 + terms.distance))
@@ -123,7 +131,7 @@ TEST(Explain, TenThousandPixelsAreThePicturesOwn) {
     const auto files = test::scene_files(GLINT_PROJECT_DIR "/scenes");
     const auto each = 10000 / static_cast<int>(files.size()) / 2 + 1;
     for (const std::string& file : files) {
-        for (const char* settings : {"", "aa=2 reflections=3"}) {
+        for (const char* settings : {"", "aa=2 reflections=3 shadow_stops_at_light=false"}) {
             auto scene = test::load_file(file, settings);
             ASSERT_TRUE(scene) << file;
             SCOPED_TRACE(file + " " + settings);
@@ -162,7 +170,7 @@ TEST(Explain, UnlitShadingsAndEveryInstructionSet) {
     const WorldPtr world = prepare(*scene).world;
     const std::string first = explanation_json(explain(*scene, *world, 30, 50), *scene);
     for (const std::string& isa : isa_names())
-        EXPECT_EQ(explanation_json(explain(*scene, *world, 30, 50, isa), *scene), first) << isa;
+        EXPECT_EQ(explanation_json(explain(*scene, *world, 30, 50, {-1, isa}), *scene), first) << isa;
 }
 
 // The page of a book: the sum of a pixel by hand.
@@ -193,12 +201,66 @@ TEST(Explain, APlaneUnderOneLight) {
     EXPECT_NEAR(e.value[0], 0.1f, 1e-7f);
 }
 
+TEST(Explain, OneSampleAlone) {
+    const auto scene = test::load_file(GLINT_PROJECT_DIR "/scenes/glint/glass.glint", "size=64x42 aa=3");
+    const WorldPtr world = prepare(*scene).world;
+    const Explanation all = explain(*scene, *world, 15, 20);
+    std::size_t rays = 0;
+    for (int sample = 0; sample < 9; ++sample) {
+        const Explanation one = explain(*scene, *world, 15, 20, {sample, {}});
+        ASSERT_EQ(one.error, "");
+        rays += one.rays.size();
+        for (const ExplainedRay& ray : one.rays) EXPECT_EQ(ray.sample, sample);
+        for (int c = 0; c < 3; ++c) EXPECT_EQ(one.value[c], all.value[c]);
+    }
+    EXPECT_EQ(rays, all.rays.size());
+    EXPECT_NE(explain(*scene, *world, 15, 20, {9, {}}).error, "");
+}
+
+// Between two mirrors of glass each sample has thousands of rays.
+TEST(Explain, TooManyRaysAreToldASampleAtATime) {
+    Scene scene;
+    scene.materials.push_back({.mirror = 0.5, .transmission = 0.5, .ior = 1.5});
+    scene.add(Sphere{.center = {0, 0, -4}, .radius = 1}, 0);
+    scene.add(Sphere{.center = {0, 0, -4}, .radius = 0.5}, 0);
+    scene.settings.width = scene.settings.height = 9;
+    scene.settings.reflections = 1000;
+    scene.settings.samples = 8;
+    const WorldPtr world = prepare(scene).world;
+    ASSERT_TRUE(world);
+    EXPECT_NE(explain(scene, *world, 4, 4).error.find("ask for one of its samples"), std::string::npos);
+    const Explanation one = explain(scene, *world, 4, 4, {36, {}});
+    EXPECT_EQ(one.error, "");
+    EXPECT_GT(one.rays.size(), 1000u);
+}
+
+// A light that adds nothing although the surface faces it.
+TEST(Explain, WhyThereIsNoHighlight) {
+    Scene scene;
+    scene.materials.push_back({.diffuse = {0, 0, 0}, .specular = {1, 1, 1}});
+    scene.add(Plane{}, 0);
+    // Both are in front of the point and low: the mirrored light goes away from the eye.
+    scene.lights.push_back({.position = {0, 0.5, 20}});
+    scene.camera.position = {0, 0.5, 4};
+    scene.camera.look_at = {0, 0, 2};
+    scene.settings.width = scene.settings.height = 9;
+    scene.settings.shading = Shading::phong;
+    const WorldPtr world = prepare(scene).world;
+    const Explanation e = explain(scene, *world, 4, 4);
+    ASSERT_TRUE(e.rays.at(0).hit);
+    const ExplainedHit& hit = *e.rays[0].hit;
+    EXPECT_EQ(reason(hit.lights.at(0)), LightReason::no_color);
+    EXPECT_EQ(highlight_reason(hit.lights[0], hit, scene), HighlightReason::turned_away);
+    scene.settings.shading = Shading::diffuse;
+    EXPECT_EQ(highlight_reason(hit.lights[0], hit, scene), HighlightReason::unshaded);
+}
+
 TEST(Explain, WhatCannotBeExplained) {
     const auto scene = test::load_file(GLINT_PROJECT_DIR "/scenes/epfl/castle.json", "size=64x64");
     const WorldPtr world = prepare(*scene).world;
     EXPECT_NE(explain(*scene, *world, 64, 0).error, "");
     EXPECT_NE(explain(*scene, *world, 0, -1).error, "");
-    EXPECT_NE(explain(*scene, *world, 0, 0, "avx9").error, "");
+    EXPECT_NE(explain(*scene, *world, 0, 0, {-1, "avx9"}).error, "");
     const auto json = nlohmann::json::parse(explanation_json(explain(*scene, *world, 64, 0), *scene));
     EXPECT_TRUE(json.contains("error"));
 }
