@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "inspect/checks.h"
+#include "math/number.h"
 #include "math/transform.h"
 
 namespace glint {
@@ -12,7 +13,14 @@ bool contains(const Bounds& outer, const Bounds& inner) {
            outer.max.x >= inner.max.x && outer.max.y >= inner.max.y && outer.max.z >= inner.max.z;
 }
 
-// A sky, or a room: it holds other shapes too.
+bool cuts(Vec3 point, Vec3 normal, const Bounds& box) {
+    const Vec3 half = (box.max - box.min) * 0.5, way = box.min + half - point;
+    const double reach =
+        number::abs(normal.x) * half.x + number::abs(normal.y) * half.y + number::abs(normal.z) * half.z;
+    return number::abs(dot(way, normal)) < reach;
+}
+
+// A sky, or a room: it holds other shapes too, or a plane goes through it.
 bool is_room(const World& world, std::uint32_t shape) {
     std::uint32_t own = 0;
     while (own < world.bounded && world.shape_index[own] != shape) ++own;
@@ -20,6 +28,11 @@ bool is_room(const World& world, std::uint32_t shape) {
     const Bounds room = box_of_slot(world, own);
     for (std::uint32_t slot = 0; slot < world.bounded; ++slot)
         if (slot != own && contains(room, box_of_slot(world, slot))) return true;
+    for (std::uint32_t slot = world.bounded; slot < world.count; ++slot) {
+        const ShapeClass& planes = world.class_of(slot);
+        const auto value = [&](int k) { return planes.column(k)[slot - planes.first]; };
+        if (cuts({value(0), value(1), value(2)}, {value(3), value(4), value(5)}, room)) return true;
+    }
     return false;
 }
 

@@ -38,6 +38,21 @@ TEST(CheckCamera, NotInsideWhatIsOpenBesideItOrAroundAll) {
     }
 }
 
+TEST(CheckCamera, NotInsideASkyOverAFloor) {
+    const std::string scene = R"(camera { position = (0, 2, 8)  look_at = (0, 1, 0)  fov_x = 50 }
+light { type = ambient  intensity = 0.2 }
+light { position = (3, 6, 5)  intensity = 0.6 }
+)";
+    const std::string sky =
+        "sphere { center = (0, 0, 0)  radius = 50  color = (0.4, 0.5, 0.9)  ambient = 1 }\n";
+    EXPECT_EQ(
+        ids_of(scene + sky + "plane { point = (0, 0, 0)  normal = (0, 1, 0)  color = (0.5, 0.4, 0.3) }\n"),
+        "");
+    // A plane that does not go through it makes no room of it.
+    EXPECT_TRUE(has(ids_of(scene + sky + "plane { point = (0, -60, 0)  normal = (0, 1, 0) }\n"),
+                    "camera-inside-shape@1"));
+}
+
 TEST(CheckCamera, LooksAway) {
     const std::string message = only_message(R"(light { position = (0, 5, 0) }
 camera { position = (0, 0, 5)  look_at = (0, 0, 10) }
