@@ -57,70 +57,114 @@ class Effects {
 
 // Why points that the camera sees get nothing of a light.
 struct Blockage {
-    std::size_t points = 0, facing = 0, blocked = 0;
-    std::uint32_t blocker = k_none;  // the one that most shadow rays meet first, from the light
+    std::size_t points = 0, facing = 0, reflecting = 0, blocked = 0;
+    std::uint32_t blocker = k_none;  // the shape that most shadow rays of reflecting points meet
     std::size_t by_blocker = 0;
+    bool beyond = false;  // most of those meet it beyond the light
 };
 
+bool reflects(const World& world, std::uint32_t material, const Light& light) {
+    const double* m = world.materials.data() + std::size_t{material} * k_material_values;
+    const Color diffuse{m[k_diffuse], m[k_diffuse + 1], m[k_diffuse + 2]};
+    const Color specular{m[k_specular], m[k_specular + 1], m[k_specular + 2]};
+    return !is_black(diffuse * light.color) || !is_black(specular * light.specular_color);
+}
+
 Blockage find_blockage(const Subject& subject, const Sight& sight, const Light& light) {
-    const ShadowRays shadows = shadow_rays(subject.world(), sight, light, k_most_points);
-    const HitList hits = nearest_hits(subject.world(), shadows.rays, subject.threads());
+    struct Count {
+        std::size_t all = 0, beyond = 0;
+    };
+    const World& world = subject.world();
+    const ShadowRays shadows = shadow_rays(world, sight, light, k_most_points);
     Blockage found;
     found.points = shadows.points;
     found.facing = shadows.rays.size();
-    std::unordered_map<std::uint32_t, std::size_t> counts;
-    for (const std::uint32_t slot : hits.slot) {
-        if (slot == k_none) continue;
+    for (const std::uint32_t material : shadows.material)
+        found.reflecting += reflects(world, material, light) ? 1 : 0;
+    if (!world.settings.shadows) return found;
+    const HitList hits = nearest_occluders(world, shadows.rays, subject.threads());
+    const bool may_pass = light.kind == LightKind::point && !shadows.from_light;
+    std::unordered_map<std::uint32_t, Count> counts;
+    for (std::size_t i = 0; i < hits.slot.size(); ++i) {
+        if (hits.slot[i] == k_none || !reflects(world, shadows.material[i], light)) continue;
         ++found.blocked;
-        const std::uint32_t shape = subject.world().shape_index[slot];
-        const std::size_t now = ++counts[shape];
-        if (now > found.by_blocker || (now == found.by_blocker && shape < found.blocker)) {
-            found.by_blocker = now;
+        const std::uint32_t shape = world.shape_index[hits.slot[i]];
+        Count& count = counts[shape];
+        ++count.all;
+        count.beyond += may_pass && hits.t[i] > 1 ? 1 : 0;
+        if (count.all > found.by_blocker || (count.all == found.by_blocker && shape < found.blocker)) {
+            found.by_blocker = count.all;
             found.blocker = shape;
         }
     }
+    if (found.blocker != k_none) found.beyond = 2 * counts[found.blocker].beyond > counts[found.blocker].all;
     return found;
+}
+
+// The closed shape that keeps a light to itself, or k_none: the light is in it and what is seen is not.
+std::uint32_t case_of(const Subject& subject, const Light& light, const Blockage& b) {
+    const Scene& scene = subject.scene();
+    if (light.kind != LightKind::point || !subject.world().settings.shadows || b.beyond) return k_none;
+    std::vector<std::uint32_t> around_camera;
+    if (b.facing == 0) around_camera = shapes_around(subject, scene.camera.position);
+    for (const std::uint32_t shape : shapes_around(subject, light.position)) {
+        if (b.facing > 0) {
+            if (shape == b.blocker) return shape;
+            continue;
+        }
+        const bool clear = subject.material_of(shape).transmission > 0 &&
+                           scene.conventions.glass_shadow == GlassShadow::none;
+        const bool sees_in =
+            std::find(around_camera.begin(), around_camera.end(), shape) != around_camera.end();
+        if (!clear && !sees_in) return shape;
+    }
+    return k_none;
 }
 
 void report_dark(Subject& subject, const Sight& sight, std::uint32_t index) {
     const Light& light = subject.scene().lights[index];
     const SourcePlace place = subject.scene().light_texts.place(index);
     const std::string name = subject.light(index);
-    const bool point_light = light.kind == LightKind::point;
-    if (point_light) {
-        for (const std::uint32_t shape : shapes_around(subject, light.position)) {
-            const Material& m = subject.material_of(shape);
-            if (m.transmission > 0 && subject.scene().conventions.glass_shadow == GlassShadow::none) continue;
-            return subject.report(
-                "light-inside-shape", place,
-                fmt::format("{} is inside {}, which keeps its light from all that the camera sees", name,
-                            subject.shape_and_line(shape)),
-                "move the light out of the shape");
-        }
-    }
     const Blockage b = find_blockage(subject, sight, light);
+    const std::uint32_t around = case_of(subject, light, b);
+    if (around != k_none) {
+        return subject.report(
+            "light-inside-shape", place,
+            fmt::format("{} is inside {}, which keeps its light from all that the camera sees", name,
+                        subject.shape_and_line(around)),
+            "move the light out of the shape");
+    }
     if (b.facing == 0) {
         return subject.report(
             "light-behind-everything", place,
             fmt::format("{} is behind every surface that the camera sees: N.L <= 0 at all of {} points", name,
                         b.points),
-            point_light ? "move the light to the side of the surfaces that the camera sees"
-                        : "turn the direction around: it goes from the surface towards the light");
+            light.kind == LightKind::point
+                ? "move the light to the side of the surfaces that the camera sees"
+                : "turn the direction around: it goes from the surface towards the light");
     }
-    if (b.blocker != k_none && b.blocked == b.facing) {
-        const bool plane = subject.scene().shapes[b.blocker].kind == ShapeKind::plane;
+    // The picture without the light is of other rays: one of many may get past an edge.
+    if (b.blocker == k_none || 2 * b.blocked < b.reflecting) {
         return subject.report(
-            plane ? "light-behind-plane" : "light-blocked", place,
-            fmt::format("{} lights nothing that the camera sees: {} stands between it and {} of {} points",
-                        name, subject.shape_and_line(b.blocker), b.by_blocker, b.facing),
-            plane ? "move the light to the other side of the plane"
-                  : "move the light, or the shape before it");
+            "light-adds-nothing", place,
+            fmt::format(
+                "{} adds nothing to the picture: no material that the camera sees reflects its colour", name),
+            "give the materials diffuse or specular coefficients, or leave the light out");
     }
+    if (b.beyond) {
+        return subject.report(
+            "light-blocked", place,
+            fmt::format("{} lights nothing that the camera sees: {} is beyond it, from {} of {} points, and "
+                        "shadow rays do not stop at the light",
+                        name, subject.shape_and_line(b.blocker), b.by_blocker, b.reflecting),
+            "set shadow_stops_at_light = true");
+    }
+    const bool plane = subject.scene().shapes[b.blocker].kind == ShapeKind::plane;
     subject.report(
-        "light-adds-nothing", place,
-        fmt::format("{} adds nothing to the picture: no material that the camera sees reflects its colour",
-                    name),
-        "give the materials diffuse or specular coefficients, or leave the light out");
+        plane ? "light-behind-plane" : "light-blocked", place,
+        fmt::format("{} lights nothing that the camera sees: {} stands between it and {} of {} points", name,
+                    subject.shape_and_line(b.blocker), b.by_blocker, b.reflecting),
+        plane ? "move the light to the other side of the plane" : "move the light, or the shape before it");
 }
 
 bool is_attenuated(const Light& light) {

@@ -115,6 +115,32 @@ HitList nearest_hits(const World& world, const RayList& rays, int threads) {
     return hits;
 }
 
+HitList nearest_occluders(const World& world, const RayList& rays, int threads) {
+    constexpr int k_most_passed = 100;  // surfaces that cast no shadow, of one ray
+    const auto passes = [&](std::uint32_t slot) {
+        return slot != k_none && (world.material[slot] & k_no_shadow) != 0;
+    };
+    HitList hits = nearest_hits(world, rays, threads);
+    for (int passed = 0; passed < k_most_passed; ++passed) {
+        RayList on;
+        std::vector<std::size_t> numbers;
+        for (std::size_t i = 0; i < rays.size(); ++i) {
+            if (!passes(hits.slot[i])) continue;
+            on.add(rays.origin(i), rays.direction(i), hits.t[i], rays.t_max(i));
+            numbers.push_back(i);
+        }
+        if (numbers.empty()) return hits;
+        const HitList next = nearest_hits(world, on, threads);
+        for (std::size_t k = 0; k < numbers.size(); ++k) {
+            hits.t[numbers[k]] = next.t[k];
+            hits.slot[numbers[k]] = next.slot[k];
+        }
+    }
+    for (std::uint32_t& slot : hits.slot)
+        if (passes(slot)) slot = k_none;
+    return hits;
+}
+
 SurfaceHit surface_hit(const World& world, const RayList& rays, const HitList& hits, std::size_t ray) {
     SurfaceHit h;
     h.ray = ray;
@@ -173,8 +199,8 @@ Sight::Sight(const World& world, int threads) : size(small_size(world.settings, 
 
 ShadowRays shadow_rays(const World& world, const Sight& sight, const Light& light, std::size_t most) {
     const Conventions& rules = world.conventions;
-    const bool from_light = light.kind == LightKind::point && rules.shadow_stops_at_light;
     ShadowRays found;
+    found.from_light = light.kind == LightKind::point && rules.shadow_stops_at_light;
     for (const Generation& g : sight.generations) {
         const std::size_t step = g.hits.size() / most + 1;
         for (std::size_t i = 0; i < g.hits.size(); i += step) {
@@ -182,9 +208,10 @@ ShadowRays shadow_rays(const World& world, const Sight& sight, const Light& ligh
             const Vec3 to_light = light.kind == LightKind::point ? light.position - h.point : light.to_light;
             ++found.points;
             if (!(glint::dot(h.normal, to_light) > 0)) continue;
+            found.material.push_back(h.material);
             const Vec3 start =
                 vec_of(leave(surface_point(h), triple_of(to_light), rules.offset, rules.epsilon));
-            if (!from_light) {
+            if (!found.from_light) {
                 found.rays.add(start, to_light, leave_t_min(rules.offset, rules.epsilon));
                 continue;
             }

@@ -19,6 +19,7 @@ class RayList {
     std::size_t size() const { return columns_[0].size() - k_ray_padding; }
     Vec3 origin(std::size_t i) const { return {columns_[0][i], columns_[1][i], columns_[2][i]}; }
     Vec3 direction(std::size_t i) const { return {columns_[3][i], columns_[4][i], columns_[5][i]}; }
+    double t_max(std::size_t i) const { return columns_[7][i]; }
     RaySpan from(std::size_t i) const;
 
     static constexpr double k_far = std::numeric_limits<double>::infinity();
@@ -33,6 +34,8 @@ struct HitList {
     std::vector<std::uint32_t> slot;
 };
 HitList nearest_hits(const World& world, const RayList& rays, int threads);
+/// The nearest that casts a shadow.
+HitList nearest_occluders(const World& world, const RayList& rays, int threads);
 
 /// A point of a surface that a ray met.
 struct SurfaceHit {
@@ -71,8 +74,10 @@ class Sight {
 /// The shadow rays of a light from what is seen, as the renderer traces them, of at most `most` hits a
 /// generation.
 struct ShadowRays {
-    RayList rays;            // of the points that face the light
-    std::size_t points = 0;  // all that were looked at
+    RayList rays;                         // of the points that face the light
+    std::vector<std::uint32_t> material;  // of each ray's point
+    bool from_light = false;              // or from the point, which is at t = 0; the light is at t = 1
+    std::size_t points = 0;               // all that were looked at
 };
 ShadowRays shadow_rays(const World& world, const Sight& sight, const Light& light, std::size_t most);
 

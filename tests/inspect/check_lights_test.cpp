@@ -55,6 +55,47 @@ TEST(CheckLights, BlockedByWhatItLiesIn) {
     EXPECT_TRUE(has(ids_of("profile = lecture5\n" + k_clean + lamp), "light-blocked@4"));
 }
 
+TEST(CheckLights, TheShapeIsNamedThatIsInTheWay) {
+    // The sky holds the lamp and the camera alike.
+    const std::string sky =
+        "sphere \"sky\" { center = (0, 0, 0)  radius = 50  color = (0.4, 0.5, 0.9)  diffuse = 0 }\n";
+    const std::string below = k_clean + sky + "light { position = (0, -3, 4)  intensity = 0.5 }\n";
+    EXPECT_EQ(ids_of(below), "light-behind-plane@8");
+    EXPECT_TRUE(has(only_message(below), "plane 1 (line 4) stands between")) << only_message(below);
+    // A pane that casts no shadow is not in the way, and nothing is without shadows.
+    const std::string pane =
+        "disc { center = (0, -2, 4)  normal = (0, 1, 0)  radius = 9  transmission = 0.9 }\n"
+        "conventions { glass_shadow = none }\n";
+    EXPECT_TRUE(has(ids_of(k_clean + "light { position = (0, -3, 4)  intensity = 0.5 }\n" + pane),
+                    "light-behind-plane@7"));
+    EXPECT_EQ(ids_of(R"(render { shadows = false }
+camera { position = (0, 4, 8)  look_at = (0, 0, 0)  fov_x = 30 }
+light { position = (3, 6, 8)  intensity = 0.7 }
+light { position = (0, 30, 0)  color = (0, 0, 0.5) }
+disc { center = (0, 0, 0)  normal = (0, 1, 0)  radius = 2  color = (0.8, 0.8, 0) }
+box { min = (-4, 20, -4)  max = (4, 21, 4) }
+)"),
+              "light-adds-nothing@4 shape-outside-view@6");
+}
+
+TEST(CheckLights, BlockedByWhatIsBeyondIt) {
+    const std::string room = R"(camera { position = (0, 2, 8)  look_at = (0, 0.5, 0)  fov_x = 50 }
+light { type = ambient  intensity = 0.2 }
+light { position = (3, 6, 5)  intensity = 0.6 }
+plane { point = (0, 0, 0)  normal = (0, 1, 0)  ambient = 1 }
+plane "ceiling" { point = (0, 9, 0)  normal = (0, -1, 0)  ambient = 1 }
+sphere { center = (-1.5, 1, 0)  radius = 1  ambient = 1 }
+)";
+    EXPECT_EQ(ids_of(room), "");
+    const std::string past = room + "conventions { shadow_stops_at_light = false }\n";
+    EXPECT_TRUE(has(ids_of(past), "light-blocked@3")) << ids_of(past);
+    std::string message;
+    for (const Finding& f : check_text(past).findings)
+        if (f.id == "light-blocked") message = to_string(f);
+    EXPECT_TRUE(has(message, "plane 'ceiling' (line 5) is beyond it")) << message;
+    EXPECT_TRUE(has(message, "remedy: set shadow_stops_at_light = true")) << message;
+}
+
 TEST(CheckLights, ARimLightIsNoMistake) {
     // From behind, but its rim is seen; and a small highlight in a scene without diffuse surfaces.
     EXPECT_EQ(ids_of(k_clean + "light { position = (-3, 4, -6)  intensity = 0.4 }\n"), "");
