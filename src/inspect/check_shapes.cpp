@@ -21,7 +21,7 @@ void mark_shadows(const Subject& subject, const Sight& sight, std::vector<bool>&
     if (!world.settings.shadows) return;
     for (std::size_t l = 0; l < world.lights.size() && l < k_most_lights; ++l) {
         const ShadowRays shadows = shadow_rays(world, sight, world.lights[l], k_most_points);
-        for (const std::uint32_t slot : nearest_hits(world, shadows.rays, subject.threads()).slot)
+        for (const std::uint32_t slot : nearest_occluders(world, shadows.rays, subject.threads()).slot)
             if (slot != k_none) seen[world.shape_index[slot]] = true;
     }
 }
@@ -155,16 +155,21 @@ void check_shapes(Subject& subject, const Sight& sight, const std::vector<bool>&
         deep == 0 ? ""
                   : fmt::format("; nor is anything in the first {} of mirrors and glass",
                                 deep == 1 ? "generation" : fmt::format("{} generations", deep));
+    // Where lights were left out, nothing is known of their shadows.
+    const bool knows_shadows = !world.settings.shadows || world.lights.size() <= k_most_lights;
     const auto report = [&](std::string_view id, const std::vector<std::uint32_t>& all,
                             std::string_view where, bool hidden, std::string remedy) {
         const std::vector<std::uint32_t> list = worth_naming(scene, unseen, all, !hidden);
         if (list.empty()) return;
         subject.report(
             id, scene.shape_texts.place(list.front()),
-            fmt::format("{} of {} {} {}, and no shadow of {} is seen{}: {}{}", list.size(),
+            fmt::format("{} of {} {} {}{}{}: {}{}", list.size(),
                         unseen.shapes == 1 ? "1 shape" : fmt::format("{} shapes", unseen.shapes),
-                        list.size() == 1 ? "is" : "are", where, list.size() == 1 ? "it" : "them", mirrors,
-                        subject.some_shapes(list), hidden ? enclosure(subject, world, list) : ""),
+                        list.size() == 1 ? "is" : "are", where,
+                        !knows_shadows     ? ""
+                        : list.size() == 1 ? ", and no shadow of it is seen"
+                                           : ", and no shadow of them is seen",
+                        mirrors, subject.some_shapes(list), hidden ? enclosure(subject, world, list) : ""),
             std::move(remedy));
     };
     report("shape-outside-view", unseen.outside, "outside the picture", false,

@@ -19,6 +19,31 @@ TEST(CheckShapes, SeenInAMirrorOrByItsShadowIsSeen) {
     EXPECT_EQ(ids_of(k_clean + "sphere { center = (1.5, 5, 3)  radius = 0.4 }\n"), "");
 }
 
+TEST(CheckShapes, SeenByAShadowBehindClearGlass) {
+    // The pane is nearer to the lamp, and lets its light through.
+    const std::string ball = "sphere { center = (1.5, 5, 3)  radius = 0.4 }\n";
+    EXPECT_EQ(ids_of("conventions { glass_shadow = none }\n" + k_clean + ball +
+                     "disc \"pane\" { center = (2.25, 5.5, 4)  normal = (1.5, 1, 2)  radius = 0.9  "
+                     "transmission = 0.9 }\n"),
+              "shape-outside-view@9");
+}
+
+TEST(CheckShapes, SeenByAShadowFromBeyondTheLight) {
+    // Over the lamp, whose shadow rays do not stop at it.
+    const std::string over = "sphere { center = (3.6, 7.4, 6)  radius = 0.3 }\n";
+    EXPECT_EQ(ids_of(k_clean + over), "shape-outside-view@7");
+    EXPECT_EQ(ids_of(k_clean + "conventions { shadow_stops_at_light = false }\n" + over), "");
+}
+
+TEST(CheckShapes, NothingIsSaidOfShadowsOfLightsLeftOut) {
+    std::string text = k_clean;
+    for (int i = 0; i < 17; ++i)
+        text += fmt::format("light {{ position = ({}, 6, 4)  intensity = 0.05 }}\n", i * 0.2 - 6);
+    text += "sphere { center = (0, 1, 30)  radius = 0.5 }\n";
+    EXPECT_EQ(ids_of(text), "shape-outside-view@24");
+    EXPECT_FALSE(has(only_message(text), "shadow")) << only_message(text);
+}
+
 TEST(CheckShapes, HiddenBehindAndInside) {
     EXPECT_EQ(ids_of(k_clean + "sphere { center = (-1.9, 0.6, -1)  radius = 0.2 }\n"), "shape-hidden@7");
     const std::string inside = k_clean + "sphere { center = (-1.5, 1, 0)  radius = 0.5 }\n";
