@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <map>
+#include <span>
 #include <unordered_map>
 
 #include "inspect/checks.h"
@@ -12,8 +13,10 @@ namespace glint {
 namespace {
 
 constexpr std::int32_t k_first_look = 160, k_second_look = 480;  // longest side, pixels
-constexpr std::size_t k_most_lights = 256;                       // that are drawn one by one
-constexpr std::size_t k_full_looks = 8;                          // more lights get smaller pictures
+constexpr std::size_t k_most_groups = 256;  // of lights that are drawn together: one each, of up to 256
+constexpr std::size_t k_full_looks = 8;     // more groups get smaller pictures
+constexpr std::size_t k_most_dark = 256;    // whose reasons are looked for
+constexpr std::size_t k_most_named = 5;
 constexpr double k_half_byte = 0.5 / 255;
 constexpr std::size_t k_most_points = 4096;
 constexpr double k_most_intensity = 10;  // without attenuation; 255 is a byte's
@@ -33,12 +36,14 @@ class Effects {
   public:
     explicit Effects(Subject& subject) : subject_(subject) {}
 
-    /// The most that the light adds to a channel of a pixel.
-    double of(const Light& light, std::int32_t longest) {
+    /// The most that the lights together add to a channel of a pixel.
+    double of(std::span<const std::uint32_t> lights, std::int32_t longest) {
         const auto dark = dark_.find(longest);
         const Image& unlit =
             dark == dark_.end() ? dark_.emplace(longest, draw({}, longest)).first->second : dark->second;
-        return largest_difference(unlit, draw({light}, longest));
+        std::vector<Light> list;
+        for (const std::uint32_t index : lights) list.push_back(subject_.scene().lights[index]);
+        return largest_difference(unlit, draw(std::move(list), longest));
     }
 
   private:
@@ -210,39 +215,61 @@ void check_ambient(Subject& subject, std::uint32_t index) {
         "give the materials `ambient`, or leave the light out");
 }
 
+// Lights each of which nobody would miss: a mistake unless they are the light of the scene together.
+void report_weak(Subject& subject, Effects& effects, std::span<const std::uint32_t> weak) {
+    if (weak.empty()) return;
+    const double effect = effects.of(weak, weak.size() == 1 ? k_second_look : k_first_look);
+    if (effect >= k_half_byte) return;
+    const Scene& scene = subject.scene();
+    bool attenuated = true;
+    for (const std::uint32_t index : weak) attenuated = attenuated && is_attenuated(scene.lights[index]);
+    std::string what = subject.light(weak[0]) + " adds";
+    if (weak.size() > 1) {
+        what = fmt::format("{} lights (", weak.size());
+        for (std::size_t i = 0; i < weak.size() && i < k_most_named; ++i)
+            what += (i == 0 ? "" : ", ") + subject.light(weak[i]);
+        what += weak.size() > k_most_named ? "...) add together" : ") add together";
+    }
+    subject.report("light-too-weak", scene.light_texts.place(weak[0]),
+                   fmt::format("{} {:.2g} of 255 to the brightest pixel: nobody sees it", what, effect * 255),
+                   attenuated ? "raise the intensity, or weaken the attenuation" : "raise the intensity");
+}
+
 }  // namespace
 
 void check_lights(Subject& subject, const Sight& sight) {
     const Scene& scene = subject.scene();
     const Shading shading = scene.settings.shading;
     if (shading == Shading::color || shading == Shading::normals) return;
-    const std::size_t count = std::min(scene.lights.size(), k_most_lights);
-    std::int32_t longest = k_first_look;
-    for (std::size_t n = count; n > k_full_looks; n /= 4) longest /= 2;
-    std::size_t looked_twice = 0;
-    Effects effects(subject);
-    for (std::uint32_t i = 0; i < count; ++i) {
-        const Light& light = scene.lights[i];
+    std::vector<std::uint32_t> lights, weak;
+    for (std::uint32_t i = 0; i < scene.lights.size(); ++i) {
         if (check_color(subject, i)) continue;
-        if (light.kind == LightKind::ambient) {
-            if (shading != Shading::diffuse) check_ambient(subject, i);
-            continue;
-        }
-        double effect = effects.of(light, longest);
+        if (scene.lights[i].kind != LightKind::ambient)
+            lights.push_back(i);
+        else if (shading != Shading::diffuse)
+            check_ambient(subject, i);
+    }
+    const std::size_t groups = std::min(lights.size(), k_most_groups);
+    std::int32_t longest = k_first_look;
+    for (std::size_t n = groups; n > k_full_looks; n /= 4) longest /= 2;
+    std::size_t looked_twice = 0, dark = 0;
+    Effects effects(subject);
+    for (std::size_t g = 0; g < groups; ++g) {
+        const std::size_t first = g * lights.size() / groups, end = (g + 1) * lights.size() / groups;
+        const auto group = std::span<const std::uint32_t>(lights).subspan(first, end - first);
+        double effect = effects.of(group, longest);
         if (effect >= k_half_byte) continue;
         // A highlight may lie between the pixels of a small picture.
-        effect = effects.of(light, looked_twice++ < k_full_looks ? k_second_look : k_first_look);
-        if (effect == 0) {
-            report_dark(subject, sight, i);
-        } else if (effect < k_half_byte) {
-            subject.report(
-                "light-too-weak", scene.light_texts.place(i),
-                fmt::format("{} adds {:.2g} of 255 to the brightest pixel it reaches: nobody sees it",
-                            subject.light(i), effect * 255),
-                is_attenuated(light) ? "raise its intensity, or weaken its attenuation"
-                                     : "raise its intensity");
+        effect = effects.of(group, looked_twice++ < k_full_looks ? k_second_look : k_first_look);
+        if (effect >= k_half_byte) continue;
+        for (const std::uint32_t index : group) {
+            if (effect == 0 && dark++ < k_most_dark)
+                report_dark(subject, sight, index);
+            else
+                weak.push_back(index);
         }
     }
+    report_weak(subject, effects, weak);
 }
 
 }  // namespace glint

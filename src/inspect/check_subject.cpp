@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 
 #include "base/diagnostics.h"
 #include "base/text.h"
@@ -11,8 +12,9 @@ namespace glint {
 namespace {
 
 constexpr std::size_t k_most_named = 5;
-constexpr std::int32_t k_probe = 24;  // longest side of a picture that counts rays
-constexpr double k_most_rays = 4e6;   // of a picture
+constexpr std::size_t k_most_alike = 8;  // findings of one kind
+constexpr std::int32_t k_probe = 24;     // longest side of a picture that counts rays
+constexpr double k_most_rays = 4e6;      // of a picture
 
 std::string item(std::string_view word, std::uint32_t index, std::string_view name) {
     return name.empty() ? fmt::format("{} {}", word, std::uint64_t{index} + 1)
@@ -106,9 +108,19 @@ std::vector<Finding> Subject::take() {
         if (p.file != q.file) return p.file < q.file;
         return p.line != q.line ? p.line < q.line : p.column < q.column;
     });
+    // A mistake made often is one finding, at its first place.
+    std::map<std::string_view, std::size_t> counts;
+    for (const auto& [place, finding] : findings_) ++counts[finding.id];
     std::vector<Finding> list;
-    list.reserve(findings_.size());
-    for (auto& [place, finding] : findings_) list.push_back(std::move(finding));
+    for (auto& [place, finding] : findings_) {
+        std::size_t& count = counts[finding.id];
+        if (count == 0) continue;
+        if (count > k_most_alike) {
+            finding.diagnostic.message += fmt::format("; and {} more like it", count - 1);
+            count = 0;
+        }
+        list.push_back(std::move(finding));
+    }
     return list;
 }
 

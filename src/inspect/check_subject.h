@@ -42,6 +42,7 @@ class Subject {
     Image draw(std::int32_t longest);
 
     void report(std::string_view id, SourcePlace place, std::string message, std::string remedy);
+    /// The findings by their places; where there are many of a kind, the first of them and their number.
     std::vector<Finding> take();
 
     /// "sphere 'ball'" or "sphere 3", and with its line: "sphere 3 (line 7)", if it has one.

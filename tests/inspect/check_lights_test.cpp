@@ -134,6 +134,29 @@ TEST(CheckLights, NotWhereNothingIsLit) {
     EXPECT_EQ(ids_of(k_clean + "render { shading = normals }\nlight { position = (0, -3, 4) }\n"), "");
 }
 
+std::string with_lights(int count, const std::string& rest) {
+    std::string text = k_clean;
+    for (int i = 0; i < count; ++i)
+        text += fmt::format("light {{ position = ({}, 6, 4)  {} }}\n", i * 12.0 / count - 6, rest);
+    return text;
+}
+
+TEST(CheckLights, WeakLightsAreJudgedTogether) {
+    EXPECT_EQ(ids_of(with_lights(40, "intensity = 0.001")), "");
+    EXPECT_EQ(ids_of(with_lights(600, "intensity = 0.001")), "");
+    const std::string weak = with_lights(40, "intensity = 0.000001");
+    EXPECT_EQ(ids_of(weak), "light-too-weak@7");
+    EXPECT_TRUE(has(only_message(weak), "40 lights (light 3, ")) << only_message(weak);
+    // Two and three are drawn together; one is with the lamp.
+    EXPECT_EQ(ids_of(with_lights(600, "intensity = 1e-8")), "light-too-weak@8");
+}
+
+TEST(CheckLights, ManyMistakesOfOneKindAreOneFinding) {
+    const std::string black = with_lights(300, "intensity = 0");
+    EXPECT_EQ(ids_of(black), "light-without-color@7");
+    EXPECT_TRUE(has(only_message(black), "; and 299 more like it")) << only_message(black);
+}
+
 TEST(CheckLights, ManyLightsEachOfThemLooked) {
     std::string text = k_clean;
     for (int i = 0; i < 60; ++i)
