@@ -6,7 +6,7 @@ import {test} from 'node:test';
 
 import {address, choose, drop, native, picture, saved, sceneText, scenes, settled, withPage} from './browser.mjs';
 
-test('a link holds the scene, its settings and the comparison', () => withPage(async (page, context) => {
+test('a link holds the scene and its settings', () => withPage(async (page, context) => {
     await choose(page, 'epfl/castle.json');
     await page.getByRole('combobox', {name: 'Shading'}).selectOption('phong');
     await page.getByRole('spinbutton', {name: 'Width'}).fill('200');
