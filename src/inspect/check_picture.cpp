@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 
 #include "inspect/checks.h"
 #include "math/number.h"
@@ -16,6 +17,7 @@ constexpr double k_visible = 8.0 / 255;  // differences in a channel that count
 // Shares of the picture. The gallery's scenes have up to 0.1 of clamped lamplight, 0.0006 where epsilons of
 // the sources differ from ours, and 0.005 that another reflection changes.
 constexpr double k_most_clamped = 0.125, k_most_acne = 0.005, k_most_changed = 0.0075;
+constexpr double k_least_shape = 0.002;  // of the picture: a shape that covers so much is looked at by itself
 constexpr std::int32_t k_most_more = 64;  // reflections that are tried
 
 // The share of pixels of which test(first number) says so.
@@ -78,9 +80,43 @@ double bound_of(const World& world, std::uint32_t material) {
     return number::max(sum.r, number::max(sum.g, sum.b));
 }
 
+// Whether a material is meant to glow: its ambient term alone is above 1.
+bool glows(const World& world, std::uint32_t material) {
+    const double* m = world.materials.data() + std::size_t{material} * k_material_values;
+    const Color glow = Color{m[k_ambient], m[k_ambient + 1], m[k_ambient + 2]} * world.ambient;
+    return number::max(glow.r, number::max(glow.g, glow.b)) > k_over;
+}
+
+// Shapes that are clamped on most of their pixels. over_at: by the number of a camera ray.
+template <class Test> void check_clamped_shapes(Subject& subject, const Sight& sight, Test over_at) {
+    struct Count {
+        std::size_t all = 0, over = 0;
+        std::uint32_t material = 0;
+    };
+    std::map<std::uint32_t, Count> counts;
+    for (const SurfaceHit& h : sight.seen()) {
+        Count& count = counts[h.shape];
+        count.material = h.material;
+        ++count.all;
+        count.over += over_at(h.ray) ? 1 : 0;
+    }
+    for (const auto& [shape, count] : counts) {
+        if (static_cast<double>(count.all) < k_least_shape * static_cast<double>(sight.rays())) continue;
+        if (2 * count.over <= count.all || glows(subject.world(), count.material)) continue;
+        subject.report(
+            "picture-clamped", subject.scene().shape_texts.place(shape),
+            fmt::format(
+                "{} is brighter than 1 and is clamped on {:.2g}% of what is seen of it: its k_a I_a + "
+                "the sum over the lights of k_d I_d + k_s I_s can come to {:.3g}",
+                subject.shape(shape), 100 * static_cast<double>(count.over) / static_cast<double>(count.all),
+                bound_of(subject.world(), count.material)),
+            "lower the lights' intensities or the material's coefficients, until their sum is about 1");
+    }
+}
+
 void check_clamped(Subject& subject, const Sight& sight, const Image& picture) {
     const double over = share(picture, [&](std::size_t i) { return is_over(picture, i); });
-    if (over < k_most_clamped) return;
+    if (over == 0) return;
     const Scene& scene = subject.scene();
     const auto columns = static_cast<std::size_t>(sight.size.width),
                rows = static_cast<std::size_t>(sight.size.height);
@@ -90,6 +126,7 @@ void check_clamped(Subject& subject, const Sight& sight, const Image& picture) {
         return is_over(picture,
                        3 * (ray / columns * height / rows * width + ray % columns * width / columns));
     };
+    if (over < k_most_clamped) return check_clamped_shapes(subject, sight, over_at);
     std::vector<std::size_t> pixels(scene.materials.size() + 1);
     std::size_t background = 0;
     for (std::size_t ray = 0; ray < sight.rays(); ++ray) background += over_at(ray) ? 1 : 0;
@@ -134,11 +171,17 @@ void check_epsilon(Subject& subject, const Sight& sight, const Image& picture) {
     const Scene& scene = subject.scene();
     const double epsilon = scene.conventions.epsilon, trusted = trusted_epsilon(subject, sight);
     if (epsilon == trusted) return;
-    subject.change().conventions.epsilon = trusted;
-    const Image other = subject.draw(k_longest);
-    subject.restore();
+    const auto draw = [&](double by) {
+        subject.change().conventions.epsilon = by;
+        Image image = subject.draw(k_longest);
+        subject.restore();
+        return image;
+    };
+    const Image other = draw(trusted);
     const double differs = share_that_differs(picture, other, k_visible);
     if (differs < k_most_acne) return;
+    // Where mirrors make chaos of any small change, no epsilon is better than another.
+    if (epsilon > trusted && share_that_differs(other, draw(trusted / 8), k_visible) >= k_most_acne) return;
     const SourcePlace place = place_of_setting(scene, "epsilon");
     const std::string remedy =
         scene.conventions.offset == Offset::scale

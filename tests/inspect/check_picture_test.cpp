@@ -33,6 +33,21 @@ plane { point = (0, 0, 0)  normal = (0, 1, 0)  material = floor }
     EXPECT_EQ(ids_of("background = (1.5, 1.5, 1.5)\n" + k_clean), "picture-clamped@1");
 }
 
+TEST(CheckPicture, AShapeMayNotBeAllClamped) {
+    const std::string white = R"(camera { position = (0, 0, 8)  look_at = (0, 0, 0)  fov_x = 60 }
+light { type = ambient  intensity = 1 }
+light { position = (3, 6, 8)  intensity = 3 }
+sphere { center = (0, 0, 0)  radius = 1  color = (1, 1, 1)  ambient = 1  diffuse = 1 }
+)";
+    EXPECT_EQ(ids_of(white), "picture-clamped@4");
+    EXPECT_TRUE(has(only_message(white), "sphere 1 is brighter than 1")) << only_message(white);
+    EXPECT_TRUE(has(only_message(white), "can come to 4")) << only_message(white);
+    // A lamp glows.
+    EXPECT_EQ(
+        ids_of(k_clean + "sphere { center = (0, 2.6, 0)  radius = 0.4  color = (1, 1, 1)  ambient = 8 }\n"),
+        "");
+}
+
 TEST(CheckPicture, AHighlightMayBeClamped) {
     // About 1% of the picture.
     EXPECT_EQ(ids_of(k_clean + "sphere { center = (0, 1.3, 2)  radius = 1.3  color = (1, 1, 1)  ambient = 1\n"
@@ -59,6 +74,22 @@ sphere { center = (-0.0015, 0.001, 0)  radius = 0.001  color = (0.8, 0.3, 0.2)  
     EXPECT_EQ(ids_of(small + "conventions { offset = normal  epsilon = 0.001 }\n"), "epsilon-too-large@6");
     EXPECT_EQ(ids_of(small + "conventions { offset = normal  epsilon = 1e-6 }\n"), "");
     EXPECT_EQ(ids_of(small), "");
+}
+
+TEST(CheckPicture, WhereMirrorsMakeChaosNoEpsilonIsTooLarge) {
+    // A quarter of the picture changes with the epsilon, and goes on to with those that are smaller still.
+    EXPECT_FALSE(has(ids_of(R"(render { size = 160 x 120  reflections = 60 }
+conventions { offset = normal  epsilon = 0.0001 }
+camera { position = (0, 0, 0.05)  look_at = (0.3, 0.2, -3)  fov_x = 100 }
+light { type = ambient  intensity = 0.4 }
+light { position = (0, 0.3, 0)  intensity = 0.6 }
+sphere { center = (1, 1, 1)  radius = 0.99  mirror = 0.98  color = (0.8, 0.1, 0.1)  ambient = 0.1 }
+sphere { center = (-1, -1, 1)  radius = 0.99  mirror = 0.98  color = (0.1, 0.8, 0.1)  ambient = 0.1 }
+sphere { center = (-1, 1, -1)  radius = 0.99  mirror = 0.98  color = (0.1, 0.1, 0.8)  ambient = 0.1 }
+sphere { center = (1, -1, -1)  radius = 0.99  mirror = 0.98  color = (0.8, 0.8, 0.1)  ambient = 0.1 }
+sphere { center = (0, 0, 0)  radius = 2.5  color = (1, 1, 1)  mirror = 0.9  ambient = 0.3 }
+)"),
+                     "epsilon"));
 }
 
 TEST(CheckPicture, EpsilonsOfTheSources) {
