@@ -54,17 +54,18 @@ HWY_INLINE void sort(KeyedChild& a, KeyedChild& b) {
 /// met is not 0.
 HWY_INLINE BvhChild push_all_but_nearest(const BvhNode& node, std::uint32_t met, const std::int32_t* entries,
                                          Visits<KeyedChild>& visits) {
-    const auto take = [&]() HWY_ATTR {
+    const auto first_met = [&]() HWY_ATTR {
         const int c = __builtin_ctz(met);
-        met &= met - 1;
         return KeyedChild(node.child[c], entries[c]);
     };
-    KeyedChild nearest = take();
+    KeyedChild nearest = first_met();
+    met &= met - 1;
     if (met == 0) return nearest.child();
-    KeyedChild second = take();
+    KeyedChild second = first_met();
+    met &= met - 1;
     sort(nearest, second);
-    for (const int base = visits.size(); met != 0;) {
-        KeyedChild another = take();
+    for (const int base = visits.size(); met != 0; met &= met - 1) {
+        KeyedChild another = first_met();
         sort(second, another);
         sort(nearest, second);
         visits.push_ordered(another, base);
