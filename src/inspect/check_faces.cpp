@@ -71,6 +71,8 @@ std::vector<double> values_of(const Scene& scene, const Shape& shape) {
             for (std::uint32_t i = 0; i < s.count; ++i) append(v, scene.polygon_vertices[s.first + i]);
             break;
         }
+        default:  // a kind that was added: like no other of its kind
+            v.push_back(static_cast<double>(shape.index));
     }
     if (shape.transform != k_none && !(scene.transforms[shape.transform] == Affine{})) {
         for (const auto& row : scene.transforms[shape.transform].m)
