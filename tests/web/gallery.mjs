@@ -19,7 +19,7 @@ function pictures(file) {
     return [[file, [path]]];
 }
 
-for (const family of ['cgfs', 'csc473', 'epfl', 'glint', 'nff']) {
+for (const family of ['cgfs', 'csc473', 'epfl', 'glint', 'nff', 'faults']) {
     test(`the gallery: ${family}`, {timeout: 300_000}, () => withPage(async (page) => {
         const list = files.filter((file) => file.startsWith(`${family}/`)).flatMap(pictures);
         assert.ok(list.length >= 2);

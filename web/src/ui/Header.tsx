@@ -12,6 +12,7 @@ const families: [string, string][] = [
     ['csc473', 'CSC 473'],
     ['glint', 'glint'],
     ['nff', 'Standard Procedural Databases'],
+    ['faults', 'Faults: what is wrong here?'],
 ];
 
 const title = (scene: {name: string; scene?: string | undefined}) =>
