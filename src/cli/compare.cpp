@@ -5,6 +5,7 @@
 
 #include "cli/commands.h"
 #include "cli/compare_report.h"
+#include "cli/draw.h"
 #include "cli/failure.h"
 #include "cli/output_file.h"
 #include "cli/picture_file.h"
@@ -45,11 +46,7 @@ bool passes(const CompareArguments& arguments, const PictureDifference& d) {
 
 void write_difference(const OutputFile& file, const CompareArguments& arguments, const Image& a,
                       const Image& b, double largest) {
-    EncodeOptions options;
-    options.threads = arguments.threads;
-    const EncodeResult encoded = encode(difference_image(a, b), options);
-    if (!encoded.error.empty()) throw Failure(k_bad_input, encoded.error);
-    file.write(encoded.bytes);
+    write_png(difference_image(a, b), file, arguments.threads);
     if (arguments.quiet) return;
     fmt::print(stderr, "{}  |A - B|{}\n", arguments.diff,
                largest > 0 ? fmt::format(" times {:.4g}", 255 / largest) : ", all black");

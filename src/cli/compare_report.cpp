@@ -130,8 +130,8 @@ std::string text_report(const CompareReport& report) {
     fmt::format_to(out, "of 255     mean {:.4g}, root mean square {:.4g}", d.mean, d.rms);
     if (d.psnr) fmt::format_to(out, "; PSNR {:.2f} dB", *d.psnr);
     if (d.ssim) fmt::format_to(out, ", SSIM {:.4f}", *d.ssim);
-    fmt::format_to(out, "\nlargest    {:.4g} at x {}, y {}: {}, and in the reference {}\n", d.largest.value,
-                   d.largest.x, d.largest.y, color_text(d.largest.a, report.as_floats),
+    fmt::format_to(out, "\nlargest    {:.4g} at x {}, y {}: {}, and in {} {}\n", d.largest.value, d.largest.x,
+                   d.largest.y, color_text(d.largest.a, report.as_floats), report.reference,
                    color_text(d.largest.b, report.as_floats));
     if (report.causes) add_causes(text, report);
     return text;
@@ -160,6 +160,7 @@ std::string json_report(const CompareReport& report) {
                        {"a", d.largest.a},
                        {"b", d.largest.b}};
     json["diagnosis"] = report.causes ? causes_json(*report.causes) : Json(nullptr);
+    for (const std::string& text : report.explanations) json["explanations"].push_back(Json::parse(text));
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

@@ -2,6 +2,7 @@
 // What `glint compare` prints about two pictures.
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "glint/compare.h"
 
@@ -16,6 +17,9 @@ struct CompareReport {
     std::optional<CauseReport> causes;  ///< absent for pictures that do not differ
     bool with_scene = false;
     bool passes = false;
+    std::string reference = "the reference";  ///< what the text calls B
+    /// Of the pixel that differs most, as JSON, in A and in B; or none.
+    std::vector<std::string> explanations;
 };
 
 std::string text_report(const CompareReport& report);

@@ -24,8 +24,10 @@ Image draw(const World& world, int threads, const std::string& isa) {
     return std::move(*result.image);
 }
 
-void write_png(const Image& picture, const OutputFile& output) {
-    const EncodeResult encoded = encode(picture);
+void write_png(const Image& picture, const OutputFile& output, int threads) {
+    EncodeOptions options;
+    options.threads = threads;
+    const EncodeResult encoded = encode(picture, options);
     if (!encoded.error.empty())
         throw Failure(k_bad_input, fmt::format("cannot encode the picture: {}", encoded.error));
     output.write(encoded.bytes);

@@ -14,6 +14,6 @@ WorldPtr prepare_or_fail(const Scene& scene, int threads = 0);
 Image draw(const World& world, int threads = 0, const std::string& isa = {});
 
 /// Writes a picture as PNG. Throws Failure.
-void write_png(const Image& picture, const OutputFile& output);
+void write_png(const Image& picture, const OutputFile& output, int threads = 0);
 
 }  // namespace glint::cli

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "cli/commands.h"
+#include "cli/draw.h"
 #include "cli/failure.h"
 #include "cli/grade_report.h"
 #include "cli/output_file.h"
@@ -47,12 +48,7 @@ void write_text(const std::optional<OutputFile>& file, const std::string& text) 
 
 void write_sheet(const Outputs& outputs, const std::vector<SheetCell>& cells, std::size_t columns,
                  int threads) {
-    if (!outputs.sheet) return;
-    EncodeOptions options;
-    options.threads = threads;
-    const EncodeResult encoded = encode(contact_sheet(cells, columns), options);
-    if (!encoded.error.empty()) throw Failure(k_bad_input, "the contact sheet: " + encoded.error);
-    outputs.sheet->write(encoded.bytes);
+    if (outputs.sheet) write_png(contact_sheet(cells, columns), *outputs.sheet, threads);
 }
 
 // Small enough for that many rows of cells, each a picture above another.

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/compare_report.h"
+#include "cli/draw.h"
 #include "cli/failure.h"
 #include "cli/progress.h"
 #include "cli/text.h"
@@ -51,19 +52,6 @@ std::vector<std::string> parse_values(const std::string& whole, std::string_view
         start = end + 1;
     }
     return values;
-}
-
-Image draw(const Scene& scene, int threads) {
-    const PrepareResult prepared = prepare(scene, threads);
-    if (!prepared.world) {
-        print(prepared.diagnostics);
-        throw Failure(k_bad_input, {});
-    }
-    RenderOptions options;
-    options.threads = threads;
-    RenderResult result = render(*prepared.world, options);
-    if (!result.image) throw Failure(k_bad_input, result.error);
-    return std::move(*result.image);
 }
 
 // The first value from which on no step changes anything; nothing if the last one did.
@@ -140,7 +128,7 @@ int vary_command(SceneOption& scene, const Variation& variation, int threads, bo
         ProgressBar bar(!quiet);
         for (const std::string& value : variation.values) {
             set_setting(loaded.scene, variation.key, value, {SettingOrigin::Kind::command, {}});
-            Image now = draw(loaded.scene, threads);
+            Image now = draw(*prepare_or_fail(loaded.scene, threads), threads);
             steps.push_back({value, {}});
             if (!before.rgb.empty()) {
                 CompareOptions options;

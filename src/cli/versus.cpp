@@ -71,14 +71,14 @@ std::string name_of(const std::vector<std::string>& settings, const char* option
 
 // A profile brings a size of its own: pictures that are held against each other have that of the first.
 Side draw_side(const VersusArguments& arguments, const std::vector<std::string>& settings, const char* option,
-               const RenderSettings* same_size) {
+               const std::optional<RenderSettings>& same_size) {
     Side side;
     side.name = name_of(settings, option);
     side.loaded = load_scene(with_settings(arguments.scene, settings));
     Scene& scene = side.loaded.scene;
     const bool has_size = std::any_of(settings.begin(), settings.end(),
                                       [](const std::string& s) { return s.starts_with("size="); });
-    if (same_size != nullptr && !has_size) {
+    if (same_size && !has_size) {
         scene.settings.width = same_size->width;
         scene.settings.height = same_size->height;
     }
@@ -89,6 +89,14 @@ Side draw_side(const VersusArguments& arguments, const std::vector<std::string>&
     side.world = prepare_or_fail(scene);
     side.image = draw(*side.world);
     return side;
+}
+
+// Where the first drawing's profile may have another size than the scene.
+std::optional<RenderSettings> size_of_scene(const VersusArguments& arguments) {
+    const bool has_profile = std::any_of(arguments.a.begin(), arguments.a.end(),
+                                         [](const std::string& s) { return s.starts_with("profile="); });
+    if (!has_profile) return std::nullopt;
+    return load_scene(arguments.scene).scene.settings;
 }
 
 // A, B and their difference beside each other.
@@ -128,9 +136,8 @@ int versus_command(VersusArguments& arguments) {
     if (arguments.a.empty() && arguments.b.empty())
         throw Failure(k_usage, "expected --a KEY=VALUE or --b KEY=VALUE: what the two drawings differ in");
     add_settings(arguments.picture, true, arguments.scene);
-    const RenderSettings whole = load_scene(arguments.scene).scene.settings;
-    const Side a = draw_side(arguments, arguments.a, "--a", &whole);
-    const Side b = draw_side(arguments, arguments.b, "--b", &a.loaded.scene.settings);
+    const Side a = draw_side(arguments, arguments.a, "--a", size_of_scene(arguments));
+    const Side b = draw_side(arguments, arguments.b, "--b", a.loaded.scene.settings);
     print(a.loaded.warnings);
     const PictureDifference difference = compare(a.image, b.image);
     if (!difference.error.empty()) throw Failure(k_bad_input, difference.error);
@@ -142,14 +149,13 @@ int versus_command(VersusArguments& arguments) {
     report.within = CompareOptions{}.within;
     report.difference = difference;
     const bool same = difference.all.equal == difference.all.pixels;
+    report.passes = same;
+    report.reference = "B";
     if (arguments.json) {
-        std::string text = json_report(report);
-        text.resize(text.rfind('}'));
-        while (text.back() == '\n') text.pop_back();
         if (!same)
-            text += fmt::format(",\n  \"explanations\": [{},\n{}]", explained_json(a, difference.largest),
-                                explained_json(b, difference.largest));
-        fmt::print("{}\n}}\n", text);
+            report.explanations = {explained_json(a, difference.largest),
+                                   explained_json(b, difference.largest)};
+        fmt::print("{}", json_report(report));
     } else {
         fmt::print("{}", text_report(report));
         ExplainStyle style;
