@@ -3,13 +3,11 @@
 #include <algorithm>
 #include <limits>
 
-#include "base/parallel_for.h"
 #include "geometry/kinds-inl.h"
 #include "geometry/leave-inl.h"
 #include "lighting/glass-inl.h"
 #include "math/transform.h"
 #include "trace/camera_rays-inl.h"
-#include "trace/kernels.h"
 
 namespace glint {
 namespace {
@@ -19,7 +17,6 @@ using namespace HWY_NAMESPACE;
 constexpr std::int32_t k_longest = 640;         // camera rays a side, at most
 constexpr std::size_t k_most_followed = 65536;  // mirror and glass rays of a generation
 constexpr int k_most_generations = 4;
-constexpr std::size_t k_chunk = 4096;
 
 Triple<double> triple_of(Vec3 v) { return {v.x, v.y, v.z}; }
 Vec3 vec_of(Triple<double> v) { return {v.x, v.y, v.z}; }
@@ -86,60 +83,6 @@ std::vector<SurfaceHit> surface_hits(const World& world, const RayList& rays, in
 }
 
 }  // namespace
-
-void RayList::add(Vec3 o, Vec3 d, double t_min, double t_max) {
-    const double values[8] = {o.x, o.y, o.z, d.x, d.y, d.z, t_min, t_max};
-    for (int c = 0; c < 8; ++c) {
-        columns_[c][columns_[c].size() - k_ray_padding] = values[c];
-        columns_[c].push_back(0);
-    }
-}
-
-RaySpan RayList::from(std::size_t i) const {
-    return {columns_[0].data() + i, columns_[1].data() + i, columns_[2].data() + i, columns_[3].data() + i,
-            columns_[4].data() + i, columns_[5].data() + i, columns_[6].data() + i, columns_[7].data() + i};
-}
-
-HitList nearest_hits(const World& world, const RayList& rays, int threads) {
-    const Kernels& kernels = available_kernels().front();
-    HitList hits{std::vector<double>(rays.size()), std::vector<std::uint32_t>(rays.size())};
-    parallel_for((rays.size() + k_chunk - 1) / k_chunk, threads, [&](std::size_t chunk) {
-        // The kernels write whole vectors: a chunk's answers must not reach into its neighbour's.
-        double t[k_chunk + k_ray_padding];
-        std::uint32_t slot[k_chunk + k_ray_padding];
-        const std::size_t first = chunk * k_chunk, count = std::min(k_chunk, rays.size() - first);
-        kernels.nearest_hit(world, rays.from(first), static_cast<int>(count), k_beam, t, slot);
-        std::copy_n(t, count, hits.t.begin() + static_cast<std::ptrdiff_t>(first));
-        std::copy_n(slot, count, hits.slot.begin() + static_cast<std::ptrdiff_t>(first));
-    });
-    return hits;
-}
-
-HitList nearest_occluders(const World& world, const RayList& rays, int threads) {
-    constexpr int k_most_passed = 100;  // surfaces that cast no shadow, of one ray
-    const auto passes = [&](std::uint32_t slot) {
-        return slot != k_none && (world.material[slot] & k_no_shadow) != 0;
-    };
-    HitList hits = nearest_hits(world, rays, threads);
-    for (int passed = 0; passed < k_most_passed; ++passed) {
-        RayList on;
-        std::vector<std::size_t> numbers;
-        for (std::size_t i = 0; i < rays.size(); ++i) {
-            if (!passes(hits.slot[i])) continue;
-            on.add(rays.origin(i), rays.direction(i), hits.t[i], rays.t_max(i));
-            numbers.push_back(i);
-        }
-        if (numbers.empty()) return hits;
-        const HitList next = nearest_hits(world, on, threads);
-        for (std::size_t k = 0; k < numbers.size(); ++k) {
-            hits.t[numbers[k]] = next.t[k];
-            hits.slot[numbers[k]] = next.slot[k];
-        }
-    }
-    for (std::uint32_t& slot : hits.slot)
-        if (passes(slot)) slot = k_none;
-    return hits;
-}
 
 SurfaceHit surface_hit(const World& world, const RayList& rays, const HitList& hits, std::size_t ray) {
     SurfaceHit h;

@@ -5,7 +5,7 @@
 
 #include "base/fp_environment.h"
 #include "base/guard.h"
-#include "math/number.h"
+#include "inspect/ray_list.h"
 #include "math/transform.h"
 #include "trace/kernels.h"
 #include "trace/record.h"
@@ -13,50 +13,26 @@
 namespace glint {
 namespace {
 
-// A single ray as the kernels take rays.
-class OneRay {
-  public:
-    OneRay(Vec3 origin, Vec3 direction, double t_min, double t_max)
-        : columns_{{origin.x},    {origin.y},    {origin.z}, {direction.x},
-                   {direction.y}, {direction.z}, {t_min},    {t_max}} {}
-
-    // The nearest hit on it, beyond surfaces that cast no shadow; false if there is none.
-    bool nearest_occluder(const Kernels& kernels, const World& world, double& t, std::uint32_t& slot) {
-        for (;;) {
-            const RaySpan rays{columns_[0], columns_[1], columns_[2], columns_[3],
-                               columns_[4], columns_[5], columns_[6], columns_[7]};
-            double found[1 + k_ray_padding];
-            std::uint32_t slots[1 + k_ray_padding];
-            kernels.nearest_hit(world, rays, 1, 1, found, slots);
-            t = found[0];
-            slot = slots[0];
-            if (slot == k_none) return false;
-            if ((world.material[slot] & k_no_shadow) == 0) return true;
-            columns_[6][0] = t;
-        }
-    }
-
-  private:
-    double columns_[8][1 + k_ray_padding];
-};
-
 // What is in the way of a shadow ray: the nearest to the point that is shaded.
-std::optional<Blocker> find_blocker(const World& world, const Kernels& kernels, const LightTerms& terms,
-                                    Vec3 shaded, bool from_light) {
-    double t = 0;
-    std::uint32_t slot = k_none;
-    const auto blocker = [&](Vec3 at) { return Blocker{world.shape_index[slot], length(at - shaded), at}; };
+std::optional<Blocker> find_blocker(const World& world, const LightTerms& terms, Vec3 shaded,
+                                    bool from_light) {
+    const auto nearest = [&](Vec3 origin, Vec3 direction, double t_min,
+                             double t_max) -> std::optional<Blocker> {
+        RayList ray;
+        ray.add(origin, direction, t_min, t_max);
+        const HitList hit = nearest_occluders(world, ray, 1);
+        if (hit.slot[0] == k_none) return std::nullopt;
+        const Vec3 at = origin + direction * hit.t[0];
+        return Blocker{world.shape_index[hit.slot[0]], length(at - shaded), at};
+    };
+    std::optional<Blocker> blocker;
+    // The same way from its other end.
     if (from_light) {
-        // The same way from its other end.
-        const Vec3 start = terms.origin + terms.direction;
-        OneRay back(start, -terms.direction, 1 - terms.t_max, 1 - terms.t_min);
-        if (back.nearest_occluder(kernels, world, t, slot)) return blocker(start - terms.direction * t);
+        blocker = nearest(terms.origin + terms.direction, -terms.direction, 1 - terms.t_max, 1 - terms.t_min);
     }
     // The shadow ray itself. Where the way back misses by its rounding, what this finds is in the way for
     // certain.
-    OneRay ray(terms.origin, terms.direction, terms.t_min, terms.t_max);
-    if (!ray.nearest_occluder(kernels, world, t, slot)) return std::nullopt;
-    return blocker(terms.origin + terms.direction * t);
+    return blocker ? blocker : nearest(terms.origin, terms.direction, terms.t_min, terms.t_max);
 }
 
 std::vector<std::uint32_t> scene_lights(const Scene& scene) {
@@ -68,7 +44,7 @@ std::vector<std::uint32_t> scene_lights(const Scene& scene) {
 }
 
 // From the World's numbers to the Scene's, and who blocks which light.
-void complete(const Scene& scene, const World& world, const Kernels& kernels, Explanation& e) {
+void complete(const Scene& scene, const World& world, Explanation& e) {
     const std::vector<std::uint32_t> lights = scene_lights(scene);
     for (ExplainedRay& ray : e.rays) {
         if (!ray.hit) continue;
@@ -77,8 +53,7 @@ void complete(const Scene& scene, const World& world, const Kernels& kernels, Ex
             terms.light = lights[terms.light];
             const bool from_light =
                 scene.lights[terms.light].kind == LightKind::point && world.conventions.shadow_stops_at_light;
-            if (terms.blocked)
-                terms.blocker = find_blocker(world, kernels, terms, ray.hit->point, from_light);
+            if (terms.blocked) terms.blocker = find_blocker(world, terms, ray.hit->point, from_light);
         }
     }
 }
@@ -126,7 +101,7 @@ Explanation explain(const Scene& scene, const World& world, std::int32_t x, std:
         const std::string failure = guard([&] {
             const DefaultFpEnvironment environment;
             draw(world, *kernels, options.sample, e);
-            complete(scene, world, *kernels, e);
+            complete(scene, world, e);
         });
         if (!failure.empty()) e.error = failure;
     }

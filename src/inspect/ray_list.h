@@ -1,0 +1,42 @@
+#pragma once
+// Rays that are traced for a question of their own, by the renderer's own kernels.
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "bvh/rays.h"
+#include "glint/vec.h"
+#include "world/world.h"
+
+namespace glint {
+
+/// Rays as columns, padded as the kernels want it.
+class RayList {
+  public:
+    RayList() {
+        for (auto& c : columns_) c.resize(k_ray_padding);
+    }
+    void add(Vec3 origin, Vec3 direction, double t_min, double t_max = k_far);
+    std::size_t size() const { return columns_[0].size() - k_ray_padding; }
+    Vec3 origin(std::size_t i) const { return {columns_[0][i], columns_[1][i], columns_[2][i]}; }
+    Vec3 direction(std::size_t i) const { return {columns_[3][i], columns_[4][i], columns_[5][i]}; }
+    double t_max(std::size_t i) const { return columns_[7][i]; }
+    RaySpan from(std::size_t i) const;
+
+    static constexpr double k_far = std::numeric_limits<double>::infinity();
+
+  private:
+    std::vector<double> columns_[8];
+};
+
+/// The nearest hit of each ray; slot is k_none and t the ray's t_max where there is none.
+struct HitList {
+    std::vector<double> t;
+    std::vector<std::uint32_t> slot;
+};
+HitList nearest_hits(const World& world, const RayList& rays, int threads);
+/// The nearest that casts a shadow.
+HitList nearest_occluders(const World& world, const RayList& rays, int threads);
+
+}  // namespace glint
