@@ -80,6 +80,7 @@ void render_into(const World& world, const RenderOptions& options, const Kernels
         3 * static_cast<std::size_t>(crop.width) * static_cast<std::size_t>(crop.height);
     image.rgb.reserve(numbers);
     prefer_huge_pages(image.rgb.data(), numbers * sizeof(float));
+    claim_pages(image.rgb.data(), numbers * sizeof(float), result.threads);
     image.rgb.resize(numbers);
 
     const int across = (crop.width + k_tile_side - 1) / k_tile_side,
