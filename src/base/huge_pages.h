@@ -4,39 +4,53 @@
 #include <cstddef>
 #include <cstdint>
 #include <vector>
-
-#include "base/parallel_for.h"
 #if defined(__linux__)
 #include <sys/mman.h>
 #endif
 
+#include "base/parallel_for.h"
+
 namespace glint {
+
+inline constexpr std::size_t k_huge_page = std::size_t{1} << 21;
+
+/// The whole pages in some memory; none where it is too small for large ones.
+struct WholePages {
+    char* begin = nullptr;
+    std::size_t bytes = 0;
+
+    WholePages(void* memory, std::size_t size) {
+        constexpr std::size_t page = 4096;
+        const std::size_t skipped = (page - reinterpret_cast<std::uintptr_t>(memory) % page) % page;
+        if (size < skipped + k_huge_page) return;
+        begin = static_cast<char*>(memory) + skipped;
+        bytes = (size - skipped) / page * page;
+    }
+};
 
 /// Asks the system to give memory that nobody has touched yet in large pages, where it has them: it is then
 /// handed over in few steps. No more than a wish: whatever the system answers, the memory is the same.
-inline void prefer_huge_pages([[maybe_unused]] void* memory, [[maybe_unused]] std::size_t bytes) {
+inline void prefer_huge_pages([[maybe_unused]] void* memory, [[maybe_unused]] std::size_t size) {
 #if defined(__linux__) && defined(MADV_HUGEPAGE)
-    constexpr std::uintptr_t page = 4096, huge = std::uintptr_t{1} << 21;
-    const auto begin = (reinterpret_cast<std::uintptr_t>(memory) + page - 1) & ~(page - 1);
-    const auto end = (reinterpret_cast<std::uintptr_t>(memory) + bytes) & ~(page - 1);
-    if (end > begin && end - begin >= huge)
-        madvise(reinterpret_cast<void*>(begin), end - begin, MADV_HUGEPAGE);
+    const WholePages pages(memory, size);
+    if (pages.bytes > 0) madvise(pages.begin, pages.bytes, MADV_HUGEPAGE);
 #endif
 }
 
-/// Has the system hand over untouched memory now, on all threads: filling a large page with zeros is most of
+/// Has the system hand over untouched memory now, on all threads: to fill large pages with zeros is most of
 /// what a picture's memory costs. No more than a wish, too.
-inline void claim_pages([[maybe_unused]] void* memory, [[maybe_unused]] std::size_t bytes,
+inline void claim_pages([[maybe_unused]] void* memory, [[maybe_unused]] std::size_t size,
                         [[maybe_unused]] int threads) {
 #if defined(__linux__) && defined(MADV_POPULATE_WRITE)
-    constexpr std::uintptr_t page = 4096, huge = std::uintptr_t{1} << 21;
-    const auto begin = (reinterpret_cast<std::uintptr_t>(memory) + page - 1) & ~(page - 1);
-    const auto end = (reinterpret_cast<std::uintptr_t>(memory) + bytes) & ~(page - 1);
-    if (end <= begin || end - begin < huge) return;
-    const std::uintptr_t first = begin & ~(huge - 1);
-    parallel_for((end - first + huge - 1) / huge, threads, [&](std::size_t i) {
-        const auto from = std::max(begin, first + i * huge), to = std::min(end, first + (i + 1) * huge);
-        madvise(reinterpret_cast<void*>(from), to - from, MADV_POPULATE_WRITE);
+    const WholePages pages(memory, size);
+    // Up to the first border between large pages, then from border to border.
+    const std::size_t before =
+        (k_huge_page - reinterpret_cast<std::uintptr_t>(pages.begin) % k_huge_page) % k_huge_page;
+    if (pages.bytes <= before) return;
+    parallel_for((pages.bytes - before + k_huge_page - 1) / k_huge_page + 1, threads, [&](std::size_t i) {
+        const std::size_t from = i == 0 ? 0 : before + (i - 1) * k_huge_page;
+        const std::size_t to = std::min(pages.bytes, before + i * k_huge_page);
+        madvise(pages.begin + from, to - from, MADV_POPULATE_WRITE);
     });
 #endif
 }

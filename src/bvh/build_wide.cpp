@@ -20,8 +20,8 @@ float node_cost(std::uint32_t items) {
 
 float leaf_cost(const LeafCost& c, std::uint32_t count) {
     const auto lanes = static_cast<std::uint32_t>(c.lanes);
-    return c.leaf + c.block * static_cast<float>((count + lanes - 1) / lanes) +
-           c.item * static_cast<float>(count);
+    const std::uint32_t blocks = (count + lanes - 1) / lanes;
+    return c.leaf + c.block * static_cast<float>(blocks) + c.item * static_cast<float>(count);
 }
 
 struct Reference {

@@ -2,8 +2,9 @@
 // Rays waiting to be traced, as columns that grow; their memory is kept from tile to tile.
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstddef>
-#include <cstring>
+#include <cstdint>
 #include <new>
 #include <vector>
 
@@ -60,7 +61,8 @@ class RayQueue {
         clear();
         make_room(rays);
         const std::array<double, 5> numbers{origin.x, origin.y, origin.z, t_min, t_max};
-        if (alike_rays_ >= rays && std::memcmp(&numbers, &alike_, sizeof(numbers)) == 0) return;
+        using Bits = std::array<std::uint64_t, 5>;  // -0 is not 0
+        if (alike_rays_ >= rays && std::bit_cast<Bits>(numbers) == std::bit_cast<Bits>(alike_)) return;
         constexpr int columns[] = {k_ray_origin, k_ray_origin + 1, k_ray_origin + 2, k_ray_t_min,
                                    k_ray_t_max};
         for (std::size_t i = 0; i < numbers.size(); ++i) std::fill_n(column(columns[i]), rays, numbers[i]);
@@ -105,7 +107,7 @@ class RayQueue {
 
   private:
     void make_room(int rays) {
-        const auto needed = static_cast<std::size_t>(rays + k_ray_padding);
+        const auto needed = static_cast<std::size_t>(rays) + k_ray_padding;
         if (columns_[0].size() >= needed) return;
         for (auto& column : columns_) column.resize(2 * needed);
         alike_rays_ = 0;
