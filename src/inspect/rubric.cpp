@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "base/diagnostics.h"
 #include "base/text.h"
 #include "glint/conventions.h"
 
@@ -16,7 +17,7 @@ constexpr double k_most_points = 1e6;
 
 struct Word {
     std::string_view text;
-    std::size_t at = 0;  // in the line
+    std::size_t at = 0;  // in the rubric
 };
 
 bool is_space(char c) { return c == ' ' || c == '\t' || c == '\r'; }
@@ -49,8 +50,9 @@ std::string setting_fault(std::string_view key, std::string_view value) {
 
 class LineReader {
   public:
-    LineReader(std::string_view name, std::string_view line, std::uint32_t number, RubricResult& result)
-        : name_(name), line_(line), number_(number), result_(result) {}
+    /// line: of the whole text.
+    LineReader(TextPlace whole, std::string_view line, std::vector<RubricRow>& rows, Diagnostics& diagnostics)
+        : whole_(whole), line_(line), rows_(rows), diagnostics_(diagnostics) {}
 
     void read() {
         std::vector<Word> words;
@@ -62,8 +64,9 @@ class LineReader {
             fast_float::from_chars(points.data(), points.data() + points.size(), row.points);
         if (error != std::errc() || end != points.data() + points.size() || !(row.points > 0) ||
             row.points > k_most_points) {
-            return fail(words[1], fmt::format("expected the part's points, a number above 0, found {}",
-                                              quoted(points)));
+            return fail(words[1],
+                        fmt::format("expected the part's points, a number above 0 and at most {}, found {}",
+                                    k_most_points, quoted(points)));
         }
         RubricSettings* settings = &row.settings;
         for (std::size_t i = 3; i < words.size(); ++i) {
@@ -75,7 +78,7 @@ class LineReader {
         }
         if (settings == &row.without && row.without.empty())
             return fail(words.back(), "expected KEY=VALUE after `without`");
-        result_.rows.push_back(std::move(row));
+        rows_.push_back(std::move(row));
     }
 
   private:
@@ -90,7 +93,8 @@ class LineReader {
             const std::size_t start = in_quotes ? i + 1 : i;
             std::size_t end = start;
             while (end < line_.size() && (in_quotes ? line_[end] != '"' : !is_space(line_[end]))) ++end;
-            words.push_back({line_.substr(start, end - start), start});
+            const auto line_start = static_cast<std::size_t>(line_.data() - whole_.text.data());
+            words.push_back({line_.substr(start, end - start), line_start + start});
             if (in_quotes && end == line_.size()) {
                 fail(words.back(), "the quote is not closed");
                 return false;
@@ -116,23 +120,13 @@ class LineReader {
     }
 
     void fail(const Word& word, std::string message) {
-        Diagnostic d;
-        d.file = name_;
-        d.line = number_;
-        d.column = static_cast<std::uint32_t>(word.at + 1);
-        d.length = static_cast<std::uint32_t>(std::max<std::size_t>(word.text.size(), 1));
-        d.message = std::move(message);
-        constexpr std::size_t k_most_shown = 200;
-        if (line_.size() <= k_most_shown) {
-            d.source_line = line_;
-            d.caret = static_cast<std::uint32_t>(word.at);
-        }
-        result_.diagnostics.push_back(std::move(d));
+        diagnostics_.error(whole_, word.at, word.text.size(), std::move(message));
     }
 
-    std::string_view name_, line_;
-    std::uint32_t number_;
-    RubricResult& result_;
+    TextPlace whole_;
+    std::string_view line_;
+    std::vector<RubricRow>& rows_;
+    Diagnostics& diagnostics_;
 };
 
 void keep_lights(Scene& scene, std::string_view which) {
@@ -147,12 +141,13 @@ void keep_lights(Scene& scene, std::string_view which) {
 
 RubricResult read_rubric(std::string_view name, std::string_view text) {
     RubricResult result;
-    std::uint32_t number = 0;
-    while (!text.empty()) {
-        const std::size_t end = std::min(text.find('\n'), text.size());
-        LineReader(name, text.substr(0, end), ++number, result).read();
-        text.remove_prefix(std::min(end + 1, text.size()));
+    Diagnostics diagnostics;
+    for (std::string_view rest = text; !rest.empty() && !diagnostics.full();) {
+        const std::size_t end = std::min(rest.find('\n'), rest.size());
+        LineReader({name, text}, rest.substr(0, end), result.rows, diagnostics).read();
+        rest.remove_prefix(std::min(end + 1, rest.size()));
     }
+    result.diagnostics = diagnostics.take();
     if (result.rows.empty() && result.diagnostics.empty()) {
         Diagnostic d;
         d.file = name;

@@ -25,7 +25,7 @@ struct RubricRow {
 
 struct RubricResult {
     std::vector<RubricRow> rows;          ///< of lines without faults
-    std::vector<Diagnostic> diagnostics;  ///< with line and column
+    std::vector<Diagnostic> diagnostics;  ///< with line and column; reading ends after 20
 };
 
 /// Reads a rubric. `name` is for messages.

@@ -207,6 +207,16 @@ TEST_F(Grade, MistakesInARubricHaveTheirPlace) {
           "bad.rubric:10:18: error: expected KEY=VALUE, found 'reflections'"}) {
         EXPECT_TRUE(contains(r.err, message)) << message << "\n" << r.err;
     }
+    // No more than anyone reads, and nothing that the terminal would take for an order.
+    std::string many;
+    for (int i = 0; i < 1000; ++i) many += "part five \x1b[31m\x07*.png\n";
+    folder.write("many.rubric", many);
+    const Finished capped = grade({"in", "--scene", k_castle, "--rubric", "many.rubric"});
+    EXPECT_EQ(capped.code, 1);
+    EXPECT_TRUE(contains(capped.err, "many.rubric:20:6: error:")) << capped.err;
+    EXPECT_FALSE(contains(capped.err, "many.rubric:21:")) << capped.err;
+    EXPECT_EQ(capped.err.find_first_of("\x1b\x07"), std::string::npos) << capped.err;
+    EXPECT_TRUE(contains(capped.err, "  part five  [31m *.png\n       ^~~~\n")) << capped.err;
     folder.write("empty.rubric", "# nothing\n\n");
     const Finished empty = grade({"in", "--scene", k_castle, "--rubric", "empty.rubric"});
     EXPECT_EQ(empty.code, 1);
