@@ -5,6 +5,7 @@
 #include "cli/failure.h"
 #include "cli/output_file.h"
 #include "cli/scene_arguments.h"
+#include "cli/text.h"
 
 namespace glint::cli {
 
@@ -22,6 +23,13 @@ Image draw(const World& world, int threads, const std::string& isa) {
     RenderResult result = render(world, options);
     if (!result.image) throw Failure(k_bad_input, result.error);
     return std::move(*result.image);
+}
+
+OutputFile png_output(const char* option, const std::string& path) {
+    OutputFile output(path);
+    if (!output.is_stream() && extension(path) != ".png")
+        throw Failure(k_usage, fmt::format("{} '{}': expected a name that ends in .png", option, path));
+    return output;
 }
 
 void write_png(const Image& picture, const OutputFile& output, int threads) {

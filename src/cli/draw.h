@@ -13,6 +13,10 @@ WorldPtr prepare_or_fail(const Scene& scene, int threads = 0);
 /// render(), or a Failure of input.
 Image draw(const World& world, int threads = 0, const std::string& isa = {});
 
+/// Where an option's PNG goes. Throws Failure of usage if its name promises another format, else as
+/// OutputFile does.
+OutputFile png_output(const char* option, const std::string& path);
+
 /// Writes a picture as PNG. Throws Failure.
 void write_png(const Image& picture, const OutputFile& output, int threads = 0);
 

@@ -90,9 +90,7 @@ std::uint32_t find_light(const std::string& text, const Scene& scene) {
 int explain_command(ExplainArguments& arguments) {
     std::optional<OutputFile> overlay;
     if (!arguments.overlay.empty()) {
-        overlay.emplace(arguments.overlay);
-        if (!overlay->is_stream() && extension(arguments.overlay) != ".png")
-            throw Failure(k_usage, fmt::format("--overlay '{}': the name ends in .png", arguments.overlay));
+        overlay.emplace(png_output("--overlay", arguments.overlay));
         if (overlay->is_standard_output())
             throw Failure(k_usage, "--overlay and the explanation cannot both go to standard output");
     }

@@ -7,12 +7,12 @@
 #include "cli/draw.h"
 #include "cli/failure.h"
 #include "cli/grade_report.h"
+#include "cli/grade_sheet.h"
 #include "cli/output_file.h"
 #include "cli/picture_file.h"
 #include "cli/progress.h"
 #include "cli/scene_option.h"
 #include "cli/submissions.h"
-#include "image/contact_sheet.h"
 
 namespace glint::cli {
 namespace {
@@ -23,8 +23,6 @@ constexpr auto k_examples = R"(Examples:
   glint grade handed_in --scene castle.json --rubric rt2.rubric --csv grades.csv)";
 
 constexpr std::size_t k_batch = 32;  // pictures in memory at a time
-constexpr double k_gain = 4;         // of the differences on the sheet
-constexpr std::int32_t k_thumb = 160, k_least_thumb = 16, k_sheet_height = 30000;  // pixels
 
 struct GradeArguments {
     std::string folder, reference, rubric, csv, json, sheet;
@@ -35,31 +33,22 @@ struct GradeArguments {
 
 // Where the results go besides standard output, found out before the work begins.
 struct Outputs {
-    std::optional<OutputFile> csv, json, sheet;
-    // Then the table for people is left out: standard output is one file.
-    bool take_standard_output() const {
-        return (csv && csv->is_standard_output()) || (json && json->is_standard_output());
+    explicit Outputs(const GradeArguments& arguments) {
+        if (!arguments.csv.empty()) csv.emplace(arguments.csv);
+        if (!arguments.json.empty()) json.emplace(arguments.json);
+        if (!arguments.sheet.empty()) sheet.emplace(png_output("--sheet", arguments.sheet));
+        int taken = 0;
+        for (const auto* file : {&csv, &json, &sheet}) taken += *file && (*file)->is_standard_output();
+        if (taken > 1)
+            throw Failure(k_usage, "only one of --csv, --json and --sheet can go to standard output");
+        table = taken == 0;
     }
+    std::optional<OutputFile> csv, json, sheet;
+    bool table;  // for people, on standard output, where no file goes there
 };
 
 void write_text(const std::optional<OutputFile>& file, const std::string& text) {
     if (file) file->write({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
-}
-
-void write_sheet(const Outputs& outputs, const std::vector<SheetCell>& cells, std::size_t columns,
-                 int threads) {
-    if (outputs.sheet) write_png(contact_sheet(cells, columns), *outputs.sheet, threads);
-}
-
-// Small enough for that many rows of cells, each a picture above another.
-std::int32_t thumb_side(std::size_t rows) {
-    return std::clamp(static_cast<std::int32_t>(k_sheet_height / (2 * rows)) - 8, k_least_thumb, k_thumb);
-}
-
-std::size_t square_columns(std::size_t cells) {
-    std::size_t columns = 1;
-    while (columns * columns < 2 * cells) ++columns;  // cells are twice as high as wide
-    return columns;
 }
 
 std::string size_fault(const Image& picture, const Image& wanted) {
@@ -88,10 +77,10 @@ int grade_pictures(const GradeArguments& arguments, const Scene* scene, const Im
     const std::vector<Submission> submissions = list_pictures(arguments.folder);
     if (submissions.empty())
         throw Failure(k_bad_input, fmt::format("folder '{}' holds no pictures", arguments.folder));
-    const std::size_t count = submissions.size(), columns = square_columns(count + 1);
-    const std::int32_t side = thumb_side((count + columns) / columns);
+    const std::size_t count = submissions.size();
     std::vector<GradedPicture> graded;
-    std::vector<SheetCell> cells = {{scaled_down(reference, side), {}, 0}};
+    GradeSheet sheet(outputs.sheet, lay_out_list(count + 1), count + 1);
+    sheet.put(0, reference);
     auto bar = std::make_unique<ProgressBar>(!arguments.quiet);
     for (std::size_t first = 0; first < count; first += k_batch) {
         const std::size_t last = std::min(first + k_batch, count);
@@ -100,18 +89,21 @@ int grade_pictures(const GradeArguments& arguments, const Scene* scene, const Im
             GradedPicture entry;
             entry.name = submissions[i].name;
             entry.path = submissions[i].path;
-            DecodeResult read = try_picture(entry.path);
-            entry.error = read.image ? size_fault(*read.image, reference) : read.error;
-            SheetCell cell{{}, {}, static_cast<int>(i + 1)};
-            if (read.image) cell.picture = scaled_down(*read.image, side);
+            entry.error = submissions[i].error;
+            DecodeResult read;
+            if (entry.error.empty()) {
+                read = try_picture(entry.path);
+                entry.error = read.image ? size_fault(*read.image, reference) : read.error;
+            }
+            sheet.set_number(i + 1, static_cast<int>(i + 1));
+            if (read.image && !entry.error.empty()) sheet.put(i + 1, *read.image);
             if (entry.error.empty()) {
                 CompareOptions options;
                 options.threads = arguments.threads;
                 entry.difference = compare(*read.image, reference, options);
-                cell.difference = scaled_down(difference_image(*read.image, reference, k_gain), side);
+                sheet.put(i + 1, *read.image, reference);
                 pictures.push_back(std::move(*read.image));
             }
-            cells.push_back(std::move(cell));
             graded.push_back(std::move(entry));
         }
         auto reports = find_causes(
@@ -125,10 +117,10 @@ int grade_pictures(const GradeArguments& arguments, const Scene* scene, const Im
         }
     }
     bar.reset();  // its line is free again
-    if (!outputs.take_standard_output()) fmt::print("{}", text_table(graded));
+    if (outputs.table) fmt::print("{}", text_table(graded));
     write_text(outputs.csv, csv_table(graded));
     write_text(outputs.json, json_table(graded));
-    write_sheet(outputs, cells, columns, arguments.threads);
+    sheet.write(arguments.threads);
     return k_done;
 }
 
@@ -144,7 +136,7 @@ std::vector<RubricRow> load_rubric(const std::string& path) {
     return std::move(rubric.rows);
 }
 
-// One part of all submissions; the sheet's cells of it go to its column.
+// One part of all submissions.
 class PartGrader {
   public:
     PartGrader(const RubricRow& row, const Scene& scene, const GradeArguments& arguments)
@@ -155,35 +147,34 @@ class PartGrader {
 
     const Image& wanted() const { return wanted_.image; }
 
-    // Grades submissions [first, last) into their part k.
+    // Grades submissions [first, last) into their part k, the column of the sheet.
     void grade_batch(const std::vector<Submission>& submissions, std::size_t first, std::size_t last,
-                     std::size_t k, std::vector<GradedSubmission>& graded,
-                     const std::function<void(std::size_t, SheetCell)>& show, std::int32_t side) const {
+                     std::size_t k, std::vector<GradedSubmission>& graded, GradeSheet& sheet) const {
         std::vector<Image> faulty;
         std::vector<std::size_t> whose;
         for (std::size_t i = first; i < last; ++i) {
             GradedPart& part = graded[i].parts[k];
-            part.path = find_file(submissions[i].path, row_.file);
-            if (part.path.empty()) {
-                part.error = fmt::format("no file {}", row_.file);
-                continue;
-            }
+            FoundFile found = find_file(submissions[i], row_.file);
+            part.path = std::move(found.path);
+            part.error = std::move(found.error);
+            if (!part.error.empty()) continue;
             DecodeResult read = try_picture(part.path);
             if (!read.image) {
                 part.error = read.error;
                 continue;
             }
             part.error = size_fault(*read.image, wanted_.image);
-            SheetCell cell{scaled_down(*read.image, side), {}, static_cast<int>(i + 1)};
-            if (part.error.empty()) {
-                part.score = grade(*read.image, wanted_, row_.points, arguments_.threads);
-                cell.difference = scaled_down(difference_image(*read.image, wanted_.image, k_gain), side);
-                if (part.score.points < row_.points) {
-                    faulty.push_back(std::move(*read.image));
-                    whose.push_back(i);
-                }
+            const std::size_t cell = (i + 1) * graded[i].parts.size() + k;
+            if (!part.error.empty()) {
+                sheet.put(cell, *read.image);
+                continue;
             }
-            show(i, std::move(cell));
+            part.score = grade(*read.image, wanted_, row_.points, arguments_.threads);
+            sheet.put(cell, *read.image, wanted_.image);
+            if (part.score.points < row_.points) {
+                faulty.push_back(std::move(*read.image));
+                whose.push_back(i);
+            }
         }
         auto reports =
             find_causes(faulty, wanted_.image, &wanted_.scene, cause_options(arguments_.threads, {}));
@@ -203,30 +194,27 @@ int grade_by_rubric(const GradeArguments& arguments, const Scene& scene, const s
                     const Outputs& outputs) {
     const std::vector<Submission> submissions = list_folders(arguments.folder);
     const std::size_t count = submissions.size(), columns = rows.size();
-    const std::int32_t side = thumb_side(count + 1);
     std::vector<GradedSubmission> graded;
     for (const Submission& s : submissions) graded.push_back({s.name, std::vector<GradedPart>(columns)});
-    std::vector<SheetCell> cells((count + 1) * columns);
-    for (std::size_t i = 0; i < cells.size(); ++i) cells[i].number = static_cast<int>(i / columns);
+    const std::size_t cells = (count + 1) * columns;
+    GradeSheet sheet(outputs.sheet, lay_out_table(count, columns), cells);
+    for (std::size_t i = 0; i < cells; ++i) sheet.set_number(i, static_cast<int>(i / columns));
     auto bar = std::make_unique<ProgressBar>(!arguments.quiet);
     for (std::size_t k = 0; k < columns; ++k) {
         const PartGrader grader(rows[k], scene, arguments);
-        cells[k].picture = scaled_down(grader.wanted(), side);
-        const auto show = [&](std::size_t i, SheetCell cell) {
-            cells[(i + 1) * columns + k] = std::move(cell);
-        };
+        sheet.put(k, grader.wanted());
         for (std::size_t first = 0; first < count; first += k_batch) {
             const std::size_t last = std::min(first + k_batch, count);
-            grader.grade_batch(submissions, first, last, k, graded, show, side);
+            grader.grade_batch(submissions, first, last, k, graded, sheet);
             bar->update((static_cast<double>(k) + static_cast<double>(last) / static_cast<double>(count)) /
                         static_cast<double>(columns));
         }
     }
     bar.reset();  // its line is free again
-    if (!outputs.take_standard_output()) fmt::print("{}", text_table(rows, graded));
+    if (outputs.table) fmt::print("{}", text_table(rows, graded));
     write_text(outputs.csv, csv_table(rows, graded));
     write_text(outputs.json, json_table(rows, graded));
-    write_sheet(outputs, cells, columns, arguments.threads);
+    sheet.write(arguments.threads);
     return k_done;
 }
 
@@ -235,11 +223,7 @@ int grade_command(GradeArguments& arguments) {
         throw Failure(k_usage, "expected --scene FILE, or --reference PICTURE, or both");
     if (!arguments.rubric.empty() && arguments.scene.scene.files.empty())
         throw Failure(k_usage, "--rubric needs --scene FILE, which draws its parts");
-    Outputs outputs;
-    if (!arguments.csv.empty()) outputs.csv.emplace(arguments.csv);
-    if (!arguments.json.empty()) outputs.json.emplace(arguments.json);
-    if (!arguments.sheet.empty()) outputs.sheet.emplace(arguments.sheet);
-
+    const Outputs outputs(arguments);
     std::vector<RubricRow> rows;
     if (!arguments.rubric.empty()) rows = load_rubric(arguments.rubric);
     std::optional<LoadedScene> loaded = load_scene_option(arguments.scene, arguments.quiet);

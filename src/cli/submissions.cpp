@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <map>
 
 #include "cli/failure.h"
 #include "cli/text.h"
@@ -14,68 +15,142 @@ namespace {
 
 namespace fs = std::filesystem;
 
+enum class Kind { file, folder, unreadable };
+
 struct Entry {
     std::string name, path;
-    bool is_folder = false;
+    Kind kind;
+    std::string error;  // of what is unreadable
+};
+
+struct Listing {
+    std::vector<Entry> entries;
+    std::string error;
 };
 
 // Sorted by name; hidden ones, and those that archives of other systems leave ("__MACOSX"), are left out.
-std::vector<Entry> entries(const std::string& folder) {
+Listing list(const std::string& folder) {
+    Listing found;
     std::error_code error;
     fs::directory_iterator at(folder, error);
-    if (error) throw Failure(k_bad_input, fmt::format("folder '{}': {}", folder, error.message()));
-    std::vector<Entry> found;
     for (; !error && at != fs::directory_iterator(); at.increment(error)) {
-        const std::string name = at->path().filename().string();
+        const std::string name = at->path().filename().string(), path = at->path().string();
         if (name.starts_with('.') || name.starts_with("__")) continue;
         std::error_code unknown;
-        const bool is_folder = at->is_directory(unknown);
-        if (is_folder || at->is_regular_file(unknown))
-            found.push_back({name, at->path().string(), is_folder});
+        const auto add = [&](Kind kind, std::string fault) {
+            found.entries.push_back({name, path, kind, std::move(fault)});
+        };
+        if (at->is_directory(unknown)) {
+            add(Kind::folder, {});
+        } else if (at->is_regular_file(unknown)) {
+            add(Kind::file, {});
+        } else if (at->status(unknown).type() == fs::file_type::not_found) {
+            add(Kind::unreadable, "a link to what is not there");
+        } else if (unknown) {
+            add(Kind::unreadable, unknown.message());
+        }
     }
-    if (error) throw Failure(k_bad_input, fmt::format("folder '{}': {}", folder, error.message()));
-    std::sort(found.begin(), found.end(), [](const Entry& a, const Entry& b) { return a.name < b.name; });
+    if (error) found.error = error.message();
+    std::sort(found.entries.begin(), found.entries.end(),
+              [](const Entry& a, const Entry& b) { return a.name < b.name; });
     return found;
+}
+
+// Of the folder that the command was given: without it there is nothing to do.
+std::vector<Entry> entries(const std::string& folder) {
+    Listing listing = list(folder);
+    if (!listing.error.empty())
+        throw Failure(k_bad_input, fmt::format("folder '{}': {}", folder, listing.error));
+    return std::move(listing.entries);
+}
+
+std::string folder_fault(const std::string& error) {
+    return error.empty() ? "" : fmt::format("the folder cannot be read: {}", error);
 }
 
 bool is_picture(const Entry& entry) {
     const std::string ending = extension(entry.name);
-    return !entry.is_folder && (ending == ".png" || ending == ".ppm" || ending == ".pgm" ||
-                                ending == ".exr" || ending == ".jpg" || ending == ".jpeg");
+    return entry.kind != Kind::folder && (ending == ".png" || ending == ".ppm" || ending == ".pgm" ||
+                                          ending == ".exr" || ending == ".jpg" || ending == ".jpeg");
+}
+
+// A submission with the name that it has if no other has the same.
+struct Named {
+    Submission submission;
+    std::string whole;  // path within the folder, which no other has
+};
+
+// Until no two have one name: "ada" twice becomes "ada.png" and "ada.jpg".
+std::vector<Submission> with_names_apart(std::vector<Named> all) {
+    for (bool changed = true; changed;) {
+        changed = false;
+        std::map<std::string, int> counts;
+        for (const Named& n : all) ++counts[n.submission.name];
+        for (Named& n : all) {
+            if (counts[n.submission.name] == 1 || n.submission.name == n.whole) continue;
+            n.submission.name = n.whole;
+            changed = true;
+        }
+    }
+    std::vector<Submission> submissions;
+    for (Named& n : all) submissions.push_back(std::move(n.submission));
+    return submissions;
 }
 
 }  // namespace
 
 std::vector<Submission> list_pictures(const std::string& folder) {
-    std::vector<Submission> found;
+    std::vector<Named> found;
     for (const Entry& entry : entries(folder)) {
-        if (is_picture(entry)) found.push_back({stem(entry.name), entry.path});
-        if (!entry.is_folder) continue;
-        std::vector<Entry> inside = entries(entry.path);
-        std::erase_if(inside, [](const Entry& e) { return !is_picture(e); });
-        for (const Entry& picture : inside) {
+        if (is_picture(entry)) {
+            found.push_back({{stem(entry.name), entry.path, entry.error}, entry.name});
+        } else if (entry.kind == Kind::unreadable) {
+            found.push_back({{entry.name, entry.path, entry.error}, entry.name});
+        }
+        if (entry.kind != Kind::folder) continue;
+        Listing inside = list(entry.path);
+        if (!inside.error.empty()) {
+            found.push_back({{entry.name, entry.path, folder_fault(inside.error)}, entry.name});
+            continue;
+        }
+        std::erase_if(inside.entries, [](const Entry& e) { return !is_picture(e); });
+        for (const Entry& picture : inside.entries) {
+            const bool is_only = inside.entries.size() == 1;
             found.push_back(
-                {inside.size() == 1 ? entry.name : entry.name + "/" + stem(picture.name), picture.path});
+                {{is_only ? entry.name : entry.name + "/" + stem(picture.name), picture.path, picture.error},
+                 entry.name + "/" + picture.name});
         }
     }
-    return found;
+    return with_names_apart(std::move(found));
 }
 
 std::vector<Submission> list_folders(const std::string& folder) {
+    const std::vector<Entry> all = entries(folder);
+    const auto is = [&](Kind kind) {
+        return std::any_of(all.begin(), all.end(), [&](const Entry& e) { return e.kind == kind; });
+    };
     std::vector<Submission> found;
-    for (const Entry& entry : entries(folder)) {
-        if (entry.is_folder) found.push_back({entry.name, entry.path});
+    // Where there are files and no folders, this is one student's own folder, whatever it links to.
+    if (is(Kind::folder) || !is(Kind::file)) {
+        for (const Entry& entry : all) {
+            if (entry.kind != Kind::file && !is_picture(entry))
+                found.push_back({entry.name, entry.path, folder_fault(entry.error)});
+        }
     }
-    if (found.empty()) found.push_back({fs::path(folder).lexically_normal().filename().string(), folder});
+    if (found.empty()) found.push_back({fs::path(folder).lexically_normal().filename().string(), folder, {}});
     if (found.front().name.empty() || found.front().name == ".") found.front().name = folder;
     return found;
 }
 
-std::string find_file(const std::string& folder, const std::string& pattern) {
-    for (const Entry& entry : entries(folder)) {
-        if (!entry.is_folder && ::fnmatch(pattern.c_str(), entry.name.c_str(), 0) == 0) return entry.path;
+FoundFile find_file(const Submission& submission, const std::string& pattern) {
+    if (!submission.error.empty()) return {{}, submission.error};
+    const Listing listing = list(submission.path);
+    if (!listing.error.empty()) return {{}, folder_fault(listing.error)};
+    for (const Entry& entry : listing.entries) {
+        if (entry.kind != Kind::folder && ::fnmatch(pattern.c_str(), entry.name.c_str(), FNM_CASEFOLD) == 0)
+            return {entry.path, entry.error};
     }
-    return {};
+    return {{}, fmt::format("no file {}", pattern)};
 }
 
 }  // namespace glint::cli

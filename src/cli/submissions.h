@@ -6,20 +6,27 @@
 namespace glint::cli {
 
 struct Submission {
-    std::string
-        name;  ///< of the folder, or the file without its extension; "folder/file" if a folder holds several
+    /// Of the folder, or the file without its extension; "folder/file" if a folder holds several. Where two
+    /// would be called the same, they are "file.png" and "file.jpg".
+    std::string name;
     std::string path;
+    std::string error;  ///< why nothing of it can be read; empty if it can, as far as one can tell
 };
 
-/// The pictures in a folder and in its folders, one level down, by name. Throws Failure if there is no such
-/// folder.
+/// The pictures in a folder and in its folders, one level down, by name; what cannot be read is one, too.
+/// Throws Failure if the folder itself cannot be read.
 std::vector<Submission> list_pictures(const std::string& folder);
 
-/// The folders in a folder, by name; the folder itself if it has none. Throws Failure if there is no such
-/// folder.
+/// The folders in a folder, by name, and what may be one and cannot be read; the folder itself if it has
+/// none. Throws Failure if the folder itself cannot be read.
 std::vector<Submission> list_folders(const std::string& folder);
 
-/// The first file of a folder, by name, that the pattern (* and ?) matches; an empty string if none does.
-std::string find_file(const std::string& folder, const std::string& pattern);
+struct FoundFile {
+    std::string path;   ///< empty if there is none
+    std::string error;  ///< "no file *phong*.png", or why the folder cannot be read
+};
+
+/// The first file of a submission, by name, that the pattern (* and ?) matches, small letters like capitals.
+FoundFile find_file(const Submission& submission, const std::string& pattern);
 
 }  // namespace glint::cli

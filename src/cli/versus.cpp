@@ -127,9 +127,7 @@ std::string explained_json(const Side& side, const LargestDifference& pixel) {
 int versus_command(VersusArguments& arguments) {
     std::optional<OutputFile> output;
     if (!arguments.output.empty()) {
-        output.emplace(arguments.output);
-        if (!output->is_stream() && extension(arguments.output) != ".png")
-            throw Failure(k_usage, fmt::format("--output '{}': the name ends in .png", arguments.output));
+        output.emplace(png_output("--output", arguments.output));
         if (output->is_standard_output())
             throw Failure(k_usage, "the pictures and the report cannot both go to standard output");
     }

@@ -7,7 +7,8 @@
 namespace glint {
 namespace {
 
-constexpr std::int32_t k_gap = 6, k_dot = 2;  // pixels: between cells, and of a digit's dot
+constexpr std::int32_t k_gap = 6, k_wide_gap = 18;            // pixels: between cells, and beside a head
+constexpr std::int32_t k_least_side = 16, k_most_side = 160;  // pixels of a picture
 constexpr float k_paper = 0.15f;
 
 // Digits of 3 x 5 dots, a row in three bits: enough to tell the pictures by the table's numbers.
@@ -37,20 +38,46 @@ void put(Image& sheet, const Image& picture, std::int32_t x, std::int32_t y) {
     }
 }
 
-void put_number(Image& sheet, int number, std::int32_t x, std::int32_t y) {
+// In dots of two pixels, where the cell is as wide as that.
+void put_number(Image& sheet, int number, std::int32_t x, std::int32_t y, std::int32_t cell_width) {
     const std::string text = std::to_string(number);
-    fill(sheet, x, y, k_dot * (4 * static_cast<std::int32_t>(text.size()) + 1), k_dot * 7, 0);
+    const std::int32_t dots = 4 * static_cast<std::int32_t>(text.size()) + 1,
+                       dot = 2 * dots <= cell_width ? 2 : 1;
+    fill(sheet, x, y, dot * dots, dot * 7, 0);
     for (std::size_t i = 0; i < text.size(); ++i) {
         const auto& digit = k_digits[static_cast<std::size_t>(text[i] - '0')];
         for (std::int32_t row = 0; row < 5; ++row) {
             for (std::int32_t column = 0; column < 3; ++column) {
                 if ((digit[row] >> (2 - column) & 1) == 0) continue;
-                fill(sheet, x + k_dot * (1 + column + 4 * static_cast<std::int32_t>(i)),
-                     y + k_dot * (1 + row), k_dot, k_dot, 1);
+                fill(sheet, x + dot * (1 + column + 4 * static_cast<std::int32_t>(i)), y + dot * (1 + row),
+                     dot, dot, 1);
             }
         }
     }
 }
+
+// What cells of such pictures take of a sheet's side.
+std::size_t across(std::size_t cells, std::int32_t width) {
+    return cells * static_cast<std::size_t>(width + k_gap);
+}
+std::size_t down(std::size_t cells, std::int32_t height) {
+    return cells * static_cast<std::size_t>(2 * height + 2 * k_gap);
+}
+bool fits(std::size_t pixels) { return pixels + k_gap <= static_cast<std::size_t>(k_sheet_side); }
+
+std::size_t quotient_up(std::size_t n, std::size_t by) { return (n + by - 1) / by; }
+
+// Where cells lie: the table's rows in blocks beside each other.
+struct Grid {
+    Grid(std::size_t cells, const SheetLayout& layout)
+        : columns(std::max<std::size_t>(layout.columns, 1)), rows(quotient_up(cells, columns)) {
+        if (layout.rows == 0 || rows < 2) return;
+        head = 1;
+        blocks = quotient_up(rows - 1, layout.rows);
+        rows = 1 + quotient_up(rows - 1, blocks);  // none much shorter than the others
+    }
+    std::size_t columns, rows, head = 0, blocks = 1;
+};
 
 }  // namespace
 
@@ -85,23 +112,54 @@ Image scaled_down(const Image& picture, std::int32_t side) {
     return small;
 }
 
-Image contact_sheet(const std::vector<SheetCell>& cells, std::size_t columns) {
+std::optional<SheetLayout> lay_out_list(std::size_t cells) {
+    SheetLayout layout;
+    while (layout.columns * layout.columns < 2 * cells) ++layout.columns;  // cells are twice as high as wide
+    const std::size_t rows = quotient_up(cells, layout.columns);
+    for (layout.side = k_most_side; layout.side >= k_least_side; --layout.side) {
+        if (fits(across(layout.columns, layout.side)) && fits(down(rows, layout.side))) return layout;
+    }
+    return std::nullopt;
+}
+
+std::optional<SheetLayout> lay_out_table(std::size_t rows, std::size_t columns) {
+    SheetLayout layout;
+    layout.columns = columns;
+    for (layout.side = k_most_side; layout.side >= k_least_side; --layout.side) {
+        layout.rows = (k_sheet_side - k_gap) / down(1, layout.side) - 1;
+        const std::size_t blocks = quotient_up(rows, layout.rows);
+        if (fits(blocks * (across(columns, layout.side) + k_wide_gap))) return layout;
+    }
+    return std::nullopt;
+}
+
+Image contact_sheet(const std::vector<SheetCell>& cells, const SheetLayout& layout) {
     std::int32_t width = 1, height = 1;
     for (const SheetCell& cell : cells) {
         width = std::max({width, cell.picture.width, cell.difference.width});
         height = std::max({height, cell.picture.height, cell.difference.height});
     }
-    columns = std::clamp<std::size_t>(columns, 1, std::max<std::size_t>(cells.size(), 1));
-    const auto rows = static_cast<std::int32_t>((cells.size() + columns - 1) / columns);
-    const std::int32_t step_x = width + k_gap, step_y = 2 * height + 2 * k_gap;
-    Image sheet{static_cast<std::int32_t>(columns) * step_x + k_gap, rows * step_y + k_gap, {}};
+    const Grid grid(cells.size(), layout);
+    const std::size_t block_width = across(grid.columns, width) + k_wide_gap;
+    Image sheet{static_cast<std::int32_t>(grid.blocks * block_width - k_wide_gap + k_gap),
+                static_cast<std::int32_t>(down(grid.rows, height) + k_gap),
+                {}};
     sheet.rgb.assign(std::size_t{3} * sheet.width * sheet.height, k_paper);
+    const auto put_cell = [&](const SheetCell& cell, std::size_t block, std::size_t row, std::size_t column) {
+        const auto x = static_cast<std::int32_t>(k_gap + block * block_width + across(column, width));
+        const auto y = static_cast<std::int32_t>(k_gap + down(row, height));
+        put(sheet, cell.picture, x, y);
+        put(sheet, cell.difference, x, y + height + k_gap / 2);
+        if (cell.number >= 0) put_number(sheet, cell.number, x, y, width + k_gap);
+    };
     for (std::size_t i = 0; i < cells.size(); ++i) {
-        const std::int32_t x = k_gap + static_cast<std::int32_t>(i % columns) * step_x,
-                           y = k_gap + static_cast<std::int32_t>(i / columns) * step_y;
-        put(sheet, cells[i].picture, x, y);
-        put(sheet, cells[i].difference, x, y + height + k_gap / 2);
-        if (cells[i].number >= 0) put_number(sheet, cells[i].number, x, y);
+        const std::size_t row = i / grid.columns, column = i % grid.columns;
+        if (row < grid.head) {
+            for (std::size_t block = 0; block < grid.blocks; ++block) put_cell(cells[i], block, row, column);
+        } else {
+            const std::size_t rows = std::max<std::size_t>(grid.rows - grid.head, 1), at = row - grid.head;
+            put_cell(cells[i], at / rows, grid.head + at % rows, column);
+        }
     }
     return sheet;
 }

@@ -1,6 +1,7 @@
 #pragma once
 // Many small pictures on one.
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "glint/image.h"
@@ -17,7 +18,24 @@ struct SheetCell {
 /// The picture at most `side` pixels wide and high, by averaging; never larger than it was.
 Image scaled_down(const Image& picture, std::int32_t side);
 
-/// The cells row by row, `columns` to a row.
-Image contact_sheet(const std::vector<SheetCell>& cells, std::size_t columns);
+/// How cells lie on a sheet.
+struct SheetLayout {
+    std::int32_t side = 160;  ///< pixels: pictures are at most so wide and high
+    std::size_t columns = 1;  ///< cells of a row
+    /// Rows below the first, the head; those that are more go on beside them, below a head of their own. 0:
+    /// no row is a head, and nothing goes on beside.
+    std::size_t rows = 0;
+};
+
+/// As many columns as make the sheet about square. Nothing if there are more cells than a sheet can show.
+std::optional<SheetLayout> lay_out_list(std::size_t cells);
+
+/// A table of a head and `rows` rows more. Nothing if there are more cells than a sheet can show.
+std::optional<SheetLayout> lay_out_table(std::size_t rows, std::size_t columns);
+
+/// The cells row by row, on a sheet of at most k_sheet_side pixels a side if the layout was made for them.
+Image contact_sheet(const std::vector<SheetCell>& cells, const SheetLayout& layout);
+
+inline constexpr std::int32_t k_sheet_side = 6000;
 
 }  // namespace glint

@@ -152,6 +152,82 @@ TEST_F(Grade, TheWorkedExample) {
     EXPECT_GT(table.size(), 500u);
 }
 
+// One student's broken hand-in is a row, and the others are graded. (Root reads every folder: a name that is
+// too long for the system stands for one that cannot be read.)
+TEST_F(Grade, WhatCannotBeReadIsARow) {
+    draw("right.png", {});
+    draw("in/ada.png", {});
+    const std::string long_name = "eve_" + std::string(100, 'x');
+    std::filesystem::create_directory(folder.path("in/" + long_name));
+    std::filesystem::copy(folder.path("right.png"), folder.path("in/" + long_name + "/a.png"));
+    std::filesystem::create_symlink("loop", folder.path("in/loop"));
+    std::filesystem::create_symlink("gone.png", folder.path("in/max.png"));
+    std::filesystem::create_directory(folder.path("in/zoe"));
+    std::filesystem::create_symlink("nowhere", folder.path("in/zoe/a.png"));
+    std::string in = "in";
+    while (in.size() < 4050) in += "/.";
+    const auto pictures = graded({in, "--reference", "right.png"});
+    ASSERT_EQ(pictures.size(), 5u);
+    EXPECT_EQ(pictures[0]["equal"], 1);
+    EXPECT_EQ(pictures[1]["name"], long_name);
+    EXPECT_EQ(pictures[1]["error"], "the folder cannot be read: File name too long");
+    EXPECT_EQ(pictures[2]["name"], "loop");
+    EXPECT_TRUE(contains(pictures[2]["error"], "Too many levels of symbolic links"));
+    EXPECT_EQ(pictures[3]["name"], "max");
+    EXPECT_EQ(pictures[3]["error"], "a link to what is not there");
+    EXPECT_EQ(pictures[4]["name"], "zoe");
+    EXPECT_EQ(pictures[4]["error"], "a link to what is not there");
+
+    folder.write("one.rubric", "all 10 *.png\n");
+    std::filesystem::create_directory(folder.path("in/ben"));
+    std::filesystem::copy(folder.path("right.png"), folder.path("in/ben/A.PNG"));
+    const auto folders =
+        graded({in, "--scene", k_castle, "--rubric", "one.rubric", "--size", "96x72", "--sheet", "s.png"});
+    ASSERT_EQ(folders.size(), 4u);
+    EXPECT_EQ(folders[0]["name"], "ben");
+    EXPECT_EQ(folders[0]["total"], 10) << "*.png matches A.PNG";
+    EXPECT_EQ(folders[1]["name"], long_name);
+    EXPECT_EQ(folders[1]["parts"][0]["error"], "the folder cannot be read: File name too long");
+    EXPECT_EQ(folders[2]["name"], "loop");
+    EXPECT_TRUE(contains(folders[2]["parts"][0]["error"], "Too many levels of symbolic links"));
+    EXPECT_EQ(folders[3]["name"], "zoe");
+    EXPECT_EQ(folders[3]["parts"][0]["error"], "a link to what is not there");
+    // One's own folder stays that, whatever else lies in it.
+    std::filesystem::create_symlink("nowhere", folder.path("in/ben/notes"));
+    const auto own = graded({"in/ben", "--scene", k_castle, "--rubric", "one.rubric", "--size", "96x72"});
+    ASSERT_EQ(own.size(), 1u);
+    EXPECT_EQ(own[0]["name"], "ben");
+}
+
+TEST_F(Grade, RowsHaveNamesOfTheirOwn) {
+    draw("right.png", {});
+    for (const char* name : {"in/ada.png", "in/ada.ppm", "in/ada.png.png", "in/ben.png", "in/ben/x.png",
+                             "in/eve/x.png", "in/eve/x.ppm", "in/eve/y.png", "in/max/x.png"})
+        draw(name, {});
+    std::vector<std::string> names;
+    for (const auto& row : graded({"in", "--reference", "right.png"})) names.push_back(row["name"]);
+    EXPECT_EQ(names, (std::vector<std::string>{"ada.png", "ada.png.png", "ada.ppm", "ben/x.png", "ben.png",
+                                               "eve/x.png", "eve/x.ppm", "eve/y", "max"}));
+}
+
+TEST_F(Grade, SheetsAreRefusedBeforeTheWork) {
+    draw("right.png", {});
+    draw("in/ada.png", {});
+    const Finished jpeg = grade({"in", "--reference", "right.png", "--sheet", "s.jpg", "--csv", "t.csv"});
+    EXPECT_EQ(jpeg.code, 2);
+    EXPECT_TRUE(contains(jpeg.err, "--sheet 's.jpg': expected a name that ends in .png")) << jpeg.err;
+    EXPECT_FALSE(folder.has("s.jpg") || folder.has("t.csv"));
+    EXPECT_EQ(grade({"in", "--reference", "right.png", "--sheet", "-", "--csv", "-"}).code, 2);
+    // More parts than a sheet is wide.
+    std::string rubric;
+    for (int i = 0; i < 1000; ++i) rubric += "all 1 *.png\n";
+    folder.write("wide.rubric", rubric);
+    const Finished wide =
+        grade({"in", "--scene", k_castle, "--rubric", "wide.rubric", "--size", "9x7", "--sheet", "s.png"});
+    EXPECT_EQ(wide.code, 1);
+    EXPECT_TRUE(contains(wide.err, "2,000 pictures are too many for a sheet")) << wide.err;
+}
+
 TEST_F(Grade, BlackPicturesGetNothing) {
     hand_in("in/ada");
     std::string black = "P6\n96 72\n255\n";

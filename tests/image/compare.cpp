@@ -166,11 +166,56 @@ TEST(ContactSheet, HoldsItsCells) {
     const std::vector<SheetCell> cells = {
         {flat(30, 20, 0.5f), {}, 0}, {flat(30, 20, 0.5f), flat(30, 20, 1), 1234567890}, {{}, {}, 3}};
     for (const std::size_t columns : {1, 2, 3, 100}) {
-        const Image sheet = contact_sheet(cells, columns);
+        const Image sheet = contact_sheet(cells, {20, columns, 0});
         EXPECT_EQ(sheet.rgb.size(), std::size_t{3} * sheet.width * sheet.height);
         EXPECT_EQ(encode(sheet).error, "");
     }
-    EXPECT_EQ(encode(contact_sheet({}, 3)).error, "");
+    EXPECT_EQ(encode(contact_sheet({}, {20, 3, 0})).error, "");
+}
+
+// Cells as many as a class of ten thousand has, of the size that the layout asks for.
+TEST(ContactSheet, IsNeverTooLargeForAFile) {
+    const std::pair<std::size_t, int> tables[] = {{1, 160},   {17, 160},  {18, 160},
+                                                  {100, 136}, {1500, 33}, {4000, 17}};
+    for (const auto& [rows, side] : tables) {
+        const auto layout = lay_out_table(rows, 7);
+        ASSERT_TRUE(layout) << rows;
+        EXPECT_EQ(layout->side, side) << rows;
+        std::vector<SheetCell> cells((rows + 1) * 7);
+        for (SheetCell& cell : cells) cell = {flat(layout->side, layout->side, 0.5f), {}, 12345};
+        const Image sheet = contact_sheet(cells, *layout);
+        EXPECT_LE(std::max(sheet.width, sheet.height), k_sheet_side) << rows;
+    }
+    for (const std::size_t count : {1, 2, 30, 1000, 30000}) {
+        const auto layout = lay_out_list(count);
+        ASSERT_TRUE(layout) << count;
+        std::vector<SheetCell> cells(count, {flat(layout->side, layout->side, 0.5f), {}, 1});
+        const Image sheet = contact_sheet(cells, *layout);
+        EXPECT_LE(std::max(sheet.width, sheet.height), k_sheet_side) << count;
+    }
+    EXPECT_FALSE(lay_out_table(100000, 7));
+    EXPECT_FALSE(lay_out_table(1, 1000));
+    EXPECT_FALSE(lay_out_list(100000));
+}
+
+TEST(ContactSheet, ALongTableGoesOnBesideItself) {
+    std::vector<SheetCell> cells;  // a head and five rows of two columns
+    for (int i = 0; i < 12; ++i) cells.push_back({flat(20, 20, i < 2 ? 1.0f : 0.5f), {}, -1});
+    const Image sheet = contact_sheet(cells, {20, 2, 3});
+    ASSERT_EQ(sheet.height, 4 * 52 + 6);  // two blocks of three rows and two, each below the head
+    ASSERT_EQ(sheet.width, 2 * (2 * 26 + 18) - 18 + 6);
+    const auto at = [&](int block, int row, int column) {
+        return sheet.rgb[3 * ((6 + row * 52 + 10) * static_cast<std::size_t>(sheet.width) + 6 + block * 70 +
+                              column * 26 + 10)];
+    };
+    for (const int block : {0, 1}) {
+        for (const int column : {0, 1}) {
+            EXPECT_EQ(at(block, 0, column), 1.0f);
+            EXPECT_EQ(at(block, 1, column), 0.5f);
+            EXPECT_EQ(at(block, 2, column), 0.5f);
+            EXPECT_EQ(at(block, 3, column) == 0.5f, block == 0) << column;
+        }
+    }
 }
 
 }  // namespace
