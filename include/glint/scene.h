@@ -91,6 +91,12 @@ struct ItemTexts {
     SourcePlace place(std::uint32_t index) const;
 };
 
+/// Which normals the scene's source takes as unit vectors, as they are written. Glint normalises all.
+struct UnitNormals {
+    bool of_planes = false, of_vertices = false;
+    std::string_view reason;  ///< what one of another length does in the source, as a part of a sentence
+};
+
 struct Scene {
     Camera camera;
     Color background{0, 0, 0};
@@ -103,6 +109,7 @@ struct Scene {
     Conventions conventions;
     RenderSettings settings;
 
+    UnitNormals unit_normals;  ///< set by the format's reader, whatever the conventions are
     std::string profile = "glint";
     std::vector<SettingOrigin> origins;  ///< by setting key; may be empty (all from the profile)
     std::vector<std::string> files;      ///< the texts it was read from, as the user named them

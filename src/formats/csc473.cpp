@@ -247,6 +247,8 @@ void set_csc473_defaults(Scene& scene) {
     ambient.kind = LightKind::ambient;
     scene.lights.push_back(ambient);
     scene.light_texts.places.emplace_back();
+    scene.unit_normals.of_planes = true;
+    scene.unit_normals.reason = "n.p = d then puts the plane at d / |n| from the origin, not at d";
 }
 
 void read_csc473(Reading& reading, const ReadText& text) { Csc473Reader(reading, text).read(); }

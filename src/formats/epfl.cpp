@@ -309,7 +309,11 @@ class SceneReader {
 
 }  // namespace
 
-void set_epfl_defaults(Scene& scene) { scene.background = {0, 0, 0}; }
+void set_epfl_defaults(Scene& scene) {
+    scene.background = {0, 0, 0};
+    scene.unit_normals.of_planes = true;
+    scene.unit_normals.reason = "RT2's lighting takes it as it is, and N.L with it";
+}
 
 bool read_epfl_scene(Reading& reading, const ReadText& text, Parser& parser) {
     return SceneReader(reading, text, parser).read();

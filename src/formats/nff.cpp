@@ -282,7 +282,10 @@ class NffReader {
 
 }  // namespace
 
-void set_nff_defaults(Scene&) {}
+void set_nff_defaults(Scene& scene) {
+    scene.unit_normals.of_vertices = true;
+    scene.unit_normals.reason = "the format asks for normalised ones";
+}
 
 void read_nff(Reading& reading, const ReadText& text) { NffReader(reading, text).read(); }
 

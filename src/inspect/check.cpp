@@ -31,7 +31,7 @@ constexpr CheckKind k_kinds[] = {
     {"seen-from-behind", "flat surfaces are seen from behind, where nothing turns their normals"},
     {"normals-against-winding", "vertex normals point against the triangle's winding"},
     {"normals-on-both-sides", "a triangle's vertex normals point to both sides of it"},
-    {"normal-not-unit", "a normal is not of length 1, where the format's source takes it so"},
+    {"normal-not-unit", "a normal is not of length 1, where the scene's format takes it so"},
     {"direction-not-unit", "a light's direction is not of length 1, and is not normalised"},
     {"material-unused", "no shape has a material"},
     {"material-color-255", "a material's colour looks like bytes"},

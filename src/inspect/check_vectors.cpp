@@ -1,8 +1,6 @@
 // Vectors that are taken as unit vectors and are none, and camera frames that distort.
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "inspect/checks.h"
 #include "math/number.h"
 #include "math/transform.h"
@@ -14,23 +12,10 @@ constexpr double k_slack = 0.01;  // people write (0.62, -0.78, 0)
 
 bool is_unit(Vec3 v) { return number::abs(length(v) - 1) <= k_slack; }
 
-// What the sources' own programs take as unit vectors: data, as the profiles are.
-struct UnitVectors {
-    std::string_view profile;
-    bool planes, vertices;
-    std::string_view reason;
-};
-constexpr UnitVectors k_sources[] = {
-    {"epfl", true, false, "RT2's lighting takes it as it is, and N.L with it"},
-    {"csc473", true, false, "n.p = d then puts the plane at d / |n| from the origin, not at d"},
-    {"nff", false, true, "the format asks for normalised ones"},
-};
-
 void check_shape_normals(Subject& subject) {
     const Scene& scene = subject.scene();
-    const auto* source = std::find_if(std::begin(k_sources), std::end(k_sources),
-                                      [&](const UnitVectors& u) { return u.profile == scene.profile; });
-    if (source == std::end(k_sources)) return;
+    const UnitNormals& source = scene.unit_normals;
+    if (!source.of_planes && !source.of_vertices) return;
     std::vector<std::uint32_t> found;
     Vec3 example;
     for (std::uint32_t i = 0; i < scene.shapes.size(); ++i) {
@@ -40,8 +25,8 @@ void check_shape_normals(Subject& subject) {
             if (found.empty()) example = n;
             found.push_back(i);
         };
-        if (source->planes && shape.kind == ShapeKind::plane) look(scene.get<Plane>()[shape.index].normal);
-        if (source->vertices && shape.kind == ShapeKind::smooth_triangle)
+        if (source.of_planes && shape.kind == ShapeKind::plane) look(scene.get<Plane>()[shape.index].normal);
+        if (source.of_vertices && shape.kind == ShapeKind::smooth_triangle)
             for (const Vec3& n : scene.get<SmoothTriangle>()[shape.index].normals) look(n);
     }
     if (found.empty()) return;
@@ -49,7 +34,7 @@ void check_shape_normals(Subject& subject) {
     subject.report(
         "normal-not-unit", scene.shape_texts.place(found.front()),
         fmt::format("the normal {} of {} has the length {:.4g}: {}{}", vector_text(example),
-                    subject.shape(found.front()), length(example), source->reason,
+                    subject.shape(found.front()), length(example), source.reason,
                     found.size() == 1 ? "" : fmt::format("; so it is with {} shapes", found.size())),
         fmt::format("write {}", vector_text(unit)));
 }
