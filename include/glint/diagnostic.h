@@ -1,12 +1,15 @@
 #pragma once
 // What the library has to say about its input. The library never prints: it returns these.
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
 
 namespace glint {
 
-enum class Severity : std::uint8_t { warning, error };
+/// note: what glint made of the input where it could be read in several ways, which is no mistake. warning:
+/// likely a mistake.
+enum class Severity : std::uint8_t { note, warning, error };
 
 /// A place in one of the texts that a scene was read from. Lines and columns count from 1; columns count
 /// bytes. line 0: no place (an item made by code, or a default).
@@ -29,10 +32,14 @@ struct Diagnostic {
     std::uint32_t caret = 0;   ///< byte offset of the place within source_line
 };
 
-/// "file:line:col: error: message", the source line, and a caret under the place; ends with a newline.
+/// "file:line:col: error: message" (or warning, or note), the source line, and a caret under the place; ends
+/// with a newline.
 std::string to_string(const Diagnostic& diagnostic);
 
 /// True if any is an error.
 bool has_errors(const std::vector<Diagnostic>& diagnostics);
+
+/// How many are warnings.
+std::size_t count_warnings(const std::vector<Diagnostic>& diagnostics);
 
 }  // namespace glint

@@ -113,7 +113,9 @@ std::string to_string(const Diagnostic& d) {
         if (d.line != 0) out += fmt::format(":{}:{}", d.line, d.column);
         out += ": ";
     }
-    out += d.severity == Severity::error ? "error: " : "warning: ";
+    out += d.severity == Severity::error     ? "error: "
+           : d.severity == Severity::warning ? "warning: "
+                                             : "note: ";
     out += d.message;
     out += '\n';
     if (!d.source_line.empty()) {
@@ -126,6 +128,12 @@ std::string to_string(const Diagnostic& d) {
 bool has_errors(const std::vector<Diagnostic>& diagnostics) {
     return std::any_of(diagnostics.begin(), diagnostics.end(),
                        [](const Diagnostic& d) { return d.severity == Severity::error; });
+}
+
+std::size_t count_warnings(const std::vector<Diagnostic>& diagnostics) {
+    return static_cast<std::size_t>(
+        std::count_if(diagnostics.begin(), diagnostics.end(),
+                      [](const Diagnostic& d) { return d.severity == Severity::warning; }));
 }
 
 }  // namespace glint

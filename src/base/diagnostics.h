@@ -29,8 +29,8 @@ Diagnostic make_diagnostic(Severity severity, TextPlace where, std::size_t offse
 /// The diagnostic for the word at a place (line > 0) of a text.
 Diagnostic diagnostic_at(Severity severity, TextPlace where, SourcePlace place, std::string message);
 
-/// A list of diagnostics that stops growing: at most max_errors errors and 100 warnings. Warnings that
-/// `warn_once` gives with the same key appear once.
+/// A list of diagnostics that stops growing: at most max_errors errors and 100 warnings and notes. Warnings
+/// that `warn_once` gives with the same key appear once.
 class Diagnostics {
   public:
     explicit Diagnostics(std::uint32_t max_errors = 20) : max_errors_(max_errors) {}

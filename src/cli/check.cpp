@@ -15,7 +15,7 @@ namespace {
 
 constexpr auto k_examples = R"(Examples:
   glint check castle.json                              what is likely wrong, each with its line and remedy
-  glint check castle.json --strict                     exit code 1 if there is anything
+  glint check castle.json --strict                     exit code 1 if there is any finding or warning
   glint check spheres.cgfs lights.cgfs --json          two listings as one scene; an array of findings
   glint check homework.pov --convention reflections=1  as it is drawn with one reflection)";
 
@@ -64,7 +64,7 @@ int check_command(const CheckArguments& arguments) {
         fmt::print("{}: {}\n", fmt::join(arguments.scene.files, " "),
                    mistakes == 0 ? "no likely mistakes found" : counted(mistakes, "likely mistake"));
     }
-    const bool clean = result.findings.empty() && loaded.warnings.empty();
+    const bool clean = result.findings.empty() && count_warnings(loaded.warnings) == 0;
     return arguments.strict && !clean ? k_bad_input : k_done;
 }
 
@@ -80,7 +80,8 @@ Run add_check(CLI::App& app) {
                     "Threads; 0 (default): one a processor. The findings are the same")
         ->check(CLI::Range(0, 1024))
         ->option_text("N");
-    command.add_flag("--strict", arguments->strict, "Exit code 1 if there is any warning");
+    command.add_flag("--strict", arguments->strict,
+                     "Exit code 1 if there is any finding or warning; notes do not count");
     command.add_flag("--json", arguments->json, "The findings as a JSON array");
     command.footer(k_examples);
     return [arguments] { return check_command(*arguments); };

@@ -74,7 +74,8 @@ int convert_command(ConvertArguments& arguments) {
     if (!arguments.quiet) {
         fmt::print(stderr, "{}  {}  {}, {}, {}  ({})\n", path, bytes_text(static_cast<double>(text.size())),
                    counted(scene.shapes.size(), "shape"), counted(scene.materials.size(), "material"),
-                   counted(scene.lights.size(), "light"), counted(loaded.warnings.size(), "warning"));
+                   counted(scene.lights.size(), "light"),
+                   counted(count_warnings(loaded.warnings), "warning"));
     }
     return k_done;
 }

@@ -182,7 +182,7 @@ int render_command(RenderArguments& arguments) {
                    path, result.image->width, result.image->height, with_commas(result.rays.total()),
                    times.trace, static_cast<double>(result.rays.total()) / times.trace / 1e6,
                    seconds_since(start), counted(std::uint64_t(result.threads), "thread"), result.isa,
-                   counted(loaded.warnings.size(), "warning"));
+                   counted(count_warnings(loaded.warnings), "warning"));
     }
     return k_done;
 }

@@ -177,7 +177,7 @@ std::string text_report(const SceneReport& report) {
                            origin_text(scene, key));
         }
     }
-    fmt::format_to(out, "warnings    {}\n", report.warnings.size());
+    fmt::format_to(out, "warnings    {}\n", count_warnings(report.warnings));
     for (const Diagnostic& warning : report.warnings) text += to_string(warning);
     return text;
 }
@@ -233,6 +233,7 @@ std::string json_report(const SceneReport& report) {
         json["warnings"].push_back({{"file", warning.file},
                                     {"line", warning.line},
                                     {"column", warning.column},
+                                    {"severity", warning.severity == Severity::note ? "note" : "warning"},
                                     {"message", warning.message}});
     }
     // File names need not be UTF-8.

@@ -82,7 +82,7 @@ class EpflReader {
         if (wanted.empty()) {
             if (scenes.size() > 1) {
                 chosen_ = scenes.front().offset;
-                p_.warn({.offset = chosen_, .length = 1},
+                p_.note({.offset = chosen_, .length = 1},
                         fmt::format("{} scenes: the first one is read ({})", scenes.size(), names(scenes)));
             }
             return true;

@@ -98,6 +98,12 @@ void Parser::warn(const Token& token, std::string message) {
     if (!stopped_) diagnostics_.warn(place_, token.offset, token.length, std::move(message));
 }
 
+void Parser::note(const Token& token, std::string message) {
+    if (!stopped_)
+        diagnostics_.add(
+            make_diagnostic(Severity::note, place_, token.offset, token.length, std::move(message)));
+}
+
 void Parser::warn_ignored(std::string_view name, const Token& at, std::string_view owner,
                           std::span<const std::string_view> known) {
     // A text may have millions of unknown names: nothing is made ready for a warning that was given.

@@ -78,6 +78,7 @@ class Parser {
     void expected(std::string_view what);
     void error(const Token& token, std::string message);
     void warn(const Token& token, std::string message);
+    void note(const Token& token, std::string message);
     /// "glint ignores 'foo' of a sphere; did you mean ...?", once for each name and owner. owner: "", or
     /// "sphere".
     void warn_ignored(std::string_view name, const Token& at, std::string_view owner,

@@ -234,14 +234,14 @@ class Validator {
                  {},
                  "the scene has no lights: the picture will be black but for its background"});
         }
-        if (!scene_.conventions.cones) warn_of_cones();
+        if (!scene_.conventions.cones) tell_of_cones();
     }
 
-    void warn_of_cones() {
+    void tell_of_cones() {
         for (std::size_t i = 0; i < scene_.shapes.size(); ++i) {
             if (scene_.shapes[i].kind != ShapeKind::cone) continue;
             mistakes_.push_back(
-                {Severity::warning, scene_.shape_texts.place(static_cast<std::uint32_t>(i)),
+                {Severity::note, scene_.shape_texts.place(static_cast<std::uint32_t>(i)),
                  fmt::format("the conventions of {} draw no cones; `--convention cones=true` does",
                              scene_.profile)});
             return;

@@ -34,7 +34,7 @@ std::int32_t GLINT_DOOR(glint_prepare)(GlintScene* scene, const char* request, s
 
 /// What became of the text, as JSON: {"ready": true, "width": 640, "height": 480, "diagnostics":
 /// [{"severity", "file", "line", "column", "length", "message", "text"}]}; lines and columns as in
-/// Diagnostic, text as to_string() makes it.
+/// Diagnostic, text as to_string() makes it. A note is a "warning" here.
 const char* GLINT_DOOR(glint_report)(const GlintScene* scene);
 
 /// What is in the scene, as JSON (glint.d.mts, SceneInfo): size, counts, bounds, camera, lights, and every

@@ -46,6 +46,23 @@ TEST(Check, StrictFailsOnFindingsAndWarnings) {
     EXPECT_EQ(run(folder, {"check", "warned.cgfs", "--strict"}).code, 1);
 }
 
+// How a reader took what is no mistake is told, and does not fail.
+TEST(Check, TheGalleryIsStrictlyClean) {
+    namespace fs = std::filesystem;
+    const Folder folder;
+    int notes = 0;
+    for (const auto& entry : fs::recursive_directory_iterator(GLINT_SOURCE "/scenes")) {
+        const std::string path = entry.path().generic_string();
+        if (!entry.is_regular_file() || contains(path, "/only_") || contains(path, "/parts/") ||
+            contains(path, "/faults/") || contains(path, "acne.glint"))
+            continue;
+        const Finished r = run(folder, {"check", path, "--strict"});
+        EXPECT_EQ(r.code, 0) << r.out << r.err;
+        notes += contains(r.err, ": note: ");
+    }
+    EXPECT_EQ(notes, 2) << "of several scenes, and of cones";
+}
+
 TEST(Check, Json) {
     const Folder folder;
     folder.write("a.cgfs", std::string(k_clean) + k_lost +

@@ -110,6 +110,7 @@ TEST(Epfl, ReadsTheHomeworksJavaScript) {
     EXPECT_EQ(result.diagnostics[0].message, "glint ignores imports");
     EXPECT_EQ(result.diagnostics[1].message, "2 scenes: the first one is read ('first', 'second')");
     EXPECT_EQ(result.diagnostics[1].line, 5u);
+    EXPECT_EQ(result.diagnostics[1].severity, Severity::note);
     EXPECT_EQ(result.diagnostics[2].message, "glint reads data, not code: what follows is ignored");
     EXPECT_EQ(result.diagnostics[2].line, 14u);
 }

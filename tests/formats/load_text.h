@@ -68,7 +68,7 @@ inline std::string what_is_wrong(const LoadResult& result, std::string_view text
         if (d.message.empty()) return "a message without text";
         if (!is_utf8(d.message) || !is_utf8(d.source_line))
             return "a message that is not UTF-8: " + d.message;
-        if (d.severity == Severity::warning && d.line == 0) continue;  // about the scene as a whole
+        if (d.severity != Severity::error && d.line == 0) continue;  // about the scene as a whole
         if (d.line == 0 || d.column == 0 || d.length == 0) return "no place: " + d.message;
         const auto lines = static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n')) + 1;
         if (d.line > lines) return "a line beyond the text: " + d.message;

@@ -190,7 +190,7 @@ TEST(Validate, ScenesWithoutLightsOrShapesAreWarnedOf) {
     EXPECT_EQ(validate(Scene{})[0].message, "the scene has no shapes: the picture shows only its background");
 }
 
-TEST(Validate, ConesThatAreNotDrawnAreWarnedOfOnce) {
+TEST(Validate, ConesThatAreNotDrawnAreToldOnce) {
     Scene scene = good_scene();
     scene.add(Cone{{0, 0, 0}, {0, 1, 0}, 1, 0, true});
     scene.add(Cone{{0, 3, 0}, {0, 1, 0}, 1, 0, true});
@@ -198,7 +198,7 @@ TEST(Validate, ConesThatAreNotDrawnAreWarnedOfOnce) {
     ASSERT_TRUE(apply_profile(scene, "csc473"));
     const auto diagnostics = validate(scene);
     ASSERT_EQ(diagnostics.size(), 1u);
-    EXPECT_EQ(diagnostics[0].severity, Severity::warning);
+    EXPECT_EQ(diagnostics[0].severity, Severity::note);
     EXPECT_EQ(diagnostics[0].message,
               "the conventions of csc473 draw no cones; `--convention cones=true` does");
 }
