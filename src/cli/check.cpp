@@ -7,6 +7,7 @@
 
 #include "cli/commands.h"
 #include "cli/failure.h"
+#include "cli/picture_arguments.h"
 #include "cli/scene_arguments.h"
 #include "cli/text.h"
 
@@ -17,10 +18,11 @@ constexpr auto k_examples = R"(Examples:
   glint check castle.json                              what is likely wrong, each with its line and remedy
   glint check castle.json --strict                     exit code 1 if there is any finding or warning
   glint check spheres.cgfs lights.cgfs --json          two listings as one scene; an array of findings
-  glint check homework.pov --convention reflections=1  as it is drawn with one reflection)";
+  glint check homework.pov --reflections 1             as it is drawn with one reflection)";
 
 struct CheckArguments {
     SceneArguments scene;
+    PictureArguments picture;
     bool strict = false, json = false;
     int threads = 0;
 };
@@ -44,7 +46,8 @@ std::string json_text(const std::vector<Finding>& findings) {
     return list.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-int check_command(const CheckArguments& arguments) {
+int check_command(CheckArguments& arguments) {
+    add_settings(arguments.picture, false, arguments.scene);
     LoadedScene loaded = load_scene(arguments.scene);
     std::vector<SceneText> texts = loaded.texts;
     const std::vector<InputFile> included = open_included(loaded, texts);
@@ -75,6 +78,7 @@ Run add_check(CLI::App& app) {
         *app.add_subcommand("check", "Name a scene's likely mistakes, each with its line and remedy");
     const auto arguments = std::make_shared<CheckArguments>();
     add_scene_arguments(command, arguments->scene);
+    add_picture_arguments(command, arguments->picture);
     command
         .add_option("-t,--threads", arguments->threads,
                     "Threads; 0 (default): one a processor. The findings are the same")

@@ -93,6 +93,33 @@ TEST(Check, TakesTheSceneOptionsOfRender) {
     EXPECT_TRUE(contains(run(folder, {"check", "-", "--format", "cgfs"}, input).out, "[shape-outside-view]"));
 }
 
+// What is wrong depends on how the scene is drawn.
+TEST(Check, TakesThePictureOptionsOfRender) {
+    const Folder folder;
+    folder.write("a.cgfs", std::string(k_clean) +
+                               "sphere { center = (0.3, 0.55, 1.5)  radius = 0.005  color = (255, 0, 0) }\n");
+    const auto out = [&](std::vector<std::string> more) {
+        more.insert(more.begin(), {"check", "a.cgfs"});
+        const Finished r = run(folder, more);
+        EXPECT_EQ(r.code, 0) << r.err;
+        return r.out;
+    };
+    EXPECT_FALSE(contains(out({}), "[shape-too-small]"));
+    EXPECT_TRUE(contains(out({"-s", "40x40", "--no-shadows"}), "[shape-too-small]"));
+    folder.write("a.cgfs",
+                 std::string(k_clean) + "light { type = point  intensity = 0  position = (0, 9, 0) }\n");
+    EXPECT_TRUE(contains(out({}), "[light-without-color]"));
+    EXPECT_FALSE(contains(out({"--shading", "color"}), "[light-without-color]"));
+    folder.write(
+        "a.cgfs",
+        std::string(k_clean) +
+            "sphere { center = (0, -5001, 0)  radius = 5000  color = (255, 255, 0)  reflective = 0.9 }\n"
+            "sphere { center = (0, 5003, 0)  radius = 5000  color = (0, 255, 0)  reflective = 0.9 }\n");
+    EXPECT_TRUE(contains(out({}), "[reflections-too-few]"));
+    EXPECT_FALSE(contains(out({"--reflections", "100"}), "[reflections-too-few]"));
+    EXPECT_EQ(run(folder, {"check", "a.cgfs", "--shading", "plastic"}).code, 2);
+}
+
 TEST(Check, AFindingInAnIncludedFileShowsItsLine) {
     const Folder folder;
     folder.write("part.glint",
