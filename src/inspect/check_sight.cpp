@@ -4,10 +4,9 @@
 #include <limits>
 
 #include "geometry/kinds-inl.h"
-#include "geometry/leave-inl.h"
-#include "lighting/glass-inl.h"
 #include "math/transform.h"
 #include "trace/camera_rays-inl.h"
+#include "trace/leaving-inl.h"
 
 namespace glint {
 namespace {
@@ -55,20 +54,21 @@ RayList leaving_rays(const World& world, const std::vector<SurfaceHit>& hits) {
         const auto [mirror, glass] = leaves(h);
         if ((!mirror && !glass) || number++ % step != 0) continue;
         const SurfacePoint<double> surface = surface_point(h);
-        const auto add = [&](Triple<double> direction, bool through) {
-            const auto origin = through ? leave_through(surface, direction, rules.offset, rules.epsilon)
-                                        : leave(surface, direction, rules.offset, rules.epsilon);
+        const auto add = [&](Triple<double> origin, Triple<double> direction) {
             rays.add(vec_of(origin), vec_of(direction), leave_t_min(rules.offset, rules.epsilon));
         };
-        const Triple<double> d = surface.incoming, n = surface.normal;
         bool reflects = mirror;
         if (glass) {
             const double ior = world.materials[std::size_t{h.material} * k_material_values + k_ior];
-            const auto refraction = refracted(d, dot(n, d) > 0 ? -n : n, h.behind ? ior : 1 / ior);
-            if (!refraction.total) add(refraction.direction, true);
-            reflects = mirror || refraction.total || rules.fresnel == Fresnel::schlick;
+            const auto on = refracted_ray(surface, h.behind, ior, rules);
+            if (on.fresnel < 1)
+                add(leave_through(surface, on.direction, rules.offset, rules.epsilon), on.direction);
+            reflects = mirror || on.fresnel > 0;
         }
-        if (reflects) add(d - n * (2 * dot(d, n)), false);
+        if (reflects) {
+            const auto back = mirrored_ray(surface, glass, rules);
+            add(back.origin, back.direction);
+        }
     }
     return rays;
 }
@@ -143,7 +143,7 @@ Sight::Sight(const World& world, int threads) : size(small_size(world.settings, 
 ShadowRays shadow_rays(const World& world, const Sight& sight, const Light& light, std::size_t most) {
     const Conventions& rules = world.conventions;
     ShadowRays found;
-    found.from_light = light.kind == LightKind::point && rules.shadow_stops_at_light;
+    found.from_light = comes_from_light(light, rules);
     for (const Generation& g : sight.generations) {
         const std::size_t step = g.hits.size() / most + 1;
         for (std::size_t i = 0; i < g.hits.size(); i += step) {
@@ -152,16 +152,8 @@ ShadowRays shadow_rays(const World& world, const Sight& sight, const Light& ligh
             ++found.points;
             if (!(glint::dot(h.normal, to_light) > 0)) continue;
             found.material.push_back(h.material);
-            const Vec3 start =
-                vec_of(leave(surface_point(h), triple_of(to_light), rules.offset, rules.epsilon));
-            if (!found.from_light) {
-                found.rays.add(start, to_light, leave_t_min(rules.offset, rules.epsilon));
-                continue;
-            }
-            const Vec3 way = start - light.position;
-            // It sees epsilon past the light there (trace/light-inl.h).
-            const double past = rules.offset == Offset::direction ? rules.epsilon / glint::length(way) : 0;
-            found.rays.add(light.position, way, -past, rules.offset == Offset::ray ? 1 - rules.epsilon : 1);
+            const auto ray = shadow_ray(surface_point(h), light, triple_of(to_light), rules);
+            found.rays.add(vec_of(ray.origin), vec_of(ray.direction), ray.t_min, ray.t_max);
         }
     }
     return found;

@@ -7,9 +7,7 @@
 #define GLINT_TRACE_BRANCH_INL_H_
 #endif
 
-#include "geometry/leave-inl.h"
-#include "lighting/glass-inl.h"
-#include "lighting/phong-inl.h"
+#include "trace/leaving-inl.h"
 #include "trace/light-inl.h"
 #include "trace/record-inl.h"
 #include "trace/surface-inl.h"
@@ -18,8 +16,7 @@ HWY_BEFORE_NAMESPACE();
 namespace glint {
 namespace HWY_NAMESPACE {
 
-/// The two rays that leave a hit, as far as there are any. F is what glass reflects (Fresnel; all of it where
-/// no ray gets through).
+/// The two rays that leave a hit, as far as there are any. F is what glass reflects.
 ///   reflected: tint ((1-f) a + f F) with blend, tint (a + f F) with add; transmitted: tint f (1-F).
 struct Branches {
     Triple<Doubles> reflected, transmitted;  // weights
@@ -35,14 +32,9 @@ HWY_INLINE Branches branches_of(const World& world, const MaterialLanes& materia
     Doubles mirror = rules.mirror == MirrorRule::blend ? (one - f) * a : a;
     if (any(glass)) {  // otherwise nothing is asked of the transmitted ray
         const Doubles ior = material.value(k_ior);
-        const Triple<Doubles> incoming = surface.incoming, normal = surface.normal;
-        const Triple<Doubles> facing = select_triple(dot(normal, incoming) > Doubles(0), -normal, normal);
-        const auto refraction = refracted(incoming, facing, select(from_inside, ior, one / ior));
-        b.through = refraction.direction;
-        Doubles fresnel(0);
-        if (rules.fresnel == Fresnel::schlick)
-            fresnel = schlick(-dot(facing, incoming) / length(incoming), ior);
-        fresnel = select(refraction.total, one, fresnel);
+        const GlassRay<Doubles> ray = refracted_ray(surface, from_inside, ior, rules);
+        const Doubles fresnel = ray.fresnel;
+        b.through = ray.direction;
         b.fresnel = fresnel;
         mirror = select(glass, mirror + f * fresnel, mirror);
         b.transmitted = weight * select(glass, f * (one - fresnel), Doubles(0));
@@ -123,8 +115,6 @@ HWY_INLINE void queue_vector(const World& world, TileScratch& s, int h, LaneMask
         const auto kept = leaves && most > zero && most >= Doubles(rules.min_weight);
         return limited ? within_limit(s, s.target.data() + h, kept) : kept;
     };
-    // Glass has two sides to leave to, whatever the convention does with the one of an opaque surface.
-    const Offset glass_offset = rules.offset == Offset::normal ? Offset::facing : rules.offset;
     LeavingRays rays{surface.point, surface.incoming,
                      b.reflected,   load(s.target.data() + h),
                      zero,          leave_t_min(rules.offset, rules.epsilon)};
@@ -133,12 +123,9 @@ HWY_INLINE void queue_vector(const World& world, TileScratch& s, int h, LaneMask
 
     const auto reflected = counts(b.reflected);
     if (any(reflected)) {
-        rays.direction = mirrored(-surface.incoming, surface.normal);
-        rays.origin = leave(surface, rays.direction, rules.offset, rules.epsilon);
-        if (glass_offset != rules.offset) {
-            rays.origin = select_triple(glass, leave(surface, rays.direction, glass_offset, rules.epsilon),
-                                        rays.origin);
-        }
+        const LeavingRay<Doubles> ray = mirrored_ray(surface, glass, rules);
+        rays.direction = ray.direction;
+        rays.origin = ray.origin;
         if (beer) rays.medium = select(from_inside, own, load(s.medium.data() + h));
         push(s.next_rays, rays, reflected, beer);
         s.counts.mirror += static_cast<std::uint64_t>(count(reflected));
@@ -149,7 +136,7 @@ HWY_INLINE void queue_vector(const World& world, TileScratch& s, int h, LaneMask
                         rules.min_weight);
     if (!any(transmitted)) return;
     rays.direction = b.through;
-    rays.origin = leave_through(surface, rays.direction, glass_offset, rules.epsilon);
+    rays.origin = leave_through(surface, rays.direction, rules.offset, rules.epsilon);
     rays.weight = b.transmitted;
     if (generation == 0) rays.target = rays.target + Doubles(k_layer_stride);
     if (beer) rays.medium = select(from_inside, none, own);

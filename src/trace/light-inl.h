@@ -10,8 +10,8 @@
 #include <bit>
 #include <cstring>
 
-#include "geometry/leave-inl.h"
 #include "lighting/phong-inl.h"
+#include "trace/leaving-inl.h"
 #include "trace/material-inl.h"
 #include "trace/tile.h"
 
@@ -70,28 +70,18 @@ HWY_INLINE LightLanes light_at(const World& world, const Light& light, const Lig
     return {to_light, distance, f_att, c, lit};
 }
 
-/// Writes shadow rays number `at`... of the set lanes. A point light's ray is traced from the light to the
-/// surface, so that a light's rays share their origin.
+/// Writes shadow rays number `at`... of the set lanes.
 HWY_INLINE void put_shadow_rays(const World& world, const Light& light, const SurfacePoint<Doubles>& surface,
                                 Triple<Doubles> to_light, LaneMask<double> set, TileScratch& s, int at) {
-    const Conventions& c = world.conventions;
-    TileScratch::Column *origin = s.shadow, *direction = s.shadow + 3;
-    double *t_min = s.shadow[6].data() + at, *t_max = s.shadow[7].data() + at;
-    const Triple<Doubles> start = leave(surface, to_light, c.offset, c.epsilon);
-    if (light.kind == LightKind::directional || !c.shadow_stops_at_light) {
-        compress_triple(start, set, origin, at);
-        compress_triple(to_light, set, direction, at);
-        store(Doubles(leave_t_min(c.offset, c.epsilon)), t_min);
-        store(Doubles(k_infinity), t_max);
-        return;
+    const ShadowRay<Doubles> ray = shadow_ray(surface, light, to_light, world.conventions);
+    if (comes_from_light(light, world.conventions)) {
+        store_triple(ray.origin, s.shadow, at);  // of all lanes the same
+    } else {
+        compress_triple(ray.origin, set, s.shadow, at);
     }
-    const Triple<Doubles> from = lanes_of(light.position), way = start - from;
-    store_triple(from, origin, at);
-    compress_triple(way, set, direction, at);
-    // Its distance is compared with the light's from P itself: it sees epsilon past the light.
-    const Doubles least = c.offset == Offset::direction ? Doubles(-c.epsilon) / length(way) : Doubles(0);
-    compress_store(least, set, t_min);
-    store(Doubles(c.offset == Offset::ray ? 1 - c.epsilon : 1.0), t_max);
+    compress_triple(ray.direction, set, s.shadow + 3, at);
+    compress_store(ray.t_min, set, s.shadow[6].data() + at);
+    store(Doubles(ray.t_max), s.shadow[7].data() + at);
 }
 
 /// The first half of a light: cosines, attenuation, who may be lit, and their shadow rays. Returns how many

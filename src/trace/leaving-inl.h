@@ -1,0 +1,76 @@
+// The rays that leave a hit: to a light, mirrored, and through glass; where they start and where they go.
+#if defined(GLINT_TRACE_LEAVING_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef GLINT_TRACE_LEAVING_INL_H_
+#undef GLINT_TRACE_LEAVING_INL_H_
+#else
+#define GLINT_TRACE_LEAVING_INL_H_
+#endif
+
+#include "geometry/leave-inl.h"
+#include "glint/scene.h"
+#include "lighting/glass-inl.h"
+#include "lighting/phong-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace glint {
+namespace HWY_NAMESPACE {
+
+template <class T> struct LeavingRay { Triple<T> origin, direction; };
+
+/// The mirrored ray. glass: a mask, where the surface lets light through. Glass has two sides to leave to,
+/// whatever the convention does with the one of an opaque surface.
+template <class T, class M>
+HWY_INLINE LeavingRay<T> mirrored_ray(const SurfacePoint<T>& s, M glass, const Conventions& rules) {
+    const Triple<T> direction = mirrored(-s.incoming, s.normal);
+    Triple<T> origin = leave(s, direction, rules.offset, rules.epsilon);
+    if (rules.offset == Offset::normal)
+        origin = select_triple(glass, leave(s, direction, Offset::facing, rules.epsilon), origin);
+    return {origin, direction};
+}
+
+/// What glass does with a ray: where it goes on, and how much of it is reflected instead, F (Fresnel; all of
+/// it where no ray gets through).
+template <class T> struct GlassRay {
+    Triple<T> direction;
+    T fresnel;
+};
+template <class T, class M>
+HWY_INLINE GlassRay<T> refracted_ray(const SurfacePoint<T>& s, M from_inside, T ior,
+                                     const Conventions& rules) {
+    const T one(1);
+    const Triple<T> facing = select_triple(dot(s.normal, s.incoming) > T(0), -s.normal, s.normal);
+    const auto refraction = refracted(s.incoming, facing, select(from_inside, ior, one / ior));
+    T fresnel(0);
+    if (rules.fresnel == Fresnel::schlick)
+        fresnel = schlick(-dot(facing, s.incoming) / length(s.incoming), ior);
+    return {refraction.direction, select(refraction.total, one, fresnel)};
+}
+
+/// A ray from a surface to a light; a point light's is traced from the light to the surface, so that a
+/// light's rays share their origin.
+template <class T> struct ShadowRay {
+    Triple<T> origin, direction;
+    T t_min;
+    double t_max;
+};
+HWY_INLINE bool comes_from_light(const Light& light, const Conventions& rules) {
+    return light.kind == LightKind::point && rules.shadow_stops_at_light;
+}
+/// to_light: the whole way to a point light, of any length for others.
+template <class T>
+HWY_INLINE ShadowRay<T> shadow_ray(const SurfacePoint<T>& s, const Light& light, Triple<T> to_light,
+                                   const Conventions& rules) {
+    const Triple<T> start = leave(s, to_light, rules.offset, rules.epsilon);
+    if (!comes_from_light(light, rules))
+        return {start, to_light, T(leave_t_min(rules.offset, rules.epsilon)), k_infinity};
+    const Triple<T> from{T(light.position.x), T(light.position.y), T(light.position.z)}, way = start - from;
+    // Its distance is compared with the light's from P itself: it sees epsilon past the light.
+    const T least = rules.offset == Offset::direction ? T(-rules.epsilon) / length(way) : T(0);
+    return {from, way, least, rules.offset == Offset::ray ? 1 - rules.epsilon : 1.0};
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace glint
+HWY_AFTER_NAMESPACE();
+
+#endif
