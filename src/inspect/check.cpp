@@ -47,7 +47,7 @@ constexpr CheckKind k_kinds[] = {
 
 void run_checks(const Scene& scene, World& world, const CheckOptions& options, CheckResult& result) {
     Subject subject(scene, world, options);
-    const Sight sight(world, options.threads);
+    const Sight sight(subject);
     if (check_camera(subject, sight)) {
         check_lights(subject, sight);
         check_shapes(subject, sight, check_faces(subject));

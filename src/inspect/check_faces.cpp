@@ -138,7 +138,7 @@ class Coincidences {
     explicit Coincidences(Subject& subject) : subject_(subject), world_(subject.world()) {}
 
     void find() {
-        const SmallSize size = small_size(world_.settings, k_longest);
+        const SmallSize size = subject_.grid(k_longest);
         const RayList rays = camera_rays(world_, size, k_beside_x, k_beside_y);
         rays_ = rays.size();
         const HitList first = nearest_hits(world_, rays, subject_.threads());

@@ -157,20 +157,21 @@ void check_shapes(Subject& subject, const Sight& sight, const std::vector<bool>&
                                 deep == 1 ? "generation" : fmt::format("{} generations", deep));
     // Where lights were left out, nothing is known of their shadows.
     const bool knows_shadows = !world.settings.shadows || world.lights.size() <= k_most_lights;
+    const std::string coarse = subject.coarse_grid(Sight::k_longest);
     const auto report = [&](std::string_view id, const std::vector<std::uint32_t>& all,
                             std::string_view where, bool hidden, std::string remedy) {
         const std::vector<std::uint32_t> list = worth_naming(scene, unseen, all, !hidden);
         if (list.empty()) return;
-        subject.report(
-            id, scene.shape_texts.place(list.front()),
-            fmt::format("{} of {} {} {}{}{}: {}{}", list.size(),
-                        unseen.shapes == 1 ? "1 shape" : fmt::format("{} shapes", unseen.shapes),
-                        list.size() == 1 ? "is" : "are", where,
-                        !knows_shadows     ? ""
-                        : list.size() == 1 ? ", and no shadow of it is seen"
-                                           : ", and no shadow of them is seen",
-                        mirrors, subject.some_shapes(list), hidden ? enclosure(subject, world, list) : ""),
-            std::move(remedy));
+        subject.report(id, scene.shape_texts.place(list.front()),
+                       fmt::format("{} of {} {} {}{}{}: {}{}", list.size(),
+                                   unseen.shapes == 1 ? "1 shape" : fmt::format("{} shapes", unseen.shapes),
+                                   list.size() == 1 ? "is" : "are", where,
+                                   !knows_shadows     ? ""
+                                   : list.size() == 1 ? ", and no shadow of it is seen"
+                                                      : ", and no shadow of them is seen",
+                                   mirrors, subject.some_shapes(list),
+                                   (hidden ? enclosure(subject, world, list) : "") + coarse),
+                       std::move(remedy));
     };
     report("shape-outside-view", unseen.outside, "outside the picture", false,
            "move what is outside, or the camera, or widen its view");

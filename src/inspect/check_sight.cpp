@@ -13,7 +13,6 @@ namespace {
 
 using namespace HWY_NAMESPACE;
 
-constexpr std::int32_t k_longest = 640;         // camera rays a side, at most
 constexpr std::size_t k_most_followed = 65536;  // mirror and glass rays of a generation
 constexpr int k_most_generations = 4;
 
@@ -129,7 +128,9 @@ RayList camera_rays(const World& world, SmallSize size, double x, double y) {
     return rays;
 }
 
-Sight::Sight(const World& world, int threads) : size(small_size(world.settings, k_longest)) {
+Sight::Sight(const Subject& subject) : size(subject.grid(k_longest)) {
+    const World& world = subject.world();
+    const int threads = subject.threads();
     RayList rays = camera_rays(world, size, 0, 0);
     generations.push_back({surface_hits(world, rays, threads)});
     const int most = std::min(world.settings.reflections, k_most_generations);

@@ -32,7 +32,9 @@ RayList camera_rays(const World& world, SmallSize size, double x, double y);
 class Sight {
   public:
     /// Traces a ray a pixel, or fewer where the picture is large, and follows them into mirrors and glass.
-    Sight(const World& world, int threads);
+    explicit Sight(const Subject& subject);
+
+    static constexpr std::int32_t k_longest = 640;  // camera rays a side, at most
 
     SmallSize size;                       // of the grid of camera rays
     std::vector<Generation> generations;  // [0]: directly seen
@@ -58,6 +60,9 @@ std::vector<std::uint32_t> shapes_along(const World& world, Vec3 point, Vec3 dir
 
 /// The closed shapes that hold the point.
 std::vector<std::uint32_t> shapes_around(const Subject& subject, Vec3 point);
+
+/// How many shapes a camera ray is tested against, about: those whose boxes it meets before it hits one.
+double shapes_a_ray(const World& world, int threads);
 
 /// The box of a bounded slot.
 Bounds box_of_slot(const World& world, std::uint32_t slot);

@@ -7,6 +7,7 @@
 
 #include "base/diagnostics.h"
 #include "base/text.h"
+#include "inspect/check_sight.h"
 
 namespace glint {
 namespace {
@@ -15,6 +16,7 @@ constexpr std::size_t k_most_named = 5;
 constexpr std::size_t k_most_alike = 8;  // findings of one kind
 constexpr std::int32_t k_probe = 24;     // longest side of a picture that counts rays
 constexpr double k_most_rays = 4e6;      // of a picture
+constexpr double k_most_tests = 6e7;     // of rays and shapes, for a picture or a grid of rays
 
 std::string item(std::string_view word, std::uint32_t index, std::string_view name) {
     return name.empty() ? fmt::format("{} {}", word, std::uint64_t{index} + 1)
@@ -33,6 +35,28 @@ SmallSize small_size(const RenderSettings& settings, std::int32_t longest) {
             std::max<std::int64_t>(1, (2 * side * std::int64_t{longest} + most) / (2 * most)));
     };
     return {scaled(settings.width), scaled(settings.height)};
+}
+
+Subject::Subject(const Scene& scene, World& world, const CheckOptions& options)
+    : scene_(scene),
+      world_(world),
+      options_(options),
+      lights_(world.lights),
+      ambient_(world.ambient),
+      shapes_a_ray_(shapes_a_ray(world, options.threads)) {}
+
+SmallSize Subject::grid(std::int32_t longest) const {
+    SmallSize size = small_size(scene_.settings, longest);
+    while (longest > k_probe && shapes_a_ray_ * size.width * size.height > k_most_tests)
+        size = small_size(scene_.settings, longest -= longest / 8);
+    return size;
+}
+
+std::string Subject::coarse_grid(std::int32_t longest) const {
+    const SmallSize size = grid(longest);
+    if (size.width == small_size(scene_.settings, longest).width) return {};
+    return fmt::format("; looked at with {}x{} rays only, each of which meets the boxes of {:.0f} shapes",
+                       size.width, size.height, shapes_a_ray_);
 }
 
 void Subject::restore() {
@@ -68,7 +92,8 @@ SmallSize Subject::affordable(std::int32_t longest) {
         rays_a_pixel_ = static_cast<double>(probe.rays.total()) / size.width / size.height;
     }
     SmallSize size = small_size(scene_.settings, longest);
-    while (longest > k_probe && rays_a_pixel_ * size.width * size.height > k_most_rays)
+    const double most = std::min(k_most_rays, k_most_tests / std::max(shapes_a_ray_, 1.0));
+    while (longest > k_probe && rays_a_pixel_ * size.width * size.height > most)
         size = small_size(scene_.settings, longest /= 2);
     return size;
 }

@@ -22,12 +22,18 @@ SmallSize small_size(const RenderSettings& settings, std::int32_t longest);
 class Subject {
   public:
     /// world: of the scene; the subject's own from here on.
-    Subject(const Scene& scene, World& world, const CheckOptions& options)
-        : scene_(scene), world_(world), options_(options), lights_(world.lights), ambient_(world.ambient) {}
+    Subject(const Scene& scene, World& world, const CheckOptions& options);
 
     const Scene& scene() const { return scene_; }
     const World& world() const { return world_; }
     int threads() const { return options_.threads; }
+
+    /// The size of a grid of camera rays, at most `longest` a side: fewer where each meets hundreds of shapes
+    /// that lie in one another, since it is tested against all of them.
+    SmallSize grid(std::int32_t longest) const;
+    /// Where the grid is coarser for that reason, a sentence that says so, else nothing; for findings that a
+    /// finer one might not make.
+    std::string coarse_grid(std::int32_t longest) const;
 
     /// For one picture, or for some rays: settings, conventions, lights and ambient light may be changed.
     /// Call restore() afterwards.
@@ -38,7 +44,7 @@ class Subject {
     void turn_order();
 
     /// The picture with the world as it is, one sample a pixel, at most `longest` pixels a side; fewer where
-    /// the scene's rays multiply. Of the same size for the same `longest`.
+    /// the scene's rays multiply, or its shapes lie in one another. Of the same size for the same `longest`.
     Image draw(std::int32_t longest);
 
     void report(std::string_view id, SourcePlace place, std::string message, std::string remedy);
@@ -69,6 +75,7 @@ class Subject {
     const std::vector<Light> lights_;
     const Color ambient_;
     double rays_a_pixel_ = 0;  // of the scene as it is, once drawn
+    const double shapes_a_ray_;
     std::vector<std::pair<SourcePlace, Finding>> findings_;
 };
 
