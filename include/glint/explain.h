@@ -145,7 +145,13 @@ std::optional<Layer> layer_of(const Explanation& explanation, std::size_t ray);
 /// that is blocked red up to its blocker, dark from there. Every sample's rays are drawn.
 void draw_overlay(Image& picture, const Explanation& explanation, const Scene& scene, const World& world);
 
-/// The explanation as JSON (docs/explain.md has its schema): names and places from the scene.
-std::string explanation_json(const Explanation& explanation, const Scene& scene);
+/// The value of each sample, row after row: linear, not rounded; their mean is the pixel's value but for
+/// roundings. The explanation must be of all samples.
+std::vector<Color> sample_values(const Explanation& explanation);
+
+/// The explanation as JSON (docs/explain.md has its schema): names and places from the scene, the file's
+/// numbers by its bits and transfer.
+std::string explanation_json(const Explanation& explanation, const Scene& scene,
+                             const EncodeOptions& file = {});
 
 }  // namespace glint

@@ -41,6 +41,9 @@ struct EncodeResult {
 /// keeps floats. The bytes do not depend on threads. Never throws.
 EncodeResult encode(const Image& image, const EncodeOptions& options = {});
 
+/// The number that `encode` writes for a channel value: 0 to 255 with 8 bits, to 65535 with 16.
+std::uint32_t to_number(float value, int bits, Transfer transfer = Transfer::none);
+
 /// The byte that `encode` writes for a channel value with 8 bits.
 std::uint8_t to_byte(float value, Transfer transfer = Transfer::none);
 

@@ -27,9 +27,12 @@ constexpr auto k_examples = R"(Examples:
   glint explain castle.json -p 320,200 --as json | jq .value
   glint explain spheres.pov -p 315,185 --origin bottom-left --as printrays)";
 
+constexpr int k_most_listed = 8;  // samples a side that are listed one by one
+
 struct ExplainArguments {
     SceneArguments scene;
     PictureArguments picture;
+    NumberArguments numbers;
     std::string pixel, sample, form = "text", origin = "top-left", why_not, overlay, isa;
 };
 
@@ -102,6 +105,7 @@ int explain_command(ExplainArguments& arguments) {
     ExplainStyle style;
     style.colors = is_terminal(STDOUT_FILENO) && std::getenv("NO_COLOR") == nullptr;
     style.from_below = arguments.origin == "bottom-left";
+    style.file = encoding_of(arguments.numbers);
     style.sample = sample_of(arguments, scene.settings.samples);
     std::optional<std::uint32_t> light;
     if (!arguments.why_not.empty()) light = find_light(arguments.why_not, scene);
@@ -120,12 +124,18 @@ int explain_command(ExplainArguments& arguments) {
     if (light) {
         fmt::print("{}", why_not_text(explanation, scene, *light, style));
     } else if (arguments.form == "json") {
-        fmt::print("{}\n", explanation_json(explanation, scene));
+        fmt::print("{}\n", explanation_json(explanation, scene, style.file));
     } else if (arguments.form == "printrays") {
         const int row = arguments.origin == "bottom-left" ? scene.settings.height - 1 - pixel.y : pixel.y;
         fmt::print("{}", print_rays(explanation, scene, row, style));
     } else {
         fmt::print("{}", explanation_text(explanation, scene, style));
+        const int samples = scene.settings.samples;
+        if (samples > 1 && samples <= k_most_listed) {
+            options.sample = -1;
+            const Explanation all = explain(scene, *prepared.world, pixel.x, pixel.y, options);
+            if (all.error.empty()) fmt::print("{}", samples_text(all, scene, style));
+        }
     }
     if (overlay) {
         check_memory(scene.settings.width, scene.settings.height);
@@ -166,6 +176,7 @@ Run add_explain(CLI::App& app) {
     command.add_option("--overlay", a.overlay, "Also draw the picture with the pixel's rays over it")
         ->option_text("OUT.png");
     add_picture_arguments(command, a.picture);
+    add_number_arguments(command, a.numbers);
     command.add_option("--isa", a.isa, "Instruction set (`glint info --isa` lists them)")
         ->option_text("NAME");
     command.footer(k_examples);

@@ -53,8 +53,6 @@ std::string swatch(const ExplainStyle& style, double r, double g, double b) {
     return fmt::format("  \x1b[48;2;{};{};{}m    \x1b[0m", to_byte(static_cast<float>(r)),
                        to_byte(static_cast<float>(g)), to_byte(static_cast<float>(b)));
 }
-std::string swatch(const ExplainStyle& style, Color c) { return swatch(style, c.r, c.g, c.b); }
-
 std::string_view cosine_name(const Scene& scene) {
     return scene.settings.shading == Shading::phong ? "R·V" : "N·H";
 }
@@ -257,8 +255,11 @@ void tell_sum(const Explanation& e, const ExplainStyle& style, std::string& text
     }
     fmt::format_to(out, "  = {:13}{}\n", "value", color(e.value));
     const bool clamps = std::any_of(e.value, e.value + 3, [](float v) { return v < 0 || v > 1; });
-    fmt::format_to(out, "    {:13}{} {} {}{}{}\n", "bytes", to_byte(e.value[0]), to_byte(e.value[1]),
-                   to_byte(e.value[2]), clamps ? "  (clamped to 0 ... 1)" : "",
+    const auto written = [&](float v) { return to_number(v, style.file.bits, style.file.transfer); };
+    const std::string name = fmt::format("{}{}", style.file.bits == 8 ? "bytes" : "16 bits",
+                                         style.file.transfer == Transfer::srgb ? ", sRGB" : "");
+    fmt::format_to(out, "    {:13}{} {} {}{}{}\n", name, written(e.value[0]), written(e.value[1]),
+                   written(e.value[2]), clamps ? "  (clamped to 0 ... 1)" : "",
                    swatch(style, e.value[0], e.value[1], e.value[2]));
 }
 
@@ -270,6 +271,10 @@ std::size_t camera_ray(const Explanation& e, int sample) {
     }
     return 0;
 }
+
+std::string color_text(Color c) { return color(c); }
+
+std::string swatch(const ExplainStyle& style, Color c) { return swatch(style, c.r, c.g, c.b); }
 
 std::string shape_text(const Scene& scene, std::uint32_t shape) {
     return item_text(scene, scene.shape_texts, shape, std::string(shape_word(scene.shapes[shape].kind)));

@@ -10,10 +10,14 @@ struct ExplainStyle {
     bool colors = false;      ///< swatches, by the terminal's 24-bit colours
     bool from_below = false;  ///< rows are counted from the bottom
     int sample = 0;           ///< the one whose rays are told: row n + column
+    EncodeOptions file;       ///< whose numbers are told
 };
 
 /// The tree of rays of a sample, then the pixel's sum.
 std::string explanation_text(const Explanation& explanation, const Scene& scene, const ExplainStyle& style);
+
+/// A line a sample: its value, and what its camera ray hits. The explanation must be of all samples.
+std::string samples_text(const Explanation& explanation, const Scene& scene, const ExplainStyle& style);
 
 /// What one light (a number in Scene::lights) does where the sample's camera ray hits, and what would change
 /// it.
@@ -26,6 +30,11 @@ std::string print_rays(const Explanation& explanation, const Scene& scene, int y
 
 /// The number of a sample's camera ray.
 std::size_t camera_ray(const Explanation& explanation, int sample);
+
+/// "(0.5, 0.25, 0)", or one number for grey.
+std::string color_text(Color c);
+/// A piece of line in that colour, where the style has colours.
+std::string swatch(const ExplainStyle& style, Color c);
 
 /// "sphere 'ball' (castle.json:12:5)", as far as it is known.
 std::string shape_text(const Scene& scene, std::uint32_t shape);

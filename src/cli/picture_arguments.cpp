@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <fstream>
 
+#include "cli/commands.h"
 #include "cli/failure.h"
 #include "cli/text.h"
 
@@ -70,6 +71,27 @@ void add_settings(const PictureArguments& arguments, bool is_whole, SceneArgumen
     if (arguments.no_shadows) settings.emplace_back("shadows", "false");
     if (!arguments.reflections.empty()) settings.emplace_back("reflections", arguments.reflections);
     if (!arguments.aa.empty()) settings.emplace_back("aa", arguments.aa);
+}
+
+void add_number_arguments(CLI::App& command, NumberArguments& a) {
+    command
+        .add_option("--transfer", a.transfer,
+                    "none: the numbers as computed (default); srgb: the sRGB curve, to mix with photographs. "
+                    "OpenEXR is always linear")
+        ->check(one_of({"none", "srgb"}))
+        ->option_text("none|srgb");
+    command
+        .add_option("--bits", a.bits,
+                    "Bits a channel of PNG and PPM: 8 (default) or 16; OpenEXR is 32-bit float")
+        ->check(one_of({"8", "16"}))
+        ->option_text("8|16");
+}
+
+EncodeOptions encoding_of(const NumberArguments& arguments) {
+    EncodeOptions options;
+    options.bits = arguments.bits;
+    options.transfer = arguments.transfer == "srgb" ? Transfer::srgb : Transfer::none;
+    return options;
 }
 
 }  // namespace glint::cli

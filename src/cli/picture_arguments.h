@@ -20,6 +20,18 @@ void add_picture_arguments(CLI::App& command, PictureArguments& arguments);
 /// whole picture is kept.
 void add_settings(const PictureArguments& arguments, bool is_whole, SceneArguments& scene);
 
+/// What becomes of the picture's numbers in a file.
+struct NumberArguments {
+    std::string transfer = "none";
+    int bits = 8;
+};
+
+/// Adds --transfer and --bits.
+void add_number_arguments(CLI::App& command, NumberArguments& arguments);
+
+/// As encode() takes them.
+EncodeOptions encoding_of(const NumberArguments& arguments);
+
 /// Throws Failure if this machine has not the memory for a picture. bytes: a pixel; a picture alone has three
 /// floats.
 void check_memory(double width, double height, double bytes = 12);

@@ -9,8 +9,9 @@
 namespace glint::cli {
 
 std::string print_rays(const Explanation& e, const Scene& scene, int y, const ExplainStyle& style) {
-    std::string text = fmt::format("Pixel: [{}, {}] Color: ({}, {}, {})\n", e.x, y, to_byte(e.value[0]),
-                                   to_byte(e.value[1]), to_byte(e.value[2]));
+    const auto written = [&](float v) { return to_number(v, style.file.bits, style.file.transfer); };
+    std::string text = fmt::format("Pixel: [{}, {}] Color: ({}, {}, {})\n", e.x, y, written(e.value[0]),
+                                   written(e.value[1]), written(e.value[2]));
     auto out = std::back_inserter(text);
     const auto braces = [](double a, double b, double c, std::string_view separator) {
         return fmt::format("{{{:.4f}{}{:.4f}{}{:.4f}}}", a, separator, b, separator, c);

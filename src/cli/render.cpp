@@ -36,9 +36,10 @@ constexpr auto k_examples = R"(Examples:
 struct RenderArguments {
     SceneArguments scene;
     PictureArguments picture;
-    std::string output, aov, crop, transfer = "none", isa, stats;
+    NumberArguments numbers;
+    std::string output, aov, crop, isa, stats;
     bool show = false, quiet = false;
-    int bits = 8, threads = 0;
+    int threads = 0;
 };
 
 using Clock = std::chrono::steady_clock;
@@ -107,10 +108,8 @@ int render_command(RenderArguments& arguments) {
     const std::string path =
         arguments.output.empty() ? default_output(arguments.scene.files.front()) : arguments.output;
     const OutputFile output(path);
-    EncodeOptions encoding;
+    EncodeOptions encoding = encoding_of(arguments.numbers);
     encoding.format = format_of(path, output);
-    encoding.bits = arguments.bits;
-    encoding.transfer = arguments.transfer == "srgb" ? Transfer::srgb : Transfer::none;
     encoding.threads = arguments.threads;
     if (output.is_standard_output()) {
         if (arguments.show)
@@ -204,18 +203,7 @@ Run add_render(CLI::App& app) {
     add_layer_argument(command, a.aov);
     command.add_option("--crop", a.crop, "Only this part of the picture; X and Y count from its top left")
         ->option_text("WxH+X+Y");
-    command
-        .add_option("--transfer", a.transfer,
-                    "none: the numbers as computed (default); srgb: the sRGB curve, to mix with photographs. "
-                    "OpenEXR is "
-                    "always linear")
-        ->check(one_of({"none", "srgb"}))
-        ->option_text("none|srgb");
-    command
-        .add_option("--bits", a.bits,
-                    "Bits a channel of PNG and PPM: 8 (default) or 16; OpenEXR is 32-bit float")
-        ->check(one_of({"8", "16"}))
-        ->option_text("8|16");
+    add_number_arguments(command, a.numbers);
     command
         .add_option("-t,--threads", a.threads,
                     "Threads; 0 (default): one a processor. The picture is the same")

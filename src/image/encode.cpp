@@ -33,11 +33,15 @@ double srgb_encode(double linear) {
     return 1.055 * pow(linear, 1 / 2.4) - 0.055;
 }
 
-std::uint8_t to_byte(float value, Transfer transfer) {
+std::uint32_t to_number(float value, int bits, Transfer transfer) {
     const DefaultFpEnvironment environment;
-    std::uint8_t byte = 0;
-    quantize_row(&value, 1, 8, transfer, &byte);
-    return byte;
+    std::uint8_t bytes[2] = {};
+    quantize_row(&value, 1, bits, transfer, bytes);
+    return bits == 8 ? bytes[0] : bytes[0] * 256u + bytes[1];
+}
+
+std::uint8_t to_byte(float value, Transfer transfer) {
+    return static_cast<std::uint8_t>(to_number(value, 8, transfer));
 }
 
 void quantize_row(const float* values, std::size_t count, int bits, Transfer transfer, std::uint8_t* out) {

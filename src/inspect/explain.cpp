@@ -108,6 +108,17 @@ Explanation explain(const Scene& scene, const World& world, std::int32_t x, std:
     return e;
 }
 
+std::vector<Color> sample_values(const Explanation& explanation) {
+    std::vector<Color> values(static_cast<std::size_t>(explanation.samples) *
+                              static_cast<std::size_t>(explanation.samples));
+    for (const ExplainedRay& ray : explanation.rays) {
+        Color& value = values[static_cast<std::size_t>(ray.sample)];
+        value =
+            value + (ray.hit ? ray.hit->parts[0] + ray.hit->parts[1] + ray.hit->parts[2] : ray.background);
+    }
+    return values;
+}
+
 std::optional<Layer> layer_of(const Explanation& explanation, std::size_t ray) {
     const ExplainedRay* at = &explanation.rays[ray];
     if (at->parent < 0) return std::nullopt;

@@ -6,7 +6,6 @@
 
 #include "base/guard.h"
 #include "glint/explain.h"
-#include "math/quantize.h"
 
 namespace glint {
 namespace {
@@ -145,7 +144,7 @@ Json ray_json(const Explanation& e, const Scene& scene, std::size_t number) {
 
 }  // namespace
 
-std::string explanation_json(const Explanation& e, const Scene& scene) {
+std::string explanation_json(const Explanation& e, const Scene& scene, const EncodeOptions& file) {
     std::string text;
     const std::string failure = guard([&] {
         Json json = {{"pixel", {e.x, e.y}}, {"samples", e.samples}};
@@ -153,7 +152,9 @@ std::string explanation_json(const Explanation& e, const Scene& scene) {
             json["error"] = e.error;
         } else {
             json["value"] = to_json(e.value);
-            for (const float v : e.value) json["bytes"].push_back(quantize(static_cast<double>(v), 255));
+            json["transfer"] = file.transfer == Transfer::srgb ? "srgb" : "none";
+            for (const float v : e.value)
+                json[file.bits == 8 ? "bytes" : "words"].push_back(to_number(v, file.bits, file.transfer));
             for (int l = 0; l < k_light_layers; ++l)
                 json["layers"][std::string(layer_infos()[static_cast<std::size_t>(l)].name)] =
                     to_json(e.layers[l]);

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/process.h"
+#include "image/read_png.h"
 
 namespace glint::test {
 namespace {
@@ -44,6 +45,56 @@ TEST(Explain, TheBytesOfTheJsonAreTheFiles) {
                       .out,
                   r.out);
     }
+}
+
+TEST(Explain, TheNumbersAreThoseOfTheFileThatRenderWrites) {
+    const Folder folder;
+    const std::vector<std::string> cases[] = {
+        {"--bits", "8"}, {"--bits", "16"}, {"--transfer", "srgb"}, {"--transfer", "srgb", "--bits", "16"}};
+    for (const std::vector<std::string>& more : cases) {
+        std::vector<std::string> render = {"render", k_castle, "-s", "40x40", "-q", "-o", "c.png"},
+                                 tell = {"explain", k_castle, "-s", "40x40", "-p", "20,30"};
+        render.insert(render.end(), more.begin(), more.end());
+        tell.insert(tell.end(), more.begin(), more.end());
+        ASSERT_EQ(run(folder, render).code, 0);
+        const Picture picture = read_png(folder.path("c.png"));
+        ASSERT_EQ(picture.error, "");
+        const std::uint16_t* found = &picture.samples[3 * (30 * 40 + 20)];
+        const std::string numbers =
+            std::to_string(found[0]) + " " + std::to_string(found[1]) + " " + std::to_string(found[2]);
+        EXPECT_TRUE(contains(run(folder, tell).out, numbers + "\n")) << numbers << run(folder, tell).out;
+        tell.insert(tell.end(), {"--as", "json"});
+        const auto json = nlohmann::json::parse(run(folder, tell).out);
+        for (std::size_t c = 0; c < 3; ++c)
+            EXPECT_EQ(json[picture.bits == 8 ? "bytes" : "words"][c], found[c]) << more.back();
+        tell.back() = "printrays";
+        const std::string course = "Color: (" + std::to_string(found[0]) + ", " + std::to_string(found[1]);
+        EXPECT_TRUE(contains(run(folder, tell).out, course)) << more.back();
+    }
+    EXPECT_EQ(run(folder, {"explain", k_castle, "-p", "1,1", "--bits", "12"}).code, 2);
+    EXPECT_EQ(run(folder, {"explain", k_castle, "-p", "1,1", "--transfer", "gamma"}).code, 2);
+}
+
+TEST(Explain, ListsTheSamples) {
+    const Folder folder;
+    folder.write("a.glint",
+                 "camera { position = (0, 0, 4)  look_at = (0, 0, 0) }\nbackground = (0, 0, 1)\n"
+                 "light { type = ambient  intensity = 1 }\n"
+                 "plane \"wall\" { point = (0, 0, 0)  normal = (1, 0, 0)  color = (1, 0, 0)  ambient = 1 }\n"
+                 "sphere \"ball\" { center = (0, 0, 0)  radius = 1  color = (1, 0.5, 0)  ambient = 1 }\n");
+    const std::vector<std::string> tell = {"explain", "a.glint", "-s", "9x9", "-p", "5,2", "--aa", "2"};
+    const Finished r = run(folder, tell);
+    EXPECT_EQ(r.code, 0) << r.err;
+    EXPECT_TRUE(
+        r.out.ends_with("its samples, column and row\n"
+                        "    0,0  (0, 0, 1)    hits nothing\n"
+                        "    1,0  (0, 0, 1)    hits nothing\n"
+                        "    0,1  (1, 0.5, 0)  sphere 'ball' (a.glint:5:1)\n"
+                        "    1,1  (0, 0, 1)    hits nothing; told above\n"))
+        << r.out;
+    EXPECT_FALSE(contains(run(folder, {"explain", "a.glint", "-s", "9x9", "-p", "5,2"}).out, "its samples"));
+    EXPECT_FALSE(contains(run(folder, {"explain", "a.glint", "-s", "9x9", "-p", "5,2", "--aa", "9"}).out,
+                          "its samples"));
 }
 
 // CSC 473's layout, to the blank: a ball before nothing, in a mirror.

@@ -214,6 +214,14 @@ TEST(Explain, OneSampleAlone) {
         for (int c = 0; c < 3; ++c) EXPECT_EQ(one.value[c], all.value[c]);
     }
     EXPECT_EQ(rays, all.rays.size());
+    const std::vector<Color> values = sample_values(all);
+    ASSERT_EQ(values.size(), 9u);
+    Color sum;
+    for (const Color& v : values) sum = sum + v;
+    EXPECT_NEAR(sum.r / 9, all.value[0], 1e-6);
+    EXPECT_NEAR(sum.g / 9, all.value[1], 1e-6);
+    EXPECT_NEAR(sum.b / 9, all.value[2], 1e-6);
+    EXPECT_FALSE(values[0] == values[8]) << "an edge: the samples differ";
     EXPECT_NE(explain(*scene, *world, 15, 20, {9, {}}).error, "");
 }
 
