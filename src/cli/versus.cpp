@@ -27,6 +27,7 @@ constexpr auto k_examples = R"(Examples:
   glint versus castle.json --a reflections=0 --b reflections=3 -o mirrors.png)";
 
 constexpr double k_matching_factor = 4;  // of exponents: docs/lighting.md
+constexpr std::int32_t k_line = 4;       // pixels between the pictures
 
 struct VersusArguments {
     SceneArguments scene;
@@ -99,14 +100,17 @@ std::optional<RenderSettings> size_of_scene(const VersusArguments& arguments) {
     return load_scene(arguments.scene).scene.settings;
 }
 
-// A, B and their difference beside each other.
+// A, B and their difference beside each other, with a light line between.
 Image beside(const Image& a, const Image& b, const Image& difference) {
-    Image all{3 * a.width, a.height, std::vector<float>(3 * a.rgb.size())};
-    const auto row = static_cast<std::ptrdiff_t>(3) * a.width;
-    auto to = all.rgb.begin();
+    const std::ptrdiff_t row = std::ptrdiff_t{3} * a.width, step = row + 3 * k_line;
+    Image all{3 * a.width + 2 * k_line, a.height, {}};
+    all.rgb.assign(static_cast<std::size_t>(3) * all.width * all.height, 1);
     for (std::ptrdiff_t y = 0; y < a.height; ++y) {
-        for (const Image* image : {&a, &b, &difference})
-            to = std::copy_n(image->rgb.begin() + y * row, row, to);
+        auto to = all.rgb.begin() + y * 3 * all.width;
+        for (const Image* image : {&a, &b, &difference}) {
+            std::copy_n(image->rgb.begin() + y * row, row, to);
+            if (image != &difference) to += step;
+        }
     }
     return all;
 }

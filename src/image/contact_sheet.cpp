@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::int32_t k_gap = 6, k_wide_gap = 18;            // pixels: between cells, and beside a head
 constexpr std::int32_t k_least_side = 16, k_most_side = 160;  // pixels of a picture
-constexpr float k_paper = 0.15f;
+constexpr float k_paper = 0.15f, k_frame = 0.35f;
 
 // Digits of 3 x 5 dots, a row in three bits: enough to tell the pictures by the table's numbers.
 constexpr std::array<std::array<std::uint8_t, 5>, 10> k_digits = {{{7, 5, 5, 5, 7},
@@ -36,6 +36,11 @@ void put(Image& sheet, const Image& picture, std::int32_t x, std::int32_t y) {
         std::copy_n(&picture.rgb[3 * static_cast<std::size_t>(v) * picture.width], 3 * picture.width,
                     &sheet.rgb[3 * (static_cast<std::size_t>(y + v) * sheet.width + x)]);
     }
+}
+
+void put_frame(Image& sheet, std::int32_t x, std::int32_t y, std::int32_t width, std::int32_t height) {
+    fill(sheet, x, y, width, height, k_frame);
+    fill(sheet, x + 1, y + 1, width - 2, height - 2, k_paper);
 }
 
 // In dots of two pixels, where the cell is as wide as that.
@@ -141,13 +146,15 @@ Image contact_sheet(const std::vector<SheetCell>& cells, const SheetLayout& layo
     }
     const Grid grid(cells.size(), layout);
     const std::size_t block_width = across(grid.columns, width) + k_wide_gap;
+    const std::size_t saved = grid.head * static_cast<std::size_t>(height);  // a head has no differences
     Image sheet{static_cast<std::int32_t>(grid.blocks * block_width - k_wide_gap + k_gap),
-                static_cast<std::int32_t>(down(grid.rows, height) + k_gap),
+                static_cast<std::int32_t>(down(grid.rows, height) - saved + k_gap),
                 {}};
     sheet.rgb.assign(std::size_t{3} * sheet.width * sheet.height, k_paper);
     const auto put_cell = [&](const SheetCell& cell, std::size_t block, std::size_t row, std::size_t column) {
         const auto x = static_cast<std::int32_t>(k_gap + block * block_width + across(column, width));
-        const auto y = static_cast<std::int32_t>(k_gap + down(row, height));
+        const auto y = static_cast<std::int32_t>(k_gap + down(row, height) - (row == 0 ? 0 : saved));
+        if (cell.picture.rgb.empty()) put_frame(sheet, x, y, width, height);
         put(sheet, cell.picture, x, y);
         put(sheet, cell.difference, x, y + height + k_gap / 2);
         if (cell.number >= 0) put_number(sheet, cell.number, x, y, width + k_gap);

@@ -10,7 +10,7 @@ namespace glint {
 
 /// A picture and below it its difference from what it should be, both scaled down.
 struct SheetCell {
-    Image picture;     ///< without pixels: nothing was handed in, the cell stays dark
+    Image picture;     ///< without pixels: nothing was handed in, and the cell is an empty frame
     Image difference;  ///< without pixels: there is none
     int number = 0;    ///< drawn in the corner; negative: none
 };

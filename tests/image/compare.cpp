@@ -198,15 +198,27 @@ TEST(ContactSheet, IsNeverTooLargeForAFile) {
     EXPECT_FALSE(lay_out_list(100000));
 }
 
+TEST(ContactSheet, WhatIsMissingIsAFrame) {
+    const Image sheet = contact_sheet({{flat(20, 10, 1), {}, -1}, {{}, {}, -1}}, {20, 2, 0});
+    const auto at = [&](int x, int y) {
+        return sheet.rgb[3 * static_cast<std::size_t>(y * sheet.width + x)];
+    };
+    EXPECT_EQ(at(6, 6), 1.0f);
+    EXPECT_GT(at(32, 6), at(33, 7));
+    EXPECT_GT(at(51, 15), at(50, 14));
+    EXPECT_EQ(at(40, 10), at(0, 0));
+}
+
 TEST(ContactSheet, ALongTableGoesOnBesideItself) {
     std::vector<SheetCell> cells;  // a head and five rows of two columns
     for (int i = 0; i < 12; ++i) cells.push_back({flat(20, 20, i < 2 ? 1.0f : 0.5f), {}, -1});
     const Image sheet = contact_sheet(cells, {20, 2, 3});
-    ASSERT_EQ(sheet.height, 4 * 52 + 6);  // two blocks of three rows and two, each below the head
+    ASSERT_EQ(sheet.height, 32 + 3 * 52 + 6);  // two blocks of three rows and two, each below the head
     ASSERT_EQ(sheet.width, 2 * (2 * 26 + 18) - 18 + 6);
     const auto at = [&](int block, int row, int column) {
-        return sheet.rgb[3 * ((6 + row * 52 + 10) * static_cast<std::size_t>(sheet.width) + 6 + block * 70 +
-                              column * 26 + 10)];
+        return sheet
+            .rgb[3 * ((6 + row * 52 - (row == 0 ? 0 : 20) + 10) * static_cast<std::size_t>(sheet.width) + 6 +
+                      block * 70 + column * 26 + 10)];
     };
     for (const int block : {0, 1}) {
         for (const int column : {0, 1}) {
