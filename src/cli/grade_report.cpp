@@ -33,6 +33,14 @@ std::string aligned(const std::vector<std::vector<std::string>>& rows, std::size
     return text;
 }
 
+// A file's name in a table for people: a student may call it what moves the terminal's cursor.
+std::string printable(std::string name) {
+    for (char& c : name) {
+        if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = '?';
+    }
+    return name;
+}
+
 // RFC 4180; and a leading = + - @ would be a formula to a spreadsheet, which a file's name must not be.
 std::string csv_cell(const std::string& text) {
     std::string safe = text;
@@ -107,7 +115,8 @@ std::string text_table(const std::vector<GradedPicture>& pictures) {
     for (std::size_t i = 0; i < pictures.size(); ++i) {
         const GradedPicture& p = pictures[i];
         const PictureDifference& d = p.difference;
-        std::vector<std::string> row = {std::to_string(i + 1), p.name, "-", "-", "-", "-", verdict(p)};
+        std::vector<std::string> row = {
+            std::to_string(i + 1), printable(p.name), "-", "-", "-", "-", verdict(p)};
         if (p.error.empty()) {
             row[2] = percent_text(d.all.equal, d.all.pixels);
             row[3] = percent_text(d.interiors.within, d.interiors.pixels);
@@ -186,11 +195,12 @@ std::string text_table(const std::vector<RubricRow>& rubric,
     std::string notes;
     for (std::size_t i = 0; i < submissions.size(); ++i) {
         const GradedSubmission& s = submissions[i];
-        rows.push_back({std::to_string(i + 1), s.name});
+        const std::string name = printable(s.name);
+        rows.push_back({std::to_string(i + 1), name});
         for (std::size_t k = 0; k < rubric.size(); ++k) {
             rows.back().push_back(points_text(s.parts[k].score.points));
             const std::string note = part_note(rubric[k], s.parts[k]);
-            if (!note.empty()) notes += fmt::format("{}, {}: {}\n", s.name, rubric[k].part, note);
+            if (!note.empty()) notes += fmt::format("{}, {}: {}\n", name, rubric[k].part, note);
         }
         rows.back().push_back(points_text(s.total()));
     }

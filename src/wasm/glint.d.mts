@@ -198,6 +198,8 @@ export interface Explanation {
     samples: number;
     error?: string;
     value: Vec3;
+    /** Of the file that has these bytes. */
+    transfer: 'none';
     bytes: Vec3;
     layers: Record<LightLayer, Vec3>;
     rays: ExplainedRay[];

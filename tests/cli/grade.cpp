@@ -299,12 +299,15 @@ TEST_F(Grade, MistakesInARubricHaveTheirPlace) {
     EXPECT_TRUE(contains(empty.err, "the rubric has no parts")) << empty.err;
 }
 
-// A file's name is not to become a formula in a spreadsheet.
-TEST_F(Grade, NamesAreTextInCsv) {
+// A file's name is not to become a formula in a spreadsheet, nor to clear a terminal.
+TEST_F(Grade, NamesAreText) {
     draw("right.png", {});
     draw("in/=1+2.png", {});
     draw("in/a,\"b\".png", {});
-    ASSERT_EQ(grade({"in", "--reference", "right.png", "--csv", "t.csv"}).code, 0);
+    draw("in/\x1b[2J\nx.png", {});
+    const Finished r = grade({"in", "--reference", "right.png", "--csv", "t.csv"});
+    ASSERT_EQ(r.code, 0) << r.err;
+    EXPECT_TRUE(contains(r.out, "?[2J?x ")) << r.out;
     const std::string csv = folder.read("t.csv");
     EXPECT_TRUE(contains(csv, "\n'=1+2,")) << csv;
     EXPECT_TRUE(contains(csv, "\n\"a,\"\"b\"\"\",")) << csv;
