@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 #include "cli/interrupt.h"
@@ -38,8 +39,7 @@ std::string progress_text(double fraction, double seconds_so_far) {
     const int filled = static_cast<int>(std::clamp(fraction, 0.0, 1.0) * width);
     std::string left;
     if (fraction > 0.005) {
-        const auto seconds =
-            static_cast<long>(std::min(seconds_so_far * (1 - fraction) / fraction, 3.6e6) + 0.5);
+        const long seconds = std::lround(std::min(seconds_so_far * (1 - fraction) / fraction, 3.6e6));
         left = seconds >= 3600
                    ? fmt::format("  {}:{:02}:{:02} left", seconds / 3600, seconds / 60 % 60, seconds % 60)
                    : fmt::format("  {}:{:02} left", seconds / 60, seconds % 60);

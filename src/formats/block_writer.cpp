@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <iterator>
 
 namespace glint {
@@ -24,7 +25,7 @@ bool is_control(char c) { return (static_cast<unsigned char>(c) < 0x20 && c != '
 // n with n / 255 == channel, or -1.
 int byte_of(double channel) {
     if (!(channel >= 0 && channel <= 1)) return -1;
-    const int n = static_cast<int>(channel * 255 + 0.5);
+    const int n = static_cast<int>(std::lround(channel * 255));
     return std::bit_cast<std::uint64_t>(n / 255.0) == std::bit_cast<std::uint64_t>(channel) ? n : -1;
 }
 

@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <cstring>
+#include <array>
+#include <bit>
+#include <cstdint>
 
 namespace glint {
 namespace {
@@ -142,8 +144,8 @@ bool read_material_key(GlintText& t, int key, MaterialKeys& keys) {
 }
 
 bool GlintMaterials::Less::operator()(std::uint32_t a, std::uint32_t b) const {
-    static_assert(sizeof(Material) == 22 * sizeof(double), "a padding would be compared too");
-    return std::memcmp(&(*materials)[a], &(*materials)[b], sizeof(Material)) < 0;
+    using Bits = std::array<std::uint64_t, sizeof(Material) / sizeof(double)>;  // any order will do
+    return std::bit_cast<Bits>((*materials)[a]) < std::bit_cast<Bits>((*materials)[b]);
 }
 
 GlintMaterials& GlintMaterials::of(Reading& reading) {
