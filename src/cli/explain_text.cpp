@@ -126,7 +126,7 @@ class Tree {
 
   private:
     void line(int depth, const std::string& content) {
-        text.append(static_cast<std::size_t>(2 * std::min(depth, 40)), ' ');
+        text.append(2 * static_cast<std::size_t>(std::min(depth, 40)), ' ');
         text += content;
         text += '\n';
     }

@@ -195,6 +195,7 @@ int grade_by_rubric(const GradeArguments& arguments, const Scene& scene, const s
     const std::vector<Submission> submissions = list_folders(arguments.folder);
     const std::size_t count = submissions.size(), columns = rows.size();
     std::vector<GradedSubmission> graded;
+    graded.reserve(submissions.size());
     for (const Submission& s : submissions) graded.push_back({s.name, std::vector<GradedPart>(columns)});
     const std::size_t cells = (count + 1) * columns;
     GradeSheet sheet(outputs.sheet, lay_out_table(count, columns), cells);

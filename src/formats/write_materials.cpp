@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cmath>
 #include <functional>
 #include <optional>
 #include <set>
@@ -33,7 +34,7 @@ std::optional<double> coefficient(Color color, Color k) {
     double power = 1;
     for (int decimals = 0; decimals <= 15; ++decimals, power *= 10) {
         // A whole number below 2^53 over a power of ten is the double nearest to that decimal.
-        const double c = static_cast<double>(static_cast<std::int64_t>(quotient * power + 0.5)) / power;
+        const double c = std::round(quotient * power) / power;
         if (gives_k(c)) return c;
     }
     const auto bits = std::bit_cast<std::uint64_t>(quotient);

@@ -123,7 +123,8 @@ void check_twins(Subject& subject, std::vector<bool>& covered) {
 // A pair of shapes whose surfaces coincide.
 struct Pair {
     std::uint32_t earlier, later;
-    friend auto operator<=>(const Pair&, const Pair&) = default;
+    friend auto operator<=>(const Pair&,
+                            const Pair&) = default;  // NOLINT(modernize-use-nullptr): there is no 0
 };
 
 // How far apart two surfaces are that a ray leaving one of them cannot tell apart: the offset's epsilon as a

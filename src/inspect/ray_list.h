@@ -12,7 +12,7 @@
 namespace glint {
 
 /// Rays as columns, padded as the kernels want it.
-class RayList {
+class RayList {  // NOLINT(bugprone-reserved-identifier): the compiler's own, in copying columns_
   public:
     RayList() {
         for (auto& c : columns_) c.resize(k_ray_padding);
