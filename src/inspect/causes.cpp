@@ -9,7 +9,8 @@
 #include "base/fp_environment.h"
 #include "base/guard.h"
 #include "glint/compare.h"
-#include "glint/render.h"
+#include "inspect/cause_ranking.h"
+#include "inspect/draw_picture.h"
 #include "inspect/picture_causes.h"
 #include "inspect/scene_causes.h"
 
@@ -19,38 +20,13 @@ namespace {
 // The scene's own picture stands for a picture from which it differs by less than this part of the difference
 // to be explained.
 constexpr double k_same_part = 0.1;
-// Of causes that explain nearly the same (by this part of the difference) the simplest, which is the earliest
-// in the table, is named first.
-constexpr double k_tie = 0.003;
-// Another look is taken if nothing explains the one share, and what can be bent is dropped if something else
-// explains the other.
-constexpr double k_explained_partly = 0.7, k_explained_well = 0.9;
 // What is fitted to the picture has to explain more.
 constexpr double k_least_fitted = 0.85;
-// In 255ths: less is nothing to explain.
-constexpr double k_least_calm = 0.01;
 
 std::string capital(std::string text) {
     if (text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 'a' + 'A');
     return text;
 }
-
-struct Candidate {
-    Cause cause;
-    double least = k_least_explained;
-    int freedom = 0;     // PictureCause::freedom
-    Distance left = {};  // from the picture to explain
-};
-
-// One picture to explain, and what has been found about it.
-struct Search {
-    BytePicture faulty;
-    CauseReport report;
-    Distance whole;  // what there is to explain
-    std::vector<Candidate> found;
-
-    bool is_open() const { return report.error.empty() && whole.all > 0; }
-};
 
 struct Drawn {
     Image image;
@@ -115,12 +91,7 @@ class CauseFinder {
     }
 
     std::optional<Drawn> draw(const Scene& scene) const {
-        const PrepareResult prepared = prepare(scene, options_.threads);
-        if (!prepared.world) return std::nullopt;
-        RenderOptions options;
-        options.threads = options_.threads;
-        options.cancel = options_.cancel;
-        RenderResult result = render(*prepared.world, options);
+        RenderResult result = draw_picture(scene, options_.threads, options_.cancel);
         if (!result.image) return std::nullopt;
         Drawn drawn{std::move(*result.image), {}};
         drawn.bytes = to_bytes(drawn.image, options_.threads);
@@ -211,61 +182,6 @@ class CauseFinder {
                     fmt::format("{} is {:.3g} times what it should be.", capital(cause.part), *factor), 0, 0,
                     true},
                    k_least_fitted});
-        }
-    }
-
-    // Fills in what each explains, of the whole or of what is away from edges, and drops what explains too
-    // little.
-    static std::vector<Candidate> explaining(const Search& search, bool calm) {
-        std::vector<Candidate> list = search.found;
-        const double whole = calm ? search.whole.calm : search.whole.all;
-        for (Candidate& c : list) {
-            c.cause.remaining = calm ? c.left.calm : c.left.all;
-            c.cause.explained = 1 - c.cause.remaining / whole;
-        }
-        // Of what can be bent, edges are what it bends.
-        std::erase_if(
-            list, [&](const Candidate& c) { return c.cause.explained < c.least || (calm && c.freedom > 0); });
-        for (int freedom = 0; freedom < 2; ++freedom) {
-            if (explains(list, freedom, k_explained_well))
-                std::erase_if(list, [&](const Candidate& c) { return c.freedom > freedom; });
-        }
-        return list;
-    }
-
-    // Does a candidate of no more freedom explain this much?
-    static bool explains(const std::vector<Candidate>& list, int freedom, double share) {
-        return std::any_of(list.begin(), list.end(), [&](const Candidate& c) {
-            return c.freedom <= freedom && c.cause.explained >= share;
-        });
-    }
-
-    // The best first, one of each name.
-    void rank(Search& search) const {
-        if (!search.is_open()) return;
-        CauseReport& report = search.report;
-        std::vector<Candidate> found = explaining(search, false);
-        double whole = search.whole.all;
-        if (!explains(found, 2, k_explained_partly) && search.whole.calm > k_least_calm) {
-            std::vector<Candidate> calm = explaining(search, true);
-            if (explains(calm, 0, k_explained_partly)) {
-                found = std::move(calm);
-                whole = search.whole.calm;
-                report.away_from_edges = true;
-            }
-        }
-        std::vector<Cause>& causes = report.causes;
-        while (!found.empty()) {
-            const auto least = std::min_element(found.begin(), found.end(), [](const auto& x, const auto& y) {
-                return x.cause.remaining < y.cause.remaining;
-            });
-            const double limit = least->cause.remaining + (least->cause.remaining > 0 ? k_tie * whole : 0);
-            const auto best = std::find_if(found.begin(), found.end(),
-                                           [&](const auto& c) { return c.cause.remaining <= limit; });
-            Cause cause = std::move(best->cause);
-            std::erase_if(found,
-                          [&](const Candidate& c) { return c.cause.name == cause.name || &c == &*best; });
-            causes.push_back(std::move(cause));
         }
     }
 

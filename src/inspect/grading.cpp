@@ -4,21 +4,10 @@
 #include <cstdlib>
 
 #include "base/guard.h"
-#include "glint/render.h"
+#include "inspect/draw_picture.h"
 
 namespace glint {
 namespace {
-
-std::string draw(const Scene& scene, int threads, Image& image) {
-    const PrepareResult prepared = prepare(scene, threads);
-    if (!prepared.world) return "the scene cannot be drawn";
-    RenderOptions options;
-    options.threads = threads;
-    RenderResult result = render(*prepared.world, options);
-    if (!result.image) return result.error;
-    image = std::move(*result.image);
-    return {};
-}
 
 bool is_right(const std::uint8_t* a, const std::uint8_t* b) {
     for (int c = 0; c < 3; ++c) {
@@ -48,18 +37,20 @@ WantedPicture draw_wanted(const Scene& scene, const RubricRow& row, int threads)
     WantedPicture wanted;
     std::string failure = guard([&] {
         wanted.scene = with_settings(scene, row.settings);
-        wanted.error = draw(wanted.scene, threads, wanted.image);
-        if (!wanted.error.empty()) return;
+        RenderResult drawn = draw_picture(wanted.scene, threads);
+        wanted.error = drawn.error;
+        if (!drawn.image) return;
+        wanted.image = std::move(*drawn.image);
         wanted.bytes = to_bytes(wanted.image, threads);
         for (std::size_t i = 0; i < wanted.image.rgb.size(); ++i)
             wanted.image.rgb[i] = static_cast<float>(wanted.bytes.rgb[i]) / 255;
         wanted.counts = edges_of(wanted.bytes, threads);
         for (std::uint8_t& mark : wanted.counts) mark = mark == 0;
         if (row.without.empty()) return;
-        Image image;
-        wanted.error = draw(with_settings(wanted.scene, row.without), threads, image);
-        if (!wanted.error.empty()) return;
-        const BytePicture without = to_bytes(image, threads);
+        drawn = draw_picture(with_settings(wanted.scene, row.without), threads);
+        wanted.error = drawn.error;
+        if (!drawn.image) return;
+        const BytePicture without = to_bytes(*drawn.image, threads);
         wanted.shows = wanted.counts;
         for (std::size_t i = 0; i < wanted.shows.size(); ++i) {
             if (is_right(&without.rgb[3 * i], &wanted.bytes.rgb[3 * i])) wanted.shows[i] = 0;
