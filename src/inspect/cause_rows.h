@@ -2,6 +2,7 @@
 // The tables of faults that a scene is drawn with: when a fault can matter, and the change of the scene.
 #include <algorithm>
 #include <span>
+#include <string>
 
 #include "glint/scene.h"
 
@@ -10,10 +11,12 @@ namespace glint {
 struct CauseRow {
     const char* name;
     bool (*applies)(const Scene&);
-    void (*put)(Scene&);
-    const char* explanation;
+    void (*put)(Scene&) = nullptr;
+    const char* explanation = "";
     const char* part = "";
     const char* scaled = "";
+    void (*scale)(Scene&, double) = nullptr;  ///< then the cause is a factor, and the next its explanation
+    std::string (*scale_text)(double, bool) = nullptr;
 };
 
 /// Of the lighting equation; of rays.

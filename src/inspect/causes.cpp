@@ -11,6 +11,7 @@
 #include "glint/compare.h"
 #include "inspect/cause_ranking.h"
 #include "inspect/draw_picture.h"
+#include "inspect/factor_search.h"
 #include "inspect/picture_causes.h"
 #include "inspect/scene_causes.h"
 
@@ -21,7 +22,10 @@ namespace {
 // to be explained.
 constexpr double k_same_part = 0.1;
 // What is fitted to the picture has to explain more.
-constexpr double k_least_fitted = 0.85;
+constexpr double k_least_fitted = 0.85, k_least_factor = 0.5;
+// A factor is looked for from 1 to these, and no further where no more than this part of the difference
+// stays.
+constexpr double k_most_factor = 16, k_enough = 0.001;
 
 std::string capital(std::string text) {
     if (text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 'a' + 'A');
@@ -150,9 +154,14 @@ class CauseFinder {
     void try_scenes(std::vector<Search>& searches) {
         const std::vector<SceneCause> causes = scene_causes(*scene_);
         for (std::size_t i = 0; i < causes.size() && !is_cancelled(); ++i) {
-            Scene scene = *scene_;
-            causes[i].put(scene);
-            const std::optional<Drawn> made = draw(scene);
+            std::optional<Drawn> made;
+            if (causes[i].scale) {
+                try_factors(searches, causes[i]);
+            } else {
+                Scene scene = *scene_;
+                causes[i].put(scene);
+                made = draw(scene);
+            }
             if (options_.progress)
                 options_.progress(static_cast<double>(i + 1) / static_cast<double>(causes.size()));
             // What changes nothing in this scene explains nothing.
@@ -162,6 +171,81 @@ class CauseFinder {
                     judge(search, made->bytes, {{causes[i].name, causes[i].explanation, 0, 0, true}});
             }
             if (!causes[i].part.empty()) try_multiples(searches, causes[i], *made);
+        }
+    }
+
+    // How the search for one picture's factor goes.
+    struct Walk {
+        Distance at_one;   // what stays with the factor 1
+        TriedFactor best;  // so far
+        bool leads = false, goes_on = false;
+    };
+
+    std::optional<Drawn> draw_scaled(const SceneCause& cause, double factor) const {
+        Scene scene = *scene_;
+        if (cause.put) cause.put(scene);
+        cause.scale(scene, factor);
+        return draw(scene);
+    }
+
+    // A number of the scene by a factor that is fitted: from 1 by powers of two as long as it gets better,
+    // then to the bottom of the valley.
+    void try_factors(std::vector<Search>& searches, const SceneCause& cause) const {
+        const std::optional<Drawn> one = draw_scaled(cause, 1);
+        if (!one) return;
+        std::vector<Walk> walks(searches.size());
+        for (std::size_t i = 0; i < searches.size(); ++i) {
+            if (!searches[i].is_open()) continue;
+            walks[i].at_one = distance(one->bytes, target(searches[i]), edges_);
+            walks[i].best = {1, walks[i].at_one.all};
+        }
+        for (const double step : {2.0, 0.5}) walk(searches, cause, one->bytes, step, walks);
+        for (std::size_t i = 0; i < searches.size() && !is_cancelled(); ++i) {
+            Search& search = searches[i];
+            const double enough = k_enough * search.whole.all;
+            const bool is_explained =
+                std::any_of(search.found.begin(), search.found.end(),
+                            [&](const Candidate& c) { return c.freedom == 0 && c.left.all <= enough; });
+            if (!walks[i].leads || is_explained) continue;
+            TriedFactor best = walks[i].best;
+            if (best.left > enough) {
+                best = refine_factor(best, best.factor / 2, best.factor * 2, enough,
+                                     [&](double factor) -> std::optional<double> {
+                                         const auto made = draw_scaled(cause, factor);
+                                         if (!made) return std::nullopt;
+                                         return distance(made->bytes, target(search), edges_).all;
+                                     });
+            }
+            const std::optional<Drawn> made = draw_scaled(cause, best.factor);
+            if (!made || made->bytes.rgb == one->bytes.rgb) continue;
+            judge(search, made->bytes,
+                  {{cause.name, cause.scale_text(best.factor, best.left > enough), 0, 0, true},
+                   k_least_factor});
+        }
+    }
+
+    // A picture lies on the way from `one` to a factor as far as going there is no detour.
+    void walk(std::vector<Search>& searches, const SceneCause& cause, const BytePicture& one, double step,
+              std::vector<Walk>& walks) const {
+        for (std::size_t i = 0; i < searches.size(); ++i) walks[i].goes_on = searches[i].is_open();
+        const auto goes_on = [](const Walk& w) { return w.goes_on; };
+        for (double factor = step; factor <= k_most_factor && factor * k_most_factor >= 1; factor *= step) {
+            if (std::none_of(walks.begin(), walks.end(), goes_on) || is_cancelled()) return;
+            const std::optional<Drawn> made = draw_scaled(cause, factor);
+            if (!made || made->bytes.rgb == one.rgb) return;
+            const Distance moved = distance(made->bytes, one, edges_);
+            for (std::size_t i = 0; i < searches.size(); ++i) {
+                Walk& w = walks[i];
+                if (!w.goes_on) continue;
+                const Distance left = distance(made->bytes, target(searches[i]), edges_);
+                const auto is_on_the_way = [](double from_one, double way, double rest) {
+                    return (from_one + way - rest) / 2 > k_least_explained * from_one;
+                };
+                w.leads = w.leads || is_on_the_way(w.at_one.all, moved.all, left.all) ||
+                          is_on_the_way(w.at_one.calm, moved.calm, left.calm);
+                w.goes_on = left.all < w.best.left;
+                if (w.goes_on) w.best = {factor, left.all};
+            }
         }
     }
 

@@ -1,18 +1,31 @@
 // Faults of the lighting equation.
+#include <fmt/format.h>
+
 #include "inspect/cause_rows.h"
+#include "inspect/factor_search.h"
 
 namespace glint {
 namespace {
 
-template <int Numerator, int Denominator> void scale_exponents(Scene& s) {
-    for_each_material(s, [](Material& m) { m.shininess = m.shininess * Numerator / Denominator; });
+void scale_exponents(Scene& s, double factor) {
+    for_each_material(s, [=](Material& m) { m.shininess = m.shininess * factor; });
 }
 void swap_model(Scene& s) {
     s.settings.shading = s.settings.shading == Shading::phong ? Shading::blinn_phong : Shading::phong;
 }
-template <int Numerator, int Denominator> void swap_model_and_scale(Scene& s) {
-    swap_model(s);
-    scale_exponents<Numerator, Denominator>(s);
+bool is_about_four(double factor) { return factor > 3 && factor < 5; }
+std::string exponent_text(double factor, bool about) {
+    std::string text = fmt::format("The specular exponent is {} what it should be: highlights are too {}.",
+                                   factor_text(factor, about), factor < 1 ? "wide" : "small");
+    if (is_about_four(1 / factor)) text += " (Blinn-Phong's needs to be about four times Phong's.)";
+    if (is_about_four(factor))
+        text += " (Blinn-Phong's needs to be about four times Phong's, not Phong's itself.)";
+    return text;
+}
+std::string other_model_text(double factor, bool about) {
+    return fmt::format(
+        "The other model of the highlight (Phong for Blinn-Phong, or the reverse), with {} the exponent.",
+        factor_text(factor, about));
 }
 double largest(const Color& c) { return std::max({c.r, c.g, c.b}); }
 
@@ -41,30 +54,18 @@ constexpr CauseRow k_lighting[] = {
      "something."},
     {"shadows-added", [](const Scene& s) { return is_lit(s) && !s.settings.shadows; },
      [](Scene& s) { s.settings.shadows = true; }, "There are shadows where the reference has none."},
+    {.name = "exponent", .applies = has_highlights, .scale = scale_exponents, .scale_text = exponent_text},
+    {"exponent", has_highlights, [](Scene& s) { for_each_material(s, [](Material& m) { m.shininess = 1; }); },
+     "The specular exponent is 1: the highlight is not raised to the power n."},
     {"shading-model", has_highlights, swap_model,
      "The other model of the highlight: Phong uses (R.V)^n, Blinn-Phong (N.H)^n, which is about as wide as "
      "Phong's "
      "with a quarter of the exponent."},
-    {"exponent", has_highlights, scale_exponents<1, 2>,
-     "The specular exponent is half of what it should be: highlights are too wide."},
-    {"exponent", has_highlights, scale_exponents<2, 1>,
-     "The specular exponent is twice what it should be: highlights are too small."},
-    {"exponent", has_highlights, scale_exponents<1, 4>,
-     "The specular exponent is a quarter of what it should be: highlights are too wide. (Blinn-Phong's needs "
-     "to be "
-     "about four times Phong's.)"},
-    {"exponent", has_highlights, scale_exponents<4, 1>,
-     "The specular exponent is four times what it should be: highlights are too small. (Blinn-Phong's needs "
-     "to be "
-     "about four times Phong's, not Phong's itself.)"},
-    {"exponent", has_highlights, [](Scene& s) { for_each_material(s, [](Material& m) { m.shininess = 1; }); },
-     "The specular exponent is 1: the highlight is not raised to the power n."},
-    {"shading-model-and-exponent", has_highlights, swap_model_and_scale<4, 1>,
-     "The other model of the highlight (Phong for Blinn-Phong, or the reverse), with four times the "
-     "exponent."},
-    {"shading-model-and-exponent", has_highlights, swap_model_and_scale<1, 4>,
-     "The other model of the highlight (Phong for Blinn-Phong, or the reverse), with a quarter of the "
-     "exponent."},
+    {.name = "shading-model-and-exponent",
+     .applies = has_highlights,
+     .put = swap_model,
+     .scale = scale_exponents,
+     .scale_text = other_model_text},
     {"highlight-not-light-color", has_highlights,
      [](Scene& s) { for_each_light(s, [](Light& l) {
                         l.specular_color = {1, 1, 1};

@@ -154,7 +154,8 @@ Result scaled(const PictureSource& s) {
     if (!factor) return std::nullopt;
     Image image = s.reference;
     for (float& value : image.rgb) value *= static_cast<float>(*factor);
-    FaultyPicture out{to_bytes(image, s.threads), fmt::format("{:.3g}", *factor)};
+    FaultyPicture out{to_bytes(image, s.threads),
+                      fmt::format("{}{:.3g}", s.unclamped ? "" : "about ", *factor)};
     for (std::size_t i = 0; !s.unclamped && i < image.rgb.size();
          ++i) {  // a file's 255 may have been anything above
         if (s.bytes.rgb[i] == 255) out.picture.rgb[i] = std::max(out.picture.rgb[i], s.faulty.rgb[i]);

@@ -100,7 +100,8 @@ std::vector<SceneCause> scene_causes(const Scene& scene) {
     const auto add = [&](std::span<const CauseRow> rows) {
         for (const CauseRow& row : rows) {
             if (row.applies(scene))
-                causes.push_back({row.name, row.explanation, row.put, row.part, row.scaled});
+                causes.push_back(
+                    {row.name, row.explanation, row.put, row.part, row.scaled, row.scale, row.scale_text});
         }
     };
     add_single_lights(scene, causes);

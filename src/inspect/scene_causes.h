@@ -14,6 +14,10 @@ struct SceneCause {
     /// If the fault takes away a part of the sum of light: that part's name, "the ambient term". Then a
     /// multiple of it is tried, too, as the cause `scaled`.
     std::string part = {}, scaled = {};
+    /// If a number of the scene is a multiple of what it should be (after `put`, which may be empty): makes
+    /// it one, and says so, of a factor that is fitted. There is no other explanation then.
+    std::function<void(Scene&, double)> scale = {};
+    std::function<std::string(double factor, bool about)> scale_text = {};
 };
 
 /// The causes that can make a difference to this scene, simple ones first.
