@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <sstream>
 
 #include "cli/failure.h"
 #include "cli/text.h"
@@ -23,8 +22,14 @@ std::vector<Layer> parse(const std::string& aov) {
         for (const LayerInfo& info : layer_infos()) layers.push_back(info.layer);
         return layers;
     }
-    std::istringstream words(aov);
-    for (std::string word; std::getline(words, word, ',');) {
+    for (std::size_t start = 0; start <= aov.size();) {
+        const std::size_t end = std::min(aov.find(',', start), aov.size());
+        const std::string word = aov.substr(start, end - start);
+        start = end + 1;
+        if (word.empty())
+            throw Failure(k_usage,
+                          fmt::format("--aov '{}': expected names of layers with commas between, found {}",
+                                      aov, aov.empty() ? "nothing" : "a comma without a name beside it"));
         const auto layer = find_layer(word);
         if (!layer)
             throw Failure(k_usage, fmt::format("--aov: there is no layer '{}'; there are {}, or all", word,
@@ -36,7 +41,7 @@ std::vector<Layer> parse(const std::string& aov) {
 
 }  // namespace
 
-void add_layer_argument(CLI::App& command, std::string& aov) {
+void add_layer_argument(CLI::App& command, std::optional<std::string>& aov) {
     command
         .add_option(
             "--aov", aov,
@@ -46,8 +51,9 @@ void add_layer_argument(CLI::App& command, std::string& aov) {
         ->option_text("LAYERS");
 }
 
-LayerFiles::LayerFiles(const std::string& aov, const std::string& picture, FileFormat format, bool is_stream)
-    : wanted_(parse(aov)) {
+LayerFiles::LayerFiles(const std::optional<std::string>& aov, const std::string& picture, FileFormat format,
+                       bool is_stream)
+    : wanted_(aov ? parse(*aov) : std::vector<Layer>{}) {
     if (wanted_.empty() || format == FileFormat::exr) return;
     if (is_stream)
         throw Failure(k_usage, "--aov: standard output holds one picture; name a file with --output");

@@ -2,6 +2,7 @@
 // The layers of a picture, and where they are written.
 #include <CLI/CLI.hpp>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,14 +12,15 @@
 namespace glint::cli {
 
 /// Adds --aov.
-void add_layer_argument(CLI::App& command, std::string& aov);
+void add_layer_argument(CLI::App& command, std::optional<std::string>& aov);
 
 /// What --aov asks for, found out before the work begins.
 class LayerFiles {
   public:
-    /// aov: names with commas, `all`, or empty. In an OpenEXR file they are its parts; beside a PNG or PPM
-    /// `castle.png` they are `castle.normal.png` and so on. Throws Failure.
-    LayerFiles(const std::string& aov, const std::string& picture, FileFormat format, bool is_stream);
+    /// aov: names with commas, or `all`; none: no layers. In an OpenEXR file they are its parts; beside a PNG
+    /// or PPM `castle.png` they are `castle.normal.png` and so on. Throws Failure.
+    LayerFiles(const std::optional<std::string>& aov, const std::string& picture, FileFormat format,
+               bool is_stream);
 
     const std::vector<Layer>& wanted() const { return wanted_; }
     /// Of the picture and the layers.

@@ -37,7 +37,8 @@ struct RenderArguments {
     SceneArguments scene;
     PictureArguments picture;
     NumberArguments numbers;
-    std::string output, aov, crop, isa, stats;
+    std::optional<std::string> aov;
+    std::string output, crop, isa, stats;
     bool show = false, quiet = false;
     int threads = 0;
 };
