@@ -29,7 +29,7 @@ struct CompareArguments {
     SceneOption scene;
     std::optional<double> within, fail_percent, hard_fail;
     std::string diff, vary;
-    bool json = false, quiet = false;
+    bool no_causes = false, json = false, quiet = false;
     int threads = 0;
 };
 
@@ -100,7 +100,7 @@ int compare_command(CompareArguments& arguments) {
     if (diff) write_difference(*diff, arguments, *a.image, *b.image, report.difference.largest.value);
     if (arguments.quiet) return report.passes ? k_done : k_bad_input;
 
-    if (report.difference.all.equal != report.difference.all.pixels) {
+    if (!arguments.no_causes && report.difference.all.equal != report.difference.all.pixels) {
         ProgressBar bar(true);
         CauseOptions cause_options;
         cause_options.threads = arguments.threads;
@@ -160,6 +160,7 @@ Run add_compare(CLI::App& app) {
     command.add_option("-t,--threads", a.threads, "Threads; 0 (default): one a processor")
         ->check(CLI::Range(0, 1024))
         ->option_text("N");
+    command.add_flag("--no-causes", a.no_causes, "The figures alone: look for no causes");
     command.add_flag("--json", a.json, "Print JSON");
     command.add_flag("-q,--quiet", a.quiet, "Say nothing but errors: the exit code is the answer");
     command.footer(k_examples);

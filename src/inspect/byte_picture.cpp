@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <numeric>
 
-#include "base/parallel_for.h"
 #include "image/levels.h"
 #include "image/quantize.h"
 
@@ -23,13 +23,36 @@ std::vector<std::uint8_t> edges_of(const BytePicture& picture, int threads) {
     return find_edges(levels, threads);
 }
 
-Distance distance(const BytePicture& a, const BytePicture& b, const std::vector<std::uint8_t>& edges) {
-    std::uint64_t sum = 0, calm_sum = 0, pixels = 0, calm_pixels = 0;
-    const std::int32_t rim = std::min(b.width, b.height) > 2 ? 1 : 0;
-    for (std::int32_t y = rim; y < b.height - rim; ++y) {
+Rows all_rows(std::int32_t height) {
+    Rows rows(static_cast<std::size_t>(height));
+    std::iota(rows.begin(), rows.end(), 0);
+    return rows;
+}
+
+Rows sample_of(const Rows& rows, std::int32_t width) {
+    const std::size_t most = std::max<std::size_t>(k_sample / static_cast<std::size_t>(width), 1),
+                      step = (rows.size() + most - 1) / most;
+    Rows sample;
+    std::uint32_t state = 1;
+    for (std::size_t first = 0; first < rows.size(); first += step) {
+        state = state * 1664525u + 1013904223u;
+        sample.push_back(rows[first + (state >> 16) % std::min(step, rows.size() - first)]);
+    }
+    return sample;
+}
+
+Distance distance(const BytePicture& a, const BytePicture& b, const Area& area) {
+    struct Sums {
+        std::uint64_t all = 0, pixels = 0, calm = 0, calm_pixels = 0;
+    };
+    std::vector<Sums> sums(area.rows.size());
+    parallel_for(area.rows.size(), area.threads, [&](std::size_t i) {
+        const std::int32_t y = area.rows[i];
+        if (y < area.rim || y >= b.height - area.rim) return;
         const std::uint8_t *of_a = a.pixel(0, y), *of_b = b.pixel(0, y);
-        const std::uint8_t* on_edge = &edges[static_cast<std::size_t>(y) * b.width];
-        for (std::int32_t x = rim; x < b.width - rim; ++x) {
+        const std::uint8_t* on_edge = &(*area.edges)[static_cast<std::size_t>(y) * b.width];
+        Sums row;
+        for (std::int32_t x = area.rim; x < b.width - area.rim; ++x) {
             std::uint32_t here = 0, calm = 0;
             for (int c = 0; c < 3; ++c) {
                 const auto d =
@@ -37,16 +60,31 @@ Distance distance(const BytePicture& a, const BytePicture& b, const std::vector<
                 here += d;
                 calm += d > k_noise ? d - k_noise : 0;
             }
-            sum += here;
-            ++pixels;
-            calm_sum += on_edge[x] != 0 ? 0 : calm;
-            calm_pixels += on_edge[x] == 0;
+            row.all += here;
+            ++row.pixels;
+            row.calm += on_edge[x] != 0 ? 0 : calm;
+            row.calm_pixels += on_edge[x] == 0;
         }
+        sums[i] = row;
+    });
+    Sums total;
+    for (const Sums& row : sums) {
+        total.all += row.all;
+        total.pixels += row.pixels;
+        total.calm += row.calm;
+        total.calm_pixels += row.calm_pixels;
     }
-    const auto mean = [](std::uint64_t total, std::uint64_t count) {
-        return count == 0 ? 0 : static_cast<double>(total) / (3 * static_cast<double>(count));
+    const auto mean = [](std::uint64_t sum, std::uint64_t count) {
+        return count == 0 ? 0 : static_cast<double>(sum) / (3 * static_cast<double>(count));
     };
-    return {mean(sum, pixels), mean(calm_sum, calm_pixels)};
+    return {mean(total.all, total.pixels), mean(total.calm, total.calm_pixels)};
+}
+
+bool equal_rows(const BytePicture& a, const BytePicture& b, const Rows& rows) {
+    const std::ptrdiff_t row = std::ptrdiff_t{3} * b.width;
+    return std::all_of(rows.begin(), rows.end(), [&](std::int32_t y) {
+        return std::equal(a.pixel(0, y), a.pixel(0, y) + row, b.pixel(0, y));
+    });
 }
 
 }  // namespace glint

@@ -42,20 +42,18 @@ std::vector<Candidate> explaining(const Search& search, bool calm) {
 
 }  // namespace
 
-void rank(Search& search) {
-    if (!search.is_open()) return;
-    CauseReport& report = search.report;
-    std::vector<Candidate> found = explaining(search, false);
+std::vector<Candidate> ranked(const Search& search, bool& away_from_edges) {
+    std::vector<Candidate> found = explaining(search, false), list;
     double whole = search.whole.all;
+    away_from_edges = false;
     if (!explains(found, 2, k_explained_partly) && search.whole.calm > k_least_calm) {
         std::vector<Candidate> calm = explaining(search, true);
         if (explains(calm, 0, k_explained_partly)) {
             found = std::move(calm);
             whole = search.whole.calm;
-            report.away_from_edges = true;
+            away_from_edges = true;
         }
     }
-    std::vector<Cause>& causes = report.causes;
     while (!found.empty()) {
         const auto least = std::min_element(found.begin(), found.end(), [](const auto& x, const auto& y) {
             return x.cause.remaining < y.cause.remaining;
@@ -63,10 +61,10 @@ void rank(Search& search) {
         const double limit = least->cause.remaining + (least->cause.remaining > 0 ? k_tie * whole : 0);
         const auto best = std::find_if(found.begin(), found.end(),
                                        [&](const auto& c) { return c.cause.remaining <= limit; });
-        Cause cause = std::move(best->cause);
-        std::erase_if(found, [&](const Candidate& c) { return c.cause.name == cause.name || &c == &*best; });
-        causes.push_back(std::move(cause));
+        list.push_back(*best);
+        std::erase_if(found, [&](const Candidate& c) { return c.cause.name == list.back().cause.name; });
     }
+    return list;
 }
 
 }  // namespace glint

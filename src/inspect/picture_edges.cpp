@@ -55,10 +55,9 @@ std::string direction_text(int dx, int dy) {
     return text;
 }
 
-BytePicture nearest_between(const BytePicture& reference, const BytePicture& faulty, int left, int right,
-                            int up, int down) {
-    BytePicture out = faulty;
-    for (std::int32_t y = 0; y < reference.height; ++y) {
+void nearest_between(const BytePicture& reference, const BytePicture& faulty, int left, int right, int up,
+                     int down, const Rows& rows, int threads, BytePicture& out) {
+    for_each_row(rows, threads, [&](std::int32_t y) {
         const std::int32_t top = std::clamp(y + up, 0, reference.height - 1),
                            bottom = std::clamp(y + down, 0, reference.height - 1);
         for (std::int32_t x = 0; x < reference.width; ++x) {
@@ -74,21 +73,21 @@ BytePicture nearest_between(const BytePicture& reference, const BytePicture& fau
                     }
                 }
             }
+            const std::uint8_t* is = faulty.pixel(x, y);
             std::uint8_t* pixel = out.pixel(x, y);
-            for (int c = 0; c < 3; ++c) pixel[c] = std::clamp(pixel[c], least[c], most[c]);
+            for (int c = 0; c < 3; ++c) pixel[c] = std::clamp(is[c], least[c], most[c]);
         }
-    }
-    return out;
+    });
 }
 
-BytePicture with_dark_specks(const BytePicture& reference, const BytePicture& faulty) {
-    BytePicture out = reference;
-    for (std::int32_t y = 0; y < reference.height; ++y) {
+void put_dark_specks(const BytePicture& reference, const BytePicture& faulty, const Rows& rows, int threads,
+                     BytePicture& out) {
+    for_each_row(rows, threads, [&](std::int32_t y) {
         for (std::int32_t x = 0; x < reference.width; ++x) {
-            if (is_speck(reference, faulty, x, y)) std::copy_n(faulty.pixel(x, y), 3, out.pixel(x, y));
+            const BytePicture& from = is_speck(reference, faulty, x, y) ? faulty : reference;
+            std::copy_n(from.pixel(x, y), 3, out.pixel(x, y));
         }
-    }
-    return out;
+    });
 }
 
 }  // namespace glint

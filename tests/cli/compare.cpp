@@ -42,6 +42,18 @@ TEST_F(Compare, OnlyIdenticalPicturesPassWithoutLimits) {
     EXPECT_TRUE(contains(other.out, "--scene SCENE tries more")) << other.out;
 }
 
+TEST_F(Compare, TheFiguresAlone) {
+    const Finished all = compare({"dark.png", "right.png"}),
+                   r = compare({"dark.png", "right.png", "--no-causes"});
+    EXPECT_EQ(r.code, 1) << r.err;
+    EXPECT_TRUE(all.out.starts_with(r.out)) << r.out;
+    EXPECT_TRUE(contains(r.out, "largest ")) << r.out;
+    EXPECT_FALSE(contains(r.out, "cause")) << r.out;
+    EXPECT_EQ(
+        nlohmann::json::parse(compare({"dark.png", "right.png", "--no-causes", "--json"}).out)["diagnosis"],
+        nullptr);
+}
+
 TEST_F(Compare, NamesTheCauseByTheScene) {
     const Finished r = compare({"dark.png", "right.png", "--scene", "a.cgfs"});
     EXPECT_EQ(r.code, 1) << r.err;

@@ -1,0 +1,171 @@
+#include "inspect/scene_search.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "inspect/draw_picture.h"
+#include "inspect/factor_search.h"
+#include "inspect/picture_faults.h"
+
+namespace glint {
+namespace {
+
+// What is fitted to the picture has to explain more.
+constexpr double k_least_fitted = 0.85, k_least_factor = 0.5;
+// A factor is looked for from 1 to these, and no further where no more than this part of the difference
+// stays.
+constexpr double k_most_factor = 16, k_enough = 0.001;
+
+std::string capital(std::string text) {
+    if (text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 'a' + 'A');
+    return text;
+}
+
+// Shapes without a material get one of the scene's, so that faults of materials reach them.
+void name_default_material(Scene& scene) {
+    const auto index = static_cast<std::uint32_t>(scene.materials.size());
+    bool used = false;
+    for (Shape& shape : scene.shapes) {
+        if (shape.material != k_none) continue;
+        shape.material = index;
+        used = true;
+    }
+    if (used) scene.materials.emplace_back();
+}
+
+}  // namespace
+
+SceneSearch::SceneSearch(const Scene& scene, std::int32_t width, std::int32_t height,
+                         const CauseOptions& options)
+    : scene_(scene), options_(options) {
+    scene_.settings.width = width;
+    scene_.settings.height = height;
+    name_default_material(scene_);
+    drawn_ = draw(scene_);
+    if (drawn_) causes_ = scene_causes(scene_);
+}
+
+bool SceneSearch::is_cancelled() const {
+    return options_.cancel != nullptr && options_.cancel->load(std::memory_order_relaxed);
+}
+
+std::optional<DrawnScene> SceneSearch::draw(const Scene& scene) const {
+    RenderResult result = draw_picture(scene, options_.threads, options_.cancel);
+    if (!result.image) return std::nullopt;
+    DrawnScene drawn{std::move(*result.image), {}};
+    drawn.bytes = to_bytes(drawn.image, options_.threads);
+    return drawn;
+}
+
+void SceneSearch::try_cause(std::size_t i, std::vector<Search>& searches) const {
+    const SceneCause& cause = causes_[i];
+    if (cause.scale) return try_factors(searches, cause);
+    Scene scene = scene_;
+    cause.put(scene);
+    const std::optional<DrawnScene> made = draw(scene);
+    // What changes nothing in this scene explains nothing.
+    if (!made || made->bytes.rgb == drawn_->bytes.rgb) return;
+    for (Search& search : searches) {
+        if (search.is_open()) search.judge(made->bytes, {{cause.name, cause.explanation, 0, 0, true}});
+    }
+    if (!cause.part.empty()) try_multiples(searches, cause, *made);
+}
+
+// How the search for one picture's factor goes.
+struct SceneSearch::Walk {
+    Distance at_one;   // what stays with the factor 1
+    TriedFactor best;  // so far
+    bool leads = false, goes_on = false;
+};
+
+std::optional<DrawnScene> SceneSearch::draw_scaled(const SceneCause& cause, double factor) const {
+    Scene scene = scene_;
+    if (cause.put) cause.put(scene);
+    cause.scale(scene, factor);
+    return draw(scene);
+}
+
+// A number of the scene by a factor that is fitted: from 1 by powers of two as long as it gets better,
+// then to the bottom of the valley.
+void SceneSearch::try_factors(std::vector<Search>& searches, const SceneCause& cause) const {
+    const std::optional<DrawnScene> one = draw_scaled(cause, 1);
+    if (!one) return;
+    std::vector<Walk> walks(searches.size());
+    for (std::size_t i = 0; i < searches.size(); ++i) {
+        if (!searches[i].is_open()) continue;
+        walks[i].at_one = distance(one->bytes, *searches[i].target, searches[i].area);
+        walks[i].best = {1, walks[i].at_one.all};
+    }
+    for (const double step : {2.0, 0.5}) walk(searches, cause, one->bytes, step, walks);
+    for (std::size_t i = 0; i < searches.size() && !is_cancelled(); ++i) {
+        Search& search = searches[i];
+        const double enough = k_enough * search.whole.all;
+        const bool is_explained =
+            std::any_of(search.found.begin(), search.found.end(),
+                        [&](const Candidate& c) { return c.freedom == 0 && c.left.all <= enough; });
+        if (!walks[i].leads || is_explained) continue;
+        TriedFactor best = walks[i].best;
+        if (best.left > enough) {
+            best = refine_factor(best, best.factor / 2, best.factor * 2, enough,
+                                 [&](double factor) -> std::optional<double> {
+                                     const auto made = draw_scaled(cause, factor);
+                                     if (!made) return std::nullopt;
+                                     return distance(made->bytes, *search.target, search.area).all;
+                                 });
+        }
+        const std::optional<DrawnScene> made = draw_scaled(cause, best.factor);
+        if (!made || made->bytes.rgb == one->bytes.rgb) continue;
+        search.judge(
+            made->bytes,
+            {{cause.name, cause.scale_text(best.factor, best.left > enough), 0, 0, true}, k_least_factor});
+    }
+}
+
+// A picture lies on the way from `one` to a factor as far as going there is no detour.
+void SceneSearch::walk(std::vector<Search>& searches, const SceneCause& cause, const BytePicture& one,
+                       double step, std::vector<Walk>& walks) const {
+    for (std::size_t i = 0; i < searches.size(); ++i) walks[i].goes_on = searches[i].is_open();
+    const auto goes_on = [](const Walk& w) { return w.goes_on; };
+    for (double factor = step; factor <= k_most_factor && factor * k_most_factor >= 1; factor *= step) {
+        if (std::none_of(walks.begin(), walks.end(), goes_on) || is_cancelled()) return;
+        const std::optional<DrawnScene> made = draw_scaled(cause, factor);
+        if (!made || made->bytes.rgb == one.rgb) return;
+        for (std::size_t i = 0; i < searches.size(); ++i) {
+            Walk& w = walks[i];
+            if (!w.goes_on) continue;
+            const Distance moved = distance(made->bytes, one, searches[i].area),
+                           left = distance(made->bytes, *searches[i].target, searches[i].area);
+            const auto is_on_the_way = [](double from_one, double way, double rest) {
+                return (from_one + way - rest) / 2 > k_least_explained * from_one;
+            };
+            w.leads = w.leads || is_on_the_way(w.at_one.all, moved.all, left.all) ||
+                      is_on_the_way(w.at_one.calm, moved.calm, left.calm);
+            w.goes_on = left.all < w.best.left;
+            if (w.goes_on) w.best = {factor, left.all};
+        }
+    }
+}
+
+// The part of the light that is missing in `without`, by a factor that is fitted. Light is a sum, so the
+// picture with any multiple of a part is known from those with and without it.
+void SceneSearch::try_multiples(std::vector<Search>& searches, const SceneCause& cause,
+                                const DrawnScene& without) const {
+    std::vector<float> part = drawn_->image.rgb;
+    for (std::size_t i = 0; i < part.size(); ++i) part[i] -= without.image.rgb[i];
+    for (Search& search : searches) {
+        if (!search.is_open()) continue;
+        const auto factor =
+            fit_factor(without.image.rgb, part, drawn_->bytes, *search.target, search.sample.rows);
+        if (!factor) continue;
+        Image image = without.image;
+        for (std::size_t i = 0; i < part.size(); ++i) image.rgb[i] += static_cast<float>(*factor) * part[i];
+        search.judge(
+            to_bytes(image, options_.threads),
+            {{cause.scaled,
+              fmt::format("{} is {:.3g} times what it should be.", capital(cause.part), *factor), 0, 0, true},
+             k_least_fitted});
+    }
+}
+
+}  // namespace glint
