@@ -76,10 +76,16 @@ struct Cause {
 };
 
 struct CauseReport {
-    std::string error;          ///< different sizes, or no memory; empty if none
-    double difference = 0;      ///< the mean difference of the pictures but for their rims, in 255ths
+    std::string error;  ///< different sizes, or no memory; empty if none
+    /// The mean difference of the pictures in 255ths; their rims of one pixel count only if they alone
+    /// differ.
+    double difference = 0;
+    /// What is plain without any cause: "The picture is one colour throughout, (0, 0, 0)."; empty if nothing.
+    std::string remark;
     std::vector<Cause> causes;  ///< the best first; none if nothing explains enough
-    int tried = 0;              ///< causes that were tried
+    /// If there are no causes, what explains most and yet too little; it need not have to do with it.
+    std::optional<Cause> nearest;
+    int tried = 0;  ///< causes that were tried
     /// The shares are of the difference away from edges, and of what exceeds 2/255: another renderer's
     /// samples and roundings hide the rest.
     bool away_from_edges = false;

@@ -35,6 +35,19 @@ void add_others(std::string& text, const char* how, std::span<const Cause> cause
     text += fmt::format("  {}: {}\n", how, fmt::join(words, ", "));
 }
 
+// What there is to say where nothing explains enough.
+void add_nearest(std::string& text, const CompareReport& report) {
+    const CauseReport& causes = *report.causes;
+    if (causes.tried == 0) return;
+    const std::string nearest = causes.nearest
+                                    ? fmt::format("the nearest, {}, explains {}", causes.nearest->name,
+                                                  share_text(causes.nearest->explained))
+                                    : std::string("none explains any of it");
+    fmt::format_to(std::back_inserter(text),
+                   "No classic cause explains enough of the difference: {}; {} were tried{}.\n", nearest,
+                   causes.tried, report.with_scene ? "" : ", and --scene SCENE tries more");
+}
+
 void add_causes(std::string& text, const CompareReport& report) {
     const CauseReport& causes = *report.causes;
     auto out = std::back_inserter(text);
@@ -54,10 +67,9 @@ void add_causes(std::string& text, const CompareReport& report) {
                            ? ": it does not draw that picture, so do not trust the causes"
                            : "");
     }
+    if (!causes.remark.empty()) text += causes.remark + "\n";
     if (causes.causes.empty()) {
-        fmt::format_to(out, "No classic cause explains {} of the difference; {} were tried{}.\n",
-                       share_text(k_least_explained), causes.tried,
-                       report.with_scene ? "" : ", and --scene SCENE tries more");
+        add_nearest(text, report);
         return;
     }
     const Cause& best = causes.causes.front();
@@ -82,20 +94,24 @@ template <class T> Json or_null(const std::optional<T>& value) {
     return value ? Json(*value) : Json(nullptr);
 }
 
+Json cause_json(const Cause& cause) {
+    return {{"name", cause.name},
+            {"explanation", cause.explanation},
+            {"explained", cause.explained},
+            {"remaining", cause.remaining},
+            {"rendered", cause.rendered}};
+}
+
 Json causes_json(const CauseReport& report) {
     Json json = {
         {"tried", report.tried}, {"swapped", report.swapped}, {"away_from_edges", report.away_from_edges}};
     json["scene_from_a"] = or_null(report.scene_from_a);
     json["scene_from_b"] = or_null(report.scene_from_b);
     if (!report.error.empty()) json["error"] = report.error;
+    json["remark"] = report.remark.empty() ? Json(nullptr) : Json(report.remark);
+    json["nearest"] = report.nearest ? cause_json(*report.nearest) : Json(nullptr);
     json["causes"] = Json::array();
-    for (const Cause& cause : report.causes) {
-        json["causes"].push_back({{"name", cause.name},
-                                  {"explanation", cause.explanation},
-                                  {"explained", cause.explained},
-                                  {"remaining", cause.remaining},
-                                  {"rendered", cause.rendered}});
-    }
+    for (const Cause& cause : report.causes) json["causes"].push_back(cause_json(cause));
     return json;
 }
 

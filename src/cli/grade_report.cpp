@@ -75,7 +75,8 @@ std::string verdict(const GradedPicture& p) {
     if (!p.error.empty()) return p.error;
     if (p.difference.all.equal == p.difference.all.pixels) return "identical";
     if (!p.causes.error.empty()) return p.causes.error;
-    return p.causes.causes.empty() ? "no classic cause" : cause_text(p.causes.causes.front());
+    if (!p.causes.causes.empty()) return cause_text(p.causes.causes.front());
+    return p.causes.remark.empty() ? "no classic cause" : p.causes.remark;
 }
 
 Json cause_json(const Cause& cause) {
@@ -177,6 +178,7 @@ std::string json_table(const std::vector<GradedPicture>& pictures) {
             item["largest"] = {{"value", d.largest.value}, {"x", d.largest.x}, {"y", d.largest.y}};
             item["causes"] = Json::array();
             for (const Cause& cause : p.causes.causes) item["causes"].push_back(cause_json(cause));
+            item["remark"] = p.causes.remark.empty() ? Json(nullptr) : Json(p.causes.remark);
         }
         json.push_back(std::move(item));
     }

@@ -107,8 +107,11 @@ std::string pair_fault(const Image& a, const Image& b) {
         }
     }
     if (a.width == b.width && a.height == b.height) return {};
-    return fmt::format("the pictures have different sizes: {}x{} and {}x{}", a.width, a.height, b.width,
-                       b.height);
+    return fmt::format("the pictures have different sizes: {}x{} and {}x{}{}", a.width, a.height, b.width,
+                       b.height,
+                       a.width == b.height && a.height == b.width
+                           ? "; width and height are swapped, or one picture is turned"
+                           : "");
 }
 
 Levels levels_of(const Image& image, bool as_floats, int threads) {

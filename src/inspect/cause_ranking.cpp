@@ -2,15 +2,16 @@
 
 #include <algorithm>
 
+#include "inspect/picture_structure.h"
+
 namespace glint {
 namespace {
 
 // Of causes that explain nearly the same (by this part of the difference) the simplest, which is the earliest
 // in the table, is named first.
 constexpr double k_tie = 0.003;
-// Another look is taken if nothing explains the one share, and what can be bent is dropped if something else
-// explains the other.
-constexpr double k_explained_partly = 0.7, k_explained_well = 0.9;
+// What can be bent is dropped if something else explains this much.
+constexpr double k_explained_well = 0.9;
 // In 255ths: less is nothing to explain.
 constexpr double k_least_calm = 0.01;
 
@@ -30,9 +31,13 @@ std::vector<Candidate> explaining(const Search& search, bool calm) {
         c.cause.remaining = calm ? c.left.calm : c.left.all;
         c.cause.explained = 1 - c.cause.remaining / whole;
     }
-    // Of what can be bent, edges are what it bends.
-    std::erase_if(list,
-                  [&](const Candidate& c) { return c.cause.explained < c.least || (calm && c.freedom > 0); });
+    std::erase_if(list, [&](const Candidate& c) {
+        // A picture of one colour has no content that could speak for a cause which does not make just that.
+        if (!search.has_content) return c.left.all > 0;
+        const double least = c.is_strange ? std::max(c.least, k_explained_partly) : c.least;
+        // Of what can be bent, edges are what it bends.
+        return c.cause.explained < least || (calm && c.freedom > 0);
+    });
     for (int freedom = 0; freedom < 2; ++freedom) {
         if (explains(list, freedom, k_explained_well))
             std::erase_if(list, [&](const Candidate& c) { return c.freedom > freedom; });
@@ -41,6 +46,16 @@ std::vector<Candidate> explaining(const Search& search, bool calm) {
 }
 
 }  // namespace
+
+void Search::add(const BytePicture& made, Candidate candidate) {
+    ++report.tried;
+    const double explained = 1 - candidate.left.all / whole.all;
+    if (!same_view && explained < k_explained_partly) {
+        const auto agreement = step_agreement(made, *target, sample.rows);
+        candidate.is_strange = !agreement || agreement->both_ways < k_same_view;
+    }
+    found.push_back(std::move(candidate));
+}
 
 std::vector<Candidate> ranked(const Search& search, bool& away_from_edges) {
     std::vector<Candidate> found = explaining(search, false), list;
@@ -65,6 +80,21 @@ std::vector<Candidate> ranked(const Search& search, bool& away_from_edges) {
         std::erase_if(found, [&](const Candidate& c) { return c.cause.name == list.back().cause.name; });
     }
     return list;
+}
+
+void name_causes(Search& search) {
+    CauseReport& report = search.report;
+    for (Candidate& c : ranked(search, report.away_from_edges)) report.causes.push_back(std::move(c.cause));
+    if (!report.causes.empty()) return;
+    if (!search.same_view && search.has_content)
+        report.remark = "Another scene or another view: nothing classic explains it.";
+    for (const Candidate& c : search.found) {
+        const double explained = 1 - c.left.all / search.whole.all;
+        if (c.freedom > 0 || explained <= (report.nearest ? report.nearest->explained : 0)) continue;
+        report.nearest = c.cause;
+        report.nearest->explained = explained;
+        report.nearest->remaining = c.left.all;
+    }
 }
 
 }  // namespace glint

@@ -15,6 +15,7 @@ struct Candidate {
     /// If only a sample of rows has been looked at, by which `left` is estimated: the place in
     /// picture_causes().
     std::optional<std::size_t> unconfirmed = {};
+    bool is_strange = false;  ///< what it makes does not show what the picture shows: it has to explain more
 };
 
 /// One picture to explain, and what has been found about it.
@@ -26,17 +27,27 @@ struct Search {
     Distance whole;  ///< what there is to explain
     std::vector<Candidate> found;
 
+    bool same_view = true;    ///< picture and reference show the same things
+    bool has_content = true;  ///< neither of them is one colour throughout
+
     bool is_open() const { return report.error.empty() && whole.all > 0; }
     /// `made` is what the candidate makes of the reference.
     void judge(const BytePicture& made, Candidate candidate) {
-        ++report.tried;
         candidate.left = distance(made, *target, area);
-        found.push_back(std::move(candidate));
+        add(made, std::move(candidate));
     }
+    /// The same, of a candidate whose `left` is known.
+    void add(const BytePicture& made, Candidate candidate);
 };
+
+/// What a cause has to explain that does not show what the picture shows.
+inline constexpr double k_explained_partly = 0.7;
 
 /// What explains enough, the best first, one of each name. `away_from_edges` becomes
 /// CauseReport::away_from_edges.
 std::vector<Candidate> ranked(const Search& search, bool& away_from_edges);
+
+/// Fills in the report by what was found.
+void name_causes(Search& search);
 
 }  // namespace glint

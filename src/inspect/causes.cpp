@@ -12,6 +12,8 @@
 #include "image/levels.h"
 #include "inspect/cause_ranking.h"
 #include "inspect/picture_causes.h"
+#include "inspect/picture_lines.h"
+#include "inspect/picture_structure.h"
 #include "inspect/scene_search.h"
 
 namespace glint {
@@ -46,6 +48,10 @@ class CauseFinder {
         search.sample = search.area;
         search.faulty = to_bytes(picture, options_.threads);
         search.whole = distance(search.faulty, bytes_, search.area);
+        if (search.whole.all == 0) {
+            search.area.rim = search.sample.rim = 0;
+            search.whole = distance(search.faulty, bytes_, search.area);
+        }
         search.report.difference = search.whole.all;
         search.sample.rows = sample_of(search.area.rows, reference_.width);
         const double sampled = distance(search.faulty, bytes_, search.sample).all;
@@ -54,6 +60,7 @@ class CauseFinder {
             std::erase_if(differing, [&](std::int32_t y) { return equal_rows(search.faulty, bytes_, {y}); });
             search.sample.rows = sample_of(differing, reference_.width);
         }
+        look_at(search);
         return search;
     }
 
@@ -66,20 +73,34 @@ class CauseFinder {
         steps_ = static_cast<std::size_t>(open) * picture_causes().size() + (drawing_ ? drawing_->size() : 0);
         made_ = bytes_;
         for (Search& search : searches) {
-            if (search.is_open()) try_pictures(search);
+            if (search.is_open() && search.has_content) try_pictures(search);
         }
         for (std::size_t i = 0; drawing_ && i < drawing_->size() && !is_cancelled(); ++i) {
             drawing_->try_cause(i, searches);
             step();
         }
         for (Search& search : searches) {
-            if (search.is_open()) name_causes(search);
+            if (!search.is_open()) continue;
+            if (search.sample.rows.size() < search.area.rows.size()) confirm(search);
+            name_causes(search);
         }
     }
 
   private:
     bool is_cancelled() const {
         return options_.cancel != nullptr && options_.cancel->load(std::memory_order_relaxed);
+    }
+
+    // What can be said without any cause.
+    void look_at(Search& search) const {
+        const auto agreement = step_agreement(search.faulty, bytes_, search.sample.rows);
+        search.same_view = !agreement || agreement->one_way >= k_same_view;
+        const std::optional<std::string> color = one_color(search.faulty), of_b = one_color(bytes_);
+        search.has_content = color.has_value() == of_b.has_value();
+        if (search.has_content) return;
+        search.report.remark =
+            color ? fmt::format("The picture is one colour throughout, {}: nothing is in it.", *color)
+                  : fmt::format("The reference is one colour throughout, {}: nothing is in it.", *of_b);
     }
 
     void step() {
@@ -130,7 +151,6 @@ class CauseFinder {
             const PictureCause& cause = picture_causes()[i];
             const std::optional<std::string> detail = cause.make(from, made_);
             if (!detail || equal_rows(made_, from.bytes, from.rows)) continue;
-            ++search.report.tried;
             Candidate candidate{
                 {cause.name, fmt::format(fmt::runtime(cause.explanation), *detail), 0, 0, false},
                 cause.least,
@@ -142,7 +162,7 @@ class CauseFinder {
                         estimate(left.calm, of_sample.calm, search.whole.calm)};
                 candidate.unconfirmed = i;
             }
-            search.found.push_back(std::move(candidate));
+            search.add(made_, std::move(candidate));
         }
     }
 
@@ -160,12 +180,6 @@ class CauseFinder {
             candidate.unconfirmed.reset();
         }
         std::erase_if(search.found, [](const Candidate& c) { return c.unconfirmed.has_value(); });
-    }
-
-    void name_causes(Search& search) {
-        if (search.sample.rows.size() < search.area.rows.size()) confirm(search);
-        for (Candidate& c : ranked(search, search.report.away_from_edges))
-            search.report.causes.push_back(std::move(c.cause));
     }
 
     const Image& reference_;

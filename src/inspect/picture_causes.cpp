@@ -29,6 +29,26 @@ const std::vector<PictureCause>& picture_causes() {
          rotated()},
         {"transposed", "Rows and columns are swapped: the pixel (x, y) was written to (y, x).", k_moved,
          transposed()},
+        {"transposed",
+         "Rows and columns are swapped and both count the wrong way: the pixel (x, y) was written to "
+         "(H - 1 - y, W - 1 - x).",
+         k_moved, transposed_back()},
+        {"turned-left",
+         "The picture is turned by a quarter turn to the left (counterclockwise): the pixel (x, y) was "
+         "written "
+         "to (y, W - 1 - x).",
+         k_moved, turned_left()},
+        {"turned-right",
+         "The picture is turned by a quarter turn to the right (clockwise): the pixel (x, y) was written to "
+         "(H - 1 - y, x).",
+         k_moved, turned_right()},
+        {"rows-missing",
+         "Rows are missing ({}): nothing was written there. Look at the loop over y, and at the length of a "
+         "row "
+         "in bytes.",
+         k_moved, unwritten(Lines::rows)},
+        {"columns-missing", "Columns are missing ({}): nothing was written there. Look at the loop over x.",
+         k_moved, unwritten(Lines::columns)},
         {"red-blue-swapped",
          "Red and blue are swapped: the file wants R, G, B and was given B, G, R (or the other way round).",
          k_moved, permuted(2, 1, 0)},
@@ -88,6 +108,10 @@ const std::vector<PictureCause>& picture_causes() {
         {"anti-aliasing",
          "Only edges differ: the number or the places of the samples in a pixel, not the lighting.", k_fitted,
          anti_aliased(), 2},
+        {"rim",
+         "Only the outermost pixels differ ({}): a loop over the pixels begins or ends one too early or too "
+         "late, or what is beyond the rim is taken for 0.",
+         k_moved, rim_differs(), 2},
     };
     return table;
 }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "inspect/byte_picture.h"
+#include "inspect/picture_lines.h"
 
 namespace glint {
 
@@ -28,12 +29,21 @@ using PictureFault = std::function<std::optional<std::string>(const PictureSourc
 PictureFault upside_down();
 PictureFault mirrored();
 PictureFault rotated();
+/// Of square pictures: by a quarter turn, and rows and columns swapped, along either diagonal.
+PictureFault turned_left();
+PictureFault turned_right();
 PictureFault transposed();
+PictureFault transposed_back();
 /// By a pixel, in the best of eight directions.
 PictureFault shifted();
 PictureFault half_shifted();
 PictureFault anti_aliased();
+/// Where they are not whole rows or columns.
 PictureFault dark_specks();
+/// Rows or columns that were never written.
+PictureFault unwritten(Lines lines);
+/// Of pictures that differ nowhere else.
+PictureFault rim_differs();
 
 // ---- What a channel becomes ----
 

@@ -54,6 +54,20 @@ TEST_F(Compare, TheFiguresAlone) {
         nullptr);
 }
 
+TEST_F(Compare, SaysWhatNoCauseExplains) {
+    folder.write("none.cgfs", "light { type = ambient  intensity = 0.2 }\n");
+    ASSERT_EQ(run(folder, {"render", "none.cgfs", "-s", "80x60", "-q", "-o", "none.png"}).code, 0);
+    const Finished r = compare({"none.png", "right.png"});
+    EXPECT_TRUE(contains(r.out, "The picture is one colour throughout, (255, 255, 255): ")) << r.out;
+    const auto json = nlohmann::json::parse(compare({"dark.png", "right.png", "--json"}).out);
+    EXPECT_EQ(json["diagnosis"]["remark"], nullptr);
+    EXPECT_EQ(json["diagnosis"]["causes"].size(), 0u);
+    const double share = json["diagnosis"]["nearest"]["explained"];
+    EXPECT_TRUE(contains(compare({"dark.png", "right.png"}).out,
+                         "No classic cause explains enough of the difference: the nearest, "))
+        << share;
+}
+
 TEST_F(Compare, NamesTheCauseByTheScene) {
     const Finished r = compare({"dark.png", "right.png", "--scene", "a.cgfs"});
     EXPECT_EQ(r.code, 1) << r.err;
