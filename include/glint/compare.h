@@ -45,6 +45,9 @@ struct LargestDifference {
 struct PictureDifference {
     std::string error;  ///< "the pictures have different sizes: ..."; empty if none
     PixelCounts all, edges, interiors;
+    /// Pixels with a channel that is infinite or NaN in either picture. They are never equal, nor within any
+    /// limit; the figures below take such a channel for 0.
+    std::uint64_t not_finite = 0;
     double mean = 0, rms = 0;    ///< of all channels, in 255ths
     std::optional<double> psnr;  ///< decibels against 1.0; absent for equal pictures
     /// Structural similarity (Wang, Bovik, Sheikh and Simoncelli 2004) of the luminance 0.299 R + 0.587 G +
@@ -57,8 +60,8 @@ struct PictureDifference {
 /// Holds picture a against the reference b. Never throws.
 PictureDifference compare(const Image& a, const Image& b, const CompareOptions& options = {});
 
-/// |a - b| as a picture, every channel times `gain` (0: so that the largest becomes 1) and clamped to 1. An
-/// Image without pixels if the sizes differ or memory runs out. Never throws.
+/// |a - b| as a picture, every channel times `gain` (0: so that the largest becomes 1) and clamped to 1, and
+/// 1 where it is not finite. An Image without pixels if the sizes differ or memory runs out. Never throws.
 Image difference_image(const Image& a, const Image& b, double gain = 0);
 
 // ---- Causes ----

@@ -14,7 +14,7 @@ struct Crop {
 };
 
 /// width x height pixels of linear RGB, row by row from the top: r, g, b of pixel (x, y) at 3 (y width + x).
-/// Values are finite and not clamped.
+/// Values are not clamped, and finite but in what decode() reads.
 struct Image {
     std::int32_t width = 0, height = 0;
     std::vector<float> rgb;
@@ -62,7 +62,8 @@ struct DecodeResult {
 /// The picture of a PNG, PPM or PGM (P2, P3, P5, P6), OpenEXR or JPEG file, told apart by its first bytes.
 /// Whole numbers v of a file become v / 255 (by 8 bits; or what the file's own maximum is), as they are: no
 /// gamma is decoded, and transparency is left out. So encode() makes the same bytes of what was read. Floats
-/// stay as they are; those not finite become 0. Never throws; the memory is bounded by max_pixels.
+/// stay as they are, infinite ones and NaN, too (`note` says that there are some). Never throws; the memory
+/// is bounded by max_pixels.
 DecodeResult decode(std::span<const std::uint8_t> bytes, const DecodeOptions& options = {});
 
 }  // namespace glint

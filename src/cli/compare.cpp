@@ -33,9 +33,10 @@ struct CompareArguments {
     int threads = 0;
 };
 
-// Without limits only identical pictures pass. --within and --fail-percent go together; --hard-fail may stand
-// alone.
+// What is infinite or NaN never passes. Without limits only identical pictures do. --within and
+// --fail-percent go together; --hard-fail may stand alone.
 bool passes(const CompareArguments& arguments, const PictureDifference& d) {
+    if (d.not_finite > 0) return false;
     if (arguments.hard_fail && d.largest.value > *arguments.hard_fail) return false;
     if (!arguments.within && !arguments.fail_percent)
         return arguments.hard_fail || d.all.equal == d.all.pixels;

@@ -143,6 +143,11 @@ std::string text_report(const CompareReport& report) {
     add_counts(text, "all", d.all);
     add_counts(text, "edges", d.edges);
     add_counts(text, "interiors", d.interiors);
+    if (d.not_finite > 0)
+        fmt::format_to(out,
+                       "not finite {:>13} pixels have a number that is infinite or NaN: never equal, below "
+                       "taken for 0\n",
+                       with_commas(d.not_finite));
     fmt::format_to(out, "of 255     mean {:.4g}, root mean square {:.4g}", d.mean, d.rms);
     if (d.psnr) fmt::format_to(out, "; PSNR {:.2f} dB", *d.psnr);
     if (d.ssim) fmt::format_to(out, ", SSIM {:.4f}", *d.ssim);
@@ -166,6 +171,7 @@ std::string json_report(const CompareReport& report) {
     json["all"] = counts_json(d.all);
     json["edges"] = counts_json(d.edges);
     json["interiors"] = counts_json(d.interiors);
+    json["not_finite"] = d.not_finite;
     json["mean"] = d.mean;
     json["rms"] = d.rms;
     json["psnr"] = or_null(d.psnr);

@@ -20,13 +20,15 @@ double decibels(double mean_square) { return 10 * log(255.0 * 255.0 / mean_squar
 // What one row adds.
 struct RowSums {
     PixelCounts edges, interiors;
+    std::uint64_t not_finite = 0;
     double sum = 0, squares = 0;
     double largest = 0;
     std::int32_t x = 0;
 };
 
-RowSums sum_row(const float* a, const float* b, const std::uint8_t* edges, std::int32_t width, double unit,
-                double within) {
+// `finite` are the marks of pixels that are so in both pictures.
+RowSums sum_row(const float* a, const float* b, const std::uint8_t* edges, const std::uint8_t* finite,
+                std::int32_t width, double unit, double within) {
     RowSums row;
     for (std::int32_t x = 0; x < width; ++x) {
         double worst = 0;
@@ -39,9 +41,10 @@ RowSums sum_row(const float* a, const float* b, const std::uint8_t* edges, std::
         }
         PixelCounts& counts = edges[x] != 0 ? row.edges : row.interiors;
         ++counts.pixels;
-        counts.equal += worst == 0;
-        counts.within_1 += worst <= 1;
-        counts.within += worst <= within;
+        row.not_finite += finite[x] == 0;
+        counts.equal += finite[x] != 0 && worst == 0;
+        counts.within_1 += finite[x] != 0 && worst <= 1;
+        counts.within += finite[x] != 0 && worst <= within;
         if (worst > row.largest) {
             row.largest = worst;
             row.x = x;
@@ -57,16 +60,26 @@ void add(PixelCounts& to, const PixelCounts& more) {
     to.within += more.within;
 }
 
+std::vector<std::uint8_t> finite_pixels(const Image& a, const Image& b, int threads) {
+    std::vector<std::uint8_t> marks(a.rgb.size() / 3);
+    parallel_for(static_cast<std::size_t>(a.height), threads, [&](std::size_t y) {
+        for (std::size_t i = y * a.width; i < (y + 1) * a.width; ++i)
+            marks[i] = is_finite_pixel(&a.rgb[3 * i]) && is_finite_pixel(&b.rgb[3 * i]);
+    });
+    return marks;
+}
+
 PictureDifference measure(const Image& a, const Image& b, const CompareOptions& options) {
     const std::int32_t width = b.width, height = b.height;
     const Levels of_a = levels_of(a, options.as_floats, options.threads),
                  of_b = levels_of(b, options.as_floats, options.threads);
     const auto edges = find_edges(of_b, options.threads);
+    const auto finite = finite_pixels(a, b, options.threads);
     std::vector<RowSums> rows(static_cast<std::size_t>(height));
     parallel_for(rows.size(), options.threads, [&](std::size_t y) {
         const std::size_t start = y * width;
-        rows[y] = sum_row(&of_a.values[3 * start], &of_b.values[3 * start], &edges[start], width, of_a.unit,
-                          options.within);
+        rows[y] = sum_row(&of_a.values[3 * start], &of_b.values[3 * start], &edges[start], &finite[start],
+                          width, of_a.unit, options.within);
     });
     PictureDifference result;
     double sum = 0, squares = 0;
@@ -74,6 +87,7 @@ PictureDifference measure(const Image& a, const Image& b, const CompareOptions& 
         const RowSums& row = rows[y];
         add(result.edges, row.edges);
         add(result.interiors, row.interiors);
+        result.not_finite += row.not_finite;
         sum += row.sum;
         squares += row.squares;
         if (row.largest > result.largest.value) {
@@ -115,12 +129,14 @@ std::string pair_fault(const Image& a, const Image& b) {
 }
 
 Levels levels_of(const Image& image, bool as_floats, int threads) {
-    if (as_floats) return {image.rgb, 255, image.width, image.height};
-    Levels levels{std::vector<float>(image.rgb.size()), 1, image.width, image.height};
+    Levels levels{std::vector<float>(image.rgb.size()), as_floats ? 255.0 : 1.0, image.width, image.height};
     const std::size_t row = std::size_t{3} * image.width;
     parallel_for(static_cast<std::size_t>(image.height), threads, [&](std::size_t y) {
-        for (std::size_t i = y * row; i < (y + 1) * row; ++i)
-            levels.values[i] = static_cast<float>(quantize(static_cast<double>(image.rgb[i]), 255));
+        for (std::size_t i = y * row; i < (y + 1) * row; ++i) {
+            const float value = is_finite(image.rgb[i]) ? image.rgb[i] : 0;
+            levels.values[i] =
+                as_floats ? value : static_cast<float>(quantize(static_cast<double>(value), 255));
+        }
     });
     return levels;
 }
@@ -173,10 +189,10 @@ Image difference_image(const Image& a, const Image& b, double gain) {
         float largest = 0;
         for (std::size_t i = 0; i < b.rgb.size(); ++i) {
             image.rgb[i] = std::fabs(a.rgb[i] - b.rgb[i]);
-            largest = std::max(largest, image.rgb[i]);
+            if (is_finite(image.rgb[i])) largest = std::max(largest, image.rgb[i]);
         }
         const float factor = gain > 0 ? static_cast<float>(gain) : largest > 0 ? 1 / largest : 1;
-        for (float& value : image.rgb) value = std::min(value * factor, 1.0f);
+        for (float& value : image.rgb) value = is_finite(value) ? std::min(value * factor, 1.0f) : 1;
     });
     return error.empty() ? image : Image{};
 }

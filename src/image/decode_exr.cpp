@@ -7,11 +7,11 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cstring>
 
 #include "image/decoders.h"
 #include "image/exr_header.h"
+#include "image/levels.h"
 
 namespace glint {
 namespace {
@@ -57,9 +57,6 @@ std::array<const char*, 3> channels_of(const Imf::ChannelList& list) {
     return names;
 }
 
-// Whether all bits of the exponent are set: infinite, or not a number.
-bool is_finite(float value) { return (std::bit_cast<std::uint32_t>(value) & 0x7f800000u) != 0x7f800000u; }
-
 }  // namespace
 
 DecodeResult decode_exr(ByteSpan bytes, const DecodeOptions& options) {
@@ -93,7 +90,7 @@ DecodeResult decode_exr(ByteSpan bytes, const DecodeOptions& options) {
             float* to = &image.rgb[3 * ((y - shown.y) * shown.width + x - shown.x)];
             for (int c = 0; c < 3; ++c) {
                 const float value = from[is_grey ? 0 : c];
-                to[c] = is_finite(value) ? value : 0;
+                to[c] = value;
                 all_finite = all_finite && is_finite(value);
             }
         }
@@ -101,7 +98,7 @@ DecodeResult decode_exr(ByteSpan bytes, const DecodeOptions& options) {
     DecodeResult result;
     result.bits = 32;
     result.image = std::move(image);
-    if (!all_finite) result.note = "some of its numbers are infinite or NaN, taken for 0";
+    if (!all_finite) result.note = "some of its numbers are infinite or NaN";
     return result;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 // Pictures as the numbers that are compared.
+#include <bit>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -9,7 +10,16 @@
 
 namespace glint {
 
-/// Channels, 3 a pixel, row by row from the top: bytes (unit 1), or the floats as they are (unit 255).
+/// Neither infinite nor NaN: not all bits of the exponent are set.
+inline bool is_finite(float value) {
+    return (std::bit_cast<std::uint32_t>(value) & 0x7f800000u) != 0x7f800000u;
+}
+inline bool is_finite_pixel(const float* rgb) {
+    return is_finite(rgb[0]) && is_finite(rgb[1]) && is_finite(rgb[2]);
+}
+
+/// Channels, 3 a pixel, row by row from the top: bytes (unit 1), or the floats as they are (unit 255), and 0
+/// for what is not finite.
 struct Levels {
     std::vector<float> values;
     double unit = 1;  ///< 255ths that a value of 1 stands for

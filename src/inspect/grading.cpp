@@ -4,6 +4,7 @@
 #include <cstdlib>
 
 #include "base/guard.h"
+#include "image/levels.h"
 #include "inspect/draw_picture.h"
 
 namespace glint {
@@ -16,13 +17,14 @@ bool is_right(const std::uint8_t* a, const std::uint8_t* b) {
     return true;
 }
 
-// Right pixels of those marked; all, if none is.
-double right_share(const BytePicture& a, const BytePicture& b, const std::vector<std::uint8_t>& marks) {
+// Right pixels of those marked; all, if none is. What is infinite or NaN is not right, whatever its byte.
+double right_share(const Image& picture, const BytePicture& a, const BytePicture& b,
+                   const std::vector<std::uint8_t>& marks) {
     std::size_t marked = 0, right = 0;
     for (std::size_t i = 0; i < marks.size(); ++i) {
         if (marks[i] == 0) continue;
         ++marked;
-        right += is_right(&a.rgb[3 * i], &b.rgb[3 * i]);
+        right += is_finite_pixel(&picture.rgb[3 * i]) && is_right(&a.rgb[3 * i], &b.rgb[3 * i]);
     }
     return marked == 0 ? 1 : static_cast<double>(right) / static_cast<double>(marked);
 }
@@ -65,8 +67,9 @@ WantedPicture draw_wanted(const Scene& scene, const RubricRow& row, int threads)
 PartScore grade(const Image& picture, const WantedPicture& wanted, double points, int threads) {
     const BytePicture bytes = to_bytes(picture, threads);
     PartScore score;
-    score.share = right_share(bytes, wanted.bytes, wanted.counts);
-    score.part_share = wanted.shows.empty() ? score.share : right_share(bytes, wanted.bytes, wanted.shows);
+    score.share = right_share(picture, bytes, wanted.bytes, wanted.counts);
+    score.part_share =
+        wanted.shows.empty() ? score.share : right_share(picture, bytes, wanted.bytes, wanted.shows);
     score.points = points * points_factor(std::min(score.share, score.part_share));
     return score;
 }

@@ -1,9 +1,11 @@
 // glint compare: exit codes, limits, reports, --diff and --vary.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "cli/process.h"
+#include "glint/image.h"
 #include "image/read_png.h"
 
 namespace glint::test {
@@ -151,6 +153,33 @@ TEST_F(Compare, ReadsWhatRenderWrites) {
     EXPECT_TRUE(contains(compare({"c.exr", "b.exr"}).out, ", as floats\n"));
     const auto piped = run(folder, {"compare", "-", "right.png"}, with_input(folder.read("right.png")));
     EXPECT_EQ(piped.code, 0) << piped.err;
+}
+
+TEST_F(Compare, WhatIsNotANumberIsNeverEqual) {
+    const auto write = [&](const char* name, float value) {
+        Image image{20, 12, std::vector<float>(720)};
+        for (int c = 0; c < 3; ++c) image.rgb[c] = value;
+        const auto bytes = encode(image, {FileFormat::exr}).bytes;
+        folder.write(name, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+    };
+    write("black.exr", 0);
+    write("nan.exr", std::nanf(""));
+    write("infinite.exr", HUGE_VALF);
+    EXPECT_EQ(compare({"black.exr", "black.exr"}).code, 0);
+    for (const auto& [a, b] : {std::pair{"nan.exr", "black.exr"},
+                               {"black.exr", "nan.exr"},
+                               {"nan.exr", "nan.exr"},
+                               {"infinite.exr", "infinite.exr"}}) {
+        EXPECT_EQ(compare({a, b, "-q"}).code, 1) << a << b;
+        EXPECT_EQ(compare({a, b, "-q", "--within", "255", "--fail-percent", "100"}).code, 1) << a << b;
+        const Finished r = compare({a, b});
+        EXPECT_TRUE(contains(r.out, "1 pixels have a number that is infinite or NaN: never equal")) << r.out;
+        EXPECT_FALSE(contains(r.out, "identical")) << r.out;
+        const auto json = nlohmann::json::parse(compare({a, b, "--json"}).out);
+        EXPECT_EQ(json["not_finite"], 1);
+        EXPECT_EQ(json["all"]["equal"], 239);
+        EXPECT_EQ(json["identical"], false);
+    }
 }
 
 TEST_F(Compare, BadInput) {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 #include "image/contact_sheet.h"
 #include "image/pictures.h"
@@ -47,6 +48,30 @@ TEST(Compare, OnePixel) {
     EXPECT_EQ(to_byte(d.largest.b[1]), 100);
     EXPECT_EQ(d.edges.pixels, 0u) << "the reference alone says what is an edge";
     EXPECT_FALSE(d.ssim.has_value()) << "lower than a window";
+}
+
+TEST(Compare, WhatIsNotFiniteIsNeverEqual) {
+    const float nan = std::numeric_limits<float>::quiet_NaN(),
+                infinite = std::numeric_limits<float>::infinity();
+    for (const bool as_floats : {false, true}) {
+        for (const float odd : {nan, infinite, -infinite}) {
+            const Image b = flat(20, 12, 0);
+            Image odd_one = b;
+            odd_one.rgb[3 * (4 * 20 + 7) + 1] = odd;
+            const Image& a = odd_one;
+            for (const auto& [x, y] : {std::pair{&a, &b}, {&b, &a}, {&a, &a}}) {
+                const PictureDifference d = compare(*x, *y, {as_floats, 255});
+                EXPECT_EQ(d.not_finite, 1u);
+                EXPECT_EQ(d.all.equal, 239u);
+                EXPECT_EQ(d.all.within_1, 239u);
+                EXPECT_EQ(d.all.within, 239u);
+                EXPECT_EQ(d.mean, 0);
+                EXPECT_TRUE(std::isfinite(d.ssim.value()));
+                EXPECT_EQ(difference_image(*x, *y).rgb[3 * (4 * 20 + 7) + 1], 1);
+            }
+        }
+    }
+    EXPECT_EQ(compare(flat(5, 5, 1), flat(5, 5, 1)).not_finite, 0u);
 }
 
 TEST(Compare, LimitsIncludeThemselves) {
