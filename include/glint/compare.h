@@ -99,6 +99,9 @@ struct CauseReport {
 };
 
 struct CauseOptions {
+    /// The pictures are compared as floats: a difference that a picture of bytes does not show, as it is
+    /// above 1 or too small, is explained by a factor or not at all. Else they are taken for bytes.
+    bool as_floats = false;
     int threads = 0;
     /// Called now and then with the fraction done (0 to 1). Must not throw.
     std::function<void(double)> progress;

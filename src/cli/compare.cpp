@@ -104,6 +104,7 @@ int compare_command(CompareArguments& arguments) {
     if (!arguments.no_causes && report.difference.all.equal != report.difference.all.pixels) {
         ProgressBar bar(true);
         CauseOptions cause_options;
+        cause_options.as_floats = options.as_floats;
         cause_options.threads = arguments.threads;
         cause_options.progress = [&](double fraction) { bar.update(fraction); };
         report.with_scene = scene.has_value();

@@ -11,6 +11,7 @@
 #include "glint/compare.h"
 #include "image/levels.h"
 #include "inspect/cause_ranking.h"
+#include "inspect/float_difference.h"
 #include "inspect/picture_causes.h"
 #include "inspect/picture_lines.h"
 #include "inspect/picture_structure.h"
@@ -53,6 +54,11 @@ class CauseFinder {
             search.whole = distance(search.faulty, bytes_, search.area);
         }
         search.report.difference = search.whole.all;
+        if (options_.as_floats &&
+            is_beyond_bytes(picture, reference_, search.whole.all == 0, search.report)) {
+            search.whole = {};
+            return search;
+        }
         search.sample.rows = sample_of(search.area.rows, reference_.width);
         const double sampled = distance(search.faulty, bytes_, search.sample).all;
         if (sampled > k_fair_sample * search.whole.all || sampled * k_fair_sample < search.whole.all) {
