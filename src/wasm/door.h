@@ -27,9 +27,10 @@ GlintScene* GLINT_DOOR(glint_open)(const char* request, std::uint32_t length);
 void GLINT_DOOR(glint_close)(GlintScene* scene);
 
 /// Prepares the scene to be drawn otherwise than it says. The request is JSON: {"settings": {"size":
-/// "64x48"}, "camera": {"position": [x, y, z], "look_at", "up", "width"}}, where the camera, if given, is
-/// orthographic. What a request leaves out is as the scene was opened. 0 if that cannot be: glint_report's
-/// "error" says why, and nothing can be drawn until a request succeeds.
+/// "64x48"}, "camera": {"position": [x, y, z], "right", "up", "forward"}}, where the camera, if given, is
+/// orthographic: right and up are as long as the picture is wide and high in world units. What a request
+/// leaves out is as the scene was opened. 0 if that cannot be: glint_report's "error" says why, and nothing
+/// can be drawn until a request succeeds.
 std::int32_t GLINT_DOOR(glint_prepare)(GlintScene* scene, const char* request, std::uint32_t length);
 
 /// What became of the text, as JSON: {"ready": true, "width": 640, "height": 480, "diagnostics":

@@ -41,8 +41,8 @@ export interface OpenRequest {
 
 export interface PrepareRequest {
     settings?: Record<string, string>;
-    /** An orthographic camera in place of the scene's own; `width` is in world units. */
-    camera?: {position: Vec3; look_at: Vec3; up: Vec3; width: number};
+    /** An orthographic camera in place of the scene's own; right and up are as long as the picture is wide and high. */
+    camera?: {position: Vec3} & View;
 }
 
 export interface Report {

@@ -107,17 +107,14 @@ std::string apply(const json& request, Scene& scene) {
     }
     const json& camera = member(request, "camera");
     if (camera.is_null()) return {};
-    const auto position = vec3_member(camera, "position"), look_at = vec3_member(camera, "look_at"),
-               up = vec3_member(camera, "up");
-    const json& width = member(camera, "width");
-    if (!position || !look_at || !up || !width.is_number())
-        return "camera: expected position, look_at and up of three numbers each, and a width";
+    const auto position = vec3_member(camera, "position"), right = vec3_member(camera, "right"),
+               up = vec3_member(camera, "up"), forward = vec3_member(camera, "forward");
+    if (!position || !right || !up || !forward)
+        return "camera: expected position, right, up and forward of three numbers each";
     scene.camera = {};
     scene.camera.projection = Projection::orthographic;
     scene.camera.position = *position;
-    scene.camera.look_at = *look_at;
-    scene.camera.up = *up;
-    scene.camera.width = width.get<double>();
+    scene.camera.frame = CameraFrame{*right, *up, *forward};
     return {};
 }
 

@@ -119,11 +119,11 @@ test('a scene is prepared otherwise, and as it was again', () => {
     scene.prepare({settings: {size: '40x30', shading: 'normals'}});
     const small = open(tiled[0], {...tiled[1], size: '40x30', shading: 'normals'}).scene;
     assert.deepEqual(pixels().pixels, small.renderPixels(0, 0, 40, 30).pixels);
-    scene.prepare({camera: {position: [0, 0, 90], look_at: [0, 0, 0], up: [0, 1, 0], width: 60}});
+    scene.prepare({camera: {position: [0, 0, 90], right: [60, 0, 0], up: [0, 60, 0], forward: [0, 0, -1]}});
     assert.equal(scene.info.camera.projection, 'orthographic');
     assert.notDeepEqual(pixels().pixels, whole.pixels);
     for (const bad of ['{', '3', {settings: {size: '0x0'}}, {settings: {no: '1'}}, {camera: {position: [1, 2]}},
-                       {camera: {position: [0, 0, 0], look_at: [0, 0, 0], up: [0, 1, 0], width: 1}}]) {
+                       {camera: {position: [0, 0, 0], right: [1, 0, 0], up: [0, 1, 0], forward: [1, 0, 0]}}]) {
         assert.throws(() => scene.prepare(bad), /./, JSON.stringify(bad));
         assert.throws(() => scene.render(0, 0, 1, 1), /./);
     }

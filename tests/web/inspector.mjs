@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import {test} from 'node:test';
 
-import {choose, clickPicture, settled, withPage} from './browser.mjs';
+import {choose, clickPicture, drop, settled, withPage} from './browser.mjs';
 
 /** The numbers of a table's row. */
 async function numbers(row) {
@@ -64,6 +64,54 @@ test('the view from above can be turned', () => withPage(async (page) => {
     for (let i = 0; i < 3; ++i) await page.keyboard.press('ArrowLeft');
     await page.waitForFunction((x) => document.querySelector('.top-frame line').getAttribute('x1') !== x, before);
 }));
+
+const balls = {
+    'left-handed.cgfs': `
+sphere { center = (-1, 0, 5) radius = 1 color = (255, 0, 0) }
+sphere { center = (1.5, 0, 5) radius = 1 color = (0, 255, 0) }
+light { type = ambient intensity = 1 }
+light { type = point intensity = 0.1 position = (2, 2, 1) }
+`,
+    'right-handed.glint': `
+camera { position = (5, 0, 0)  look_at = (0, 0, 0)  up = (0, 0, 1) }
+sphere { center = (0, -1, 0)  radius = 1  color = (1, 0, 0)  ambient = 1 }
+sphere { center = (0, 1.5, 0)  radius = 1  color = (0, 1, 0)  ambient = 1 }
+light { type = ambient  intensity = 1 }
+light { type = point  intensity = 0.1  position = (4, 2, 2) }
+`,
+};
+for (const [name, text] of Object.entries(balls)) {
+    test(`from above, what is at the right is at the right: ${name}`, () => withPage(async (page) => {
+        await drop(page, {name, text});
+        await page.waitForFunction((wanted) => document.querySelector('.file-name').textContent === wanted, name);
+        await settled(page);
+        await clickPicture(page, 0.4, 0.5);
+        await page.locator('.top-frame').scrollIntoViewIfNeeded();
+        const sides = () => page.evaluate(() => {
+            const canvas = document.querySelector('.top-frame canvas');
+            const {data} = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height);
+            const sum = [0, 0], count = [0, 0];
+            for (let i = 0; i < data.length; i += 4) {
+                const ball = data[i] > 2 * data[i + 1] ? 0 : data[i + 1] > 2 * data[i] ? 1 : -1;
+                if (ball < 0) continue;
+                sum[ball] += (i / 4) % canvas.width;
+                ++count[ball];
+            }
+            return sum.map((x, ball) => x / count[ball]);
+        });
+        await page.waitForFunction(() => {
+            const canvas = document.querySelector('.top-frame canvas');
+            return new Set(canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height).data).size > 4;
+        });
+        const [red, green] = await sides();
+        assert.ok(red + 20 < green, `red at ${red}, green at ${green}`);
+        const light = page.locator('.top-frame line.light').first();
+        assert.ok(Number(await light.getAttribute('x2')) > Number(await light.getAttribute('x1')) + 10);
+        // The camera ray goes up, from the camera.
+        const ray = page.locator('.top-frame line.camera').first();
+        assert.ok(Number(await ray.getAttribute('y2')) < Number(await ray.getAttribute('y1')) - 10);
+    }));
+}
 
 test('pointing at a pixel says what is there; a changed scene is explained anew', () => withPage(async (page) => {
     const box = await page.locator('.frame').boundingBox();

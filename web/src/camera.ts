@@ -1,5 +1,5 @@
 // The camera on the page's side: from world to picture, and where the mouse moves it.
-import type {CameraInfo, Vec3} from 'glint-wasm';
+import type {CameraInfo, Vec3, View} from 'glint-wasm';
 
 import {length} from './text/edit';
 
@@ -16,6 +16,8 @@ function turned(v: Vec3, axis: Vec3, angle: number): Vec3 {
     const c = Math.cos(angle), s = Math.sin(angle);
     return add(add(scaled(v, c), cross(axis, v), s), axis, dot(axis, v) * (1 - c));
 }
+
+const isLeftHanded = ({view: {right, up, forward}}: CameraInfo) => dot(cross(right, up), forward) > 0;
 
 /** A point as the camera has it: v = depth (forward + u right + v up) for perspective, else forward depth + u right + v up. */
 function inFrame(camera: CameraInfo, point: Vec3): {u: number; v: number; depth: number} {
@@ -79,7 +81,7 @@ export function moved(camera: CameraInfo, move: Move, distance: number): CameraI
     }
     // A turntable: about the scene's upright axis, then about the camera's own horizontal one, not over the poles.
     const upright = camera.up ? unit(camera.up) : nearestAxis(up);
-    const leftHanded = dot(cross(right, up), forward) > 0;
+    const leftHanded = isLeftHanded(camera);
     const yaw = (leftHanded ? 1 : -1) * move.x * Math.PI;
     const level = unit(right);
     const elevation = Math.asin(Math.max(-1, Math.min(1, dot(unit(forward), upright))));
@@ -98,34 +100,40 @@ function nearestAxis(v: Vec3): Vec3 {
     return unit(axis);
 }
 
-/** A camera straight above (or from any side) that sees points and a little around them, in parallel projection. */
-export function overview(points: Vec3[], upright: Vec3, yaw: number, tilt: number):
-    {position: Vec3; look_at: Vec3; up: Vec3; width: number} {
+/** The scene as a map: from above, and turned from there, in parallel projection. */
+export interface Overview extends View {
+    position: Vec3;
+}
+
+/**
+ * Sees points and a little around them. Ahead of the scene's camera is up, and what is at its right is at the right.
+ * yaw turns it about the upright axis, tilt from above towards the camera; both in radians. aspect: width over height.
+ */
+export function overview(points: Vec3[], camera: CameraInfo, yaw: number, tilt: number, aspect: number): Overview {
     const low = points.reduce((a, p) => a.map((c, i) => Math.min(c, p[i]!)) as Vec3);
     const high = points.reduce((a, p) => a.map((c, i) => Math.max(c, p[i]!)) as Vec3);
     const center = scaled(add(low, high), 0.5);
     const radius = Math.max(1e-6, ...points.map((p) => length(sub(p, center))));
-    const side = unit(Math.abs(upright[0]) < 0.9 ? cross(upright, [1, 0, 0]) : cross(upright, [0, 1, 0]));
-    const start = turned(side, upright, yaw);
-    const level = cross(upright, start);
+    const upright = nearestAxis(camera.up ?? camera.view.up);
+    const leftHanded = isLeftHanded(camera);
+    const along = add(camera.view.forward, upright, -dot(camera.view.forward, upright));
+    const ahead = length(along) > 1e-6 * length(camera.view.forward)
+        ? unit(along) : unit(Math.abs(upright[0]) < 0.9 ? cross(upright, [1, 0, 0]) : cross(upright, [0, 1, 0]));
+    const behind = turned(scaled(ahead, -1), upright, leftHanded ? -yaw : yaw);
+    const level = cross(upright, behind);
     const towards = turned(upright, level, tilt);  // from the centre to the viewer
     // What is above the rays is cut away: the parallel rays begin just over them.
     const reach = Math.max(...points.map((p) => dot(sub(p, center), towards)));
+    const width = 2.5 * radius;
     return {
         position: add(center, towards, reach + 0.35 * radius),
-        look_at: center,
-        up: unit(cross(towards, level)),
-        width: 2.5 * radius,
+        right: scaled(level, leftHanded ? -width : width),
+        up: scaled(unit(cross(towards, level)), width / aspect),
+        forward: scaled(towards, -1),
     };
 }
 
 /** The same as the engine's description of it, for projectLine. */
-export function overviewCamera(view: ReturnType<typeof overview>, width: number, height: number): CameraInfo {
-    const forward = unit(sub(view.look_at, view.position));
-    const x = unit(cross(forward, view.up));
-    const y = cross(x, forward);
-    return {
-        projection: 'orthographic', position: view.position, place: null, has_frame: false,
-        view: {right: scaled(x, view.width), up: scaled(y, (view.width * height) / width), forward},
-    };
+export function overviewCamera({position, ...view}: Overview): CameraInfo {
+    return {projection: 'orthographic', position, place: null, has_frame: true, view};
 }

@@ -26,10 +26,7 @@ export function TopView({told}: {told: Explanation}) {
     const view = useRef<View | null>(null);
     const yaw = useSignal(0), tilt = useSignal(0.35);
     const camera = info.value!.camera;
-    const upright: Vec3 = camera.up ?? camera.view.up;
-    const largest = Math.max(...upright.map(Math.abs));
-    const axis = upright.map((c) => (Math.abs(c) === largest ? Math.sign(c) : 0)) as Vec3;
-    const seen = overview(pointsOf(told), axis, yaw.value, tilt.value);
+    const seen = overview(pointsOf(told), camera, yaw.value, tilt.value, width / height);
     const key = JSON.stringify(seen);
     useEffect(() => {
         const context = canvas.current!.getContext('2d', {alpha: false})!;
@@ -84,7 +81,7 @@ export function TopView({told}: {told: Explanation}) {
                 }}
             >
                 <canvas ref={canvas} width={width} height={height} />
-                <Lines told={told} camera={overviewCamera(seen, width, height)} width={width} height={height} withCamera />
+                <Lines told={told} camera={overviewCamera(seen)} width={width} height={height} withCamera />
             </div>
             <p class="legend">
                 <span class="ray-key camera" /> camera <span class="ray-key mirror" /> mirror <span class="ray-key transmitted" /> glass
