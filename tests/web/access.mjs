@@ -129,6 +129,16 @@ test('at 360 pixels nothing is cut off, and every panel can be reached', () => w
     await choose(page, 'glint/still_life.glint');
 }, {width: 360, height: 740}));
 
+test('on a phone the picture stays in sight while its controls are used', () => withPage(async (page) => {
+    const slider = page.locator('[data-light="2"]').getByRole('slider', {name: 'Towards z'});
+    await slider.evaluate((input) => input.scrollIntoView({block: 'end'}));
+    assert.ok(await page.evaluate(() => scrollY) > 100);
+    const box = await page.locator('.frame').boundingBox(), under = await slider.boundingBox();
+    assert.ok(box.y >= 0 && box.height > 200 && box.y + box.height < under.y, JSON.stringify([box, under]));
+    await slider.click();
+    await settled(page);
+}, {width: 360, height: 740}));
+
 test('the page, to look at', () => withPage(async (page) => {
     await choose(page, 'epfl/castle.json');
     await clickPicture(page, 0.585, 0.79);
