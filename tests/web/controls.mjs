@@ -5,7 +5,7 @@ import {cpus, loadavg} from 'node:os';
 import {join} from 'node:path';
 import {test} from 'node:test';
 
-import {book, choose, drop, native, nativeText, picture, sceneText, scenes, settled, withPage} from './browser.mjs';
+import {book, choose, drop, native, nativeText, paste, picture, sceneText, scenes, settled, withPage} from './browser.mjs';
 
 const still = readFileSync(join(scenes, 'glint/still_life.glint'), 'utf8').replace('640 x 480  aa = 2', '120 x 90  aa = 1');
 
@@ -87,6 +87,53 @@ test('a light that was off is as bright again', () => withPage(async (page) => {
     assert.equal(await sceneText(page), book);
 }));
 
+test('what is dragged is undone at once', () => withPage(async (page) => {
+    const undo = page.getByRole('button', {name: 'Undo'});
+    const slider = page.locator('[data-light="1"]').getByRole('slider', {name: 'Position x'});
+    await slider.evaluate(async (input) => {
+        for (let i = 1; i <= 20; ++i) {
+            input.value = String(2 + i / 10);
+            input.dispatchEvent(new Event('input', {bubbles: true}));
+            await new Promise((next) => setTimeout(next, 20));
+        }
+    });
+    await settled(page);
+    assert.equal(await sceneText(page), book.replace('(2, 1, 0)', '(4, 1, 0)'));
+    await undo.click();
+    assert.equal(await sceneText(page), book);
+    const box = await page.locator('.frame').boundingBox();
+    await page.mouse.move(box.x + 200, box.y + 200);
+    await page.mouse.down();
+    for (let i = 1; i <= 10; ++i) await page.mouse.move(box.x + 200 + 8 * i, box.y + 200);
+    await page.mouse.up();
+    await settled(page);
+    assert.match(await sceneText(page), /^camera {/m);
+    await undo.click();
+    assert.equal(await sceneText(page), book);
+    assert.ok(await undo.isDisabled());
+}));
+
+test('while the text has a mistake, a light’s control still finds its light', () => withPage(async (page) => {
+    for (const scene of ['cgfs/three_mirrors.cgfs', 'nff/pyramid.nff']) {
+        await choose(page, scene);
+        const before = await sceneText(page);
+        await page.locator('.cm-content').click();
+        await page.keyboard.press('Control+Home');
+        await page.keyboard.type('oops 1 2\n');
+        await settled(page, 'error');
+        await page.locator('[data-light="1"]').getByRole('spinbutton', {name: 'Intensity'}).fill('0.75');
+        const line = before.split('\n').filter((one) => /^(light|l) /.test(one))[1];
+        const expected = scene.endsWith('nff') ? 'l 6 3 3 0.75 0.375 0.3' : line.replace('0.6', '0.75');
+        assert.equal(await sceneText(page), `oops 1 2\n${before.replace(line, expected)}`);
+        await page.locator('[data-light="1"]').getByRole('button', {name: /^line/}).click();
+        await page.waitForFunction((words) => document.querySelector('.editor').shadowRoot.querySelector('.cm-activeLine').textContent === words, expected);
+    }
+    // Of what was deleted nothing can be changed.
+    await paste(page, 'nothing of it is left');
+    await settled(page, 'error');
+    assert.equal(await page.locator('[data-light="1"] input:enabled').count(), 0);
+}));
+
 const lights = [
     ['epfl/three_lights.json', 1, /"position": \[-3.4, 1, 3.4\], "color": \[0.5, 0.03125, 0.01875\]/],
     ['csc473/glass_ball.pov', 1, /light_source { <-12, 1, 14> color rgb <0.5, 0.47727, 0.43182> }/],
@@ -151,6 +198,63 @@ test('what the camera looks at stays in the middle', () => withPage(async (page)
     const position = /position = \((.*?)\) {2}look_at/.exec(text)[1].split(', ').map(Number);
     const distance = Math.hypot(position[0], position[1] - 0.8, position[2]);
     assert.ok(Math.abs(distance - Math.hypot(1.4, 9) / 1.15) < 0.01, `${distance}`);
+}));
+
+/** Where the camera of acne.glint is. */
+async function eye(page) {
+    return /camera {[^}]*position = \((.*?)\)/.exec(await sceneText(page))[1].split(', ').map(Number);
+}
+
+test('moves that follow each other faster than pictures add up', () => withPage(async (page) => {
+    await choose(page, 'glint/acne.glint');
+    const start = await eye(page);
+    await page.getByRole('button', {name: 'Turn left'}).evaluate((button) => {
+        for (let i = 0; i < 5; ++i) button.click();
+    });
+    await settled(page);
+    const end = await eye(page);
+    const angle = ([x, , z]) => Math.atan2(x, z);
+    const turned = Math.abs(angle(end) - angle(start));
+    assert.ok(Math.abs(turned - 5 * 0.06 * Math.PI) < 0.01, `${turned}`);
+}));
+
+test('two fingers shift the camera and take it nearer; one turns it', () => withPage(async (page, context) => {
+    await choose(page, 'glint/acne.glint');
+    const touch = await context.newCDPSession(page);
+    const box = await page.locator('.frame').boundingBox();
+    const at = (x, y, id) => ({x: box.x + x * box.width, y: box.y + y * box.height, id});
+    const send = (type, ...touchPoints) => touch.send('Input.dispatchTouchEvent', {type, touchPoints});
+    const start = await eye(page);
+    await send('touchStart', at(0.4, 0.5, 0));
+    await send('touchStart', at(0.4, 0.5, 0), at(0.6, 0.5, 1));
+    for (const d of [0.12, 0.15, 0.2]) await send('touchMove', at(0.5 - d, 0.5, 0), at(0.5 + d, 0.5, 1));
+    await send('touchEnd', at(0.3, 0.5, 0));
+    await send('touchMove', at(0.2, 0.2, 0));  // the finger that is left
+    await send('touchEnd');
+    await settled(page);
+    const near = await eye(page);
+    const range = ([x, y, z]) => Math.hypot(x, y - 0.8, z);
+    assert.ok(Math.abs(range(near) / range(start) - 0.5) < 0.01, `${start} ${near}`);
+    assert.match(await sceneText(page), /look_at = \(0, 0\.8, 0\)/);
+    assert.equal(await page.locator('.inspector').count(), 0);
+    await send('touchStart', at(0.5, 0.3, 0));
+    for (const y of [0.4, 0.5, 0.6]) await send('touchMove', at(0.5, y, 0));
+    await send('touchEnd');
+    await settled(page);
+    const over = await eye(page);
+    assert.ok(over[1] > near[1] + 0.5 && Math.abs(range(over) / range(near) - 1) < 0.01, `${near} ${over}`);
+    await page.touchscreen.tap(box.x + box.width / 2, box.y + box.height / 2);
+    await page.locator('.inspector').waitFor();
+}, {hasTouch: true}));
+
+test('with Shift, the camera’s buttons shift it', () => withPage(async (page) => {
+    await choose(page, 'glint/acne.glint');
+    const start = await eye(page);
+    await page.getByRole('button', {name: 'Turn right'}).focus();
+    await page.keyboard.press('Shift+Enter');
+    await settled(page);
+    const end = await eye(page);
+    assert.ok(end[0] > start[0] + 0.1 && Math.abs(end[2] - start[2]) < 1e-3, `${start} ${end}`);
 }));
 
 test('dragging a slider shows more than 15 frames a second', () => withPage(async (page) => {

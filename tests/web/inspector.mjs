@@ -113,6 +113,37 @@ for (const [name, text] of Object.entries(balls)) {
     }));
 }
 
+test('in a comparison, a pixel is explained in the picture it is seen in', () => withPage(async (page) => {
+    await page.getByRole('tab', {name: 'Compare'}).click();
+    await page.getByRole('button', {name: '0 | 3 reflections'}).click();
+    await page.waitForSelector('.right-half canvas');
+    await settled(page);
+    const bytes = (index, x, y) => page.evaluate(([i, fx, fy]) => {
+        const canvas = document.querySelectorAll('.frame canvas')[i];
+        const at = (fraction, size) => Math.floor(fraction * size);
+        return [...canvas.getContext('2d').getImageData(at(fx, canvas.width), at(fy, canvas.height), 1, 1).data].slice(0, 3).join(' ');
+    }, [index, x, y]);
+    await page.waitForFunction(() => document.querySelectorAll('.frame canvas')[1].width === 600);
+    await page.waitForTimeout(1500);
+    for (const [side, x, name] of [[0, 0.2, 'left'], [1, 0.8, 'right']]) {
+        const expected = await bytes(side, x, 0.9);
+        assert.notEqual(expected, await bytes(1 - side, x, 0.9));
+        await clickPicture(page, x, 0.9);
+        await page.waitForFunction((words) => document.querySelector('.inspector .mono')?.textContent === words, expected);
+        assert.match(await page.locator('.inspector > .note').innerText(), new RegExp(`${name} picture: reflections = ${3 * side}`));
+    }
+    await page.getByRole('tab', {name: 'Compare'}).click();
+    await page.getByRole('button', {name: '0 | 3 reflections'}).click();
+    await page.getByRole('textbox', {name: 'Left'}).fill('1');
+    await page.getByRole('textbox', {name: 'Right'}).fill('-7');
+    await page.getByRole('textbox', {name: 'Right'}).blur();
+    await page.waitForFunction(() => /expected a whole number/.test(document.querySelector('[role=alert]')?.textContent));
+    assert.match(await page.locator('.tag.right').innerText(), /not drawn/);
+    await page.getByRole('textbox', {name: 'Right'}).fill('2');
+    await page.getByRole('textbox', {name: 'Right'}).blur();
+    await page.waitForFunction(() => !document.querySelector('[role=alert]'));
+}));
+
 test('pointing at a pixel says what is there; a changed scene is explained anew', () => withPage(async (page) => {
     const box = await page.locator('.frame').boundingBox();
     await page.mouse.move(box.x + box.width / 2, box.y + box.height * 0.7);

@@ -67,6 +67,7 @@ test('a picture that would take hours gives way to the next one at once', () => 
     await paste(page, hall.replace(/size.*reflections = 64/, 'size = 4000 x 3000  reflections = 1000  aa = 64'));
     await page.waitForTimeout(1500);
     assert.equal(await page.locator('[data-state]').getAttribute('data-state'), 'drawing');
+    assert.match(await page.locator('[data-state]').innerText(), /\d % · \d+\.\d M rays\/s/);
     const start = Date.now();
     await paste(page, hall.replace(/size.*reflections = 64/, 'size = 60 x 45  reflections = 4'));
     await page.waitForFunction(() => document.querySelector('.frame canvas').width === 60);

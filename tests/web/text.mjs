@@ -1,9 +1,10 @@
 // The text: mistakes are shown at their place, undo, conversion.
 import assert from 'node:assert/strict';
+import {readFileSync} from 'node:fs';
 import {join} from 'node:path';
 import {test} from 'node:test';
 
-import {book, native, nativeText, paste, picture, sceneText, scenes, settled, withPage} from './browser.mjs';
+import {book, drop, native, nativeText, paste, picture, sceneText, scenes, settled, withPage} from './browser.mjs';
 
 test('a mistake is shown at its line and column, and the last good picture stays', () => withPage(async (page) => {
     const before = await picture(page);
@@ -70,10 +71,28 @@ test('a scene is converted to .glint, with what its own format cannot say, and b
     assert.deepEqual(await picture(page), before);
     assert.deepEqual(nativeText('three_mirrors.glint', text), before);
     assert.equal(await page.locator('.outside').count(), 0);
+    assert.match(await page.locator('.notice').innerText(), /^The scene is now three_mirrors\.glint;/);
     await page.getByRole('button', {name: 'Undo'}).click();
     await settled(page);
+    assert.equal(await page.locator('.notice').count(), 0);
     assert.equal(await sceneText(page), book);
     assert.equal(await page.locator('.file-name').innerText(), 'three_mirrors.cgfs');
     assert.match(await page.locator('.outside').innerText(), /shading = blinn-phong/);
     assert.deepEqual(await picture(page), before);
+}));
+
+test('one of several scenes in a file is chosen', () => withPage(async (page) => {
+    const file = join(scenes, 'epfl/two_scenes.js');
+    await drop(page, {name: 'two_scenes.js', text: readFileSync(file)});
+    await page.waitForFunction(() => document.querySelector('.file-name').textContent === 'two_scenes.js');
+    await settled(page);
+    const menu = page.getByRole('combobox', {name: 'Scene of this file'});
+    assert.equal(await menu.inputValue(), 'snowman');
+    await menu.selectOption('pipes');
+    await settled(page);
+    assert.deepEqual(await picture(page), native(file, '--scene', 'pipes'));
+    await page.getByRole('button', {name: 'Undo'}).click();
+    await settled(page);
+    assert.equal(await menu.inputValue(), 'snowman');
+    assert.deepEqual(await picture(page), native(file));
 }));

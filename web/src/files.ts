@@ -1,5 +1,5 @@
 // Saving what the page has made.
-import {comparison, fileName, settingOf} from './store';
+import {comparison, fileName, settingOf} from './store/state';
 
 function save(blob: Blob, name: string) {
     const anchor = document.createElement('a');

@@ -1,7 +1,8 @@
 import {render} from 'preact';
 
 import {startPool} from './engine/start';
-import {failure, machinery, openFirst, state} from './store';
+import {openFirst} from './store/scene';
+import {failure, machinery, state} from './store/state';
 import {App} from './ui/App';
 import {connectViews} from './ui/pictures';
 

@@ -7,6 +7,7 @@ import {Compartment, EditorState, StateEffect, Transaction} from '@codemirror/st
 import {EditorView, drawSelection, highlightActiveLine, highlightActiveLineGutter, keymap, lineNumbers} from '@codemirror/view';
 
 import type {Edit} from '../text/edit';
+import {Drift} from './drift';
 import {languageOf} from './language';
 
 /** What belongs to a scene beside its text, and is undone with it. */
@@ -28,6 +29,7 @@ const theme = EditorView.theme({
     '&': {height: '100%', color: 'var(--text)', backgroundColor: 'var(--field)', fontSize: '13px'},
     '.cm-scroller': {fontFamily: 'var(--mono)', lineHeight: '1.55'},
     '.cm-content': {caretColor: 'var(--text)', padding: '8px 0'},
+    '.cm-line': {paddingLeft: '30px', textIndent: '-24px'},
     '.cm-cursor': {borderLeftColor: 'var(--text)', borderLeftWidth: '2px'},
     '.cm-gutters': {backgroundColor: 'var(--field)', color: 'var(--faint)', border: 'none'},
     '.cm-activeLine, .cm-activeLineGutter': {backgroundColor: 'var(--line-now)'},
@@ -53,6 +55,7 @@ const theme = EditorView.theme({
 export class Editor {
     readonly #view: EditorView;
     readonly #language = new Compartment();
+    readonly #drift = new Drift();
 
     constructor(host: HTMLElement, private readonly events: EditorEvents) {
         const root = host.shadowRoot ?? host.attachShadow({mode: 'open'});
@@ -66,13 +69,14 @@ export class Editor {
         return EditorState.create({
             doc: text,
             extensions: [
-                lineNumbers(), history(), drawSelection(), bracketMatching(), highlightActiveLine(), highlightActiveLineGutter(),
+                lineNumbers(), history(), drawSelection(), bracketMatching(), EditorView.lineWrapping, highlightActiveLine(), highlightActiveLineGutter(),
                 lintGutter(), indentUnit.of('    '), keymap.of([...defaultKeymap, ...historyKeymap]), theme,
                 this.#language.of(languageOf(name)),
                 EditorView.contentAttributes.of({'aria-label': 'Scene text', spellcheck: 'false', autocapitalize: 'off'}),
                 invertedEffects.of((transaction) =>
                     transaction.effects.some((one) => one.is(besideChanged)) ? [besideChanged.of(this.events.beside())] : []),
                 EditorView.updateListener.of((update) => {
+                    if (update.docChanged) this.#drift.changed(update.changes.desc);
                     const beside = update.transactions.flatMap((one) => one.effects).findLast((one) => one.is(besideChanged))?.value;
                     if (update.docChanged || beside) this.#tell(beside ?? null);
                 }),
@@ -92,12 +96,28 @@ export class Editor {
     /** Another scene: its history begins anew. */
     open(text: string, name: string) {
         this.#view.setState(this.#state(text, name));
+        this.#drift.restart();
         this.#tell(null);
     }
 
-    /** Edits of a control. Those that follow each other quickly are undone together. */
+    /** Of the text, for wasRead(). */
+    get version() {
+        return this.#drift.version;
+    }
+
+    /** A scene was read from a version of the text; offsetOf() takes its places. */
+    wasRead(version: number, text: string) {
+        this.#drift.read(version, text);
+    }
+
+    /** The offset of the scene's line and column in the text as it is now; null if that was deleted. */
+    offsetOf(line: number, column: number): number | null {
+        return this.#drift.now(line, column);
+    }
+
+    /** Edits of a control. Those that follow each other quickly are undone together, which the history does without a userEvent. */
     apply(edits: Edit[]) {
-        this.#view.dispatch({changes: edits, annotations: Transaction.userEvent.of('input.control')});
+        this.#view.dispatch({changes: edits});
     }
 
     /** Changes what is beside the text, and all of the text if it is given. `again`: undone together with the last change. */

@@ -9,6 +9,8 @@ export interface Subject {
     request: OpenRequest;
     /** Changes to what the scene says, e.g. another camera. */
     prepare: PrepareRequest;
+    /** Of the text, for who asked for it. */
+    version?: number | undefined;
 }
 
 export interface Progress {
@@ -20,7 +22,7 @@ export interface Progress {
 
 export interface ViewEvents {
     /** A subject was read; its scene may have errors. */
-    opened(opened: Opened, key: number): void;
+    opened(opened: Opened, subject: Subject): void;
     /** A picture of this size begins. */
     sized(width: number, height: number): void;
     /** Pixels for a rectangle of the picture, which may have to be stretched to it. */
@@ -107,7 +109,7 @@ export class View {
         const affordable = (frameTime * this.pool.size) / this.#sampleTime;
         const expected = this.current ? this.#levels(subject, this.current.info, affordable)[0]! : null;
         const opening = (expected && !expected.final && await this.#openDrawing(subject, key, expected)) || await this.#open(subject, key);
-        this.events.opened(opening.opened, key);
+        this.events.opened(opening.opened, subject);
         const {info} = opening.opened;
         if (!info) return;
         const levels = this.#levels(subject, info, affordable);

@@ -40,8 +40,16 @@ function tokenize(text: string): Token[] {
     return tokens;
 }
 
-/** Reads what is well-formed; what is not is skipped, as the engine says what is wrong with it. */
+let kept: {text: string; root: Block} | null = null;
+
+/** The blocks of a text. Every control asks for those of the same text. */
 function parse(text: string): Block {
+    if (kept?.text !== text) kept = {text, root: read(text)};
+    return kept.root;
+}
+
+/** Reads what is well-formed; what is not is skipped, as the engine says what is wrong with it. */
+function read(text: string): Block {
     const tokens = tokenize(text);
     let i = 0;
     const value = (): [number, number] | null => {

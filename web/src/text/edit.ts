@@ -24,6 +24,8 @@ export interface SceneFormat {
     setting(text: string, key: string, value: string, isConvention: boolean): Edit[] | null;
     /** The light whose text begins at an offset. */
     light(text: string, offset: number): LightText | null;
+    /** The names of the scenes in a text that may have several. */
+    scenes?(text: string): string[];
     /** Moves the camera whose text begins at an offset; null as offset: there is none yet. */
     camera(text: string, offset: number | null, camera: CameraInfo): Edit[] | null;
 }

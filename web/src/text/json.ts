@@ -60,6 +60,20 @@ function parse(text: string, offset: number): Value | null {
     return value(0);
 }
 
+/** The objects that a text holds by themselves or in a list. */
+function* objects(text: string): Generator<Map<string, Value>> {
+    const next = /\/\/.*|\/\*[^]*?\*\/|"(?:\\.|[^"\\\n])*"|'(?:\\.|[^'\\\n])*'|[{[]/g;
+    for (let match = next.exec(text); match; match = next.exec(text)) {
+        if (match[0] !== '{' && match[0] !== '[') continue;
+        const found = parse(text, match.index);
+        if (!found) return;
+        for (const one of found.items ?? [found]) {
+            if (one.members) yield one.members;
+        }
+        next.lastIndex = found.to;
+    }
+}
+
 function numbers(text: string, value: Value | undefined): Vec3 | null {
     const list = value?.items?.map((item) => Number(text.slice(item.from, item.to)));
     return list?.length === 3 && list.every(Number.isFinite) ? (list as Vec3) : null;
@@ -72,6 +86,11 @@ function replaced(value: Value, v: Vec3): Edit {
 export const json: SceneFormat = {
     name: '.json',
     setting: () => null,
+    scenes(text) {
+        if (/^\s*{/.test(text)) return [];  // JSON has one
+        const names = [...objects(text)].map((one) => one.get('name')).filter((name) => name !== undefined);
+        return names.map(({from, to}) => text.slice(from, to).replace(/^["']|["']$/g, ''));
+    },
     light(text, offset) {
         const members = parse(text, offset)?.members;
         const color = members?.get('color'), position = members?.get('position');

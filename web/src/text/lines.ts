@@ -20,7 +20,9 @@ export const nff: SceneFormat = {
     },
     light(text, offset) {
         const end = text.indexOf('\n', offset) < 0 ? text.length : text.indexOf('\n', offset);
-        const values = text.slice(offset, end).split('#')[0]!.trim().split(/\s+/).slice(1).map(Number);
+        const [word, ...rest] = text.slice(offset, end).split('#')[0]!.trim().split(/\s+/);
+        const values = rest.map(Number);
+        if (word !== 'l' || !values.every(Number.isFinite)) return null;
         if (values.length !== 3 && values.length !== 6) return null;
         const place = values.slice(0, 3) as Vec3;
         // Without a colour, all lights together are as bright as the square root of their number.
@@ -59,6 +61,7 @@ export const pov: SceneFormat = {
     name: '.pov',
     setting: () => null,
     light(text, offset) {
+        if (!text.startsWith('light_source', offset)) return null;
         const end = endOfBlock(text, offset);
         const place = find(text, vector, offset, end);
         const color = find(text, /rgb\s*(<[^<>]*>)/, offset, end);

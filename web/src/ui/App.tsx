@@ -1,7 +1,8 @@
 import {useEffect} from 'preact/hooks';
 
-import {machinery, notice, openFiles, pinned, tab} from '../store';
 import {savePicture} from '../files';
+import {openFiles} from '../store/scene';
+import {machinery, notice, pinned, tab} from '../store/state';
 import {canvases} from './pictures';
 import {Compare} from './Compare';
 import {Controls} from './Controls';

@@ -1,7 +1,8 @@
 import {useSignal} from '@preact/signals';
 import {useEffect, useRef} from 'preact/hooks';
 
-import {comparison, difference, info, setComparison, settingOf, split} from '../store';
+import {setComparison} from '../store/scene';
+import {comparison, comparisonFailure, difference, info, settingOf, split} from '../store/state';
 import {wordsOf} from './Controls';
 import {Choice, Switch} from './fields';
 import {canvases, firstDone, secondDone} from './pictures';
@@ -89,6 +90,7 @@ export function Compare() {
                     <>
                         <Value name={compare.key} label="Left" value={compare.a} set={(a) => setComparison({...compare, a})} />
                         <Value name={compare.key} label="Right" value={compare.b} set={(b) => setComparison({...compare, b})} />
+                        {comparisonFailure.value && <p class="message error" role="alert">Right: {comparisonFailure.value}</p>}
                         <Switch label="Show the difference" on={difference.value} set={(on) => {
                             difference.value = on;
                         }} />

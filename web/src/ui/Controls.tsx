@@ -2,9 +2,11 @@
 import type {LightInfo, Setting, Vec3} from 'glint-wasm';
 import {useSignal} from '@preact/signals';
 
-import {
-    convertToGlint, dropOverride, format, info, lightText, overrides, reveal, setLight, setSetting, settingOf, switchLight,
-} from '../store';
+import {lightText, setLight, switchLight} from '../store/lights';
+import {isHere, reveal} from '../store/places';
+import {convertToGlint} from '../store/scene';
+import {dropOverride, setSetting} from '../store/settings';
+import {format, info, overrides, settingOf} from '../store/state';
 import {Choice, NumberField, Slider, Switch} from './fields';
 
 /** The words of "a | b | c", or nothing. */
@@ -40,8 +42,8 @@ function Size() {
             <NumberField label="Width" hidden value={width} min={1} max={65536} step={1} set={(w) => set(w, height)} />
             <span aria-hidden="true">×</span>
             <NumberField label="Height" hidden value={height} min={1} max={65536} step={1} set={(h) => set(width, h)} />
-            <button class="quiet" onClick={() => set(width / 2, height / 2)} disabled={width < 64}>½</button>
-            <button class="quiet" onClick={() => set(width * 2, height * 2)} disabled={width > 4096}>×2</button>
+            <button class="quiet" aria-label="Half as large" title="Half as large" onClick={() => set(width / 2, height / 2)} disabled={Math.min(width, height) < 64}>½</button>
+            <button class="quiet" aria-label="Twice as large" title="Twice as large" onClick={() => set(width * 2, height * 2)} disabled={Math.max(width, height) > 4096}>×2</button>
         </fieldset>
     );
 }
@@ -79,7 +81,7 @@ function Light({light, index}: {light: LightInfo; index: number}) {
             <div class="light-head">
                 <Switch label={<><span class="swatch" style={{background: `rgb(${swatch})`}} aria-hidden="true" /> {name}</>}
                         on={said ? said.intensity !== 0 : brightest !== 0} disabled={!said} set={(on) => switchLight(index, on)} />
-                <span class="kind">{light.name ? kinds[light.kind].toLowerCase() : ''}</span>
+                <span class="kind">{light.name && light.name !== light.kind ? light.kind : ''}</span>
                 {light.place && <button class="link" onClick={() => reveal(light.place)}>line {light.place.line}</button>}
             </div>
             {said ? (
@@ -93,8 +95,9 @@ function Light({light, index}: {light: LightInfo; index: number}) {
                     ))}
                 </>
             ) : (
-                <p class="note">{light.place ? `Said in ${light.place.file}` : 'This format has it without saying so'}.
-                    As .glint it can be changed here.</p>
+                <p class="note">{!light.place ? 'This format has it without saying so. As .glint it can be changed here.'
+                    : isHere(light.place) ? 'It cannot be changed here as it stands in the text now.'
+                    : `Said in ${light.place.file}. As .glint it can be changed here.`}</p>
             )}
         </fieldset>
     );
@@ -179,7 +182,7 @@ export function Controls() {
                     {conventions.map((setting) => <Convention key={setting.name} setting={setting} />)}
                 </details>
             </section>
-            <p class="note">{shapes.join(', ')}; {facts.material_count} materials.</p>
+            <p class="note">{shapes.join(', ')}; {facts.material_count} material{facts.material_count === 1 ? '' : 's'}.</p>
         </>
     );
 }

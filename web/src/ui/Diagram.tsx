@@ -2,8 +2,8 @@
 import type {Explanation, Vec3} from 'glint-wasm';
 
 import {add, cross, dot, scaled, unit} from '../camera';
-import {selected, settingOf} from '../store';
-import {itemName} from './words';
+import {pinnedIn, selected} from '../store/state';
+import {itemName, lightName} from './words';
 
 const degrees = (a: Vec3, b: Vec3) => (Math.acos(Math.max(-1, Math.min(1, dot(a, b)))) * 180) / Math.PI;
 
@@ -24,7 +24,7 @@ export function Diagram({told}: {told: Explanation}) {
         const x = -dot(p, left), y = dot(p, depth), z = dot(p, n);
         return [150 + 96 * x, 128 - 96 * (z * Math.sqrt(1 - lift * lift) + y * lift)];
     };
-    const isPhong = settingOf('shading')?.value === 'phong';
+    const {isPhong} = pinnedIn.value;
     const vectors: [string, Vec3, boolean][] = [['N', n, true], ['L', l, true], ['V', v, true], ['R', r, isPhong], ['H', h, !isPhong]];
     const angles = [
         ['N', 'L', degrees(n, l)], ['N', 'V', degrees(n, v)], ['R', 'V', degrees(r, v)], ['N', 'H', degrees(n, h)],
@@ -32,7 +32,7 @@ export function Diagram({told}: {told: Explanation}) {
     const [cx, cy] = at([0, 0, 0]);
     return (
         <section class="diagram" aria-label="Vectors at the hit">
-            <h3>At {itemName(hit.shape)}, with {terms.light.name ? `“${terms.light.name}”` : `light ${light + 1}`}</h3>
+            <h3>At {itemName(hit.shape)}, with {lightName(terms.light)}</h3>
             <div class="diagram-body">
                 <svg viewBox="0 0 300 190" role="img"
                      aria-label={`The vectors at the hit: ${angles.map(([a, b, d]) => `${a} and ${b} are ${d.toFixed(1)} degrees apart`).join(', ')}`}>

@@ -3,7 +3,8 @@ import {useRef} from 'preact/hooks';
 
 import {savePicture, saveScene} from '../files';
 import {gallery} from '../gallery';
-import {fileName, history, link, machinery, notice, openFiles, openFromGallery, sceneName, text} from '../store';
+import {link, openFiles, openScene} from '../store/scene';
+import {fileName, history, machinery, notice, sceneName, text} from '../store/state';
 import {canvases} from './pictures';
 
 const families: [string, string][] = [
@@ -45,7 +46,7 @@ function SceneMenu() {
                                         key={title(scene)} class="thumb" data-scene={scene.scene ?? scene.name}
                                         aria-current={scene.name === fileName.value && scene.scene === sceneName.value}
                                         onClick={() => {
-                                            openFromGallery(scene);
+                                            openScene(scene);
                                             dialog.current?.close();
                                         }}
                                     >

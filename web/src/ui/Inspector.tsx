@@ -2,10 +2,11 @@
 import type {Explanation, ExplainedHit, ExplainedRay, LightTerms, Vec3} from 'glint-wasm';
 import type {ComponentChildren} from 'preact';
 
-import {pinned, reveal, selected, settingOf} from '../store';
+import {reveal} from '../store/places';
+import {comparison, pinned, pinnedIn, selected} from '../store/state';
 import {Diagram} from './Diagram';
 import {TopView} from './TopView';
-import {css, hex, highlights, isBlack, itemName, layerNames, reasons, short, shortColor, shortVector} from './words';
+import {css, hex, highlights, isBlack, itemName, layerNames, lightName, reasons, short, shortColor, shortVector} from './words';
 
 function Sum({told}: {told: Explanation}) {
     const layers = layerNames.filter((name) => !isBlack(told.layers[name]));
@@ -57,7 +58,7 @@ function Term({name, value, place, formula}: {
 }
 
 function Light({terms, hit, ray, index}: {terms: LightTerms; hit: ExplainedHit; ray: number; index: number}) {
-    const isPhong = settingOf('shading')?.value === 'phong';
+    const {isPhong} = pinnedIn.value;
     const isSelected = selected.value.ray === ray && selected.value.light === index;
     const {light} = terms;
     return (
@@ -66,15 +67,15 @@ function Light({terms, hit, ray, index}: {terms: LightTerms; hit: ExplainedHit; 
         }}>
             <summary>
                 <span class={`dot ${terms.reason}`} aria-hidden="true" />
-                {light.name ? `“${light.name}”` : `${light.kind} light`} {reasons[terms.reason]}
+                {lightName(light)} {reasons[terms.reason]}
                 {terms.blocker && <> by {itemName(terms.blocker.shape)}</>}
             </summary>
             <Term name="the light" place={light} formula={light.kind} value={shortColor(light.color)} />
-            <Term name="L" formula={light.kind === 'point' ? 'P to the light' : 'towards the light'} value={shortVector(terms.to_light)} />
-            {light.kind === 'point' && <Term name="distance" value={short(terms.distance)} />}
+            <Term name="L" place={light} formula={light.kind === 'point' ? 'P to the light' : 'towards the light'} value={shortVector(terms.to_light)} />
+            {light.kind === 'point' && <Term name="distance" place={light} value={short(terms.distance)} />}
             {terms.attenuation !== 1 && <Term name="f_att" place={light} value={short(terms.attenuation)} />}
-            <Term name="N·L" value={short(terms.n_l)} />
-            <Term name={isPhong ? 'R·V' : 'N·H'} value={short(terms.s)} />
+            <Term name="N·L" place={light} value={short(terms.n_l)} />
+            <Term name={isPhong ? 'R·V' : 'N·H'} place={light} value={short(terms.s)} />
             {terms.highlight === 'adds'
                 ? <Term name={isPhong ? <>(R·V)<sup>n</sup></> : <>(N·H)<sup>n</sup></>} place={hit.material} formula={`n = ${short(hit.material.shininess)}`} value={short(terms.power)} />
                 : <p class="why">{highlights[terms.highlight]}</p>}
@@ -92,6 +93,12 @@ const branchWords: Record<string, string> = {
     cut: 'not followed: this sample has too many rays already',
 };
 
+/** How the parts of a hit add up to what it gives the pixel. */
+function sumWords(hit: ExplainedHit): string {
+    const sum = hit.lights.length > 0 ? '(ambient + all diffuse + all specular)' : 'ambient';
+    return `weight × ${hit.local_share === 1 ? '' : 'own share × '}${sum}`;
+}
+
 function Ray({told, number, depth}: {told: Explanation; number: number; depth: number}) {
     const ray = told.rays[number]!;
     const {hit} = ray;
@@ -108,13 +115,13 @@ function Ray({told, number, depth}: {told: Explanation; number: number; depth: n
             {hit ? (
                 <>
                     <Term name="object" place={hit.shape} formula={`t = ${short(ray.t)}`} value={itemName(hit.shape)} />
-                    <Term name="P" value={shortVector(hit.point)} />
-                    <Term name="N" formula={`${hit.side} side${hit.normal_turned ? ', turned' : ''}`} value={shortVector(hit.normal)} />
-                    <Term name="weight" formula="of this ray in the pixel" value={shortColor(ray.weight)} />
+                    <Term name="P" place={hit.shape} value={shortVector(hit.point)} />
+                    <Term name="N" place={hit.shape} formula={`${hit.side} side${hit.normal_turned ? ', turned' : ''}`} value={shortVector(hit.normal)} />
+                    <Term name="weight" place={ray.parent === null ? null : told.rays[ray.parent]!.hit?.material} formula="of this ray in the pixel" value={shortColor(ray.weight)} />
                     {hit.local_share !== 1 && <Term name="own share" place={hit.material} formula="1 − mirror − glass" value={short(hit.local_share)} />}
                     <Term name="ambient" place={hit.material} formula="k_a I_a" value={shortColor(hit.ambient)} />
                     {hit.lights.map((terms, i) => <Light key={i} terms={terms} hit={hit} ray={number} index={i} />)}
-                    <Term name="adds to the pixel" value={shortColor(added)} />
+                    <Term name="adds to the pixel" formula={sumWords(hit)} value={shortColor(added)} />
                     {(['reflected', 'transmitted'] as const).map((side) => {
                         const branch = hit[side];
                         if (branch.state === 'none') return null;
@@ -137,6 +144,7 @@ export function Inspector() {
             </div>
         );
     }
+    const compare = comparison.value, {side} = pinnedIn.value;
     const roots = told.rays.map((ray, i) => ({ray, i})).filter(({ray}) => ray.parent === null);
     return (
         <div class="inspector" data-pixel={told.pixel.join(',')}>
@@ -148,6 +156,7 @@ export function Inspector() {
                     pinned.value = null;
                 }}>✕</button>
             </div>
+            {compare && <p class="note">In the {side === 'first' ? 'left' : 'right'} picture: {compare.key} = {side === 'first' ? compare.a : compare.b}.</p>}
             <Sum told={told} />
             <Diagram told={told} />
             <section class="tree" aria-label="Rays">

@@ -2,8 +2,7 @@
 import type {CameraInfo, Explanation, Vec3} from 'glint-wasm';
 
 import {add, projectLine} from '../camera';
-import {info, pinned} from '../store';
-import {size} from './pictures';
+import {info, pinned, size} from '../store/state';
 
 export interface Segment {
     from: Vec3;

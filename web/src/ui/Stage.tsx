@@ -1,26 +1,18 @@
-// The middle: the picture, what is drawn over it, and what one does with the mouse and the keys there.
+// The middle: the picture, and what is drawn over it.
 import {useSignal} from '@preact/signals';
-import type {CameraInfo} from 'glint-wasm';
-import {useEffect, useLayoutEffect, useRef} from 'preact/hooks';
+import {useLayoutEffect, useRef} from 'preact/hooks';
 
-import {length} from '../text/edit';
-import {sub} from '../camera';
+import type {Move} from '../camera';
+import {reveal} from '../store/places';
 import {
-    comparison, difference, hover, hovered, info, moveCamera, pin, pinned, pixel, progress, reveal, split, state,
-} from '../store';
+    comparison, comparisonFailure, difference, hovered, pinned, pixel, progress, size, split, state,
+} from '../store/state';
+import {cameraNow, moveCamera} from '../store/viewpoint';
 import {Difference} from './Compare';
+import {keyPressed, lookDistance, usePointers, useWheel} from './gestures';
 import {RayLines} from './RayLines';
 import {hex, itemName} from './words';
-import {canvases, size} from './pictures';
-
-/** How far what the camera looks at is. */
-function lookDistance(): number {
-    const hit = hovered.value?.rays[0]?.hit ?? pinned.value?.rays[0]?.hit;
-    const camera = info.value?.camera;
-    if (hit && camera) return length(sub(hit.point, camera.position));
-    const bounds = info.value?.bounds;
-    return bounds ? Math.min(10, length(sub(bounds.max, bounds.min))) : 5;
-}
+import {canvases} from './pictures';
 
 /** The picture's size on the page: as large as fits, and small pictures enlarged by a whole number. */
 function fit(box: {width: number; height: number}, picture: {width: number; height: number}) {
@@ -39,99 +31,24 @@ function Canvas({canvas, label}: {canvas: HTMLCanvasElement; label: string}) {
     return <div class="layer" ref={host} />;
 }
 
-interface Drag {
-    x: number;
-    y: number;
-    pan: boolean;
-    moved: boolean;
-    camera: CameraInfo;
-    distance: number;
-}
-
-function useMouse(frame: {current: HTMLDivElement | null}) {
-    const drag = useRef<Drag | null>(null);
-    const at = (event: PointerEvent): [number, number] | null => {
-        const box = frame.current!.getBoundingClientRect();
-        const x = Math.floor(((event.clientX - box.left) / box.width) * size.value.width);
-        const y = Math.floor(((event.clientY - box.top) / box.height) * size.value.height);
-        return x >= 0 && y >= 0 && x < size.value.width && y < size.value.height ? [x, y] : null;
-    };
-    return {
-        onPointerDown(event: PointerEvent) {
-            if (!info.value || event.button > 2 || (event.target as Element).closest('.border')) return;
-            frame.current!.setPointerCapture(event.pointerId);
-            drag.current = {
-                x: event.clientX, y: event.clientY, pan: event.shiftKey || event.button !== 0, moved: false,
-                camera: info.value.camera, distance: lookDistance(),
-            };
-        },
-        onPointerMove(event: PointerEvent) {
-            const now = drag.current;
-            if (!now) {
-                void hover(at(event));
-                return;
-            }
-            const box = frame.current!.getBoundingClientRect();
-            const x = event.clientX - now.x, y = event.clientY - now.y;
-            if (!now.moved && Math.hypot(x, y) < 4) return;
-            now.moved = true;
-            moveCamera(now.camera, {kind: now.pan ? 'pan' : 'orbit', x: x / box.width, y: y / box.height}, now.distance);
-        },
-        onPointerUp(event: PointerEvent) {
-            const now = drag.current;
-            drag.current = null;
-            if (now && !now.moved && event.button === 0) void pin(at(event));
-        },
-        onPointerCancel() {
-            drag.current = null;
-        },
-        onPointerLeave() {
-            if (!drag.current) void hover(null);
-        },
-        onContextMenu: (event: Event) => event.preventDefault(),
-    };
-}
-
-function useWheel(frame: {current: HTMLDivElement | null}) {
-    useEffect(() => {
-        const element = frame.current!;
-        const turned = (event: WheelEvent) => {
-            if (!info.value) return;
-            event.preventDefault();
-            const lines = event.deltaY / (event.deltaMode === 0 ? 100 : 3);
-            moveCamera(info.value.camera, {kind: 'zoom', factor: 1.1 ** Math.max(-5, Math.min(5, lines))}, lookDistance());
-        };
-        element.addEventListener('wheel', turned, {passive: false});
-        return () => element.removeEventListener('wheel', turned);
-    }, []);
-}
-
-/** Arrow keys point at a pixel, Enter pins it. */
-function keyPressed(event: KeyboardEvent) {
-    const steps: Record<string, [number, number]> = {ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1]};
-    const step = steps[event.key];
-    const {width, height} = size.value;
-    const now = pixel.value ?? [Math.floor(width / 2), Math.floor(height / 2)];
-    if (step) {
-        event.preventDefault();
-        const by = event.shiftKey ? 20 : 1;
-        const inside = (value: number, most: number) => Math.max(0, Math.min(most - 1, value));
-        void hover([inside(now[0] + by * step[0], width), inside(now[1] + by * step[1], height)]);
-    } else if (event.key === 'Enter') {
-        event.preventDefault();
-        void pin([now[0], now[1]]);
-    }
-}
+const turns = [
+    ['left', '←', 0.06, 0],
+    ['right', '→', -0.06, 0],
+    ['up', '↑', 0, 0.06],
+    ['down', '↓', 0, -0.06],
+] as const;
 
 function CameraButtons() {
-    const act = (move: Parameters<typeof moveCamera>[1]) => info.value && moveCamera(info.value.camera, move, lookDistance());
-    const turn = (x: number, y: number) => () => act({kind: 'orbit', x, y});
+    const act = (move: Move) => {
+        const camera = cameraNow();
+        if (camera) moveCamera(camera, lookDistance(), move);
+    };
     return (
         <div class="camera-buttons" role="group" aria-label="Camera">
-            <button class="quiet" aria-label="Turn left" title="Turn left (or drag)" onClick={turn(0.06, 0)}>←</button>
-            <button class="quiet" aria-label="Turn right" title="Turn right (or drag)" onClick={turn(-0.06, 0)}>→</button>
-            <button class="quiet" aria-label="Turn up" title="Turn up (or drag)" onClick={turn(0, 0.06)}>↑</button>
-            <button class="quiet" aria-label="Turn down" title="Turn down (or drag)" onClick={turn(0, -0.06)}>↓</button>
+            {turns.map(([way, sign, x, y]) => (
+                <button key={way} class="quiet" aria-label={`Turn ${way}`} title={`Turn ${way} (or drag); with Shift: go ${way}`}
+                        onClick={(event) => act(event.shiftKey ? {kind: 'pan', x, y} : {kind: 'orbit', x, y})}>{sign}</button>
+            ))}
             <button class="quiet" aria-label="Nearer" title="Nearer (or turn the wheel)" onClick={() => act({kind: 'zoom', factor: 1 / 1.15})}>+</button>
             <button class="quiet" aria-label="Farther" title="Farther (or turn the wheel)" onClick={() => act({kind: 'zoom', factor: 1.15})}>−</button>
         </div>
@@ -140,10 +57,10 @@ function CameraButtons() {
 
 function PixelLine() {
     const told = hovered.value ?? pinned.value;
-    if (!told) return <p class="pixel-line">Point at the picture; click a pixel to take it apart; drag to turn the camera, with Shift to shift it.</p>;
+    if (!told) return <p class="pixel-line" aria-live="polite">Point at the picture; click a pixel to take it apart; drag to turn the camera, with Shift to shift it.</p>;
     const hit = told.rays[0]?.hit;
     return (
-        <p class="pixel-line">
+        <p class="pixel-line" aria-live="polite">
             <span class="mono">({told.pixel.join(', ')})</span>
             <span class="swatch" style={{background: hex(told.bytes)}} aria-hidden="true" />
             <span class="mono">{told.bytes.join(' ')}</span>
@@ -157,17 +74,21 @@ function PixelLine() {
 
 function Status() {
     const {fraction, rays, milliseconds} = progress.value;
-    const rate = milliseconds > 0 ? rays / milliseconds / 1000 : 0;
-    const words = {starting: 'starting', drawing: 'drawing', done: 'done', error: 'not drawn: see the messages'}[state.value];
+    const rate = `${(milliseconds > 0 ? rays / milliseconds / 1000 : 0).toFixed(1)} M rays/s`;
+    const {width, height} = size.value;
+    const words = {
+        starting: 'starting',
+        drawing: fraction > 0 && fraction < 1 ? `drawing · ${Math.round(100 * fraction)} % · ${rate}` : 'drawing',
+        done: `${width}×${height} · ${Math.round(milliseconds)} ms · ${rate}`,
+        error: 'not drawn, see the messages: this is the last picture',
+    }[state.value];
     return (
         <div class="status">
             <PixelLine />
             <div class="figures-line">
-                <progress value={state.value === 'done' ? 1 : fraction} max={1} aria-label="Progress of the picture" />
-                <span class="mono" data-state={state.value} role="status">
-                    {state.value === 'done'
-                        ? `${size.value.width}×${size.value.height} · ${Math.round(milliseconds)} ms · ${rate.toFixed(1)} M rays/s` : words}
-                </span>
+                <progress value={state.value === 'done' ? 1 : state.value === 'error' ? 0 : fraction} max={1} aria-label="Progress of the picture" />
+                <span class="mono" data-state={state.value}>{words}</span>
+                <span class="for-readers" role="status">{{starting: '', drawing: '', done: 'Drawn', error: 'Not drawn'}[state.value]}</span>
                 <CameraButtons />
             </div>
         </div>
@@ -189,7 +110,7 @@ export function Stage() {
         return () => observer.disconnect();
     }, []);
     useWheel(frame);
-    const mouse = useMouse(frame);
+    const pointers = usePointers(frame);
     const shown = fit(box.value, size.value);
     const compare = comparison.value;
     const [x, y] = pixel.value ?? [-1, -1];
@@ -200,7 +121,7 @@ export function Stage() {
                 <div
                     ref={frame} class={`frame${shown.enlarged ? ' enlarged' : ''}`} tabIndex={0} role="application"
                     aria-label="Picture. Arrow keys point at a pixel, Enter takes it apart, S saves."
-                    style={{width: `${shown.width}px`, height: `${shown.height}px`}} onKeyDown={keyPressed} {...mouse}
+                    style={{width: `${shown.width}px`, height: `${shown.height}px`}} onKeyDown={keyPressed} {...pointers}
                 >
                     <Canvas canvas={canvases.first} label={compare ? `${compare.key} = ${compare.a}` : 'The rendered scene'} />
                     {compare && !difference.value && (
@@ -210,7 +131,7 @@ export function Stage() {
                             </div>
                             <Border frame={frame} />
                             <span class="tag left">{compare.key} = {compare.a}</span>
-                            <span class="tag right">{compare.key} = {compare.b}</span>
+                            <span class="tag right">{compare.key} = {compare.b}{comparisonFailure.value && ': not drawn'}</span>
                         </>
                     )}
                     {compare && difference.value && <Difference />}

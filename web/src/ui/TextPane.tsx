@@ -1,9 +1,14 @@
-import {effect} from '@preact/signals';
+import {computed, effect} from '@preact/signals';
 import {useEffect, useRef} from 'preact/hooks';
 
 import {Editor} from '../editor/editor';
-import {besideNow, convertToGlint, diagnostics, failure, fileName, format, machinery, reveal, text, textChanged} from '../store';
+import {revealMistake} from '../store/places';
+import {chooseScene, convertToGlint, textChanged} from '../store/scene';
+import {besideNow, diagnostics, failure, fileName, format, machinery, sceneName, text} from '../store/state';
 import {spanOf} from '../text/places';
+import {Choice} from './fields';
+
+const scenes = computed(() => format.value?.scenes?.(text.value) ?? []);
 
 export function TextPane() {
     const host = useRef<HTMLDivElement>(null);
@@ -24,6 +29,9 @@ export function TextPane() {
         <section class="text-pane" aria-label="Scene text" id="panel-text">
             <div class="pane-head">
                 <h2>{fileName.value.split('/').at(-1)}</h2>
+                {scenes.value.length > 1 && (
+                    <Choice label="Scene of this file" hidden value={sceneName.value ?? scenes.value[0]!} values={scenes.value} set={chooseScene} />
+                )}
                 {format.value?.name !== '.glint' && (
                     <button class="link" onClick={() => void convertToGlint()}>convert to .glint</button>
                 )}
@@ -41,7 +49,7 @@ function Messages() {
         <div class="messages" aria-live="polite">
             {failure.value && <p class="message error">{failure.value}</p>}
             {list.slice(0, 20).map((one, i) => (
-                <button key={i} class={`message ${one.severity}`} onClick={() => reveal(one)}>
+                <button key={i} class={`message ${one.severity}`} onClick={() => revealMistake(one)}>
                     <span class="where">{one.line > 0 ? `${one.file === fileName.value ? '' : `${one.file} `}${one.line}:${one.column}` : one.severity}</span>
                     {one.message}
                 </button>

@@ -5,7 +5,7 @@ import {useEffect, useRef} from 'preact/hooks';
 
 import {add, overview, overviewCamera} from '../camera';
 import {View} from '../engine/view';
-import {info, machinery, text} from '../store';
+import {info, machinery, text} from '../store/state';
 import {Lines, segments} from './RayLines';
 
 const width = 320, height = 240;

@@ -3,10 +3,10 @@ import {batch, signal} from '@preact/signals';
 
 import type {Pool} from '../engine/pool';
 import type {Opened, Rect} from '../engine/protocol';
-import {View, type ViewEvents} from '../engine/view';
-import {comparison, diagnostics, failure, info, machinery, progress, refreshPin, state} from '../store';
+import {type Subject, View, type ViewEvents} from '../engine/view';
+import {explainAgain} from '../store/pixels';
+import {comparison, comparisonFailure, diagnostics, failure, info, machinery, progress, size, state} from '../store/state';
 
-export const size = signal({width: 600, height: 600});
 export const canvases = {first: document.createElement('canvas'), second: document.createElement('canvas')};
 /** Counts the second picture's completions, for the difference. */
 export const secondDone = signal(0);
@@ -40,7 +40,8 @@ function painter(canvas: HTMLCanvasElement, resized?: (width: number, height: nu
     };
 }
 
-function opened({report, info: facts}: Opened) {
+function opened({report, info: facts}: Opened, {version, request}: Subject) {
+    if (facts && version !== undefined) machinery.editor?.wasRead(version, request.texts[0]!.text);
     batch(() => {
         failure.value = facts ? '' : (report.error ?? '');
         diagnostics.value = report.diagnostics;
@@ -75,19 +76,22 @@ export function connectViews(pool: Pool) {
                 state.value = 'done';
                 firstDone.value += 1;
             });
-            void refreshPin();
+            void explainAgain('first');
         },
         failed,
     };
     const second: ViewEvents = {
         ...painter(canvases.second),
-        opened: () => {},
+        opened: ({report, info: facts}) => {
+            comparisonFailure.value = facts ? '' : (report.error ?? report.diagnostics.find((one) => one.severity === 'error')?.message ?? '');
+        },
         progress: () => {},
         done: () => {
             secondDone.value += 1;
+            void explainAgain('second');
         },
         failed: (why) => {
-            if (comparison.value) failed(why);
+            if (comparison.value) comparisonFailure.value = why;
         },
     };
     machinery.first = new View(pool, 'first', first);

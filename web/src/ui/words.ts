@@ -10,6 +10,11 @@ export function itemName(item: NamedItem & {kind?: string}): string {
     return item.line !== undefined ? `${name}, line ${item.line}` : name;
 }
 
+/** “lamp”, or "point light, line 12". */
+export function lightName(light: LightTerms['light']): string {
+    return light.name ? `“${light.name}”` : itemName({...light, kind: `${light.kind} light`});
+}
+
 /** A number in four digits. */
 export function short(value: number | null | undefined): string {
     if (value === null || value === undefined) return '–';

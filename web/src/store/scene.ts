@@ -1,0 +1,137 @@
+// Opening a scene, and drawing it again whenever its text or what is beside it changes.
+import {batch} from '@preact/signals';
+import type {OpenRequest, SceneText} from 'glint-wasm';
+
+import type {Beside} from '../editor/editor';
+import {gallery, parts} from '../gallery';
+import {type Shared, fromFragment, toFragment} from '../share';
+import {extensions, formatOf} from '../text/formats';
+import {forgetLights} from './lights';
+import {
+    type Comparison, besideNow, comparison, comparisonFailure, fileName, history, hovered, includes, machinery as page, notice,
+    overrides, pinned, pinnedIn, pixel, sceneName, state, text,
+} from './state';
+
+function requestWith(extra: Record<string, string>): OpenRequest {
+    return {
+        texts: [{name: fileName.value, text: text.value}],
+        includes: includes.value,
+        scene: sceneName.value,
+        settings: {...overrides.value, ...extra},
+    };
+}
+
+/** Draws what is to be seen now. */
+export function draw() {
+    const compare = comparison.value;
+    state.value = 'drawing';
+    page.first?.show({request: requestWith(compare ? {[compare.key]: compare.a} : {}), prepare: {}, version: page.editor?.version});
+    if (compare) {
+        page.second?.show({request: requestWith({[compare.key]: compare.b}), prepare: {}});
+    } else {
+        page.second?.stop();
+    }
+}
+
+export function setComparison(compare: Comparison | null) {
+    comparison.value = compare;
+    comparisonFailure.value = '';
+    if (!compare) pinnedIn.value = {...pinnedIn.value, side: 'first'};
+    draw();
+}
+
+/** The editor's text changed, by hand or by a control. */
+export function textChanged(now: string, beside: Beside | null, canUndo: boolean, canRedo: boolean) {
+    history.value = {canUndo, canRedo};
+    if (now === text.value && !beside) return;
+    const renamed = beside !== null && beside.name !== fileName.value;
+    batch(() => {
+        notice.value = '';
+        text.value = now;
+        if (beside) {
+            fileName.value = beside.name;
+            sceneName.value = beside.scene;
+            overrides.value = beside.overrides;
+        }
+    });
+    if (renamed) queueMicrotask(() => page.editor?.setName(fileName.value));
+    draw();
+}
+
+/** Chooses one of several scenes in the text. */
+export function chooseScene(name: string) {
+    page.editor?.setBeside({...besideNow(), scene: name});
+}
+
+export interface SceneToOpen {
+    name: string;
+    text: string;
+    scene?: string | undefined;
+    includes?: SceneText[] | undefined;
+    overrides?: Record<string, string> | undefined;
+    compare?: Comparison | undefined;
+}
+
+export function openScene(scene: SceneToOpen) {
+    batch(() => {
+        fileName.value = scene.name;
+        sceneName.value = scene.scene;
+        includes.value = scene.includes ?? parts;
+        overrides.value = scene.overrides ?? {};
+        comparison.value = scene.compare ?? null;
+        comparisonFailure.value = '';
+        pinned.value = null;
+        hovered.value = null;
+        pixel.value = null;
+        notice.value = '';
+        forgetLights();
+        text.value = scene.text;
+    });
+    page.editor?.open(scene.text, scene.name);
+    draw();
+}
+
+/** The address' scene, or the book's. */
+export async function openFirst() {
+    const shared = location.hash ? await fromFragment(location.hash) : null;
+    openScene(shared ?? gallery.find((scene) => scene.name === 'cgfs/three_mirrors.cgfs')!);
+    if (location.hash && !shared) notice.value = 'The link holds no scene; here is the book’s.';
+}
+
+export async function link(): Promise<string> {
+    const own = includes.value === parts ? undefined : includes.value;
+    const shared: Shared = {
+        name: fileName.value, text: text.value, scene: sceneName.value, includes: own,
+        overrides: Object.keys(overrides.value).length > 0 ? overrides.value : undefined,
+        compare: comparison.value ?? undefined,
+    };
+    const url = new URL(location.href);
+    url.hash = await toFragment(shared);
+    return url.href;
+}
+
+/** Files that were dropped: the first that is a scene is opened, the others are what it may include. */
+export async function openFiles(files: File[]) {
+    const read = await Promise.all(files.map(async (file) => ({name: file.name, text: await file.text()})));
+    const main = read.find((file) => formatOf(file.name));
+    if (!main) {
+        notice.value = `Not a scene: ${files.map((file) => file.name).join(', ')}. Scenes end in .${extensions.join(', .')}.`;
+        return;
+    }
+    openScene({...main, includes: read.filter((file) => file !== main)});
+}
+
+/** Puts glint's own language in the text's place; that can say everything. */
+export async function convertToGlint() {
+    const current = page.first?.current;
+    if (!current || !page.pool) return;
+    const converted = await page.pool.run(
+        {view: 'first', key: current.key, request: current.subject.request, prepare: {}, task: {what: 'convert'}}, true);
+    if (converted === '') {
+        notice.value = 'This scene could not be converted.';
+        return;
+    }
+    const name = fileName.value.replace(/\.\w+$/, '') + '.glint';
+    page.editor?.setBeside({name, scene: undefined, overrides: {}}, converted);
+    notice.value = `The scene is now ${name.split('/').at(-1)}; undo brings its old text back.`;
+}

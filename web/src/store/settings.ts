@@ -1,0 +1,31 @@
+// Settings: in the text where its format can say them, else beside it.
+import {besideNow, format, machinery, overrides, settingOf, text} from './state';
+
+let lastOverride = {name: '', time: 0};
+
+function setOverrides(now: Record<string, string>, again = false) {
+    machinery.editor?.setBeside({...besideNow(), overrides: now}, undefined, again);
+}
+
+function without(record: Record<string, string>, key: string) {
+    const {[key]: _, ...rest} = record;
+    return rest;
+}
+
+export function setSetting(name: string, value: string) {
+    const setting = settingOf(name);
+    const edits = format.value?.setting(text.value, name, value, setting?.is_convention ?? false);
+    if (edits) {
+        if (name in overrides.value) setOverrides(without(overrides.value, name));
+        machinery.editor?.apply(edits);
+        return;
+    }
+    // Dragging a slider is one change.
+    const again = lastOverride.name === name && performance.now() - lastOverride.time < 500;
+    lastOverride = {name, time: performance.now()};
+    setOverrides({...overrides.value, [name]: value}, again);
+}
+
+export function dropOverride(name: string) {
+    setOverrides(without(overrides.value, name));
+}
