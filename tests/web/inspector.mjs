@@ -113,6 +113,23 @@ for (const [name, text] of Object.entries(balls)) {
     }));
 }
 
+test('the view from above is of the scene that is open', () => withPage(async (page) => {
+    const yellow = () => page.waitForFunction(() => {
+        const canvas = document.querySelector('.top-frame canvas');
+        const {data} = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height);
+        let count = 0;
+        for (let i = 0; i < data.length; i += 4) count += data[i] > 100 && data[i + 1] === data[i] && data[i + 2] === 0;
+        return count > data.length / 16;
+    });
+    await choose(page, 'glint/hall_of_mirrors.glint');
+    await clickPicture(page, 0.5, 0.5);
+    await page.locator('.top-frame').waitFor();
+    await page.waitForTimeout(500);
+    await choose(page, 'cgfs/three_mirrors.cgfs');
+    await clickPicture(page, 0.5, 0.6);
+    await yellow();
+}));
+
 test('in a comparison, a pixel is explained in the picture it is seen in', () => withPage(async (page) => {
     await page.getByRole('tab', {name: 'Compare'}).click();
     await page.getByRole('button', {name: '0 | 3 reflections'}).click();

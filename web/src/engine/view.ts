@@ -52,6 +52,9 @@ function setting(info: SceneInfo, name: string): string {
     return info.settings.find((one) => one.name === name)?.value ?? '';
 }
 
+/** Of all views: the workers know by its key which subject they have open. */
+let lastKey = 0;
+
 export class View {
     /** What is shown, for questions about it; set once it is open. */
     current: {subject: Subject; key: number; info: SceneInfo; prepare: PrepareRequest} | null = null;
@@ -90,7 +93,7 @@ export class View {
         while (this.#pending) {
             const subject = this.#pending;
             this.#pending = null;
-            const key = ++this.#key;
+            const key = this.#key = ++lastKey;
             this.#since = performance.now();
             this.#coarseShown = false;
             try {

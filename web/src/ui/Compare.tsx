@@ -4,7 +4,7 @@ import {useEffect, useRef} from 'preact/hooks';
 import {setComparison} from '../store/scene';
 import {comparison, comparisonFailure, difference, info, settingOf, split} from '../store/state';
 import {wordsOf} from './Controls';
-import {Choice, Switch} from './fields';
+import {Choice, Switch, TextField} from './fields';
 import {canvases, firstDone, secondDone} from './pictures';
 
 const presets = [
@@ -27,12 +27,7 @@ function twoValues(key: string): {a: string; b: string} {
 function Value({name, label, value, set}: {name: string; label: string; value: string; set: (v: string) => void}) {
     const words = settingOf(name) && wordsOf(settingOf(name)!);
     if (words) return <Choice label={label} value={value} values={words} set={set} />;
-    return (
-        <div class="choice">
-            <label for={`compare-${label}`}>{label}</label>
-            <input id={`compare-${label}`} type="text" value={value} onChange={(event) => set(event.currentTarget.value)} />
-        </div>
-    );
+    return <TextField label={label} value={value} set={set} />;
 }
 
 /** The amplified difference of the two pictures, and how large it is. */

@@ -121,7 +121,8 @@ function Ray({told, number, depth}: {told: Explanation; number: number; depth: n
                     {hit.local_share !== 1 && <Term name="own share" place={hit.material} formula="1 − mirror − glass" value={short(hit.local_share)} />}
                     <Term name="ambient" place={hit.material} formula="k_a I_a" value={shortColor(hit.ambient)} />
                     {hit.lights.map((terms, i) => <Light key={i} terms={terms} hit={hit} ray={number} index={i} />)}
-                    <Term name="adds to the pixel" formula={sumWords(hit)} value={shortColor(added)} />
+                    <Term name="adds to the pixel" value={shortColor(added)} />
+                    <p class="why">= {sumWords(hit)}</p>
                     {(['reflected', 'transmitted'] as const).map((side) => {
                         const branch = hit[side];
                         if (branch.state === 'none') return null;

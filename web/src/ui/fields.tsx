@@ -66,6 +66,25 @@ export function NumberField({label, value, set, min, max, step, disabled, hidden
     );
 }
 
+/** A text to type; it is taken when it is complete. */
+export function TextField({label, value, set}: {label: string; value: string; set: (value: string) => void}) {
+    const draft = useSignal<string | null>(null);
+    const id = useId();
+    return (
+        <div class="choice">
+            <label for={id}>{label}</label>
+            <input id={id} type="text" value={draft.value ?? value}
+                   onInput={(event) => {
+                       draft.value = event.currentTarget.value;
+                   }}
+                   onChange={(event) => {
+                       draft.value = null;
+                       set(event.currentTarget.value);
+                   }} />
+        </div>
+    );
+}
+
 export function Choice({label, value, values, set, hidden}: {
     label: string; value: string; values: readonly string[]; set: (value: string) => void; hidden?: boolean;
 }) {
