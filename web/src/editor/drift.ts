@@ -1,44 +1,57 @@
 // The places of a scene are those in the text that it was read from; this takes them along as the text changes.
-import {type ChangeDesc, MapMode} from '@codemirror/state';
+import {type ChangeDesc, MapMode, type Text} from '@codemirror/state';
 
-import {spanOf} from '../text/places';
+import {unitsOf} from '../text/places';
+
+interface Version {
+    number: number;
+    text: Text;
+}
 
 export class Drift {
-    /** Of the text; each change makes a new one. */
+    /** Of the text now; each change makes a new one. */
     version = 0;
-    /** The text that places are of, and what has changed since; null: no place is known. */
-    #read: {text: string; since: {version: number; changes: ChangeDesc}[]} | null = null;
-
-    changed(changes: ChangeDesc) {
-        ++this.version;
-        this.#read?.since.push({version: this.version, changes});
-    }
+    /** What places are of, and how it came to what is now. */
+    #base: Version | null = null;
+    #since: (Version & {changes: ChangeDesc})[] = [];
+    #isRead = false;
 
     /** Another text. */
-    restart() {
-        ++this.version;
-        this.#read = null;
+    restart(text: Text) {
+        this.#base = {number: ++this.version, text};
+        this.#since = [];
+        this.#isRead = false;
+    }
+
+    changed(changes: ChangeDesc, text: Text) {
+        this.#since.push({number: ++this.version, text, changes});
+        this.#shorten();
     }
 
     /** A scene was read from a version of the text: places are of that one now. */
-    read(version: number, text: string) {
-        this.#read = {text, since: this.#read?.since.filter((one) => one.version > version) ?? []};
+    read(version: number) {
+        const at = this.#since.findIndex((one) => one.number === version);
+        if (at < 0 && this.#base?.number !== version) return;
+        this.#base = this.#since[at] ?? this.#base;
+        this.#since = this.#since.slice(at + 1);
+        this.#isRead = true;
     }
 
-    /** Where a place is now, counted in lines and bytes from 1; null if it was deleted. */
+    /** Where a place is now, counted in lines and bytes from 1; null if it was deleted, or nothing has been read. */
     now(line: number, column: number): number | null {
-        if (!this.#read) return null;
-        this.#shorten(this.#read.since);
-        let at: number | null = spanOf(this.#read.text, line, column)[0];
-        for (const {changes} of this.#read.since) at = at === null ? null : changes.mapPos(at, 1, MapMode.TrackDel);
+        if (!this.#base || !this.#isRead || line > this.#base.text.lines) return null;
+        const {from, text} = this.#base.text.line(line);
+        let at: number | null = from + unitsOf(text, column - 1);
+        for (const {changes} of this.#since) at = at === null ? null : changes.mapPos(at, 1, MapMode.TrackDel);
         return at;
     }
 
     /** While a mistake lasts, changes pile up. Those that are older than what may be being read become one. */
-    #shorten(since: {version: number; changes: ChangeDesc}[]) {
+    #shorten() {
         const many = 200;
-        if (since.length < 2 * many) return;
-        const old = since.splice(0, many);
-        since.unshift({version: old.at(-1)!.version, changes: old.map((one) => one.changes).reduce((all, next) => all.composeDesc(next))});
+        if (this.#since.length < 2 * many) return;
+        const old = this.#since.splice(0, many);
+        const changes = old.map((one) => one.changes).reduce((all, next) => all.composeDesc(next));
+        this.#since.unshift({...old.at(-1)!, changes});
     }
 }

@@ -76,7 +76,7 @@ export class Editor {
                 invertedEffects.of((transaction) =>
                     transaction.effects.some((one) => one.is(besideChanged)) ? [besideChanged.of(this.events.beside())] : []),
                 EditorView.updateListener.of((update) => {
-                    if (update.docChanged) this.#drift.changed(update.changes.desc);
+                    if (update.docChanged) this.#drift.changed(update.changes.desc, update.state.doc);
                     const beside = update.transactions.flatMap((one) => one.effects).findLast((one) => one.is(besideChanged))?.value;
                     if (update.docChanged || beside) this.#tell(beside ?? null);
                 }),
@@ -89,14 +89,10 @@ export class Editor {
         this.events.changed(state.doc.toString(), beside, undoDepth(state) > 0, redoDepth(state) > 0);
     }
 
-    get text() {
-        return this.#view.state.doc.toString();
-    }
-
     /** Another scene: its history begins anew. */
     open(text: string, name: string) {
         this.#view.setState(this.#state(text, name));
-        this.#drift.restart();
+        this.#drift.restart(this.#view.state.doc);
         this.#tell(null);
     }
 
@@ -106,8 +102,8 @@ export class Editor {
     }
 
     /** A scene was read from a version of the text; offsetOf() takes its places. */
-    wasRead(version: number, text: string) {
-        this.#drift.read(version, text);
+    wasRead(version: number) {
+        this.#drift.read(version);
     }
 
     /** The offset of the scene's line and column in the text as it is now; null if that was deleted. */

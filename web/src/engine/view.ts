@@ -14,8 +14,9 @@ export interface Subject {
 }
 
 export interface Progress {
-    /** 0 to 1. */
+    /** Of all samples, those of coarser pictures included; 0 to 1. */
     fraction: number;
+    /** Of the finest picture so far, and the time since it was begun. */
     rays: number;
     milliseconds: number;
 }
@@ -62,6 +63,9 @@ export class View {
     #key = 0;
     #busy = false;
     #since = 0;
+    #shownAt = -Infinity;
+    /** Subjects follow each other quickly: they are alike, and the next one is expected. */
+    #isDragged = false;
     #coarseShown = false;
     #sampleTime = 0.001;
 
@@ -73,10 +77,13 @@ export class View {
     }
 
     show(subject: Subject) {
+        const now = performance.now();
+        this.#isDragged = now - this.#shownAt < 500;
+        this.#shownAt = now;
         this.#pending = subject;
         if (!this.#busy) {
             void this.#work();
-        } else if (this.#coarseShown || performance.now() - this.#since > 300) {
+        } else if (this.#coarseShown || now - this.#since > 300) {
             // Without this rule, a picture that changes all the time would never be seen.
             this.pool.cancel(this.name, this.#key);
         }
@@ -108,14 +115,13 @@ export class View {
     }
 
     async #draw(subject: Subject, key: number) {
-        // How many samples the first picture may have; the same for what is expected and for what is found.
-        const affordable = (frameTime * this.pool.size) / this.#sampleTime;
-        const expected = this.current ? this.#levels(subject, this.current.info, affordable)[0]! : null;
+        const affordable = this.#affordable();  // the same for what is expected and for what is found
+        const expected = this.#isDragged && this.current ? this.#levels(subject, this.current.info, affordable)[0]! : null;
         const opening = (expected && !expected.final && await this.#openDrawing(subject, key, expected)) || await this.#open(subject, key);
         this.events.opened(opening.opened, subject);
         const {info} = opening.opened;
         if (!info) return;
-        const levels = this.#levels(subject, info, affordable);
+        let levels = this.#levels(subject, info, affordable);
         const last = levels.at(-1)!;
         this.current = {subject, key, info, prepare: last.prepare};
         this.events.sized(last.width, last.height);
@@ -123,12 +129,43 @@ export class View {
             this.events.painted(opening.picture, {x: 0, y: 0, width: last.width, height: last.height}, true);
             this.#coarseShown = true;
             levels.shift();
+        } else if (levels.length > 1) {
+            await this.#probe(subject, key, info, last);
+            levels = this.#levels(subject, info, this.#affordable());
         }
+        const samplesOf = (level: Level) => level.width * level.height * level.samples;
+        const all = levels.reduce((sum, level) => sum + samplesOf(level), 0);
+        let before = 0;
         for (const level of levels) {
             if (this.#pending && this.#coarseShown) return;
-            await this.#drawLevel(subject, key, level, last);
+            const drawnBefore = before;
+            await this.#drawLevel(subject, key, level, last, (share) => (drawnBefore + share * samplesOf(level)) / all);
+            before += samplesOf(level);
             this.#coarseShown = true;
         }
+    }
+
+    /** How many samples a first picture may have. */
+    #affordable() {
+        return (frameTime * this.pool.size) / this.#sampleTime;
+    }
+
+    /** Draws a few samples to see how long they take; they are shown if that was long. */
+    async #probe(subject: Subject, key: number, info: SceneInfo, last: Level) {
+        const start = performance.now();
+        const level = this.#levels(subject, info, this.#affordable() / 16)[0]!;
+        const picture = new ImageData(level.width, level.height);
+        let spent = 0;
+        await Promise.all(tiles(level.width, level.height, 32).map(async (rect) => {
+            const job = {view: this.name, key, request: subject.request, prepare: level.prepare};
+            const tile = await this.pool.run({...job, task: {what: 'tile', rect}});
+            place(tile, rect, picture);
+            spent += tile.milliseconds;
+        }));
+        this.#sampleTime = Math.max(1e-6, spent / (level.width * level.height));
+        if (performance.now() - start < 100) return;
+        this.events.painted(picture, {x: 0, y: 0, width: last.width, height: last.height}, true);
+        this.#coarseShown = true;
     }
 
     async #open(subject: Subject, key: number): Promise<Opening> {
@@ -180,23 +217,23 @@ export class View {
         if (setting(info, 'pixel_sample') === 'whole') return [full];
         const pixels = full.width * full.height;
         if (pixels * full.samples <= affordable) return [full];
-        const coarse = Math.max(1 / 16, Math.min(1, Math.sqrt(affordable / pixels)));
+        const coarse = Math.max(Math.min(1, 16 / Math.min(full.width, full.height)), Math.min(1, Math.sqrt(affordable / pixels)));
         const levels = coarse > 0.9 ? [] : [level(coarse * shrink, 1)];
         if (coarse < 0.3) levels.push(level(0.5 * shrink, 1));
         if (full.samples > 1) levels.push(level(shrink, 1));
         return [...levels, full];
     }
 
-    async #drawLevel(subject: Subject, key: number, level: Level, last: Level) {
+    async #drawLevel(subject: Subject, key: number, level: Level, last: Level, fractionAt: (share: number) => number) {
         const start = performance.now();
-        const pixels = Math.max(64, tileTime / (this.#sampleTime * level.samples));
+        const pixels = Math.max(16, tileTime / (this.#sampleTime * level.samples));
         const perWorker = (level.width * level.height) / (2 * this.pool.size);
         const side = Math.sqrt(Math.min(pixels, Math.max(perWorker, 1024)));
         const step = side >= 32 ? Math.min(256, 32 * Math.floor(side / 32)) : Math.max(4, Math.floor(side / 4) * 4);
         // A coarse picture is shown at once; the tiles of the last appear as they are ready.
         const whole = level.final ? null : new ImageData(level.width, level.height);
         let done = 0, rays = 0;
-        const progress = () => ({fraction: done / (level.width * level.height), rays, milliseconds: performance.now() - start});
+        const progress = () => ({fraction: fractionAt(done / (level.width * level.height)), rays, milliseconds: performance.now() - start});
         const take = (rect: Rect, tile: Tile) => {
             const area = rect.width * rect.height;
             done += area;
@@ -206,8 +243,8 @@ export class View {
                 place(tile, rect, whole);
             } else {
                 this.events.painted(new ImageData(tile.pixels, rect.width, rect.height), rect, false);
-                this.events.progress(progress());
             }
+            this.events.progress(progress());
         };
         await Promise.all(tiles(level.width, level.height, step).map(async (rect) => {
             const job = {view: this.name, key, request: subject.request, prepare: level.prepare};

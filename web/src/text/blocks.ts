@@ -25,9 +25,12 @@ interface Token {
     to: number;
 }
 
-function tokenize(text: string): Token[] {
+/** The tokens from an offset on; `oneBlock`: up to the end of the first block. */
+function tokenize(text: string, from = 0, oneBlock = false): Token[] {
     const tokens: Token[] = [];
+    let depth = 0;
     const pattern = /#.*|\/\/.*|"(?:\\.|[^"\\\n])*"?|[{}()=]|[^\s,;{}()="#]+/g;
+    pattern.lastIndex = from;
     for (const match of text.matchAll(pattern)) {
         const [found] = match;
         if (found.startsWith('#') || found.startsWith('//')) continue;
@@ -36,21 +39,14 @@ function tokenize(text: string): Token[] {
         const first = found[0]!;
         const kind = first === '"' ? 'string' : '{}()='.includes(first) ? (first as Token['kind']) : 'word';
         tokens.push({kind, from: match.index, to: match.index + found.length});
+        depth += kind === '{' ? 1 : kind === '}' ? -1 : 0;
+        if (oneBlock && kind === '}' && depth <= 0) break;
     }
     return tokens;
 }
 
-let kept: {text: string; root: Block} | null = null;
-
-/** The blocks of a text. Every control asks for those of the same text. */
-function parse(text: string): Block {
-    if (kept?.text !== text) kept = {text, root: read(text)};
-    return kept.root;
-}
-
 /** Reads what is well-formed; what is not is skipped, as the engine says what is wrong with it. */
-function read(text: string): Block {
-    const tokens = tokenize(text);
+function parse(text: string, tokens = tokenize(text)): Block {
     let i = 0;
     const value = (): [number, number] | null => {
         const first = tokens[i];
@@ -120,7 +116,7 @@ function set(text: string, block: Block, key: string, value: string): Edit[] {
 const vector = (v: Vec3) => `(${v.map(number).join(', ')})`;
 
 function blockAt(text: string, offset: number, word: string): Block | null {
-    return parse(text).blocks.find((block) => block.word === word && block.from === offset) ?? null;
+    return parse(text, tokenize(text, offset, true)).blocks.find((block) => block.word === word && block.from === offset) ?? null;
 }
 
 function light(text: string, offset: number): LightText | null {

@@ -13,7 +13,7 @@ function lineSpan(text: string, line: number): [number, number] {
 }
 
 /** UTF-16 units that stand for so many bytes of UTF-8. */
-function unitsOf(text: string, bytes: number): number {
+export function unitsOf(text: string, bytes: number): number {
     let left = bytes, units = 0;
     for (const character of text) {
         if (left <= 0) break;

@@ -78,7 +78,7 @@ function Status() {
     const {width, height} = size.value;
     const words = {
         starting: 'starting',
-        drawing: fraction > 0 && fraction < 1 ? `drawing · ${Math.round(100 * fraction)} % · ${rate}` : 'drawing',
+        drawing: fraction > 0 && fraction < 1 ? `drawing · ${Math.round(100 * fraction)}% · ${rate}` : 'drawing',
         done: `${width}×${height} · ${Math.round(milliseconds)} ms · ${rate}`,
         error: 'not drawn, see the messages: this is the last picture',
     }[state.value];

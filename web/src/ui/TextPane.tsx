@@ -18,7 +18,7 @@ export function TextPane() {
         if (text.value) editor.open(text.value, fileName.value);
         return effect(() => {
             const here = diagnostics.value.filter((one) => one.line > 0 && one.file === fileName.value);
-            const now = editor.text;
+            const now = text.peek();
             editor.mark(here.map((one) => {
                 const [from, to] = spanOf(now, one.line, one.column, one.length);
                 return {from, to: Math.min(Math.max(to, from), now.length), severity: one.severity, message: one.message};

@@ -40,8 +40,8 @@ function painter(canvas: HTMLCanvasElement, resized?: (width: number, height: nu
     };
 }
 
-function opened({report, info: facts}: Opened, {version, request}: Subject) {
-    if (facts && version !== undefined) machinery.editor?.wasRead(version, request.texts[0]!.text);
+function opened({report, info: facts}: Opened, {version}: Subject) {
+    if (facts && version !== undefined) machinery.editor?.wasRead(version);
     batch(() => {
         failure.value = facts ? '' : (report.error ?? '');
         diagnostics.value = report.diagnostics;
