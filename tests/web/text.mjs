@@ -4,7 +4,7 @@ import {readFileSync} from 'node:fs';
 import {join} from 'node:path';
 import {test} from 'node:test';
 
-import {book, drop, native, nativeText, paste, picture, sceneText, scenes, settled, withPage} from './browser.mjs';
+import {book, choose, drop, native, nativeText, paste, picture, sceneText, scenes, settled, withPage} from './browser.mjs';
 
 test('a mistake is shown at its line and column, and the last good picture stays', () => withPage(async (page) => {
     const before = await picture(page);
@@ -95,4 +95,30 @@ test('one of several scenes in a file is chosen', () => withPage(async (page) =>
     await settled(page);
     assert.equal(await menu.inputValue(), 'snowman');
     assert.deepEqual(await picture(page), native(file));
+}));
+
+test('undo brings back the scene that was open before', () => withPage(async (page) => {
+    const phrase = '# my own work\n';
+    await page.locator('.cm-content').click();
+    await page.keyboard.press('Control+Home');
+    await page.keyboard.type(phrase);
+    await page.getByRole('combobox', {name: 'Shading'}).selectOption('normals');
+    await settled(page);
+    const before = await picture(page);
+    await choose(page, 'glint/still_life.glint');
+    assert.equal(await page.locator('.outside').count(), 0);
+    await page.locator('[data-light="1"]').getByRole('spinbutton', {name: 'Intensity'}).fill('0.5');
+    await settled(page);
+    const undo = page.getByRole('button', {name: 'Undo'});
+    await undo.click();
+    await settled(page);
+    assert.deepEqual(await picture(page), native(join(scenes, 'glint/still_life.glint')));
+    await undo.click();
+    await settled(page);
+    assert.equal(await page.locator('.file-name').innerText(), 'three_mirrors.cgfs');
+    assert.equal(await sceneText(page), phrase + book);
+    assert.deepEqual(await picture(page), before);
+    await page.getByRole('button', {name: 'Redo'}).click();
+    await settled(page);
+    assert.deepEqual(await picture(page), native(join(scenes, 'glint/still_life.glint')));
 }));

@@ -1,10 +1,12 @@
 // The scene's text. It stands in a shadow root, where CodeMirror's styles need no <style> element: the page's
 // Content-Security-Policy permits none.
-import {defaultKeymap, history, historyKeymap, invertedEffects, redo, redoDepth, undo, undoDepth} from '@codemirror/commands';
+import {defaultKeymap, history, historyKeymap, invertedEffects, isolateHistory, redo, redoDepth, undo, undoDepth} from '@codemirror/commands';
 import {bracketMatching, indentUnit} from '@codemirror/language';
 import {type Diagnostic as Mark, lintGutter, setDiagnostics} from '@codemirror/lint';
 import {Compartment, EditorState, StateEffect, Transaction} from '@codemirror/state';
 import {EditorView, drawSelection, highlightActiveLine, highlightActiveLineGutter, keymap, lineNumbers} from '@codemirror/view';
+
+import type {SceneText} from 'glint-wasm';
 
 import type {Edit} from '../text/edit';
 import {Drift} from './drift';
@@ -15,6 +17,8 @@ export interface Beside {
     name: string;
     scene: string | undefined;
     overrides: Record<string, string>;
+    /** What the text may include. */
+    includes: SceneText[];
 }
 const besideChanged = StateEffect.define<Beside>();
 
@@ -89,8 +93,8 @@ export class Editor {
         this.events.changed(state.doc.toString(), beside, undoDepth(state) > 0, redoDepth(state) > 0);
     }
 
-    /** Another scene: its history begins anew. */
-    open(text: string, name: string) {
+    /** The first scene: there is nothing to undo. */
+    begin(text: string, name: string) {
         this.#view.setState(this.#state(text, name));
         this.#drift.restart(this.#view.state.doc);
         this.#tell(null);
@@ -118,11 +122,13 @@ export class Editor {
 
     /** Changes what is beside the text, and all of the text if it is given. `again`: undone together with the last change. */
     setBeside(beside: Beside, text?: string, again = false) {
-        const all = {from: 0, to: this.#view.state.doc.length};
+        const all = {from: 0, to: this.#view.state.doc.length}, {name} = this.events.beside();
         this.#view.dispatch({
             ...(text === undefined ? {} : {changes: {...all, insert: text}}),
-            effects: besideChanged.of(beside),
-            annotations: Transaction.addToHistory.of(!again),
+            effects: [besideChanged.of(beside), ...(beside.name === name ? [] : [EditorView.scrollIntoView(0)])],
+            ...(beside.name === name ? {} : {selection: {anchor: 0}}),
+            // A whole text is undone alone.
+            annotations: [Transaction.addToHistory.of(!again), ...(text === undefined ? [] : [isolateHistory.of('full')])],
         });
     }
 

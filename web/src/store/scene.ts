@@ -52,6 +52,8 @@ export function textChanged(now: string, beside: Beside | null, canUndo: boolean
             fileName.value = beside.name;
             sceneName.value = beside.scene;
             overrides.value = beside.overrides;
+            includes.value = beside.includes;
+            if (renamed) forgetLights();
         }
     });
     if (renamed) queueMicrotask(() => page.editor?.setName(fileName.value));
@@ -72,23 +74,24 @@ export interface SceneToOpen {
     compare?: Comparison | undefined;
 }
 
+/** Opens a scene in the place of the one before, which undo brings back. */
 export function openScene(scene: SceneToOpen) {
+    const beside: Beside = {
+        name: scene.name, scene: scene.scene, overrides: scene.overrides ?? {}, includes: scene.includes ?? parts,
+    };
     batch(() => {
-        fileName.value = scene.name;
-        sceneName.value = scene.scene;
-        includes.value = scene.includes ?? parts;
-        overrides.value = scene.overrides ?? {};
         comparison.value = scene.compare ?? null;
         comparisonFailure.value = '';
         pinned.value = null;
         hovered.value = null;
         pixel.value = null;
-        notice.value = '';
-        forgetLights();
-        text.value = scene.text;
     });
-    page.editor?.open(scene.text, scene.name);
-    draw();
+    if (fileName.value !== '') {
+        page.editor?.setBeside(beside, scene.text);
+        return;
+    }
+    textChanged(scene.text, beside, false, false);
+    page.editor?.begin(scene.text, scene.name);
 }
 
 /** The address' scene, or the book's. */
@@ -132,6 +135,6 @@ export async function convertToGlint() {
         return;
     }
     const name = fileName.value.replace(/\.\w+$/, '') + '.glint';
-    page.editor?.setBeside({name, scene: undefined, overrides: {}}, converted);
+    page.editor?.setBeside({...besideNow(), name, scene: undefined, overrides: {}}, converted);
     notice.value = `The scene is now ${name.split('/').at(-1)}; undo brings its old text back.`;
 }

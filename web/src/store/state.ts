@@ -50,7 +50,9 @@ export const format = computed(() => formatOf(fileName.value));
 /** What is not a part of the page's state: made once, when it starts. */
 export const machinery: {editor?: Editor; pool?: Pool; first?: View; second?: View} = {};
 
-export const besideNow = (): Beside => ({name: fileName.value, scene: sceneName.value, overrides: overrides.value});
+export const besideNow = (): Beside => ({
+    name: fileName.value, scene: sceneName.value, overrides: overrides.value, includes: includes.value,
+});
 
 export function settingIn(facts: SceneInfo | null | undefined, name: string): Setting | undefined {
     return facts?.settings.find((setting) => setting.name === name);

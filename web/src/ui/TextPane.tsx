@@ -15,7 +15,7 @@ export function TextPane() {
     useEffect(() => {
         const editor = new Editor(host.current!, {changed: textChanged, beside: besideNow});
         machinery.editor = editor;
-        if (text.value) editor.open(text.value, fileName.value);
+        if (text.value) editor.begin(text.value, fileName.value);
         return effect(() => {
             const here = diagnostics.value.filter((one) => one.line > 0 && one.file === fileName.value);
             const now = text.peek();
