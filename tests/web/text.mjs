@@ -15,6 +15,7 @@ test('a mistake is shown at its line and column, and the last good picture stays
     const column = bad.split('\n')[line - 1].indexOf('oops') + 1;
     const message = page.locator('.message.error');
     assert.match(await message.innerText(), new RegExp(`^${line}:${column}\\s*expected a number, found 'oops'`));
+    assert.match(await page.locator('[data-state=error]').innerText(), new RegExp(`^not drawn: ${line}:${column} expected a number, found 'oops'`));
     const marked = page.locator('.cm-lintRange-error');
     assert.equal(await marked.innerText(), 'oops');
     assert.deepEqual(await picture(page), before);

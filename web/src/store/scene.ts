@@ -40,6 +40,13 @@ export function setComparison(compare: Comparison | null) {
     draw();
 }
 
+function take(beside: Beside) {
+    fileName.value = beside.name;
+    sceneName.value = beside.scene;
+    overrides.value = beside.overrides;
+    includes.value = beside.includes;
+}
+
 /** The editor's text changed, by hand or by a control. */
 export function textChanged(now: string, beside: Beside | null, canUndo: boolean, canRedo: boolean) {
     history.value = {canUndo, canRedo};
@@ -48,13 +55,8 @@ export function textChanged(now: string, beside: Beside | null, canUndo: boolean
     batch(() => {
         notice.value = '';
         text.value = now;
-        if (beside) {
-            fileName.value = beside.name;
-            sceneName.value = beside.scene;
-            overrides.value = beside.overrides;
-            includes.value = beside.includes;
-            if (renamed) forgetLights();
-        }
+        if (beside) take(beside);
+        if (renamed) forgetLights();
     });
     if (renamed) queueMicrotask(() => page.editor?.setName(fileName.value));
     draw();
@@ -90,8 +92,10 @@ export function openScene(scene: SceneToOpen) {
         page.editor?.setBeside(beside, scene.text);
         return;
     }
-    textChanged(scene.text, beside, false, false);
+    take(beside);
+    text.value = scene.text;
     page.editor?.begin(scene.text, scene.name);
+    draw();
 }
 
 /** The address' scene, or the book's. */

@@ -5,7 +5,7 @@ import {useLayoutEffect, useRef} from 'preact/hooks';
 import type {Move} from '../camera';
 import {reveal} from '../store/places';
 import {
-    comparison, comparisonFailure, difference, hovered, pinned, pixel, progress, size, split, state,
+    comparison, comparisonFailure, diagnostics, difference, failure, hovered, pinned, pixel, progress, size, split, state,
 } from '../store/state';
 import {cameraNow, moveCamera} from '../store/viewpoint';
 import {Difference} from './Compare';
@@ -76,18 +76,20 @@ function Status() {
     const {fraction, rays, milliseconds} = progress.value;
     const rate = `${(milliseconds > 0 ? rays / milliseconds / 1000 : 0).toFixed(1)} M rays/s`;
     const {width, height} = size.value;
+    const first = diagnostics.value.find((one) => one.severity === 'error');
+    const mistake = first && `${first.line > 0 ? `${first.line}:${first.column} ` : ''}${first.message}`;
     const words = {
         starting: 'starting',
         drawing: fraction > 0 && fraction < 1 ? `drawing · ${Math.round(100 * fraction)}% · ${rate}` : 'drawing',
         done: `${width}×${height} · ${Math.round(milliseconds)} ms · ${rate}`,
-        error: 'not drawn, see the messages: this is the last picture',
+        error: `not drawn: ${failure.value || mistake}`,
     }[state.value];
     return (
         <div class="status">
             <PixelLine />
             <div class="figures-line">
                 <progress value={state.value === 'done' ? 1 : state.value === 'error' ? 0 : fraction} max={1} aria-label="Progress of the picture" />
-                <span class="mono" data-state={state.value}>{words}</span>
+                <span class="mono words" data-state={state.value} title={state.value === 'error' ? words : undefined}>{words}</span>
                 <span class="for-readers" role="status">{{starting: '', drawing: '', done: 'Drawn', error: 'Not drawn'}[state.value]}</span>
                 <CameraButtons />
             </div>

@@ -1,5 +1,5 @@
 import {computed, effect} from '@preact/signals';
-import {useEffect, useRef} from 'preact/hooks';
+import {useLayoutEffect, useRef} from 'preact/hooks';
 
 import {Editor} from '../editor/editor';
 import {revealMistake} from '../store/places';
@@ -12,10 +12,10 @@ const scenes = computed(() => format.value?.scenes?.(text.value) ?? []);
 
 export function TextPane() {
     const host = useRef<HTMLDivElement>(null);
-    useEffect(() => {
+    // Before the first scene is opened.
+    useLayoutEffect(() => {
         const editor = new Editor(host.current!, {changed: textChanged, beside: besideNow});
         machinery.editor = editor;
-        if (text.value) editor.begin(text.value, fileName.value);
         return effect(() => {
             const here = diagnostics.value.filter((one) => one.line > 0 && one.file === fileName.value);
             const now = text.peek();
