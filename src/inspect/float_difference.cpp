@@ -47,8 +47,8 @@ bool is_beyond_bytes(const Image& a, const Image& b, bool same_bytes, CauseRepor
     double left = 0;
     for_each_finite(a, b, [&](double x, double y) { left += std::fabs(x - factor * y); });
     const double explained = 1 - left / sums.whole;
-    ++report.tried;
     if (factor > 0 && std::fabs(factor - 1) > k_least_change && explained >= k_least_fitted) {
+        report.tried = 1;
         report.causes.push_back(
             {"light-intensity",
              fmt::format(
