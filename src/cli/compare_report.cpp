@@ -43,9 +43,10 @@ void add_nearest(std::string& text, const CompareReport& report) {
                                     ? fmt::format("the nearest, {}, explains {}", causes.nearest->name,
                                                   share_text(causes.nearest->explained))
                                     : std::string("none explains any of it");
-    fmt::format_to(std::back_inserter(text),
-                   "No classic cause explains enough of the difference: {}; {} were tried{}.\n", nearest,
-                   causes.tried, report.with_scene ? "" : ", and --scene SCENE tries more");
+    fmt::format_to(
+        std::back_inserter(text), "{}{}; {} were tried{}.\n",
+        causes.remark.empty() ? "No classic cause explains enough of the difference: " : "  Of the causes ",
+        nearest, causes.tried, report.with_scene ? "" : ", and --scene SCENE tries more");
 }
 
 void add_causes(std::string& text, const CompareReport& report) {

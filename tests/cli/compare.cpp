@@ -61,6 +61,8 @@ TEST_F(Compare, SaysWhatNoCauseExplains) {
     ASSERT_EQ(run(folder, {"render", "none.cgfs", "-s", "80x60", "-q", "-o", "none.png"}).code, 0);
     const Finished r = compare({"none.png", "right.png"});
     EXPECT_TRUE(contains(r.out, "The picture is one colour throughout, (255, 255, 255): ")) << r.out;
+    const Finished drawn = compare({"none.png", "right.png", "--scene", "a.cgfs"});
+    EXPECT_TRUE(contains(drawn.out, "\n  Of the causes the nearest, ")) << drawn.out;
     const auto json = nlohmann::json::parse(compare({"dark.png", "right.png", "--json"}).out);
     EXPECT_EQ(json["diagnosis"]["remark"], nullptr);
     EXPECT_EQ(json["diagnosis"]["causes"].size(), 0u);

@@ -90,6 +90,21 @@ TEST_F(Grade, PicturesAgainstAReference) {
     EXPECT_EQ(own[4]["equal"], 1);
 }
 
+TEST_F(Grade, SaysWhatNoCauseExplains) {
+    draw("right.png", {});
+    draw("in/one.png", {});
+    std::string ppm = "P6 96 72 255\n";
+    for (int i = 0; i < 96 * 72; ++i) ppm += "\x20\x40\x60";
+    folder.write("in/two.ppm", ppm);
+    const Finished r = grade({"in", "--reference", "right.png", "--json", "t.json"});
+    EXPECT_EQ(r.code, 0) << r.err;
+    EXPECT_TRUE(contains(r.out, "The picture is one colour throughout, (32, 64, 96)")) << r.out;
+    const auto json = nlohmann::json::parse(folder.read("t.json"));
+    ASSERT_EQ(json.size(), 2u);
+    EXPECT_TRUE(contains(json[1]["remark"], "one colour throughout"));
+    EXPECT_TRUE(json[1]["causes"].empty());
+}
+
 TEST_F(Grade, ByRt2sRubric) {
     hand_in("in/ada");
     hand_in("in/ben");
