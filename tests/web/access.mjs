@@ -57,7 +57,7 @@ test('everything that can be used has a name, and ids are unique', () => withPag
     assert.equal(new Set(ids).size, ids.length);
 }));
 
-/** Texts whose contrast with what is behind them is below AA's 4.5. */
+/** Texts whose contrast with what is behind them is below AA's 4.5, and fields whose edge has less than 3. */
 function faintTexts(page) {
     return page.evaluate(() => {
         const canvas = document.createElement('canvas');
@@ -78,15 +78,24 @@ function faintTexts(page) {
         };
         const luminance = (rgb) => rgb.map((c) => (c / 255 <= 0.04045 ? c / 255 / 12.92 : ((c / 255 + 0.055) / 1.055) ** 2.4))
             .reduce((sum, c, i) => sum + c * [0.2126, 0.7152, 0.0722][i], 0);
+        const between = (one, other) => {
+            const [a, b] = [luminance(one), luminance(other)].sort((x, y) => y - x);
+            return (a + 0.05) / (b + 0.05);
+        };
         const faint = [];
+        for (const e of document.querySelectorAll('select, input:is([type=number], [type=text])')) {
+            if (!e.checkVisibility() || e.disabled) continue;
+            const behind = background(e.parentElement);
+            const contrast = between(over(getComputedStyle(e).borderTopColor, behind), behind);
+            if (contrast < 3) faint.push(`${contrast.toFixed(2)} the edge of ${e.outerHTML.slice(0, 60)}`);
+        }
         const visit = (root) => {
             for (const e of root.querySelectorAll('*')) {
                 if (e.shadowRoot) visit(e.shadowRoot);
                 const own = [...e.childNodes].some((n) => n.nodeType === Node.TEXT_NODE && n.textContent.trim());
-                if (!own || !e.checkVisibility({opacityProperty: true}) || e.closest('.for-readers, :disabled, .unused, svg, .frame, style')) continue;
-                const behind = background(e);
-                const [a, b] = [luminance(over(getComputedStyle(e).color, behind)), luminance(behind)].sort((x, y) => y - x);
-                const contrast = (a + 0.05) / (b + 0.05);
+                if (!own || !e.checkVisibility({opacityProperty: true}) || e.closest('.for-readers, :disabled, .frame, style')) continue;
+                const behind = background(e), style = getComputedStyle(e);
+                const contrast = between(over(e instanceof SVGElement ? style.fill : style.color, behind), behind);
                 if (contrast < 4.5) faint.push(`${contrast.toFixed(2)} ${e.className} ${e.textContent.trim().slice(0, 30)}`);
             }
         };

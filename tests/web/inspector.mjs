@@ -127,6 +127,7 @@ test('the view from above is of the scene that is open', () => withPage(async (p
     await page.waitForTimeout(500);
     await choose(page, 'cgfs/three_mirrors.cgfs');
     await clickPicture(page, 0.5, 0.6);
+    await page.locator('.top-frame').waitFor();
     await yellow();
 }));
 

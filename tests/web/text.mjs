@@ -123,3 +123,20 @@ test('undo brings back the scene that was open before', () => withPage(async (pa
     await settled(page);
     assert.deepEqual(await picture(page), native(join(scenes, 'glint/still_life.glint')));
 }));
+
+test('what is converted is the text itself: not a comparison’s side, and not the scene before a mistake', () => withPage(async (page) => {
+    await page.getByRole('tab', {name: 'Compare'}).click();
+    await page.getByRole('button', {name: '0 | 3 reflections'}).click();
+    await settled(page);
+    await page.getByRole('button', {name: 'convert to .glint'}).click();
+    await page.waitForFunction(() => document.querySelector('.file-name').textContent === 'three_mirrors.glint');
+    await page.getByRole('button', {name: 'End the comparison'}).click();
+    await settled(page);
+    assert.deepEqual(await picture(page), native(join(scenes, 'cgfs/three_mirrors.cgfs')));
+    await page.getByRole('button', {name: 'Undo'}).click();
+    await paste(page, 'sphere { radius = oops }');
+    await settled(page, 'error');
+    await page.getByRole('button', {name: 'convert to .glint'}).click();
+    await page.waitForFunction(() => /without mistakes/.test(document.querySelector('.notice')?.textContent));
+    assert.equal(await sceneText(page), 'sphere { radius = oops }');
+}));

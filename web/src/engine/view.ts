@@ -64,8 +64,8 @@ export class View {
     #busy = false;
     #since = 0;
     #shownAt = -Infinity;
-    /** Subjects follow each other quickly: they are alike, and the next one is expected. */
-    #isDragged = false;
+    /** How many subjects have followed each other quickly. */
+    #quick = 0;
     #coarseShown = false;
     #sampleTime = 0.001;
 
@@ -78,7 +78,7 @@ export class View {
 
     show(subject: Subject) {
         const now = performance.now();
-        this.#isDragged = now - this.#shownAt < 500;
+        this.#quick = now - this.#shownAt < 500 ? this.#quick + 1 : 0;
         this.#shownAt = now;
         this.#pending = subject;
         if (!this.#busy) {
@@ -116,7 +116,8 @@ export class View {
 
     async #draw(subject: Subject, key: number) {
         const affordable = this.#affordable();  // the same for what is expected and for what is found
-        const expected = this.#isDragged && this.current ? this.#levels(subject, this.current.info, affordable)[0]! : null;
+        // Something is dragged: then subjects are alike, and what the next one takes is expected.
+        const expected = this.#quick >= 2 && this.current ? this.#levels(subject, this.current.info, affordable)[0]! : null;
         const opening = (expected && !expected.final && await this.#openDrawing(subject, key, expected)) || await this.#open(subject, key);
         this.events.opened(opening.opened, subject);
         const {info} = opening.opened;

@@ -128,14 +128,18 @@ export async function openFiles(files: File[]) {
     openScene({...main, includes: read.filter((file) => file !== main)});
 }
 
+let conversions = 0;
+
 /** Puts glint's own language in the text's place; that can say everything. */
 export async function convertToGlint() {
-    const current = page.first?.current;
-    if (!current || !page.pool) return;
+    if (!page.pool) return;
+    // Not what is drawn: that may be of an older text, or have one side of a comparison in it.
+    const before = text.value;
     const converted = await page.pool.run(
-        {view: 'first', key: current.key, request: current.subject.request, prepare: {}, task: {what: 'convert'}}, true);
+        {view: 'converted', key: ++conversions, request: requestWith({}), prepare: {}, task: {what: 'convert'}}, true).catch(() => '');
+    if (text.value !== before) return;
     if (converted === '') {
-        notice.value = 'This scene could not be converted.';
+        notice.value = 'Only a scene without mistakes can be converted.';
         return;
     }
     const name = fileName.value.replace(/\.\w+$/, '') + '.glint';
