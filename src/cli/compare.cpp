@@ -73,10 +73,7 @@ int compare_command(CompareArguments& arguments) {
         throw Failure(k_usage, "--size is for --vary: a scene beside pictures has theirs");
     std::optional<OutputFile> diff;
     if (!arguments.diff.empty()) {
-        diff.emplace(arguments.diff);
-        if (!diff->is_stream() && extension(arguments.diff) != ".png")
-            throw Failure(k_usage,
-                          fmt::format("--diff '{}': expected a name that ends in .png", arguments.diff));
+        diff.emplace(png_output("--diff", arguments.diff));
         if (diff->is_standard_output() && !arguments.quiet)
             throw Failure(k_usage, "--diff - needs --quiet: the report goes to standard output, too");
     }
