@@ -181,9 +181,7 @@ inline void fill_with_void(const World& world, const TileJob& job) {
     store_interleaved(r, g, b, rgb);
     for (int y = 0; y < job.height; ++y) {
         float* to = job.rgb + 3 * static_cast<std::size_t>(y) * static_cast<std::size_t>(job.row_pixels);
-        for (int x = 0; x < job.width; ++x) {
-            for (int c = 0; c < 3; ++c) *to++ = rgb[c];
-        }
+        for (int x = 0; x < job.width; ++x) to = std::copy_n(rgb, 3, to);
     }
 }
 

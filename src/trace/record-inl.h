@@ -161,7 +161,8 @@ inline void record_branches(TileScratch& s, int h, const BranchMasks& masks, con
                         traced[2] = {to_bits(masks.reflected), to_bits(masks.transmitted)};
     for (int k = 0; k < lane_count<double>(); ++k) {
         if ((has[0] >> k & 1) == 0) continue;
-        ExplainedHit& hit = s.record->hit(h + k);
+        const int number = h + k;
+        ExplainedHit& hit = s.record->hit(number);
         hit.fresnel = (has[1] >> k & 1) != 0 ? f[k] : 0;
         Branch* branches[2] = {&hit.reflected, &hit.transmitted};
         for (int side = 0; side < 2; ++side) {
@@ -175,7 +176,7 @@ inline void record_branches(TileScratch& s, int h, const BranchMasks& masks, con
                                weight, -1};
             if (went)
                 s.record->leaving.push_back(
-                    {static_cast<int>(s.record->share[static_cast<std::size_t>(h + k)]), side == 1});
+                    {static_cast<int>(s.record->share[static_cast<std::size_t>(number)]), side == 1});
         }
     }
 }
