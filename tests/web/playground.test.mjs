@@ -2,6 +2,7 @@
 import './gallery.mjs';
 import './text.mjs';
 import './controls.mjs';
+import './camera.mjs';
 import './inspector.mjs';
 import './sharing.mjs';
 import './access.mjs';
