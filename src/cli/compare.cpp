@@ -11,6 +11,7 @@
 #include "cli/picture_file.h"
 #include "cli/progress.h"
 #include "cli/scene_option.h"
+#include "cli/tell.h"
 #include "cli/text.h"
 #include "cli/vary.h"
 
@@ -47,10 +48,10 @@ bool passes(const CompareArguments& arguments, const PictureDifference& d) {
 
 void write_difference(const OutputFile& file, const CompareArguments& arguments, const Image& a,
                       const Image& b, double largest) {
-    write_png(difference_image(a, b), file, arguments.threads);
+    write_png(difference_image(a, b), file, {.threads = arguments.threads});
     if (arguments.quiet) return;
-    fmt::print(stderr, "{}  |A - B|{}\n", arguments.diff,
-               largest > 0 ? fmt::format(" times {:.4g}", 255 / largest) : ", all black");
+    tell("{}  |A - B|{}\n", arguments.diff,
+         largest > 0 ? fmt::format(" times {:.4g}", 255 / largest) : ", all black");
 }
 
 std::string note_text(const std::string& file, const DecodeResult& picture) {
@@ -79,8 +80,7 @@ int compare_command(CompareArguments& arguments) {
     }
     const std::optional<LoadedScene> scene = load_scene_option(arguments.scene, arguments.quiet);
     const DecodeResult a = read_picture(arguments.files[0]), b = read_picture(arguments.files[1]);
-    if (!arguments.quiet)
-        fmt::print(stderr, "{}{}", note_text(arguments.files[0], a), note_text(arguments.files[1], b));
+    if (!arguments.quiet) tell("{}{}", note_text(arguments.files[0], a), note_text(arguments.files[1], b));
 
     CompareReport report;
     report.a = arguments.files[0];

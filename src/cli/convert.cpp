@@ -9,6 +9,7 @@
 #include "cli/failure.h"
 #include "cli/output_file.h"
 #include "cli/scene_arguments.h"
+#include "cli/tell.h"
 #include "cli/text.h"
 
 namespace glint::cli {
@@ -72,10 +73,9 @@ int convert_command(ConvertArguments& arguments) {
     if (text.empty()) throw Failure(k_bad_input, "out of memory while writing the scene as text");
     output.write({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
     if (!arguments.quiet) {
-        fmt::print(stderr, "{}  {}  {}, {}, {}  ({})\n", path, bytes_text(static_cast<double>(text.size())),
-                   counted(scene.shapes.size(), "shape"), counted(scene.materials.size(), "material"),
-                   counted(scene.lights.size(), "light"),
-                   counted(count_warnings(loaded.warnings), "warning"));
+        tell("{}  {}  {}, {}, {}  ({})\n", path, bytes_text(static_cast<double>(text.size())),
+             counted(scene.shapes.size(), "shape"), counted(scene.materials.size(), "material"),
+             counted(scene.lights.size(), "light"), counted(count_warnings(loaded.warnings), "warning"));
     }
     return k_done;
 }

@@ -32,9 +32,8 @@ OutputFile png_output(const char* option, const std::string& path) {
     return output;
 }
 
-void write_png(const Image& picture, const OutputFile& output, int threads) {
-    EncodeOptions options;
-    options.threads = threads;
+void write_png(const Image& picture, const OutputFile& output, EncodeOptions options) {
+    options.format = FileFormat::png;
     const EncodeResult encoded = encode(picture, options);
     if (!encoded.error.empty())
         throw Failure(k_bad_input, fmt::format("cannot encode the picture: {}", encoded.error));

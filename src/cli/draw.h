@@ -17,7 +17,7 @@ Image draw(const World& world, int threads = 0, const std::string& isa = {});
 /// OutputFile does.
 OutputFile png_output(const char* option, const std::string& path);
 
-/// Writes a picture as PNG. Throws Failure.
-void write_png(const Image& picture, const OutputFile& output, int threads = 0);
+/// Writes a picture as PNG, whatever the options' format is. Throws Failure.
+void write_png(const Image& picture, const OutputFile& output, EncodeOptions options = {});
 
 }  // namespace glint::cli

@@ -91,6 +91,8 @@ std::uint32_t find_light(const std::string& text, const Scene& scene) {
 }
 
 int explain_command(ExplainArguments& arguments) {
+    if (!arguments.why_not.empty() && arguments.form != "text")
+        throw Failure(k_usage, fmt::format("--why-not is answered as text, not as {}", arguments.form));
     std::optional<OutputFile> overlay;
     if (!arguments.overlay.empty()) {
         overlay.emplace(png_output("--overlay", arguments.overlay));
@@ -141,7 +143,7 @@ int explain_command(ExplainArguments& arguments) {
         check_memory(scene.settings.width, scene.settings.height);
         Image picture = draw(*prepared.world, 0, arguments.isa);
         draw_overlay(picture, explanation, scene, *prepared.world);
-        write_png(picture, *overlay);
+        write_png(picture, *overlay, style.file);
     }
     return k_done;
 }

@@ -256,7 +256,7 @@ void tell_sum(const Explanation& e, const ExplainStyle& style, std::string& text
     fmt::format_to(out, "  = {:13}{}\n", "value", color(e.value));
     const bool clamps = std::any_of(e.value, e.value + 3, [](float v) { return v < 0 || v > 1; });
     const auto written = [&](float v) { return to_number(v, style.file.bits, style.file.transfer); };
-    const std::string name = fmt::format("{}{}", style.file.bits == 8 ? "bytes" : "16 bits",
+    const std::string name = fmt::format("{}{}", style.file.bits == 8 ? "bytes" : "words",
                                          style.file.transfer == Transfer::srgb ? ", sRGB" : "");
     fmt::format_to(out, "    {:13}{} {} {}{}{}\n", name, written(e.value[0]), written(e.value[1]),
                    written(e.value[2]), clamps ? "  (clamped to 0 ... 1)" : "",
@@ -306,11 +306,17 @@ std::string why_not_text(const Explanation& e, const Scene& scene, std::uint32_t
                          const ExplainStyle& style) {
     const ExplainedRay& ray = e.rays[camera_ray(e, style.sample)];
     const std::string name = light_text(scene, light);
-    if (scene.lights[light].kind == LightKind::ambient)
-        return fmt::format("{} is ambient: it reaches everything\n", name);
     if (!ray.hit)
         return fmt::format("{} has nothing to light: the camera ray of pixel {},{} hits nothing\n", name, e.x,
                            e.y);
+    if (scene.settings.shading == Shading::color || scene.settings.shading == Shading::normals)
+        return fmt::format("{} was not asked: this shading has no lights\n", name);
+    if (scene.lights[light].kind == LightKind::ambient) {
+        const Material& m = material_of(*ray.hit, scene);
+        const Color part = m.ambient * scene.lights[light].color;
+        return fmt::format("{} is ambient: it reaches everything, and adds k_a {} times {}: {}\n", name,
+                           color(m.ambient), color(scene.lights[light].color), color(part));
+    }
     for (const LightTerms& terms : ray.hit->lights) {
         if (terms.light != light) continue;
         std::string text =

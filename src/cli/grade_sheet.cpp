@@ -41,7 +41,7 @@ void GradeSheet::put(std::size_t cell, const Image& picture, const Image& wanted
 }
 
 void GradeSheet::write(int threads) const {
-    if (output_) write_png(contact_sheet(cells_, layout_), *output_, threads);
+    if (output_) write_png(contact_sheet(cells_, layout_), *output_, {.threads = threads});
 }
 
 }  // namespace glint::cli

@@ -12,6 +12,7 @@
 #include "cli/failure.h"
 #include "cli/foreign_flags.h"
 #include "cli/interrupt.h"
+#include "cli/tell.h"
 #include "cli/text.h"
 #include "glint/glint.h"
 
@@ -33,8 +34,8 @@ Example: glint render castle.json -o castle.png
 )";
 
 int say_usage(const std::string& command, const std::string& message) {
-    fmt::print(stderr, "glint{}{}: {}\nsee 'glint{}{} --help'\n", command.empty() ? "" : " ", command,
-               message, command.empty() ? "" : " ", command);
+    tell("glint{}{}: {}\nsee 'glint{}{} --help'\n", command.empty() ? "" : " ", command, message,
+         command.empty() ? "" : " ", command);
     return k_usage;
 }
 
@@ -92,7 +93,7 @@ int run(const std::vector<std::string>& arguments) {
     const auto* command = std::find_if(std::begin(commands), std::end(commands),
                                        [&](const Command& c) { return c.name == word; });
     if (const auto answer = answer_foreign_flags(arguments)) {
-        fmt::print(stderr, "{}\n", *answer);
+        tell("{}\n", *answer);
         return k_usage;
     }
     if (command == std::end(commands) && (word == "-" || !word.starts_with('-'))) {
@@ -110,7 +111,7 @@ int run(const std::vector<std::string>& arguments) {
     } catch (const Failure& e) {
         const std::string message = e.what();
         if (e.code() == k_usage) return say_usage(name, message);
-        if (!message.empty()) fmt::print(stderr, "glint: {}\n", message);
+        if (!message.empty()) tell("glint: {}\n", message);
         return e.code();
     }
 }
@@ -126,7 +127,7 @@ int main(int count, char** values) {
     } catch (const std::bad_alloc&) {
         std::fputs("glint: out of memory\n", stderr);
     } catch (const std::exception& e) {
-        fmt::print(stderr, "glint: {}\n", e.what());
+        glint::cli::tell("glint: {}\n", e.what());
     }
     if (std::fflush(stdout) != 0) {
         std::fputs("glint: cannot write to standard output\n", stderr);

@@ -8,6 +8,7 @@
 #include <cstdio>
 
 #include "cli/interrupt.h"
+#include "cli/tell.h"
 #include "cli/terminal.h"
 
 namespace glint::cli {
@@ -15,7 +16,7 @@ namespace glint::cli {
 ProgressBar::ProgressBar(bool wanted) : wanted_(wanted && is_terminal(STDERR_FILENO)) {}
 
 ProgressBar::~ProgressBar() {
-    if (shown_) fmt::print(stderr, "\r\x1b[K");
+    if (shown_) tell("\r\x1b[K");
     set_progress_shown(false);
 }
 
@@ -29,8 +30,7 @@ void ProgressBar::update(double fraction) {
     next_ = now + std::chrono::milliseconds(100);
     shown_ = true;
     set_progress_shown(true);
-    fmt::print(stderr, "\r{}\x1b[K",
-               progress_text(fraction, std::chrono::duration<double>(now - start_).count()));
+    tell("\r{}\x1b[K", progress_text(fraction, std::chrono::duration<double>(now - start_).count()));
     std::fflush(stderr);
 }
 

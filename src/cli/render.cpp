@@ -16,6 +16,7 @@
 #include "cli/progress.h"
 #include "cli/scene_arguments.h"
 #include "cli/show.h"
+#include "cli/tell.h"
 #include "cli/terminal.h"
 #include "cli/text.h"
 
@@ -158,10 +159,10 @@ int render_command(RenderArguments& arguments) {
     if (!result.image) throw Failure(k_bad_input, result.error);
 
     if (result.rays.cut > 0 && !arguments.quiet) {
-        fmt::print(stderr,
-                   "warning: {} mirror and glass rays were not traced: a sample of a pixel has at most {}; "
-                   "--reflections or min_weight leave out the faintest first\n",
-                   with_commas(result.rays.cut), k_max_sample_rays);
+        tell(
+            "warning: {} mirror and glass rays were not traced: a sample of a pixel has at most {}; "
+            "--reflections or min_weight leave out the faintest first\n",
+            with_commas(result.rays.cut), k_max_sample_rays);
     }
 
     stage = Clock::now();
@@ -178,11 +179,11 @@ int render_command(RenderArguments& arguments) {
         fmt::print("{}", half_blocks(*result.image, terminal_columns(), encoding.transfer));
     }
     if (!arguments.quiet) {
-        fmt::print(stderr, "{}  {}x{}  {} rays  {:.3f} s  {:.1f} Mray/s  (whole {:.3f} s, {}, {}, {})\n",
-                   path, result.image->width, result.image->height, with_commas(result.rays.total()),
-                   times.trace, static_cast<double>(result.rays.total()) / times.trace / 1e6,
-                   seconds_since(start), counted(std::uint64_t(result.threads), "thread"), result.isa,
-                   counted(count_warnings(loaded.warnings), "warning"));
+        tell("{}  {}x{}  {} rays  {:.3f} s  {:.1f} Mray/s  (whole {:.3f} s, {}, {}, {})\n", path,
+             result.image->width, result.image->height, with_commas(result.rays.total()), times.trace,
+             static_cast<double>(result.rays.total()) / times.trace / 1e6, seconds_since(start),
+             counted(std::uint64_t(result.threads), "thread"), result.isa,
+             counted(count_warnings(loaded.warnings), "warning"));
     }
     return k_done;
 }

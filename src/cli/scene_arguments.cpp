@@ -8,6 +8,7 @@
 
 #include "cli/commands.h"
 #include "cli/failure.h"
+#include "cli/tell.h"
 #include "cli/text.h"
 
 namespace glint::cli {
@@ -163,7 +164,7 @@ void add_warnings(std::vector<Diagnostic>& warnings, const std::vector<Diagnosti
 }
 
 void print(const std::vector<Diagnostic>& diagnostics) {
-    for (const Diagnostic& d : diagnostics) fmt::print(stderr, "{}", to_string(d));
+    for (const Diagnostic& d : diagnostics) tell("{}", to_string(d));
 }
 
 }  // namespace glint::cli

@@ -137,6 +137,11 @@ TEST(Explain, WhyALightAddsNothing) {
         contains(run(folder, {"explain", acne, "-p", "140,110", "--why-not", "1"}).out, "is ambient"));
     EXPECT_TRUE(
         contains(run(folder, {"explain", acne, "-p", "10,10", "--why-not", "2"}).out, "hits nothing"));
+    EXPECT_TRUE(
+        contains(run(folder, {"explain", acne, "-p", "10,10", "--why-not", "1"}).out, "hits nothing"));
+    const Finished json = run(folder, {"explain", acne, "-p", "140,110", "--why-not", "2", "--as", "json"});
+    EXPECT_EQ(json.code, 2);
+    EXPECT_TRUE(contains(json.err, "--why-not is answered as text, not as json")) << json.err;
     const Finished none = run(folder, {"explain", acne, "-p", "140,110", "--why-not", "moon"});
     EXPECT_EQ(none.code, 2);
     EXPECT_TRUE(contains(none.err, "there is no light 'moon'; there are 2 lights")) << none.err;

@@ -46,6 +46,21 @@ TEST(Outputs, UnwritableTargets) {
     EXPECT_EQ(run(folder, {"info", "a.cgfs"}, full).code, 1);
 }
 
+// What is said beside the answer is lost; the answer is not.
+TEST(Outputs, StandardErrorThatCannotBeWritten) {
+    const Folder folder;
+    folder.write("a.cgfs", k_scene);
+    folder.write("warned.cgfs", "light { type = ambient  intensity = 0.4 }\n");
+    RunOptions full;
+    full.error_path = "/dev/full";
+    EXPECT_EQ(run(folder, {"render", "a.cgfs", "-s", "10x10"}, full).code, 0);
+    EXPECT_TRUE(folder.has("a.png"));
+    EXPECT_EQ(run(folder, {"check", "warned.cgfs"}, full).code, 0);
+    EXPECT_EQ(run(folder, {"render", "nothere.cgfs"}, full).code, 1);
+    EXPECT_EQ(run(folder, {"render", "--bogus"}, full).code, 2);
+    EXPECT_EQ(run(folder, {"rendre"}, full).code, 2);
+}
+
 TEST(Outputs, AnOldFileKeepsItsModeAndItsLinks) {
     const Folder folder;
     folder.write("a.cgfs", k_scene);

@@ -26,9 +26,10 @@ struct Finished {
 };
 
 struct RunOptions {
-    std::string input;        ///< standard input
-    long largest_file = -1;   ///< bytes that a file may grow to: a full disk
-    std::string output_path;  ///< standard output goes to this file instead
+    std::string input;         ///< standard input
+    long largest_file = -1;    ///< bytes that a file may grow to: a full disk
+    std::string output_path;   ///< standard output goes to this file instead
+    std::string error_path{};  ///< standard error goes to this file instead
 };
 
 /// A temporary folder that is gone when this is.
@@ -75,6 +76,7 @@ class Process {
             if (!options.output_path.empty()) {
                 out[1] = ::open(options.output_path.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0666);
             }
+            if (!options.error_path.empty()) err[1] = ::open(options.error_path.c_str(), O_WRONLY);
             ::dup2(in[0], 0);
             ::dup2(out[1], 1);
             ::dup2(err[1], 2);
