@@ -27,21 +27,24 @@ struct CheckArguments {
     int threads = 0;
 };
 
-std::string json_text(const std::vector<Finding>& findings) {
+// Of the reader's own messages the warnings, which count as findings do for --strict.
+std::string json_text(const std::vector<Diagnostic>& messages, const std::vector<Finding>& findings) {
     using Json = nlohmann::ordered_json;
     Json list = Json::array();
-    for (const Finding& f : findings) {
-        const Diagnostic& d = f.diagnostic;
-        Json item = {{"id", f.id}, {"severity", "warning"}};
+    const auto add = [&](std::string_view id, const Diagnostic& d, std::string_view remedy) {
+        Json item = {{"id", id}, {"severity", "warning"}};
         if (d.line != 0) {
             item["file"] = d.file;
             item["line"] = d.line;
             item["column"] = d.column;
         }
         item["message"] = d.message;
-        item["remedy"] = f.remedy;
+        item["remedy"] = remedy;
         list.push_back(std::move(item));
-    }
+    };
+    for (const Diagnostic& d : messages)
+        if (d.severity == Severity::warning) add("reading", d, "");
+    for (const Finding& f : findings) add(f.id, f.diagnostic, f.remedy);
     // File names need not be UTF-8.
     return list.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
@@ -59,15 +62,17 @@ int check_command(CheckArguments& arguments) {
     print(loaded.warnings);
     if (has_errors(result.diagnostics)) throw Failure(k_bad_input, {});
     if (!result.error.empty()) throw Failure(k_bad_input, result.error);
+    const std::size_t warnings = count_warnings(loaded.warnings);
     if (arguments.json) {
-        fmt::print("{}", json_text(result.findings));
+        fmt::print("{}", json_text(loaded.warnings, result.findings));
     } else {
         for (const Finding& finding : result.findings) fmt::print("{}", to_string(finding));
         const std::size_t mistakes = result.findings.size();
-        fmt::print("{}: {}\n", fmt::join(arguments.scene.files, " "),
-                   mistakes == 0 ? "no likely mistakes found" : counted(mistakes, "likely mistake"));
+        fmt::print("{}: {}{}\n", fmt::join(arguments.scene.files, " "),
+                   mistakes == 0 ? "no likely mistakes found" : counted(mistakes, "likely mistake"),
+                   warnings == 0 ? "" : ", " + counted(warnings, "warning"));
     }
-    const bool clean = result.findings.empty() && count_warnings(loaded.warnings) == 0;
+    const bool clean = result.findings.empty() && warnings == 0;
     return arguments.strict && !clean ? k_bad_input : k_done;
 }
 

@@ -23,6 +23,7 @@ constexpr double k_most_intensity = 10;  // without attenuation; 255 is a byte's
 
 bool is_black(Color c) { return c.r == 0 && c.g == 0 && c.b == 0; }
 double brightest(Color c) { return number::max(c.r, number::max(c.g, c.b)); }
+double least(Color c) { return number::min(c.r, number::min(c.g, c.b)); }
 
 double largest_difference(const Image& a, const Image& b) {
     double most = 0;
@@ -186,6 +187,12 @@ bool check_color(Subject& subject, std::uint32_t index) {
                        fmt::format("{} is black: it adds nothing", subject.light(index)),
                        "give it a colour or an intensity, or leave it out");
         return true;
+    }
+    if (least(light.color) < 0) {
+        subject.report("light-negative", place,
+                       fmt::format("{} has the colour ({:.4g}, {:.4g}, {:.4g}): it takes light away",
+                                   subject.light(index), light.color.r, light.color.g, light.color.b),
+                       "give it a colour and an intensity of 0 or more");
     }
     if (brightest(light.color) > k_most_intensity && !is_attenuated(light)) {
         subject.report(

@@ -11,12 +11,19 @@ constexpr double k_most_color = 20;  // 1 is full; a lamp of one's own may glow 
 constexpr double k_least_color = 1.5 / 255;  // a colour of 0 to 1 where 0 to 255 was asked for
 
 double brightest(Color c) { return number::max(c.r, number::max(c.g, c.b)); }
+double least(Color c) { return number::min(c.r, number::min(c.g, c.b)); }
 
 void check_color(Subject& subject, std::uint32_t index) {
     const Material& m = subject.scene().materials[index];
     const SourcePlace place = subject.scene().material_texts.place(index);
     const double most =
         number::max(brightest(m.color), number::max(brightest(m.ambient), brightest(m.diffuse)));
+    if (least(m.color) < 0 || least(m.ambient) < 0 || least(m.diffuse) < 0 || least(m.specular) < 0) {
+        subject.report("material-negative", place,
+                       fmt::format("{} has a colour or a coefficient below 0: light makes it darker",
+                                   subject.material(index)),
+                       "give it colours from 0 to 1");
+    }
     if (most > k_most_color) {
         subject.report(
             "material-color-255", place,

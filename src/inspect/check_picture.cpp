@@ -222,9 +222,9 @@ void check_reflections(Subject& subject, const Image& picture) {
     }
     subject.report(
         "reflections-too-few", place_of_setting(subject.scene(), "reflections"),
-        fmt::format("one reflection more than {} changes {:.2g}% of the picture by more than 8 of 255: "
-                    "mirrors see each other past the limit",
-                    now, 100 * changed),
+        fmt::format("one reflection more than {} changes {:.2g}% of the picture by more than 8 of 255: {}",
+                    now, 100 * changed,
+                    now == 0 ? "mirrors are switched off" : "mirrors see each other past the limit"),
         fmt::format("set reflections to {}, or let the mirrors reflect less", enough));
 }
 

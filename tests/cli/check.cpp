@@ -35,6 +35,17 @@ TEST(Check, NothingIsTheMatter) {
     EXPECT_EQ(run(folder, {"check", "a.cgfs", "--json"}).out, "[]\n");
 }
 
+TEST(Check, TellsWhyStrictFails) {
+    const std::string spheres = GLINT_SOURCE "/scenes/cgfs/only_spheres.cgfs";
+    const Folder folder;
+    const Finished text = run(folder, {"check", spheres, "--strict"});
+    EXPECT_EQ(text.code, 1);
+    EXPECT_TRUE(contains(text.out, "no likely mistakes found, 1 warning\n")) << text.out;
+    const Finished json = run(folder, {"check", spheres, "--strict", "--json"});
+    EXPECT_EQ(json.code, 1);
+    EXPECT_TRUE(contains(json.out, "\"id\": \"reading\"")) << json.out;
+}
+
 TEST(Check, StrictFailsOnFindingsAndWarnings) {
     const Folder folder;
     folder.write("lost.cgfs", std::string(k_clean) + k_lost);

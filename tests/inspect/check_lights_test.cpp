@@ -122,6 +122,11 @@ sphere { center = (0, 0, 0)  radius = 1  color = (1, 1, 0)  ambient = 0  diffuse
               "light-adds-nothing@3 light-adds-nothing@4");
 }
 
+TEST(CheckLights, ThatTakeLightAway) {
+    EXPECT_TRUE(
+        has(ids_of(k_clean + "light { position = (0, 5, 5)  intensity = -0.1 }\n"), "light-negative@7"));
+}
+
 TEST(CheckLights, ColorsAsBytes) {
     EXPECT_TRUE(has(ids_of(k_clean + "light { position = (0, 5, 5)  color = (255, 250, 240) }\n"),
                     "light-color-255@7"));

@@ -25,6 +25,11 @@ TEST(CheckMaterials, ColorsOfTheWrongScale) {
     EXPECT_EQ(ids_of(lit + "sphere { center = (0, 1, 3)  radius = 0.4  color = (0, 0, 0) }\n", "a.cgfs"), "");
 }
 
+TEST(CheckMaterials, ThatLightMakesDarker) {
+    EXPECT_TRUE(has(ids_of(k_clean + "sphere { center = (0, 1, 2)  radius = 0.4  color = (1, -0.5, 0) }\n"),
+                    "material-negative@7"));
+}
+
 TEST(CheckMaterials, ShininessOfZero) {
     const std::string ball = "sphere { center = (0, 1, 2)  radius = 0.4  specular = 0.1  shininess = ";
     EXPECT_EQ(ids_of(k_clean + ball + "0 }\n"), "shininess-zero@7");
