@@ -15,6 +15,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr auto k_no_picture = "holds no picture (PNG, PPM, PGM, OpenEXR or JPEG)";
+
 enum class Kind { file, folder, unreadable };
 
 struct Entry {
@@ -114,6 +116,7 @@ std::vector<Submission> list_pictures(const std::string& folder) {
             continue;
         }
         std::erase_if(inside.entries, [](const Entry& e) { return !is_picture(e); });
+        if (inside.entries.empty()) found.push_back({{entry.name, entry.path, k_no_picture}, entry.name});
         for (const Entry& picture : inside.entries) {
             const bool is_only = inside.entries.size() == 1;
             found.push_back(

@@ -13,7 +13,8 @@ struct Submission {
     std::string error;  ///< why nothing of it can be read; empty if it can, as far as one can tell
 };
 
-/// The pictures in a folder and in its folders, one level down, by name; what cannot be read is one, too.
+/// The pictures in a folder and in its folders, one level down, by name; what cannot be read is one, too,
+/// and so is a folder without a picture.
 /// Throws Failure if the folder itself cannot be read.
 std::vector<Submission> list_pictures(const std::string& folder);
 

@@ -214,6 +214,23 @@ TEST_F(Grade, WhatCannotBeReadIsARow) {
     EXPECT_EQ(own[0]["name"], "ben");
 }
 
+TEST_F(Grade, AFolderWithoutAPictureIsARow) {
+    draw("right.png", {});
+    draw("in/ada/castle.png", {});
+    std::filesystem::create_directory(folder.path("in/ben"));
+    folder.write("in/ben/castle.bmp", "BM");
+    draw("in/cem/out/castle.png", {});
+    std::filesystem::create_directory(folder.path("in/dan"));
+    const auto rows = graded({"in", "--reference", "right.png"});
+    ASSERT_EQ(rows.size(), 4u);
+    EXPECT_EQ(rows[0]["equal"], 1);
+    const char* names[] = {"ben", "cem", "dan"};
+    for (int i = 0; i < 3; ++i) {
+        EXPECT_EQ(rows[i + 1]["name"], names[i]);
+        EXPECT_TRUE(contains(rows[i + 1]["error"], "holds no picture")) << rows[i + 1];
+    }
+}
+
 TEST_F(Grade, RowsHaveNamesOfTheirOwn) {
     draw("right.png", {});
     for (const char* name : {"in/ada.png", "in/ada.ppm", "in/ada.png.png", "in/ben.png", "in/ben/x.png",
