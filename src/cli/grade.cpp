@@ -85,6 +85,7 @@ int grade_pictures(const GradeArguments& arguments, const Scene* scene, const Im
     for (std::size_t first = 0; first < count; first += k_batch) {
         const std::size_t last = std::min(first + k_batch, count);
         std::vector<Image> pictures;
+        std::vector<std::size_t> whose;
         for (std::size_t i = first; i < last; ++i) {
             GradedPicture entry;
             entry.name = submissions[i].name;
@@ -101,8 +102,12 @@ int grade_pictures(const GradeArguments& arguments, const Scene* scene, const Im
                 CompareOptions options;
                 options.threads = arguments.threads;
                 entry.difference = compare(*read.image, reference, options);
+                entry.not_finite = count_not_finite(*read.image);
                 sheet.put(i + 1, *read.image, reference);
-                pictures.push_back(std::move(*read.image));
+                if (entry.not_finite == 0) {
+                    pictures.push_back(std::move(*read.image));
+                    whose.push_back(i);
+                }
             }
             graded.push_back(std::move(entry));
         }
@@ -111,10 +116,7 @@ int grade_pictures(const GradeArguments& arguments, const Scene* scene, const Im
                 bar->update((static_cast<double>(first) + fraction * static_cast<double>(last - first)) /
                             static_cast<double>(count));
             }));
-        auto report = reports.begin();
-        for (std::size_t i = first; i < last; ++i) {
-            if (graded[i].error.empty()) graded[i].causes = std::move(*report++);
-        }
+        for (std::size_t i = 0; i < reports.size(); ++i) graded[whose[i]].causes = std::move(reports[i]);
     }
     bar.reset();  // its line is free again
     if (outputs.table) fmt::print("{}", text_table(graded));
@@ -171,7 +173,7 @@ class PartGrader {
             }
             part.score = grade(*read.image, wanted_, row_.points, arguments_.threads);
             sheet.put(cell, *read.image, wanted_.image);
-            if (part.score.points < row_.points) {
+            if (part.score.points < row_.points && part.score.not_finite == 0) {
                 faulty.push_back(std::move(*read.image));
                 whose.push_back(i);
             }

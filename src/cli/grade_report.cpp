@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/compare_report.h"
+#include "cli/text.h"
 
 namespace glint::cli {
 namespace {
@@ -70,9 +71,15 @@ std::string cause_text(const Cause& cause) {
     return fmt::format("{} ({})", cause.name, share_text(cause.explained));
 }
 
+// Such pixels count as 0 in the figures, which look like a fault of the lighting.
+std::string not_finite_text(std::uint64_t pixels) {
+    return fmt::format("{} {} NaN or infinite", counted(pixels, "pixel"), pixels == 1 ? "is" : "are");
+}
+
 // What a row of the table ends with.
 std::string verdict(const GradedPicture& p) {
     if (!p.error.empty()) return p.error;
+    if (p.not_finite > 0) return not_finite_text(p.not_finite);
     if (p.difference.all.equal == p.difference.all.pixels) return "identical";
     if (!p.causes.error.empty()) return p.causes.error;
     if (!p.causes.causes.empty()) return cause_text(p.causes.causes.front());
@@ -91,11 +98,14 @@ double all_points(const std::vector<RubricRow>& rows) {
     return sum;
 }
 
-// Why a part has not all its points; empty if it has.
+// Why a part has not all its points, and whether it has pixels without a value; empty if all is well.
 std::string part_note(const RubricRow& row, const GradedPart& part) {
     if (!part.error.empty()) return part.error;
-    if (part.score.points >= row.points) return {};
-    std::string note = fmt::format("{} of the pixels are right", share_text(part.score.share));
+    std::string note;
+    if (part.score.not_finite > 0) note = not_finite_text(part.score.not_finite);
+    if (part.score.points >= row.points) return note;
+    note +=
+        fmt::format("{}{} of the pixels are right", note.empty() ? "" : "; ", share_text(part.score.share));
     if (!row.without.empty())
         note += fmt::format(", {} of those that show it", share_text(part.score.part_share));
     if (part.cause) note += fmt::format("; {}: {}", cause_text(*part.cause), part.cause->explanation);
@@ -130,15 +140,15 @@ std::string text_table(const std::vector<GradedPicture>& pictures) {
 }
 
 std::string csv_table(const std::vector<GradedPicture>& pictures) {
-    std::string text = csv_line({"name", "file", "pixels", "equal", "within_1", "within_2", "interiors",
-                                 "interiors_within_2", "mean", "rms", "psnr", "ssim", "largest", "cause",
-                                 "explained", "explanation", "error"});
+    std::string text = csv_line({"name", "file", "pixels", "not_finite", "equal", "within_1", "within_2",
+                                 "interiors", "interiors_within_2", "mean", "rms", "psnr", "ssim", "largest",
+                                 "cause", "explained", "explanation", "error"});
     for (const GradedPicture& p : pictures) {
         const PictureDifference& d = p.difference;
         std::vector<std::string> cells = {p.name, p.path};
         if (p.error.empty()) {
-            for (const std::uint64_t count : {d.all.pixels, d.all.equal, d.all.within_1, d.all.within,
-                                              d.interiors.pixels, d.interiors.within})
+            for (const std::uint64_t count : {d.all.pixels, p.not_finite, d.all.equal, d.all.within_1,
+                                              d.all.within, d.interiors.pixels, d.interiors.within})
                 cells.push_back(std::to_string(count));
             cells.push_back(fmt::format("{}", d.mean));
             cells.push_back(fmt::format("{}", d.rms));
@@ -146,9 +156,11 @@ std::string csv_table(const std::vector<GradedPicture>& pictures) {
             cells.push_back(d.ssim ? fmt::format("{}", *d.ssim) : "");
             cells.push_back(fmt::format("{}", d.largest.value));
         }
-        cells.resize(13);
-        if (p.causes.causes.empty()) {
-            cells.resize(16);
+        cells.resize(14);
+        if (p.not_finite > 0) {
+            cells.insert(cells.end(), {"", "", not_finite_text(p.not_finite)});
+        } else if (p.causes.causes.empty()) {
+            cells.resize(17);
         } else {
             const Cause& cause = p.causes.causes.front();
             cells.insert(cells.end(), {cause.name, fmt::format("{}", cause.explained), cause.explanation});
@@ -167,6 +179,7 @@ std::string json_table(const std::vector<GradedPicture>& pictures) {
             item["error"] = p.error;
         } else {
             const PictureDifference& d = p.difference;
+            item["not_finite"] = p.not_finite;
             item["equal"] = share(d.all.equal, d.all.pixels);
             item["within_1"] = share(d.all.within_1, d.all.pixels);
             item["within_2"] = share(d.all.within, d.all.pixels);
@@ -178,7 +191,9 @@ std::string json_table(const std::vector<GradedPicture>& pictures) {
             item["largest"] = {{"value", d.largest.value}, {"x", d.largest.x}, {"y", d.largest.y}};
             item["causes"] = Json::array();
             for (const Cause& cause : p.causes.causes) item["causes"].push_back(cause_json(cause));
-            item["remark"] = p.causes.remark.empty() ? Json(nullptr) : Json(p.causes.remark);
+            item["remark"] = p.not_finite > 0          ? Json(not_finite_text(p.not_finite))
+                             : p.causes.remark.empty() ? Json(nullptr)
+                                                       : Json(p.causes.remark);
         }
         json.push_back(std::move(item));
     }
@@ -246,6 +261,7 @@ std::string json_table(const std::vector<RubricRow>& rubric,
             if (!part.error.empty()) {
                 entry["error"] = part.error;
             } else {
+                entry["not_finite"] = part.score.not_finite;
                 entry["share"] = part.score.share;
                 entry["part_share"] = part.score.part_share;
             }

@@ -1,5 +1,6 @@
 #pragma once
 // What `glint grade` prints and writes.
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -12,7 +13,8 @@ namespace glint::cli {
 /// A picture that was held against the reference.
 struct GradedPicture {
     std::string name, path;
-    std::string error;  ///< why there are no figures
+    std::string error;             ///< why there are no figures
+    std::uint64_t not_finite = 0;  ///< its pixels that are NaN or infinite; then no cause is looked for
     PictureDifference difference;
     CauseReport causes;
 };

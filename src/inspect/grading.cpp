@@ -64,9 +64,16 @@ WantedPicture draw_wanted(const Scene& scene, const RubricRow& row, int threads)
     return wanted;
 }
 
+std::uint64_t count_not_finite(const Image& picture) {
+    std::uint64_t count = 0;
+    for (std::size_t i = 0; i + 2 < picture.rgb.size(); i += 3) count += !is_finite_pixel(&picture.rgb[i]);
+    return count;
+}
+
 PartScore grade(const Image& picture, const WantedPicture& wanted, double points, int threads) {
     const BytePicture bytes = to_bytes(picture, threads);
     PartScore score;
+    score.not_finite = count_not_finite(picture);
     score.share = right_share(picture, bytes, wanted.bytes, wanted.counts);
     score.part_share =
         wanted.shows.empty() ? score.share : right_share(picture, bytes, wanted.bytes, wanted.shows);

@@ -1,5 +1,6 @@
 #pragma once
 // Points for a picture by how much of it is as it should be.
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -28,10 +29,14 @@ struct WantedPicture {
 WantedPicture draw_wanted(const Scene& scene, const RubricRow& row, int threads);
 
 struct PartScore {
-    double share = 0;       ///< right pixels of those that count
-    double part_share = 0;  ///< right pixels of those that show the part
-    double points = 0;      ///< by the smaller of the two
+    double share = 0;              ///< right pixels of those that count
+    double part_share = 0;         ///< right pixels of those that show the part
+    double points = 0;             ///< by the smaller of the two
+    std::uint64_t not_finite = 0;  ///< pixels with a channel that is infinite or NaN: never right
 };
+
+/// Pixels with a channel that is infinite or NaN.
+std::uint64_t count_not_finite(const Image& picture);
 
 /// A picture of the wanted one's size.
 PartScore grade(const Image& picture, const WantedPicture& wanted, double points, int threads);

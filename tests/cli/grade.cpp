@@ -1,10 +1,12 @@
 // glint grade: the table of a folder of submissions, by a reference and by RT2's rubric.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <regex>
 
 #include "cli/process.h"
+#include "glint/image.h"
 #include "image/read_png.h"
 
 namespace glint::test {
@@ -80,7 +82,7 @@ TEST_F(Grade, PicturesAgainstAReference) {
     EXPECT_TRUE(contains(r.out, "shadows-missing (100%)")) << r.out;
     const std::string csv = folder.read("t.csv");
     EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 6);
-    EXPECT_TRUE(contains(csv, "\r\nben,in/ben.png,6912,")) << csv;
+    EXPECT_TRUE(contains(csv, "\r\nben,in/ben.png,6912,0,")) << csv;
     const Picture sheet = read_png(folder.path("t.png"));
     EXPECT_EQ(sheet.error, "");
     EXPECT_GT(sheet.width, 96 * 2);
@@ -103,6 +105,43 @@ TEST_F(Grade, SaysWhatNoCauseExplains) {
     ASSERT_EQ(json.size(), 2u);
     EXPECT_TRUE(contains(json[1]["remark"], "one colour throughout"));
     EXPECT_TRUE(json[1]["causes"].empty());
+}
+
+// As bytes such pixels are black, and 'unlit' would explain them.
+TEST_F(Grade, WhatIsNotANumberIsSaidFirst) {
+    const auto write = [&](const char* name, float value, int count) {
+        Image image{20, 12, std::vector<float>(720, 0.5f)};
+        for (int i = 0; i < 3 * count; ++i) image.rgb[i] = value;
+        const auto bytes = encode(image, {FileFormat::exr}).bytes;
+        folder.write(name, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+    };
+    write("right.exr", 0.5f, 0);
+    std::filesystem::create_directories(folder.path("in/ada"));
+    write("in/ada/a.exr", std::nanf(""), 12);
+    std::filesystem::create_directory(folder.path("in/ben"));
+    write("in/ben/b.exr", HUGE_VALF, 1);
+    const Finished r =
+        grade({"in", "--reference", "right.exr", "--csv", "t.csv", "--json", "t.json", "--scene", k_castle});
+    EXPECT_EQ(r.code, 0) << r.err;
+    EXPECT_TRUE(contains(r.out, "  12 pixels are NaN or infinite\n")) << r.out;
+    EXPECT_TRUE(contains(r.out, "  1 pixel is NaN or infinite\n")) << r.out;
+    const std::string csv = folder.read("t.csv");
+    EXPECT_TRUE(contains(csv, "\nada,in/ada/a.exr,240,12,")) << csv;
+    EXPECT_TRUE(contains(csv, ",,,12 pixels are NaN or infinite,\r\n")) << csv;
+    const auto json = nlohmann::json::parse(folder.read("t.json"));
+    EXPECT_EQ(json[0]["not_finite"], 12);
+    EXPECT_EQ(json[0]["remark"], "12 pixels are NaN or infinite");
+    EXPECT_TRUE(json[0]["causes"].empty());
+    EXPECT_EQ(json[1]["not_finite"], 1);
+
+    folder.write("one.rubric", "all 10 *.exr\n");
+    const Finished parts = grade(
+        {"in", "--scene", k_castle, "--rubric", "one.rubric", "--size", "20x12", "--json", "parts.json"});
+    EXPECT_EQ(parts.code, 0) << parts.err;
+    EXPECT_TRUE(contains(parts.out, "ada, all: 12 pixels are NaN or infinite; ")) << parts.out;
+    const auto part = nlohmann::json::parse(folder.read("parts.json"))[0]["parts"][0];
+    EXPECT_EQ(part["not_finite"], 12);
+    EXPECT_TRUE(part["cause"].is_null());
 }
 
 TEST_F(Grade, ByRt2sRubric) {
