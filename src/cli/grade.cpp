@@ -1,14 +1,14 @@
 // glint grade: every picture of a folder held against a reference, or every part of a rubric.
 #include <fmt/format.h>
 
+#include <array>
 #include <memory>
 
 #include "cli/commands.h"
-#include "cli/draw.h"
 #include "cli/failure.h"
+#include "cli/grade_outputs.h"
 #include "cli/grade_report.h"
 #include "cli/grade_sheet.h"
-#include "cli/output_file.h"
 #include "cli/picture_file.h"
 #include "cli/progress.h"
 #include "cli/scene_option.h"
@@ -25,26 +25,11 @@ constexpr auto k_examples = R"(Examples:
 constexpr std::size_t k_batch = 32;  // pictures in memory at a time
 
 struct GradeArguments {
-    std::string folder, reference, rubric, csv, json, sheet;
+    std::string folder, reference, rubric;
+    GradeOutputNames outputs;
     SceneOption scene;
     bool quiet = false;
     int threads = 0;
-};
-
-// Where the results go besides standard output, found out before the work begins.
-struct Outputs {
-    explicit Outputs(const GradeArguments& arguments) {
-        if (!arguments.csv.empty()) csv.emplace(arguments.csv);
-        if (!arguments.json.empty()) json.emplace(arguments.json);
-        if (!arguments.sheet.empty()) sheet.emplace(png_output("--sheet", arguments.sheet));
-        int taken = 0;
-        for (const auto* file : {&csv, &json, &sheet}) taken += *file && (*file)->is_standard_output();
-        if (taken > 1)
-            throw Failure(k_usage, "only one of --csv, --json and --sheet can go to standard output");
-        table = taken == 0;
-    }
-    std::optional<OutputFile> csv, json, sheet;
-    bool table;  // for people, on standard output, where no file goes there
 };
 
 void write_text(const std::optional<OutputFile>& file, const std::string& text) {
@@ -73,7 +58,7 @@ Image draw_reference(const Scene& scene, int threads) {
 // ---- Pictures against one reference ----
 
 int grade_pictures(const GradeArguments& arguments, const Scene* scene, const Image& reference,
-                   const Outputs& outputs) {
+                   const GradeOutputs& outputs) {
     const std::vector<Submission> submissions = list_pictures(arguments.folder);
     if (submissions.empty())
         throw Failure(k_bad_input, fmt::format("folder '{}' holds no pictures", arguments.folder));
@@ -193,7 +178,7 @@ class PartGrader {
 };
 
 int grade_by_rubric(const GradeArguments& arguments, const Scene& scene, const std::vector<RubricRow>& rows,
-                    const Outputs& outputs) {
+                    const GradeOutputs& outputs) {
     const std::vector<Submission> submissions = list_folders(arguments.folder);
     const std::size_t count = submissions.size(), columns = rows.size();
     std::vector<GradedSubmission> graded;
@@ -226,10 +211,13 @@ int grade_command(GradeArguments& arguments) {
         throw Failure(k_usage, "expected --scene FILE, or --reference PICTURE, or both");
     if (!arguments.rubric.empty() && arguments.scene.scene.files.empty())
         throw Failure(k_usage, "--rubric needs --scene FILE, which draws its parts");
-    const Outputs outputs(arguments);
+    const GradeOutputs outputs(arguments.outputs, arguments.folder);
+    outputs.spare(std::array{arguments.reference, arguments.rubric, arguments.scene.scene.profile});
+    outputs.spare(arguments.scene.scene.files);
     std::vector<RubricRow> rows;
     if (!arguments.rubric.empty()) rows = load_rubric(arguments.rubric);
     std::optional<LoadedScene> loaded = load_scene_option(arguments.scene, arguments.quiet);
+    if (loaded) outputs.spare(loaded->scene.files);  // the included ones too
     Image reference;
     if (!arguments.reference.empty()) reference = std::move(*read_picture(arguments.reference).image);
     if (loaded && !reference.rgb.empty()) {
@@ -259,10 +247,10 @@ Run add_grade(CLI::App& app) {
         .add_option("--rubric", a.rubric,
                     "Lines of PART POINTS FILE [KEY=VALUE...] (docs/teaching.md): points a part")
         ->option_text("FILE");
-    command.add_option("--csv", a.csv, "Write the table as CSV")->option_text("OUT");
-    command.add_option("--json", a.json, "Write all figures and causes as JSON")->option_text("OUT");
+    command.add_option("--csv", a.outputs.csv, "Write the table as CSV")->option_text("OUT");
+    command.add_option("--json", a.outputs.json, "Write all figures and causes as JSON")->option_text("OUT");
     command
-        .add_option("--sheet", a.sheet,
+        .add_option("--sheet", a.outputs.sheet,
                     "Write a PNG of all pictures, each above four times its difference, by the table's "
                     "numbers; 0: the "
                     "reference")

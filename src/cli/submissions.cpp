@@ -70,11 +70,7 @@ std::string folder_fault(const std::string& error) {
     return error.empty() ? "" : fmt::format("the folder cannot be read: {}", error);
 }
 
-bool is_picture(const Entry& entry) {
-    const std::string ending = extension(entry.name);
-    return entry.kind != Kind::folder && (ending == ".png" || ending == ".ppm" || ending == ".pgm" ||
-                                          ending == ".exr" || ending == ".jpg" || ending == ".jpeg");
-}
+bool is_picture(const Entry& entry) { return entry.kind != Kind::folder && is_picture_name(entry.name); }
 
 // A submission with the name that it has if no other has the same.
 struct Named {
@@ -100,6 +96,12 @@ std::vector<Submission> with_names_apart(std::vector<Named> all) {
 }
 
 }  // namespace
+
+bool is_picture_name(std::string_view path) {
+    const std::string ending = extension(path);
+    return ending == ".png" || ending == ".ppm" || ending == ".pgm" || ending == ".exr" || ending == ".jpg" ||
+           ending == ".jpeg";
+}
 
 std::vector<Submission> list_pictures(const std::string& folder) {
     std::vector<Named> found;

@@ -1,6 +1,7 @@
 #pragma once
 // What has been handed in: the pictures of a folder, or its folders.
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace glint::cli {
@@ -12,6 +13,9 @@ struct Submission {
     std::string path;
     std::string error;  ///< why nothing of it can be read; empty if it can, as far as one can tell
 };
+
+/// True for the endings of pictures that can be read.
+bool is_picture_name(std::string_view path);
 
 /// The pictures in a folder and in its folders, one level down, by name; what cannot be read is one, too,
 /// and so is a folder without a picture.

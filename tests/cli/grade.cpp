@@ -299,6 +299,42 @@ TEST_F(Grade, SheetsAreRefusedBeforeTheWork) {
     EXPECT_TRUE(contains(wide.err, "2,000 pictures are too many for a sheet")) << wide.err;
 }
 
+TEST_F(Grade, OutputsSpareWhatIsRead) {
+    draw("right.png", {});
+    draw("in/ada.png", {});
+    std::filesystem::copy(k_castle, folder.path("castle.json"));
+    folder.write("one.rubric", "all 10 *.png\n");
+    std::filesystem::create_symlink("right.png", folder.path("link.png"));
+    const std::vector<std::string> names = {"castle.json", "one.rubric", "right.png", "in/ada.png"};
+    std::vector<std::string> before;
+    for (const std::string& name : names) before.push_back(folder.read(name));
+    const std::pair<std::vector<std::string>, const char*> cases[] = {
+        {{"--csv", "./castle.json"}, "--csv './castle.json' would overwrite what is read"},
+        {{"--json", "one.rubric"}, "--json 'one.rubric' would overwrite what is read"},
+        {{"--sheet", "right.png"}, "--sheet 'right.png' would overwrite what is read"},
+        {{"--sheet", "link.png"}, "--sheet 'link.png' would overwrite what is read"},
+        {{"--csv", "a", "--json", "./a"}, "--csv and --json are one file, './a'"},
+        {{"--csv", "a.png", "--sheet", "in/../a.png"}, "--csv and --sheet are one file"},
+        {{"--csv", "in/ada.png"}, "--csv 'in/ada.png' is in 'in/.', where the next run"},
+        {{"--sheet", "in/sheet.png"},
+         "where the next run would take it for handed in: write it into a folder"}};
+    for (const auto& [outputs, message] : cases) {
+        std::vector<std::string> arguments = {"in/.",        "--scene",   "castle.json",
+                                              "--reference", "right.png", "--rubric",
+                                              "one.rubric",  "--size",    "96x72"};
+        arguments.insert(arguments.end(), outputs.begin(), outputs.end());
+        const Finished r = grade(arguments);
+        EXPECT_EQ(r.code, 2) << message;
+        EXPECT_TRUE(contains(r.err, message)) << r.err;
+        EXPECT_EQ(r.out, "");
+    }
+    for (std::size_t i = 0; i < names.size(); ++i) EXPECT_EQ(folder.read(names[i]), before[i]) << names[i];
+    EXPECT_FALSE(folder.has("a") || folder.has("a.png") || folder.has("in/sheet.png"));
+    // A table lies among the pictures unharmed, and nothing is lost where nothing is kept.
+    EXPECT_EQ(grade({"in", "--reference", "right.png", "--csv", "in/t.csv"}).code, 0);
+    EXPECT_EQ(grade({"in", "--reference", "right.png", "--csv", "/dev/null", "--json", "/dev/null"}).code, 0);
+}
+
 TEST_F(Grade, BlackPicturesGetNothing) {
     hand_in("in/ada");
     std::string black = "P6\n96 72\n255\n";
