@@ -38,10 +38,14 @@ std::string setting_fault(std::string_view key, std::string_view value) {
         if (value == "all" || value == "ambient" || light_count(value)) return {};
         return fmt::format("expected all, ambient or a number of lights, found {}", quoted(value));
     }
+    if (key == "size")
+        return "there is no setting 'size' for a rubric: --size, or --reference, gives that of all parts";
     const std::optional<std::size_t> index = find_setting(key);
-    if (!index || key == "size") {
+    if (!index) {
         std::vector<std::string_view> names = {"lights"};
-        for (const SettingKey& known : setting_keys()) names.push_back(known.name);
+        for (const SettingKey& known : setting_keys()) {
+            if (known.name != "size") names.push_back(known.name);
+        }
         return fmt::format("there is no setting {} for a rubric", quoted(key)) + did_you_mean(key, names);
     }
     Scene scratch;
@@ -57,6 +61,7 @@ class LineReader {
     void read() {
         std::vector<Word> words;
         if (!split(words) || words.empty()) return;
+        if (words[0].text.empty()) return fail(words[0], "the part has no name");
         if (words.size() < 3) return fail(words.back(), "expected PART POINTS FILE [KEY=VALUE...]");
         RubricRow row{std::string(words[0].text), 0, std::string(words[2].text), {}, {}};
         const std::string_view points = words[1].text;
@@ -68,6 +73,8 @@ class LineReader {
                         fmt::format("expected the part's points, a number above 0 and at most {}, found {}",
                                     k_most_points, quoted(points)));
         }
+        if (row.file.empty())
+            return fail(words[2], "expected the file of a submission, such as *.png, found nothing");
         RubricSettings* settings = &row.settings;
         for (std::size_t i = 3; i < words.size(); ++i) {
             if (words[i].text == "without" && settings == &row.settings) {
@@ -142,6 +149,7 @@ void keep_lights(Scene& scene, std::string_view which) {
 RubricResult read_rubric(std::string_view name, std::string_view text) {
     RubricResult result;
     Diagnostics diagnostics;
+    if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);  // a byte order mark
     for (std::string_view rest = text; !rest.empty() && !diagnostics.full();) {
         const std::size_t end = std::min(rest.find('\n'), rest.size());
         LineReader({name, text}, rest.substr(0, end), result.rows, diagnostics).read();

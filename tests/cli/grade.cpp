@@ -375,7 +375,9 @@ TEST_F(Grade, MistakesInARubricHaveTheirPlace) {
                  "shadows 25 *.png lights=none\n"
                  "shadows 25 *.png size=3x4\n"
                  "shadows 25 *.png without\n"
-                 "shadows 25 *.png reflections\n");
+                 "shadows 25 *.png reflections\n"
+                 "\"\" 25 *.png\n"
+                 "shadows 25 \"\"\n");
     const Finished r = grade({"in", "--scene", k_castle, "--rubric", "bad.rubric"});
     EXPECT_EQ(r.code, 1);
     for (const char* message :
@@ -385,11 +387,14 @@ TEST_F(Grade, MistakesInARubricHaveTheirPlace) {
           "`shading`?",
           "bad.rubric:5:16: error: expected phong | blinn-phong", "bad.rubric:6:2: error: the quote",
           "bad.rubric:7:18: error: expected all, ambient or a number",
-          "bad.rubric:8:18: error: there is no setting 'size'",
+          "bad.rubric:8:18: error: there is no setting 'size' for a rubric: --size, or --reference, gives",
           "bad.rubric:9:18: error: expected KEY=VALUE after",
-          "bad.rubric:10:18: error: expected KEY=VALUE, found 'reflections'"}) {
+          "bad.rubric:10:18: error: expected KEY=VALUE, found 'reflections'",
+          "bad.rubric:11:2: error: the part has no name",
+          "bad.rubric:12:13: error: expected the file of a submission"}) {
         EXPECT_TRUE(contains(r.err, message)) << message << "\n" << r.err;
     }
+    EXPECT_FALSE(contains(r.err, "`size`")) << r.err;
     // No more than anyone reads, and nothing that the terminal would take for an order.
     std::string many;
     for (int i = 0; i < 1000; ++i) many += "part five \x1b[31m\x07*.png\n";
@@ -404,6 +409,18 @@ TEST_F(Grade, MistakesInARubricHaveTheirPlace) {
     const Finished empty = grade({"in", "--scene", k_castle, "--rubric", "empty.rubric"});
     EXPECT_EQ(empty.code, 1);
     EXPECT_TRUE(contains(empty.err, "the rubric has no parts")) << empty.err;
+}
+
+TEST_F(Grade, AByteOrderMarkIsNoPartOfARubric) {
+    draw("in/ada/castle.png", {});
+    folder.write("marked.rubric", "\xef\xbb\xbf# a comment\nall 10 *.png\n");
+    EXPECT_EQ(graded({"in", "--scene", k_castle, "--rubric", "marked.rubric", "--size", "96x72"})[0]["total"],
+              10);
+    folder.write("wrong.rubric",
+                 "\xef\xbb\xbf"
+                 "all ten *.png\n");
+    const Finished r = grade({"in", "--scene", k_castle, "--rubric", "wrong.rubric"});
+    EXPECT_TRUE(contains(r.err, "wrong.rubric:1:5: error: ")) << r.err;
 }
 
 // A file's name is not to become a formula in a spreadsheet, nor to clear a terminal.
