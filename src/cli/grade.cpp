@@ -4,6 +4,7 @@
 #include <array>
 #include <memory>
 
+#include "base/text.h"
 #include "cli/commands.h"
 #include "cli/failure.h"
 #include "cli/grade_outputs.h"
@@ -129,7 +130,7 @@ class PartGrader {
     PartGrader(const RubricRow& row, const Scene& scene, const GradeArguments& arguments)
         : row_(row), arguments_(arguments), wanted_(draw_wanted(scene, row, arguments.threads)) {
         if (!wanted_.error.empty())
-            throw Failure(k_bad_input, fmt::format("{}: {}", row.part, wanted_.error));
+            throw Failure(k_bad_input, fmt::format("part {}: {}", glint::quoted(row.part), wanted_.error));
     }
 
     const Image& wanted() const { return wanted_.image; }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "base/text.h"
 #include "cli/compare_report.h"
 #include "cli/text.h"
 
@@ -34,12 +35,20 @@ std::string aligned(const std::vector<std::vector<std::string>>& rows, std::size
     return text;
 }
 
-// A file's name in a table for people: a student may call it what moves the terminal's cursor.
-std::string printable(std::string name) {
-    for (char& c : name) {
-        if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = '?';
+// For people: a student, or a rubric, may call something what moves the terminal's cursor. U+0080 to U+009F
+// are control characters, too, and so is half of one to a terminal that takes bytes.
+std::string printable(std::string_view text) {
+    std::string safe;
+    while (!text.empty()) {
+        const std::size_t length = utf8_length(text);
+        const auto c = static_cast<unsigned char>(text.front());
+        const bool is_control =
+            c < 0x20 || c == 0x7f || (length == 2 && c == 0xc2 && static_cast<unsigned char>(text[1]) < 0xa0);
+        const std::size_t taken = std::max<std::size_t>(length, 1);
+        safe += length == 0 || is_control ? "?" : text.substr(0, taken);
+        text.remove_prefix(taken);
     }
-    return name;
+    return safe;
 }
 
 // RFC 4180; and a leading = + - @ would be a formula to a spreadsheet, which a file's name must not be.
@@ -126,8 +135,8 @@ std::string text_table(const std::vector<GradedPicture>& pictures) {
     for (std::size_t i = 0; i < pictures.size(); ++i) {
         const GradedPicture& p = pictures[i];
         const PictureDifference& d = p.difference;
-        std::vector<std::string> row = {
-            std::to_string(i + 1), printable(p.name), "-", "-", "-", "-", verdict(p)};
+        std::vector<std::string> row = {std::to_string(i + 1), printable(p.name), "-", "-", "-", "-",
+                                        printable(verdict(p))};
         if (p.error.empty()) {
             row[2] = percent_text(d.all.equal, d.all.pixels);
             row[3] = percent_text(d.interiors.within, d.interiors.pixels);
@@ -204,7 +213,7 @@ std::string text_table(const std::vector<RubricRow>& rubric,
                        const std::vector<GradedSubmission>& submissions) {
     std::vector<std::vector<std::string>> rows = {{"#", "submission"}, {"", "of"}};
     for (const RubricRow& row : rubric) {
-        rows[0].push_back(row.part);
+        rows[0].push_back(printable(row.part));
         rows[1].push_back(points_text(row.points));
     }
     rows[0].push_back("total");
@@ -212,12 +221,12 @@ std::string text_table(const std::vector<RubricRow>& rubric,
     std::string notes;
     for (std::size_t i = 0; i < submissions.size(); ++i) {
         const GradedSubmission& s = submissions[i];
-        const std::string name = printable(s.name);
-        rows.push_back({std::to_string(i + 1), name});
+        rows.push_back({std::to_string(i + 1), printable(s.name)});
         for (std::size_t k = 0; k < rubric.size(); ++k) {
             rows.back().push_back(points_text(s.parts[k].score.points));
             const std::string note = part_note(rubric[k], s.parts[k]);
-            if (!note.empty()) notes += fmt::format("{}, {}: {}\n", name, rubric[k].part, note);
+            if (!note.empty())
+                notes += printable(fmt::format("{}, {}: {}", s.name, rubric[k].part, note)) + "\n";
         }
         rows.back().push_back(points_text(s.total()));
     }

@@ -435,6 +435,25 @@ TEST_F(Grade, NamesAreText) {
     const std::string csv = folder.read("t.csv");
     EXPECT_TRUE(contains(csv, "\n'=1+2,")) << csv;
     EXPECT_TRUE(contains(csv, "\n\"a,\"\"b\"\"\",")) << csv;
+    // U+009B is ESC [ in one character, and the byte alone is so to some terminals.
+    std::filesystem::rename(folder.path("in/=1+2.png"), folder.path("in/\xc2\x9b"
+                                                                    "2J\xc3\xa9.png"));
+    std::filesystem::rename(folder.path("in/a,\"b\".png"), folder.path("in/z\x9b.png"));
+    const Finished c1 = grade({"in", "--reference", "right.png"});
+    EXPECT_TRUE(contains(c1.out, "  ?2J\xc3\xa9 ")) << c1.out;
+    EXPECT_TRUE(contains(c1.out, "  z? ")) << c1.out;
+    // So with what a rubric says: a part's name, and a file's that nobody handed in.
+    std::filesystem::create_directory(folder.path("in/ada"));
+    folder.write("names.rubric",
+                 "\"p\xc2\x9b"
+                 "2J\x1b[2J\" 5 none\x1b[2J.png\n");
+    const Finished parts = grade({"in", "--scene", k_castle, "--rubric", "names.rubric", "--size", "9x7"});
+    EXPECT_TRUE(contains(parts.out, "  p?2J?[2J  total")) << parts.out;
+    EXPECT_TRUE(contains(parts.out, "ada, p?2J?[2J: no file none?[2J.png\n")) << parts.out;
+    EXPECT_FALSE(contains(parts.out, "\x1b") || contains(parts.out, "\x9b")) << parts.out;
+    folder.write("names.rubric", "\"p\x1b[2J\" 5 *.png lights=all without lights=all\n");
+    const Finished nothing = grade({"in", "--scene", k_castle, "--rubric", "names.rubric", "--size", "9x7"});
+    EXPECT_TRUE(contains(nothing.err, "part 'p\\x1b[2J': this part shows nothing")) << nothing.err;
 }
 
 }  // namespace
