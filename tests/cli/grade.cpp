@@ -1,60 +1,13 @@
-// glint grade: the table of a folder of submissions, by a reference and by RT2's rubric.
-#include <gtest/gtest.h>
+// glint grade: the table of a folder of submissions.
+#include "cli/grade.h"
 
 #include <cmath>
-#include <nlohmann/json.hpp>
-#include <regex>
 
-#include "cli/process.h"
 #include "glint/image.h"
 #include "image/read_png.h"
 
 namespace glint::test {
 namespace {
-
-const std::string k_castle = GLINT_SOURCE "/scenes/epfl/castle.json";
-const std::string k_rubric = GLINT_SOURCE "/docs/rt2.rubric";
-
-class Grade : public ::testing::Test {
-  protected:
-    void draw(const std::string& out, std::vector<std::string> more) {
-        std::filesystem::create_directories(std::filesystem::path(folder.path(out)).parent_path());
-        std::vector<std::string> arguments = {"render", k_castle, "-s", "96x72", "-q", "-o", out};
-        arguments.insert(arguments.end(), more.begin(), more.end());
-        const Finished r = run(folder, arguments);
-        ASSERT_EQ(r.code, 0) << r.err;
-    }
-    // The pictures that RT2 asks for.
-    void hand_in(const std::string& name) {
-        draw(name + "/castle_diffuse.png", {"--shading", "diffuse", "--no-shadows", "--reflections", "0"});
-        draw(name + "/castle_phong.png", {"--shading", "phong", "--no-shadows", "--reflections", "0"});
-        draw(name + "/castle_blinn.png", {"--no-shadows", "--reflections", "0"});
-        draw(name + "/castle_shadows.png", {"--reflections", "0"});
-        draw(name + "/castle_reflections.png", {});
-        // The ambient part alone: the scene with its lamps out.
-        std::ifstream in(k_castle);
-        const std::string json{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
-        const std::size_t lights = json.find("\"lights\"");
-        const std::string out = std::regex_replace(
-            json.substr(lights), std::regex("(\"position\": \\[[^\\]]*\\], \"color\": )\\[[^\\]]*\\]"),
-            "$1[0, 0, 0]");
-        folder.write("dark.json", json.substr(0, lights) + out);
-        const Finished r = run(folder, {"render", "dark.json", "-s", "96x72", "-q", "-o",
-                                        name + "/castle_ambient.png", "--no-shadows", "--reflections", "0"});
-        ASSERT_EQ(r.code, 0) << r.err;
-    }
-    Finished grade(std::vector<std::string> more) {
-        more.insert(more.begin(), "grade");
-        return run(folder, more);
-    }
-    nlohmann::json graded(std::vector<std::string> more) {
-        more.insert(more.end(), {"--json", "out.json"});
-        const Finished r = grade(more);
-        EXPECT_EQ(r.code, 0) << r.err;
-        return nlohmann::json::parse(folder.read("out.json"));
-    }
-    const Folder folder;
-};
 
 TEST_F(Grade, PicturesAgainstAReference) {
     draw("right.png", {});
@@ -142,68 +95,6 @@ TEST_F(Grade, WhatIsNotANumberIsSaidFirst) {
     const auto part = nlohmann::json::parse(folder.read("parts.json"))[0]["parts"][0];
     EXPECT_EQ(part["not_finite"], 12);
     EXPECT_TRUE(part["cause"].is_null());
-}
-
-TEST_F(Grade, ByRt2sRubric) {
-    hand_in("in/ada");
-    hand_in("in/ben");
-    hand_in("in/eve");
-    draw("in/ben/castle_shadows.png", {"--reflections", "0", "--no-shadows"});
-    std::filesystem::remove(folder.path("in/eve/castle_diffuse.png"));
-    draw("in/eve/castle_blinn.png", {"--shading", "phong", "--no-shadows", "--reflections", "0"});
-    const std::vector<std::string> arguments = {"in",    "--scene", k_castle, "--rubric", k_rubric, "--size",
-                                                "96x72", "--csv",   "t.csv",  "--sheet",  "t.png"};
-    const auto json = graded(arguments);
-    ASSERT_EQ(json.size(), 3u);
-    EXPECT_EQ(json[0]["total"], 90);
-    EXPECT_EQ(json[0]["of"], 90);
-    ASSERT_EQ(json[1]["parts"].size(), 7u);
-    EXPECT_EQ(json[1]["parts"][5]["part"], "shadows");
-    EXPECT_EQ(json[1]["parts"][5]["points"], 0);
-    EXPECT_EQ(json[1]["parts"][5]["cause"]["name"], "shadows-missing");
-    EXPECT_EQ(json[1]["total"], 65);
-    EXPECT_EQ(json[2]["parts"][1]["points"], 0);
-    EXPECT_TRUE(contains(json[2]["parts"][1]["error"], "no file *diffuse*.png"));
-    EXPECT_LT(json[2]["parts"][3]["points"], 5) << "Phong for Blinn-Phong";
-    EXPECT_EQ(json[2]["parts"][3]["cause"]["name"], "shading-model");
-    EXPECT_EQ(json[2]["parts"][2]["points"], 10);
-    const std::string csv = folder.read("t.csv");
-    EXPECT_TRUE(
-        csv.starts_with("name,ambient,diffuse,phong,blinn-phong,sum of lights,shadows,reflections,total,of,"))
-        << csv;
-    EXPECT_TRUE(contains(csv, "\nada,5.00,15.00,10.00,10.00,5.00,25.00,20.00,90.00,90.00,")) << csv;
-    EXPECT_EQ(read_png(folder.path("t.png")).error, "");
-    // One's own folder.
-    const auto own = graded({"in/ada", "--scene", k_castle, "--rubric", k_rubric, "--size", "96x72"});
-    ASSERT_EQ(own.size(), 1u);
-    EXPECT_EQ(own[0]["name"], "ada");
-    EXPECT_EQ(own[0]["total"], 90);
-}
-
-// The worked example of docs/teaching.md, as it stands there: its commands, and the table that they print.
-TEST_F(Grade, TheWorkedExample) {
-    std::ifstream in(GLINT_SOURCE "/docs/teaching.md");
-    std::string commands, table;
-    bool answered = false, inside = false;
-    for (std::string line; std::getline(in, line);) {
-        inside = inside || line.starts_with("    for student");
-        answered = answered || (inside && line == "answers");
-        if (line.starts_with("Nobody has handed in")) break;
-        if (inside && line.starts_with("    ")) (answered ? table : commands) += line.substr(4) + "\n";
-    }
-    std::filesystem::copy(k_castle, folder.path("castle.json"));
-    std::filesystem::copy(k_rubric, folder.path("rt2.rubric"));
-    folder.write("commands", commands);
-    const std::string glint_folder = std::filesystem::path(GLINT_COMMAND).parent_path();
-    const std::string line =
-        "cd '" + folder.path() + "' && PATH='" + glint_folder + "':$PATH sh -e commands > table 2> errors";
-    EXPECT_EQ(std::system(line.c_str()), 0) << folder.read("errors");
-    std::string found = folder.read("table");
-    found.erase(
-        std::unique(found.begin(), found.end(), [](char a, char b) { return a == '\n' && b == '\n'; }),
-        found.end());  // the page's empty lines are not indented
-    EXPECT_EQ(found, table);
-    EXPECT_GT(table.size(), 500u);
 }
 
 // One student's broken hand-in is a row, and the others are graded. (Root reads every folder: a name that is
@@ -335,15 +226,6 @@ TEST_F(Grade, OutputsSpareWhatIsRead) {
     EXPECT_EQ(grade({"in", "--reference", "right.png", "--csv", "/dev/null", "--json", "/dev/null"}).code, 0);
 }
 
-TEST_F(Grade, BlackPicturesGetNothing) {
-    hand_in("in/ada");
-    std::string black = "P6\n96 72\n255\n";
-    black.resize(black.size() + 96 * 72 * 3);
-    for (const char* name : {"ambient", "diffuse", "phong", "blinn", "shadows", "reflections"})
-        folder.write("in/ada/castle_" + std::string(name) + ".png", black);  // whatever its name says
-    EXPECT_EQ(graded({"in", "--scene", k_castle, "--rubric", k_rubric, "--size", "96x72"})[0]["total"], 0);
-}
-
 TEST_F(Grade, BadInput) {
     draw("right.png", {});
     std::filesystem::create_directory(folder.path("empty"));
@@ -361,66 +243,6 @@ TEST_F(Grade, BadInput) {
     EXPECT_EQ(grade({"empty"}).code, 2);
     EXPECT_EQ(grade({"empty", "--reference", "right.png", "--rubric", k_rubric}).code, 2);
     EXPECT_EQ(grade({}).code, 2);
-}
-
-TEST_F(Grade, MistakesInARubricHaveTheirPlace) {
-    std::filesystem::create_directory(folder.path("in"));
-    folder.write("bad.rubric",
-                 "# a comment\n"
-                 "ambient five *.png\n"
-                 "diffuse 15\n"
-                 "phong 10 *.png shadding=phong\n"
-                 "phong 10 *.png shading=plastic   # and a comment\n"
-                 "\"sum of 5 *.png\n"
-                 "shadows 25 *.png lights=none\n"
-                 "shadows 25 *.png size=3x4\n"
-                 "shadows 25 *.png without\n"
-                 "shadows 25 *.png reflections\n"
-                 "\"\" 25 *.png\n"
-                 "shadows 25 \"\"\n");
-    const Finished r = grade({"in", "--scene", k_castle, "--rubric", "bad.rubric"});
-    EXPECT_EQ(r.code, 1);
-    for (const char* message :
-         {"bad.rubric:2:9: error: expected the part's points",
-          "bad.rubric:3:9: error: expected PART POINTS FILE",
-          "bad.rubric:4:16: error: there is no setting 'shadding' for a rubric; did you mean "
-          "`shading`?",
-          "bad.rubric:5:16: error: expected phong | blinn-phong", "bad.rubric:6:2: error: the quote",
-          "bad.rubric:7:18: error: expected all, ambient or a number",
-          "bad.rubric:8:18: error: there is no setting 'size' for a rubric: --size, or --reference, gives",
-          "bad.rubric:9:18: error: expected KEY=VALUE after",
-          "bad.rubric:10:18: error: expected KEY=VALUE, found 'reflections'",
-          "bad.rubric:11:2: error: the part has no name",
-          "bad.rubric:12:13: error: expected the file of a submission"}) {
-        EXPECT_TRUE(contains(r.err, message)) << message << "\n" << r.err;
-    }
-    EXPECT_FALSE(contains(r.err, "`size`")) << r.err;
-    // No more than anyone reads, and nothing that the terminal would take for an order.
-    std::string many;
-    for (int i = 0; i < 1000; ++i) many += "part five \x1b[31m\x07*.png\n";
-    folder.write("many.rubric", many);
-    const Finished capped = grade({"in", "--scene", k_castle, "--rubric", "many.rubric"});
-    EXPECT_EQ(capped.code, 1);
-    EXPECT_TRUE(contains(capped.err, "many.rubric:20:6: error:")) << capped.err;
-    EXPECT_FALSE(contains(capped.err, "many.rubric:21:")) << capped.err;
-    EXPECT_EQ(capped.err.find_first_of("\x1b\x07"), std::string::npos) << capped.err;
-    EXPECT_TRUE(contains(capped.err, "  part five  [31m *.png\n       ^~~~\n")) << capped.err;
-    folder.write("empty.rubric", "# nothing\n\n");
-    const Finished empty = grade({"in", "--scene", k_castle, "--rubric", "empty.rubric"});
-    EXPECT_EQ(empty.code, 1);
-    EXPECT_TRUE(contains(empty.err, "the rubric has no parts")) << empty.err;
-}
-
-TEST_F(Grade, AByteOrderMarkIsNoPartOfARubric) {
-    draw("in/ada/castle.png", {});
-    folder.write("marked.rubric", "\xef\xbb\xbf# a comment\nall 10 *.png\n");
-    EXPECT_EQ(graded({"in", "--scene", k_castle, "--rubric", "marked.rubric", "--size", "96x72"})[0]["total"],
-              10);
-    folder.write("wrong.rubric",
-                 "\xef\xbb\xbf"
-                 "all ten *.png\n");
-    const Finished r = grade({"in", "--scene", k_castle, "--rubric", "wrong.rubric"});
-    EXPECT_TRUE(contains(r.err, "wrong.rubric:1:5: error: ")) << r.err;
 }
 
 // A file's name is not to become a formula in a spreadsheet, nor to clear a terminal.
