@@ -75,6 +75,10 @@ int compare_command(CompareArguments& arguments) {
     std::optional<OutputFile> diff;
     if (!arguments.diff.empty()) {
         diff.emplace(png_output("--diff", arguments.diff));
+        if (diff->replaces(arguments.files))
+            throw Failure(
+                k_usage,
+                fmt::format("--diff '{}' would overwrite what is read: choose another file", arguments.diff));
         if (diff->is_standard_output() && !arguments.quiet)
             throw Failure(k_usage, "--diff - needs --quiet: the report goes to standard output, too");
     }
@@ -98,7 +102,11 @@ int compare_command(CompareArguments& arguments) {
     if (diff) write_difference(*diff, arguments, *a.image, *b.image, report.difference.largest.value);
     if (arguments.quiet) return report.passes ? k_done : k_bad_input;
 
-    if (!arguments.no_causes && report.difference.all.equal != report.difference.all.pixels) {
+    if (report.difference.not_finite > 0) {
+        report.causes.emplace().remark =
+            "Numbers that are infinite or NaN come of a division by 0, or of a vector without length that is "
+            "made a unit vector. No other cause is looked for.";
+    } else if (!arguments.no_causes && report.difference.all.equal != report.difference.all.pixels) {
         ProgressBar bar(true);
         CauseOptions cause_options;
         cause_options.as_floats = options.as_floats;

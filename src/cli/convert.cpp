@@ -1,6 +1,5 @@
 // glint convert: a scene of any format to glint's own language.
 #include <fmt/format.h>
-#include <sys/stat.h>
 
 #include <cstdio>
 #include <memory>
@@ -38,24 +37,13 @@ void take_output(ConvertArguments& arguments) {
     }
 }
 
-bool is_same_file(const std::string& a, const std::string& b) {
-    struct stat about_a {
-    }, about_b{};
-    return ::stat(a.c_str(), &about_a) == 0 && ::stat(b.c_str(), &about_b) == 0 &&
-           about_a.st_dev == about_b.st_dev && about_a.st_ino == about_b.st_ino;
-}
-
 void check_output(const std::string& path, const OutputFile& output, const std::vector<std::string>& inputs) {
     if (output.is_stream()) return;
     if (extension(path) != ".glint") {
         throw Failure(k_usage, fmt::format("OUT '{}': glint writes scenes as .glint only", path));
     }
-    for (const std::string& input : inputs) {
-        if (input != "-" && is_same_file(path, input)) {
-            throw Failure(k_usage,
-                          fmt::format("'{}' is one of the scene's own files: choose another OUT", path));
-        }
-    }
+    if (output.replaces(inputs))
+        throw Failure(k_usage, fmt::format("'{}' is one of the scene's own files: choose another OUT", path));
 }
 
 int convert_command(ConvertArguments& arguments) {

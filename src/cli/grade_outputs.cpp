@@ -37,9 +37,9 @@ GradeOutputs::GradeOutputs(const GradeOutputNames& names, const std::string& fol
     for (const auto* file : {&csv, &json, &sheet}) taken += *file && (*file)->is_standard_output();
     if (taken > 1) throw Failure(k_usage, "only one of --csv, --json and --sheet can go to standard output");
     table = taken == 0;
-    if (csv && !csv->is_stream()) files_.push_back({"--csv", names.csv});
-    if (json && !json->is_stream()) files_.push_back({"--json", names.json});
-    if (sheet && !sheet->is_stream()) files_.push_back({"--sheet", names.sheet});
+    if (csv && !csv->is_stream()) files_.push_back({"--csv", names.csv, &*csv});
+    if (json && !json->is_stream()) files_.push_back({"--json", names.json, &*json});
+    if (sheet && !sheet->is_stream()) files_.push_back({"--sheet", names.sheet, &*sheet});
     for (std::size_t i = 0; i < files_.size(); ++i) {
         const Named& file = files_[i];
         for (std::size_t k = 0; k < i; ++k) {
@@ -57,13 +57,9 @@ GradeOutputs::GradeOutputs(const GradeOutputNames& names, const std::string& fol
 
 void GradeOutputs::spare(std::span<const std::string> inputs) const {
     for (const Named& file : files_) {
-        for (const std::string& input : inputs) {
-            std::error_code none;  // where a file is not there yet, or a name is that of no file
-            if (fs::equivalent(file.path, input, none))
-                throw Failure(k_usage,
-                              fmt::format("{} '{}' would overwrite what is read: choose another file",
-                                          file.option, file.path));
-        }
+        if (file.output->replaces(inputs))
+            throw Failure(k_usage, fmt::format("{} '{}' would overwrite what is read: choose another file",
+                                               file.option, file.path));
     }
 }
 

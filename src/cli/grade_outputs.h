@@ -20,6 +20,8 @@ class GradeOutputs {
     /// Throws Failure as OutputFile does, and of usage if two would be one file or if the next run would take
     /// one for a picture of `folder`.
     GradeOutputs(const GradeOutputNames& names, const std::string& folder);
+    GradeOutputs(const GradeOutputs&) = delete;
+    GradeOutputs& operator=(const GradeOutputs&) = delete;
 
     /// Throws Failure of usage if one of them would overwrite one of these files.
     void spare(std::span<const std::string> inputs) const;
@@ -30,6 +32,7 @@ class GradeOutputs {
   private:
     struct Named {
         std::string option, path;
+        const OutputFile* output;
     };
     std::vector<Named> files_;  // with names of their own
 };

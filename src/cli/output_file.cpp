@@ -5,9 +5,11 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
+#include <filesystem>
 #include <memory>
 #include <random>
 #include <utility>
@@ -68,6 +70,14 @@ OutputFile::OutputFile(std::string path) : path_(std::move(path)), target_(path_
         throw Failure(k_bad_input,
                       fmt::format("cannot write '{}': folder '{}': {}", path_, folder, std::strerror(errno)));
     }
+}
+
+bool OutputFile::replaces(std::span<const std::string> files) const {
+    if (direct_) return false;
+    return std::any_of(files.begin(), files.end(), [&](const std::string& file) {
+        std::error_code none;  // where a file is not there yet, or a name is that of no file
+        return file != "-" && std::filesystem::equivalent(target_, file, none);
+    });
 }
 
 void OutputFile::write(std::span<const std::uint8_t> bytes) const {

@@ -18,6 +18,9 @@ class OutputFile {
     /// True for what has no name of its own to choose a format by: standard output, devices, pipes.
     bool is_stream() const { return direct_; }
 
+    /// Whether it would take the place of one of these files, links followed. "-" is none.
+    bool replaces(std::span<const std::string> files) const;
+
     /// Writes the bytes. A regular file gets them by a temporary file in its folder that takes its place when
     /// complete; pipes and devices get them directly. Throws Failure, and then there is no new file and an
     /// old one is as it was.

@@ -179,9 +179,21 @@ TEST_F(Compare, WhatIsNotANumberIsNeverEqual) {
         EXPECT_FALSE(contains(r.out, "identical")) << r.out;
         const auto json = nlohmann::json::parse(compare({a, b, "--json"}).out);
         EXPECT_EQ(json["not_finite"], 1);
+        EXPECT_TRUE(json["diagnosis"]["causes"].empty());
+        EXPECT_TRUE(contains(r.out, "come of a division by 0")) << r.out;
         EXPECT_EQ(json["all"]["equal"], 239);
         EXPECT_EQ(json["identical"], false);
     }
+}
+
+TEST_F(Compare, OverwritesNothingThatItReads) {
+    const std::string right = folder.read("right.png");
+    for (const char* name : {"right.png", "./right.png"}) {
+        const Finished r = compare({"right.png", "dark.png", "--diff", name});
+        EXPECT_EQ(r.code, 2);
+        EXPECT_TRUE(contains(r.err, "would overwrite what is read")) << r.err;
+    }
+    EXPECT_EQ(folder.read("right.png"), right);
 }
 
 TEST_F(Compare, BadInput) {
