@@ -110,6 +110,31 @@ PictureFault rim_differs() {
     };
 }
 
+PictureFault grey(double red, double green, double blue) {
+    return [=](const PictureSource& s, BytePicture& made) -> Detail {
+        for_each_row(s.rows, s.fit.threads, [&](std::int32_t y) {
+            for (std::int32_t x = 0; x < made.width; ++x) {
+                const std::uint8_t* from = s.bytes.pixel(x, y);
+                const double sum = red * from[0] + green * from[1] + blue * from[2];
+                std::fill_n(made.pixel(x, y), 3, static_cast<std::uint8_t>(std::lround(sum)));
+            }
+        });
+        return "";
+    };
+}
+
+PictureFault channels_left(bool red, bool green, bool blue) {
+    return [is_left = std::array{red, green, blue}](const PictureSource& s, BytePicture& made) -> Detail {
+        for_each_row(s.rows, s.fit.threads, [&](std::int32_t y) {
+            for (std::int32_t x = 0; x < made.width; ++x) {
+                for (std::size_t c = 0; c < 3; ++c)
+                    made.pixel(x, y)[c] = is_left[c] ? s.bytes.pixel(x, y)[c] : 0;
+            }
+        });
+        return "";
+    };
+}
+
 PictureFault permuted(int red, int green, int blue) {
     return [=](const PictureSource& s, BytePicture& made) -> Detail {
         for_each_row(s.rows, s.fit.threads, [&](std::int32_t y) {
@@ -151,6 +176,30 @@ PictureFault scaled() {
                 }
             });
         return fmt::format("about {:.3g}", *factor);
+    };
+}
+
+PictureFault raised() {
+    return [](const PictureSource& s, BytePicture& made) -> Detail {
+        std::int64_t sum = 0, count = 0;
+        for (const std::int32_t y : s.fit.rows) {
+            const std::size_t first = 3 * static_cast<std::size_t>(y) * made.width;
+            for (std::size_t i = first; i < first + 3 * static_cast<std::size_t>(made.width); ++i) {
+                const int was = s.bytes.rgb[i], is = s.faulty.rgb[i];
+                if (is == 0 || is == 255) continue;  // clamped, perhaps
+                sum += is - was;
+                ++count;
+            }
+        }
+        if (count == 0) return std::nullopt;
+        const int by = static_cast<int>(std::lround(static_cast<double>(sum) / static_cast<double>(count)));
+        if (by == 0) return std::nullopt;
+        for_each_row(s.rows, s.fit.threads, [&](std::int32_t y) {
+            const std::size_t first = 3 * static_cast<std::size_t>(y) * made.width;
+            for (std::size_t i = first; i < first + 3 * static_cast<std::size_t>(made.width); ++i)
+                made.rgb[i] = static_cast<std::uint8_t>(std::clamp(s.bytes.rgb[i] + by, 0, 255));
+        });
+        return fmt::format("{:+}", by);
     };
 }
 

@@ -49,11 +49,17 @@ PictureFault rim_differs();
 
 /// Red, green and blue are those channels of the reference: 0 to 2.
 PictureFault permuted(int red, int green, int blue);
+/// Red, green and blue are that sum of the reference's.
+PictureFault grey(double red, double green, double blue);
+/// A channel that is not there is 0.
+PictureFault channels_left(bool red, bool green, bool blue);
 /// Each channel value, clamped to 0 to 1, through a curve.
 PictureFault curved(std::function<double(double)> curve);
 double srgb_decoded(double v);
 /// Everything by a factor that is fitted.
 PictureFault scaled();
+/// A number is added to everything, which is fitted.
+PictureFault raised();
 /// The whole part of value * scale, of which a byte keeps the lowest bits, or the most it can hold.
 PictureFault whole_part(double scale, bool wraps);
 /// One colour is another: of the different pixels, what most have.

@@ -77,7 +77,21 @@ Image darker(const Image& image) {
     return out;
 }
 
+Change in_bytes(std::array<int, 3> factors, int added) {
+    return [=](const Image& image) {
+        Image out = as_file(image);
+        for (std::size_t i = 0; i < out.rgb.size(); ++i)
+            out.rgb[i] = out.rgb[i] * static_cast<float>(factors[i % 3]) + static_cast<float>(added) / 255;
+        return out;
+    };
+}
+
 const Plant k_plants[] = {
+    {"without blue", "channel-missing", in_bytes({1, 1, 0}, 0)},
+    {"only red", "channel-missing", in_bytes({1, 0, 0}, 0)},
+    {"red thrice", "grey", channels({0, 0, 0})},
+    {"30 more", "constant-added", in_bytes({1, 1, 1}, 30)},
+    {"10 less", "constant-added", in_bytes({1, 1, 1}, -10)},
     {"upside down", "upside-down", upside_down},
     {"mirrored", "mirrored", mirrored},
     {"rotated", "rotated", rotated},
