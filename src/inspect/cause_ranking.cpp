@@ -1,6 +1,8 @@
 #include "inspect/cause_ranking.h"
 
 #include <algorithm>
+#include <iterator>
+#include <string_view>
 
 #include "inspect/picture_structure.h"
 
@@ -45,6 +47,12 @@ std::vector<Candidate> explaining(const Search& search, bool calm) {
     return list;
 }
 
+bool is_turn(std::string_view name) {
+    constexpr std::string_view turns[] = {"upside-down", "mirrored",    "rotated",
+                                          "transposed",  "turned-left", "turned-right"};
+    return std::find(std::begin(turns), std::end(turns), name) != std::end(turns);
+}
+
 }  // namespace
 
 void Search::add(const BytePicture& made, Candidate candidate) {
@@ -53,6 +61,11 @@ void Search::add(const BytePicture& made, Candidate candidate) {
     if (!same_view && explained < k_explained_partly) {
         const auto agreement = step_agreement(made, *target, sample.rows);
         candidate.is_strange = !agreement || agreement->both_ways < k_same_view;
+        if (is_turn(candidate.cause.name) && agreement && agreement->one_way >= k_same_view &&
+            agreement->one_way > agreement_turned) {
+            turn = candidate.cause;
+            agreement_turned = agreement->one_way;
+        }
     }
     found.push_back(std::move(candidate));
 }
@@ -86,7 +99,9 @@ void name_causes(Search& search) {
     CauseReport& report = search.report;
     for (Candidate& c : ranked(search, report.away_from_edges)) report.causes.push_back(std::move(c.cause));
     if (!report.causes.empty()) return;
-    if (!search.same_view && search.has_content)
+    if (search.turn && search.has_content)
+        report.remark = search.turn->explanation + " Something else differs besides: mend this first.";
+    else if (!search.same_view && search.has_content)
         report.remark = "Another scene or another view: nothing classic explains it.";
     for (const Candidate& c : search.found) {
         const double explained = 1 - c.left.all / search.whole.all;

@@ -29,6 +29,9 @@ struct Search {
 
     bool same_view = true;    ///< picture and reference show the same things
     bool has_content = true;  ///< neither of them is one colour throughout
+    /// The flip or turn after which they show the same things, if only then, and how well their steps agree.
+    std::optional<Cause> turn;
+    double agreement_turned = 0;
 
     bool is_open() const { return report.error.empty() && whole.all > 0; }
     /// `made` is what the candidate makes of the reference.

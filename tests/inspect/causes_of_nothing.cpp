@@ -1,4 +1,6 @@
 // Pictures that no classic cause explains, and what is said of them instead.
+#include <cmath>
+
 #include "inspect/planted.h"
 
 namespace glint::test {
@@ -85,6 +87,31 @@ TEST(CausesOfNothing, AnotherScene) {
         }
     }
     EXPECT_GT(named, 12);  // of 24: their shares are said all the same
+}
+
+// One of two faults is named, or else the flip is said: it is not another scene.
+TEST(CausesOfNothing, AFlipUnderAGamma) {
+    int flips = 0;
+    for (const TestScene& scene : test_scenes()) {
+        const Image right = draw_text(scene.text);
+        for (const double power : {1 / 2.2, 2.2}) {
+            Image faulty = right;
+            for (int y = 0; y < 120; ++y) {
+                for (int i = 0; i < 480; ++i) {
+                    const auto v = static_cast<double>(right.rgb[480 * (119 - y) + i]);
+                    faulty.rgb[480 * y + i] =
+                        static_cast<float>(std::pow(std::fmin(std::fmax(v, 0), 1), power));
+                }
+            }
+            const CauseReport report = find_causes(faulty, right);
+            const std::string gamma = power < 1 ? "gamma-applied" : "gamma-missing";
+            EXPECT_TRUE(first_cause(report) == "upside-down" || first_cause(report) == gamma ||
+                        has(report.remark, "upside down"))
+                << scene.name << power << report.remark << all_causes(report);
+            flips += has(report.remark, "upside down");
+        }
+    }
+    EXPECT_GT(flips, 0);
 }
 
 // Two faults at once are not another view, even if the picture is mirrored.
