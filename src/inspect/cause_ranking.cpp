@@ -1,8 +1,6 @@
 #include "inspect/cause_ranking.h"
 
 #include <algorithm>
-#include <iterator>
-#include <string_view>
 
 #include "inspect/picture_structure.h"
 
@@ -47,12 +45,6 @@ std::vector<Candidate> explaining(const Search& search, bool calm) {
     return list;
 }
 
-bool is_turn(std::string_view name) {
-    constexpr std::string_view turns[] = {"upside-down", "mirrored",    "rotated",
-                                          "transposed",  "turned-left", "turned-right"};
-    return std::find(std::begin(turns), std::end(turns), name) != std::end(turns);
-}
-
 }  // namespace
 
 void Search::add(const BytePicture& made, Candidate candidate) {
@@ -61,7 +53,7 @@ void Search::add(const BytePicture& made, Candidate candidate) {
     if (!same_view && explained < k_explained_partly) {
         const auto agreement = step_agreement(made, *target, sample.rows);
         candidate.is_strange = !agreement || agreement->both_ways < k_same_view;
-        if (is_turn(candidate.cause.name) && agreement && agreement->one_way >= k_same_view &&
+        if (candidate.is_turn && agreement && agreement->one_way >= k_same_view &&
             agreement->one_way > agreement_turned) {
             turn = candidate.cause;
             agreement_turned = agreement->one_way;

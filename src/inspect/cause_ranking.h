@@ -15,6 +15,7 @@ struct Candidate {
     /// If only a sample of rows has been looked at, by which `left` is estimated: the place in
     /// picture_causes().
     std::optional<std::size_t> unconfirmed = {};
+    bool is_turn = false;     ///< PictureCause::is_turn
     bool is_strange = false;  ///< what it makes does not show what the picture shows: it has to explain more
 };
 

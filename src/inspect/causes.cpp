@@ -162,6 +162,7 @@ class CauseFinder {
                 cause.least,
                 cause.freedom,
                 distance(made_, *search.target, search.sample)};
+            candidate.is_turn = cause.is_turn;
             if (is_sample) {
                 Distance& left = candidate.left;
                 left = {estimate(left.all, of_sample.all, search.whole.all),

@@ -19,29 +19,29 @@ const std::vector<PictureCause>& picture_causes() {
          "The picture is upside down: rows are counted from the bottom where the file counts from the top "
          "(or y "
          "points the other way). Write row H - 1 - y.",
-         k_moved, upside_down()},
+         k_moved, upside_down(), 0, true},
         {"mirrored",
          "The picture is mirrored left to right: the camera's x axis points the other way (handedness). Swap "
          "the "
          "factors of the cross product that makes it, or negate x.",
-         k_moved, mirrored()},
+         k_moved, mirrored(), 0, true},
         {"rotated", "The picture is turned by half a turn: both x and y count the wrong way.", k_moved,
-         rotated()},
+         rotated(), 0, true},
         {"transposed", "Rows and columns are swapped: the pixel (x, y) was written to (y, x).", k_moved,
-         transposed()},
+         transposed(), 0, true},
         {"transposed",
          "Rows and columns are swapped and both count the wrong way: the pixel (x, y) was written to "
          "(H - 1 - y, W - 1 - x).",
-         k_moved, transposed_back()},
+         k_moved, transposed_back(), 0, true},
         {"turned-left",
          "The picture is turned by a quarter turn to the left (counterclockwise): the pixel (x, y) was "
          "written "
          "to (y, W - 1 - x).",
-         k_moved, turned_left()},
+         k_moved, turned_left(), 0, true},
         {"turned-right",
          "The picture is turned by a quarter turn to the right (clockwise): the pixel (x, y) was written to "
          "(H - 1 - y, x).",
-         k_moved, turned_right()},
+         k_moved, turned_right(), 0, true},
         {"rows-missing",
          "Rows are missing ({}): nothing was written there. Look at the loop over y, and at the length of a "
          "row "
