@@ -22,8 +22,6 @@ constexpr std::size_t k_most_points = 4096;
 constexpr double k_most_intensity = 10;  // without attenuation; 255 is a byte's
 
 bool is_black(Color c) { return c.r == 0 && c.g == 0 && c.b == 0; }
-double brightest(Color c) { return number::max(c.r, number::max(c.g, c.b)); }
-double least(Color c) { return number::min(c.r, number::min(c.g, c.b)); }
 
 double largest_difference(const Image& a, const Image& b) {
     double most = 0;

@@ -2,16 +2,12 @@
 #include <fmt/format.h>
 
 #include "inspect/checks.h"
-#include "math/number.h"
 
 namespace glint {
 namespace {
 
 constexpr double k_most_color = 20;  // 1 is full; a lamp of one's own may glow several times as bright
 constexpr double k_least_color = 1.5 / 255;  // a colour of 0 to 1 where 0 to 255 was asked for
-
-double brightest(Color c) { return number::max(c.r, number::max(c.g, c.b)); }
-double least(Color c) { return number::min(c.r, number::min(c.g, c.b)); }
 
 void check_color(Subject& subject, std::uint32_t index) {
     const Material& m = subject.scene().materials[index];

@@ -2,8 +2,13 @@
 // The checks, one a subject. Each reports to the subject what it finds.
 #include "inspect/check_sight.h"
 #include "inspect/check_subject.h"
+#include "math/number.h"
 
 namespace glint {
+
+/// A colour's greatest and its least channel.
+inline double brightest(Color c) { return number::max(c.r, number::max(c.g, c.b)); }
+inline double least(Color c) { return number::min(c.r, number::min(c.g, c.b)); }
 
 /// Whether the camera is where it sees something. False if it sees no bounded shape although there are some:
 /// then nothing else of the picture is worth a word.
