@@ -2,11 +2,12 @@
 PREFIX ?= /usr/local
 glint = build/release/glint
 
-.PHONY: help demo test build install web playground tidy fuzz bench format clean
+.PHONY: help demo test test-all build install web playground tidy fuzz bench format clean
 
 help:
 	@echo 'make demo     installs what is missing, builds glint and draws castle.png'
-	@echo 'make test     installs what is missing, builds everything and runs every test'
+	@echo 'make test     installs what is missing and runs the tests of glint, its browser build and its page'
+	@echo 'make test-all runs these and the ones with the other compiler and with sanitizers'
 	@echo 'make build    builds $(glint)'
 	@echo 'make install  installs the command and the library (PREFIX=$(PREFIX), DESTDIR=$(DESTDIR))'
 	@echo 'make playground  builds the web page (make web: to web/dist) and serves it on this machine'
@@ -17,11 +18,20 @@ help:
 started := $(shell date +%s)
 demo: build
 	@$(glint) render scenes/epfl/castle.json --size 640x640 --reflections 4 -o castle.png
-	@echo "The picture is $$PWD/castle.png; the demo took $$(($$(date +%s) - $(started))) s."
+	@echo 'Why is the pixel 320,350 this colour?'
+	@$(glint) explain scenes/epfl/castle.json --size 640x640 --reflections 4 -p 320,350
+	@echo "The picture is $$PWD/castle.png; the demo took $$(($$(date +%s) - $(started))) s. What to try next:"
+	@echo '  $(glint) render scenes/cgfs/three_mirrors.cgfs --show     # the picture in the terminal'
+	@echo '  $(glint) check scenes/faults/black.glint                  # what is wrong with this scene?'
+	@echo '  make playground                                           # the same in the browser'
 
 test:
 	@tools/install-dependencies tests
 	@tools/run-tests
+
+test-all:
+	@tools/install-dependencies all-tests
+	@tools/run-tests all
 
 build:
 	@tools/install-dependencies command
