@@ -2,15 +2,17 @@
 PREFIX ?= /usr/local
 glint = build/release/glint
 
-.PHONY: help demo test build install web playground tidy fuzz bench format clean
+.PHONY: help deps demo test test-aarch64 build install web playground tidy fuzz bench format clean
 
 help:
 	@echo 'make demo     installs what is missing, builds glint and draws castle.png'
 	@echo 'make test     installs what is missing, builds everything and runs every test'
+	@echo 'make deps     installs what is missing to build the command and the library; nothing else'
 	@echo 'make build    builds $(glint)'
 	@echo 'make install  installs the command and the library (PREFIX=$(PREFIX), DESTDIR=$(DESTDIR))'
 	@echo 'make playground  builds the web page (make web: to web/dist) and serves it on this machine'
 	@echo 'make bench    installs POV-Ray, Tachyon and Embree and measures glint beside them (docs/performance.md)'
+	@echo 'make test-aarch64  cross-compiles for 64-bit ARM and runs tests under qemu'
 	@echo 'make tidy     runs clang-tidy; make format, clang-format; make fuzz, the fuzzers'
 	@echo 'make clean    removes what was built'
 
@@ -23,8 +25,15 @@ test:
 	@tools/install-dependencies tests
 	@tools/run-tests
 
-build:
+# Cross-compiled, and run by qemu: the same pixel values on 64-bit ARM.
+test-aarch64:
+	@tools/install-dependencies aarch64
+	@tools/test-aarch64
+
+deps:
 	@tools/install-dependencies command
+
+build: deps
 	@[ -e build/release/build.ninja ] || cmake --preset release -DGLINT_TESTS=OFF >/dev/null
 	@cmake --build --preset release --target glint_command
 
