@@ -2,7 +2,7 @@
 PREFIX ?= /usr/local
 glint = build/release/glint
 
-.PHONY: help deps demo test test-aarch64 build install web playground tidy fuzz bench format clean
+.PHONY: help deps demo test test-aarch64 build install release web playground tidy fuzz bench format clean
 
 help:
 	@echo 'make demo     installs what is missing, builds glint and draws castle.png'
@@ -13,6 +13,7 @@ help:
 	@echo 'make playground  builds the web page (make web: to web/dist) and serves it on this machine'
 	@echo 'make bench    installs POV-Ray, Tachyon and Embree and measures glint beside them (docs/performance.md)'
 	@echo 'make test-aarch64  cross-compiles for 64-bit ARM and runs tests under qemu'
+	@echo 'make release  writes the files of a release to build/release-files (tools/make-release)'
 	@echo 'make tidy     runs clang-tidy; make format, clang-format; make fuzz, the fuzzers'
 	@echo 'make clean    removes what was built'
 
@@ -40,6 +41,10 @@ build: deps
 install: build
 	@cmake --build --preset release
 	@DESTDIR='$(DESTDIR)' cmake --install build/release --prefix '$(PREFIX)'
+
+release:
+	@tools/install-dependencies release
+	@tools/make-release
 
 web:
 	@tools/install-dependencies web

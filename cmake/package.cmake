@@ -10,7 +10,7 @@ install(TARGETS glint EXPORT glint-targets
 install(DIRECTORY include/glint TYPE INCLUDE COMPONENT development)
 if(TARGET glint_command)
   install(FILES README.md CHANGELOG.md LICENSE NOTICE TYPE DOC COMPONENT command)
-  install(DIRECTORY docs TYPE DOC COMPONENT command)
+  install(DIRECTORY docs TYPE DOC COMPONENT command PATTERN docs/man EXCLUDE)
   install(DIRECTORY scenes DESTINATION ${CMAKE_INSTALL_DATADIR}/glint COMPONENT command)
 else()
   install(FILES LICENSE NOTICE TYPE DOC COMPONENT development)
