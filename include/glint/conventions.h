@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "glint/diagnostic.h"
+#include "glint/export.h"
 
 namespace glint {
 
@@ -109,24 +110,25 @@ struct SettingKey {
 };
 
 /// All keys, in a fixed order; the index is what SettingOrigins are stored by.
-std::span<const SettingKey> setting_keys();
+GLINT_API std::span<const SettingKey> setting_keys();
 
 /// The index of a key, or nothing if there is no such key.
-std::optional<std::size_t> find_setting(std::string_view name);
+GLINT_API std::optional<std::size_t> find_setting(std::string_view name);
 
 struct Scene;
 
 /// Sets one key from text. Returns an empty string, or what is wrong: "expected true or false, found
 /// 'maybe'".
-std::string set_setting(Scene& scene, std::size_t key, std::string_view value, SettingOrigin origin);
+GLINT_API std::string set_setting(Scene& scene, std::size_t key, std::string_view value,
+                                  SettingOrigin origin);
 
 /// The value of a key as the text that set_setting takes.
-std::string get_setting(const Scene& scene, std::size_t key);
+GLINT_API std::string get_setting(const Scene& scene, std::size_t key);
 
 /// cgfs, epfl, lecture5, light, csc473, nff, glint.
-std::span<const std::string_view> profile_names();
+GLINT_API std::span<const std::string_view> profile_names();
 
 /// Sets every key of the scene to the profile's value (origin: profile). False if there is no such profile.
-bool apply_profile(Scene& scene, std::string_view profile);
+GLINT_API bool apply_profile(Scene& scene, std::string_view profile);
 
 }  // namespace glint

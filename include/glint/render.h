@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "glint/diagnostic.h"
+#include "glint/export.h"
 #include "glint/image.h"
 #include "glint/layers.h"
 #include "glint/scene.h"
@@ -21,7 +22,7 @@ namespace glint {
 class World;
 
 struct WorldDeleter {
-    void operator()(const World* world) const;
+    GLINT_API void operator()(const World* world) const;
 };
 using WorldPtr = std::unique_ptr<const World, WorldDeleter>;
 
@@ -31,7 +32,7 @@ struct PrepareResult {
 };
 
 /// Validates and prepares. threads: 0 = one a processor. Never throws.
-PrepareResult prepare(const Scene& scene, int threads = 0);
+GLINT_API PrepareResult prepare(const Scene& scene, int threads = 0);
 
 /// Bytes of a prepared World, by part.
 struct WorldMemory {
@@ -47,13 +48,13 @@ struct WorldMemory {
         return packed == 0 ? 0 : static_cast<double>(total() - materials) / static_cast<double>(packed);
     }
 };
-WorldMemory memory(const World& world);
+GLINT_API WorldMemory memory(const World& world);
 
 /// The box around all bounded shapes; min > max if there are none.
 struct Bounds {
     Vec3 min, max;
 };
-Bounds bounds(const World& world);
+GLINT_API Bounds bounds(const World& world);
 
 struct RayCounts {
     std::uint64_t camera = 0, shadow = 0, mirror = 0, transmitted = 0;
@@ -82,10 +83,10 @@ struct RenderResult {
 };
 
 /// Draws the picture. The same bits for any threads, instruction set and crop. Never throws.
-RenderResult render(const World& world, const RenderOptions& options = {});
+GLINT_API RenderResult render(const World& world, const RenderOptions& options = {});
 
 /// The instruction sets this machine has and this build knows, best first: "avx512", "avx2", "sse4",
 /// "scalar".
-std::vector<std::string> isa_names();
+GLINT_API std::vector<std::string> isa_names();
 
 }  // namespace glint
