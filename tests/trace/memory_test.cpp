@@ -40,7 +40,7 @@ TEST_P(Memory, DoesNotGrowWithEveryRender) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Threads, Memory, testing::Values(2, 8, 16),
-                         [](const auto& info) { return "Of" + std::to_string(info.param); });
+                         [](const auto& threads) { return "Of" + std::to_string(threads.param); });
 
 }  // namespace
 }  // namespace glint
