@@ -84,8 +84,8 @@ struct RenderResult {
 /// Draws the picture. The same bits for any threads, instruction set and crop. Never throws.
 RenderResult render(const World& world, const RenderOptions& options = {});
 
-/// The instruction sets this machine has and this build knows, best first: "avx512", "avx2", "sse4",
-/// "scalar".
+/// The instruction sets this machine has and this build knows, best first. x86-64: "avx512", "avx2", "sse4",
+/// "scalar"; arm64: "neon", "scalar"; the browser build: "scalar".
 std::vector<std::string> isa_names();
 
 }  // namespace glint
