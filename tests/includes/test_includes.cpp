@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
+#include <regex>
 #include <sstream>
 
 #include "includes/rules.h"
@@ -67,6 +68,23 @@ TEST(Types, HaveNamesOfTheirOwn) {
     }
     EXPECT_TRUE(defined.contains("glint::Scene"));
     EXPECT_TRUE(defined.contains("glint::World"));
+}
+
+// A function that docs/lighting.md names beside a file is in it: "`cosines`, `diffuse_term` in
+// lighting/phong-inl.h".
+TEST(Documents, NameFunctionsWhereTheyAre) {
+    std::ifstream file(fs::path(GLINT_PROJECT_DIR) / "docs/lighting.md");
+    const std::string text{std::istreambuf_iterator<char>(file), {}};
+    static const std::regex named(R"(((?:`\w+`,? )+)in (\w+/[\w-]+\.h))"), word(R"(`(\w+)`)");
+    int found = 0;
+    for (std::sregex_iterator at(text.begin(), text.end(), named), end; at != end; ++at) {
+        std::ifstream source(fs::path(GLINT_PROJECT_DIR) / "src" / (*at)[2].str());
+        const std::string code{std::istreambuf_iterator<char>(source), {}};
+        const std::string names = (*at)[1];
+        for (std::sregex_iterator name(names.begin(), names.end(), word); name != end; ++name, ++found)
+            EXPECT_NE(code.find(" " + (*name)[1].str() + "("), std::string::npos) << at->str();
+    }
+    EXPECT_GE(found, 8);
 }
 
 bool allowed(std::string_view path, std::string_view line) {
