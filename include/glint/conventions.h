@@ -56,19 +56,20 @@ struct Conventions {
     RayDirection ray_direction = RayDirection::unit;
     double camera_t_min = 0;    ///< camera rays hit only at t > this
     bool specular_gate = true;  ///< the highlight needs N·L > 0
-    bool clamp_cosines =
-        true;               ///< N·L and S below 0 add nothing; false: a classic fault, and LIGHT's own code
+    /// N·L and S below 0 add nothing. false: a classic fault, and LIGHT's own code.
+    bool clamp_cosines = true;
     bool normalize = true;  ///< L, V, R, H are normalised; false: a classic fault
     Offset offset = Offset::scale;
     double epsilon = 1e-9;  ///< see Offset; 0: a classic fault (acne)
-    bool shadow_stops_at_light =
-        true;  ///< false: a classic fault (what is behind the light casts shadows too)
+    /// Only what is between a point and a point light blocks it. false: a classic fault, what is beyond the
+    /// light casts a shadow too.
+    bool shadow_stops_at_light = true;
     MirrorRule mirror = MirrorRule::blend;
     LimitRule limit = LimitRule::keep;
     MissRule mirror_miss = MissRule::background;
     Fresnel fresnel = Fresnel::none;
-    double beer =
-        0;  ///< > 0: Beer's law, absorption of a black tint per unit of length, in place of one tint
+    /// > 0: Beer's law in place of one tint where a ray enters: what a black tint absorbs per unit of length.
+    double beer = 0;
     GlassShadow glass_shadow = GlassShadow::opaque;
     double min_weight = 0;  ///< a ray whose weight is below this is not traced
     Facing facing = Facing::all;

@@ -85,8 +85,8 @@ struct RenderResult {
 /// Draws the picture. The same bits for any threads, instruction set and crop. Never throws.
 GLINT_API RenderResult render(const World& world, const RenderOptions& options = {});
 
-/// The instruction sets this machine has and this build knows, best first: "avx512", "avx2", "sse4",
-/// "scalar".
+/// The instruction sets this machine has and this build knows, best first. x86-64: "avx512", "avx2", "sse4",
+/// "scalar"; arm64: "neon", "scalar"; the browser build: "scalar".
 GLINT_API std::vector<std::string> isa_names();
 
 }  // namespace glint

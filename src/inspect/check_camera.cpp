@@ -4,6 +4,7 @@
 #include "inspect/checks.h"
 #include "math/number.h"
 #include "math/transform.h"
+#include "world/primitive_bounds.h"
 
 namespace glint {
 namespace {
@@ -25,9 +26,9 @@ bool is_room(const World& world, std::uint32_t shape) {
     std::uint32_t own = 0;
     while (own < world.bounded && world.shape_index[own] != shape) ++own;
     if (own == world.bounded) return false;
-    const Bounds room = box_of_slot(world, own);
+    const Bounds room = primitive_bounds(world, own);
     for (std::uint32_t slot = 0; slot < world.bounded; ++slot)
-        if (slot != own && contains(room, box_of_slot(world, slot))) return true;
+        if (slot != own && contains(room, primitive_bounds(world, slot))) return true;
     for (std::uint32_t slot = world.bounded; slot < world.count; ++slot) {
         const ShapeClass& planes = world.class_of(slot);
         const auto value = [&](int k) { return planes.column(k)[slot - planes.first]; };

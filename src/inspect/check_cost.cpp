@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "inspect/check_sight.h"
+#include "world/primitive_bounds.h"
 
 namespace glint {
 namespace {
@@ -35,7 +36,7 @@ double shapes_a_ray(const World& world, int threads) {
     const std::uint32_t step = world.bounded / k_most_boxes + 1;
     std::uint64_t met = 0;
     for (std::uint32_t slot = 0; slot < world.bounded; slot += step) {
-        const Bounds box = box_of_slot(world, slot);
+        const Bounds box = primitive_bounds(world, slot);
         for (std::size_t i = 0; i < rays.size(); ++i)
             met += meets(box, rays.origin(i), rays.direction(i), hits.t[i]);
     }

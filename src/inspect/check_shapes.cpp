@@ -6,6 +6,7 @@
 #include "inspect/checks.h"
 #include "math/extent.h"
 #include "math/number.h"
+#include "world/primitive_bounds.h"
 
 namespace glint {
 namespace {
@@ -92,7 +93,7 @@ Unseen find_unseen(const World& world, const std::vector<bool>& seen) {
     for (std::uint32_t slot = 0; slot < world.count; ++slot) {
         Place& place = places[world.shape_index[slot]];
         if (slot < world.bounded) {
-            place = std::max(place, frame.place_of(box_of_slot(world, slot)));
+            place = std::max(place, frame.place_of(primitive_bounds(world, slot)));
         } else {
             const ShapeClass& planes = world.class_of(slot);
             const auto value = [&](int k) { return planes.column(k)[slot - planes.first]; };
@@ -130,7 +131,7 @@ std::string enclosure(const Subject& subject, const World& world, const std::vec
         std::uint32_t slot = 0;
         while (slot < world.bounded && world.shape_index[slot] != list[i]) ++slot;
         if (slot == world.bounded) continue;
-        const Bounds box = box_of_slot(world, slot);
+        const Bounds box = primitive_bounds(world, slot);
         for (const std::uint32_t around : shapes_around(subject, (box.min + box.max) * 0.5)) {
             if (around == list[i]) continue;
             return fmt::format("; the middle of {} is inside {}", subject.shape(list[i]),

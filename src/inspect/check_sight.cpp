@@ -7,6 +7,7 @@
 #include "math/transform.h"
 #include "trace/camera_rays-inl.h"
 #include "trace/leaving-inl.h"
+#include "world/primitive_bounds.h"
 
 namespace glint {
 namespace {
@@ -100,7 +101,7 @@ SurfaceHit surface_hit(const World& world, const RayList& rays, const HitList& h
     if (h.behind && h.turned) h.normal = -h.normal;
     h.magnitude = largest(rays.origin(ray)) + largest(h.point);
     if (h.slot < world.bounded) {
-        const Bounds box = box_of_slot(world, h.slot);
+        const Bounds box = primitive_bounds(world, h.slot);
         h.magnitude += std::max(largest(box.min), largest(box.max));
     }
     return h;
@@ -192,18 +193,6 @@ std::vector<std::uint32_t> shapes_around(const Subject& subject, Vec3 point) {
     std::vector<std::uint32_t> both;
     std::set_intersection(one.begin(), one.end(), other.begin(), other.end(), std::back_inserter(both));
     return both;
-}
-
-Bounds box_of_slot(const World& world, std::uint32_t slot) {
-    if (slot < world.boxed) {
-        return {{world.box_lo[0][slot], world.box_lo[1][slot], world.box_lo[2][slot]},
-                {world.box_hi[0][slot], world.box_hi[1][slot], world.box_hi[2][slot]}};
-    }
-    const ShapeClass& shapes = world.class_of(slot);  // triangles, whose first values are the vertices
-    double p[9];
-    for (int k = 0; k < 9; ++k) p[k] = shapes.column(k)[slot - shapes.first];
-    const auto [lo, hi] = TriangleGeometry::sides(p);
-    return {vec_of(lo), vec_of(hi)};
 }
 
 }  // namespace glint

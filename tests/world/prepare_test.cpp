@@ -6,6 +6,7 @@
 
 #include "trace/hit_rule.h"
 #include "trace/worlds.h"
+#include "world/primitive_bounds.h"
 
 namespace glint::testing {
 namespace {
@@ -73,6 +74,20 @@ TEST(Prepare, LeavesReferToSlotsOfOneClass) {
         }
     }
     for (const int times : met) EXPECT_EQ(times, 1);
+}
+
+TEST(Prepare, BoundsOfAPrimitiveAreThoseThatRaysAreTestedAgainst) {
+    Random random(114);
+    const WorldPtr world = make_world(random_scene(random, 700));
+    int computed = 0;
+    for (std::uint32_t slot = 0; slot < world->bounded; ++slot) {
+        const Aabb box = own_box(*world, slot);
+        const Bounds bounds = primitive_bounds(*world, slot);
+        EXPECT_EQ(bounds.min, (Vec3{box.lo[0], box.lo[1], box.lo[2]})) << slot;
+        EXPECT_EQ(bounds.max, (Vec3{box.hi[0], box.hi[1], box.hi[2]})) << slot;
+        computed += slot >= world->boxed;
+    }
+    EXPECT_GT(computed, 0) << "no triangles";
 }
 
 TEST(Prepare, NoThreadsInTheResult) {
