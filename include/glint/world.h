@@ -73,7 +73,7 @@ WorldResult with_materials(const World& world, std::span<const Material> materia
 
 // Changes to shapes. They are made in place where `world` is the only World that has the geometry; where a
 // copy of it exists, the copy keeps the old geometry and `world` gets one of its own, which for a million
-// shapes takes tens of milliseconds. With errors `world` stays as it is. Never throw.
+// shapes takes milliseconds. With errors `world` stays as it is. Never throw.
 
 /// Gives shapes, by their index in Scene::shapes, a material, by its index in Scene::materials or k_none.
 /// Returns what is wrong, or nothing.
@@ -85,6 +85,27 @@ struct Ray {
     Vec3 origin, direction;  ///< a direction of any length but 0, which scales t
     double t_min = 0, t_max = std::numeric_limits<double>::infinity();
 };
+
+struct RayHit {
+    double t = 0;                  ///< where the ray hits; its t_max if it hits nothing
+    std::uint32_t shape = k_none;  ///< the shape's index in Scene::shapes; k_none if it hits nothing
+    Vec3 normal{0, 0, 0};  ///< the shape's own unit normal there, whatever the convention `facing` says
+};
+
+struct RayHits {
+    std::vector<RayHit> hits;  ///< by ray
+    std::string error;         ///< "out of memory"; empty if none
+};
+struct Occlusions {
+    std::vector<std::uint8_t> occluded;  ///< by ray: 1 or 0
+    std::string error;                   ///< "out of memory"; empty if none
+};
+
+/// What each ray hits first; of shapes hit at the same t, the first in the scene. A ray with a NaN in its
+/// origin or direction hits nothing. threads: 0 = one a processor. Never throws.
+RayHits nearest_hits(const World& world, std::span<const Ray> rays, int threads = 0);
+/// Whether anything that casts a shadow by the World's conventions is hit at all. Never throws.
+Occlusions occluded(const World& world, std::span<const Ray> rays, int threads = 0);
 
 /// Bytes of a prepared World, by part.
 struct WorldMemory {
