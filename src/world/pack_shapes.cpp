@@ -32,7 +32,10 @@ class Packer {
         if (!goes_on(0.75)) return std::nullopt;
         lay_out_classes();
         lay_out_slots();
-        for_all(leaves_.size(), [&](std::size_t i) { write(leaves_[i].item, slot_[i], &leaves_[i]); });
+        for_all(leaves_.size(), [&](std::size_t i) {
+            prefetch(i);
+            write(leaves_[i].item, slot_[i], &leaves_[i]);
+        });
         for_all(unbounded_.size(), [&](std::size_t i) {
             write(unbounded_[i], geometry_.bounded + static_cast<std::uint32_t>(i), nullptr);
         });
@@ -128,6 +131,16 @@ class Packer {
         }
         resize_in_huge_pages(geometry_.shape_index, padded);
         resize_in_huge_pages(geometry_.piece, padded);
+    }
+
+    // What the next leaves will need, step by step: see Primitives::prefetch_shape().
+    void prefetch(std::size_t i) const {
+        const auto item = [&](std::size_t ahead) {
+            return leaves_[std::min(i + ahead, leaves_.size() - 1)].item;
+        };
+        __builtin_prefetch(&at(item(3 * Primitives::k_prefetch_distance)));
+        primitives_.prefetch_shape(at(item(2 * Primitives::k_prefetch_distance)).shape);
+        primitives_.prefetch_parameters(at(item(Primitives::k_prefetch_distance)).shape);
     }
 
     // box: of a bounded one.

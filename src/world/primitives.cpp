@@ -14,6 +14,8 @@ using namespace HWY_NAMESPACE;
 
 namespace {
 
+constexpr std::size_t k_cache_line = 64;
+
 struct FactsOf {
     ClassFacts facts;
     template <class Geometry> void visit() {
@@ -100,6 +102,21 @@ template <class Visit> void Primitives::with_parameters(const Primitive& primiti
             visit_mapped(shape, scene_.get<Type>()[shape.index], Type##Geometry(), visit); \
         }                                                                                  \
         break;
+        GLINT_SHAPES(GLINT_KIND)
+#undef GLINT_KIND
+    }
+}
+
+void Primitives::prefetch_parameters(std::uint32_t index) const {
+    const Shape& shape = scene_.shapes[index];
+    switch (shape.kind) {
+#define GLINT_KIND(Type, word)                                                                               \
+    case ShapeKind::word: {                                                                                  \
+        const auto* at = reinterpret_cast<const char*>(&scene_.get<Type>()[shape.index]);                    \
+        for (std::size_t byte = 0; byte < sizeof(Type); byte += k_cache_line) __builtin_prefetch(at + byte); \
+        __builtin_prefetch(at + sizeof(Type) - 1);                                                           \
+        break;                                                                                               \
+    }
         GLINT_SHAPES(GLINT_KIND)
 #undef GLINT_KIND
     }
