@@ -80,6 +80,26 @@ WorldResult with_materials(const World& world, std::span<const Material> materia
 std::vector<Diagnostic> assign_material(World& world, std::span<const std::uint32_t> shapes,
                                         std::uint32_t material);
 
+/// What edit_shapes() did to the hierarchy. refitted: its nodes have new boxes. rebuilt: it was built anew.
+enum class ShapeEdit : std::uint8_t { none, refitted, rebuilt };
+
+struct EditResult {
+    ShapeEdit edit = ShapeEdit::none;     ///< none: there are errors, it was cancelled, or no shape is given
+    std::vector<Diagnostic> diagnostics;  ///< errors in the shapes given, or of memory
+    bool cancelled = false;
+};
+
+/// Takes shapes from `scene` as they are now: parameters, transform and material. `changed` has their indices
+/// in Scene::shapes; the other shapes must be those that the World has, and nothing else of the scene is
+/// looked at. The hierarchy is refitted. It is rebuilt if a shape's kind changes, whether it has a transform,
+/// or the number of a polygon's triangles; if the scene has more or fewer shapes than before, which are then
+/// all taken from it; or if the expected cost of a ray (the surface-area heuristic's) is more than
+/// k_max_refit_cost times what it was when the hierarchy was built. Pictures are the same bits either way.
+/// The first edit of a World makes an index of its shapes.
+EditResult edit_shapes(World& world, const Scene& scene, std::span<const std::uint32_t> changed,
+                       const PrepareOptions& options = {});
+inline constexpr double k_max_refit_cost = 1.5;
+
 /// Points origin + t direction for t_min < t < t_max.
 struct Ray {
     Vec3 origin, direction;  ///< a direction of any length but 0, which scales t
