@@ -2,35 +2,59 @@
 PREFIX ?= /usr/local
 glint = build/release/glint
 
-.PHONY: help demo test build install web playground tidy fuzz bench format clean
+.PHONY: help deps demo test test-all test-aarch64 build install release web playground tidy fuzz bench format clean
 
 help:
-	@echo 'make demo     installs what is missing, builds glint and draws castle.png'
-	@echo 'make test     installs what is missing, builds everything and runs every test'
+	@echo 'make demo     installs what is missing, builds glint, renders castle.png and explains one of its pixels'
+	@echo 'make test     installs what is missing and runs the tests of glint, its browser build and its page'
+	@echo 'make test-all runs these and the ones with the other compiler and with sanitizers'
+	@echo 'make deps     installs what is missing to build the command and the library; nothing else'
 	@echo 'make build    builds $(glint)'
 	@echo 'make install  installs the command and the library (PREFIX=$(PREFIX), DESTDIR=$(DESTDIR))'
 	@echo 'make playground  builds the web page (make web: to web/dist) and serves it on this machine'
 	@echo 'make bench    installs POV-Ray, Tachyon and Embree and measures glint beside them (docs/performance.md)'
+	@echo 'make test-aarch64  cross-compiles for 64-bit ARM and runs tests under qemu'
+	@echo 'make release  writes the files of a release to build/release-files (tools/make-release)'
 	@echo 'make tidy     runs clang-tidy; make format, clang-format; make fuzz, the fuzzers'
 	@echo 'make clean    removes what was built'
 
 started := $(shell date +%s)
 demo: build
 	@$(glint) render scenes/epfl/castle.json --size 640x640 --reflections 4 -o castle.png
-	@echo "The picture is $$PWD/castle.png; the demo took $$(($$(date +%s) - $(started))) s."
+	@echo 'Why is the pixel 320,350 this colour?'
+	@$(glint) explain scenes/epfl/castle.json --size 640x640 --reflections 4 -p 320,350
+	@echo "The picture is $$PWD/castle.png; the demo took $$(($$(date +%s) - $(started))) s. What to try next:"
+	@echo '  $(glint) render scenes/cgfs/three_mirrors.cgfs --show     # the picture in the terminal'
+	@echo '  $(glint) check scenes/faults/black.glint                  # what is wrong with this scene?'
+	@echo '  make playground                                           # the same in the browser'
 
 test:
 	@tools/install-dependencies tests
 	@tools/run-tests
 
-build:
+test-all:
+	@tools/install-dependencies all-tests
+	@tools/run-tests all
+
+# Cross-compiled, and run by qemu: the same pixel values on 64-bit ARM.
+test-aarch64:
+	@tools/install-dependencies aarch64
+	@tools/test-aarch64
+
+deps:
 	@tools/install-dependencies command
+
+build: deps
 	@[ -e build/release/build.ninja ] || cmake --preset release -DGLINT_TESTS=OFF >/dev/null
 	@cmake --build --preset release --target glint_command
 
 install: build
 	@cmake --build --preset release
 	@DESTDIR='$(DESTDIR)' cmake --install build/release --prefix '$(PREFIX)'
+
+release:
+	@tools/install-dependencies release
+	@tools/make-release
 
 web:
 	@tools/install-dependencies web

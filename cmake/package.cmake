@@ -1,32 +1,41 @@
-# make install: the library, its headers, the CMake package (find_package(glint)) and pkg-config's glint.pc.
+# make install: the library, its headers, the CMake package (find_package(glint)) and pkg-config's glint.pc; the command with
+# its documents and scenes. Components: library (a shared one), development, command.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
-set_target_properties(glint PROPERTIES VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR})
-target_compile_features(glint PUBLIC cxx_std_20)
-
-install(TARGETS glint EXPORT glint-targets)
-install(DIRECTORY include/glint TYPE INCLUDE)
-install(FILES LICENSE NOTICE TYPE DOC)
+install(TARGETS glint EXPORT glint-targets
+  RUNTIME COMPONENT library
+  LIBRARY COMPONENT library NAMELINK_COMPONENT development
+  ARCHIVE COMPONENT development)
+install(DIRECTORY include/glint TYPE INCLUDE COMPONENT development)
+if(TARGET glint_command)
+  install(FILES README.md CHANGELOG.md LICENSE NOTICE TYPE DOC COMPONENT command)
+  install(DIRECTORY docs TYPE DOC COMPONENT command PATTERN docs/man EXCLUDE)
+  install(DIRECTORY scenes DESTINATION ${CMAKE_INSTALL_DATADIR}/glint COMPONENT command)
+else()
+  install(FILES LICENSE NOTICE TYPE DOC COMPONENT development)
+endif()
 
 set(package ${CMAKE_INSTALL_LIBDIR}/cmake/glint)
-install(EXPORT glint-targets NAMESPACE glint:: DESTINATION ${package})
+install(EXPORT glint-targets NAMESPACE glint:: DESTINATION ${package} COMPONENT development)
 # Who links a static library links what it uses, too; a shared one has done so.
 get_target_property(type glint TYPE)
 string(COMPARE EQUAL "${type}" STATIC_LIBRARY GLINT_IS_STATIC)
 configure_package_config_file(cmake/glint-config.cmake.in ${PROJECT_BINARY_DIR}/package/glint-config.cmake
   INSTALL_DESTINATION ${package})
+# As the SOVERSION in src/CMakeLists.txt: another minor version is another interface.
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/package/glint-config-version.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/package/glint-config.cmake ${PROJECT_BINARY_DIR}/package/glint-config-version.cmake
-  DESTINATION ${package})
+  DESTINATION ${package} COMPONENT development)
 
 # Relative to the file itself, so that an installed tree may be moved.
 cmake_path(SET pkgconfig_dir NORMALIZE ${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig)
 file(RELATIVE_PATH prefix_from_pc ${pkgconfig_dir} ${CMAKE_INSTALL_PREFIX})
+list(JOIN GLINT_PC_REQUIRES " " pc_requires)
 if(GLINT_IS_STATIC)
-  set(pc_requires Requires)
+  set(pc_field Requires)
 else()
-  set(pc_requires Requires.private)
+  set(pc_field Requires.private)
 endif()
 configure_file(cmake/glint.pc.in ${PROJECT_BINARY_DIR}/package/glint.pc @ONLY)
-install(FILES ${PROJECT_BINARY_DIR}/package/glint.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+install(FILES ${PROJECT_BINARY_DIR}/package/glint.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig COMPONENT development)

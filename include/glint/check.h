@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "glint/diagnostic.h"
+#include "glint/export.h"
 #include "glint/load.h"
 #include "glint/scene.h"
 
@@ -34,7 +35,7 @@ struct CheckResult {
 /// Looks for mistakes: traces the camera's rays, follows them into mirrors and glass, and draws small
 /// pictures, with and without what is under suspicion. The findings do not depend on threads or machine. The
 /// time is that of a few pictures, n log n in the number of shapes. Never throws.
-CheckResult check(const Scene& scene, const CheckOptions& options = {});
+GLINT_API CheckResult check(const Scene& scene, const CheckOptions& options = {});
 
 /// A kind of finding.
 struct CheckKind {
@@ -43,9 +44,9 @@ struct CheckKind {
 };
 
 /// All kinds, by subject.
-std::span<const CheckKind> check_kinds();
+GLINT_API std::span<const CheckKind> check_kinds();
 
 /// The finding as text: its diagnostic, with the id, then "  remedy: ..."; ends with a newline.
-std::string to_string(const Finding& finding);
+GLINT_API std::string to_string(const Finding& finding);
 
 }  // namespace glint

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "glint/export.h"
 #include "glint/image.h"
 #include "glint/scene.h"
 
@@ -58,11 +59,11 @@ struct PictureDifference {
 };
 
 /// Holds picture a against the reference b. Never throws.
-PictureDifference compare(const Image& a, const Image& b, const CompareOptions& options = {});
+GLINT_API PictureDifference compare(const Image& a, const Image& b, const CompareOptions& options = {});
 
 /// |a - b| as a picture, every channel times `gain` (0: so that the largest becomes 1) and clamped to 1, and
 /// 1 where it is not finite. An Image without pixels if the sizes differ or memory runs out. Never throws.
-Image difference_image(const Image& a, const Image& b, double gain = 0);
+GLINT_API Image difference_image(const Image& a, const Image& b, double gain = 0);
 
 // ---- Causes ----
 
@@ -112,11 +113,11 @@ struct CauseOptions {
 /// seen in the pictures is tried (flipped, shifted, channels, gamma, scale); with the scene that draws b,
 /// also the faults of lighting and tracing, by rendering the scene with each. docs/compare.md lists them and
 /// says how they are ranked. Never throws.
-CauseReport find_causes(const Image& a, const Image& b, const Scene* scene = nullptr,
-                        const CauseOptions& options = {});
+GLINT_API CauseReport find_causes(const Image& a, const Image& b, const Scene* scene = nullptr,
+                                  const CauseOptions& options = {});
 
 /// The same for many pictures of one reference, drawing each alternative once. In the order of `pictures`.
-std::vector<CauseReport> find_causes(std::span<const Image> pictures, const Image& b, const Scene* scene,
-                                     const CauseOptions& options = {});
+GLINT_API std::vector<CauseReport> find_causes(std::span<const Image> pictures, const Image& b,
+                                               const Scene* scene, const CauseOptions& options = {});
 
 }  // namespace glint

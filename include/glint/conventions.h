@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "glint/diagnostic.h"
+#include "glint/export.h"
 
 namespace glint {
 
@@ -55,19 +56,20 @@ struct Conventions {
     RayDirection ray_direction = RayDirection::unit;
     double camera_t_min = 0;    ///< camera rays hit only at t > this
     bool specular_gate = true;  ///< the highlight needs N·L > 0
-    bool clamp_cosines =
-        true;               ///< N·L and S below 0 add nothing; false: a classic fault, and LIGHT's own code
+    /// N·L and S below 0 add nothing. false: a classic fault, and LIGHT's own code.
+    bool clamp_cosines = true;
     bool normalize = true;  ///< L, V, R, H are normalised; false: a classic fault
     Offset offset = Offset::scale;
     double epsilon = 1e-9;  ///< see Offset; 0: a classic fault (acne)
-    bool shadow_stops_at_light =
-        true;  ///< false: a classic fault (what is behind the light casts shadows too)
+    /// Only what is between a point and a point light blocks it. false: a classic fault, what is beyond the
+    /// light casts a shadow too.
+    bool shadow_stops_at_light = true;
     MirrorRule mirror = MirrorRule::blend;
     LimitRule limit = LimitRule::keep;
     MissRule mirror_miss = MissRule::background;
     Fresnel fresnel = Fresnel::none;
-    double beer =
-        0;  ///< > 0: Beer's law, absorption of a black tint per unit of length, in place of one tint
+    /// > 0: Beer's law in place of one tint where a ray enters: what a black tint absorbs per unit of length.
+    double beer = 0;
     GlassShadow glass_shadow = GlassShadow::opaque;
     double min_weight = 0;  ///< a ray whose weight is below this is not traced
     Facing facing = Facing::all;
@@ -109,24 +111,25 @@ struct SettingKey {
 };
 
 /// All keys, in a fixed order; the index is what SettingOrigins are stored by.
-std::span<const SettingKey> setting_keys();
+GLINT_API std::span<const SettingKey> setting_keys();
 
 /// The index of a key, or nothing if there is no such key.
-std::optional<std::size_t> find_setting(std::string_view name);
+GLINT_API std::optional<std::size_t> find_setting(std::string_view name);
 
 struct Scene;
 
 /// Sets one key from text. Returns an empty string, or what is wrong: "expected true or false, found
 /// 'maybe'".
-std::string set_setting(Scene& scene, std::size_t key, std::string_view value, SettingOrigin origin);
+GLINT_API std::string set_setting(Scene& scene, std::size_t key, std::string_view value,
+                                  SettingOrigin origin);
 
 /// The value of a key as the text that set_setting takes.
-std::string get_setting(const Scene& scene, std::size_t key);
+GLINT_API std::string get_setting(const Scene& scene, std::size_t key);
 
 /// cgfs, epfl, lecture5, light, csc473, nff, glint.
-std::span<const std::string_view> profile_names();
+GLINT_API std::span<const std::string_view> profile_names();
 
 /// Sets every key of the scene to the profile's value (origin: profile). False if there is no such profile.
-bool apply_profile(Scene& scene, std::string_view profile);
+GLINT_API bool apply_profile(Scene& scene, std::string_view profile);
 
 }  // namespace glint

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "glint/export.h"
+
 namespace glint {
 
 /// note: what glint made of the input where it could be read in several ways, which is no mistake. warning:
@@ -34,12 +36,12 @@ struct Diagnostic {
 
 /// "file:line:col: error: message" (or warning, or note), the source line, and a caret under the place; ends
 /// with a newline.
-std::string to_string(const Diagnostic& diagnostic);
+GLINT_API std::string to_string(const Diagnostic& diagnostic);
 
 /// True if any is an error.
-bool has_errors(const std::vector<Diagnostic>& diagnostics);
+GLINT_API bool has_errors(const std::vector<Diagnostic>& diagnostics);
 
 /// How many are warnings.
-std::size_t count_warnings(const std::vector<Diagnostic>& diagnostics);
+GLINT_API std::size_t count_warnings(const std::vector<Diagnostic>& diagnostics);
 
 }  // namespace glint

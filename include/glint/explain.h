@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "glint/export.h"
 #include "glint/layers.h"
 #include "glint/render.h"
 #include "glint/scene.h"
@@ -104,8 +105,8 @@ struct ExplainOptions {
 
 /// Draws pixel (x, y), counted from the top left, by render()'s own kernels and writes down what they do. The
 /// world must be of this scene. Never throws.
-Explanation explain(const Scene& scene, const World& world, std::int32_t x, std::int32_t y,
-                    const ExplainOptions& options = {});
+GLINT_API Explanation explain(const Scene& scene, const World& world, std::int32_t x, std::int32_t y,
+                              const ExplainOptions& options = {});
 
 /// Why a light adds something, or nothing, at a hit.
 enum class LightReason : std::uint8_t {
@@ -116,7 +117,7 @@ enum class LightReason : std::uint8_t {
     faded,       ///< f_att is 0
     in_surface,  ///< the light is at the point itself: no direction leads to it
 };
-LightReason reason(const LightTerms& terms);
+GLINT_API LightReason reason(const LightTerms& terms);
 
 /// Why there is a highlight, or none, blocked lights aside.
 enum class HighlightReason : std::uint8_t {
@@ -126,32 +127,34 @@ enum class HighlightReason : std::uint8_t {
     behind,       ///< N·L <= 0, and the convention specular_gate asks for more
     turned_away,  ///< S <= 0: the mirrored light goes away from the eye
 };
-HighlightReason highlight_reason(const LightTerms& terms, const ExplainedHit& hit, const Scene& scene);
+GLINT_API HighlightReason highlight_reason(const LightTerms& terms, const ExplainedHit& hit,
+                                           const Scene& scene);
 
 /// The material of a hit: of the scene, or the default.
-const Material& material_of(const ExplainedHit& hit, const Scene& scene);
+GLINT_API const Material& material_of(const ExplainedHit& hit, const Scene& scene);
 
 /// The words of these, as JSON and messages have them: "turned_away".
-std::string_view word(LightReason reason);
-std::string_view word(HighlightReason reason);
-std::string_view word(BranchState state);
+GLINT_API std::string_view word(LightReason reason);
+GLINT_API std::string_view word(HighlightReason reason);
+GLINT_API std::string_view word(BranchState state);
 
 /// The layer that a ray's light belongs to: that of its path's first branch. For camera rays: nothing, since
 /// each of their parts has a layer of its own.
-std::optional<Layer> layer_of(const Explanation& explanation, std::size_t ray);
+GLINT_API std::optional<Layer> layer_of(const Explanation& explanation, std::size_t ray);
 
 /// Draws the pixel's rays over the picture (of the world's size): the camera ray's pixel with a white frame,
 /// mirror rays blue, rays through glass green, the way to each light that adds something yellow, and to each
 /// that is blocked red up to its blocker, dark from there. Every sample's rays are drawn.
-void draw_overlay(Image& picture, const Explanation& explanation, const Scene& scene, const World& world);
+GLINT_API void draw_overlay(Image& picture, const Explanation& explanation, const Scene& scene,
+                            const World& world);
 
 /// The value of each sample, row after row: linear, not rounded; their mean is the pixel's value but for
 /// roundings. The explanation must be of all samples.
-std::vector<Color> sample_values(const Explanation& explanation);
+GLINT_API std::vector<Color> sample_values(const Explanation& explanation);
 
 /// The explanation as JSON (docs/explain.md has its schema): names and places from the scene, the file's
 /// numbers by its bits and transfer.
-std::string explanation_json(const Explanation& explanation, const Scene& scene,
-                             const EncodeOptions& file = {});
+GLINT_API std::string explanation_json(const Explanation& explanation, const Scene& scene,
+                                       const EncodeOptions& file = {});
 
 }  // namespace glint

@@ -5,6 +5,7 @@
 #include "glint/conventions.h"
 #include "glint/diagnostic.h"
 #include "glint/explain.h"
+#include "glint/export.h"
 #include "glint/image.h"
 #include "glint/layers.h"
 #include "glint/load.h"

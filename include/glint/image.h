@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "glint/export.h"
+
 namespace glint {
 
 /// A rectangle of pixels: (x, y) is its top-left pixel, counted from the picture's top-left.
@@ -39,13 +41,13 @@ struct EncodeResult {
 
 /// Clamps to [0, 1], scales by 255 (65535) and rounds half to even (CONVENTIONS: every source does); EXR
 /// keeps floats. The bytes do not depend on threads. Never throws.
-EncodeResult encode(const Image& image, const EncodeOptions& options = {});
+GLINT_API EncodeResult encode(const Image& image, const EncodeOptions& options = {});
 
 /// The number that `encode` writes for a channel value: 0 to 255 with 8 bits, to 65535 with 16.
-std::uint32_t to_number(float value, int bits, Transfer transfer = Transfer::none);
+GLINT_API std::uint32_t to_number(float value, int bits, Transfer transfer = Transfer::none);
 
 /// The byte that `encode` writes for a channel value with 8 bits.
-std::uint8_t to_byte(float value, Transfer transfer = Transfer::none);
+GLINT_API std::uint8_t to_byte(float value, Transfer transfer = Transfer::none);
 
 struct DecodeOptions {
     /// A picture of more pixels is refused before memory is taken for it: a small file can claim any size.
@@ -64,6 +66,6 @@ struct DecodeResult {
 /// gamma is decoded, and transparency is left out. So encode() makes the same bytes of what was read. Floats
 /// stay as they are, infinite ones and NaN, too (`note` says that there are some). Never throws; the memory
 /// is bounded by max_pixels.
-DecodeResult decode(std::span<const std::uint8_t> bytes, const DecodeOptions& options = {});
+GLINT_API DecodeResult decode(std::span<const std::uint8_t> bytes, const DecodeOptions& options = {});
 
 }  // namespace glint

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "glint/export.h"
 #include "glint/image.h"
 
 namespace glint {
@@ -38,8 +39,8 @@ struct LayerInfo {
     std::string_view description;
 };
 /// All layers, by their number.
-std::span<const LayerInfo> layer_infos();
-std::optional<Layer> find_layer(std::string_view name);
+GLINT_API std::span<const LayerInfo> layer_infos();
+GLINT_API std::optional<Layer> find_layer(std::string_view name);
 
 /// One layer: `channels` floats a pixel, row by row from the top.
 struct LayerImage {
@@ -52,9 +53,9 @@ struct LayerImage {
 /// A layer as a picture to look at: light and albedo as they are; normals 0.5 (N + 1); depth from white
 /// (nearest) to dark (farthest), black where nothing is hit; position across the layer's own range; shadow as
 /// grey; objects and materials in colours of their own.
-Image viewable(const LayerImage& layer);
+GLINT_API Image viewable(const LayerImage& layer);
 
 /// One OpenEXR file of several parts: `beauty` (the picture), then each layer under its name. Never throws.
-EncodeResult encode_layers(const Image& picture, std::span<const LayerImage> layers);
+GLINT_API EncodeResult encode_layers(const Image& picture, std::span<const LayerImage> layers);
 
 }  // namespace glint

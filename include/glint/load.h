@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "glint/diagnostic.h"
+#include "glint/export.h"
 #include "glint/scene.h"
 
 namespace glint {
@@ -21,7 +22,7 @@ struct SceneText {
 };
 
 /// Where `include` finds other texts. load() calls nothing else to reach a file.
-class Sources {
+class GLINT_API Sources {
   public:
     virtual ~Sources() = default;
     /// The text of `name` as seen from the text `from`, or nothing and why (e.g. "no such file").
@@ -46,8 +47,8 @@ struct LoadResult {
 
 /// Reads the texts as one scene, in their order, and validates it. Never throws; memory is bounded by a small
 /// multiple of the texts' length.
-LoadResult load(std::span<const SceneText> texts, const LoadOptions& options = {},
-                Sources* sources = nullptr);
+GLINT_API LoadResult load(std::span<const SceneText> texts, const LoadOptions& options = {},
+                          Sources* sources = nullptr);
 
 /// A scene format that load() reads.
 struct FormatInfo {
@@ -56,6 +57,6 @@ struct FormatInfo {
     std::string_view profile;     ///< the conventions it starts from
     std::string_view description;
 };
-std::span<const FormatInfo> formats();
+GLINT_API std::span<const FormatInfo> formats();
 
 }  // namespace glint

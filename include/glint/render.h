@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "glint/diagnostic.h"
+#include "glint/export.h"
 #include "glint/image.h"
 #include "glint/layers.h"
 #include "glint/scene.h"
@@ -43,10 +44,10 @@ struct RenderResult {
 };
 
 /// Draws the picture. The same bits for any threads, instruction set and crop. Never throws.
-RenderResult render(const World& world, const RenderOptions& options = {});
+GLINT_API RenderResult render(const World& world, const RenderOptions& options = {});
 
-/// The instruction sets this machine has and this build knows, best first: "avx512", "avx2", "sse4",
-/// "scalar".
-std::vector<std::string> isa_names();
+/// The instruction sets this machine has and this build knows, best first. x86-64: "avx512", "avx2", "sse4",
+/// "scalar"; arm64: "neon", "scalar"; the browser build: "scalar".
+GLINT_API std::vector<std::string> isa_names();
 
 }  // namespace glint

@@ -11,6 +11,7 @@
 
 #include "glint/conventions.h"
 #include "glint/diagnostic.h"
+#include "glint/export.h"
 #include "glint/shapes.h"
 #include "glint/vec.h"
 
@@ -148,11 +149,11 @@ template <class T> std::uint32_t Scene::add(const T& shape, std::uint32_t materi
 }
 
 /// The word of a kind in scene files and messages: "sphere".
-std::string_view shape_word(ShapeKind kind);
+GLINT_API std::string_view shape_word(ShapeKind kind);
 
 /// Checks every number and index of the scene; prepare() needs a scene without errors. Warnings name what is
 /// likely a mistake (no lights: the picture will be black). Messages have the place of the item where it is
 /// known.
-std::vector<Diagnostic> validate(const Scene& scene);
+GLINT_API std::vector<Diagnostic> validate(const Scene& scene);
 
 }  // namespace glint

@@ -1,2 +1,3 @@
 #pragma once
-#define GLINT_VERSION "0.1.0"
+// The one place of the version: CMake reads it from here.
+#define GLINT_VERSION "0.2.0"

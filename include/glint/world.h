@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "glint/diagnostic.h"
+#include "glint/export.h"
 #include "glint/scene.h"
 
 namespace glint {
@@ -31,7 +32,7 @@ class World {
     World() = default;
 
     /// For the library itself: defined in a header that is not installed.
-    const WorldParts& parts() const;
+    GLINT_API const WorldParts& parts() const;
 
   private:
     friend class WorldAccess;
@@ -52,24 +53,25 @@ struct WorldResult {
 };
 
 /// Validates and prepares; what validate() says is in the diagnostics. Never throws.
-WorldResult prepare(const Scene& scene, const PrepareOptions& options = {});
+GLINT_API WorldResult prepare(const Scene& scene, const PrepareOptions& options = {});
 
 // The same World with another part. Each function validates what it is given and nothing else, shares all
 // other parts with `world`, and gives the very bits that prepare() gives of the scene so changed. Never
 // throw.
 
 /// Lights in the order of Scene::lights, ambient ones among them.
-WorldResult with_lights(const World& world, std::span<const Light> lights);
-WorldResult with_camera(const World& world, const Camera& camera);
-WorldResult with_background(const World& world, Color background);
+GLINT_API WorldResult with_lights(const World& world, std::span<const Light> lights);
+GLINT_API WorldResult with_camera(const World& world, const Camera& camera);
+GLINT_API WorldResult with_background(const World& world, Color background);
 /// Prepares the camera anew, since it depends on the picture's proportions. An error if `cones` differs and
 /// the scene has cones: they are in the geometry or not, so that takes prepare().
-WorldResult with_rules(const World& world, const Conventions& conventions, const RenderSettings& settings);
+GLINT_API WorldResult with_rules(const World& world, const Conventions& conventions,
+                                 const RenderSettings& settings);
 /// In place of material `index` of the scene.
-WorldResult with_material(const World& world, std::uint32_t index, const Material& material);
+GLINT_API WorldResult with_material(const World& world, std::uint32_t index, const Material& material);
 /// In place of all of the scene's materials. As many, or it takes a pass over all shapes; at least as many as
 /// the shapes refer to.
-WorldResult with_materials(const World& world, std::span<const Material> materials);
+GLINT_API WorldResult with_materials(const World& world, std::span<const Material> materials);
 
 // Changes to shapes. They are made in place where `world` is the only World that has the geometry; where a
 // copy of it exists, the copy keeps the old geometry and `world` gets one of its own, which for a million
@@ -77,8 +79,8 @@ WorldResult with_materials(const World& world, std::span<const Material> materia
 
 /// Gives shapes, by their index in Scene::shapes, a material, by its index in Scene::materials or k_none.
 /// Returns what is wrong, or nothing.
-std::vector<Diagnostic> assign_material(World& world, std::span<const std::uint32_t> shapes,
-                                        std::uint32_t material);
+GLINT_API std::vector<Diagnostic> assign_material(World& world, std::span<const std::uint32_t> shapes,
+                                                  std::uint32_t material);
 
 /// What edit_shapes() did to the hierarchy. refitted: its nodes have new boxes. rebuilt: it was built anew.
 enum class ShapeEdit : std::uint8_t { none, refitted, rebuilt };
@@ -96,8 +98,8 @@ struct EditResult {
 /// all taken from it; or if the expected cost of a ray (the surface-area heuristic's) is more than
 /// k_max_refit_cost times what it was when the hierarchy was built. Pictures are the same bits either way.
 /// The first edit of a World makes an index of its shapes.
-EditResult edit_shapes(World& world, const Scene& scene, std::span<const std::uint32_t> changed,
-                       const PrepareOptions& options = {});
+GLINT_API EditResult edit_shapes(World& world, const Scene& scene, std::span<const std::uint32_t> changed,
+                                 const PrepareOptions& options = {});
 inline constexpr double k_max_refit_cost = 1.5;
 
 /// Points origin + t direction for t_min < t < t_max.
@@ -123,9 +125,9 @@ struct Occlusions {
 
 /// What each ray hits first; of shapes hit at the same t, the first in the scene. A ray with a NaN in its
 /// origin or direction hits nothing. threads: 0 = one a processor. Never throws.
-RayHits nearest_hits(const World& world, std::span<const Ray> rays, int threads = 0);
+GLINT_API RayHits nearest_hits(const World& world, std::span<const Ray> rays, int threads = 0);
 /// Whether anything that casts a shadow by the World's conventions is hit at all. Never throws.
-Occlusions occluded(const World& world, std::span<const Ray> rays, int threads = 0);
+GLINT_API Occlusions occluded(const World& world, std::span<const Ray> rays, int threads = 0);
 
 /// Bytes of a prepared World, by part.
 struct WorldMemory {
@@ -141,12 +143,12 @@ struct WorldMemory {
         return packed == 0 ? 0 : static_cast<double>(total() - materials) / static_cast<double>(packed);
     }
 };
-WorldMemory memory(const World& world);
+GLINT_API WorldMemory memory(const World& world);
 
 /// The box around all bounded shapes; min > max if there are none.
 struct Bounds {
     Vec3 min, max;
 };
-Bounds bounds(const World& world);
+GLINT_API Bounds bounds(const World& world);
 
 }  // namespace glint

@@ -3,6 +3,7 @@
 #include <span>
 #include <string>
 
+#include "glint/export.h"
 #include "glint/load.h"
 #include "glint/scene.h"
 
@@ -14,6 +15,6 @@ namespace glint {
 /// their comments are kept beside the items that they stand by. An empty string if validate() finds an error
 /// in the scene, or memory runs out. Never throws; the time and memory are proportional to the scene and the
 /// texts.
-std::string write_glint(const Scene& scene, std::span<const SceneText> texts = {});
+GLINT_API std::string write_glint(const Scene& scene, std::span<const SceneText> texts = {});
 
 }  // namespace glint

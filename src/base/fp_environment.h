@@ -1,5 +1,6 @@
 #pragma once
 // The floating-point state that the bits of a picture assume.
+#include <cstdint>
 #if defined(__SSE2__)
 #include <immintrin.h>
 #endif
@@ -20,11 +21,19 @@ class DefaultFpEnvironment {
   private:
     unsigned saved_;
 #elif defined(__aarch64__)
-    DefaultFpEnvironment() : saved_(__builtin_aarch64_get_fpcr()) { __builtin_aarch64_set_fpcr(0); }
-    ~DefaultFpEnvironment() { __builtin_aarch64_set_fpcr(saved_); }
+    // GCC alone has functions for the register, and of their own names; the assembler is everybody's.
+    DefaultFpEnvironment() {
+        __asm__ __volatile__("mrs %0, fpcr" : "=r"(saved_) : : "memory");
+        set(0);  // no traps, nearest, no FZ
+    }
+    ~DefaultFpEnvironment() { set(saved_); }
 
   private:
-    unsigned saved_;
+    static void set(std::uint64_t control) {
+        __asm__ __volatile__("msr fpcr, %0" : : "r"(control) : "memory");
+    }
+
+    std::uint64_t saved_;
 #else
     DefaultFpEnvironment() {}
     ~DefaultFpEnvironment() {}

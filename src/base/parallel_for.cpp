@@ -1,15 +1,19 @@
 #include "base/parallel_for.h"
 
 #include <algorithm>
+#include <memory>
 #include <optional>
+#include <utility>
+#include <vector>
 
 #include "base/fp_environment.h"
+#include "base/guard.h"
 #include "base/handover.h"
 #if !defined(__wasm__)
 #include <oneapi/tbb/global_control.h>
 #include <oneapi/tbb/info.h>
+#include <oneapi/tbb/mutex.h>
 #include <oneapi/tbb/parallel_for.h>
-#include <oneapi/tbb/parallel_invoke.h>
 #include <oneapi/tbb/task_arena.h>
 #endif
 
@@ -22,13 +26,6 @@ int thread_count(int) { return 1; }
 void parallel_for(std::size_t count, int, const std::function<void(std::size_t)>& body) {
     for (std::size_t i = 0; i < count; ++i) body(i);
 }
-
-void parallel_invoke(const std::function<void()>& a, const std::function<void()>& b) {
-    a();
-    b();
-}
-
-void run_with_threads(int, const std::function<void()>& body) { body(); }
 
 #else
 
@@ -46,6 +43,63 @@ class AllowThreads {
 
   private:
     std::optional<oneapi::tbb::global_control> control_;
+};
+
+using Arena = oneapi::tbb::task_arena;
+using ArenaPtr = std::unique_ptr<Arena>;
+
+// The arenas of calls that have ended, for those to come: oneTBB 2021.8 does not free every arena that is
+// destroyed (its issue 967), so memory would grow by some kilobytes with each call that made its own.
+class IdleArenas {
+  public:
+    ArenaPtr take(int threads) {
+        const Mutex::scoped_lock lock(mutex_);
+        const auto found = std::find_if(idle_.rbegin(), idle_.rend(),
+                                        [&](const auto& a) { return a->max_concurrency() == threads; });
+        if (found == idle_.rend()) return std::make_unique<Arena>(threads);
+        ArenaPtr arena = std::move(*found);
+        idle_.erase(std::next(found).base());
+        slots_ -= threads;
+        return arena;
+    }
+    void put_back(ArenaPtr arena) {
+        const Mutex::scoped_lock lock(mutex_);
+        idle_.push_back(std::move(arena));
+        slots_ += idle_.back()->max_concurrency();
+        while (slots_ > k_most_slots) {
+            slots_ -= idle_.front()->max_concurrency();
+            idle_.erase(idle_.begin());
+        }
+    }
+
+  private:
+    using Mutex = oneapi::tbb::mutex;
+    static constexpr int k_most_slots = 4096;  // of a few kilobytes each
+
+    Mutex mutex_;
+    std::vector<ArenaPtr> idle_;  // the last used last
+    int slots_ = 0;
+};
+
+// Never destroyed: at the program's end oneTBB may be gone before it.
+IdleArenas& idle_arenas() {
+    static auto* const arenas = new IdleArenas;
+    return *arenas;
+}
+
+// An arena of one call alone: a thread that waits in it takes up no other call's work.
+class LentArena {
+  public:
+    explicit LentArena(int threads) : arena_(idle_arenas().take(threads)) {}
+    ~LentArena() {
+        guard([&] { idle_arenas().put_back(std::move(arena_)); });  // no memory to keep it: it ends here
+    }
+    LentArena(const LentArena&) = delete;
+    LentArena& operator=(const LentArena&) = delete;
+    Arena* operator->() { return arena_.get(); }
+
+  private:
+    ArenaPtr arena_;
 };
 
 template <class Body> void run_as_task(Handover& handover, const Body& body) {
@@ -69,9 +123,9 @@ void parallel_for(std::size_t count, int threads, const std::function<void(std::
         return;
     }
     const AllowThreads allow(n);
-    oneapi::tbb::task_arena arena(n);
+    LentArena arena(n);
     Handover handover;
-    arena.execute([&] {
+    arena->execute([&] {
         oneapi::tbb::parallel_for(
             oneapi::tbb::blocked_range<std::size_t>(0, count, 1),
             [&](const oneapi::tbb::blocked_range<std::size_t>& range) {
@@ -81,20 +135,6 @@ void parallel_for(std::size_t count, int threads, const std::function<void(std::
             },
             oneapi::tbb::simple_partitioner{});
     });
-    handover.all_ended();
-}
-
-void parallel_invoke(const std::function<void()>& a, const std::function<void()>& b) {
-    Handover handover;
-    oneapi::tbb::parallel_invoke([&] { run_as_task(handover, a); }, [&] { run_as_task(handover, b); });
-    handover.all_ended();
-}
-
-void run_with_threads(int threads, const std::function<void()>& body) {
-    const AllowThreads allow(thread_count(threads));
-    oneapi::tbb::task_arena arena(thread_count(threads));
-    Handover handover;
-    arena.execute([&] { run_as_task(handover, body); });
     handover.all_ended();
 }
 

@@ -13,10 +13,4 @@ int thread_count(int requested);
 /// must not throw.
 void parallel_for(std::size_t count, int threads, const std::function<void(std::size_t)>& body);
 
-/// Runs a and b, possibly at the same time, with the threads of the enclosing run_with_threads.
-void parallel_invoke(const std::function<void()>& a, const std::function<void()>& b);
-
-/// Runs `body` so that parallel_invoke inside it uses up to `threads` threads.
-void run_with_threads(int threads, const std::function<void()>& body);
-
 }  // namespace glint

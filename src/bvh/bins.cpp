@@ -12,7 +12,7 @@ constexpr float k_least_size = 1e-36f;
 
 }  // namespace
 
-Binning::Binning(const Range& range) : lo(range.centroids.lo), scale{}, bins(bins_for(range.count)) {
+Binning::Binning(const ItemRange& range) : lo(range.centroids.lo), scale{}, bins(bins_for(range.count)) {
     const Float4 size = range.centroids.hi - range.centroids.lo;
     // A little less than all, so that the last centroid rounds into the last bin.
     for (int a = 0; a < 3; ++a)

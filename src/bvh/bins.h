@@ -12,7 +12,7 @@ namespace glint {
 inline constexpr int k_bins = 16;  // along an axis, at most
 
 /// Items [first, first + count), the box around them and the one around their centroids.
-struct Range {
+struct ItemRange {
     std::uint32_t first = 0, count = 0;
     Box4 box, centroids;
 };
@@ -24,7 +24,7 @@ struct Binning {
     Float4 lo, scale;
     int bins;
 
-    explicit Binning(const Range& range);
+    explicit Binning(const ItemRange& range);
     Int4 bin(Float4 c) const { return __builtin_convertvector((c - lo) * scale, Int4); }
 };
 

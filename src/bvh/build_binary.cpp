@@ -34,7 +34,7 @@ class Builder {
         : items_(items), costs_(costs), threads_(threads), cancel_(cancel) {}
 
     std::vector<BinaryTree> run() {
-        const Range whole = whole_range();
+        const ItemRange whole = whole_range();
         area_scale_ = area_scale(whole.box);
         task_items_ = std::max(k_least_task, whole.count / k_tasks);
         build_top(whole);
@@ -54,7 +54,7 @@ class Builder {
 
   private:
     struct Task {
-        Range range;
+        ItemRange range;
         int depth;
     };
 
@@ -64,8 +64,8 @@ class Builder {
         return is_cancelled_;
     }
 
-    Range whole_range() const {
-        std::vector<Range> chunks((items_.size() + k_chunk - 1) / k_chunk);
+    ItemRange whole_range() const {
+        std::vector<ItemRange> chunks((items_.size() + k_chunk - 1) / k_chunk);
         parallel_for(chunks.size(), threads_, [&](std::size_t c) {
             for (const BvhItem& item :
                  items_.subspan(c * k_chunk, std::min(k_chunk, items_.size() - c * k_chunk))) {
@@ -74,16 +74,16 @@ class Builder {
                 chunks[c].centroids.add(at, at);
             }
         });
-        Range whole;
+        ItemRange whole;
         whole.count = static_cast<std::uint32_t>(items_.size());
-        for (const Range& c : chunks) {
+        for (const ItemRange& c : chunks) {
             whole.box.add(c.box);
             whole.centroids.add(c.centroids);
         }
         return whole;
     }
 
-    Split best_split(const Range& range, const Binning& binning, int threads) const {
+    Split best_split(const ItemRange& range, const Binning& binning, int threads) const {
         const std::span<const BvhItem> items = items_.subspan(range.first, range.count);
         Bins bins(binning.bins);
         if (items.size() <= k_chunk) {
@@ -100,7 +100,7 @@ class Builder {
     }
 
     // Keeps the bins out of the recursion's frames.
-    __attribute__((noinline)) Parts part(const Range& range, int depth, int threads) const {
+    __attribute__((noinline)) Parts part(const ItemRange& range, int depth, int threads) const {
         if (depth < k_balanced_below) {
             const Binning binning(range);
             const Split split = best_split(range, binning, threads);
@@ -109,13 +109,13 @@ class Builder {
         return halve(items_, range);  // all centroids equal, or too deep
     }
 
-    bool of_one_class(const Range& range) const {
+    bool of_one_class(const ItemRange& range) const {
         const std::span<const BvhItem> items = items_.subspan(range.first, range.count);
         return std::all_of(items.begin(), items.end(),
                            [&](const BvhItem& i) { return i.item_class == items[0].item_class; });
     }
 
-    static std::uint32_t add_children(BinaryTree& tree, std::uint32_t node, const Range& range) {
+    static std::uint32_t add_children(BinaryTree& tree, std::uint32_t node, const ItemRange& range) {
         BinaryNode& n = tree[node];
         n.box = range.box.aabb();
         n.first = range.first;
@@ -126,7 +126,7 @@ class Builder {
     }
 
     // Two items are worth telling apart if their boxes are small beside the one around both.
-    bool is_lowest(const Range& range) const {
+    bool is_lowest(const ItemRange& range) const {
         if (range.count == 1) return true;
         if (range.count > k_lowest || !of_one_class(range)) return false;
         const BvhItem &a = items_[range.first], &b = items_[range.first + 1];
@@ -139,7 +139,7 @@ class Builder {
         return area(a) + area(b) >= half_area(range.box, area_scale_);
     }
 
-    void build(BinaryTree& tree, std::uint32_t node, const Range& range, int depth, CutCosts& cut) const {
+    void build(BinaryTree& tree, std::uint32_t node, const ItemRange& range, int depth, CutCosts& cut) const {
         if (is_lowest(range)) {
             BinaryNode& n = tree[node];
             n.box = range.box.aabb();
@@ -155,7 +155,7 @@ class Builder {
         }
     }
 
-    void build(BinaryTree& tree, std::uint32_t node, const Range& range, const Parts& parts, int depth,
+    void build(BinaryTree& tree, std::uint32_t node, const ItemRange& range, const Parts& parts, int depth,
                CutCosts& cut) const {
         const std::uint32_t left = add_children(tree, node, range);
         CutCosts left_cut, right_cut;
@@ -165,7 +165,7 @@ class Builder {
     }
 
     // Parts the items by place or by class, whichever makes the cheaper two roots.
-    __attribute__((noinline)) void build_mixed(BinaryTree& tree, std::uint32_t node, const Range& range,
+    __attribute__((noinline)) void build_mixed(BinaryTree& tree, std::uint32_t node, const ItemRange& range,
                                                int depth, CutCosts& cut) const {
         const auto items = items_.begin() + range.first;
         const auto end = static_cast<std::ptrdiff_t>(tree.size());
@@ -189,7 +189,7 @@ class Builder {
     }
 
     // Class by class. Nothing is tried both ways below, or the time would grow exponentially.
-    void build_by_class(BinaryTree& tree, std::uint32_t node, const Range& range, int depth,
+    void build_by_class(BinaryTree& tree, std::uint32_t node, const ItemRange& range, int depth,
                         CutCosts& cut) const {
         if (of_one_class(range)) return build(tree, node, range, depth, cut);
         const Parts parts = part_classes(items_, range);
@@ -201,7 +201,7 @@ class Builder {
     }
 
     // The top tree without its cut, and the tasks; children come after their parents.
-    void build_top(const Range& whole) {
+    void build_top(const ItemRange& whole) {
         trees_.resize(1);
         BinaryTree& top = trees_[0];
         top.emplace_back();

@@ -63,8 +63,8 @@ void exchange(std::span<BvhItem> items, const std::vector<Run>& a, const std::ve
     }
 }
 
-Range bounds_of(std::span<const BvhItem> items, std::uint32_t first, std::uint32_t count) {
-    Range range{first, count, {}, {}};
+ItemRange bounds_of(std::span<const BvhItem> items, std::uint32_t first, std::uint32_t count) {
+    ItemRange range{first, count, {}, {}};
     for (const BvhItem& item : items.subspan(first, count)) {
         range.box.add(load3(item.lo), load3(item.hi));
         const Float4 c = centroid(item);
@@ -75,7 +75,7 @@ Range bounds_of(std::span<const BvhItem> items, std::uint32_t first, std::uint32
 
 }  // namespace
 
-Parts partition(std::span<BvhItem> all, const Range& range, const Binning& binning, const Split& split,
+Parts partition(std::span<BvhItem> all, const ItemRange& range, const Binning& binning, const Split& split,
                 int threads) {
     const std::span<BvhItem> items = all.subspan(range.first, range.count);
     ChunkParts whole;
@@ -114,12 +114,12 @@ Parts partition(std::span<BvhItem> all, const Range& range, const Binning& binni
             {range.first + left, range.count - left, split.right, whole.right_centroids}};
 }
 
-Parts halve(std::span<const BvhItem> items, const Range& range) {
+Parts halve(std::span<const BvhItem> items, const ItemRange& range) {
     const std::uint32_t left = range.count / 2;
     return {bounds_of(items, range.first, left), bounds_of(items, range.first + left, range.count - left)};
 }
 
-Parts part_classes(std::span<BvhItem> items, const Range& range) {
+Parts part_classes(std::span<BvhItem> items, const ItemRange& range) {
     const auto begin = items.begin() + range.first;
     const std::uint32_t item_class = begin->item_class;
     const auto middle = std::stable_partition(

@@ -79,7 +79,23 @@ inline bool have_common_origin(const RaySpan& rays, int count) {
     return true;
 }
 
-/// Prepares rays [0, count) of the stream, 1 <= count <= SlabRays::k_most.
+/// Makes the rays after the last ones that meet no box: a vector may begin at any ray, and its lanes must not
+/// hold what was never written, on which a decision, if not an answer, would depend.
+inline void pad_rays(int count, SlabRays& to) {
+    const auto fill = [&](float* column, float number) HWY_ATTR {
+        for (int i = count; i < count + k_ray_padding; i += lane_count<float>())
+            store(Floats(number), column + i);
+    };
+    for (int a = 0; a < 3; ++a) {
+        for (auto* column : {to.near_origin[a], to.far_origin[a], to.near_inverse[a], to.far_inverse[a],
+                             to.origin[a], to.direction[a]})
+            fill(column, 0);
+    }
+    fill(to.t_min, 0);
+    fill(to.t_max, -std::numeric_limits<float>::infinity());
+}
+
+/// Prepares rays [0, count) of the stream, 1 <= count <= SlabRays::k_most, and what follows them.
 inline void prepare_rays(const RaySpan& rays, int count, SlabRays& to) {
     to.common_origin = have_common_origin(rays, count);
     for (int i = 0; i < count; i += lane_count<double>()) narrow_rays(rays, i, to);
@@ -108,6 +124,7 @@ inline void prepare_rays(const RaySpan& rays, int count, SlabRays& to) {
         store(t_min - rounding_margin(t_min), to.t_min + i);
         store(select(t_max < Floats(-1e37f), t_max, t_max + rounding_margin(t_max)), to.t_max + i);
     }
+    pad_rays(count, to);
 }
 
 /// A vector of slab intervals.

@@ -55,7 +55,7 @@ class Include {
         const Format* format = find_format({path, {}, {}}, why);
         const std::string loop = loop_of(path);
         if (reading_.sources == nullptr) {
-            left_out(name, "this text cannot include others: no files are read here");
+            error(name, "this text cannot include others: no files are read here");
         } else if (!loop.empty()) {
             error(name, "a text cannot include itself: " + loop);
         } else if (reading_.includes.open.size() >= k_max_depth) {
@@ -73,13 +73,6 @@ class Include {
     void error(const std::string& name, const std::string& what) {
         reading_.diagnostics.error(from_.place, at_.offset, at_.length,
                                    fmt::format("{}: {}", quoted(name), what));
-    }
-
-    // A part that is not there is no mistake of what is: the rest is drawn, and the message says so. Names
-    // that the part would have defined are errors where they are used.
-    void left_out(const std::string& name, const std::string& why) {
-        reading_.diagnostics.warn(from_.place, at_.offset, at_.length,
-                                  fmt::format("{}: {}; the scene is read without it", quoted(name), why));
     }
 
     // As FileSources and messages name it: beside the text that includes it.
@@ -112,7 +105,7 @@ class Include {
         std::string why;
         std::optional<std::string> text = reading_.sources->read(name, from_.place.name, why);
         if (!text) {
-            left_out(name, why.empty() ? "no such file" : why);
+            error(name, why.empty() ? "no such file" : why);
             return std::nullopt;
         }
         if (reading_.texts.size() > k_max_texts) {

@@ -124,10 +124,12 @@ class CauseFinder {
                 continue;
             }
             CauseReport& report = search.report;
-            report.scene_from_a = distance(drawn->bytes, search.faulty, search.area).all;
-            report.scene_from_b = distance(drawn->bytes, bytes_, search.area).all;
             const double near = k_same_part * report.difference;
-            report.swapped = *report.scene_from_a<near&& * report.scene_from_b> near;
+            const double from_a = distance(drawn->bytes, search.faulty, search.area).all,
+                         from_b = distance(drawn->bytes, bytes_, search.area).all;
+            report.scene_from_a = from_a;
+            report.scene_from_b = from_b;
+            report.swapped = from_a < near && from_b > near;
             if (report.swapped) search.target = &bytes_;
         }
     }

@@ -25,9 +25,9 @@ bool is_room(const WorldParts& world, std::uint32_t shape) {
     std::uint32_t own = 0;
     while (own < world.geometry->bounded && world.geometry->shape_index[own] != shape) ++own;
     if (own == world.geometry->bounded) return false;
-    const Bounds room = box_of_slot(world, own);
+    const Bounds room = to_bounds(primitive_bounds(*world.geometry, own));
     for (std::uint32_t slot = 0; slot < world.geometry->bounded; ++slot)
-        if (slot != own && contains(room, box_of_slot(world, slot))) return true;
+        if (slot != own && contains(room, to_bounds(primitive_bounds(*world.geometry, slot)))) return true;
     for (std::uint32_t slot = world.geometry->bounded; slot < world.geometry->count; ++slot) {
         const ShapeClass& planes = world.geometry->class_of(slot);
         const auto value = [&](int k) { return planes.column(k)[slot - planes.first]; };

@@ -35,7 +35,7 @@ double shapes_a_ray(const WorldParts& world, int threads) {
     const std::uint32_t step = world.geometry->bounded / k_most_boxes + 1;
     std::uint64_t met = 0;
     for (std::uint32_t slot = 0; slot < world.geometry->bounded; slot += step) {
-        const Bounds box = box_of_slot(world, slot);
+        const Bounds box = to_bounds(primitive_bounds(*world.geometry, slot));
         for (std::size_t i = 0; i < rays.size(); ++i)
             met += meets(box, rays.origin(i), rays.direction(i), hits.t[i]);
     }

@@ -86,7 +86,7 @@ SurfaceHit surface_hit(const WorldParts& world, const RayList& rays, const HitLi
     if (h.behind && h.turned) h.normal = -h.normal;
     h.magnitude = largest(rays.origin(ray)) + largest(h.point);
     if (h.slot < world.geometry->bounded) {
-        const Bounds box = box_of_slot(world, h.slot);
+        const Bounds box = to_bounds(primitive_bounds(*world.geometry, h.slot));
         h.magnitude += std::max(largest(box.min), largest(box.max));
     }
     return h;
@@ -175,11 +175,6 @@ std::vector<std::uint32_t> shapes_around(const Subject& subject, Vec3 point) {
     std::vector<std::uint32_t> both;
     std::set_intersection(one.begin(), one.end(), other.begin(), other.end(), std::back_inserter(both));
     return both;
-}
-
-Bounds box_of_slot(const WorldParts& world, std::uint32_t slot) {
-    const Aabb box = primitive_bounds(*world.geometry, slot);
-    return {{box.lo[0], box.lo[1], box.lo[2]}, {box.hi[0], box.hi[1], box.hi[2]}};
 }
 
 }  // namespace glint

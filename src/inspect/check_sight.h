@@ -64,7 +64,4 @@ std::vector<std::uint32_t> shapes_around(const Subject& subject, Vec3 point);
 /// How many shapes a camera ray is tested against, about: those whose boxes it meets before it hits one.
 double shapes_a_ray(const WorldParts& world, int threads);
 
-/// The box of a bounded slot.
-Bounds box_of_slot(const WorldParts& world, std::uint32_t slot);
-
 }  // namespace glint

@@ -1,7 +1,8 @@
 // Lanes<T>: as many numbers as the instruction set computes at once, with the operators and the names of
-// math/number.h. The only file that includes Highway; compress-inl.h has it from here. Included once a
-// target, inside foreach_target.h (trace/kernels.cpp). Of Highway, only what IEEE 754 defines exactly: no
-// MulAdd family, no Approximate*, no SumOfLanes; Min and Max only where they are a comparison and a choice.
+// math/number.h. The only file that includes highway.h: compress-inl.h and elementary-inl.h have it from
+// here. Included once a target, by way of foreach_target.h (trace/kernels.cpp, trace/hit_kernels.cpp). Of
+// Highway, only what IEEE 754 defines exactly: no MulAdd family, no Approximate*, no SumOfLanes; Min and Max
+// only where they are a comparison and a choice.
 #if defined(GLINT_SIMD_LANES_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLINT_SIMD_LANES_INL_H_
 #undef GLINT_SIMD_LANES_INL_H_

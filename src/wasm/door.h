@@ -60,7 +60,7 @@ const char* GLINT_DOOR(glint_explain)(GlintScene* scene, std::int32_t x, std::in
 /// The scene in glint's own language, with its settings as they are in force; empty if it is not ready.
 const char* GLINT_DOOR(glint_convert)(GlintScene* scene);
 
-/// The version, "0.1.0".
+/// The version, as "0.2.0".
 const char* GLINT_DOOR(glint_version)();
 
 }  // extern "C"

@@ -51,9 +51,6 @@ WorldMemory memory(const World& world) {
     return m;
 }
 
-Bounds bounds(const World& world) {
-    const Aabb& b = world.parts().geometry->bvh.bounds;
-    return {{b.lo[0], b.lo[1], b.lo[2]}, {b.hi[0], b.hi[1], b.hi[2]}};
-}
+Bounds bounds(const World& world) { return to_bounds(world.parts().geometry->bvh.bounds); }
 
 }  // namespace glint

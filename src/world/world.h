@@ -73,6 +73,10 @@ struct WorldParts {
     }
 };
 
+inline Bounds to_bounds(const Aabb& box) {
+    return {{box.lo[0], box.lo[1], box.lo[2]}, {box.hi[0], box.hi[1], box.hi[2]}};
+}
+
 /// Makes Worlds, and lets the library's own code write to them.
 class WorldAccess {
   public:

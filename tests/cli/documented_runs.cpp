@@ -35,7 +35,7 @@ class DocumentedRuns : public testing::TestWithParam<const char*> {};
 TEST_P(DocumentedRuns, PrintWhatTheySay) {
     const Folder folder;
     std::filesystem::create_symlink(GLINT_SOURCE "/scenes", folder.path("scenes"));
-    std::ifstream file(std::string(GLINT_SOURCE "/docs/") + GetParam());
+    std::ifstream file(std::string(GLINT_SOURCE "/") + GetParam());
     const Lines doc = lines_of({std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()});
     const std::string prompt = "    $ glint ";
     int runs = 0;
@@ -60,7 +60,7 @@ TEST_P(DocumentedRuns, PrintWhatTheySay) {
     EXPECT_GT(runs, 0);
 }
 
-INSTANTIATE_TEST_SUITE_P(Docs, DocumentedRuns, testing::Values("explain.md", "finding_out_why.md"));
+INSTANTIATE_TEST_SUITE_P(Docs, DocumentedRuns, testing::Values("README.md", "docs/explain.md", "docs/finding_out_why.md"));
 
 }  // namespace
 }  // namespace glint::test

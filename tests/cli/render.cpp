@@ -215,6 +215,15 @@ TEST(Render, ShowsThePictureAsText) {
     EXPECT_EQ(run(folder, {"render", "a.cgfs", "--show", "-o", "-"}).code, 2);
 }
 
+TEST(Render, AMissingIncludeIsAnErrorEvenWhenQuiet) {
+    const Folder folder;
+    folder.write("a.glint", "camera { position = (0, 0, 5) }\nsphere { radius = 1 }\ninclude \"none.glint\"\n");
+    const Finished done = run(folder, {"render", "a.glint", "-o", "a.png", "--quiet"});
+    EXPECT_EQ(done.code, 1);
+    EXPECT_TRUE(contains(done.err, "a.glint:3:9: error: 'none.glint': ")) << done.err;
+    EXPECT_FALSE(folder.has("a.png"));
+}
+
 TEST(Render, IncludesFilesFromTheSceneFolder) {
     const Folder folder;
     std::filesystem::create_directories(folder.path("scenes/parts"));

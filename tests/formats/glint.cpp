@@ -377,20 +377,20 @@ TEST(GlintInclude, MistakesAreNamedWhereTheyAre) {
               std::string::npos);
 }
 
-TEST(GlintInclude, WhatIsNotThereIsLeftOutWithAWarning) {
+TEST(GlintInclude, WhatIsNotThereIsAnError) {
     MapSources sources;
     const std::string text = std::string(k_camera) + k_ball + "}\ninclude \"none.glint\"";
     for (Sources* const given : {static_cast<Sources*>(&sources), static_cast<Sources*>(nullptr)}) {
         const LoadResult result = load_text(text, "a.glint", {}, given);
-        ASSERT_TRUE(result.scene);
-        EXPECT_EQ(result.scene->shapes.size(), 1u);
-        const auto missing = std::find_if(
-            result.diagnostics.begin(), result.diagnostics.end(),
-            [](const Diagnostic& d) { return d.message.find("read without it") != std::string::npos; });
-        ASSERT_NE(missing, result.diagnostics.end());
-        EXPECT_EQ(missing->severity, Severity::warning);
-        EXPECT_EQ(missing->line, static_cast<std::uint32_t>(1 + std::count(text.begin(), text.end(), '\n')));
-        EXPECT_EQ(missing->column, 9u);
+        EXPECT_FALSE(result.scene);
+        ASSERT_EQ(result.diagnostics.size(), 1u);
+        const Diagnostic& missing = result.diagnostics[0];
+        EXPECT_EQ(missing.severity, Severity::error);
+        EXPECT_EQ(missing.message, given == nullptr
+                                       ? "'none.glint': this text cannot include others: no files are read here"
+                                       : "'none.glint': no such file");
+        EXPECT_EQ(missing.line, static_cast<std::uint32_t>(1 + std::count(text.begin(), text.end(), '\n')));
+        EXPECT_EQ(missing.column, 9u);
     }
 }
 

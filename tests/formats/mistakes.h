@@ -9,15 +9,15 @@
 
 namespace glint {
 
-struct Mistake {
+struct BadText {
     const char* name;  ///< of the test
     const char* text;  ///< with $ before each place, in the order of the messages
     std::vector<const char*> messages;
 };
 
-inline std::ostream& operator<<(std::ostream& out, const Mistake& m) { return out << m.text; }
+inline std::ostream& operator<<(std::ostream& out, const BadText& m) { return out << m.text; }
 
-inline void expect_messages(const Mistake& mistake, const char* file) {
+inline void expect_messages(const BadText& mistake, const char* file) {
     std::string text;
     std::vector<std::pair<std::uint32_t, std::uint32_t>> places;
     std::uint32_t line = 1, column = 1;
@@ -50,6 +50,6 @@ inline void expect_messages(const Mistake& mistake, const char* file) {
     }
 }
 
-inline std::string test_name(const testing::TestParamInfo<Mistake>& param) { return param.param.name; }
+inline std::string test_name(const testing::TestParamInfo<BadText>& param) { return param.param.name; }
 
 }  // namespace glint

@@ -125,7 +125,7 @@ TEST(Nff, NegativeRadiiTurnNormalsThatNobodySees) {
     EXPECT_EQ(s.get<Cylinder>()[0].radius, 1);
 }
 
-class NffMistakes : public testing::TestWithParam<Mistake> {};
+class NffMistakes : public testing::TestWithParam<BadText> {};
 TEST_P(NffMistakes, AreNamedWhereTheyAre) { expect_messages(GetParam(), "a.nff"); }
 
 #define ENTITIES                                                                                        \
@@ -136,49 +136,49 @@ TEST_P(NffMistakes, AreNamedWhereTheyAre) { expect_messages(GetParam(), "a.nff")
 INSTANTIATE_TEST_SUITE_P(
     Entities, NffMistakes,
     testing::Values(
-        Mistake{"empty", "$", {"expected " ENTITIES ", found the end of the text"}},
-        Mistake{"unknown", LF "$t 1 2 3\ns 0 0 0 1\n", {"expected " ENTITIES ", found 't'"}},
-        Mistake{"number_first", LF "$3 4 5 s 0 0 0 1\n", {"expected " ENTITIES ", found '3'"}},
-        Mistake{"too_many_numbers", LF "s 0 0 0 1 $2 3\ns 0 0 0 1\n", {"expected " ENTITIES ", found '2'"}},
-        Mistake{"too_few_numbers", LF "s 0 0 0\n$s 0 0 0 1\n", {"expected a number, found 's'"}},
-        Mistake{"cut_off", LF "s 0 0$", {"expected a number, found the end of the text"}},
-        Mistake{"word", LF "s 0 $abc 0 1\ns 0 0 0 1\n", {"expected a number, found 'abc'"}},
-        Mistake{"not_a_number", LF "s 0 $NaN 0 1\n", {"expected a number, found 'NaN'"}},
-        Mistake{"far", LF "s 0 0 $1e13 1\n", {"expected a number from -1e12 to 1e12, found '1e13'"}},
-        Mistake{"two_mistakes",
+        BadText{"empty", "$", {"expected " ENTITIES ", found the end of the text"}},
+        BadText{"unknown", LF "$t 1 2 3\ns 0 0 0 1\n", {"expected " ENTITIES ", found 't'"}},
+        BadText{"number_first", LF "$3 4 5 s 0 0 0 1\n", {"expected " ENTITIES ", found '3'"}},
+        BadText{"too_many_numbers", LF "s 0 0 0 1 $2 3\ns 0 0 0 1\n", {"expected " ENTITIES ", found '2'"}},
+        BadText{"too_few_numbers", LF "s 0 0 0\n$s 0 0 0 1\n", {"expected a number, found 's'"}},
+        BadText{"cut_off", LF "s 0 0$", {"expected a number, found the end of the text"}},
+        BadText{"word", LF "s 0 $abc 0 1\ns 0 0 0 1\n", {"expected a number, found 'abc'"}},
+        BadText{"not_a_number", LF "s 0 $NaN 0 1\n", {"expected a number, found 'NaN'"}},
+        BadText{"far", LF "s 0 0 $1e13 1\n", {"expected a number from -1e12 to 1e12, found '1e13'"}},
+        BadText{"two_mistakes",
                 LF "s 0 $x 0 1\np $2 0 0 0 1 1 1\n",
                 {"expected a number, found 'x'", "expected a whole number from 3 to 4096, found '2'"}},
-        Mistake{"no_radius", LF "s 0 0 0 $0\n", {"expected a radius other than 0"}},
-        Mistake{"broken_vertices", LF "p 4 0 0 0 1 1 1 2 2 $x\n", {"expected a number, found 'x'"}}),
+        BadText{"no_radius", LF "s 0 0 0 $0\n", {"expected a radius other than 0"}},
+        BadText{"broken_vertices", LF "p 4 0 0 0 1 1 1 2 2 $x\n", {"expected a number, found 'x'"}}),
     test_name);
 
 INSTANTIATE_TEST_SUITE_P(
     View, NffMistakes,
     testing::Values(
-        Mistake{"no_from", "$v at 0 0 0\n l 0 0 9\n" FILL "s 0 0 0 1\n", {"expected `from` in the view"}},
-        Mistake{"no_line", "$v\nl 0 0 9\n" FILL "s 0 0 0 1\n", {"expected `from`, `at` in the view"}},
-        Mistake{
+        BadText{"no_from", "$v at 0 0 0\n l 0 0 9\n" FILL "s 0 0 0 1\n", {"expected `from` in the view"}},
+        BadText{"no_line", "$v\nl 0 0 9\n" FILL "s 0 0 0 1\n", {"expected `from`, `at` in the view"}},
+        BadText{
             "misspelt",
             "v\n$form 0 0 5\nfrom 0 0 5 at 0 0 0\nl 0 0 9\n" FILL "s 0 0 0 1\n",
             {"expected `from`, `at`, `up`, `angle`, `hither` or `resolution`, or an entity, found 'form'; "
              "did you mean `from`?"}},
-        Mistake{"twice",
+        BadText{"twice",
                 "v from 0 0 5 at 0 0 0 $from 0 0 6\nl 0 0 9\n" FILL "s 0 0 0 1\n",
                 {"`from` is given twice in one view: the last one holds"}},
-        Mistake{"two_views", LF "s 0 0 0 1\n$v from 0 0 6 at 0 0 0\n", {"a second view: the last one holds"}},
-        Mistake{"none",
+        BadText{"two_views", LF "s 0 0 0 1\n$v from 0 0 6 at 0 0 0\n", {"a second view: the last one holds"}},
+        BadText{"none",
                 "l 0 0 9\n" FILL "s 0 0 0 1$",
                 {"no view `v`: the camera is at the origin and looks along the negative z axis"}},
-        Mistake{"angle",
+        BadText{"angle",
                 "v from 0 0 5 at 0 0 0 angle $180\nl 0 0 9\n" FILL "s 0 0 0 1\n",
                 {"expected an angle between 0 and 180 degrees, found '180'"}},
-        Mistake{"resolution",
+        BadText{"resolution",
                 "v from 0 0 5 at 0 0 0 resolution 20 $0\nl 0 0 9\n" FILL "s 0 0 0 1\n",
                 {"expected a whole number from 1 to 65536, found '0'"}},
-        Mistake{"half_a_pixel",
+        BadText{"half_a_pixel",
                 "v from 0 0 5 at 0 0 0 resolution 20 $7.5\nl 0 0 9\n" FILL "s 0 0 0 1\n",
                 {"expected a whole number from 1 to 65536, found '7.5'"}},
-        Mistake{"from_at",
+        BadText{"from_at",
                 "$v from 0 0 5 at 0 0 5\nl 0 0 9\n" FILL "s 0 0 0 1\n",
                 {"the camera looks at the place where it stands: the two must differ"}}),
     test_name);
@@ -186,31 +186,31 @@ INSTANTIATE_TEST_SUITE_P(
 INSTANTIATE_TEST_SUITE_P(
     Values, NffMistakes,
     testing::Values(
-        Mistake{"no_fill",
+        BadText{"no_fill",
                 VIEW "l 0 0 9\n$s 0 0 0 1\ns 0 0 0 2\n",
                 {"no `f` before the first shape: it has glint's default material"}},
-        Mistake{"transmission",
+        BadText{"transmission",
                 VIEW "l 0 0 9\nf 1 1 1 1 1 1 $2 1\ns 0 0 0 1\n",
                 {"expected a number from 0 to 1, found '2'"}},
-        Mistake{"shine",
+        BadText{"shine",
                 VIEW "l 0 0 9\nf 1 1 1 1 1 $-1 0 1\ns 0 0 0 1\n",
                 {"expected a number from 0 to 1e9, found '-1'"}},
-        Mistake{"index",
+        BadText{"index",
                 VIEW "l 0 0 9\nf 1 1 1 1 1 1 0 $-1\ns 0 0 0 1\n",
                 {"expected a number from 0 to 1e12, found '-1'"}},
-        Mistake{"vertices",
+        BadText{"vertices",
                 LF "p $5000 0 0 0\ns 0 0 0 1\n",
                 {"expected a whole number from 3 to 4096, found '5000'"}},
-        Mistake{"half_a_vertex",
+        BadText{"half_a_vertex",
                 LF "pp $3.5 0 0 0\ns 0 0 0 1\n",
                 {"expected a whole number from 3 to 4096, found '3.5'"}},
-        Mistake{"cone_without_axis",
+        BadText{"cone_without_axis",
                 LF "$c 0 0 0 1 0 0 0 2\n",
                 {"cone 1: expected an axis of some length, found two equal ends (0, 0, 0)"}},
-        Mistake{"cone_without_radius",
+        BadText{"cone_without_radius",
                 LF "$c 0 0 0 0 0 0 1 0\n",
                 {"cylinder 1: radius: expected a number > 0 and at most 1e12, found 0"}},
-        Mistake{
+        BadText{
             "patch_without_normal",
             LF "$pp 3 0 0 0 0 0 0 1 0 0 0 0 1 1 1 0 0 0 1\n",
             {"smooth_triangle 1: expected a normal other than (0, 0, 0) and within 1e12, found (0, 0, 0)"}}),

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <regex>
+#include <sstream>
 
 namespace glint::includes {
 namespace {
@@ -122,6 +123,31 @@ std::vector<std::string> find_libm_calls(std::string_view text) {
     const std::string copy(text);
     for (std::sregex_iterator i(copy.begin(), copy.end(), pattern), end; i != end; ++i)
         found.push_back((*i)[1]);
+    return found;
+}
+
+std::vector<std::string> find_types(std::string_view text) {
+    static const std::regex opens(R"(^(?:inline )?namespace ([\w:]+ )?\{$)"),
+        closes(R"(^\}  // namespace.*)"),
+        type(
+            R"(^(?:struct|class|enum class|enum|union) (?:alignas\(\w+\) )?(\w+)(?: final)?(?: : [^;]*)?(?: \{.*)$)");
+    std::vector<std::string> found, inside;
+    std::istringstream lines{std::string(text)};
+    for (std::string line; std::getline(lines, line);) {
+        std::smatch match;
+        if (std::regex_match(line, match, opens)) {
+            std::string name = match[1];
+            if (!name.empty()) name.back() = ':';
+            inside.push_back(name.empty() ? "" : name + ':');
+        } else if (std::regex_match(line, closes)) {
+            if (!inside.empty()) inside.pop_back();
+        } else if (std::regex_match(line, match, type)) {
+            if (std::find(inside.begin(), inside.end(), "") != inside.end()) continue;
+            std::string name;
+            for (const std::string& space : inside) name += space;
+            found.push_back(name + match[1].str());
+        }
+    }
     return found;
 }
 

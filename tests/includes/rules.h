@@ -35,4 +35,9 @@ std::optional<std::string> check_include(std::string_view path, const Include& i
 /// The functions of libm that a text calls, by name: their bits differ between machines.
 std::vector<std::string> find_libm_calls(std::string_view text);
 
+/// The classes and enumerations that a text defines for other files to see, with their namespace
+/// ("glint::Scene"): not those of unnamed namespaces, nor those within others. The text is formatted as the
+/// project's is.
+std::vector<std::string> find_types(std::string_view text);
+
 }  // namespace glint::includes

@@ -3,6 +3,8 @@
 
 #include <filesystem>
 #include <fstream>
+#include <map>
+#include <regex>
 #include <sstream>
 
 #include "includes/rules.h"
@@ -17,10 +19,10 @@ struct File {
     std::string text;
 };
 
-std::vector<File> read_sources() {
+std::vector<File> read_sources(std::vector<std::string> folders = {"include", "src"}) {
     const fs::path project = GLINT_PROJECT_DIR;
     std::vector<File> files;
-    for (const char* const folder : {"include", "src"}) {
+    for (const std::string& folder : folders) {
         for (const fs::directory_entry& entry : fs::recursive_directory_iterator(project / folder)) {
             const fs::path extension = entry.path().extension();
             if (extension != ".h" && extension != ".cpp") continue;
@@ -49,6 +51,40 @@ TEST(Includes, NoLibmBetweenTextAndPixel) {
         for (const std::string& call : find_libm_calls(file.text))
             ADD_FAILURE() << file.path << " calls std::" << call;
     }
+}
+
+// Two classes of one name in one program are one to the linker, whatever they hold.
+TEST(Types, HaveNamesOfTheirOwn) {
+    std::map<std::string, std::string> defined;  // the name, and where
+    for (const File& file : read_sources({"include", "src", "tests", "bench"})) {
+        // Two test programs may have classes of the same name; what their headers define meets the library's.
+        if (!file.path.starts_with("include/") && !file.path.starts_with("src/") &&
+            !file.path.ends_with(".h"))
+            continue;
+        for (const std::string& name : find_types(file.text)) {
+            const auto [first, is_new] = defined.emplace(name, file.path);
+            EXPECT_TRUE(is_new) << name << " is defined in " << first->second << " and in " << file.path;
+        }
+    }
+    EXPECT_TRUE(defined.contains("glint::Scene"));
+    EXPECT_TRUE(defined.contains("glint::World"));
+}
+
+// A function that docs/lighting.md names beside a file is in it: "`cosines`, `diffuse_term` in
+// lighting/phong-inl.h".
+TEST(Documents, NameFunctionsWhereTheyAre) {
+    std::ifstream file(fs::path(GLINT_PROJECT_DIR) / "docs/lighting.md");
+    const std::string text{std::istreambuf_iterator<char>(file), {}};
+    static const std::regex named(R"(((?:`\w+`,? )+)in (\w+/[\w-]+\.h))"), word(R"(`(\w+)`)");
+    int found = 0;
+    for (std::sregex_iterator at(text.begin(), text.end(), named), end; at != end; ++at) {
+        std::ifstream source(fs::path(GLINT_PROJECT_DIR) / "src" / (*at)[2].str());
+        const std::string code{std::istreambuf_iterator<char>(source), {}};
+        const std::string names = (*at)[1];
+        for (std::sregex_iterator name(names.begin(), names.end(), word); name != end; ++name, ++found)
+            EXPECT_NE(code.find(" " + (*name)[1].str() + "("), std::string::npos) << at->str();
+    }
+    EXPECT_GE(found, 8);
 }
 
 bool allowed(std::string_view path, std::string_view line) {
@@ -90,6 +126,14 @@ TEST(IncludeRules, FindLibmCalls) {
     EXPECT_EQ(find_libm_calls("x = std::sqrt(y) + std::powf (2, y) + std::cos(x);"),
               (std::vector<std::string>{"pow", "cos"}));
     EXPECT_TRUE(find_libm_calls("math::cos(x); std::cosine(x); std::expected(1)").empty());
+}
+
+TEST(TypeRules, FindWhatOtherFilesSee) {
+    EXPECT_EQ(find_types("namespace glint {\nstruct A {\n    struct B {\n    };\n};\nclass C;\nnamespace {\n"
+                         "struct D {};\n}  // namespace\nclass E final : public A {\n};\n"
+                         "enum class F : int { x };\nstruct alignas(64) G {\n};\n}  // namespace glint\n"
+                         "namespace glint::cli {\nstruct A {};\n}  // namespace glint::cli\n"),
+              (std::vector<std::string>{"glint::A", "glint::E", "glint::F", "glint::G", "glint::cli::A"}));
 }
 
 }  // namespace

@@ -158,7 +158,7 @@ std::string test_name(const ::testing::TestParamInfo<int>& scene) {
     std::erase_if(name, [](char c) { return std::isalnum(static_cast<unsigned char>(c)) == 0; });
     return name;
 }
-INSTANTIATE_TEST_SUITE_P(Scene, PlantedFaults, ::testing::Range(0, 4), test_name);
+INSTANTIATE_TEST_SUITE_P(Scene, PlantedFaults, ::testing::Range(0, k_scenes_to_test), test_name);
 
 // Another renderer's edges and roundings: nine samples a pixel, and every channel up to 2 off.
 TEST(Causes, AreNamedInAPictureThatIsNotGlints) {
@@ -168,7 +168,7 @@ TEST(Causes, AreNamedInAPictureThatIsNotGlints) {
         {"specular-missing", without_specular},
         {"reflections-missing", without_mirrors},
         {"light-missing", without_last_light}};
-    for (const TestScene& scene : test_scenes()) {
+    for (const TestScene& scene : scenes_to_test()) {
         const Scene reference_scene = read_scene(scene.text);
         const Image reference = draw_text(scene.text);
         std::vector<Image> pictures;

@@ -17,7 +17,7 @@ double factor_in(const std::string& explanation) {
 
 TEST(CausesFitted, TheFactorOfAnExponent) {
     const double factors[] = {1.5, 3, 1.25, 1.0 / 3, 0.7, 6, 1.37};
-    for (const TestScene& scene : test_scenes()) {
+    for (const TestScene& scene : scenes_to_test()) {
         const Scene reference_scene = read_scene(scene.text);
         std::vector<Image> pictures;
         for (const double factor : factors) pictures.push_back(draw_text(with_exponents(scene.text, factor)));
@@ -34,7 +34,7 @@ TEST(CausesFitted, TheFactorOfAnExponent) {
 }
 
 TEST(CausesFitted, TheFactorBesideTheOtherModel) {
-    for (const TestScene& scene : test_scenes()) {
+    for (const TestScene& scene : scenes_to_test()) {
         const bool is_phong = scene.text.find("shading = phong") != std::string::npos;
         const std::string other = is_phong ? replaced(scene.text, "shading = phong", "shading = blinn-phong")
                                            : replaced(scene.text, "shading = blinn-phong", "shading = phong");

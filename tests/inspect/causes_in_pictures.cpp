@@ -142,12 +142,12 @@ TEST_P(PlantedInPixels, AreNamedFirst) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Scene, PlantedInPixels, ::testing::Range(0, 4));
+INSTANTIATE_TEST_SUITE_P(Scene, PlantedInPixels, ::testing::Range(0, k_scenes_to_test));
 
 // Of a picture of twice the size whose rays pass corners, every second pixel is where the rays of the plain
 // size pass, and those beside it half a pixel from there.
 TEST(CausesInPictures, HalfAPixel) {
-    for (const TestScene& scene : test_scenes()) {
+    for (const TestScene& scene : scenes_to_test()) {
         const std::string text = with_key(scene.text, "pixel_sample", "center");
         const Scene reference_scene = read_scene(text);
         const Image reference = draw_text(text);
@@ -187,7 +187,7 @@ TEST(CausesInPictures, HalfAPixel) {
 }
 
 TEST(CausesInPictures, GammaOfTheReference) {
-    for (const TestScene& scene : test_scenes()) {
+    for (const TestScene& scene : scenes_to_test()) {
         const Image drawn = draw(read_scene(scene.text)), once = encoded(drawn);
         EXPECT_EQ(first_cause(find_causes(as_file(drawn), once)), "gamma-missing") << scene.name;
         EXPECT_EQ(first_cause(find_causes(encoded(once), once)), "gamma-applied") << scene.name;
@@ -196,7 +196,7 @@ TEST(CausesInPictures, GammaOfTheReference) {
 
 // Specks as another renderer's acne has them, not glint's own.
 TEST(CausesInPictures, SpecksAreAcne) {
-    for (const TestScene& scene : test_scenes()) {
+    for (const TestScene& scene : scenes_to_test()) {
         const Image reference = draw_text(scene.text);
         const Image dark =
             draw_text(replaced(scene.text, "(type = (point|directional)[^}]*)\\}", "$1 color = (0, 0, 0) }"));
@@ -215,7 +215,7 @@ TEST(CausesInPictures, SpecksAreAcne) {
 }
 
 TEST(CausesInPictures, MoreSamplesAreAntiAliasing) {
-    for (const TestScene& scene : test_scenes()) {
+    for (const TestScene& scene : scenes_to_test()) {
         // One sample in the middle: else the mean of many is half a pixel away from it.
         const std::string text = with_key(scene.text, "pixel_sample", "center");
         const CauseReport report =
@@ -226,7 +226,7 @@ TEST(CausesInPictures, MoreSamplesAreAntiAliasing) {
 
 // What the pictures alone cannot show is not blamed on something that they can.
 TEST(CausesInPictures, LightingIsNotTakenForAnythingElse) {
-    for (const TestScene& scene : test_scenes()) {
+    for (const TestScene& scene : scenes_to_test()) {
         for (const char* const key : {"shadows = true", "reflections = 2"}) {
             const std::string word(key, std::strcspn(key, " "));
             const std::string faulty =

@@ -35,7 +35,7 @@ bool names(const CauseReport& report, const char* name) {
 }
 
 TEST(CausesOfNothing, OneColour) {
-    for (const TestScene& scene : test_scenes()) {
+    for (const TestScene& scene : scenes_to_test()) {
         const Scene reference_scene = read_scene(scene.text);
         const Image right = draw_text(scene.text);
         for (const auto& [faulty, text] : {std::pair{filled(right, 1, 1, 1), "(255, 255, 255)"},
@@ -92,7 +92,7 @@ TEST(CausesOfNothing, AnotherScene) {
 // One of two faults is named, or else the flip is said: it is not another scene.
 TEST(CausesOfNothing, AFlipUnderAGamma) {
     int flips = 0;
-    for (const TestScene& scene : test_scenes()) {
+    for (const TestScene& scene : scenes_to_test()) {
         const Image right = draw_text(scene.text);
         for (const double power : {1 / 2.2, 2.2}) {
             Image faulty = right;
@@ -116,7 +116,7 @@ TEST(CausesOfNothing, AFlipUnderAGamma) {
 
 // Two faults at once are not another view, even if the picture is mirrored.
 TEST(CausesOfNothing, TwoFaultsAreNotAnotherView) {
-    for (const TestScene& scene : test_scenes()) {
+    for (const TestScene& scene : scenes_to_test()) {
         const Image dark = draw_text(replaced(scene.text, "shadows = true", "shadows = false"));
         Image faulty = dark;
         for (int y = 0; y < 120; ++y) {
@@ -132,7 +132,7 @@ TEST(CausesOfNothing, RowsAndColumnsThatAreMissing) {
     const auto second_row = [](int, int y) { return y % 2 == 1; };
     const auto third_column = [](int x, int) { return x % 3 == 0; };
     const auto bottom = [](int, int y) { return y >= 80; };
-    for (const TestScene& scene : test_scenes()) {
+    for (const TestScene& scene : scenes_to_test()) {
         const Scene reference_scene = read_scene(scene.text);
         const Image right = draw_text(scene.text);
         for (const Scene* with : {static_cast<const Scene*>(nullptr), &reference_scene}) {
@@ -151,7 +151,7 @@ TEST(CausesOfNothing, RowsAndColumnsThatAreMissing) {
 
 // Not black from end to end, but darker: nothing that has a name here, and surely no acne.
 TEST(CausesOfNothing, DarkRowsAreNoAcne) {
-    for (const TestScene& scene : test_scenes()) {
+    for (const TestScene& scene : scenes_to_test()) {
         const Image right = draw_text(scene.text);
         for (const bool rows : {true, false}) {
             Image faulty = right;
@@ -169,7 +169,7 @@ TEST(CausesOfNothing, DarkRowsAreNoAcne) {
 
 // What a shifted picture has at its rim nobody knows, but where nothing else differs the rim is looked at.
 TEST(CausesOfNothing, TheRimAlone) {
-    for (const TestScene& scene : test_scenes()) {
+    for (const TestScene& scene : scenes_to_test()) {
         const Image right = draw_text(scene.text);
         const auto top = [](int, int y) { return y == 0; };
         const CauseReport missing = find_causes(blackened(right, top), right);
@@ -188,7 +188,7 @@ TEST(CausesOfNothing, TheRimAlone) {
 }
 
 TEST(CausesOfNothing, QuarterTurnsOfSquarePictures) {
-    for (const TestScene& scene : test_scenes()) {
+    for (const TestScene& scene : scenes_to_test()) {
         const Image right = draw_text(replaced(scene.text, "size = 160 x 120", "size = 120 x 120"));
         const auto moved = [&](auto&& from) {
             Image out = right;

@@ -7,6 +7,7 @@
 #include <fstream>
 #include <iterator>
 #include <regex>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -120,6 +121,17 @@ inline const std::vector<TestScene>& test_scenes() {
         test_scene("cgfs/three_mirrors.cgfs"), test_scene("epfl/castle.json"),
         test_scene("epfl/three_lights.json"), test_scene("glint/still_life.glint")};
     return scenes;
+}
+
+/// How many of these scenes a test goes through. Sanitizers look for faults of memory and of threads: one
+/// scene runs the same code as four, and four take most of an hour.
+#if defined(GLINT_SANITIZED)
+inline constexpr int k_scenes_to_test = 1;
+#else
+inline constexpr int k_scenes_to_test = 4;
+#endif
+inline std::span<const TestScene> scenes_to_test() {
+    return std::span(test_scenes()).first(k_scenes_to_test);
 }
 
 /// The first cause's name, or "none"; after it all of the report.

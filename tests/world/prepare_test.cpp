@@ -79,6 +79,22 @@ TEST(Prepare, LeavesReferToSlotsOfOneClass) {
     for (const int times : met) EXPECT_EQ(times, 1);
 }
 
+TEST(Prepare, BoundsOfAPrimitiveAreThoseThatRaysAreTestedAgainst) {
+    Random random(114);
+    const std::optional<World> world = make_world(random_scene(random, 700));
+    const PackedGeometry& geometry = *world->parts().geometry;
+    int computed = 0;
+    for (std::uint32_t slot = 0; slot < geometry.bounded; ++slot) {
+        const Aabb box = own_box(geometry, slot), bounds = primitive_bounds(geometry, slot);
+        for (int a = 0; a < 3; ++a) {
+            EXPECT_EQ(bounds.lo[a], box.lo[a]) << slot;
+            EXPECT_EQ(bounds.hi[a], box.hi[a]) << slot;
+        }
+        computed += slot >= geometry.boxed;
+    }
+    EXPECT_GT(computed, 0) << "no triangles";
+}
+
 TEST(Prepare, NoThreadsInTheResult) {
     Random random(113);
     const Scene scene = random_scene(random, 40000);

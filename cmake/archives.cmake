@@ -1,0 +1,37 @@
+# What cpack makes of an install: the Debian packages glint (the command, its documents and scenes) and libglint-dev (headers
+# and a static library). tools/make-release calls it.
+set(CPACK_GENERATOR DEB)
+set(CPACK_PACKAGE_NAME glint)
+set(CPACK_PACKAGE_VENDOR "The glint authors")
+set(CPACK_PACKAGE_CONTACT "The glint authors <maintainers@glint.invalid>")
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "Deterministic Phong and Blinn-Phong ray tracer for learning and teaching")
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_STRIP_FILES ON)
+
+set(CPACK_COMPONENTS_ALL command development)
+set(CPACK_DEB_COMPONENT_INSTALL ON)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_PRIORITY optional)
+
+set(CPACK_DEBIAN_COMMAND_PACKAGE_NAME glint)
+set(CPACK_DEBIAN_COMMAND_PACKAGE_SECTION graphics)
+set(CPACK_DEBIAN_COMMAND_PACKAGE_SHLIBDEPS ON)
+set(CPACK_COMPONENT_COMMAND_DESCRIPTION
+  "It renders scenes of spheres, planes, triangles and other simple shapes, explains every pixel, and names the mistake in a wrong picture.")
+
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libglint-dev)
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
+list(JOIN GLINT_DEBIAN_DEPENDS ", " CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS)
+set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION
+  "The library of the ray tracer glint: headers, a static library, and its packages for CMake and pkg-config.")
+
+# Debian wants the licence under this name.
+file(READ NOTICE notice)
+file(READ LICENSE licence)
+file(WRITE ${PROJECT_BINARY_DIR}/package/copyright "${notice}\n${licence}")
+foreach(component command development)
+  string(TOUPPER ${component} upper)
+  install(FILES ${PROJECT_BINARY_DIR}/package/copyright
+    DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/${CPACK_DEBIAN_${upper}_PACKAGE_NAME} COMPONENT ${component})
+endforeach()
+include(CPack)

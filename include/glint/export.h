@@ -1,0 +1,8 @@
+#pragma once
+// GLINT_API marks the functions that a shared libglint exports; everything else in it is hidden.
+
+#if defined(__GNUC__)
+#define GLINT_API __attribute__((visibility("default")))
+#else
+#define GLINT_API
+#endif
