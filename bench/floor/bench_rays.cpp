@@ -26,7 +26,7 @@ constexpr int k_size = 512;
 // A scene and the rays of its frame, as columns of doubles too.
 struct Frame {
     std::string name;
-    glint::WorldPtr world;
+    std::optional<glint::World> world;
     std::unique_ptr<EmbreeScene> embree;
     FrameRays rays;
     std::vector<double> columns[k_ray_classes][8];
@@ -73,10 +73,10 @@ std::size_t trace(const Frame& frame, int c, const glint::Kernels& kernels) {
     for (std::size_t first = 0; first < total; first += k_run) {
         const int count = static_cast<int>(std::min(k_run, total - first));
         if (is_shadow(c)) {
-            kernels.any_hit(*frame.world, frame.span(c, first), count, glint::k_beam, occluded);
+            kernels.any_hit(frame.world->parts(), frame.span(c, first), count, glint::k_beam, occluded);
             hits += std::count(occluded, occluded + count, 1);
         } else {
-            kernels.nearest_hit(*frame.world, frame.span(c, first), count, glint::k_beam, t, slot);
+            kernels.nearest_hit(frame.world->parts(), frame.span(c, first), count, glint::k_beam, t, slot);
             hits += count - std::count(slot, slot + count, glint::k_none);
         }
     }

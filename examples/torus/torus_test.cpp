@@ -27,7 +27,7 @@ void check_ring() {
     upright.m[2][1] = 1, upright.m[2][2] = 0;
     scene.transforms = {upright};
     scene.add(glint::Torus{radius, tube}, glint::k_none, 0);
-    const glint::PrepareResult prepared = glint::prepare(scene);
+    const glint::WorldResult prepared = glint::prepare(scene);
     if (!prepared.world) return expect(false, "no world", 0, 0);
     for (const std::string& isa : glint::isa_names()) {
         glint::RenderOptions options;

@@ -14,4 +14,5 @@
 #include "glint/shapes.h"
 #include "glint/vec.h"
 #include "glint/version.h"
+#include "glint/world.h"
 #include "glint/write.h"

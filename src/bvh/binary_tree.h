@@ -34,8 +34,9 @@ struct BinaryNode {
 };
 using BinaryTree = std::vector<BinaryNode>;
 
-/// The first tree is the top one, whose links stand for the others.
-std::vector<BinaryTree> build_binary(std::span<BvhItem> items, std::span<const LeafCost> costs, int threads);
+/// The first tree is the top one, whose links stand for the others. None if it was cancelled.
+std::vector<BinaryTree> build_binary(std::span<BvhItem> items, std::span<const LeafCost> costs, int threads,
+                                     const std::atomic<bool>* cancel);
 
 /// Chooses how the node's subtree is best cut, from its children's costs. `area` is its box's.
 void choose_cut(BinaryNode& node, float area, const CutCosts& left, const CutCosts& right,

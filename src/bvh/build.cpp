@@ -3,10 +3,12 @@
 
 namespace glint {
 
-Bvh build_bvh(std::vector<BvhItem>& items, std::span<const LeafCost> costs, int threads) {
+Bvh build_bvh(std::vector<BvhItem>& items, std::span<const LeafCost> costs, int threads,
+              const std::atomic<bool>* cancel) {
     Bvh bvh;
     if (items.empty()) return bvh;
-    const std::vector<BinaryTree> trees = build_binary(items, costs, threads);
+    const std::vector<BinaryTree> trees = build_binary(items, costs, threads, cancel);
+    if (trees.empty()) return bvh;
     bvh.bounds = trees[0][0].box;
     bvh.nodes = make_wide(trees, threads);
     return bvh;

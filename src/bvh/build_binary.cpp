@@ -29,8 +29,9 @@ float area_scale(const Box4& whole) {
 
 class Builder {
   public:
-    Builder(std::span<BvhItem> items, std::span<const LeafCost> costs, int threads)
-        : items_(items), costs_(costs), threads_(threads) {}
+    Builder(std::span<BvhItem> items, std::span<const LeafCost> costs, int threads,
+            const std::atomic<bool>* cancel)
+        : items_(items), costs_(costs), threads_(threads), cancel_(cancel) {}
 
     std::vector<BinaryTree> run() {
         const ItemRange whole = whole_range();
@@ -40,11 +41,13 @@ class Builder {
         trees_.resize(1 + tasks_.size());
         cuts_.resize(tasks_.size());
         parallel_for(tasks_.size(), threads_, [&](std::size_t i) {
+            if (is_cancelled()) return;
             BinaryTree& tree = trees_[1 + i];
             tree.reserve(tasks_[i].range.count);
             tree.emplace_back();
             build(tree, 0, tasks_[i].range, tasks_[i].depth, cuts_[i]);
         });
+        if (is_cancelled()) return {};
         cut_top();
         return std::move(trees_);
     }
@@ -54,6 +57,12 @@ class Builder {
         ItemRange range;
         int depth;
     };
+
+    // True for good once it was, since what is left out then is missing.
+    bool is_cancelled() {
+        if (cancel_ != nullptr && cancel_->load(std::memory_order_relaxed)) is_cancelled_ = true;
+        return is_cancelled_;
+    }
 
     ItemRange whole_range() const {
         std::vector<ItemRange> chunks((items_.size() + k_chunk - 1) / k_chunk);
@@ -197,7 +206,7 @@ class Builder {
         BinaryTree& top = trees_[0];
         top.emplace_back();
         std::vector<std::pair<std::uint32_t, Task>> open{{0, {whole, 0}}};
-        while (!open.empty()) {
+        while (!open.empty() && !is_cancelled()) {
             const auto [node, task] = open.back();
             open.pop_back();
             if (task.range.count <= task_items_) {
@@ -233,6 +242,8 @@ class Builder {
     std::span<BvhItem> items_;
     std::span<const LeafCost> costs_;
     int threads_;
+    const std::atomic<bool>* cancel_;
+    std::atomic<bool> is_cancelled_{false};
     float area_scale_ = 1;
     std::uint32_t task_items_ = 0;
     std::vector<BinaryTree> trees_;
@@ -242,8 +253,9 @@ class Builder {
 
 }  // namespace
 
-std::vector<BinaryTree> build_binary(std::span<BvhItem> items, std::span<const LeafCost> costs, int threads) {
-    return Builder(items, costs, threads).run();
+std::vector<BinaryTree> build_binary(std::span<BvhItem> items, std::span<const LeafCost> costs, int threads,
+                                     const std::atomic<bool>* cancel) {
+    return Builder(items, costs, threads, cancel).run();
 }
 
 }  // namespace glint

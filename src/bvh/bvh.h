@@ -1,6 +1,7 @@
 #pragma once
 // The hierarchy: wide nodes over boxes. It knows boxes and leaves, not shapes. A leaf is a run of items of
 // one class.
+#include <atomic>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -62,8 +63,9 @@ struct LeafCost {
 
 /// Puts the items into leaf order and returns the hierarchy over them: a binary tree by the surface-area
 /// heuristic over binned centroids (Wald 2007), made wide at the least cost (Ylitie, Karras and Laine 2017).
-/// costs[c] is class c's. The result does not depend on threads. At most k_bvh_max_items items. Throws
-/// std::bad_alloc.
-Bvh build_bvh(std::vector<BvhItem>& items, std::span<const LeafCost> costs, int threads);
+/// costs[c] is class c's. The result does not depend on threads. At most k_bvh_max_items items. cancel:
+/// looked at now and then; of a build that was cancelled nothing is of use. Throws std::bad_alloc.
+Bvh build_bvh(std::vector<BvhItem>& items, std::span<const LeafCost> costs, int threads,
+              const std::atomic<bool>* cancel = nullptr);
 
 }  // namespace glint

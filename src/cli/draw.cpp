@@ -9,9 +9,9 @@
 
 namespace glint::cli {
 
-WorldPtr prepare_or_fail(const Scene& scene, int threads) {
-    PrepareResult prepared = prepare(scene, threads);
-    if (prepared.world) return std::move(prepared.world);
+World prepare_or_fail(const Scene& scene, int threads) {
+    WorldResult prepared = prepare(scene, {.threads = threads});
+    if (prepared.world) return std::move(*prepared.world);
     print(prepared.diagnostics);
     throw Failure(k_bad_input, {});
 }

@@ -8,7 +8,7 @@
 namespace glint::cli {
 
 /// prepare(), or a Failure of input after printing what is wrong.
-WorldPtr prepare_or_fail(const Scene& scene, int threads = 0);
+World prepare_or_fail(const Scene& scene, int threads = 0);
 
 /// render(), or a Failure of input.
 Image draw(const World& world, int threads = 0, const std::string& isa = {});

@@ -112,7 +112,7 @@ int explain_command(ExplainArguments& arguments) {
     std::optional<std::uint32_t> light;
     if (!arguments.why_not.empty()) light = find_light(arguments.why_not, scene);
 
-    const PrepareResult prepared = prepare(scene);
+    const WorldResult prepared = prepare(scene);
     add_warnings(loaded.warnings, prepared.diagnostics);
     print(loaded.warnings);
     if (!prepared.world) throw Failure(k_bad_input, {});

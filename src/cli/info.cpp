@@ -24,7 +24,7 @@ int info_command(const InfoArguments& arguments) {
     }
     if (arguments.scene.files.empty()) throw Failure(k_usage, "expected SCENE, or --isa");
     LoadedScene loaded = load_scene(arguments.scene);
-    const PrepareResult prepared = prepare(loaded.scene);
+    const WorldResult prepared = prepare(loaded.scene);
     add_warnings(loaded.warnings, prepared.diagnostics);
     if (!prepared.world) {
         print(loaded.warnings);

@@ -139,7 +139,7 @@ int render_command(RenderArguments& arguments) {
     check_memory(drawn.width, drawn.height, layers.bytes_a_pixel());
 
     auto stage = Clock::now();
-    const PrepareResult prepared = prepare(loaded.scene, arguments.threads);
+    const WorldResult prepared = prepare(loaded.scene, {.threads = arguments.threads});
     times.prepare = seconds_since(stage);
     add_warnings(loaded.warnings, prepared.diagnostics);
     if (!arguments.quiet || !prepared.world) print(loaded.warnings);

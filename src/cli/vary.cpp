@@ -122,13 +122,18 @@ Variation parse_variation(const std::string& text) {
 
 int vary_command(SceneOption& scene, const Variation& variation, int threads, bool json, bool quiet) {
     LoadedScene loaded = *load_scene_option(scene, quiet);
+    const World prepared = prepare_or_fail(loaded.scene, threads);
     std::vector<Step> steps;
     Image before;
     {
         ProgressBar bar(!quiet);
         for (const std::string& value : variation.values) {
             set_setting(loaded.scene, variation.key, value, {SettingOrigin::Kind::command, {}});
-            Image now = draw(*prepare_or_fail(loaded.scene, threads), threads);
+            WorldResult changed = with_rules(prepared, loaded.scene.conventions, loaded.scene.settings);
+            // What rules alone cannot change, and what is wrong with a value, prepare() knows.
+            const World world =
+                changed.world ? std::move(*changed.world) : prepare_or_fail(loaded.scene, threads);
+            Image now = draw(world, threads);
             steps.push_back({value, {}});
             if (!before.rgb.empty()) {
                 CompareOptions options;

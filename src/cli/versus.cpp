@@ -40,7 +40,7 @@ struct VersusArguments {
 struct Side {
     std::string name;
     LoadedScene loaded;
-    WorldPtr world;
+    World world;
     Image image;
 };
 
@@ -88,7 +88,7 @@ Side draw_side(const VersusArguments& arguments, const std::vector<std::string>&
         side.name += fmt::format(" with exponents times {}", k_matching_factor);
     }
     side.world = prepare_or_fail(scene);
-    side.image = draw(*side.world);
+    side.image = draw(side.world);
     return side;
 }
 
@@ -120,12 +120,12 @@ std::string explained(const Side& side, const LargestDifference& pixel, ExplainS
     style.sample = n / 2 * n + n / 2;
     ExplainOptions options;
     options.sample = style.sample;
-    return explanation_text(explain(side.loaded.scene, *side.world, pixel.x, pixel.y, options),
+    return explanation_text(explain(side.loaded.scene, side.world, pixel.x, pixel.y, options),
                             side.loaded.scene, style);
 }
 
 std::string explained_json(const Side& side, const LargestDifference& pixel) {
-    return explanation_json(explain(side.loaded.scene, *side.world, pixel.x, pixel.y), side.loaded.scene);
+    return explanation_json(explain(side.loaded.scene, side.world, pixel.x, pixel.y), side.loaded.scene);
 }
 
 int versus_command(VersusArguments& arguments) {

@@ -47,7 +47,7 @@ constexpr CheckKind k_kinds[] = {
     {"reflections-too-few", "one reflection more changes much of the picture"},
 };
 
-void run_checks(const Scene& scene, World& world, const CheckOptions& options, CheckResult& result) {
+void run_checks(const Scene& scene, const World& world, const CheckOptions& options, CheckResult& result) {
     Subject subject(scene, world, options);
     const Sight sight(subject);
     if (check_camera(subject, sight)) {
@@ -67,13 +67,12 @@ std::span<const CheckKind> check_kinds() { return k_kinds; }
 
 CheckResult check(const Scene& scene, const CheckOptions& options) {
     CheckResult result;
-    PrepareResult prepared = prepare(scene, options.threads);
+    WorldResult prepared = prepare(scene, {.threads = options.threads});
     result.diagnostics = std::move(prepared.diagnostics);
     if (!prepared.world) return result;
     result.error = guard([&] {
         const DefaultFpEnvironment environment;
-        // prepare() made it, and nobody else has it.
-        run_checks(scene, const_cast<World&>(*prepared.world), options, result);
+        run_checks(scene, *prepared.world, options, result);
     });
     if (!result.error.empty()) result.findings.clear();
     return result;

@@ -4,7 +4,6 @@
 #include "inspect/checks.h"
 #include "math/number.h"
 #include "math/transform.h"
-#include "world/primitive_bounds.h"
 
 namespace glint {
 namespace {
@@ -22,15 +21,15 @@ bool cuts(Vec3 point, Vec3 normal, const Bounds& box) {
 }
 
 // A sky, or a room: it holds other shapes too, or a plane goes through it.
-bool is_room(const World& world, std::uint32_t shape) {
+bool is_room(const WorldParts& world, std::uint32_t shape) {
     std::uint32_t own = 0;
-    while (own < world.bounded && world.shape_index[own] != shape) ++own;
-    if (own == world.bounded) return false;
-    const Bounds room = primitive_bounds(world, own);
-    for (std::uint32_t slot = 0; slot < world.bounded; ++slot)
-        if (slot != own && contains(room, primitive_bounds(world, slot))) return true;
-    for (std::uint32_t slot = world.bounded; slot < world.count; ++slot) {
-        const ShapeClass& planes = world.class_of(slot);
+    while (own < world.geometry->bounded && world.geometry->shape_index[own] != shape) ++own;
+    if (own == world.geometry->bounded) return false;
+    const Bounds room = to_bounds(primitive_bounds(*world.geometry, own));
+    for (std::uint32_t slot = 0; slot < world.geometry->bounded; ++slot)
+        if (slot != own && contains(room, to_bounds(primitive_bounds(*world.geometry, slot)))) return true;
+    for (std::uint32_t slot = world.geometry->bounded; slot < world.geometry->count; ++slot) {
+        const ShapeClass& planes = world.geometry->class_of(slot);
         const auto value = [&](int k) { return planes.column(k)[slot - planes.first]; };
         if (cuts({value(0), value(1), value(2)}, {value(3), value(4), value(5)}, room)) return true;
     }
@@ -52,24 +51,24 @@ void check_inside(Subject& subject) {
 
 bool check_camera(Subject& subject, const Sight& sight) {
     if (subject.scene().camera.projection == Projection::perspective) check_inside(subject);
-    const World& world = subject.world();
-    if (world.count == 0) return false;
+    const WorldParts& world = subject.world();
+    if (world.geometry->count == 0) return false;
     bool planes = false;
     for (const Generation& g : sight.generations) {
         for (const SurfaceHit& h : g.hits) {
-            if (h.slot < world.bounded) return true;
+            if (h.slot < world.geometry->bounded) return true;
             planes = true;
         }
     }
-    if (world.bounded == 0 && planes) return true;
+    if (world.geometry->bounded == 0 && planes) return true;
     const SourcePlace place = subject.scene().camera_place;
-    if (world.bounded == 0) {
+    if (world.geometry->bounded == 0) {
         subject.report("camera-sees-nothing", place,
                        "the camera looks away from every plane of the scene: the picture is only background",
                        "turn the camera towards a plane");
         return false;
     }
-    const Bounds all = bounds(world);
+    const Bounds all = bounds(subject.prepared());
     const Vec3 middle = (all.min + all.max) * 0.5, way = middle - world.camera.position;
     const double along = dot(way, normalize(world.camera.forward));
     const bool away = along <= 0;

@@ -2,7 +2,6 @@
 #include <algorithm>
 
 #include "inspect/check_sight.h"
-#include "world/primitive_bounds.h"
 
 namespace glint {
 namespace {
@@ -30,13 +29,13 @@ bool meets(const Bounds& box, Vec3 origin, Vec3 direction, double t) {
 
 }  // namespace
 
-double shapes_a_ray(const World& world, int threads) {
+double shapes_a_ray(const WorldParts& world, int threads) {
     const RayList rays = camera_rays(world, small_size(world.settings, k_longest), 0, 0);
     const HitList hits = nearest_hits(world, rays, threads);
-    const std::uint32_t step = world.bounded / k_most_boxes + 1;
+    const std::uint32_t step = world.geometry->bounded / k_most_boxes + 1;
     std::uint64_t met = 0;
-    for (std::uint32_t slot = 0; slot < world.bounded; slot += step) {
-        const Bounds box = primitive_bounds(world, slot);
+    for (std::uint32_t slot = 0; slot < world.geometry->bounded; slot += step) {
+        const Bounds box = to_bounds(primitive_bounds(*world.geometry, slot));
         for (std::size_t i = 0; i < rays.size(); ++i)
             met += meets(box, rays.origin(i), rays.direction(i), hits.t[i]);
     }

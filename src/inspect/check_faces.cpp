@@ -143,9 +143,10 @@ class Coincidences {
         const RayList rays = camera_rays(world_, size, k_beside_x, k_beside_y);
         rays_ = rays.size();
         const HitList first = nearest_hits(world_, rays, subject_.threads());
-        subject_.turn_order();
-        const HitList last = nearest_hits(world_, rays, subject_.threads());
-        subject_.turn_order();
+        // Of two that are hit at the same t, the later.
+        World from_behind = subject_.prepared();
+        WorldAccess::own(from_behind).last_of_equals = true;
+        const HitList last = nearest_hits(from_behind.parts(), rays, subject_.threads());
 
         RayList beyond;
         std::vector<SurfaceHit> before;
@@ -216,12 +217,10 @@ class Coincidences {
         if (same && !(first[k_transmission] > 0)) return;
         ++pixels_[{std::min(a.shape, b.shape), std::max(a.shape, b.shape)}];
     }
-    const double* values(std::uint32_t material) const {
-        return world_.materials.data() + std::size_t{material} * k_material_values;
-    }
+    const double* values(std::uint32_t material) const { return world_.material(material); }
 
     Subject& subject_;
-    const World& world_;
+    const WorldParts& world_;
     std::size_t rays_ = 0;
     std::map<Pair, std::size_t> pixels_;
 };

@@ -42,17 +42,12 @@ class Effects {
             dark == dark_.end() ? dark_.emplace(longest, draw({}, longest)).first->second : dark->second;
         std::vector<Light> list;
         for (const std::uint32_t index : lights) list.push_back(subject_.scene().lights[index]);
-        return largest_difference(unlit, draw(std::move(list), longest));
+        return largest_difference(unlit, draw(list, longest));
     }
 
   private:
-    Image draw(std::vector<Light> lights, std::int32_t longest) {
-        World& world = subject_.change();
-        world.ambient = {0, 0, 0};
-        world.lights = std::move(lights);
-        Image image = subject_.draw(longest);
-        subject_.restore();
-        return image;
+    Image draw(const std::vector<Light>& lights, std::int32_t longest) {
+        return subject_.draw(with_lights(subject_.prepared(), lights).world, longest);
     }
 
     Subject& subject_;
@@ -67,8 +62,8 @@ struct Blockage {
     bool beyond = false;  // most of those meet it beyond the light
 };
 
-bool reflects(const World& world, std::uint32_t material, const Light& light) {
-    const double* m = world.materials.data() + std::size_t{material} * k_material_values;
+bool reflects(const WorldParts& world, std::uint32_t material, const Light& light) {
+    const double* m = world.material(material);
     const Color diffuse{m[k_diffuse], m[k_diffuse + 1], m[k_diffuse + 2]};
     const Color specular{m[k_specular], m[k_specular + 1], m[k_specular + 2]};
     return !is_black(diffuse * light.color) || !is_black(specular * light.specular_color);
@@ -78,7 +73,7 @@ Blockage find_blockage(const Subject& subject, const Sight& sight, const Light& 
     struct Count {
         std::size_t all = 0, beyond = 0;
     };
-    const World& world = subject.world();
+    const WorldParts& world = subject.world();
     const ShadowRays shadows = shadow_rays(world, sight, light, k_most_points);
     Blockage found;
     found.points = shadows.points;
@@ -92,7 +87,7 @@ Blockage find_blockage(const Subject& subject, const Sight& sight, const Light& 
     for (std::size_t i = 0; i < hits.slot.size(); ++i) {
         if (hits.slot[i] == k_none || !reflects(world, shadows.material[i], light)) continue;
         ++found.blocked;
-        const std::uint32_t shape = world.shape_index[hits.slot[i]];
+        const std::uint32_t shape = world.geometry->shape_index[hits.slot[i]];
         Count& count = counts[shape];
         ++count.all;
         count.beyond += may_pass && hits.t[i] > 1 ? 1 : 0;

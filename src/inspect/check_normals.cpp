@@ -25,7 +25,7 @@ bool is_sheet(ShapeKind kind) {
 void check_backs(Subject& subject, const Sight& sight) {
     const Scene& scene = subject.scene();
     const Shading shading = scene.settings.shading;
-    if (shading == Shading::color || shading == Shading::normals || subject.world().lights.empty()) return;
+    if (shading == Shading::color || shading == Shading::normals || subject.world().lights->empty()) return;
     std::vector<Views> views(scene.shapes.size());
     for (const SurfaceHit& h : sight.seen()) {
         if (h.turned || !is_sheet(scene.shapes[h.shape].kind)) continue;

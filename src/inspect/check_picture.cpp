@@ -69,20 +69,20 @@ bool check_one_color(Subject& subject, const Image& picture) {
 }
 
 // What a material can come to at most: k_a I_a + the sum over the lights of k_d I_d + k_s I_s.
-double bound_of(const World& world, std::uint32_t material) {
-    const double* m = world.materials.data() + std::size_t{material} * k_material_values;
+double bound_of(const WorldParts& world, std::uint32_t material) {
+    const double* m = world.material(material);
     const Color ambient{m[k_ambient], m[k_ambient + 1], m[k_ambient + 2]};
     const Color diffuse{m[k_diffuse], m[k_diffuse + 1], m[k_diffuse + 2]};
     const Color specular{m[k_specular], m[k_specular + 1], m[k_specular + 2]};
     Color sum = ambient * world.ambient;
-    for (const Light& light : world.lights)
+    for (const Light& light : *world.lights)
         sum = sum + diffuse * light.color + specular * light.specular_color;
     return number::max(sum.r, number::max(sum.g, sum.b));
 }
 
 // Whether a material is meant to glow: its ambient term alone is above 1.
-bool glows(const World& world, std::uint32_t material) {
-    const double* m = world.materials.data() + std::size_t{material} * k_material_values;
+bool glows(const WorldParts& world, std::uint32_t material) {
+    const double* m = world.material(material);
     const Color glow = Color{m[k_ambient], m[k_ambient + 1], m[k_ambient + 2]} * world.ambient;
     return number::max(glow.r, number::max(glow.g, glow.b)) > k_over;
 }
@@ -172,10 +172,9 @@ void check_epsilon(Subject& subject, const Sight& sight, const Image& picture) {
     const double epsilon = scene.conventions.epsilon, trusted = trusted_epsilon(subject, sight);
     if (epsilon == trusted) return;
     const auto draw = [&](double by) {
-        subject.change().conventions.epsilon = by;
-        Image image = subject.draw(k_longest);
-        subject.restore();
-        return image;
+        Conventions conventions = scene.conventions;
+        conventions.epsilon = by;
+        return subject.draw(with_rules(subject.prepared(), conventions, scene.settings).world, k_longest);
     };
     const Image other = draw(trusted);
     const double differs = share_that_differs(picture, other, k_visible);
@@ -205,12 +204,12 @@ void check_epsilon(Subject& subject, const Sight& sight, const Image& picture) {
 }
 
 void check_reflections(Subject& subject, const Image& picture) {
-    const std::int32_t now = subject.scene().settings.reflections;
+    const Scene& scene = subject.scene();
+    const std::int32_t now = scene.settings.reflections;
     const auto draw = [&](std::int32_t reflections) {
-        subject.change().settings.reflections = reflections;
-        Image image = subject.draw(k_longest);
-        subject.restore();
-        return image;
+        RenderSettings settings = scene.settings;
+        settings.reflections = reflections;
+        return subject.draw(with_rules(subject.prepared(), scene.conventions, settings).world, k_longest);
     };
     if (now >= k_max_reflections) return;
     const double changed = share_that_differs(picture, draw(now + 1), k_visible);

@@ -6,7 +6,6 @@
 #include "inspect/checks.h"
 #include "math/extent.h"
 #include "math/number.h"
-#include "world/primitive_bounds.h"
 
 namespace glint {
 namespace {
@@ -18,12 +17,12 @@ constexpr std::size_t k_most_points = 20000;  // a generation, whose shadows are
 
 // Which shapes cast a shadow on what is seen: the first that a light meets on its way there.
 void mark_shadows(const Subject& subject, const Sight& sight, std::vector<bool>& seen) {
-    const World& world = subject.world();
+    const WorldParts& world = subject.world();
     if (!world.settings.shadows) return;
-    for (std::size_t l = 0; l < world.lights.size() && l < k_most_lights; ++l) {
-        const ShadowRays shadows = shadow_rays(world, sight, world.lights[l], k_most_points);
+    for (std::size_t l = 0; l < world.lights->size() && l < k_most_lights; ++l) {
+        const ShadowRays shadows = shadow_rays(world, sight, (*world.lights)[l], k_most_points);
         for (const std::uint32_t slot : nearest_occluders(world, shadows.rays, subject.threads()).slot)
-            if (slot != k_none) seen[world.shape_index[slot]] = true;
+            if (slot != k_none) seen[world.geometry->shape_index[slot]] = true;
     }
 }
 
@@ -65,11 +64,8 @@ class Frame {
     /// Whether any of the picture's rays could meet the plane, were there nothing else.
     bool may_see(Vec3 point, Vec3 normal) const {
         for (int i = 0; i < 25; ++i) {
-            const Vec3 across = camera_.right * (i % 5 * 0.25 - 0.5) + camera_.up * (i / 5 * 0.25 - 0.5);
-            const bool flat = camera_.projection == Projection::orthographic;
-            const Vec3 origin = flat ? camera_.position + across : camera_.position;
-            const Vec3 direction = flat ? camera_.forward : camera_.forward + across;
-            if (dot(point - origin, normal) / dot(direction, normal) > 0) return true;
+            const Ray ray = camera_.ray_through(i % 5 * 0.25 - 0.5, i / 5 * 0.25 - 0.5);
+            if (dot(point - ray.origin, normal) / dot(ray.direction, normal) > 0) return true;
         }
         return false;
     }
@@ -85,17 +81,17 @@ struct Unseen {
     std::size_t shapes = 0;  // that are drawn at all
 };
 
-Unseen find_unseen(const World& world, const std::vector<bool>& seen) {
+Unseen find_unseen(const WorldParts& world, const std::vector<bool>& seen) {
     using Place = Frame::Place;
     const Frame frame(world.camera, world.settings);
     // Of a polygon's triangles the best placed one counts.
     std::vector<Place> places(seen.size(), Place::not_drawn);
-    for (std::uint32_t slot = 0; slot < world.count; ++slot) {
-        Place& place = places[world.shape_index[slot]];
-        if (slot < world.bounded) {
-            place = std::max(place, frame.place_of(primitive_bounds(world, slot)));
+    for (std::uint32_t slot = 0; slot < world.geometry->count; ++slot) {
+        Place& place = places[world.geometry->shape_index[slot]];
+        if (slot < world.geometry->bounded) {
+            place = std::max(place, frame.place_of(to_bounds(primitive_bounds(*world.geometry, slot))));
         } else {
-            const ShapeClass& planes = world.class_of(slot);
+            const ShapeClass& planes = world.geometry->class_of(slot);
             const auto value = [&](int k) { return planes.column(k)[slot - planes.first]; };
             const bool met = frame.may_see({value(0), value(1), value(2)}, {value(3), value(4), value(5)});
             place = met ? Place::inside : Place::outside;
@@ -126,12 +122,13 @@ std::vector<std::uint32_t> worth_naming(const Scene& scene, const Unseen& unseen
 }
 
 // What is inside of what, of the first few.
-std::string enclosure(const Subject& subject, const World& world, const std::vector<std::uint32_t>& list) {
+std::string enclosure(const Subject& subject, const WorldParts& world,
+                      const std::vector<std::uint32_t>& list) {
     for (std::size_t i = 0; i < list.size() && i < k_most_enclosed; ++i) {
         std::uint32_t slot = 0;
-        while (slot < world.bounded && world.shape_index[slot] != list[i]) ++slot;
-        if (slot == world.bounded) continue;
-        const Bounds box = primitive_bounds(world, slot);
+        while (slot < world.geometry->bounded && world.geometry->shape_index[slot] != list[i]) ++slot;
+        if (slot == world.geometry->bounded) continue;
+        const Bounds box = to_bounds(primitive_bounds(*world.geometry, slot));
         for (const std::uint32_t around : shapes_around(subject, (box.min + box.max) * 0.5)) {
             if (around == list[i]) continue;
             return fmt::format("; the middle of {} is inside {}", subject.shape(list[i]),
@@ -145,7 +142,7 @@ std::string enclosure(const Subject& subject, const World& world, const std::vec
 
 void check_shapes(Subject& subject, const Sight& sight, const std::vector<bool>& explained) {
     const Scene& scene = subject.scene();
-    const World& world = subject.world();
+    const WorldParts& world = subject.world();
     std::vector<bool> seen = explained;
     for (const Generation& g : sight.generations)
         for (const SurfaceHit& h : g.hits) seen[h.shape] = true;
@@ -157,7 +154,7 @@ void check_shapes(Subject& subject, const Sight& sight, const std::vector<bool>&
                   : fmt::format("; nor is anything in the first {} of mirrors and glass",
                                 deep == 1 ? "generation" : fmt::format("{} generations", deep));
     // Where lights were left out, nothing is known of their shadows.
-    const bool knows_shadows = !world.settings.shadows || world.lights.size() <= k_most_lights;
+    const bool knows_shadows = !world.settings.shadows || world.lights->size() <= k_most_lights;
     const std::string coarse = subject.coarse_grid(Sight::k_longest);
     const auto report = [&](std::string_view id, const std::vector<std::uint32_t>& all,
                             std::string_view where, bool hidden, std::string remedy) {

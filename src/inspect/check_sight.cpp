@@ -7,7 +7,7 @@
 #include "math/transform.h"
 #include "trace/camera_rays-inl.h"
 #include "trace/leaving-inl.h"
-#include "world/primitive_bounds.h"
+#include "world/primitives.h"
 
 namespace glint {
 namespace {
@@ -20,18 +20,6 @@ constexpr int k_most_generations = 4;
 Triple<double> triple_of(Vec3 v) { return {v.x, v.y, v.z}; }
 Vec3 vec_of(Triple<double> v) { return {v.x, v.y, v.z}; }
 
-// The unit normal of one slot's shape at a point.
-struct NormalOf {
-    const ShapeClass& shapes;
-    std::uint32_t item;
-    Triple<double> point, normal;
-    template <class Geometry> void visit() {
-        double p[Geometry::k_values];
-        for (int k = 0; k < Geometry::k_values; ++k) p[k] = shapes.column(k)[item];
-        normal = Geometry::normal(p, point);
-    }
-};
-
 double largest(Vec3 v) { return max_abs(triple_of(v)); }
 
 SurfacePoint<double> surface_point(const SurfaceHit& h) {
@@ -39,10 +27,10 @@ SurfacePoint<double> surface_point(const SurfaceHit& h) {
 }
 
 // The mirror and glass rays that leave some hits, as the renderer's own, weights apart.
-RayList leaving_rays(const World& world, const std::vector<SurfaceHit>& hits) {
+RayList leaving_rays(const WorldParts& world, const std::vector<SurfaceHit>& hits) {
     const Conventions& rules = world.conventions;
     const auto leaves = [&](const SurfaceHit& h) {
-        const double* m = world.materials.data() + std::size_t{h.material} * k_material_values;
+        const double* m = world.material(h.material);
         return std::pair{m[k_mirror] > 0, m[k_transmission] > 0};
     };
     std::size_t count = 0;
@@ -59,7 +47,7 @@ RayList leaving_rays(const World& world, const std::vector<SurfaceHit>& hits) {
         };
         bool reflects = mirror;
         if (glass) {
-            const double ior = world.materials[std::size_t{h.material} * k_material_values + k_ior];
+            const double ior = world.material(h.material)[k_ior];
             const auto on = refracted_ray(surface, h.behind, ior, rules);
             if (on.fresnel < 1)
                 add(leave_through(surface, on.direction, rules.offset, rules.epsilon), on.direction);
@@ -73,7 +61,7 @@ RayList leaving_rays(const World& world, const std::vector<SurfaceHit>& hits) {
     return rays;
 }
 
-std::vector<SurfaceHit> surface_hits(const World& world, const RayList& rays, int threads) {
+std::vector<SurfaceHit> surface_hits(const WorldParts& world, const RayList& rays, int threads) {
     const HitList found = nearest_hits(world, rays, threads);
     std::vector<SurfaceHit> hits;
     for (std::size_t i = 0; i < rays.size(); ++i) {
@@ -84,30 +72,27 @@ std::vector<SurfaceHit> surface_hits(const World& world, const RayList& rays, in
 
 }  // namespace
 
-SurfaceHit surface_hit(const World& world, const RayList& rays, const HitList& hits, std::size_t ray) {
+SurfaceHit surface_hit(const WorldParts& world, const RayList& rays, const HitList& hits, std::size_t ray) {
     SurfaceHit h;
     h.ray = ray;
     h.slot = hits.slot[ray];
-    h.shape = world.shape_index[h.slot];
-    h.material = world.material[h.slot] & k_material_index;
-    h.turned = (world.material[h.slot] & k_turn_normal) != 0;
+    h.shape = world.geometry->shape_index[h.slot];
+    h.material = (*world.slot_material)[h.slot];
+    h.turned = world.turns_normal(h.slot);
     h.incoming = rays.direction(ray);
     h.point = rays.origin(ray) + h.incoming * hits.t[ray];
-    const ShapeClass& shapes = world.class_of(h.slot);
-    NormalOf of{shapes, h.slot - shapes.first, triple_of(h.point), {}};
-    visit_geometry(shapes.kind, shapes.transformed, of);
-    h.normal = vec_of(of.normal);
+    h.normal = primitive_normal(*world.geometry, h.slot, h.point);
     h.behind = dot(h.normal, h.incoming) > 0;
     if (h.behind && h.turned) h.normal = -h.normal;
     h.magnitude = largest(rays.origin(ray)) + largest(h.point);
-    if (h.slot < world.bounded) {
-        const Bounds box = primitive_bounds(world, h.slot);
+    if (h.slot < world.geometry->bounded) {
+        const Bounds box = to_bounds(primitive_bounds(*world.geometry, h.slot));
         h.magnitude += std::max(largest(box.min), largest(box.max));
     }
     return h;
 }
 
-RayList camera_rays(const World& world, SmallSize size, double x, double y) {
+RayList camera_rays(const WorldParts& world, SmallSize size, double x, double y) {
     const PreparedCamera& camera = world.camera;
     const PixelSample where = world.conventions.pixel_sample;
     RenderSettings settings;
@@ -115,22 +100,19 @@ RayList camera_rays(const World& world, SmallSize size, double x, double y) {
     settings.height = size.height;
     RayList rays;
     for (std::int32_t row = 0; row < size.height; ++row) {
-        const double up = (middle(where, size.height) - (row + y + offset_y(where))) / size.height;
+        const double up = viewport_y(settings, where, row + y, 0);
         for (std::int32_t column = 0; column < size.width; ++column) {
-            const Vec3 across = camera.right * viewport_x(settings, where, column + x, 0) + camera.up * up;
-            const bool orthographic = camera.projection == Projection::orthographic;
-            Vec3 direction = orthographic ? camera.forward : camera.forward + across;
+            glint::Ray ray = camera.ray_through(viewport_x(settings, where, column + x, 0), up);
             if (world.conventions.ray_direction == RayDirection::unit)
-                direction = glint::normalize(direction);
-            rays.add(orthographic ? camera.position + across : camera.position, direction,
-                     world.conventions.camera_t_min);
+                ray.direction = glint::normalize(ray.direction);
+            rays.add(ray.origin, ray.direction, world.conventions.camera_t_min);
         }
     }
     return rays;
 }
 
 Sight::Sight(const Subject& subject) : size(subject.grid(k_longest)) {
-    const World& world = subject.world();
+    const WorldParts& world = subject.world();
     const int threads = subject.threads();
     RayList rays = camera_rays(world, size, 0, 0);
     generations.push_back({surface_hits(world, rays, threads)});
@@ -142,7 +124,7 @@ Sight::Sight(const Subject& subject) : size(subject.grid(k_longest)) {
     }
 }
 
-ShadowRays shadow_rays(const World& world, const Sight& sight, const Light& light, std::size_t most) {
+ShadowRays shadow_rays(const WorldParts& world, const Sight& sight, const Light& light, std::size_t most) {
     const Conventions& rules = world.conventions;
     ShadowRays found;
     found.from_light = comes_from_light(light, rules);
@@ -161,7 +143,7 @@ ShadowRays shadow_rays(const World& world, const Sight& sight, const Light& ligh
     return found;
 }
 
-std::vector<std::uint32_t> shapes_along(const World& world, Vec3 point, Vec3 direction) {
+std::vector<std::uint32_t> shapes_along(const WorldParts& world, Vec3 point, Vec3 direction) {
     constexpr int k_most = 1000;
     std::vector<std::uint32_t> shapes;
     double t_min = 0;
@@ -170,7 +152,7 @@ std::vector<std::uint32_t> shapes_along(const World& world, Vec3 point, Vec3 dir
         ray.add(point, direction, t_min);
         const HitList hit = nearest_hits(world, ray, 1);
         if (hit.slot[0] == k_none) break;
-        shapes.push_back(world.shape_index[hit.slot[0]]);
+        shapes.push_back(world.geometry->shape_index[hit.slot[0]]);
         t_min = hit.t[0];
     }
     return shapes;
@@ -185,7 +167,7 @@ std::vector<std::uint32_t> shapes_around(const Subject& subject, Vec3 point) {
         for (std::size_t i = 0; i < met.size(); ++i) {
             const bool repeated =
                 (i > 0 && met[i - 1] == met[i]) || (i + 1 < met.size() && met[i + 1] == met[i]);
-            if (!repeated && subject.is_closed(met[i])) single.push_back(met[i]);
+            if (!repeated && is_closed(subject.scene(), met[i])) single.push_back(met[i]);
         }
         return single;
     };

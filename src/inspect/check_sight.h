@@ -18,7 +18,7 @@ struct SurfaceHit {
     double magnitude = 0;  // as SurfacePoint's
     bool behind = false;   // the ray came from behind the shape's own normal
 };
-SurfaceHit surface_hit(const World& world, const RayList& rays, const HitList& hits, std::size_t ray);
+SurfaceHit surface_hit(const WorldParts& world, const RayList& rays, const HitList& hits, std::size_t ray);
 
 /// What the rays of one generation met.
 struct Generation {
@@ -26,7 +26,7 @@ struct Generation {
 };
 
 /// The camera's rays at `size`, each through the place where the renderer's passes plus (x, y) pixels.
-RayList camera_rays(const World& world, SmallSize size, double x, double y);
+RayList camera_rays(const WorldParts& world, SmallSize size, double x, double y);
 
 /// The first generations of rays through the picture.
 class Sight {
@@ -52,16 +52,16 @@ struct ShadowRays {
     bool from_light = false;              // or from the point, which is at t = 0; the light is at t = 1
     std::size_t points = 0;               // all that were looked at
 };
-ShadowRays shadow_rays(const World& world, const Sight& sight, const Light& light, std::size_t most);
+ShadowRays shadow_rays(const WorldParts& world, const Sight& sight, const Light& light, std::size_t most);
 
 /// Every shape that a ray from `point` meets in a direction chosen once, in order of distance, as often as it
 /// is met. At most a thousand.
-std::vector<std::uint32_t> shapes_along(const World& world, Vec3 point, Vec3 direction);
+std::vector<std::uint32_t> shapes_along(const WorldParts& world, Vec3 point, Vec3 direction);
 
 /// The closed shapes that hold the point.
 std::vector<std::uint32_t> shapes_around(const Subject& subject, Vec3 point);
 
 /// How many shapes a camera ray is tested against, about: those whose boxes it meets before it hits one.
-double shapes_a_ray(const World& world, int threads);
+double shapes_a_ray(const WorldParts& world, int threads);
 
 }  // namespace glint

@@ -37,13 +37,11 @@ SmallSize small_size(const RenderSettings& settings, std::int32_t longest) {
     return {scaled(settings.width), scaled(settings.height)};
 }
 
-Subject::Subject(const Scene& scene, World& world, const CheckOptions& options)
+Subject::Subject(const Scene& scene, World prepared, const CheckOptions& options)
     : scene_(scene),
-      world_(world),
+      prepared_(std::move(prepared)),
       options_(options),
-      lights_(world.lights),
-      ambient_(world.ambient),
-      shapes_a_ray_(shapes_a_ray(world, options.threads)) {}
+      shapes_a_ray_(shapes_a_ray(world(), options.threads)) {}
 
 SmallSize Subject::grid(std::int32_t longest) const {
     SmallSize size = small_size(scene_.settings, longest);
@@ -59,36 +57,22 @@ std::string Subject::coarse_grid(std::int32_t longest) const {
                        size.width, size.height, shapes_a_ray_);
 }
 
-void Subject::restore() {
-    world_.settings = scene_.settings;
-    world_.conventions = scene_.conventions;
-    world_.lights = lights_;
-    world_.ambient = ambient_;
-}
-
-void Subject::turn_order() {
-    const auto last = static_cast<std::uint32_t>(scene_.shapes.size()) - 1;
-    for (std::uint32_t slot = 0; slot < world_.count; ++slot)
-        world_.shape_index[slot] = last - world_.shape_index[slot];
-}
-
-RenderResult Subject::draw_at(SmallSize size) {
-    const RenderSettings saved = world_.settings;
-    world_.settings.width = size.width;
-    world_.settings.height = size.height;
-    world_.settings.samples = 1;
+// Of the whole view, whatever proportions so few pixels have: the camera stays that of the picture's size.
+RenderResult Subject::draw_at(World world, SmallSize size) const {
+    RenderSettings& settings = WorldAccess::own(world).settings;
+    settings.width = size.width;
+    settings.height = size.height;
+    settings.samples = 1;
     RenderOptions options;
     options.threads = options_.threads;
-    RenderResult result = render(world_, options);
-    world_.settings = saved;
-    return result;
+    return render(world, options);
 }
 
 // Mirrors of glass can double the rays at each generation.
 SmallSize Subject::affordable(std::int32_t longest) {
     if (rays_a_pixel_ == 0) {
         const SmallSize size = small_size(scene_.settings, k_probe);
-        const RenderResult probe = draw_at(size);
+        const RenderResult probe = draw_at(prepared_, size);
         rays_a_pixel_ = static_cast<double>(probe.rays.total()) / size.width / size.height;
     }
     SmallSize size = small_size(scene_.settings, longest);
@@ -98,8 +82,9 @@ SmallSize Subject::affordable(std::int32_t longest) {
     return size;
 }
 
-Image Subject::draw(std::int32_t longest) {
-    RenderResult result = draw_at(affordable(longest));
+Image Subject::draw(const std::optional<World>& world, std::int32_t longest) {
+    if (!world) return {};
+    RenderResult result = draw_at(*world, affordable(longest));
     return result.image ? std::move(*result.image) : Image{};
 }
 
@@ -178,21 +163,6 @@ std::string Subject::some_shapes(const std::vector<std::uint32_t>& shapes) const
     }
     if (named < shapes.size()) text += fmt::format(" and {} more", shapes.size() - named);
     return text;
-}
-
-bool Subject::is_closed(std::uint32_t index) const {
-    const Shape& shape = scene_.shapes[index];
-    switch (shape.kind) {
-        case ShapeKind::sphere:
-        case ShapeKind::box:
-            return true;
-        case ShapeKind::cylinder:
-            return scene_.get<Cylinder>()[shape.index].caps;
-        case ShapeKind::cone:
-            return scene_.get<Cone>()[shape.index].caps;
-        default:
-            return false;
-    }
 }
 
 const Material& Subject::material_of(std::uint32_t shape) const {

@@ -1,5 +1,6 @@
 #pragma once
 // What the checks work on: the scene, its world, small pictures of it, and the list of findings.
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -21,11 +22,12 @@ SmallSize small_size(const RenderSettings& settings, std::int32_t longest);
 
 class Subject {
   public:
-    /// world: of the scene; the subject's own from here on.
-    Subject(const Scene& scene, World& world, const CheckOptions& options);
+    /// prepared: from the scene.
+    Subject(const Scene& scene, World prepared, const CheckOptions& options);
 
     const Scene& scene() const { return scene_; }
-    const World& world() const { return world_; }
+    const World& prepared() const { return prepared_; }
+    const WorldParts& world() const { return prepared_.parts(); }
     int threads() const { return options_.threads; }
 
     /// The size of a grid of camera rays, at most `longest` a side: fewer where each meets hundreds of shapes
@@ -35,17 +37,11 @@ class Subject {
     /// finer one might not make.
     std::string coarse_grid(std::int32_t longest) const;
 
-    /// For one picture, or for some rays: settings, conventions, lights and ambient light may be changed.
-    /// Call restore() afterwards.
-    World& change() { return world_; }
-    void restore();
-    /// Turns the order of the scene's shapes around: of two that are hit at the same t the later is seen. A
-    /// second call turns it back.
-    void turn_order();
-
-    /// The picture with the world as it is, one sample a pixel, at most `longest` pixels a side; fewer where
-    /// the scene's rays multiply, or its shapes lie in one another. Of the same size for the same `longest`.
-    Image draw(std::int32_t longest);
+    /// A picture of the scene, or of a World with other shading (none: an empty picture), one sample a pixel,
+    /// at most `longest` pixels a side; fewer where the scene's rays multiply, or its shapes lie in one
+    /// another. Of the same size for the same `longest`.
+    Image draw(std::int32_t longest) { return draw(prepared_, longest); }
+    Image draw(const std::optional<World>& world, std::int32_t longest);
 
     void report(std::string_view id, SourcePlace place, std::string message, std::string remedy);
     /// The findings by their places; where there are many of a kind, the first of them and their number.
@@ -60,20 +56,16 @@ class Subject {
     /// The first few of a list: "sphere 1 (line 3), sphere 2 (line 4) and 98 more".
     std::string some_shapes(const std::vector<std::uint32_t>& shapes) const;
 
-    /// Whether a shape encloses a space: no ray gets in or out without meeting it.
-    bool is_closed(std::uint32_t shape) const;
     const Material& material_of(std::uint32_t shape) const;
 
   private:
     std::string line_of(SourcePlace place) const;
-    RenderResult draw_at(SmallSize size);
+    RenderResult draw_at(World world, SmallSize size) const;
     SmallSize affordable(std::int32_t longest);
 
     const Scene& scene_;
-    World& world_;
+    const World prepared_;
     const CheckOptions& options_;
-    const std::vector<Light> lights_;
-    const Color ambient_;
     double rays_a_pixel_ = 0;  // of the scene as it is, once drawn
     const double shapes_a_ray_;
     std::vector<std::pair<SourcePlace, Finding>> findings_;

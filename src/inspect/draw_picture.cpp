@@ -1,10 +1,10 @@
 #include "inspect/draw_picture.h"
 
 namespace glint {
+namespace {
 
-RenderResult draw_picture(const Scene& scene, int threads, const std::atomic<bool>* cancel) {
-    const PrepareResult prepared = prepare(scene, threads);
-    if (!prepared.world) {
+RenderResult draw(const std::optional<World>& world, int threads, const std::atomic<bool>* cancel) {
+    if (!world) {
         RenderResult result;
         result.error = "the scene cannot be drawn";
         return result;
@@ -12,7 +12,27 @@ RenderResult draw_picture(const Scene& scene, int threads, const std::atomic<boo
     RenderOptions options;
     options.threads = threads;
     options.cancel = cancel;
-    return render(*prepared.world, options);
+    return render(*world, options);
+}
+
+std::optional<World> with_shading(const World& world, const Scene& scene) {
+    std::optional<World> changed = with_lights(world, scene.lights).world;
+    if (changed) changed = with_materials(*changed, scene.materials).world;
+    if (changed) changed = with_background(*changed, scene.background).world;
+    if (changed) changed = with_camera(*changed, scene.camera).world;
+    if (changed) changed = with_rules(*changed, scene.conventions, scene.settings).world;
+    return changed;
+}
+
+}  // namespace
+
+RenderResult draw_picture(const Scene& scene, int threads, const std::atomic<bool>* cancel) {
+    return draw(prepare(scene, {.threads = threads}).world, threads, cancel);
+}
+
+RenderResult draw_picture(const World& world, const Scene& shading, int threads,
+                          const std::atomic<bool>* cancel) {
+    return draw(with_shading(world, shading), threads, cancel);
 }
 
 }  // namespace glint

@@ -9,4 +9,9 @@ namespace glint {
 /// prepare() and render(). Without an image and without an error it was cancelled.
 RenderResult draw_picture(const Scene& scene, int threads, const std::atomic<bool>* cancel = nullptr);
 
+/// The same of a World with the scene's lights, materials, background, camera, conventions and settings in
+/// place of its own; the scene's shapes are not looked at.
+RenderResult draw_picture(const World& world, const Scene& shading, int threads,
+                          const std::atomic<bool>* cancel = nullptr);
+
 }  // namespace glint

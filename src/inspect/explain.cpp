@@ -6,6 +6,7 @@
 #include "base/fp_environment.h"
 #include "base/guard.h"
 #include "inspect/ray_list.h"
+#include "lighting/light.h"
 #include "math/transform.h"
 #include "trace/kernels.h"
 #include "trace/record.h"
@@ -14,7 +15,7 @@ namespace glint {
 namespace {
 
 // What is in the way of a shadow ray: the nearest to the point that is shaded.
-std::optional<Blocker> find_blocker(const World& world, const LightTerms& terms, Vec3 shaded,
+std::optional<Blocker> find_blocker(const WorldParts& world, const LightTerms& terms, Vec3 shaded,
                                     bool from_light) {
     const auto nearest = [&](Vec3 origin, Vec3 direction, double t_min,
                              double t_max) -> std::optional<Blocker> {
@@ -23,7 +24,7 @@ std::optional<Blocker> find_blocker(const World& world, const LightTerms& terms,
         const HitList hit = nearest_occluders(world, ray, 1);
         if (hit.slot[0] == k_none) return std::nullopt;
         const Vec3 at = origin + direction * hit.t[0];
-        return Blocker{world.shape_index[hit.slot[0]], length(at - shaded), at};
+        return Blocker{world.geometry->shape_index[hit.slot[0]], length(at - shaded), at};
     };
     std::optional<Blocker> blocker;
     // The same way from its other end.
@@ -44,21 +45,20 @@ std::vector<std::uint32_t> scene_lights(const Scene& scene) {
 }
 
 // From the World's numbers to the Scene's, and who blocks which light.
-void complete(const Scene& scene, const World& world, Explanation& e) {
+void complete(const Scene& scene, const WorldParts& world, Explanation& e) {
     const std::vector<std::uint32_t> lights = scene_lights(scene);
     for (ExplainedRay& ray : e.rays) {
         if (!ray.hit) continue;
         if (ray.hit->material >= scene.materials.size()) ray.hit->material = k_none;
         for (LightTerms& terms : ray.hit->lights) {
             terms.light = lights[terms.light];
-            const bool from_light =
-                scene.lights[terms.light].kind == LightKind::point && world.conventions.shadow_stops_at_light;
+            const bool from_light = comes_from_light(scene.lights[terms.light], world.conventions);
             if (terms.blocked) terms.blocker = find_blocker(world, terms, ray.hit->point, from_light);
         }
     }
 }
 
-void draw(const World& world, const Kernels& kernels, int sample, Explanation& e) {
+void draw(const WorldParts& world, const Kernels& kernels, int sample, Explanation& e) {
     TileRecord record;
     record.only = sample;
     const auto scratch = std::make_unique<TileScratch>();
@@ -83,8 +83,9 @@ void draw(const World& world, const Kernels& kernels, int sample, Explanation& e
 
 }  // namespace
 
-Explanation explain(const Scene& scene, const World& world, std::int32_t x, std::int32_t y,
+Explanation explain(const Scene& scene, const World& explained, std::int32_t x, std::int32_t y,
                     const ExplainOptions& options) {
+    const WorldParts& world = explained.parts();
     Explanation e;
     e.x = x;
     e.y = y;

@@ -15,7 +15,7 @@ struct ScreenPoint {
 // Where a point of the world is in the picture: position + z (forward + right sx + up sy).
 class View {
   public:
-    explicit View(const World& world)
+    explicit View(const WorldParts& world)
         : camera_(world.camera), width_(world.settings.width), height_(world.settings.height) {
         const Vec3 r = camera_.right, u = camera_.up, f = camera_.forward;
         const double volume = dot(cross(r, u), f);
@@ -136,8 +136,9 @@ void draw_lights(Pen& pen, const ExplainedHit& hit, const Scene& scene, const Wo
 }  // namespace
 
 void draw_overlay(Image& picture, const Explanation& explanation, const Scene& scene, const World& world) {
-    if (picture.width != world.settings.width || picture.height != world.settings.height) return;
-    const View view(world);
+    const View view(world.parts());
+    const RenderSettings& settings = world.parts().settings;
+    if (picture.width != settings.width || picture.height != settings.height) return;
     Pen pen(picture, view);
     for (const ExplainedRay& ray : explanation.rays) {
         if (ray.hit) draw_lights(pen, *ray.hit, scene, world);

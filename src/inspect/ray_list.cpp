@@ -25,7 +25,7 @@ RaySpan RayList::from(std::size_t i) const {
             columns_[4].data() + i, columns_[5].data() + i, columns_[6].data() + i, columns_[7].data() + i};
 }
 
-HitList nearest_hits(const World& world, const RayList& rays, int threads) {
+HitList nearest_hits(const WorldParts& world, const RayList& rays, int threads) {
     const Kernels& kernels = available_kernels().front();
     HitList hits{std::vector<double>(rays.size()), std::vector<std::uint32_t>(rays.size())};
     parallel_for((rays.size() + k_chunk - 1) / k_chunk, threads, [&](std::size_t chunk) {
@@ -40,10 +40,8 @@ HitList nearest_hits(const World& world, const RayList& rays, int threads) {
     return hits;
 }
 
-HitList nearest_occluders(const World& world, const RayList& rays, int threads) {
-    const auto passes = [&](std::uint32_t slot) {
-        return slot != k_none && (world.material[slot] & k_no_shadow) != 0;
-    };
+HitList nearest_occluders(const WorldParts& world, const RayList& rays, int threads) {
+    const auto passes = [&](std::uint32_t slot) { return slot != k_none && !world.casts_shadow(slot); };
     HitList hits = nearest_hits(world, rays, threads);
     for (;;) {
         RayList on;

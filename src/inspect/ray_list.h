@@ -35,8 +35,8 @@ struct HitList {
     std::vector<double> t;
     std::vector<std::uint32_t> slot;
 };
-HitList nearest_hits(const World& world, const RayList& rays, int threads);
+HitList nearest_hits(const WorldParts& world, const RayList& rays, int threads);
 /// The nearest that casts a shadow.
-HitList nearest_occluders(const World& world, const RayList& rays, int threads);
+HitList nearest_occluders(const WorldParts& world, const RayList& rays, int threads);
 
 }  // namespace glint

@@ -34,6 +34,14 @@ void name_default_material(Scene& scene) {
     if (used) scene.materials.emplace_back();
 }
 
+void drop_shapes(Scene& scene) {
+    scene.shapes = {};
+    scene.transforms = {};
+    scene.polygon_vertices = {};
+    scene.parameters = {};
+    scene.shape_texts = {};
+}
+
 }  // namespace
 
 SceneSearch::SceneSearch(const Scene& scene, std::int32_t width, std::int32_t height,
@@ -42,16 +50,20 @@ SceneSearch::SceneSearch(const Scene& scene, std::int32_t width, std::int32_t he
     scene_.settings.width = width;
     scene_.settings.height = height;
     name_default_material(scene_);
+    world_ = prepare(scene_, {.threads = options_.threads}).world;
+    if (!world_) return;
+    causes_ = scene_causes(scene_);
+    drop_shapes(scene_);
     drawn_ = draw(scene_);
-    if (drawn_) causes_ = scene_causes(scene_);
+    if (!drawn_) causes_.clear();
 }
 
 bool SceneSearch::is_cancelled() const {
     return options_.cancel != nullptr && options_.cancel->load(std::memory_order_relaxed);
 }
 
-std::optional<DrawnScene> SceneSearch::draw(const Scene& scene) const {
-    RenderResult result = draw_picture(scene, options_.threads, options_.cancel);
+std::optional<DrawnScene> SceneSearch::draw(const Scene& shading) const {
+    RenderResult result = draw_picture(*world_, shading, options_.threads, options_.cancel);
     if (!result.image) return std::nullopt;
     DrawnScene drawn{std::move(*result.image), {}};
     drawn.bytes = to_bytes(drawn.image, options_.threads);

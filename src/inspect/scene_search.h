@@ -3,6 +3,7 @@
 #include <functional>
 #include <optional>
 
+#include "glint/world.h"
 #include "inspect/cause_ranking.h"
 #include "inspect/scene_causes.h"
 
@@ -28,7 +29,7 @@ class SceneSearch {
     struct Walk;
 
     bool is_cancelled() const;
-    std::optional<DrawnScene> draw(const Scene& scene) const;
+    std::optional<DrawnScene> draw(const Scene& shading) const;
     std::optional<DrawnScene> draw_scaled(const SceneCause& cause, double factor) const;
     void try_factors(std::vector<Search>& searches, const SceneCause& cause) const;
     void walk(std::vector<Search>& searches, const SceneCause& cause, const BytePicture& one, double step,
@@ -36,7 +37,8 @@ class SceneSearch {
     void try_multiples(std::vector<Search>& searches, const SceneCause& cause,
                        const DrawnScene& without) const;
 
-    Scene scene_;
+    Scene scene_;  // without its shapes: causes leave them as they are
+    std::optional<World> world_;
     const CauseOptions& options_;
     std::optional<DrawnScene> drawn_;
     std::vector<SceneCause> causes_;

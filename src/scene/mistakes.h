@@ -1,5 +1,7 @@
 #pragma once
 // The mistakes of a scene, before they become diagnostics: load() has the texts to show, validate() has not.
+#include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -15,5 +17,19 @@ struct Mistake {
 
 /// What validate() reports: at most 20 errors, then the warnings.
 std::vector<Mistake> find_mistakes(const Scene& scene);
+
+/// A part of a scene that can be looked at by itself.
+enum class ScenePart : std::uint8_t { settings, camera, background, lights, materials };
+/// The errors of one part: at most 20.
+std::vector<Mistake> find_mistakes(const Scene& scene, ScenePart part);
+/// The errors of a material that messages give this index.
+std::vector<Mistake> find_mistakes(const Material& material, std::uint32_t index);
+/// The errors of some shapes, of their parameters and transforms, and of their materials, of which there are
+/// `materials`: at most 20.
+std::vector<Mistake> find_mistakes(const Scene& scene, std::span<const std::uint32_t> shapes,
+                                   std::size_t materials);
+
+/// As validate() gives them.
+std::vector<Diagnostic> to_diagnostics(std::vector<Mistake> mistakes, const Scene& scene);
 
 }  // namespace glint

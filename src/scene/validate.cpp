@@ -1,9 +1,12 @@
 // Every number and index of a scene, checked once, so that no later room has to.
 #include <fmt/format.h>
 
+#include <optional>
+
 #include "base/text.h"
 #include "math/number.h"
 #include "scene/mistakes.h"
+#include "scene/parallel.h"
 #include "scene/ranges.h"
 #include "scene/settings.h"
 #include "scene/validate_shapes.h"
@@ -12,42 +15,66 @@ namespace glint {
 namespace {
 
 constexpr std::size_t k_max_errors = 20;
-// Sine of the angle under which two directions count as parallel, and the like for three.
-constexpr double k_parallel = 1e-9;
-
-// Dividing by the largest component keeps squares from underflowing: 1e-200 is a direction like any other.
-Vec3 unit_or_zero(Vec3 v) {
-    const double largest = number::max(number::max(number::abs(v.x), number::abs(v.y)), number::abs(v.z));
-    if (!(largest > 0)) return {0, 0, 0};
-    // The smallest double's reciprocal is infinite; dividing is not.
-    v = v / largest;
-    return v / number::sqrt(dot(v, v));
-}
-
-bool are_parallel(Vec3 a, Vec3 b) {
-    const Vec3 c = cross(unit_or_zero(a), unit_or_zero(b));
-    return dot(c, c) < k_parallel * k_parallel;
-}
-
 class Validator {
   public:
     explicit Validator(const Scene& scene) : scene_(scene), shapes_(scene) {}
 
     std::vector<Mistake> run() {
-        check_settings();
-        check_camera();
-        check_color(k_channel, scene_.background, scene_.background_place, "the scene", "background");
-        for (std::uint32_t i = 0; !full() && i < scene_.lights.size(); ++i) check_light(i);
-        for (std::uint32_t i = 0; !full() && i < scene_.materials.size(); ++i) check_material(i);
-        for (std::uint32_t i = 0; !full() && i < scene_.transforms.size(); ++i) check_transform(i);
+        for (const ScenePart part : {ScenePart::settings, ScenePart::camera, ScenePart::background,
+                                     ScenePart::lights, ScenePart::materials})
+            check_part(part);
+        for (std::uint32_t i = 0; !full() && i < scene_.transforms.size(); ++i) check_transform(i, {});
         check_counts();
         for (std::size_t i = 0; !full() && i < scene_.shapes.size(); ++i)
-            check_shape(static_cast<std::uint32_t>(i));
+            check_shape(static_cast<std::uint32_t>(i), scene_.materials.size());
         if (mistakes_.empty()) warn();
         return std::move(mistakes_);
     }
 
+    std::vector<Mistake> run(ScenePart part) {
+        check_part(part);
+        return std::move(mistakes_);
+    }
+
+    std::vector<Mistake> run(const Material& material, std::uint32_t index) {
+        check_material(material, index);
+        return std::move(mistakes_);
+    }
+
+    std::vector<Mistake> run(std::span<const std::uint32_t> shapes, std::size_t materials) {
+        for (std::size_t i = 0; !full() && i < shapes.size(); ++i) {
+            if (shapes[i] >= scene_.shapes.size()) {
+                error({}, fmt::format("there is no shape {}: the scene has {}", std::uint64_t{shapes[i]} + 1,
+                                      scene_.shapes.size()));
+                continue;
+            }
+            check_shape(shapes[i], materials);
+            const std::uint32_t transform = scene_.shapes[shapes[i]].transform;
+            if (transform < scene_.transforms.size())
+                check_transform(transform, scene_.shape_texts.place(shapes[i]));
+        }
+        return std::move(mistakes_);
+    }
+
   private:
+    void check_part(ScenePart part) {
+        switch (part) {
+            case ScenePart::settings:
+                return check_settings();
+            case ScenePart::camera:
+                return check_camera();
+            case ScenePart::background:
+                return check_color(k_channel, scene_.background, scene_.background_place, "the scene",
+                                   "background");
+            case ScenePart::lights:
+                for (std::uint32_t i = 0; !full() && i < scene_.lights.size(); ++i) check_light(i);
+                return;
+            case ScenePart::materials:
+                for (std::uint32_t i = 0; !full() && i < scene_.materials.size(); ++i)
+                    check_material(scene_.materials[i], i);
+        }
+    }
+
     bool full() const { return mistakes_.size() >= k_max_errors; }
 
     void error(SourcePlace place, std::string message) {
@@ -151,8 +178,7 @@ class Validator {
             error(place, of + ": attenuation: expected one of its numbers to be > 0");
     }
 
-    void check_material(std::uint32_t i) {
-        const Material& m = scene_.materials[i];
+    void check_material(const Material& m, std::uint32_t i) {
         const SourcePlace place = scene_.material_texts.place(i);
         const std::string of = item("material", i, scene_.material_texts.name(i));
         check_color(k_channel, m.color, place, of, "color");
@@ -167,7 +193,8 @@ class Validator {
         check_color(k_tint, m.transmission_tint, place, of, "transmission tint");
     }
 
-    void check_transform(std::uint32_t i) {
+    // place: nothing where that of the first shape that it is for is to be looked up.
+    void check_transform(std::uint32_t i, std::optional<SourcePlace> place) {
         const auto& m = scene_.transforms[i].m;
         bool finite = true;
         Vec3 rows[3];
@@ -175,14 +202,11 @@ class Validator {
             for (const double x : m[r]) finite = finite && k_coordinate.contains(x);
             rows[r] = {m[r][0], m[r][1], m[r][2]};
         }
-        if (!finite)
-            return error(place_of_transform(i),
-                         fmt::format("transform {}: expected numbers from -1e12 to 1e12", i + 1));
         const double volume = dot(cross(unit_or_zero(rows[0]), unit_or_zero(rows[1])), unit_or_zero(rows[2]));
-        if (!(number::abs(volume) >= k_parallel)) {
-            error(place_of_transform(i),
-                  fmt::format("transform {} flattens what it transforms: it has no inverse", i + 1));
-        }
+        if (finite && number::abs(volume) >= k_parallel) return;
+        error(place ? *place : place_of_transform(i),
+              finite ? fmt::format("transform {} flattens what it transforms: it has no inverse", i + 1)
+                     : fmt::format("transform {}: expected numbers from -1e12 to 1e12", i + 1));
     }
 
     // Of the first shape that it is for.
@@ -204,10 +228,10 @@ class Validator {
         limited(scene_.transforms.size(), "transforms");
     }
 
-    void check_shape(std::uint32_t i) {
+    void check_shape(std::uint32_t i, std::size_t materials) {
         const Shape& s = scene_.shapes[i];
         const auto indexed = [](std::uint32_t index, std::size_t n) { return index == k_none || index < n; };
-        if (!indexed(s.material, scene_.materials.size())) shape_error(i, "no such material");
+        if (!indexed(s.material, materials)) shape_error(i, "no such material");
         if (!indexed(s.transform, scene_.transforms.size())) shape_error(i, "no such transform");
         for (const std::string& mistake : shapes_.mistakes(s)) shape_error(i, mistake);
     }
@@ -257,21 +281,15 @@ class Validator {
 
 std::vector<Mistake> find_mistakes(const Scene& scene) { return Validator(scene).run(); }
 
-std::vector<Diagnostic> validate(const Scene& scene) {
-    std::vector<Diagnostic> diagnostics;
-    for (Mistake& mistake : find_mistakes(scene)) {
-        Diagnostic d;
-        d.severity = mistake.severity;
-        d.message = std::move(mistake.message);
-        if (mistake.place.line != 0 && mistake.place.file < scene.files.size()) {
-            d.file = scene.files[mistake.place.file];
-            d.line = mistake.place.line;
-            d.column = mistake.place.column;
-            d.length = 1;
-        }
-        diagnostics.push_back(std::move(d));
-    }
-    return diagnostics;
+std::vector<Mistake> find_mistakes(const Scene& scene, ScenePart part) { return Validator(scene).run(part); }
+
+std::vector<Mistake> find_mistakes(const Material& material, std::uint32_t index) {
+    return Validator(Scene{}).run(material, index);
+}
+
+std::vector<Mistake> find_mistakes(const Scene& scene, std::span<const std::uint32_t> shapes,
+                                   std::size_t materials) {
+    return Validator(scene).run(shapes, materials);
 }
 
 }  // namespace glint

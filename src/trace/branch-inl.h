@@ -23,7 +23,7 @@ struct Branches {
     Triple<Doubles> through;                 // direction of the transmitted ray
     Doubles fresnel;                         // F
 };
-HWY_INLINE Branches branches_of(const World& world, const MaterialLanes& material,
+HWY_INLINE Branches branches_of(const WorldParts& world, const MaterialLanes& material,
                                 const SurfacePoint<Doubles>& surface, LaneMask<double> glass,
                                 LaneMask<double> from_inside, Triple<Doubles> weight) {
     const Conventions& rules = world.conventions;
@@ -69,7 +69,7 @@ HWY_INLINE void push(RayQueue& queue, const LeavingRays& rays, LaneMask<double> 
 
 /// Whether a sample of a pixel could come to k_max_sample_rays at all: rays double at most from one
 /// generation to the next.
-HWY_INLINE bool is_limited(const World& world) {
+HWY_INLINE bool is_limited(const WorldParts& world) {
     const int generations = world.settings.reflections;
     return generations > 30 || (2 << generations) - 2 > k_max_sample_rays;
 }
@@ -98,8 +98,8 @@ HWY_INLINE Doubles material_numbers(const std::uint32_t* material) {
 }
 
 /// Queues the mirror and glass rays of a vector of hits.
-HWY_INLINE void queue_vector(const World& world, TileScratch& s, int h, LaneMask<double> hit, int generation,
-                             bool limited) {
+HWY_INLINE void queue_vector(const WorldParts& world, TileScratch& s, int h, LaneMask<double> hit,
+                             int generation, bool limited) {
     const Conventions& rules = world.conventions;
     const Doubles zero(0);
     const MaterialLanes material(world, s.material.data() + h);
@@ -146,7 +146,7 @@ HWY_INLINE void queue_vector(const World& world, TileScratch& s, int h, LaneMask
 
 /// Queues the mirror and glass rays of the hits: of each group of rays first all reflected, then all
 /// transmitted ones, so that rays of one kind walk together and a pixel's keep their order.
-inline void queue_branches(const World& world, TileScratch& s, int generation) {
+inline void queue_branches(const WorldParts& world, TileScratch& s, int generation) {
     if (generation >= world.settings.reflections) {
         if (s.record != nullptr) record_limit(world, s);
         return;
@@ -171,13 +171,10 @@ inline void queue_branches(const World& world, TileScratch& s, int generation) {
 /// Beer's law: what a ray found in glass counts for, by the way it went there. It went through the glass
 /// whose inner side it hits; else through that which it entered. A ray that hits nothing has left through an
 /// open surface: nobody knows where.
-inline void absorb(const World& world, TileScratch& s) {
+inline void absorb(const WorldParts& world, TileScratch& s) {
     const double k = world.conventions.beer;
     if (!(k > 0)) return;
-    const auto value = [&](std::uint32_t material, int which) {
-        return world.materials[static_cast<std::size_t>(material) * k_material_values +
-                               static_cast<std::size_t>(which)];
-    };
+    const auto value = [&](std::uint32_t material, int which) { return world.material(material)[which]; };
     for (int i = 0; i < s.hits; ++i) {
         const auto h = static_cast<std::size_t>(i);
         const bool from_inside = s.behind[h] > 0 && value(s.material[h], k_transmission) > 0;

@@ -45,12 +45,14 @@ template <class T> HWY_INLINE T viewport_x(const RenderSettings& settings, Pixel
            T(settings.width);
 }
 /// The same of sample j in row y, upwards.
-HWY_INLINE double viewport_y(const RenderSettings& settings, PixelSample where, int y, int j) {
+HWY_INLINE double viewport_y(const RenderSettings& settings, PixelSample where, double y, int j) {
     return (middle(where, settings.height) - (y + (j + offset_y(where)) / settings.samples)) /
            settings.height;
 }
 
-inline void make_camera_rays(const World& world, const TileJob& job, int i, int j, RayQueue& rays) {
+/// PreparedCamera::ray_through() for a vector of pixels at a time, what a column and a row of them share
+/// once.
+inline void make_camera_rays(const WorldParts& world, const TileJob& job, int i, int j, RayQueue& rays) {
     const PreparedCamera& camera = world.camera;
     const PixelSample where = world.conventions.pixel_sample;
     const bool orthographic = camera.projection == Projection::orthographic;

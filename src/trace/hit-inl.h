@@ -40,18 +40,19 @@ template <bool nearest> HWY_INLINE int bundle(const SlabRays& rays, int first, i
 
 /// Rays [0, count) of the span, count <= SlabRays::k_most.
 template <bool ordered>
-HWY_INLINE void trace_chunk(const World& world, const RaySpan& rays, int count, int most_beam, double* t,
+HWY_INLINE void trace_chunk(const WorldParts& world, const RaySpan& rays, int count, int most_beam, double* t,
                             std::uint32_t* slot, std::uint8_t* occluded) {
+    const PackedGeometry& geometry = *world.geometry;
     SlabRays slab_rays;
     prepare_rays(rays, count, slab_rays);
     std::uint32_t occluder = k_none;
     const HitResult result{world, slab_rays, t, slot, occluded, &occluder};
     Sights sights(rays);
-    ShapeTests tests{world, rays, slab_rays, result, sights};
-    for (const ShapeClass& shapes : world.classes) {
-        if (shapes.first >= world.bounded) tests.visit_unbounded(shapes, count);
+    ShapeTests tests{geometry, rays, slab_rays, result, sights};
+    for (const ShapeClass& shapes : geometry.classes) {
+        if (shapes.first >= geometry.bounded) tests.visit_unbounded(shapes, count);
     }
-    if (world.bvh.nodes.empty()) return;
+    if (geometry.bvh.nodes.empty()) return;
     for (int first = 0, n = 0; first < count; first += n) {
         n = bundle<ordered>(slab_rays, first, number::min(most_beam, count - first));
         if (n >= k_least_beam) {
@@ -60,16 +61,16 @@ HWY_INLINE void trace_chunk(const World& world, const RaySpan& rays, int count, 
                 tests.visit_shape(beam, occluder);
                 beam.update_t_max();
             }
-            traverse_beam<ordered>(world.bvh, beam, tests);
+            traverse_beam<ordered>(geometry.bvh, beam, tests);
         } else {
             for (int i = first; i < first + n; ++i)
                 if (slab_rays.t_max[i] >= slab_rays.t_min[i])
-                    traverse_ray<ordered>(world.bvh, slab_rays, i, BvhChild::node(0), tests);
+                    traverse_ray<ordered>(geometry.bvh, slab_rays, i, BvhChild::node(0), tests);
         }
     }
 }
 
-void nearest_hit(const World& world, const RaySpan& rays, int count, int beam, double* t,
+void nearest_hit(const WorldParts& world, const RaySpan& rays, int count, int beam, double* t,
                  std::uint32_t* slot) {
     for (int i = 0; i < count; ++i) {
         t[i] = rays.t_max[i];
@@ -81,7 +82,7 @@ void nearest_hit(const World& world, const RaySpan& rays, int count, int beam, d
     }
 }
 
-void any_hit(const World& world, const RaySpan& rays, int count, int beam, std::uint8_t* occluded) {
+void any_hit(const WorldParts& world, const RaySpan& rays, int count, int beam, std::uint8_t* occluded) {
     double t[SlabRays::k_size];
     for (int first = 0; first < count; first += SlabRays::k_most) {
         const int n = number::min(SlabRays::k_most, count - first);

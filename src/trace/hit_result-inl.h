@@ -15,7 +15,7 @@ namespace HWY_NAMESPACE {
 
 /// The answers of nearest_hit or any_hit for a chunk of rays, as they grow.
 struct HitResult {
-    const World& world;
+    const WorldParts& world;
     SlabRays& slab_rays;
     double* t;                // by ray: the least so far; starts as t_max
     std::uint32_t* slot;      // nearest_hit: k_none at first
@@ -23,16 +23,18 @@ struct HitResult {
     std::uint32_t* occluder;  // any_hit: the last one
 
     /// Which of two slots hit at the same t is seen: the first in the scene; of the triangles of one polygon,
-    /// the first packed.
+    /// the first that it was cut into.
     HWY_INLINE bool precedes(std::uint32_t a, std::uint32_t b) const {
-        const std::uint32_t shape_a = world.shape_index[a], shape_b = world.shape_index[b];
-        return shape_a < shape_b || (shape_a == shape_b && a < b);
+        const PackedGeometry& geometry = *world.geometry;
+        const std::uint32_t shape_a = geometry.shape_index[a], shape_b = geometry.shape_index[b];
+        if (shape_a == shape_b) return geometry.piece[a] < geometry.piece[b];
+        return (shape_a < shape_b) != world.last_of_equals;
     }
 
     /// new_t is at most t[ray], which may be t_max itself.
     HWY_INLINE void accept(int ray, double new_t, std::uint32_t new_slot) const {
         if (occluded != nullptr) {
-            if (new_t == t[ray] || (world.material[new_slot] & k_no_shadow) != 0) return;
+            if (new_t == t[ray] || !world.casts_shadow(new_slot)) return;
             occluded[ray] = 1;
             *occluder = new_slot;
             slab_rays.t_max[ray] = -std::numeric_limits<float>::infinity();

@@ -23,7 +23,7 @@ inline void clear_seen(SeenSurfaces& seen) {
 }
 
 /// Notes the surfaces of camera rays [from, to) of the stream: after find_surfaces.
-inline void see_surfaces(const World& world, TileScratch& s, int first, int from, int to) {
+inline void see_surfaces(const WorldParts& world, TileScratch& s, int first, int from, int to) {
     SeenSurfaces& seen = s.seen;
     if (!seen.is_middle) return;
     std::size_t h = 0;
@@ -32,14 +32,14 @@ inline void see_surfaces(const World& world, TileScratch& s, int first, int from
         if (!(t < k_infinity)) continue;
         const auto p = static_cast<std::size_t>(first + i);
         const auto direction = [&](int c) { return s.rays.column(k_ray_direction + c)[p]; };
-        const double* material = world.materials.data() + std::size_t{s.material[h]} * k_material_values;
+        const double* material = world.material(s.material[h]);
         for (int c = 0; c < 3; ++c) {
             seen.normal[c][p] = s.normal[c][h];
             seen.position[c][p] = s.point[c][h];
             seen.albedo[c][p] = material[k_diffuse + c];
         }
         seen.depth[p] = t * length(Triple<double>{direction(0), direction(1), direction(2)});
-        seen.object[p] = static_cast<double>(world.shape_index[s.hit_slot[h]]) + 1;
+        seen.object[p] = static_cast<double>(world.geometry->shape_index[s.hit_slot[h]]) + 1;
         seen.material[p] = static_cast<double>(s.material[h]) + 1;
         ++h;
     }
@@ -83,7 +83,7 @@ inline float layer_value(const TileScratch& s, Layer layer, int c, std::size_t p
 }
 
 /// Writes the layers of the tile: beside fold_pixels.
-inline void write_layers(const World& world, const TileJob& job, const TileScratch& s) {
+inline void write_layers(const WorldParts& world, const TileJob& job, const TileScratch& s) {
     const double samples = static_cast<double>(world.settings.samples) * world.settings.samples;
     for (const LayerInfo& info : layer_infos()) {
         float* const to = job.layers->of(info.layer);

@@ -9,6 +9,7 @@
 #include "geometry/leave-inl.h"
 #include "glint/scene.h"
 #include "lighting/glass-inl.h"
+#include "lighting/light.h"
 #include "lighting/phong-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -53,9 +54,6 @@ template <class T> struct ShadowRay {
     T t_min;
     double t_max;
 };
-HWY_INLINE bool comes_from_light(const Light& light, const Conventions& rules) {
-    return light.kind == LightKind::point && rules.shadow_stops_at_light;
-}
 /// to_light: the whole way to a point light, of any length for others.
 template <class T>
 HWY_INLINE ShadowRay<T> shadow_ray(const SurfacePoint<T>& s, const Light& light, Triple<T> to_light,

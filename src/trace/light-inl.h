@@ -19,7 +19,7 @@ HWY_BEFORE_NAMESPACE();
 namespace glint {
 namespace HWY_NAMESPACE {
 
-HWY_INLINE LightingRules lighting_rules(const World& world) {
+HWY_INLINE LightingRules lighting_rules(const WorldParts& world) {
     const Conventions& c = world.conventions;
     return {world.settings.shading, c.specular_gate, c.clamp_cosines, c.normalize};
 }
@@ -43,7 +43,7 @@ struct LightLanes {
     Cosines<Doubles> cosines;
     LaneMask<double> lit;  // it may add something there
 };
-HWY_INLINE LightLanes light_at(const World& world, const Light& light, const LightingRules& rules,
+HWY_INLINE LightLanes light_at(const WorldParts& world, const Light& light, const LightingRules& rules,
                                const TileScratch& s, int i) {
     const Doubles zero(0);
     const auto adds = [&](Triple<Doubles> a, Triple<Doubles> b)
@@ -71,8 +71,9 @@ HWY_INLINE LightLanes light_at(const World& world, const Light& light, const Lig
 }
 
 /// Writes shadow rays number `at`... of the set lanes.
-HWY_INLINE void put_shadow_rays(const World& world, const Light& light, const SurfacePoint<Doubles>& surface,
-                                Triple<Doubles> to_light, LaneMask<double> set, TileScratch& s, int at) {
+HWY_INLINE void put_shadow_rays(const WorldParts& world, const Light& light,
+                                const SurfacePoint<Doubles>& surface, Triple<Doubles> to_light,
+                                LaneMask<double> set, TileScratch& s, int at) {
     const ShadowRay<Doubles> ray = shadow_ray(surface, light, to_light, world.conventions);
     if (comes_from_light(light, world.conventions)) {
         store_triple(ray.origin, s.shadow, at);  // of all lanes the same
@@ -86,7 +87,7 @@ HWY_INLINE void put_shadow_rays(const World& world, const Light& light, const Su
 
 /// The first half of a light: cosines, attenuation, who may be lit, and their shadow rays. Returns how many
 /// of those.
-inline int reach_hits(const World& world, const Light& light, TileScratch& s) {
+inline int reach_hits(const WorldParts& world, const Light& light, TileScratch& s) {
     const LightingRules rules = lighting_rules(world);
     const bool constant = has_no_attenuation(light);
     int rays = 0;
@@ -134,7 +135,7 @@ HWY_INLINE LaneMask<double> highlights(const TileScratch& s, const LightingRules
 
 /// S^n of the highlights that are lit, one after the other: few of a vector's hits are, and it costs more
 /// than all else.
-inline void compute_powers(const World& world, const LightingRules& rules, TileScratch& s) {
+inline void compute_powers(const WorldParts& world, const LightingRules& rules, TileScratch& s) {
     int powers = 0;
     for (int i = 0; i < s.hits; i += lane_count<double>()) {
         if (s.lit[static_cast<std::size_t>(i / lane_count<double>())] == 0) continue;
@@ -157,7 +158,7 @@ HWY_INLINE Triple<Doubles> contribution(Triple<Doubles> k, Color light, Doubles 
 }
 
 /// The second half: adds the terms of the hits that are still lit.
-inline void add_terms(const World& world, const Light& light, TileScratch& s) {
+inline void add_terms(const WorldParts& world, const Light& light, TileScratch& s) {
     const LightingRules rules = lighting_rules(world);
     const bool constant = has_no_attenuation(light);
     compute_powers(world, rules, s);

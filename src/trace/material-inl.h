@@ -19,8 +19,8 @@ struct MaterialLanes {
     const std::uint32_t* index;
     bool same;
 
-    HWY_INLINE MaterialLanes(const World& world, const std::uint32_t* material)
-        : base(world.materials.data()), index(material), same(all_same(material)) {}
+    HWY_INLINE MaterialLanes(const WorldParts& world, const std::uint32_t* material)
+        : base(world.materials->data()), index(material), same(all_same(material)) {}
 
     HWY_INLINE Doubles value(int k) const {
         if (same)
@@ -32,7 +32,7 @@ struct MaterialLanes {
 
 /// What the surface's own light counts for. a: mirror, f: transmission. blend: (1-f)(1-a); add: 1. At the
 /// last generation the limit may keep it whole.
-HWY_INLINE Doubles local_share(const World& world, const MaterialLanes& material, int generation) {
+HWY_INLINE Doubles local_share(const WorldParts& world, const MaterialLanes& material, int generation) {
     const Conventions& rules = world.conventions;
     const bool at_limit = generation >= world.settings.reflections;
     if (rules.mirror == MirrorRule::add || (at_limit && rules.limit == LimitRule::keep)) return Doubles(1);

@@ -25,7 +25,7 @@ HWY_INLINE void pad_sides(Doubles lo, Doubles hi, float* lower, float* upper) {
 template <class Geometry> struct OwnBoxes {
     const float *lo[3], *hi[3];
 
-    HWY_INLINE OwnBoxes(const World& world, const ShapeClass& shapes, std::uint32_t first,
+    HWY_INLINE OwnBoxes(const PackedGeometry& geometry, const ShapeClass& shapes, std::uint32_t first,
                         [[maybe_unused]] int count) {
         if constexpr (k_is_triangle<Geometry>) {
             int i = 0;
@@ -41,7 +41,8 @@ template <class Geometry> struct OwnBoxes {
             } while (i < count);
             for (int a = 0; a < 3; ++a) lo[a] = computed_[a], hi[a] = computed_[3 + a];
         } else {
-            for (int a = 0; a < 3; ++a) lo[a] = &world.box_lo[a][first], hi[a] = &world.box_hi[a][first];
+            for (int a = 0; a < 3; ++a)
+                lo[a] = &geometry.box_lo[a][first], hi[a] = &geometry.box_hi[a][first];
         }
     }
     OwnBoxes(const OwnBoxes&) = delete;

@@ -49,12 +49,12 @@ struct PixelLanes {
 };
 
 /// What rays that hit nothing see.
-HWY_INLINE Color seen_in_the_void(const World& world) {
+HWY_INLINE Color seen_in_the_void(const WorldParts& world) {
     return world.settings.shading == Shading::normals ? Color{0, 0, 1} : world.background;
 }
 
 /// Adds what rays [from, to) of the stream see where they hit nothing.
-inline void add_misses(const World& world, TileScratch& s, int first, int from, int to, int generation) {
+inline void add_misses(const WorldParts& world, TileScratch& s, int first, int from, int to, int generation) {
     const bool camera = generation == 0;
     if (!camera && world.conventions.mirror_miss == MissRule::black) return;
     const Triple<Doubles> seen = lanes_of(seen_in_the_void(world));
@@ -76,14 +76,14 @@ inline void add_misses(const World& world, TileScratch& s, int first, int from, 
 }
 
 /// What a vector of hits shows where shading looks no further.
-HWY_INLINE Triple<Doubles> unlit_color(const World& world, const TileScratch& s, int h) {
+HWY_INLINE Triple<Doubles> unlit_color(const WorldParts& world, const TileScratch& s, int h) {
     if (world.settings.shading == Shading::normals)
         return (load_triple(s.normal, h) + lanes_of(Vec3{1, 1, 1})) * Doubles(0.5);
     return MaterialLanes(world, s.material.data() + h).color(k_color);
 }
 
 /// Adds the surfaces of hits to their pixels: shading modes that look no further.
-inline void add_unlit(const World& world, TileScratch& s) {
+inline void add_unlit(const WorldParts& world, TileScratch& s) {
     s.sums.touch(Layer::ambient);
     for (int h = 0; h < s.hits; h += lane_count<double>()) {
         PixelLanes(s.target.data() + h, first_lanes<double>(s.hits - h))
@@ -92,7 +92,7 @@ inline void add_unlit(const World& world, TileScratch& s) {
 }
 
 /// k_a I_a.
-HWY_INLINE Triple<Doubles> ambient_of(const World& world, const MaterialLanes& material) {
+HWY_INLINE Triple<Doubles> ambient_of(const WorldParts& world, const MaterialLanes& material) {
     return material.color(k_ambient) * lanes_of(world.ambient);
 }
 
@@ -100,15 +100,15 @@ HWY_INLINE Triple<Doubles> ambient_of(const World& world, const MaterialLanes& m
 struct HitLight {
     Triple<Doubles> ambient, diffuse, specular;
 };
-HWY_INLINE HitLight light_of(const World& world, const TileScratch& s, const MaterialLanes& material, int h,
-                             int generation) {
+HWY_INLINE HitLight light_of(const WorldParts& world, const TileScratch& s, const MaterialLanes& material,
+                             int h, int generation) {
     const Triple<Doubles> weight = load_triple(s.weight, h) * local_share(world, material, generation);
     return {weight * ambient_of(world, material), weight * load_triple(s.diffuse, h),
             weight * load_triple(s.specular, h)};
 }
 
 /// Adds the light of hits [from, to) to their pixels.
-inline void add_hits(const World& world, TileScratch& s, int from, int to, int generation) {
+inline void add_hits(const WorldParts& world, TileScratch& s, int from, int to, int generation) {
     if (from == to) return;
     const bool camera = generation == 0;
     if (camera) {
@@ -136,7 +136,7 @@ template <class T> HWY_INLINE T film_part(T part) {
 
 /// The pixel's fold (docs/architecture.md): each layer averaged over the samples and rounded to float, then
 /// background + ambient + diffuse + specular + reflected + transmitted, in that order.
-inline void fold_pixels(const World& world, const TileJob& job, const PixelSums& sums) {
+inline void fold_pixels(const WorldParts& world, const TileJob& job, const PixelSums& sums) {
     const double samples = static_cast<double>(world.settings.samples) * world.settings.samples;
     Layer layers[k_light_layers];
     int touched = 0;
@@ -167,7 +167,7 @@ inline void fold_pixels(const World& world, const TileJob& job, const PixelSums&
 }
 
 /// A tile whose rays all hit nothing: the fold of one sum.
-inline void fill_with_void(const World& world, const TileJob& job) {
+inline void fill_with_void(const WorldParts& world, const TileJob& job) {
     const int samples = world.settings.samples * world.settings.samples;
     const Triple<Doubles> seen = lanes_of(seen_in_the_void(world));
     Triple<Doubles> sum = lanes_of(Vec3{});

@@ -43,22 +43,23 @@ template <class Visit> inline void for_each_hit(const TileScratch& s, const Visi
 }
 
 /// A hit's surface.
-inline ExplainedHit recorded_hit(const World& world, const TileScratch& s, std::size_t h) {
+inline ExplainedHit recorded_hit(const WorldParts& world, const TileScratch& s, std::size_t h) {
     const auto i = static_cast<int>(h);
     ExplainedHit hit;
-    hit.shape = world.shape_index[s.hit_slot[h]];
+    hit.shape = world.geometry->shape_index[s.hit_slot[h]];
     hit.material = s.material[h];
     hit.point = vec3_at(s.point, i);
     hit.normal = vec3_at(s.normal, i);
     hit.to_eye = vec3_at(s.to_eye, i);
     hit.behind = s.behind[h] > 0;
-    hit.turned = hit.behind && (world.material[s.hit_slot[h]] & k_turn_normal) != 0;
+    hit.turned = hit.behind && world.turns_normal(s.hit_slot[h]);
     hit.weight = color_at(s.weight, i);
     return hit;
 }
 
 /// Rays [from, to) of the stream and what they hit: after find_surfaces and absorb.
-inline void record_rays(const World& world, TileScratch& s, int first, int from, int to, int generation) {
+inline void record_rays(const WorldParts& world, TileScratch& s, int first, int from, int to,
+                        int generation) {
     TileRecord& record = *s.record;
     record.share.clear();
     const bool camera = generation == 0;
@@ -91,7 +92,7 @@ inline void record_rays(const World& world, TileScratch& s, int first, int from,
 }
 
 /// What shading modes that look no further show: after add_unlit.
-inline void record_unlit(const World& world, TileScratch& s) {
+inline void record_unlit(const WorldParts& world, TileScratch& s) {
     for_each_hit(s, [&](int h, int lanes) HWY_ATTR {
         const TripleNumbers shown(unlit_color(world, s, h));
         for (int k = 0; k < lanes; ++k) {
@@ -102,7 +103,7 @@ inline void record_unlit(const World& world, TileScratch& s) {
 }
 
 /// One light: after its terms were added.
-inline void record_light(const World& world, const Light& light, TileScratch& s) {
+inline void record_light(const WorldParts& world, const Light& light, TileScratch& s) {
     const LightingRules rules = lighting_rules(world);
     int rays = 0;
     for_each_hit(s, [&](int h, int lanes) HWY_ATTR {
@@ -121,7 +122,7 @@ inline void record_light(const World& world, const Light& light, TileScratch& s)
                             lit = s.lit[static_cast<std::size_t>(h / lane_count<double>())];
         for (int k = 0; k < lanes; ++k) {
             LightTerms r;
-            r.light = static_cast<std::uint32_t>(&light - world.lights.data());
+            r.light = static_cast<std::uint32_t>(&light - world.lights->data());
             r.to_light = to_light.vec3(k);
             r.distance = distance[k];
             r.attenuation = f_att[k];
@@ -182,17 +183,17 @@ inline void record_branches(TileScratch& s, int h, const BranchMasks& masks, con
 }
 
 /// At the last generation nothing leaves.
-inline void record_limit(const World& world, TileScratch& s) {
+inline void record_limit(const WorldParts& world, TileScratch& s) {
     for (int h = 0; h < s.hits; ++h) {
         ExplainedHit& hit = s.record->hit(h);
-        const double* material = world.materials.data() + std::size_t{hit.material} * k_material_values;
+        const double* material = world.material(hit.material);
         if (material[k_mirror] > 0) hit.reflected.state = BranchState::limit;
         if (material[k_transmission] > 0) hit.transmitted.state = BranchState::limit;
     }
 }
 
 /// What the hits add to their pixel: after add_hits.
-inline void record_sums(const World& world, TileScratch& s, int generation) {
+inline void record_sums(const WorldParts& world, TileScratch& s, int generation) {
     for_each_hit(s, [&](int h, int lanes) HWY_ATTR {
         const MaterialLanes material(world, s.material.data() + h);
         const HitLight light = light_of(world, s, material, h, generation);

@@ -71,8 +71,8 @@ std::string layers_error(const std::vector<Layer>& layers) {
     return {};
 }
 
-void render_into(const World& world, const RenderOptions& options, const Kernels& kernels, const Crop& crop,
-                 RenderResult& result) {
+void render_into(const WorldParts& world, const RenderOptions& options, const Kernels& kernels,
+                 const Crop& crop, RenderResult& result) {
     Image image;
     image.width = crop.width;
     image.height = crop.height;
@@ -125,7 +125,8 @@ void render_into(const World& world, const RenderOptions& options, const Kernels
 
 }  // namespace
 
-RenderResult render(const World& world, const RenderOptions& options) {
+RenderResult render(const World& rendered, const RenderOptions& options) {
+    const WorldParts& world = rendered.parts();
     RenderResult result;
     const Kernels* kernels = find_kernels(options.isa);
     if (kernels == nullptr) {

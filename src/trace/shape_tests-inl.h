@@ -21,7 +21,7 @@ namespace HWY_NAMESPACE {
 
 /// Tests shapes against a beam, or one ray, of a chunk of rays.
 struct ShapeTests {
-    const World& world;
+    const PackedGeometry& geometry;
     const RaySpan& rays;  // the chunk's
     SlabRays& slab_rays;
     const HitResult& result;
@@ -40,13 +40,13 @@ struct ShapeTests {
 
     /// A leaf: slots [first, first + count), of one class.
     HWY_INLINE void visit(Beam& beam, std::uint64_t mine, std::uint32_t first, std::uint32_t count) {
-        const ShapeClass& shapes = world.class_of(first);
+        const ShapeClass& shapes = geometry.class_of(first);
         BeamLeaf visitor{*this, shapes, beam, mine, first, count};
         visit_geometry(shapes.kind, shapes.transformed, visitor);
         beam.update_t_max();
     }
     HWY_INLINE void visit(int ray, std::uint32_t first, std::uint32_t count) {
-        const ShapeClass& shapes = world.class_of(first);
+        const ShapeClass& shapes = geometry.class_of(first);
         RayLeaf visitor{*this, shapes, ray, first, count};
         visit_geometry(shapes.kind, shapes.transformed, visitor);
     }
@@ -58,7 +58,7 @@ struct ShapeTests {
 
     /// One shape against the beam.
     HWY_INLINE void visit_shape(Beam& beam, std::uint32_t slot) {
-        const ShapeClass& shapes = world.class_of(slot);
+        const ShapeClass& shapes = geometry.class_of(slot);
         BeamShape visitor{*this, shapes, beam, slot};
         visit_geometry(shapes.kind, shapes.transformed, visitor);
     }
@@ -172,7 +172,7 @@ struct ShapeTests {
                                 std::uint32_t first, std::uint32_t count) {
         for (std::uint32_t s = 0; s < count; s += lane_count<float>()) {
             const int n = number::min(static_cast<int>(count - s), lane_count<float>());
-            const OwnBoxes<Geometry> boxes(world, shapes, first + s, n);
+            const OwnBoxes<Geometry> boxes(geometry, shapes, first + s, n);
             std::uint32_t bits = meets(beam, beam_slab(beam, boxes.lo, boxes.hi)) & first_bits(n);
             if (bits == 0) continue;
             SharedFilters<Geometry> filters;
@@ -190,7 +190,7 @@ struct ShapeTests {
         if constexpr (k_is_triangle<Geometry>) {
             if (beam.common_origin && filters.prepare(shapes, beam, origin(beam), slot, 1) == 0) return;
         }
-        beam_shape<Geometry>(shapes, beam, beam.all(), OwnBoxes<Geometry>(world, shapes, slot, 1), filters,
+        beam_shape<Geometry>(shapes, beam, beam.all(), OwnBoxes<Geometry>(geometry, shapes, slot, 1), filters,
                              slot, 0);
     }
 
@@ -247,7 +247,7 @@ struct ShapeTests {
     template <class Geometry>
     HWY_INLINE void meet_boxes(const ShapeClass& shapes, std::uint32_t first, int i, RaySlab& to) const {
         const SlabRay ray(slab_rays, i);
-        const OwnBoxes<Geometry> boxes(world, shapes, first, lane_count<double>());
+        const OwnBoxes<Geometry> boxes(geometry, shapes, first, lane_count<double>());
         const float *near[3], *far[3];
         for (int a = 0; a < 3; ++a) {
             near[a] = ray.ahead[a] ? boxes.lo[a] : boxes.hi[a];

@@ -16,7 +16,7 @@ namespace glint {
 namespace HWY_NAMESPACE {
 
 /// Takes the hits among rays [i, end) of the stream, at most a vector of them.
-HWY_INLINE void take_hits(const World& world, TileScratch& s, int first, int i, int end, bool camera) {
+HWY_INLINE void take_hits(const WorldParts& world, TileScratch& s, int first, int i, int end, bool camera) {
     const Doubles t = load(s.t.data() + i);
     const auto hit =
         t < Doubles(k_infinity) && first_lanes<double>(end - i);  // a ray that misses keeps its t_max
@@ -47,7 +47,8 @@ HWY_INLINE void take_hits(const World& world, TileScratch& s, int first, int i, 
 }
 
 /// Takes the hits of rays [from, to) of the stream that begins with ray `first`, group by group.
-inline void collect_hits(const World& world, TileScratch& s, int first, int from, int to, int generation) {
+inline void collect_hits(const WorldParts& world, TileScratch& s, int first, int from, int to,
+                         int generation) {
     s.hits = s.parts = 0;
     std::size_t group = s.rays.group_of(first + from);
     for (int i = from; i < to; ++group) {
@@ -74,13 +75,13 @@ struct NormalsAt {
 };
 
 /// The normals of a vector of hits, one class of shapes after the other.
-HWY_INLINE Triple<Doubles> normals_at(const World& world, const std::uint32_t* slots, bool same,
+HWY_INLINE Triple<Doubles> normals_at(const PackedGeometry& geometry, const std::uint32_t* slots, bool same,
                                       Triple<Doubles> point) {
     Triple<Doubles> normal = point;
     std::uint32_t left = (1u << lane_count<double>()) - 1;
     while (left != 0) {
         const std::uint32_t slot = slots[__builtin_ctz(left)];
-        const ShapeClass& shapes = world.class_of(slot);
+        const ShapeClass& shapes = geometry.class_of(slot);
         std::uint32_t items[lane_count<double>()], here = 0;
         for (int k = 0; k < lane_count<double>(); ++k) {
             const bool in = slots[k] - shapes.first < shapes.count;
@@ -97,24 +98,16 @@ HWY_INLINE Triple<Doubles> normals_at(const World& world, const std::uint32_t* s
 
 /// The largest coordinate of a bounded shape: its formula's rounding is relative to that too, however near to
 /// the world's origin the ray is.
-HWY_INLINE double box_reach(const World& world, std::uint32_t slot) {
-    if (slot >= world.bounded) return 0;
+HWY_INLINE double box_reach(const PackedGeometry& geometry, std::uint32_t slot) {
+    if (slot >= geometry.bounded) return 0;
+    const Aabb box = primitive_bounds(geometry, slot);
     float reach = 0;
-    if (slot < world.boxed) {
-        for (int a = 0; a < 3; ++a) reach = max(reach, max(-world.box_lo[a][slot], world.box_hi[a][slot]));
-        return reach;
-    }
-    const ShapeClass& shapes = world.class_of(slot);
-    double p[9];
-    for (int k = 0; k < 9; ++k) p[k] = shapes.column(k)[slot - shapes.first];
-    const auto [lo, hi] = TriangleGeometry::sides(p);
-    const Aabb box = padded_box({lo.x, lo.y, lo.z}, {hi.x, hi.y, hi.z});
     for (int a = 0; a < 3; ++a) reach = max(reach, max(-box.lo[a], box.hi[a]));
     return reach;
 }
 
 /// Fills the columns of the hits from what collect_hits took.
-inline void find_surfaces(const World& world, TileScratch& s, int generation) {
+inline void find_surfaces(const WorldParts& world, TileScratch& s, int generation) {
     if (s.hits == 0) return;
     // Lanes past the last hit are computed with, though nothing of them is kept.
     std::fill_n(s.hit_slot.begin() + s.hits, k_ray_padding, s.hit_slot[static_cast<std::size_t>(s.hits - 1)]);
@@ -126,17 +119,16 @@ inline void find_surfaces(const World& world, TileScratch& s, int generation) {
         alignas(k_ray_alignment) double reach[lane_count<double>()];
         std::uint32_t turns = 0;
         for (int k = 0; k < (same ? 1 : lane_count<double>()); ++k) {
-            const std::uint32_t material = world.material[slots[k]];
-            reach[k] = box_reach(world, slots[k]);
-            materials[k] = material & k_material_index;
-            turns |= static_cast<std::uint32_t>((material & k_turn_normal) != 0) << k;
+            reach[k] = box_reach(*world.geometry, slots[k]);
+            materials[k] = (*world.slot_material)[slots[k]];
+            turns |= static_cast<std::uint32_t>(world.turns_normal(slots[k])) << k;
         }
         if (same) {
             std::fill_n(materials + 1, lane_count<double>() - 1, materials[0]);
             turns = turns != 0 ? (1u << lane_count<double>()) - 1 : 0;
         }
         const Triple<Doubles> point = load_triple(s.point, h), d = load_triple(s.incoming, h);
-        const Triple<Doubles> normal = normals_at(world, slots, same, point);
+        const Triple<Doubles> normal = normals_at(*world.geometry, slots, same, point);
         const auto behind = dot(normal, d) > Doubles(0);
         const auto turned = behind && from_bits<double>(turns);
         store_triple(select_triple(turned, -normal, normal), s.normal, h);

@@ -20,13 +20,13 @@ namespace glint {
 namespace HWY_NAMESPACE {
 
 /// Sums diffuse and specular of all hits over the lights, in the scene's order.
-inline void light_hits(const World& world, TileScratch& s, int generation) {
+inline void light_hits(const WorldParts& world, TileScratch& s, int generation) {
     const bool count_shadows = generation == 0 && s.seen.wanted;
     for (int c = 0; c < 3; ++c) {
         std::fill_n(s.diffuse[c].begin(), s.hits, 0.0);
         std::fill_n(s.specular[c].begin(), s.hits, 0.0);
     }
-    for (const Light& light : world.lights) {
+    for (const Light& light : *world.lights) {
         const int rays = reach_hits(world, light, s);
         if (rays > 0) {
             any_hit(world, s.shadow_rays(), rays, k_beam, s.occluded.data());
@@ -42,7 +42,7 @@ inline void light_hits(const World& world, TileScratch& s, int generation) {
 
 /// Adds the light of a share's rays, those from number `from` of the stream on, to their pixels, group by
 /// group.
-inline void add_light(const World& world, TileScratch& s, int first, int from, int generation) {
+inline void add_light(const WorldParts& world, TileScratch& s, int first, int from, int generation) {
     TileScratch::Part begin{from, 0};
     for (int i = 0; i < s.parts; ++i) {
         const TileScratch::Part end = s.part[static_cast<std::size_t>(i)];
@@ -54,7 +54,8 @@ inline void add_light(const World& world, TileScratch& s, int first, int from, i
 
 /// The rays of one generation, which are traced: what they find goes to the pixels, what leaves it to the
 /// next rays.
-inline void shade_share(const World& world, TileScratch& s, int first, int from, int to, int generation) {
+inline void shade_share(const WorldParts& world, TileScratch& s, int first, int from, int to,
+                        int generation) {
     const Shading shading = world.settings.shading;
     collect_hits(world, s, first, from, to, generation);
     find_surfaces(world, s, generation);
@@ -86,7 +87,7 @@ inline bool all_missed(const TileScratch& s, int count) {
 
 /// One sample of each pixel: the camera's rays and all that come of them, generation after generation.
 /// Returns whether any camera ray hit something.
-inline bool trace_sample(const World& world, TileScratch& s) {
+inline bool trace_sample(const WorldParts& world, TileScratch& s) {
     for (int generation = 0; s.rays.size() > 0; ++generation) {
         s.next_rays.clear();
         for (int first = 0; first < s.rays.size(); first += k_stream) {
@@ -102,7 +103,7 @@ inline bool trace_sample(const World& world, TileScratch& s) {
     return true;
 }
 
-void render_tile(const World& world, const TileJob& job, TileScratch& s) {
+void render_tile(const WorldParts& world, const TileJob& job, TileScratch& s) {
     const int samples = world.settings.samples;
     const bool layers = job.layers != nullptr;
     TileRecord* const record = s.record;

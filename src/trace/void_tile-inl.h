@@ -22,12 +22,12 @@ struct Pyramid {
 };
 
 /// A pyramid around the rays of a tile, wider by a pixel on each side than any PixelSample.
-inline Pyramid pyramid_of(const World& world, const TileJob& job) {
+inline Pyramid pyramid_of(const WorldParts& world, const TileJob& job) {
     const PreparedCamera& camera = world.camera;
     const double w = world.settings.width, h = world.settings.height;
     const double x[2] = {(job.x - 1) / w - 0.5, (job.x + job.width + 1) / w - 0.5};
     const double y[2] = {0.5 - (job.y - 1) / h, 0.5 - (job.y + job.height + 1) / h};
-    const auto corner = [&](int i, int j) { return camera.forward + camera.right * x[i] + camera.up * y[j]; };
+    const auto corner = [&](int i, int j) { return camera.ray_through(x[i], y[j]).direction; };
     const Vec3 corners[4] = {corner(0, 0), corner(1, 0), corner(1, 1), corner(0, 1)};
     const Vec3 middle = corners[0] + corners[1] + corners[2] + corners[3];
     Pyramid pyramid;
@@ -64,10 +64,12 @@ HWY_INLINE LaneMask<float> may_meet(const Pyramid& pyramid, const float* const l
 }
 
 /// Whether no camera ray of the tile can hit anything. False where that is not found out quickly.
-inline bool sees_nothing(const World& world, const TileJob& job) {
+inline bool sees_nothing(const WorldParts& world, const TileJob& job) {
     constexpr int most_nodes = 64, most_waiting = most_nodes * (k_bvh_width - 1) + 1;
-    if (world.camera.projection == Projection::orthographic || world.bounded != world.count) return false;
-    if (world.bvh.nodes.empty()) return true;
+    const PackedGeometry& geometry = *world.geometry;
+    if (world.camera.projection == Projection::orthographic || geometry.bounded != geometry.count)
+        return false;
+    if (geometry.bvh.nodes.empty()) return true;
     const Pyramid pyramid = pyramid_of(world, job);
     if (!pyramid.exists) return false;
     std::uint32_t waiting[most_waiting];
@@ -75,7 +77,7 @@ inline bool sees_nothing(const World& world, const TileJob& job) {
     waiting[count++] = 0;
     for (int visited = 0; count > 0; ++visited) {
         if (visited == most_nodes) return false;
-        const BvhNode& node = world.bvh.nodes[waiting[--count]];
+        const BvhNode& node = geometry.bvh.nodes[waiting[--count]];
         for (int c = 0; c < k_bvh_width; c += lane_count<float>()) {
             const float* lo[3] = {node.lo[0] + c, node.lo[1] + c, node.lo[2] + c};
             const float* hi[3] = {node.hi[0] + c, node.hi[1] + c, node.hi[2] + c};

@@ -20,7 +20,7 @@ struct GlintScene {
     glint::Conventions conventions;
     glint::RenderSettings settings;
     std::vector<glint::SettingOrigin> origins;
-    glint::WorldPtr world;
+    std::optional<glint::World> world;
     glint::Image image;
     glint::RayCounts rays;
     std::vector<std::uint8_t> pixels;
@@ -62,8 +62,8 @@ GlintScene* glint_open(const char* request, std::uint32_t length) {
         scene->report["width"] = scene->settings.width;
         scene->report["height"] = scene->settings.height;
         // What prepare() says, load() has said: it validates too.
-        scene->world = glint::prepare(*scene->scene, 1).world;
-        scene->report["ready"] = scene->world != nullptr;
+        scene->world = glint::prepare(*scene->scene, {.threads = 1}).world;
+        scene->report["ready"] = scene->world.has_value();
     }
     scene->write_report();
     return scene;
@@ -73,7 +73,8 @@ void glint_close(GlintScene* scene) { delete scene; }
 
 std::int32_t glint_prepare(GlintScene* scene, const char* request, std::uint32_t length) {
     if (!scene->scene) return 0;
-    scene->world = nullptr;
+    // Where this fails, nothing is to be drawn.
+    const std::optional<glint::World> before = std::exchange(scene->world, std::nullopt);
     scene->scene->camera = scene->camera;
     scene->scene->conventions = scene->conventions;
     scene->scene->settings = scene->settings;
@@ -84,7 +85,13 @@ std::int32_t glint_prepare(GlintScene* scene, const char* request, std::uint32_t
         scene->fail(wrong);
         return 0;
     }
-    glint::PrepareResult prepared = glint::prepare(*scene->scene, 1);
+    glint::WorldResult prepared;
+    if (before) prepared = glint::with_camera(*before, scene->scene->camera);
+    if (prepared.world) {
+        prepared = glint::with_rules(*prepared.world, scene->scene->conventions, scene->scene->settings);
+    }
+    // What these cannot change, and what is wrong where, prepare() knows.
+    if (!prepared.world) prepared = glint::prepare(*scene->scene, {.threads = 1});
     scene->world = std::move(prepared.world);
     if (!scene->world) {
         scene->fail(prepared.diagnostics.empty() ? "out of memory" : prepared.diagnostics.front().message);

@@ -1,24 +1,13 @@
 #pragma once
-// The World: a Scene prepared for tracing.
+// The parts of a World (glint/world.h), as the kernels read them.
 #include <cstdint>
 #include <vector>
 
-#include "bvh/bvh.h"
-#include "glint/render.h"
+#include "base/copy_on_write.h"
+#include "glint/world.h"
+#include "world/packed_geometry.h"
 
 namespace glint {
-
-/// Shapes of one kind, transformed or not, packed as columns: value k of the class's item i is values[k *
-/// stride + i].
-struct ShapeClass {
-    ShapeKind kind = ShapeKind::sphere;
-    bool transformed = false;
-    std::uint32_t first = 0;  // its items are slots [first, first + count) of the world
-    std::uint32_t count = 0;
-    std::uint32_t stride = 0;  // count and a vector of padding
-    std::vector<double> values;
-    const double* column(int k) const { return values.data() + static_cast<std::size_t>(k) * stride; }
-};
 
 /// A material as the kernels gather it: doubles in the order of MaterialValue.
 enum MaterialValue : int {
@@ -35,48 +24,65 @@ enum MaterialValue : int {
     k_material_values = 22,
 };
 
-/// The camera as a pixel's ray needs it: a viewport point is forward + right sx + up sy, sx and sy in [-1/2,
-/// 1/2].
+/// The camera as a pixel's ray needs it.
 struct PreparedCamera {
     Projection projection = Projection::perspective;
     Vec3 position, right, up, forward;
     bool has_lighting_eye = false;
     Vec3 lighting_eye;
-};
 
-/// Slots number the shapes as the world packs them: the bounded ones in the hierarchy's leaf order within
-/// their class, then the unbounded ones. All arrays by slot are padded by a vector.
-class World {
-  public:
-    std::vector<ShapeClass> classes;          // bounded classes first
-    std::uint32_t boxed = 0;                  // slots below this have their box stored
-    std::uint32_t bounded = 0;                // slots below this are in the hierarchy
-    std::uint32_t count = 0;                  // slots
-    Bvh bvh;                                  // its leaves refer to slots; its order is dropped
-    std::vector<float> box_lo[3], box_hi[3];  // by slot: the shape's own padded box; a triangle's is computed
-    std::vector<std::uint32_t> shape_index;   // by slot: the index in Scene::shapes
-    std::vector<std::uint32_t> material;      // by slot: the material, k_turn_normal, k_no_shadow
-
-    std::vector<double> materials;  // k_material_values each; the last is the default material
-    std::vector<Light> lights;      // point and directional, in scene order
-    Color ambient{0, 0, 0};         // I_a: the sum of the ambient lights
-    Color background;
-    PreparedCamera camera;
-    Conventions conventions;
-    RenderSettings settings;
-
-    /// The class that a slot belongs to.
-    const ShapeClass& class_of(std::uint32_t slot) const {
-        std::size_t c = 0;
-        while (slot - classes[c].first >= classes[c].count) ++c;
-        return classes[c];
+    /// The ray through a point of the viewport, sx and sy from -1/2 to 1/2 across the picture and upwards:
+    /// its direction is forward + right sx + up sy, or its origin is position + right sx + up sy.
+    Ray ray_through(double sx, double sy) const {
+        const Vec3 across = right * sx + up * sy;
+        if (projection == Projection::orthographic) return {position + across, forward};
+        return {position, forward + across};
     }
 };
 
-/// Set in World::material where the convention turns the normal towards the incoming ray.
-inline constexpr std::uint32_t k_turn_normal = 0x80000000u;
-/// Set in World::material where the convention lets the surface cast no shadow.
-inline constexpr std::uint32_t k_no_shadow = 0x40000000u;
-inline constexpr std::uint32_t k_material_index = ~(k_turn_normal | k_no_shadow);
+struct WorldParts {
+    CopyOnWrite<PackedGeometry> geometry;
+    CopyOnWrite<std::vector<std::uint32_t>> slot_material;  // by slot, padded: the row in `materials`
+    CopyOnWrite<std::vector<double>> materials;  // k_material_values each; the last is the default material
+    CopyOnWrite<std::vector<Light>> lights;      // point and directional, in scene order
+    Color ambient{0, 0, 0};                      // I_a: the sum of the ambient lights
+    Color background;
+    Camera scene_camera;  // what `camera` is prepared from, with the settings' size
+    PreparedCamera camera;
+    Conventions conventions;
+    RenderSettings settings;
+    bool last_of_equals = false;  // of shapes hit at the same t the last in the scene is seen: for check
+
+    /// A row of the table of materials.
+    const double* material(std::uint32_t row) const {
+        return materials->data() + static_cast<std::size_t>(row) * k_material_values;
+    }
+    /// The scene's own materials; the default one comes after them.
+    std::uint32_t scene_materials() const {
+        return static_cast<std::uint32_t>(materials->size() / k_material_values - 1);
+    }
+    /// Whether the conventions turn the normal of a slot's shape towards the incoming ray.
+    bool turns_normal(std::uint32_t slot) const {
+        return conventions.facing == Facing::all ||
+               (conventions.facing == Facing::open && geometry->is_open(slot));
+    }
+    /// Whether the conventions let a slot's shape cast a shadow.
+    bool casts_shadow(std::uint32_t slot) const {
+        return conventions.glass_shadow != GlassShadow::none ||
+               !(material((*slot_material)[slot])[k_transmission] > 0);
+    }
+};
+
+inline Bounds to_bounds(const Aabb& box) {
+    return {{box.lo[0], box.lo[1], box.lo[2]}, {box.hi[0], box.hi[1], box.hi[2]}};
+}
+
+/// Makes Worlds, and lets the library's own code write to them.
+class WorldAccess {
+  public:
+    static World make(WorldParts parts);
+    /// For writing: the World's own parts, copied before if another World shares them. Throws std::bad_alloc.
+    static WorldParts& own(World& world);
+};
 
 }  // namespace glint

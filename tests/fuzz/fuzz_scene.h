@@ -65,7 +65,7 @@ inline std::string fuzz_render(std::string_view text, std::string format) {
     settings.height = std::min(settings.height, 16);
     settings.samples = 1;
     settings.reflections = std::min(settings.reflections, 3);
-    const PrepareResult prepared = prepare(*loaded.scene, 1);
+    const WorldResult prepared = prepare(*loaded.scene, {.threads = 1});
     if (!prepared.world) return "a scene that load() takes and prepare() does not";
     RenderOptions options;
     options.threads = 1;

@@ -72,15 +72,15 @@ std::uint64_t hash(const Image& image) {
     return h;
 }
 
-WorldPtr load_world(const GalleryPicture& p) {
+std::optional<World> load_world(const GalleryPicture& p) {
     const auto scene = test::load_file(std::string(GLINT_PROJECT_DIR "/scenes/") + p.scene, p.settings);
-    return scene ? prepare(*scene).world : WorldPtr();
+    return scene ? prepare(*scene).world : std::nullopt;
 }
 
 class Gallery : public testing::TestWithParam<GalleryPicture> {};
 
 TEST_P(Gallery, IsThePictureWeLookedAt) {
-    const WorldPtr world = load_world(GetParam());
+    const std::optional<World> world = load_world(GetParam());
     ASSERT_TRUE(world);
     const RenderResult whole = render(*world);
     ASSERT_TRUE(whole.image) << whole.error;
@@ -90,7 +90,7 @@ TEST_P(Gallery, IsThePictureWeLookedAt) {
 }
 
 TEST_P(Gallery, HasTheSameBitsHoweverItIsDrawn) {
-    const WorldPtr world = load_world(GetParam());
+    const std::optional<World> world = load_world(GetParam());
     ASSERT_TRUE(world);
     const RenderResult whole = render(*world);
     ASSERT_TRUE(whole.image);

@@ -23,10 +23,10 @@ struct Looked {
     std::string coarse;
 };
 Looked look(const Scene& scene) {
-    PrepareResult prepared = prepare(scene);
+    WorldResult prepared = prepare(scene);
     EXPECT_TRUE(prepared.world);
     const CheckOptions options;
-    Subject subject(scene, const_cast<World&>(*prepared.world), options);
+    Subject subject(scene, *prepared.world, options);
     return {shapes_a_ray(subject.world(), 0), subject.grid(Sight::k_longest),
             subject.coarse_grid(Sight::k_longest)};
 }

@@ -24,16 +24,16 @@ TEST_P(CheckSight, FollowsTheRaysOfThePicture) {
         const auto scene = test::load_file(GLINT_SOURCE_DIR + std::string(file),
                                            std::string("size=40x30 aa=1 ") + GetParam());
         ASSERT_TRUE(scene) << file;
-        PrepareResult prepared = prepare(*scene);
+        WorldResult prepared = prepare(*scene);
         ASSERT_TRUE(prepared.world);
         const CheckOptions options;
-        Subject subject(*scene, const_cast<World&>(*prepared.world), options);
+        Subject subject(*scene, *prepared.world, options);
         const Sight sight(subject);
         ASSERT_EQ(sight.size.width, 40);
         ASSERT_GE(sight.generations.size(), 3u) << "a scene of glass";
 
         std::vector<std::vector<Numbers>> points(sight.generations.size());
-        std::vector<std::vector<Numbers>> shadows(prepared.world->lights.size());
+        std::vector<std::vector<Numbers>> shadows(prepared.world->parts().lights->size());
         for (int y = 0; y < 30; ++y) {
             for (int x = 0; x < 40; ++x) {
                 for (const ExplainedRay& ray : explain(*scene, *prepared.world, x, y).rays) {
@@ -60,7 +60,8 @@ TEST_P(CheckSight, FollowsTheRaysOfThePicture) {
         // Those of points whose material reflects the light: all that the picture traces, and no others
         // there.
         for (std::size_t l = 0; l < shadows.size(); ++l) {
-            const ShadowRays rays = shadow_rays(*prepared.world, sight, prepared.world->lights[l], 1000000);
+            const ShadowRays rays =
+                shadow_rays(prepared.world->parts(), sight, (*prepared.world->parts().lights)[l], 1000000);
             std::vector<Numbers> found;
             const RaySpan span = rays.rays.from(0);
             for (std::size_t i = 0; i < rays.rays.size(); ++i)

@@ -56,11 +56,11 @@ std::vector<double> occluders(const World& world, const LightTerms& terms) {
         double t[1 + k_ray_padding];
         std::uint32_t slot[1 + k_ray_padding];
         available_kernels().front().nearest_hit(
-            world,
+            world.parts(),
             {columns[0], columns[1], columns[2], columns[3], columns[4], columns[5], columns[6], columns[7]},
             1, 1, t, slot);
         if (slot[0] == k_none) return met;
-        if ((world.material[slot[0]] & k_no_shadow) == 0) met.push_back(t[0]);
+        if (world.parts().casts_shadow(slot[0])) met.push_back(t[0]);
         t_min = t[0];
     }
 }
@@ -138,7 +138,7 @@ TEST(Explain, TenThousandPixelsAreThePicturesOwn) {
             // Small enough to be quick, and of sides that tiles do not like.
             scene->settings.height = 97 * scene->settings.height / scene->settings.width;
             scene->settings.width = 97;
-            const WorldPtr world = prepare(*scene).world;
+            const std::optional<World> world = prepare(*scene).world;
             ASSERT_TRUE(world);
             const RenderResult whole = render(*world);
             ASSERT_TRUE(whole.image);
@@ -162,12 +162,12 @@ TEST(Explain, UnlitShadingsAndEveryInstructionSet) {
         auto scene = test::load_file(GLINT_PROJECT_DIR "/scenes/epfl/castle.json",
                                      std::string("size=64x64 ") + settings);
         ASSERT_TRUE(scene);
-        const WorldPtr world = prepare(*scene).world;
+        const std::optional<World> world = prepare(*scene).world;
         const RenderResult whole = render(*world);
         for (int i = 0; i < 64; ++i) check_pixel(*scene, *world, *whole.image, i, (37 * i) % 64);
     }
     const auto scene = test::load_file(GLINT_PROJECT_DIR "/scenes/epfl/castle.json", "size=64x64");
-    const WorldPtr world = prepare(*scene).world;
+    const std::optional<World> world = prepare(*scene).world;
     const std::string first = explanation_json(explain(*scene, *world, 30, 50), *scene);
     for (const std::string& isa : isa_names())
         EXPECT_EQ(explanation_json(explain(*scene, *world, 30, 50, {-1, isa}), *scene), first) << isa;
@@ -184,7 +184,7 @@ TEST(Explain, APlaneUnderOneLight) {
     scene.camera.position = {0, 1, 4};
     scene.camera.look_at = {0, 0, 0};
     scene.settings.width = scene.settings.height = 65;
-    const WorldPtr world = prepare(scene).world;
+    const std::optional<World> world = prepare(scene).world;
     ASSERT_TRUE(world);
     const Explanation e = explain(scene, *world, 32, 32);
     ASSERT_EQ(e.rays.size(), 1u);
@@ -203,7 +203,7 @@ TEST(Explain, APlaneUnderOneLight) {
 
 TEST(Explain, OneSampleAlone) {
     const auto scene = test::load_file(GLINT_PROJECT_DIR "/scenes/glint/glass.glint", "size=64x42 aa=3");
-    const WorldPtr world = prepare(*scene).world;
+    const std::optional<World> world = prepare(*scene).world;
     const Explanation all = explain(*scene, *world, 15, 20);
     std::size_t rays = 0;
     for (int sample = 0; sample < 9; ++sample) {
@@ -234,7 +234,7 @@ TEST(Explain, TooManyRaysAreToldASampleAtATime) {
     scene.settings.width = scene.settings.height = 9;
     scene.settings.reflections = 1000;
     scene.settings.samples = 8;
-    const WorldPtr world = prepare(scene).world;
+    const std::optional<World> world = prepare(scene).world;
     ASSERT_TRUE(world);
     EXPECT_NE(explain(scene, *world, 4, 4).error.find("ask for one of its samples"), std::string::npos);
     const Explanation one = explain(scene, *world, 4, 4, {36, {}});
@@ -253,7 +253,7 @@ TEST(Explain, WhyThereIsNoHighlight) {
     scene.camera.look_at = {0, 0, 2};
     scene.settings.width = scene.settings.height = 9;
     scene.settings.shading = Shading::phong;
-    const WorldPtr world = prepare(scene).world;
+    const std::optional<World> world = prepare(scene).world;
     const Explanation e = explain(scene, *world, 4, 4);
     ASSERT_TRUE(e.rays.at(0).hit);
     const ExplainedHit& hit = *e.rays[0].hit;
@@ -265,7 +265,7 @@ TEST(Explain, WhyThereIsNoHighlight) {
 
 TEST(Explain, WhatCannotBeExplained) {
     const auto scene = test::load_file(GLINT_PROJECT_DIR "/scenes/epfl/castle.json", "size=64x64");
-    const WorldPtr world = prepare(*scene).world;
+    const std::optional<World> world = prepare(*scene).world;
     EXPECT_NE(explain(*scene, *world, 64, 0).error, "");
     EXPECT_NE(explain(*scene, *world, 0, -1).error, "");
     EXPECT_NE(explain(*scene, *world, 0, 0, {-1, "avx9"}).error, "");

@@ -63,7 +63,7 @@ inline Scene read_scene(const std::string& text) {
 }
 
 inline Image draw(const Scene& scene) {
-    const PrepareResult prepared = prepare(scene);
+    const WorldResult prepared = prepare(scene);
     if (!prepared.world) {
         ADD_FAILURE() << "not prepared";
         return {};

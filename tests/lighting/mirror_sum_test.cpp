@@ -98,7 +98,7 @@ TEST(MirrorSum, is_what_the_renderer_draws) {
         scene.conventions.limit = limit;
         for (std::int32_t n = 0; n < 4; ++n) {
             scene.settings.reflections = n;
-            const PrepareResult prepared = prepare(scene, 1);
+            const WorldResult prepared = prepare(scene, {.threads = 1});
             ASSERT_TRUE(prepared.world);
             const RenderResult result = render(*prepared.world);
             ASSERT_TRUE(result.image) << result.error;

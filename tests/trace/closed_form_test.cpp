@@ -160,7 +160,7 @@ TEST(ClosedForm, TheBigSphereIsShadedAsInDouble) {
         scene.add(Sphere{{i % 8 - 4.0, -1 + 0.3 * (i % 5), 4.0 + i}, 0.3}, other);  // NOLINT
     const auto ground_shape = scene.add(Sphere{{0, -5001, 0}, 5000}, ground_index);
     scene.lights = {ambient_light({0.2, 0.2, 0.2}), point_light({2, 1, 0}, {0.6, 0.6, 0.6})};
-    const WorldPtr world = make_world(scene);
+    const std::optional<World> world = make_world(scene);
     const Image image = render_world(*world);
     int ground_pixels = 0;
     expect_picture(

@@ -23,7 +23,7 @@ class Recursion {
                                                                           : scene_.background;
         }
         Color way{1, 1, 1};
-        const Shape& shape = scene_.shapes[world_.shape_index[hit.slot]];
+        const Shape& shape = scene_.shapes[world_.parts().geometry->shape_index[hit.slot]];
         const Material& met = scene_.materials[shape.material];
         if (met.transmission > 0 && dot(normal(shape, o + d * hit.t), d) > 0) medium = &met;
         if (medium != nullptr && rules.beer > 0) {
@@ -37,9 +37,9 @@ class Recursion {
   private:
     Color surface(const BruteHit& hit, Vec3 o, Vec3 d, const Material* medium, Color weight, int generation) {
         const Conventions& rules = scene_.conventions;
-        const Shape& shape = scene_.shapes[world_.shape_index[hit.slot]];
+        const Shape& shape = scene_.shapes[world_.parts().geometry->shape_index[hit.slot]];
         const Material& m = scene_.materials[shape.material];
-        const Color local = m.ambient * world_.ambient;
+        const Color local = m.ambient * world_.parts().ambient;
         const double r = m.mirror, f = m.transmission;
         const bool blend = rules.mirror == MirrorRule::blend,
                    at_limit = generation == scene_.settings.reflections;
@@ -130,12 +130,12 @@ Scene glass_scene(Random& random) {
 }
 
 void expect_recursion(const Scene& scene) {
-    const WorldPtr world = make_world(scene);
+    const std::optional<World> world = make_world(scene);
     const RenderResult result = render(*world);
     ASSERT_TRUE(result.image);
     EXPECT_EQ(result.rays.transmitted > 0, scene.settings.reflections > 0);
     Recursion recursion(scene, *world);
-    const PreparedCamera& camera = world->camera;
+    const PreparedCamera& camera = world->parts().camera;
     int wrong = 0;
     for (int j = 0; j < scene.settings.height; ++j) {
         for (int i = 0; i < scene.settings.width; ++i) {

@@ -93,7 +93,7 @@ void expect_grazing(std::uint64_t seed, double scale, double distance, double le
                  << "scale " << scale << ", from " << distance << ", directions of " << length);
     Random random(seed);
     const Grazing g(random, 60, 60, scale, distance, length);
-    const WorldPtr world = make_world(g.scene);
+    const std::optional<World> world = make_world(g.scene);
     ASSERT_TRUE(world);
     const int hit = expect_brute_force(*world, g.rays);
     // Shorter ones meet few boxes: their components count as 1e-30 at least.
@@ -131,7 +131,7 @@ TEST(HitExtremes, DirectionsOfComponentsFarApart) {
         else
             scene.add(Triangle{{c, c + unit_direction(random), c + unit_direction(random)}});
     }
-    const WorldPtr world = make_world(scene);
+    const std::optional<World> world = make_world(scene);
     for (const double length : {1e-27, 1e-20, 1.0, 1e20}) {
         SCOPED_TRACE(length);
         Rays rays;
@@ -152,7 +152,7 @@ TEST(HitExtremes, DirectionsOfComponentsFarApart) {
 TEST(HitExtremes, NegativeEmptyAndUndefinedRanges) {
     Random random(500);
     const Scene scene = random_scene(random, 300);
-    const WorldPtr world = make_world(scene);
+    const std::optional<World> world = make_world(scene);
     Rays rays;
     const double infinity = std::numeric_limits<double>::infinity();
     const double ends[] = {-infinity, -1e300, -1e38, -20, -1,   -1e-300, -0.0,    0,

@@ -26,9 +26,9 @@ struct Interval {
 };
 
 /// Where the ray is within the padded box of a slot.
-inline Interval box_interval(const World& world, std::uint32_t slot, Vec3 o, Vec3 d) {
+inline Interval box_interval(const PackedGeometry& geometry, std::uint32_t slot, Vec3 o, Vec3 d) {
     const double origin[3] = {o.x, o.y, o.z}, direction[3] = {d.x, d.y, d.z};
-    const Aabb box = own_box(world, slot);
+    const Aabb box = own_box(geometry, slot);
     Interval in{-std::numeric_limits<float>::infinity(), std::numeric_limits<float>::infinity()};
     for (int a = 0; a < 3; ++a) {
         auto along = static_cast<float>(direction[a]);
@@ -64,12 +64,13 @@ struct BruteHit {
 };
 
 inline BruteHit brute_nearest(const World& world, Vec3 o, Vec3 d, double t_min, double t_max) {
+    const PackedGeometry& geometry = *world.parts().geometry;
     BruteHit best{t_max, k_none};
-    for (const ShapeClass& shapes : world.classes) {
+    for (const ShapeClass& shapes : geometry.classes) {
         for (std::uint32_t item = 0; item < shapes.count; ++item) {
             const std::uint32_t slot = shapes.first + item;
             Interval in{-std::numeric_limits<float>::infinity(), std::numeric_limits<float>::infinity()};
-            if (slot < world.bounded) in = box_interval(world, slot, o, d);
+            if (slot < geometry.bounded) in = box_interval(geometry, slot, o, d);
             if (!(in.entry <= in.exit)) continue;
             FormulaHit formula{shapes, item, {{o.x, o.y, o.z}, {d.x, d.y, d.z}}, t_min};
             plain::visit_geometry(shapes.kind, shapes.transformed, formula);
@@ -78,8 +79,10 @@ inline BruteHit brute_nearest(const World& world, Vec3 o, Vec3 d, double t_min, 
             if (t < in.entry) t = in.entry;
             if (t > in.exit) t = in.exit;
             if (!(t > t_min && t < t_max)) continue;
-            // Of a polygon's triangles the one packed first.
-            const auto order = [&](std::uint32_t s) { return std::pair(world.shape_index[s], s); };
+            // Of a polygon's triangles the one that was cut off first.
+            const auto order = [&](std::uint32_t s) {
+                return std::pair(geometry.shape_index[s], geometry.piece_of(s));
+            };
             if (t < best.t || (t == best.t && order(slot) < order(best.slot))) best = {t, slot};
         }
     }

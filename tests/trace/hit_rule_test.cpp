@@ -22,7 +22,8 @@ void expect_same(const Hits& expected, const Hits& got, const World& world, cons
         if (same || ++wrong > 3) continue;
         const Vec3 o = rays.origin(i), d = rays.direction(i);
         const auto name = [&](std::uint32_t slot) {
-            return slot == k_none ? std::string("none") : "shape " + std::to_string(world.shape_index[slot]);
+            return slot == k_none ? std::string("none")
+                                  : "shape " + std::to_string(world.parts().geometry->shape_index[slot]);
         };
         ADD_FAILURE() << std::hexfloat << "ray " << i << " {" << o.x << ", " << o.y << ", " << o.z << "} -> {"
                       << d.x << ", " << d.y << ", " << d.z << "}: expected t " << expected.t[at] << " of "
@@ -102,7 +103,7 @@ TEST(HitRule, RandomScenes) {
         for (int repeat = 0; repeat < (count < 100 ? 6 : 1); ++repeat) {
             SCOPED_TRACE(std::to_string(count) + " shapes, scene " + std::to_string(repeat));
             const Scene scene = random_scene(random, count);
-            const WorldPtr world = make_world(scene);
+            const std::optional<World> world = make_world(scene);
             ASSERT_TRUE(world);
             const Rays rays = all_sorts(random, scene, *world, 1200, 10);
             const Hits expected = brute_hits(*world, rays);
@@ -121,7 +122,7 @@ TEST(HitRule, TouchingSpheres) {
     Random random(12);
     Scene scene;
     add_flake(scene, {0, 0, 0}, 4, {0, 0, 0}, 4);
-    const WorldPtr world = make_world(scene);
+    const std::optional<World> world = make_world(scene);
     Rays rays = all_sorts(random, scene, *world, 3000, 8);
     // Through the points where the spheres touch, along the axes.
     for (const Sphere& s : scene.get<Sphere>()) {
@@ -138,7 +139,7 @@ TEST(HitRule, BigSphereBesideSmallOnes) {
     scene.add(Sphere{{0, -5001, 0}, 5000});
     for (int i = 0; i < 40; ++i)
         scene.add(Sphere{{random.uniform(-8, 8), random.uniform(-1, 2), random.uniform(-8, 8)}, 1});
-    const WorldPtr world = make_world(scene);
+    const std::optional<World> world = make_world(scene);
     const Rays rays = all_sorts(random, scene, *world, 4000, 10);
     expect_all(*world, rays, brute_hits(*world, rays));
 }
@@ -155,7 +156,7 @@ TEST(HitRule, GridsOfAlignedShapesAndAxisParallelRays) {
             }
         }
     }
-    const WorldPtr world = make_world(scene);
+    const std::optional<World> world = make_world(scene);
     Rays rays;
     for (const double zero : {0.0, -0.0}) {
         for (int i = -2; i <= 19; ++i) {
@@ -176,7 +177,7 @@ TEST(HitRule, EqualBoxes) {
     constexpr std::uint32_t count = 100000;
     Scene scene;
     for (std::uint32_t i = 0; i < count; ++i) scene.add(Sphere{{1, 2, 3}, 1});
-    const WorldPtr world = make_world(scene, 2);
+    const std::optional<World> world = make_world(scene, 2);
     ASSERT_TRUE(world);
     Random random(14);
     Rays rays;
@@ -188,7 +189,7 @@ TEST(HitRule, EqualBoxes) {
     const Hits expected = brute_hits(*world, rays);
     for (int i = 6; i < 12; ++i) {
         ASSERT_NE(expected.slot[static_cast<std::size_t>(i)], k_none);
-        EXPECT_EQ(world->shape_index[expected.slot[static_cast<std::size_t>(i)]], 0u);
+        EXPECT_EQ(world->parts().geometry->shape_index[expected.slot[static_cast<std::size_t>(i)]], 0u);
     }
     expect_all(*world, rays, expected);
 }
@@ -205,7 +206,7 @@ TEST(HitRule, OfEqualTheFirstInTheSceneWins) {
             if (which == 2) scene.add(Plane{{0, 0, -4}, {0, 0, 1}});
         };
         add(first), add(second), add(3 - first - second);
-        const WorldPtr world = make_world(scene);
+        const std::optional<World> world = make_world(scene);
         Rays rays;
         for (int i = 0; i < 9; ++i) rays.push({0, 0, 0}, {0, 0, -1});
         for (const Kernels& kernels : available_kernels()) {
@@ -215,7 +216,8 @@ TEST(HitRule, OfEqualTheFirstInTheSceneWins) {
                     const auto at = static_cast<std::size_t>(i);
                     ASSERT_NE(hits.slot[at], k_none);
                     EXPECT_EQ(hits.t[at], 4);
-                    EXPECT_EQ(world->shape_index[hits.slot[at]], 0u) << kernels.isa << " order " << order;
+                    EXPECT_EQ(world->parts().geometry->shape_index[hits.slot[at]], 0u)
+                        << kernels.isa << " order " << order;
                 }
             }
         }
@@ -233,8 +235,8 @@ TEST(HitRule, OnTheEdgesBetweenAPolygonsTriangles) {
         }
         scene.add(Polygon{first, 4});
     }
-    const WorldPtr world = make_world(scene);
-    ASSERT_EQ(world->count, 60u);
+    const std::optional<World> world = make_world(scene);
+    ASSERT_EQ(world->parts().geometry->count, 60u);
     Random random(17);
     Rays rays;
     for (int i = 0; i < 2000; ++i) {
@@ -249,7 +251,7 @@ TEST(HitRule, OnTheEdgesBetweenAPolygonsTriangles) {
 TEST(HitRule, DirectionsOfAnyLength) {
     Random random(18);
     const Scene scene = random_scene(random, 200);
-    const WorldPtr world = make_world(scene);
+    const std::optional<World> world = make_world(scene);
     Rays rays;
     for (int i = 0; i < 6000; ++i) {
         rays.push(point_in_cube(random, 12), unit_direction(random) * log_uniform(random, 1e-28, 1e28));
@@ -262,7 +264,7 @@ TEST(HitRule, DirectionsOfAnyLength) {
 }
 
 TEST(HitRule, EmptyScene) {
-    const WorldPtr world = make_world(Scene{});
+    const std::optional<World> world = make_world(Scene{});
     ASSERT_TRUE(world);
     Rays rays;
     for (int i = 0; i < 70; ++i) rays.push({0, 0, 0}, {0, 0, 1}, 0, 100.0 + i);
@@ -278,7 +280,7 @@ TEST(HitRule, ExponentiallySpacedSpheres) {
         const double at = std::pow(10.0, -6 + 17.0 * i / 1600);
         scene.add(Sphere{{at, 0, 0}, at * 0.003});
     }
-    const WorldPtr world = make_world(scene);
+    const std::optional<World> world = make_world(scene);
     Random random(15);
     Rays rays;
     for (int i = 0; i < 400; ++i) {
@@ -292,7 +294,7 @@ TEST(HitRule, ExponentiallySpacedSpheres) {
 TEST(HitRule, BadRaysHitNothingAndLeaveTheOthersAlone) {
     Random random(16);
     const Scene scene = random_scene(random, 300);
-    const WorldPtr world = make_world(scene);
+    const std::optional<World> world = make_world(scene);
     const Rays good = all_sorts(random, scene, *world, 400, 10);
     const Hits expected = brute_hits(*world, good);
     const double nan = std::numeric_limits<double>::quiet_NaN(),

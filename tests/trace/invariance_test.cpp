@@ -47,7 +47,7 @@ Scene everything() {
 }
 
 const World& everything_world() {
-    static const WorldPtr world = make_world(everything());
+    static const std::optional<World> world = make_world(everything());
     return *world;
 }
 const Image& everything_image() {
@@ -77,7 +77,7 @@ TEST(Invariance, InstructionSetsAndThreads) {
 
 TEST(Invariance, WorldsPreparedByAnyNumberOfThreads) {
     for (const int threads : {2, 7}) {
-        const WorldPtr world = make_world(everything(), threads);
+        const std::optional<World> world = make_world(everything(), threads);
         expect_same_picture(everything_image(), render_world(*world));
     }
 }
@@ -149,7 +149,7 @@ TEST(Invariance, TheCallersFloatingPointState) {
          {0x1f80u | 0x8040u, 0x1f80u | 0x2000u, 0x1f80u | 0x4000u | 0x8000u, 0x1f80u | 0x6000u | 0x40u}) {
         for (const int threads : {1, 2}) {
             _mm_setcsr(state);
-            PrepareResult prepared = prepare(scene, threads);
+            WorldResult prepared = prepare(scene, {.threads = threads});
             RenderOptions options;
             options.threads = threads;
             RenderResult result = prepared.world ? render(*prepared.world, options) : RenderResult{};
@@ -215,7 +215,7 @@ TEST(Render, StopsWhenCancelled) {
     Scene scene = everything();
     set_size(scene, 2000, 2000);
     scene.settings.samples = 8;
-    const WorldPtr world = make_world(scene);
+    const std::optional<World> world = make_world(scene);
     for (const bool at_once : {true, false}) {
         std::atomic<bool> cancel{at_once};
         RenderOptions options;

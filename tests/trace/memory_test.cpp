@@ -25,7 +25,7 @@ TEST_P(Memory, DoesNotGrowWithEveryRender) {
     scene.lights.push_back({.position = {4, 5, 0}});
     scene.settings.width = scene.settings.height = 64;
     const auto prepared = prepare(scene);
-    ASSERT_NE(prepared.world, nullptr);
+    ASSERT_TRUE(prepared.world);
     RenderOptions options;
     options.threads = GetParam();
     const auto render_some = [&](int pictures) {

@@ -20,9 +20,9 @@ class Recursion {
             return generation > 0 && rules.mirror_miss == MissRule::black ? Color{0, 0, 0}
                                                                           : scene_.background;
         }
-        const Shape& shape = scene_.shapes[world_.shape_index[hit.slot]];
+        const Shape& shape = scene_.shapes[world_.parts().geometry->shape_index[hit.slot]];
         const Material& m = scene_.materials[shape.material];
-        const Color local = m.ambient * world_.ambient;
+        const Color local = m.ambient * world_.parts().ambient;
         const double a = m.mirror;
         if (a == 0) return local;
         const bool at_limit = generation == scene_.settings.reflections;
@@ -79,13 +79,13 @@ Scene hall_of_mirrors(Random& random, bool closed) {
     return scene;
 }
 
-void expect_recursion(Scene& scene, const WorldPtr& world) {
+void expect_recursion(Scene& scene, const std::optional<World>& world) {
     RenderResult result = render(*world);
     ASSERT_TRUE(result.image);
     const Vec3 forward = normalize(scene.camera.look_at - scene.camera.position);
     const Vec3 x = normalize(cross(forward, scene.camera.up)), y = cross(x, forward);
     Recursion recursion(scene, *world);
-    const PreparedCamera& camera = world->camera;
+    const PreparedCamera& camera = world->parts().camera;
     EXPECT_NEAR(dot(camera.forward, forward) + dot(normalize(camera.right), x) + dot(normalize(camera.up), y),
                 3, 1e-14);
     int wrong = 0;

@@ -17,7 +17,7 @@ inline Image render_world(const World& world, const RenderOptions& options = {})
     return result.image.value_or(Image{});
 }
 inline Image render_scene(const Scene& scene) {
-    const WorldPtr world = make_world(scene);
+    const std::optional<World> world = make_world(scene);
     return world ? render_world(*world) : Image{};
 }
 

@@ -46,7 +46,7 @@ struct Hits {
 inline Hits nearest_hits(const Kernels& kernels, const World& world, const Rays& rays, int beam) {
     const auto padded = static_cast<std::size_t>(rays.size() + k_ray_padding);
     Hits hits{std::vector<double>(padded), std::vector<std::uint32_t>(padded)};
-    kernels.nearest_hit(world, rays.span(), rays.size(), beam, hits.t.data(), hits.slot.data());
+    kernels.nearest_hit(world.parts(), rays.span(), rays.size(), beam, hits.t.data(), hits.slot.data());
     hits.t.resize(static_cast<std::size_t>(rays.size()));
     hits.slot.resize(static_cast<std::size_t>(rays.size()));
     return hits;
@@ -55,7 +55,7 @@ inline Hits nearest_hits(const Kernels& kernels, const World& world, const Rays&
 inline std::vector<std::uint8_t> any_hits(const Kernels& kernels, const World& world, const Rays& rays,
                                           int beam) {
     std::vector<std::uint8_t> occluded(static_cast<std::size_t>(rays.size() + k_ray_padding));
-    kernels.any_hit(world, rays.span(), rays.size(), beam, occluded.data());
+    kernels.any_hit(world.parts(), rays.span(), rays.size(), beam, occluded.data());
     occluded.resize(static_cast<std::size_t>(rays.size()));
     return occluded;
 }

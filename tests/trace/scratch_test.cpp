@@ -34,7 +34,7 @@ TEST(Scratch, NothingIsReadPastTheRaysPadding) {  // the address sanitizer says 
     Scene scene;
     scene.add(Triangle{{Vec3{-5, -5, -5}, Vec3{5, -5, -5}, Vec3{0, 5, -5}}});
     scene.add(Sphere{{0, 0, -7}, 1});
-    const WorldPtr world = make_world(scene);
+    const std::optional<World> world = make_world(scene);
     ASSERT_TRUE(world);
     for (int count = 1; count < 60; ++count) {
         for (int aside = 0; aside < std::min(count, 20); ++aside) {
@@ -48,8 +48,8 @@ TEST(Scratch, NothingIsReadPastTheRaysPadding) {  // the address sanitizer says 
                 const auto t = std::make_unique<double[]>(padded);
                 const auto slot = std::make_unique<std::uint32_t[]>(padded);
                 const auto occluded = std::make_unique<std::uint8_t[]>(padded);
-                kernels.nearest_hit(*world, exact.span(), count, k_beam, t.get(), slot.get());
-                kernels.any_hit(*world, exact.span(), count, k_beam, occluded.get());
+                kernels.nearest_hit(world->parts(), exact.span(), count, k_beam, t.get(), slot.get());
+                kernels.any_hit(world->parts(), exact.span(), count, k_beam, occluded.get());
                 int hit = 0, dark = 0;
                 for (int i = 0; i < count; ++i) {
                     hit += slot[static_cast<std::size_t>(i)] != k_none;
@@ -88,11 +88,11 @@ TEST(Scratch, AnEarlierPictureOfMoreMaterialsLeavesNothingBehind) {
         options.isa = isa;
         options.threads = 1;
         {
-            const WorldPtr world = make_world(big);
+            const std::optional<World> world = make_world(big);
             ASSERT_TRUE(world);
             render_world(*world, options);
         }
-        const WorldPtr world = make_world(small);
+        const std::optional<World> world = make_world(small);
         ASSERT_TRUE(world);
         const RenderResult result = render(*world, options);  // once it read beyond the materials
         ASSERT_TRUE(result.image);

@@ -178,9 +178,10 @@ TEST(Shadows, AcneWithoutEpsilonAndNoneWithIt) {
                 spots += pixel(acne, x, y).r == 0 && pixel(clean, x, y).r > 0;
                 if (pixel(clean, x, y).r != 0 || pixel(without, x, y).r == 0) continue;
                 // On the plane: the pixel's ray meets it behind the sphere as the light sees it.
-                const WorldPtr world = make_world(scene);
+                const std::optional<World> world = make_world(scene);
                 const double sx = (x + 0.5 - 60) / 120, sy = (45 - (y + 0.5)) / 90;
-                const Vec3 d = world->camera.forward + world->camera.right * sx + world->camera.up * sy;
+                const Vec3 d = world->parts().camera.forward + world->parts().camera.right * sx +
+                               world->parts().camera.up * sy;
                 const Vec3 p = scene.camera.position + d * (-scene.camera.position.y / d.y);
                 const Vec3 to_light = light.kind == LightKind::point ? light.position - p : light.to_light;
                 const Vec3 l = normalize(to_light), q = Vec3{0, 1, 0} - p;

@@ -9,8 +9,8 @@
 
 namespace glint::testing {
 
-inline WorldPtr make_world(const Scene& scene, int threads = 1) {
-    PrepareResult prepared = prepare(scene, threads);
+inline std::optional<World> make_world(const Scene& scene, int threads = 1) {
+    WorldResult prepared = prepare(scene, {.threads = threads});
     for (const Diagnostic& d : prepared.diagnostics) {
         if (d.severity == Severity::error) ADD_FAILURE() << to_string(d);
     }

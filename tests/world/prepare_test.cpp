@@ -6,7 +6,6 @@
 
 #include "trace/hit_rule.h"
 #include "trace/worlds.h"
-#include "world/primitive_bounds.h"
 
 namespace glint::testing {
 namespace {
@@ -14,30 +13,32 @@ namespace {
 TEST(Prepare, EveryShapeHasItsSlots) {
     Random random(111);
     const Scene scene = random_scene(random, 500);
-    const WorldPtr world = make_world(scene);
+    const std::optional<World> world = make_world(scene);
     ASSERT_TRUE(world);
     std::set<std::uint32_t> shapes;
     std::uint32_t next = 0;
     bool unbounded = false;
-    for (const ShapeClass& c : world->classes) {
+    for (const ShapeClass& c : world->parts().geometry->classes) {
         EXPECT_EQ(c.first, next);
         EXPECT_GT(c.count, 0u);
         EXPECT_GE(c.stride, c.count + static_cast<std::uint32_t>(k_ray_padding));
         next += c.count;
         if (c.kind == ShapeKind::plane) unbounded = true;
-        EXPECT_EQ(c.first >= world->bounded, unbounded) << "bounded classes come first";
+        EXPECT_EQ(c.first >= world->parts().geometry->bounded, unbounded) << "bounded classes come first";
         for (std::uint32_t slot = c.first; slot < c.first + c.count; ++slot) {
-            EXPECT_EQ(&world->class_of(slot), &c);
-            const Shape& shape = scene.shapes.at(world->shape_index[slot]);
+            EXPECT_EQ(&world->parts().geometry->class_of(slot), &c);
+            const Shape& shape = scene.shapes.at(world->parts().geometry->shape_index[slot]);
             EXPECT_EQ(c.kind, shape.kind == ShapeKind::polygon ? ShapeKind::triangle : shape.kind);
-            const bool again = !shapes.insert(world->shape_index[slot]).second;
+            const bool again = !shapes.insert(world->parts().geometry->shape_index[slot]).second;
             EXPECT_TRUE(!again || shape.kind == ShapeKind::polygon);
         }
     }
-    EXPECT_EQ(next, world->count);
+    EXPECT_EQ(next, world->parts().geometry->count);
     EXPECT_EQ(shapes.size(), scene.shapes.size());
-    EXPECT_GE(world->box_lo[0].size(), world->boxed + static_cast<std::size_t>(k_ray_padding));
-    EXPECT_GE(world->shape_index.size(), world->count + static_cast<std::size_t>(k_ray_padding));
+    EXPECT_GE(world->parts().geometry->box_lo[0].size(),
+              world->parts().geometry->boxed + static_cast<std::size_t>(k_ray_padding));
+    EXPECT_GE(world->parts().geometry->shape_index.size(),
+              world->parts().geometry->count + static_cast<std::size_t>(k_ray_padding));
 }
 
 TEST(Prepare, ConesAreLeftOutWhereTheConventionsSaySo) {
@@ -45,27 +46,29 @@ TEST(Prepare, ConesAreLeftOutWhereTheConventionsSaySo) {
     scene.add(Sphere{{0, 0, 0}, 1});
     scene.add(Cone{{0, 0, 0}, {0, 9, 0}, 1, 0, true});
     scene.add(Sphere{{0, 0, 2}, 1});
-    EXPECT_EQ(make_world(scene)->count, 3u);
+    EXPECT_EQ(make_world(scene)->parts().geometry->count, 3u);
     scene.conventions.cones = false;
-    const WorldPtr world = make_world(scene);
-    EXPECT_EQ(world->count, 2u);
+    const std::optional<World> world = make_world(scene);
+    EXPECT_EQ(world->parts().geometry->count, 2u);
     EXPECT_LT(bounds(*world).max.y, 2);
-    EXPECT_EQ(world->shape_index[0] + world->shape_index[1], 2u) << "indices are the scene's";
+    EXPECT_EQ(world->parts().geometry->shape_index[0] + world->parts().geometry->shape_index[1], 2u)
+        << "indices are the scene's";
 }
 
 TEST(Prepare, LeavesReferToSlotsOfOneClass) {
     Random random(112);
-    const WorldPtr world = make_world(random_scene(random, 700));
-    std::vector<int> met(world->bounded);
-    for (const BvhNode& node : world->bvh.nodes) {
+    const std::optional<World> world = make_world(random_scene(random, 700));
+    std::vector<int> met(world->parts().geometry->bounded);
+    for (const BvhNode& node : world->parts().geometry->bvh.nodes) {
         for (int c = 0; c < k_bvh_width; ++c) {
             if (!node.child[c].is_leaf()) continue;
             for (std::uint32_t i = 0; i < node.child[c].count(); ++i) {
                 const std::uint32_t slot = node.child[c].first() + i;
-                ASSERT_LT(slot, world->bounded);
+                ASSERT_LT(slot, world->parts().geometry->bounded);
                 ++met[slot];
-                EXPECT_EQ(&world->class_of(slot), &world->class_of(node.child[c].first()));
-                const Aabb box = own_box(*world, slot);
+                EXPECT_EQ(&world->parts().geometry->class_of(slot),
+                          &world->parts().geometry->class_of(node.child[c].first()));
+                const Aabb box = own_box(*world->parts().geometry, slot);
                 for (int a = 0; a < 3; ++a) {
                     EXPECT_LE(node.lo[a][c], box.lo[a]);
                     EXPECT_GE(node.hi[a][c], box.hi[a]);
@@ -78,14 +81,16 @@ TEST(Prepare, LeavesReferToSlotsOfOneClass) {
 
 TEST(Prepare, BoundsOfAPrimitiveAreThoseThatRaysAreTestedAgainst) {
     Random random(114);
-    const WorldPtr world = make_world(random_scene(random, 700));
+    const std::optional<World> world = make_world(random_scene(random, 700));
+    const PackedGeometry& geometry = *world->parts().geometry;
     int computed = 0;
-    for (std::uint32_t slot = 0; slot < world->bounded; ++slot) {
-        const Aabb box = own_box(*world, slot);
-        const Bounds bounds = primitive_bounds(*world, slot);
-        EXPECT_EQ(bounds.min, (Vec3{box.lo[0], box.lo[1], box.lo[2]})) << slot;
-        EXPECT_EQ(bounds.max, (Vec3{box.hi[0], box.hi[1], box.hi[2]})) << slot;
-        computed += slot >= world->boxed;
+    for (std::uint32_t slot = 0; slot < geometry.bounded; ++slot) {
+        const Aabb box = own_box(geometry, slot), bounds = primitive_bounds(geometry, slot);
+        for (int a = 0; a < 3; ++a) {
+            EXPECT_EQ(bounds.lo[a], box.lo[a]) << slot;
+            EXPECT_EQ(bounds.hi[a], box.hi[a]) << slot;
+        }
+        computed += slot >= geometry.boxed;
     }
     EXPECT_GT(computed, 0) << "no triangles";
 }
@@ -93,18 +98,18 @@ TEST(Prepare, BoundsOfAPrimitiveAreThoseThatRaysAreTestedAgainst) {
 TEST(Prepare, NoThreadsInTheResult) {
     Random random(113);
     const Scene scene = random_scene(random, 40000);
-    const WorldPtr one = make_world(scene, 1);
+    const std::optional<World> one = make_world(scene, 1);
     for (const int threads : {2, 7}) {
-        const WorldPtr other = make_world(scene, threads);
-        EXPECT_EQ(one->shape_index, other->shape_index);
-        EXPECT_EQ(one->material, other->material);
+        const std::optional<World> other = make_world(scene, threads);
+        EXPECT_EQ(one->parts().geometry->shape_index, other->parts().geometry->shape_index);
+        EXPECT_EQ(*one->parts().slot_material, *other->parts().slot_material);
         for (int a = 0; a < 3; ++a) {
-            EXPECT_EQ(one->box_lo[a], other->box_lo[a]);
-            EXPECT_EQ(one->box_hi[a], other->box_hi[a]);
+            EXPECT_EQ(one->parts().geometry->box_lo[a], other->parts().geometry->box_lo[a]);
+            EXPECT_EQ(one->parts().geometry->box_hi[a], other->parts().geometry->box_hi[a]);
         }
-        ASSERT_EQ(one->classes.size(), other->classes.size());
-        for (std::size_t c = 0; c < one->classes.size(); ++c)
-            EXPECT_EQ(one->classes[c].values, other->classes[c].values);
+        ASSERT_EQ(one->parts().geometry->classes.size(), other->parts().geometry->classes.size());
+        for (std::size_t c = 0; c < one->parts().geometry->classes.size(); ++c)
+            EXPECT_EQ(one->parts().geometry->classes[c].values, other->parts().geometry->classes[c].values);
     }
 }
 
@@ -113,10 +118,10 @@ TEST(Prepare, WhoseNormalIsTurned) {
     scene.transforms.push_back(translation({1, 2, 3}));
     const auto turned = [&](Facing facing) {
         scene.conventions.facing = facing;
-        const WorldPtr world = make_world(scene);
+        const std::optional<World> world = make_world(scene);
         std::vector<bool> by_shape(scene.shapes.size());
-        for (std::uint32_t slot = 0; slot < world->count; ++slot) {
-            by_shape[world->shape_index[slot]] = (world->material[slot] & k_turn_normal) != 0;
+        for (std::uint32_t slot = 0; slot < world->parts().geometry->count; ++slot) {
+            by_shape[world->parts().geometry->shape_index[slot]] = world->parts().turns_normal(slot);
         }
         return by_shape;
     };
@@ -151,17 +156,16 @@ TEST(Prepare, LightsAndMaterials) {
     scene.materials = {m, m};
     scene.add(Sphere{});
     scene.add(Sphere{}, 1);
-    const WorldPtr world = make_world(scene);
-    EXPECT_EQ(world->ambient, (Color{0.2, 0.4, 0.6}));
-    ASSERT_EQ(world->lights.size(), 1u);
-    EXPECT_EQ(world->lights[0].position, (Vec3{1, 2, 3}));
-    ASSERT_EQ(world->materials.size(), 3u * k_material_values);
+    const std::optional<World> world = make_world(scene);
+    EXPECT_EQ(world->parts().ambient, (Color{0.2, 0.4, 0.6}));
+    ASSERT_EQ(world->parts().lights->size(), 1u);
+    EXPECT_EQ((*world->parts().lights)[0].position, (Vec3{1, 2, 3}));
+    ASSERT_EQ(world->parts().materials->size(), 3u * k_material_values);
     for (std::uint32_t slot = 0; slot < 2; ++slot) {
-        const std::uint32_t material = world->material[slot] & k_material_index;
-        const bool has_own = world->shape_index[slot] == 1;
+        const std::uint32_t material = (*world->parts().slot_material)[slot];
+        const bool has_own = world->parts().geometry->shape_index[slot] == 1;
         EXPECT_EQ(material, has_own ? 1u : 2u);
-        EXPECT_EQ(world->materials[material * k_material_values + k_shininess],
-                  has_own ? 99 : Material{}.shininess);
+        EXPECT_EQ(world->parts().material(material)[k_shininess], has_own ? 99 : Material{}.shininess);
     }
 }
 
@@ -172,7 +176,7 @@ TEST(Prepare, BoundsAndMemory) {
     EXPECT_GT(none.min.x, none.max.x);
     scene.add(Sphere{{1, 2, 3}, 0.5});
     scene.add(Cylinder{{-4, 0, 0}, {-4, 7, 0}, 1, false});
-    const WorldPtr world = make_world(scene);
+    const std::optional<World> world = make_world(scene);
     const Bounds b = bounds(*world);
     EXPECT_NEAR(b.min.x, -5, 1e-5);
     EXPECT_NEAR(b.min.y, 0, 1e-5);
@@ -189,9 +193,9 @@ TEST(Prepare, MemoryByPart) {
     scene.add(Plane{{0, 0, 0}, {0, 1, 0}});
     EXPECT_EQ(memory(*make_world(scene)).hierarchy, 0u);
     for (int i = 0; i < 20000; ++i) scene.add(Sphere{point_in_cube(random, 10), 0.1});
-    const WorldPtr world = make_world(scene);
+    const std::optional<World> world = make_world(scene);
     const WorldMemory used = memory(*world);
-    EXPECT_EQ(used.packed, world->count);
+    EXPECT_EQ(used.packed, world->parts().geometry->count);
     EXPECT_GE(used.shapes, 20000 * 4 * sizeof(double));
     EXPECT_GE(used.indices, 20000 * 2 * sizeof(std::uint32_t));
     EXPECT_GE(used.hierarchy, sizeof(BvhNode));
@@ -204,7 +208,7 @@ TEST(Prepare, MemoryByPart) {
 TEST(Prepare, AWorldOfASceneWithErrorsIsNone) {
     Scene scene;
     scene.add(Sphere{{0, 0, 0}, -1});
-    const PrepareResult result = prepare(scene);
+    const WorldResult result = prepare(scene);
     EXPECT_FALSE(result.world);
     EXPECT_TRUE(has_errors(result.diagnostics));
 }
@@ -225,12 +229,12 @@ TEST(Prepare, BoxesHoldTheirShapes) {
             add_other(scene, random, at, r, transform);
         }
     }
-    const WorldPtr world = make_world(scene);
+    const std::optional<World> world = make_world(scene);
     int checked = 0;
-    for (std::uint32_t slot = 0; slot < world->bounded; ++slot) {
-        const ShapeClass& shapes = world->class_of(slot);
+    for (std::uint32_t slot = 0; slot < world->parts().geometry->bounded; ++slot) {
+        const ShapeClass& shapes = world->parts().geometry->class_of(slot);
         double lo[3], hi[3];
-        const Aabb box = own_box(*world, slot);
+        const Aabb box = own_box(*world->parts().geometry, slot);
         for (int a = 0; a < 3; ++a) lo[a] = box.lo[a], hi[a] = box.hi[a];
         for (int i = 0; i < 20; ++i) {
             // From well outside the box through a point of it.
@@ -262,7 +266,7 @@ TEST(Prepare, TheCameraByItsDefinition) {
     scene.camera.look_at = {1, 2, -7};
     scene.camera.up = {0, 5, 1};
     scene.camera.fov_degrees = 90;
-    const auto prepared = [&] { return make_world(scene)->camera; };
+    const auto prepared = [&] { return make_world(scene)->parts().camera; };
     PreparedCamera c = prepared();
     EXPECT_EQ(c.forward, (Vec3{0, 0, -1}));
     EXPECT_NEAR(c.right.x, 2, 1e-15);  // 2 tan 45

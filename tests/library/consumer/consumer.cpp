@@ -33,7 +33,7 @@ void good_input() {
     if (!loaded.scene) return;
     expect(!glint::has_errors(glint::validate(*loaded.scene)), "the scene is valid");
     const auto prepared = glint::prepare(*loaded.scene);
-    expect(prepared.world != nullptr, "the scene is prepared");
+    expect(prepared.world.has_value(), "the scene is prepared");
     if (!prepared.world) return;
     expect(glint::memory(*prepared.world).total() > 0, "a world takes memory");
     expect(glint::bounds(*prepared.world).max.z >= 4, "the bounds hold the sphere");
@@ -71,7 +71,7 @@ void scene_in_code() {
         expect(glint::set_setting(scene, *key, "false", {}).empty() && !scene.conventions.specular_gate,
                "it is set");
     scene.add(glint::Sphere{.center = {0, 0, -3}, .radius = -1});
-    expect(glint::prepare(scene).world == nullptr, "a negative radius is an error");
+    expect(!glint::prepare(scene).world, "a negative radius is an error");
     expect(!glint::formats().empty() && !glint::profile_names().empty() && !glint::setting_keys().empty(),
            "lists");
 }

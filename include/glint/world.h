@@ -1,0 +1,154 @@
+#pragma once
+// Scene -> World: geometry, which takes time to build and is shared, and shading, which is replaced in
+// microseconds.
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "glint/diagnostic.h"
+#include "glint/export.h"
+#include "glint/scene.h"
+
+namespace glint {
+
+struct WorldParts;
+
+/// A Scene prepared for tracing: its geometry (packed shapes and the hierarchy over them), materials, lights,
+/// background, camera, conventions and settings. A World does not refer to the Scene it was made from.
+///
+/// It is a value. Copies share their parts, so that a copy costs as much as one of a shared_ptr, and no
+/// function changes a World that somebody else has a copy of: a copy stays valid, and may be rendered by any
+/// number of threads, whatever happens to the World it was copied from.
+class World {
+  public:
+    /// A World without shapes and lights, with default settings. So is one that was moved from.
+    World() = default;
+
+    /// For the library itself: defined in a header that is not installed.
+    GLINT_API const WorldParts& parts() const;
+
+  private:
+    friend class WorldAccess;
+    std::shared_ptr<WorldParts> parts_;
+};
+
+struct PrepareOptions {
+    int threads = 0;  ///< 0 = one a processor
+    /// Called from any thread, now and then, with the fraction done (0 to 1). Must not throw.
+    std::function<void(double)> progress = {};
+    const std::atomic<bool>* cancel = nullptr;  ///< looked at now and then
+};
+
+struct WorldResult {
+    std::optional<World> world;           ///< absent if there are errors, or it was cancelled
+    std::vector<Diagnostic> diagnostics;  ///< what is wrong, "out of memory" included; warnings of prepare()
+    bool cancelled = false;
+};
+
+/// Validates and prepares; what validate() says is in the diagnostics. Never throws.
+GLINT_API WorldResult prepare(const Scene& scene, const PrepareOptions& options = {});
+
+// The same World with another part. Each function validates what it is given and nothing else, shares all
+// other parts with `world`, and gives the very bits that prepare() gives of the scene so changed. Never
+// throw.
+
+/// Lights in the order of Scene::lights, ambient ones among them.
+GLINT_API WorldResult with_lights(const World& world, std::span<const Light> lights);
+GLINT_API WorldResult with_camera(const World& world, const Camera& camera);
+GLINT_API WorldResult with_background(const World& world, Color background);
+/// Prepares the camera anew, since it depends on the picture's proportions. An error if `cones` differs and
+/// the scene has cones: they are in the geometry or not, so that takes prepare().
+GLINT_API WorldResult with_rules(const World& world, const Conventions& conventions,
+                                 const RenderSettings& settings);
+/// In place of material `index` of the scene.
+GLINT_API WorldResult with_material(const World& world, std::uint32_t index, const Material& material);
+/// In place of all of the scene's materials. As many, or it takes a pass over all shapes; at least as many as
+/// the shapes refer to.
+GLINT_API WorldResult with_materials(const World& world, std::span<const Material> materials);
+
+// Changes to shapes. They are made in place where `world` is the only World that has the geometry; where a
+// copy of it exists, the copy keeps the old geometry and `world` gets one of its own, which for a million
+// shapes takes milliseconds. With errors `world` stays as it is. Never throw.
+
+/// Gives shapes, by their index in Scene::shapes, a material, by its index in Scene::materials or k_none.
+/// Returns what is wrong, or nothing.
+GLINT_API std::vector<Diagnostic> assign_material(World& world, std::span<const std::uint32_t> shapes,
+                                                  std::uint32_t material);
+
+/// What edit_shapes() did to the hierarchy. refitted: its nodes have new boxes. rebuilt: it was built anew.
+enum class ShapeEdit : std::uint8_t { none, refitted, rebuilt };
+
+struct EditResult {
+    ShapeEdit edit = ShapeEdit::none;     ///< none: there are errors, it was cancelled, or no shape is given
+    std::vector<Diagnostic> diagnostics;  ///< errors in the shapes given, or of memory
+    bool cancelled = false;
+};
+
+/// Takes shapes from `scene` as they are now: parameters, transform and material. `changed` has their indices
+/// in Scene::shapes; the other shapes must be those that the World has, and nothing else of the scene is
+/// looked at. The hierarchy is refitted. It is rebuilt if a shape's kind changes, whether it has a transform,
+/// or the number of a polygon's triangles; if the scene has more or fewer shapes than before, which are then
+/// all taken from it; or if the expected cost of a ray (the surface-area heuristic's) is more than
+/// k_max_refit_cost times what it was when the hierarchy was built. Pictures are the same bits either way.
+/// The first edit of a World makes an index of its shapes.
+GLINT_API EditResult edit_shapes(World& world, const Scene& scene, std::span<const std::uint32_t> changed,
+                                 const PrepareOptions& options = {});
+inline constexpr double k_max_refit_cost = 1.5;
+
+/// Points origin + t direction for t_min < t < t_max.
+struct Ray {
+    Vec3 origin, direction;  ///< a direction of any length but 0, which scales t
+    double t_min = 0, t_max = std::numeric_limits<double>::infinity();
+};
+
+struct RayHit {
+    double t = 0;                  ///< where the ray hits; its t_max if it hits nothing
+    std::uint32_t shape = k_none;  ///< the shape's index in Scene::shapes; k_none if it hits nothing
+    Vec3 normal{0, 0, 0};  ///< the shape's own unit normal there, whatever the convention `facing` says
+};
+
+struct RayHits {
+    std::vector<RayHit> hits;  ///< by ray
+    std::string error;         ///< "out of memory"; empty if none
+};
+struct Occlusions {
+    std::vector<std::uint8_t> occluded;  ///< by ray: 1 or 0
+    std::string error;                   ///< "out of memory"; empty if none
+};
+
+/// What each ray hits first; of shapes hit at the same t, the first in the scene. A ray with a NaN in its
+/// origin or direction hits nothing. threads: 0 = one a processor. Never throws.
+GLINT_API RayHits nearest_hits(const World& world, std::span<const Ray> rays, int threads = 0);
+/// Whether anything that casts a shadow by the World's conventions is hit at all. Never throws.
+GLINT_API Occlusions occluded(const World& world, std::span<const Ray> rays, int threads = 0);
+
+/// Bytes of a prepared World, by part.
+struct WorldMemory {
+    std::size_t shapes = 0;     ///< the shapes' parameters
+    std::size_t boxes = 0;      ///< the shapes' own boxes
+    std::size_t indices = 0;    ///< which shape of the scene it is, and its material
+    std::size_t hierarchy = 0;  ///< the nodes over the boxes
+    std::size_t materials = 0;  ///< and lights
+    std::size_t packed = 0;     ///< how many shapes these are: the scene's, polygons as their triangles
+    std::size_t total() const { return shapes + boxes + indices + hierarchy + materials; }
+    /// Bytes of a packed shape, its part of the hierarchy included; 0 if there are none.
+    double each() const {
+        return packed == 0 ? 0 : static_cast<double>(total() - materials) / static_cast<double>(packed);
+    }
+};
+GLINT_API WorldMemory memory(const World& world);
+
+/// The box around all bounded shapes; min > max if there are none.
+struct Bounds {
+    Vec3 min, max;
+};
+GLINT_API Bounds bounds(const World& world);
+
+}  // namespace glint

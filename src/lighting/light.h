@@ -1,0 +1,12 @@
+#pragma once
+// What is asked of a light without computing with it.
+#include "glint/scene.h"
+
+namespace glint {
+
+/// Whether shadow rays are traced from the light to the surface, so that all of a light's share their origin.
+inline bool comes_from_light(const Light& light, const Conventions& conventions) {
+    return light.kind == LightKind::point && conventions.shadow_stops_at_light;
+}
+
+}  // namespace glint

@@ -1,0 +1,84 @@
+// What a World answers to rays of the user's own: by the kernels that draw pictures.
+#include <algorithm>
+
+#include "base/guard.h"
+#include "base/parallel_for.h"
+#include "glint/world.h"
+#include "trace/kernels.h"
+#include "world/world.h"
+
+namespace glint {
+namespace {
+
+constexpr std::size_t k_chunk = 256;  // rays of a task: its columns are on the stack
+
+// Some rays as columns, padded as the kernels want it.
+struct RayColumns {
+    double columns[8][k_chunk + k_ray_padding] = {};
+
+    explicit RayColumns(std::span<const Ray> rays) {
+        for (std::size_t i = 0; i < rays.size(); ++i) {
+            const Ray& r = rays[i];
+            const double values[8] = {r.origin.x,    r.origin.y,    r.origin.z, r.direction.x,
+                                      r.direction.y, r.direction.z, r.t_min,    r.t_max};
+            for (int c = 0; c < 8; ++c) columns[c][i] = values[c];
+        }
+    }
+    RaySpan span() const {
+        const auto& c = columns;
+        return {c[0], c[1], c[2], c[3], c[4], c[5], c[6], c[7]};
+    }
+};
+
+// Calls visit(first, some) for pieces of the list of rays.
+template <class Visit> void for_chunks(std::span<const Ray> rays, int threads, const Visit& visit) {
+    parallel_for((rays.size() + k_chunk - 1) / k_chunk, threads, [&](std::size_t chunk) {
+        const std::size_t first = chunk * k_chunk;
+        visit(first, rays.subspan(first, std::min(k_chunk, rays.size() - first)));
+    });
+}
+
+}  // namespace
+
+RayHits nearest_hits(const World& world, std::span<const Ray> rays, int threads) {
+    RayHits result;
+    result.error = guard([&] {
+        const WorldParts& parts = world.parts();
+        const PackedGeometry& geometry = *parts.geometry;
+        const Kernels& kernels = available_kernels().front();
+        result.hits.resize(rays.size());
+        for_chunks(rays, threads, [&](std::size_t first, std::span<const Ray> some) {
+            const RayColumns columns(some);
+            double t[k_chunk + k_ray_padding];
+            std::uint32_t slot[k_chunk + k_ray_padding];
+            kernels.nearest_hit(parts, columns.span(), static_cast<int>(some.size()), k_beam, t, slot);
+            for (std::size_t i = 0; i < some.size(); ++i) {
+                RayHit& hit = result.hits[first + i];
+                hit.t = t[i];
+                if (slot[i] == k_none) continue;
+                hit.shape = geometry.shape_index[slot[i]];
+                hit.normal = primitive_normal(geometry, slot[i], some[i].origin + some[i].direction * t[i]);
+            }
+        });
+    });
+    if (!result.error.empty()) result.hits.clear();
+    return result;
+}
+
+Occlusions occluded(const World& world, std::span<const Ray> rays, int threads) {
+    Occlusions result;
+    result.error = guard([&] {
+        const Kernels& kernels = available_kernels().front();
+        result.occluded.resize(rays.size());
+        for_chunks(rays, threads, [&](std::size_t first, std::span<const Ray> some) {
+            const RayColumns columns(some);
+            std::uint8_t flags[k_chunk + k_ray_padding];
+            kernels.any_hit(world.parts(), columns.span(), static_cast<int>(some.size()), k_beam, flags);
+            std::copy_n(flags, some.size(), result.occluded.begin() + static_cast<std::ptrdiff_t>(first));
+        });
+    });
+    if (!result.error.empty()) result.occluded.clear();
+    return result;
+}
+
+}  // namespace glint

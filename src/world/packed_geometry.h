@@ -1,0 +1,81 @@
+#pragma once
+// What takes time to build: packed shapes and the hierarchy over them. It knows no materials, lights, camera,
+// conventions or settings.
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "bvh/refit.h"
+#include "glint/shapes.h"
+#include "math/extent.h"
+
+namespace glint {
+
+struct EditIndex;
+
+/// Shapes of one kind, transformed or not, packed as columns: value k of the class's item i is values[k *
+/// stride + i].
+struct ShapeClass {
+    ShapeKind kind = ShapeKind::sphere;
+    bool transformed = false;
+    std::uint32_t first = 0;  // its items are slots [first, first + count) of the geometry
+    std::uint32_t count = 0;
+    std::uint32_t stride = 0;  // count and a vector of padding
+    std::vector<double> values;
+    const double* column(int k) const { return values.data() + static_cast<std::size_t>(k) * stride; }
+};
+
+/// Slots number the shapes as they are packed, a polygon's triangles one by one: the bounded ones in the
+/// hierarchy's leaf order within their class, then the unbounded ones. All arrays by slot are padded by a
+/// vector.
+struct PackedGeometry {
+    std::vector<ShapeClass> classes;          // bounded classes first
+    std::uint32_t boxed = 0;                  // slots below this have their box stored
+    std::uint32_t bounded = 0;                // slots below this are in the hierarchy
+    std::uint32_t count = 0;                  // slots
+    Bvh bvh;                                  // its leaves refer to slots; its order is dropped
+    std::vector<float> box_lo[3], box_hi[3];  // by slot: the shape's own padded box; a triangle's is computed
+    std::vector<std::uint32_t> shape_index;   // by slot: the index in Scene::shapes
+    std::vector<std::uint32_t> piece;         // by slot: the polygon's triangle, from 0; k_open_shape
+    std::uint32_t scene_shapes = 0;           // how many the scene has
+    bool has_cones = false;                   // the scene has some, packed or left out by the conventions
+    std::shared_ptr<const EditIndex> edit_index;  // made by the first edit; copies share it
+    BvhCost cost;  // of the hierarchy as it is; kept once there is an edit_index
+
+    static constexpr std::uint32_t k_open_shape = 0x80000000u;
+    std::uint32_t piece_of(std::uint32_t slot) const { return piece[slot] & ~k_open_shape; }
+    /// Whether the shape is a surface that encloses no space: what `facing = open` turns.
+    bool is_open(std::uint32_t slot) const { return (piece[slot] & k_open_shape) != 0; }
+
+    /// The class that a slot belongs to.
+    const ShapeClass& class_of(std::uint32_t slot) const { return classes[class_index(slot)]; }
+    ShapeClass& class_of(std::uint32_t slot) { return classes[class_index(slot)]; }
+
+  private:
+    std::size_t class_index(std::uint32_t slot) const {
+        std::size_t c = 0;
+        while (slot - classes[c].first >= classes[c].count) ++c;
+        return c;
+    }
+};
+
+/// The padded box of a bounded slot's shape, by the hit rule: stored, or a triangle's computed.
+inline Aabb primitive_bounds(const PackedGeometry& geometry, std::uint32_t slot) {
+    if (slot < geometry.boxed) {
+        Aabb box;
+        for (int a = 0; a < 3; ++a)
+            box.lo[a] = geometry.box_lo[a][slot], box.hi[a] = geometry.box_hi[a][slot];
+        return box;
+    }
+    const ShapeClass& triangles = geometry.class_of(slot);  // their first values are the vertices
+    const std::uint32_t item = slot - triangles.first;
+    const auto at = [&](int k) { return triangles.column(k)[item]; };
+    Extent extent;
+    for (int k = 0; k < 9; k += 3) extent.add({at(k), at(k + 1), at(k + 2)});
+    return padded_box(extent.lo, extent.hi);
+}
+
+/// The unit normal of a slot's shape at a point of it.
+Vec3 primitive_normal(const PackedGeometry& geometry, std::uint32_t slot, Vec3 point);
+
+}  // namespace glint

@@ -1,0 +1,170 @@
+#include "world/primitives.h"
+
+#include <span>
+#include <type_traits>
+
+#include "geometry/kinds-inl.h"
+#include "math/extent.h"
+#include "math/transform.h"
+#include "world/triangulate.h"
+
+namespace glint {
+
+using namespace HWY_NAMESPACE;
+
+namespace {
+
+constexpr std::size_t k_cache_line = 64;
+
+struct FactsOf {
+    ClassFacts facts;
+    template <class Geometry> void visit() {
+        facts.takes_maps = Geometry::k_takes_maps;
+        facts.values = Geometry::k_values;
+        facts.bounded = Geometry::k_bounded;
+        facts.stores_box = facts.bounded && !k_is_triangle<Geometry>;
+    }
+};
+
+AllClassFacts find_class_facts() {
+    AllClassFacts all;
+    for (int c = 0; c < k_primitive_classes; ++c) {
+        FactsOf of;
+        visit_geometry(static_cast<ShapeKind>(c / 2), c % 2 == 1, of);
+        all[static_cast<std::size_t>(c)] = of.facts;
+    }
+    return all;
+}
+
+}  // namespace
+
+const AllClassFacts& class_facts() {
+    static const AllClassFacts all = find_class_facts();
+    return all;
+}
+
+void Primitives::add(std::uint32_t index) {
+    const Shape& shape = scene_.shapes[index];
+    if (shape.kind != ShapeKind::polygon) {
+        list_.push_back({index, k_none, 0});
+        return;
+    }
+    const Polygon& polygon = scene_.get<Polygon>()[shape.index];
+    const auto first = static_cast<std::uint32_t>(triangles_.size());
+    triangulate(std::span(scene_.polygon_vertices).subspan(polygon.first, polygon.count), triangles_);
+    for (auto triangle = first; triangle < triangles_.size(); ++triangle)
+        list_.push_back({index, triangle, triangle - first});
+}
+
+void Primitives::add_all(bool cones) {
+    list_.reserve(scene_.shapes.size());
+    for (std::uint32_t i = 0; i < scene_.shapes.size(); ++i) {
+        if (cones || scene_.shapes[i].kind != ShapeKind::cone) add(i);
+    }
+}
+
+int Primitives::class_of(const Primitive& primitive) const {
+    const Shape& s = scene_.shapes[primitive.shape];
+    const ShapeKind kind = primitive.triangle == k_none ? s.kind : ShapeKind::triangle;
+    const int plain = 2 * static_cast<int>(kind);
+    return plain +
+           (s.transform != k_none && !class_facts()[static_cast<std::size_t>(plain)].takes_maps ? 1 : 0);
+}
+
+// The transform that it is packed with: none where its parameters take it.
+std::uint32_t Primitives::map_of(const Primitive& primitive) const {
+    return class_of(primitive) % 2 == 1 ? scene_.shapes[primitive.shape].transform : k_none;
+}
+
+// Calls visit(parameters, geometry), with the shape's map taken into the parameters where the kind allows.
+template <class Parameters, class Geometry, class Visit>
+void Primitives::visit_mapped(const Shape& shape, const Parameters& parameters, Geometry geometry,
+                              Visit&& visit) const {
+    if constexpr (Geometry::k_takes_maps) {
+        if (shape.transform != k_none) {
+            const Affine& map = scene_.transforms[shape.transform];
+            // validate() has made sure that it can be inverted.
+            return visit(Geometry::mapped(parameters, map, inverse(map).value_or(Affine{})), geometry);
+        }
+    }
+    visit(parameters, geometry);
+}
+
+// Calls visit(parameters, geometry) for the primitive's kind.
+template <class Visit> void Primitives::with_parameters(const Primitive& primitive, Visit&& visit) const {
+    const Shape& shape = scene_.shapes[primitive.shape];
+    if (primitive.triangle != k_none)
+        return visit_mapped(shape, triangles_[primitive.triangle], TriangleGeometry(), visit);
+    switch (shape.kind) {
+#define GLINT_KIND(Type, word)                                                             \
+    case ShapeKind::word:                                                                  \
+        if constexpr (!std::is_same_v<Type, Polygon>) {                                    \
+            visit_mapped(shape, scene_.get<Type>()[shape.index], Type##Geometry(), visit); \
+        }                                                                                  \
+        break;
+        GLINT_SHAPES(GLINT_KIND)
+#undef GLINT_KIND
+    }
+}
+
+void Primitives::prefetch_parameters(std::uint32_t index) const {
+    const Shape& shape = scene_.shapes[index];
+    switch (shape.kind) {
+#define GLINT_KIND(Type, word)                                                                               \
+    case ShapeKind::word: {                                                                                  \
+        const auto* at = reinterpret_cast<const char*>(&scene_.get<Type>()[shape.index]);                    \
+        for (std::size_t byte = 0; byte < sizeof(Type); byte += k_cache_line) __builtin_prefetch(at + byte); \
+        __builtin_prefetch(at + sizeof(Type) - 1);                                                           \
+        break;                                                                                               \
+    }
+        GLINT_SHAPES(GLINT_KIND)
+#undef GLINT_KIND
+    }
+}
+
+Aabb Primitives::box_of(const Primitive& primitive) const {
+    Vec3 lo, hi;
+    with_parameters(primitive,
+                    [&](const auto& parameters, auto geometry) { geometry.bounds(parameters, lo, hi); });
+    const std::uint32_t transform = map_of(primitive);
+    if (transform != k_none) {
+        Extent extent;  // of the box's corners
+        for (int corner = 0; corner < 8; ++corner) {
+            extent.add(transform_point(
+                scene_.transforms[transform],
+                {corner & 1 ? hi.x : lo.x, corner & 2 ? hi.y : lo.y, corner & 4 ? hi.z : lo.z}));
+        }
+        lo = extent.lo, hi = extent.hi;
+    }
+    return padded_box(lo, hi);
+}
+
+bool Primitives::is_open(const Primitive& primitive) const {
+    bool open = false;
+    with_parameters(primitive,
+                    [&](const auto& parameters, auto geometry) { open = geometry.open(parameters); });
+    return open;
+}
+
+int Primitives::pack(const Primitive& primitive, double* values) const {
+    int n = 0;
+    with_parameters(primitive, [&](const auto& parameters, auto geometry) {
+        static_assert(Transformed<decltype(geometry)>::k_values <= k_max_values);
+        geometry.pack(parameters, values);
+        n = decltype(geometry)::k_values;
+    });
+    if (const std::uint32_t map = map_of(primitive); map != k_none) {
+        const Affine object_from_world = inverse(scene_.transforms[map]).value_or(Affine{});
+        for (const auto& row : object_from_world.m) {
+            for (const double value : row) values[n++] = value;
+        }
+    }
+    return n;
+}
+
+bool is_closed(const Scene& scene, std::uint32_t shape) {
+    if (scene.shapes[shape].kind == ShapeKind::polygon) return false;
+    return !Primitives(scene).is_open({shape, k_none, 0});
+}
+
+}  // namespace glint

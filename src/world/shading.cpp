@@ -1,0 +1,43 @@
+#include "world/shading.h"
+
+#include "math/transform.h"
+
+namespace glint {
+namespace {
+
+constexpr double k_least_direction = 1e-15;  // length of a light's
+
+}  // namespace
+
+void pack_material(const Material& m, double* row) {
+    for (const Color& c : {m.ambient, m.diffuse, m.specular, m.color, m.mirror_tint, m.transmission_tint}) {
+        *row++ = c.r, *row++ = c.g, *row++ = c.b;
+    }
+    *row++ = m.shininess, *row++ = m.mirror, *row++ = m.transmission, *row++ = m.ior;
+}
+
+std::vector<double> pack_materials(std::span<const Material> materials) {
+    std::vector<double> table((materials.size() + 1) * k_material_values);
+    double* row = table.data();
+    for (const Material& m : materials) pack_material(m, row), row += k_material_values;
+    pack_material(Material{}, row);
+    return table;
+}
+
+PreparedLights prepare_lights(std::span<const Light> lights) {
+    PreparedLights prepared;
+    for (const Light& light : lights) {
+        if (light.kind == LightKind::ambient) {
+            prepared.ambient = prepared.ambient + light.color;
+            continue;
+        }
+        prepared.lights.push_back(light);
+        Vec3& to_light = prepared.lights.back().to_light;
+        // Squares of shorter ones vanish.
+        if (light.kind == LightKind::directional && length(to_light) < k_least_direction)
+            to_light = normalize(to_light) * k_least_direction;
+    }
+    return prepared;
+}
+
+}  // namespace glint

@@ -1,0 +1,21 @@
+#pragma once
+// Materials and lights as a World has them.
+#include <span>
+#include <vector>
+
+#include "world/world.h"
+
+namespace glint {
+
+/// The table of materials; the default one comes last.
+std::vector<double> pack_materials(std::span<const Material> materials);
+/// Writes one row of the table.
+void pack_material(const Material& material, double* row);
+
+struct PreparedLights {
+    std::vector<Light> lights;  // point and directional, in scene order
+    Color ambient{0, 0, 0};     // the sum of the ambient ones
+};
+PreparedLights prepare_lights(std::span<const Light> lights);
+
+}  // namespace glint

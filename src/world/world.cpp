@@ -1,0 +1,56 @@
+// Parts of Worlds: access, memory and bounds.
+#include "world/world.h"
+
+#include "world/edit_index.h"
+#include "world/prepare_camera.h"
+#include "world/shading.h"
+
+namespace glint {
+namespace {
+
+WorldParts empty_parts() {
+    const Scene scene;
+    WorldParts parts;
+    parts.materials = pack_materials(scene.materials);
+    parts.background = scene.background;
+    parts.camera = prepare_camera(scene.camera, scene.settings);
+    return parts;
+}
+
+template <class T> std::size_t bytes(const std::vector<T>& values) { return values.capacity() * sizeof(T); }
+
+}  // namespace
+
+const WorldParts& World::parts() const {
+    static const WorldParts empty = empty_parts();
+    return parts_ ? *parts_ : empty;
+}
+
+World WorldAccess::make(WorldParts parts) {
+    World world;
+    world.parts_ = std::make_shared<WorldParts>(std::move(parts));
+    return world;
+}
+
+WorldParts& WorldAccess::own(World& world) {
+    if (!world.parts_ || !is_sole_owner(world.parts_)) world = make(world.parts());
+    return *world.parts_;
+}
+
+WorldMemory memory(const World& world) {
+    const WorldParts& parts = world.parts();
+    const PackedGeometry& geometry = *parts.geometry;
+    WorldMemory m;
+    for (const ShapeClass& c : geometry.classes) m.shapes += bytes(c.values);
+    for (int a = 0; a < 3; ++a) m.boxes += bytes(geometry.box_lo[a]) + bytes(geometry.box_hi[a]);
+    m.indices = bytes(geometry.shape_index) + bytes(geometry.piece) + bytes(*parts.slot_material);
+    if (geometry.edit_index) m.indices += geometry.edit_index->bytes();
+    m.packed = geometry.count;
+    m.hierarchy = bytes(geometry.bvh.nodes);
+    m.materials = bytes(*parts.materials) + bytes(*parts.lights);
+    return m;
+}
+
+Bounds bounds(const World& world) { return to_bounds(world.parts().geometry->bvh.bounds); }
+
+}  // namespace glint

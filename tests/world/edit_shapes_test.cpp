@@ -1,0 +1,389 @@
+// Shapes that are edited in a World: as the scene prepared anew, bit for bit, refitted or rebuilt.
+#include <numeric>
+#include <thread>
+
+#include "trace/worlds.h"
+#include "world/edit_index.h"
+#include "world/same_pictures.h"
+
+namespace glint::testing {
+namespace {
+
+World prepared(const Scene& scene) { return *make_world(scene); }
+
+std::vector<std::uint32_t> all_of(const Scene& scene) {
+    std::vector<std::uint32_t> all(scene.shapes.size());
+    std::iota(all.begin(), all.end(), 0u);
+    return all;
+}
+
+ShapeEdit edit(World& world, const Scene& scene, std::span<const std::uint32_t> changed, int threads = 1) {
+    const EditResult result = edit_shapes(world, scene, changed, {.threads = threads});
+    for (const Diagnostic& d : result.diagnostics) ADD_FAILURE() << to_string(d);
+    EXPECT_FALSE(result.cancelled);
+    return result.edit;
+}
+ShapeEdit edit(World& world, const Scene& scene, std::initializer_list<std::uint32_t> changed) {
+    return edit(world, scene, std::span(changed.begin(), changed.size()));
+}
+
+// Seen from outside, with lights and materials that show every normal, shadow and mirror.
+Scene lit(Scene scene, double half) {
+    scene.settings.width = 48;
+    scene.settings.height = 36;
+    scene.camera.position = {half * 1.2, half * 0.7, half * 2.1};
+    scene.camera.look_at = {0, 0, 0};
+    scene.background = {0.2, 0.3, 0.4};
+    scene.lights.push_back(Light{});
+    scene.lights[0].position = {half, half * 2, half};
+    scene.lights.push_back({LightKind::directional});
+    scene.materials.assign(3, Material{});
+    scene.materials[1].diffuse = {0.9, 0.1, 0.3};
+    scene.materials[1].mirror = 0.4;
+    scene.materials[2].transmission = 0.5;
+    scene.materials[2].ior = 1.3;
+    for (std::size_t i = 0; i < scene.shapes.size(); ++i)
+        scene.shapes[i].material = i % 4 == 3 ? k_none : static_cast<std::uint32_t>(i % 4);
+    return scene;
+}
+
+template <class T> T& parameters(Scene& scene, const Shape& shape) { return scene.get<T>()[shape.index]; }
+
+// Moves a shape, whatever it is, without changing how it is packed.
+void move(Scene& scene, std::uint32_t index, Vec3 by) {
+    const Shape& shape = scene.shapes[index];
+    const auto move_all = [&](std::initializer_list<Vec3*> points) {
+        for (Vec3* p : points) *p = *p + by;
+    };
+    switch (shape.kind) {
+        case ShapeKind::sphere:
+            return move_all({&parameters<Sphere>(scene, shape).center});
+        case ShapeKind::plane:
+            return move_all({&parameters<Plane>(scene, shape).point});
+        case ShapeKind::cylinder: {
+            Cylinder& c = parameters<Cylinder>(scene, shape);
+            c.caps = !c.caps;
+            return move_all({&c.from, &c.to});
+        }
+        case ShapeKind::cone: {
+            Cone& c = parameters<Cone>(scene, shape);
+            return move_all({&c.from, &c.to});
+        }
+        case ShapeKind::disc:
+            return move_all({&parameters<Disc>(scene, shape).center});
+        case ShapeKind::box: {
+            Cuboid& c = parameters<Cuboid>(scene, shape);
+            return move_all({&c.min, &c.max});
+        }
+        case ShapeKind::triangle:
+            for (Vec3& v : parameters<Triangle>(scene, shape).vertices) v = v + by;
+            return;
+        case ShapeKind::smooth_triangle:
+            for (Vec3& v : parameters<SmoothTriangle>(scene, shape).vertices) v = v + by;
+            return;
+        case ShapeKind::polygon: {
+            const Polygon& p = parameters<Polygon>(scene, shape);
+            for (std::uint32_t i = 0; i < p.count; ++i) move_all({&scene.polygon_vertices[p.first + i]});
+            return;
+        }
+    }
+}
+
+// The same hits for rays of all ways, whatever the two hierarchies are.
+void expect_same_hits(const World& a, const World& b, Random& random, double half) {
+    std::vector<Ray> rays;
+    for (int i = 0; i < 500; ++i) rays.push_back({point_in_cube(random, 1.5 * half), unit_direction(random)});
+    const RayHits of_a = nearest_hits(a, rays), of_b = nearest_hits(b, rays);
+    const Occlusions any_a = occluded(a, rays), any_b = occluded(b, rays);
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        EXPECT_EQ(of_a.hits[i].shape, of_b.hits[i].shape);
+        EXPECT_EQ(of_a.hits[i].t, of_b.hits[i].t);
+        EXPECT_EQ(of_a.hits[i].normal, of_b.hits[i].normal);
+        EXPECT_EQ(any_a.occluded[i], any_b.occluded[i]);
+    }
+}
+
+TEST(EditShapes, AFewOrAllMoved) {
+    Random random(201);
+    for (int round = 0; round < 12; ++round) {
+        const double half = 10;
+        Scene scene = lit(random_scene(random, 60 + 200 * (round % 3), half), half);
+        scene.conventions.facing = round % 2 == 0 ? Facing::open : Facing::all;
+        World world = prepared(scene);
+        for (const std::size_t count : {std::size_t{1}, std::size_t{3}, scene.shapes.size()}) {
+            std::vector<std::uint32_t> changed = all_of(scene);
+            for (std::size_t i = 0; i < count; ++i)
+                std::swap(changed[i], changed[i + random.bits() % (changed.size() - i)]);
+            changed.resize(count);
+            for (const std::uint32_t shape : changed) {
+                move(scene, shape, point_in_cube(random, half / 8));
+                scene.shapes[shape].material = static_cast<std::uint32_t>(below(random, 3));
+            }
+            EXPECT_EQ(edit(world, scene, changed, 1 + round % 2), ShapeEdit::refitted);
+            EXPECT_TRUE(draw_the_same(world, prepared(scene))) << round << ' ' << count;
+            expect_same_hits(world, prepared(scene), random, half);
+        }
+        // Other maps under the same shapes.
+        std::vector<std::uint32_t> mapped;
+        for (std::uint32_t i = 0; i < scene.shapes.size(); ++i)
+            if (scene.shapes[i].transform != k_none) mapped.push_back(i);
+        for (Affine& map : scene.transforms) map = compose(translation({0.3, -0.2, 0.1}), map);
+        EXPECT_EQ(edit(world, scene, mapped), ShapeEdit::refitted);
+        EXPECT_TRUE(draw_the_same(world, prepared(scene)));
+    }
+}
+
+TEST(EditShapes, ARefittedHierarchyHoldsItsBoxes) {
+    Random random(202);
+    Scene scene = random_scene(random, 3000);
+    World world = prepared(scene);
+    for (int round = 0; round < 40; ++round) {
+        std::vector<std::uint32_t> changed;
+        for (int i = 0; i < (round % 8 == 7 ? 1000 : 5); ++i)
+            changed.push_back(
+                static_cast<std::uint32_t>(below(random, static_cast<int>(scene.shapes.size()))));
+        for (const std::uint32_t shape : changed) move(scene, shape, point_in_cube(random, 0.3));
+        if (edit(world, scene, changed) != ShapeEdit::refitted) continue;
+        const PackedGeometry& geometry = *world.parts().geometry;
+        const auto box = [&](std::uint32_t slot) { return primitive_bounds(geometry, slot); };
+        Bvh all = geometry.bvh;
+        refit_all(all, box, 1);
+        for (std::size_t n = 0; n < all.nodes.size(); ++n) {
+            for (int a = 0; a < 3; ++a) {
+                EXPECT_TRUE(std::equal(all.nodes[n].lo[a], all.nodes[n].lo[a] + k_bvh_width,
+                                       geometry.bvh.nodes[n].lo[a]));
+                EXPECT_TRUE(std::equal(all.nodes[n].hi[a], all.nodes[n].hi[a] + k_bvh_width,
+                                       geometry.bvh.nodes[n].hi[a]));
+                EXPECT_EQ(all.bounds.lo[a], geometry.bvh.bounds.lo[a]);
+                EXPECT_EQ(all.bounds.hi[a], geometry.bvh.bounds.hi[a]);
+            }
+        }
+        EXPECT_NEAR(geometry.cost.expected(), find_cost(all).expected(), 1e-9 * find_cost(all).expected());
+    }
+}
+
+TEST(EditShapes, IsInPlaceUnlessACopyExists) {
+    Random random(203);
+    Scene scene = lit(random_scene(random, 200), 10);
+    World world = prepared(scene);
+    const PackedGeometry* before = &*world.parts().geometry;
+    move(scene, 5, {0.1, 0, 0});
+    edit(world, scene, {5});
+    EXPECT_EQ(&*world.parts().geometry, before);
+    const World copy = world;
+    const Scene old = scene;
+    move(scene, 6, {0.1, 0, 0});
+    edit(world, scene, {6});
+    EXPECT_NE(&*world.parts().geometry, before);
+    EXPECT_EQ(&*copy.parts().geometry, before);
+    EXPECT_TRUE(draw_the_same(copy, prepared(old)));
+    EXPECT_TRUE(draw_the_same(world, prepared(scene)));
+    // Another World of the same geometry is a copy, too.
+    const World other = *with_background(world, {1, 0, 0}).world;
+    before = &*world.parts().geometry;
+    move(scene, 7, {0.1, 0, 0});
+    edit(world, scene, {7});
+    EXPECT_EQ(&*other.parts().geometry, before);
+    EXPECT_NE(&*world.parts().geometry, before);
+}
+
+TEST(EditShapes, RebuildsWhereTheStructureChanges) {
+    Random random(204);
+    const Scene original = lit(random_scene(random, 120), 10);
+    const auto expect_rebuilt = [&](const char* what, std::uint32_t shape, const auto& change) {
+        SCOPED_TRACE(what);
+        Scene scene = original;
+        World world = prepared(scene);
+        const World copy = world;
+        change(scene);
+        EXPECT_EQ(edit(world, scene, {shape}), ShapeEdit::rebuilt);
+        EXPECT_TRUE(draw_the_same(world, prepared(scene)));
+        EXPECT_TRUE(draw_the_same(copy, prepared(original)));
+    };
+    const auto first = [&](ShapeKind kind) {
+        for (std::uint32_t i = 0; i < original.shapes.size(); ++i)
+            if (original.shapes[i].kind == kind && original.shapes[i].transform == k_none) return i;
+        ADD_FAILURE() << "no such shape";
+        return 0u;
+    };
+    const std::uint32_t sphere = first(ShapeKind::sphere), polygon = first(ShapeKind::polygon);
+    const auto replace = [](Scene& s, std::uint32_t shape, const auto& by) {
+        const std::uint32_t at = s.add(by, s.shapes[shape].material);
+        s.shapes[shape] = s.shapes[at];
+        s.shapes.pop_back();
+    };
+    expect_rebuilt("another kind", sphere, [&](Scene& s) { replace(s, sphere, Cuboid{}); });
+    expect_rebuilt("without bounds", sphere, [&](Scene& s) {
+        replace(s, sphere, Plane{{0, -9, 0}, {0, 1, 0}});
+    });
+    expect_rebuilt("with a map", sphere, [&](Scene& s) { s.shapes[sphere].transform = 0; });
+    expect_rebuilt("a polygon's pieces", polygon,
+                   [&](Scene& s) { --parameters<Polygon>(s, s.shapes[polygon]).count; });
+    expect_rebuilt("a polygon of a triangle", first(ShapeKind::triangle), [&](Scene& s) {
+        const auto at = static_cast<std::uint32_t>(s.polygon_vertices.size());
+        for (const Vec3 v : {Vec3{0, 0, 0}, Vec3{3, 0, 0}, Vec3{3, 3, 0}, Vec3{0, 3, 0}})
+            s.polygon_vertices.push_back(v);
+        replace(s, first(ShapeKind::triangle), Polygon{at, 4});
+    });
+    expect_rebuilt("one more", sphere, [&](Scene& s) { s.add(Sphere{{1, 1, 1}, 2}, 1); });
+    expect_rebuilt("one less", sphere, [&](Scene& s) { s.shapes.pop_back(); });
+}
+
+// Triangles that nobody sees apart: a polygon of one piece is a triangle, and packed as one.
+TEST(EditShapes, ATriangleAsAPolygonIsRefitted) {
+    Scene scene;
+    scene.polygon_vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+    scene.add(Triangle{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}});
+    World world = prepared(scene);
+    const std::uint32_t at = scene.add(Polygon{0, 3});
+    scene.shapes[0] = scene.shapes[at];
+    scene.shapes.pop_back();
+    EXPECT_EQ(edit(world, scene, {0}), ShapeEdit::refitted);
+    EXPECT_TRUE(draw_the_same(world, prepared(scene)));
+}
+
+TEST(EditShapes, RebuildsWhereRaysWouldCostTooMuch) {
+    Random random(205);
+    Scene scene;
+    for (int i = 0; i < 4000; ++i) scene.add(Sphere{point_in_cube(random, 10), 0.05});
+    scene = lit(std::move(scene), 10);
+    World world = prepared(scene);
+    const std::vector<std::uint32_t> all = all_of(scene);
+    // The same cloud somewhere else, and larger.
+    for (Sphere& s : scene.get<Sphere>()) s = {s.center * 2 + Vec3{3, 4, 5}, s.radius * 2};
+    EXPECT_EQ(edit(world, scene, all), ShapeEdit::refitted);
+    // Everything changes places.
+    for (Sphere& s : scene.get<Sphere>()) s.center = point_in_cube(random, 10);
+    EXPECT_EQ(edit(world, scene, all), ShapeEdit::rebuilt);
+    EXPECT_TRUE(draw_the_same(world, prepared(scene)));
+    for (Sphere& s : scene.get<Sphere>()) s.center = s.center + Vec3{0.1, 0, 0};
+    EXPECT_EQ(edit(world, scene, all), ShapeEdit::refitted) << "the new hierarchy's cost is the new measure";
+    EXPECT_TRUE(draw_the_same(world, prepared(scene)));
+}
+
+// A bent polygon: its triangles differ in their normals, and rays along the cuts meet two at the same t.
+TEST(EditShapes, TiesWithinAPolygonDoNotDependOnTheHierarchy) {
+    Random random(206);
+    int differing_orders = 0;
+    for (int round = 0; round < 60; ++round) {
+        Scene scene;
+        const auto corners = static_cast<std::uint32_t>(5 + below(random, 8));
+        for (std::uint32_t i = 0; i < corners; ++i) {
+            const double angle = 2 * M_PI * i / corners;
+            scene.polygon_vertices.push_back(
+                {std::round(16 * std::cos(angle)), std::round(16 * std::sin(angle)), 0});
+        }
+        scene.add(Polygon{0, corners});
+        scene = lit(std::move(scene), 20);
+        scene.camera.projection = Projection::orthographic;
+        scene.camera.position = {0, 0, 50};
+        scene.camera.look_at = {0, 0, 0};
+        scene.camera.width = 33;
+        scene.settings.width = scene.settings.height = 33;
+        World world = prepared(scene);
+        for (Vec3& v : scene.polygon_vertices)
+            v = {v.x + below(random, 7) - 3, v.y + below(random, 7) - 3, (below(random, 3) - 1) * 1e-3};
+        const ShapeEdit how = edit(world, scene, {0});
+        const World again = prepared(scene);
+        EXPECT_TRUE(draw_the_same(world, again)) << round;
+        differing_orders +=
+            how == ShapeEdit::refitted && world.parts().geometry->piece != again.parts().geometry->piece;
+    }
+    EXPECT_GT(differing_orders, 5) << "nothing was tested";
+}
+
+TEST(EditShapes, LeavesAWorldAsItIsWhereSomethingIsWrong) {
+    Random random(207);
+    const Scene original = lit(random_scene(random, 50), 10);
+    World world = prepared(original);
+    const PackedGeometry* before = &*world.parts().geometry;
+    const auto expect_error = [&](const Scene& scene, std::uint32_t shape, const char* message) {
+        const EditResult result = edit_shapes(world, scene, {{0, shape}});
+        EXPECT_EQ(result.edit, ShapeEdit::none);
+        ASSERT_FALSE(result.diagnostics.empty()) << message;
+        EXPECT_NE(result.diagnostics[0].message.find(message), std::string::npos)
+            << result.diagnostics[0].message;
+        EXPECT_EQ(&*world.parts().geometry, before);
+    };
+    Scene scene = original;
+    expect_error(scene, 50, "there is no shape 51: the scene has 50");
+    for (Sphere& s : scene.get<Sphere>()) s.radius = -1;
+    std::uint32_t sphere = 0;
+    while (scene.shapes[sphere].kind != ShapeKind::sphere) ++sphere;
+    expect_error(scene, sphere, "radius");
+    scene = original;
+    scene.shapes[7].material = 3;
+    expect_error(scene, 7, "no such material");
+    scene = original;
+    scene.shapes[7].transform = 99;
+    expect_error(scene, 7, "no such transform");
+    scene = original;
+    scene.transforms[1] = Affine{};
+    scene.transforms[1].m[0][0] = 0;
+    scene.shapes[7].transform = 1;
+    expect_error(scene, 7, "transform 2");
+    scene = original;
+    scene.add(Sphere{{0, 0, 0}, -1});
+    expect_error(scene, 7, "radius");
+    EXPECT_TRUE(draw_the_same(world, prepared(original)));
+    EXPECT_EQ(edit_shapes(world, original, {}).edit, ShapeEdit::none);
+}
+
+TEST(EditShapes, ShapesThatAreNotGivenKeepTheirMaterial) {
+    Random random(208);
+    Scene scene = lit(random_scene(random, 50), 10);
+    World world = prepared(scene);
+    const std::uint32_t shapes[] = {1, 2};
+    ASSERT_TRUE(assign_material(world, shapes, 1).empty());
+    Scene expected = scene;
+    expected.shapes[1].material = expected.shapes[2].material = 1;
+    // The scene itself was never told; shape 2 is taken from it.
+    scene.shapes[2].material = expected.shapes[2].material = 0;
+    scene.shapes[3] = scene.shapes[scene.add(Cuboid{}, 2)];
+    scene.shapes.pop_back();
+    expected.shapes[3] = expected.shapes[expected.add(Cuboid{}, 2)];
+    expected.shapes.pop_back();
+    EXPECT_EQ(edit(world, scene, {2, 3}), ShapeEdit::rebuilt);
+    EXPECT_TRUE(draw_the_same(world, prepared(expected)));
+}
+
+// One thread draws a copy over and over while another changes the World.
+TEST(EditShapes, ACopyStaysWhatItIsWhileItIsDrawn) {
+    Random random(210);
+    Scene scene = lit(random_scene(random, 60), 10);
+    World world = prepared(scene);
+    const World copy = world;
+    std::thread drawing([copy, expected = render(copy)] {
+        for (int i = 0; i < 20; ++i) {
+            const RenderResult again = render(copy, {.threads = 1});
+            EXPECT_TRUE(same_bits(again.image->rgb, expected.image->rgb));
+        }
+    });
+    const std::uint32_t shapes[] = {0, 1};
+    for (int i = 0; i < 200; ++i) {
+        scene.lights[0].position.x = i * 0.01;
+        world = with_lights(world, scene.lights).world.value();
+        EXPECT_TRUE(assign_material(world, shapes, static_cast<std::uint32_t>(i % 2)).empty());
+        for (const std::uint32_t shape : shapes) move(scene, shape, {0, 0.01, 0});
+        edit(world, scene, shapes);
+    }
+    drawing.join();
+    EXPECT_TRUE(draw_the_same(world, prepared(scene)));
+}
+
+TEST(EditShapes, ARebuildCanBeCancelled) {
+    Random random(209);
+    Scene scene = lit(random_scene(random, 50), 10);
+    World world = prepared(scene);
+    const World copy = world;
+    const std::atomic<bool> cancel{true};
+    scene.add(Sphere{});
+    const EditResult result =
+        edit_shapes(world, scene, {}, {.threads = 1, .progress = {}, .cancel = &cancel});
+    EXPECT_TRUE(result.cancelled);
+    EXPECT_EQ(result.edit, ShapeEdit::none);
+    EXPECT_TRUE(draw_the_same(world, copy));
+}
+
+}  // namespace
+}  // namespace glint::testing
