@@ -75,10 +75,6 @@ int compare_command(CompareArguments& arguments) {
     std::optional<OutputFile> diff;
     if (!arguments.diff.empty()) {
         diff.emplace(png_output("--diff", arguments.diff));
-        if (diff->replaces(arguments.files))
-            throw Failure(
-                k_usage,
-                fmt::format("--diff '{}' would overwrite what is read: choose another file", arguments.diff));
         if (diff->is_standard_output() && !arguments.quiet)
             throw Failure(k_usage, "--diff - needs --quiet: the report goes to standard output, too");
     }

@@ -1,7 +1,6 @@
 // glint grade: every picture of a folder held against a reference, or every part of a rubric.
 #include <fmt/format.h>
 
-#include <array>
 #include <memory>
 
 #include "base/text.h"
@@ -213,12 +212,9 @@ int grade_command(GradeArguments& arguments) {
     if (!arguments.rubric.empty() && arguments.scene.scene.files.empty())
         throw Failure(k_usage, "--rubric needs --scene FILE, which draws its parts");
     const GradeOutputs outputs(arguments.outputs, arguments.folder);
-    outputs.spare(std::array{arguments.reference, arguments.rubric, arguments.scene.scene.profile});
-    outputs.spare(arguments.scene.scene.files);
     std::vector<RubricRow> rows;
     if (!arguments.rubric.empty()) rows = load_rubric(arguments.rubric);
     std::optional<LoadedScene> loaded = load_scene_option(arguments.scene, arguments.quiet);
-    if (loaded) outputs.spare(loaded->scene.files);  // the included ones too
     Image reference;
     if (!arguments.reference.empty()) reference = std::move(*read_picture(arguments.reference).image);
     if (loaded && !reference.rgb.empty()) {

@@ -60,6 +60,7 @@ LayerFiles::LayerFiles(const std::optional<std::string>& aov, const std::string&
     const std::string ending = extension(picture), base = picture.substr(0, picture.size() - ending.size());
     for (const Layer layer : wanted_) {
         files_.emplace_back(
+            "--aov",
             fmt::format("{}.{}{}", base, layer_infos()[static_cast<std::size_t>(layer)].name, ending));
     }
 }

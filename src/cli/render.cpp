@@ -109,7 +109,7 @@ int render_command(RenderArguments& arguments) {
     const auto start = Clock::now();
     const std::string path =
         arguments.output.empty() ? default_output(arguments.scene.files.front()) : arguments.output;
-    const OutputFile output(path);
+    const OutputFile output("--output", path);
     EncodeOptions encoding = encoding_of(arguments.numbers);
     encoding.format = format_of(path, output);
     encoding.threads = arguments.threads;
@@ -121,10 +121,7 @@ int render_command(RenderArguments& arguments) {
         }
     }
     std::optional<OutputFile> stats;
-    if (!arguments.stats.empty()) stats.emplace(arguments.stats);
-    if (stats && stats->is_standard_output() && output.is_standard_output()) {
-        throw Failure(k_usage, "--stats and the picture cannot both go to standard output");
-    }
+    if (!arguments.stats.empty()) stats.emplace("--stats", arguments.stats);
     check_isa(arguments.isa);
     const LayerFiles layers(arguments.aov, path, encoding.format, output.is_stream());
     add_settings(arguments.picture, arguments.crop.empty(), arguments.scene);

@@ -133,6 +133,7 @@ LoadedScene load_scene(const SceneArguments& arguments) {
     }
     FileSources sources;
     LoadResult result = load(texts, options, &sources);
+    sources.rethrow();
     if (!result.scene) {
         print(result.diagnostics);
         throw Failure(k_bad_input, {});
