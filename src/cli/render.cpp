@@ -40,7 +40,7 @@ struct RenderArguments {
     NumberArguments numbers;
     std::optional<std::string> aov;
     std::string output, crop, isa, stats;
-    bool show = false, quiet = false;
+    bool strict = false, show = false, quiet = false;
     int threads = 0;
 };
 
@@ -105,6 +105,11 @@ std::span<const std::uint8_t> bytes_of(const std::string& text) {
     return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
 }
 
+[[noreturn]] void fail_strict(std::size_t warnings) {
+    throw Failure(k_bad_input,
+                  fmt::format("--strict: {}, so no picture is written", counted(warnings, "warning")));
+}
+
 int render_command(RenderArguments& arguments) {
     const auto start = Clock::now();
     const std::string path =
@@ -139,8 +144,11 @@ int render_command(RenderArguments& arguments) {
     const PrepareResult prepared = prepare(loaded.scene, arguments.threads);
     times.prepare = seconds_since(stage);
     add_warnings(loaded.warnings, prepared.diagnostics);
-    if (!arguments.quiet || !prepared.world) print(loaded.warnings);
+    const std::size_t warnings = count_warnings(loaded.warnings);
+    const bool refused = arguments.strict && warnings > 0;
+    if (!arguments.quiet || !prepared.world || refused) print(loaded.warnings);
     if (!prepared.world) throw Failure(k_bad_input, {});
+    if (refused) fail_strict(warnings);
 
     stage = Clock::now();
     RenderResult result;
@@ -155,11 +163,12 @@ int render_command(RenderArguments& arguments) {
     times.trace = seconds_since(stage);
     if (!result.image) throw Failure(k_bad_input, result.error);
 
-    if (result.rays.cut > 0 && !arguments.quiet) {
+    if (result.rays.cut > 0 && (!arguments.quiet || arguments.strict)) {
         tell(
             "warning: {} mirror and glass rays were not traced: a sample of a pixel has at most {}; "
             "--reflections or min_weight leave out the faintest first\n",
             with_commas(result.rays.cut), k_max_sample_rays);
+        if (arguments.strict) fail_strict(1);
     }
 
     stage = Clock::now();
@@ -179,8 +188,7 @@ int render_command(RenderArguments& arguments) {
         tell("{}  {}x{}  {} rays  {:.3f} s  {:.1f} Mray/s  (whole {:.3f} s, {}, {}, {})\n", path,
              result.image->width, result.image->height, with_commas(result.rays.total()), times.trace,
              static_cast<double>(result.rays.total()) / times.trace / 1e6, seconds_since(start),
-             counted(std::uint64_t(result.threads), "thread"), result.isa,
-             counted(count_warnings(loaded.warnings), "warning"));
+             counted(std::uint64_t(result.threads), "thread"), result.isa, counted(warnings, "warning"));
     }
     return k_done;
 }
@@ -213,6 +221,7 @@ Run add_render(CLI::App& app) {
                     "Instruction set (`glint info --isa` lists them). The picture is the same")
         ->option_text("NAME");
     command.add_option("--stats", a.stats, "Write times, rays and memory as JSON")->option_text("FILE.json");
+    command.add_flag("--strict", a.strict, "Any warning is an error: exit code 1, and no picture is written");
     command.add_flag("--show", a.show, "Also draw the picture in the terminal, in 24-bit colours");
     command.add_flag("-q,--quiet", a.quiet, "Say nothing but errors");
     command.footer(k_examples);
