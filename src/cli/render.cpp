@@ -182,7 +182,7 @@ int render_command(RenderArguments& arguments) {
     layers.write(result.layers, encoding);
     if (stats) stats->write(bytes_of(stats_text(result, times)));
     if (arguments.show) {
-        fmt::print("{}", half_blocks(*result.image, terminal_columns(), encoding.transfer));
+        fmt::print("{}", half_blocks(*result.image, terminal_columns(STDOUT_FILENO), encoding.transfer));
     }
     if (!arguments.quiet) {
         tell("{}  {}x{}  {} rays  {:.3f} s  {:.1f} Mray/s  (whole {:.3f} s, {}, {}, {})\n", path,

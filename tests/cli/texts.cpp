@@ -53,9 +53,34 @@ TEST(Texts, Paths) {
 }
 
 TEST(Texts, Progress) {
-    EXPECT_EQ(progress_text(0, 1), "[                              ]   0%");
-    EXPECT_EQ(progress_text(0.5, 72), "[###############               ]  50%  1:12 left");
-    EXPECT_EQ(progress_text(0.01, 100), "[                              ]   1%  2:45:00 left");
+    EXPECT_EQ(progress_text(0, 1, 80), "[                              ]   0%");
+    EXPECT_EQ(progress_text(0.5, 72, 80), "[###############               ]  50%  1:12 left");
+    EXPECT_EQ(progress_text(0.01, 100, 80), "[                              ]   1%  2:45:00 left");
+    EXPECT_EQ(progress_text(0.5, 72, 28), "[#####     ]  50%  1:12 left");
+    EXPECT_EQ(progress_text(0.5, 72, 20), "  50%  1:12 left");
+    EXPECT_EQ(progress_text(0.5, 72, 10), "  50%");
+    for (int columns = 5; columns < 60; ++columns) {
+        EXPECT_LE(progress_text(0.01, 100, columns).size(), static_cast<std::size_t>(columns));
+    }
+}
+
+// Seconds, as the test has them.
+int fake_time = 0;
+ProgressBar::Clock::time_point fake_now() {
+    return ProgressBar::Clock::time_point(std::chrono::seconds(fake_time));
+}
+
+TEST(Texts, ProgressWithoutATerminalIsALineEveryTenSeconds) {
+    testing::internal::CaptureStderr();
+    {
+        ProgressBar bar(true, fake_now), quiet(false, fake_now);
+        for (fake_time = 0; fake_time < 40; ++fake_time) {
+            bar.update(fake_time / 40.0);
+            quiet.update(fake_time / 40.0);
+        }
+    }
+    EXPECT_EQ(testing::internal::GetCapturedStderr(),
+              "glint: 25%  0:30 left\nglint: 50%  0:20 left\nglint: 75%  0:10 left\n");
 }
 
 TEST(Texts, HalfBlocks) {
