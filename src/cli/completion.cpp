@@ -5,6 +5,7 @@
 
 #include "cli/commands.h"
 #include "cli/failure.h"
+#include "cli/validators.h"
 #include "glint/glint.h"
 
 namespace glint::cli {

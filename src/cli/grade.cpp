@@ -233,7 +233,9 @@ Run add_grade(CLI::App& app) {
         "grade", "Hold every picture of a folder against a reference, or a rubric's parts");
     const auto arguments = std::make_shared<GradeArguments>();
     GradeArguments& a = *arguments;
-    command.add_option("DIR", a.folder, "Pictures, or a folder for each submission")->required();
+    command.add_option("DIR", a.folder, "Pictures, or a folder for each submission")
+        ->option_text(" ")
+        ->required();
     command
         .add_option(
             "--reference", a.reference,
@@ -252,9 +254,7 @@ Run add_grade(CLI::App& app) {
                     "numbers; 0: the "
                     "reference")
         ->option_text("OUT.png");
-    command.add_option("-t,--threads", a.threads, "Threads; 0 (default): one a processor")
-        ->check(CLI::Range(0, 1024))
-        ->option_text("N");
+    add_threads_argument(command, a.threads);
     command.add_flag("-q,--quiet", a.quiet, "No warnings and no progress");
     command.footer(k_examples);
     return [arguments] { return grade_command(*arguments); };

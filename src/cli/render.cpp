@@ -8,6 +8,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "base/text.h"
 #include "cli/commands.h"
 #include "cli/failure.h"
 #include "cli/layer_files.h"
@@ -16,6 +17,7 @@
 #include "cli/progress.h"
 #include "cli/scene_arguments.h"
 #include "cli/show.h"
+#include "cli/submissions.h"
 #include "cli/tell.h"
 #include "cli/terminal.h"
 #include "cli/text.h"
@@ -110,8 +112,25 @@ std::span<const std::uint8_t> bytes_of(const std::string& text) {
                   fmt::format("--strict: {}, so no picture is written", counted(warnings, "warning")));
 }
 
+// `glint render castle.json out.png`: the picture stands where scenes do.
+void check_scenes(const SceneArguments& scene) {
+    if (!scene.format.empty()) return;  // it may be called anything
+    std::vector<std::string> scenes = scene.files, pictures;
+    std::erase_if(scenes, [&](const std::string& file) {
+        if (is_picture_name(file)) pictures.push_back(file);
+        return is_picture_name(file);
+    });
+    if (pictures.empty()) return;
+    if (scenes.empty()) scenes = {"SCENE"};
+    throw Failure(k_usage,
+                  fmt::format("{} is a picture, no scene; where a picture goes is said by -o: glint "
+                              "render {} -o {}",
+                              glint::quoted(pictures.front()), fmt::join(scenes, " "), pictures.front()));
+}
+
 int render_command(RenderArguments& arguments) {
     const auto start = Clock::now();
+    check_scenes(arguments.scene);
     const std::string path =
         arguments.output.empty() ? default_output(arguments.scene.files.front()) : arguments.output;
     const OutputFile output("--output", path);
@@ -211,11 +230,7 @@ Run add_render(CLI::App& app) {
     command.add_option("--crop", a.crop, "Only this part of the picture; X and Y count from its top left")
         ->option_text("WxH+X+Y");
     add_number_arguments(command, a.numbers);
-    command
-        .add_option("-t,--threads", a.threads,
-                    "Threads; 0 (default): one a processor. The picture is the same")
-        ->check(CLI::Range(0, 1024))
-        ->option_text("N");
+    add_threads_argument(command, a.threads, ". The picture is the same");
     command
         .add_option("--isa", a.isa,
                     "Instruction set (`glint info --isa` lists them). The picture is the same")
