@@ -30,6 +30,7 @@ Run add_compare(CLI::App& app);
 Run add_versus(CLI::App& app);
 Run add_grade(CLI::App& app);
 Run add_completion(CLI::App& app);
+Run add_man(CLI::App& app);
 Run add_help(CLI::App& app);
 Run add_version(CLI::App& app);
 

@@ -63,6 +63,7 @@ int run(const std::vector<std::string>& arguments) {
         {"completion", add_completion(app)},
         {"help", add_help(app)},
         {"version", add_version(app)},
+        {"man", add_man(app)},
     };
     // clang-format on
 

@@ -65,7 +65,8 @@ TEST(Documented, EveryHelpHasExamples) {
     const std::vector<std::vector<std::string>> helps = {
         {"--help"},          {"render", "--help"},     {"info", "--help"},   {"convert", "--help"},
         {"check", "--help"}, {"explain", "--help"},    {"versus", "--help"}, {"compare", "--help"},
-        {"grade", "--help"}, {"completion", "--help"}, {"help", "--help"},   {"version", "--help"}};
+        {"grade", "--help"}, {"completion", "--help"}, {"help", "--help"},   {"version", "--help"},
+        {"man", "--help"}};
     for (const auto& arguments : helps) {
         const Finished r = run(folder, arguments);
         EXPECT_EQ(r.code, 0);
