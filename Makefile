@@ -2,7 +2,7 @@
 PREFIX ?= /usr/local
 glint = build/release/glint
 
-.PHONY: help deps demo test test-all test-aarch64 build install release web playground tidy fuzz bench format clean
+.PHONY: help deps demo test test-all test-aarch64 build install release web playground tidy fuzz bench format generated clean
 
 help:
 	@echo 'make demo     installs what is missing, builds glint, renders castle.png and explains one of its pixels'
@@ -16,6 +16,7 @@ help:
 	@echo 'make test-aarch64  cross-compiles for 64-bit ARM and runs tests under qemu'
 	@echo 'make release  writes the files of a release to build/release-files (tools/make-release)'
 	@echo 'make tidy     runs clang-tidy; make format, clang-format; make fuzz, the fuzzers'
+	@echo 'make generated writes the manual pages and completions that the command prints'
 	@echo 'make clean    removes what was built'
 
 started := $(shell date +%s)
@@ -84,6 +85,10 @@ bench:
 
 format:
 	@git ls-files '*.cpp' '*.h' | xargs clang-format-14 -i
+
+# The manual pages and completions, which are files of the source.
+generated: build
+	@tools/write-generated $(glint)
 
 clean:
 	rm -rf build web/dist web/node_modules web/src/gallery

@@ -84,11 +84,7 @@ Run add_check(CLI::App& app) {
     const auto arguments = std::make_shared<CheckArguments>();
     add_scene_arguments(command, arguments->scene);
     add_picture_arguments(command, arguments->picture);
-    command
-        .add_option("-t,--threads", arguments->threads,
-                    "Threads; 0 (default): one a processor. The findings are the same")
-        ->check(CLI::Range(0, 1024))
-        ->option_text("N");
+    add_threads_argument(command, arguments->threads, ". The findings are the same");
     command.add_flag("--strict", arguments->strict,
                      "Exit code 1 if there is any finding or warning; notes do not count");
     command.add_flag("--json", arguments->json, "The findings as a JSON array");

@@ -3,15 +3,23 @@
 #include <CLI/CLI.hpp>
 #include <functional>
 #include <string>
+#include <string_view>
 #include <vector>
+
+#include "glint/glint.h"
 
 namespace glint::cli {
 
 /// Runs a command that has been parsed; returns the exit code.
 using Run = std::function<int()>;
 
-/// The check of an option that takes one of these words.
-CLI::Validator one_of(std::vector<std::string> words);
+inline constexpr const char* k_version = "glint " GLINT_VERSION;
+
+/// The command of this name; null if there is none.
+const CLI::App* find_command(const CLI::App& app, std::string_view name);
+
+/// The commands for people: those that --help lists.
+std::vector<const CLI::App*> shown_commands(const CLI::App& app);
 
 Run add_render(CLI::App& app);
 Run add_info(CLI::App& app);
@@ -22,5 +30,8 @@ Run add_compare(CLI::App& app);
 Run add_versus(CLI::App& app);
 Run add_grade(CLI::App& app);
 Run add_completion(CLI::App& app);
+Run add_man(CLI::App& app);
+Run add_help(CLI::App& app);
+Run add_version(CLI::App& app);
 
 }  // namespace glint::cli

@@ -13,6 +13,7 @@
 #include "cli/scene_option.h"
 #include "cli/tell.h"
 #include "cli/text.h"
+#include "cli/validators.h"
 #include "cli/vary.h"
 
 namespace glint::cli {
@@ -75,10 +76,6 @@ int compare_command(CompareArguments& arguments) {
     std::optional<OutputFile> diff;
     if (!arguments.diff.empty()) {
         diff.emplace(png_output("--diff", arguments.diff));
-        if (diff->replaces(arguments.files))
-            throw Failure(
-                k_usage,
-                fmt::format("--diff '{}' would overwrite what is read: choose another file", arguments.diff));
         if (diff->is_standard_output() && !arguments.quiet)
             throw Failure(k_usage, "--diff - needs --quiet: the report goes to standard output, too");
     }
@@ -119,18 +116,6 @@ int compare_command(CompareArguments& arguments) {
     return report.passes ? k_done : k_bad_input;
 }
 
-// CLI::Range takes "nan" for a number between any two.
-CLI::Validator number_between(double least, double most) {
-    return CLI::Validator(
-        [=](const std::string& text) -> std::string {
-            char* end = nullptr;
-            const double value = std::strtod(text.c_str(), &end);
-            if (!text.empty() && *end == '\0' && value >= least && value <= most) return {};
-            return fmt::format("expected a number from {} to {}, found '{}'", least, most, text);
-        },
-        "");
-}
-
 }  // namespace
 
 Run add_compare(CLI::App& app) {
@@ -142,6 +127,7 @@ Run add_compare(CLI::App& app) {
         .add_option(
             "FILE", a.files,
             "A and B: the picture and the reference, PNG, PPM, OpenEXR or JPEG; with --vary, scene files")
+        ->option_text("...")
         ->required();
     command
         .add_option("--within", a.within,
@@ -164,9 +150,7 @@ Run add_compare(CLI::App& app) {
         ->option_text("KEY=VALUES");
     add_scene_option(command, a.scene,
                      "The scene that draws B: causes are tried by rendering it with each; may be repeated");
-    command.add_option("-t,--threads", a.threads, "Threads; 0 (default): one a processor")
-        ->check(CLI::Range(0, 1024))
-        ->option_text("N");
+    add_threads_argument(command, a.threads);
     command.add_flag("--no-causes", a.no_causes, "The figures alone: look for no causes");
     command.add_flag("--json", a.json, "Print JSON");
     command.add_flag("-q,--quiet", a.quiet, "Say nothing but errors: the exit code is the answer");

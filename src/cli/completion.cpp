@@ -1,95 +1,113 @@
-// glint completion bash: a script made from the commands' own options, so that it cannot be behind them.
+// glint completion: scripts made from the commands' own options, so that they cannot be behind them.
+#include "cli/completion.h"
+
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
+#include <sstream>
 
 #include "cli/commands.h"
 #include "cli/failure.h"
+#include "cli/scene_arguments.h"
+#include "cli/validators.h"
 #include "glint/glint.h"
 
 namespace glint::cli {
 namespace {
 
-std::string option_words(const CLI::App& command) {
-    std::string words;
-    for (const CLI::Option* option : command.get_options()) {
-        for (const std::string& name : option->get_lnames()) words += (words.empty() ? "--" : " --") + name;
-        for (const std::string& name : option->get_snames()) words += " -" + name;
-    }
+std::vector<std::string> split(const std::string& text, char at) {
+    std::vector<std::string> words;
+    std::istringstream in(text);
+    for (std::string word; std::getline(in, word, at);) words.push_back(word);
     return words;
 }
 
-std::string script(const CLI::App& app) {
-    std::string commands, options;
-    for (const CLI::App* command : app.get_subcommands({})) {
-        commands += (commands.empty() ? "" : " ") + command->get_name();
-        options += fmt::format("        {}) options='{}' ;;\n", command->get_name(), option_words(*command));
-    }
-    std::string format_names, extensions, conventions;
-    for (const FormatInfo& format : formats()) {
-        format_names += fmt::format(" {}", format.name);
-        extensions += fmt::format(" {}", format.extensions);
-    }
-    for (const SettingKey& key : setting_keys()) conventions += fmt::format(" {}=", key.name);
-    return fmt::format(R"(# bash completion for glint, printed by `glint completion bash`
-_glint() {{
-    local word=${{COMP_WORDS[COMP_CWORD]}} before=${{COMP_WORDS[COMP_CWORD-1]}} command=${{COMP_WORDS[1]}} options='' words='' pictures=''
-    COMPREPLY=()
-    if [[ $COMP_CWORD == 1 ]]; then
-        mapfile -t COMPREPLY < <(compgen -W '{commands} --help --version' -- "$word")
-        return
-    fi
-    case $command in
-{options}    esac
-    [[ $command == compare || $command == grade ]] && pictures=1
-    case $before in
-        --shading) words='phong blinn-phong diffuse color normals' ;;
-        --transfer) words='none srgb' ;;
-        --bits) words='8 16' ;;
-        --format) words='{formats}' ;;
-        --profile) words='{profiles}' ;;
-        --convention) words='{conventions}'; compopt -o nospace 2>/dev/null ;;
-        --isa) [[ $command == render ]] && words=$(glint info --isa 2>/dev/null) ;;
-        completion) words='bash' ;;
-        --scene) [[ $pictures ]] || return ;;
-        -s|--size|--crop|--reflections|--aa|-t|--threads|--scene-name|--within|--fail-percent|--hard-fail) return ;;
-    esac
-    if [[ -n $words && $word != -* ]]; then
-        mapfile -t COMPREPLY < <(compgen -W "$words" -- "$word")
-        [[ $before == --profile ]] && mapfile -t -O "${{#COMPREPLY[@]}}" COMPREPLY < <(compgen -f -- "$word")
-    elif [[ $word == -* ]]; then
-        mapfile -t COMPREPLY < <(compgen -W "$options" -- "$word")
-    else
-        local file ending
-        compopt -o filenames 2>/dev/null
-        while IFS= read -r file; do
-            if [[ -d $file || $pictures || $before == -o || $before == --output || $before == --stats ]]; then
-                COMPREPLY+=("$file")
-            else
-                for ending in{extensions}; do
-                    [[ $file == *"$ending" ]] && COMPREPLY+=("$file")
-                done
-            fi
-        done < <(compgen -f -- "$word")
-    fi
-}}
-complete -F _glint glint
-)",
-                       fmt::arg("commands", commands), fmt::arg("options", options),
-                       fmt::arg("formats", format_names),
-                       fmt::arg("profiles", fmt::join(profile_names(), " ")),
-                       fmt::arg("conventions", conventions), fmt::arg("extensions", extensions));
+template <class Words> std::vector<std::string> strings(const Words& words) {
+    return {words.begin(), words.end()};
+}
+
+std::vector<std::string> keys(bool with_profile) {
+    std::vector<std::string> all;
+    for (const std::string_view name : setting_names()) all.push_back(std::string(name) + "=");
+    if (with_profile) all.emplace_back("profile=");
+    return all;
 }
 
 }  // namespace
 
+Completed completed(const CLI::App& app, const CLI::Option& option) {
+    using Kind = Completed::Kind;
+    const std::string text = option.get_option_text(), name = option.get_name();
+    if (option.get_items_expected_max() == 0) return {};
+    if (text == "NAME|FILE") return {Kind::words, strings(profile_names()), true};
+    if (text.find('|') != std::string::npos) return {Kind::words, split(text, '|')};
+    if (text.starts_with("KEY=")) return {Kind::keys, keys(name == "--a" || name == "--b")};
+    if (text == "LAYERS") {
+        Completed layers{Kind::words, {"all"}};
+        for (const LayerInfo& info : layer_infos()) layers.words.emplace_back(info.name);
+        return layers;
+    }
+    if (name == "--isa") return {Kind::isa, {}};
+    if (name == "SCENE") return {Kind::scene, {}};
+    if (name == "DIR") return {Kind::folder, {}};
+    if (name == "COMMAND") {
+        Completed commands{Kind::words, {}};
+        for (const CLI::App* command : shown_commands(app)) commands.words.push_back(command->get_name());
+        return commands;
+    }
+    if (name == "--scene" && text == "FILE") return {Kind::scene, {}};
+    const auto starts = [&](const char* word) { return text.starts_with(word); };
+    if (name == "FILE" || starts("FILE") || starts("OUT") || starts("PICTURE")) return {Kind::file, {}};
+    return {Kind::text, {}};
+}
+
+std::vector<std::string> scene_extensions() {
+    std::vector<std::string> all;
+    for (const FormatInfo& format : formats()) {
+        for (std::string& extension : split(std::string(format.extensions), ' '))
+            all.push_back(std::move(extension));
+    }
+    return all;
+}
+
+std::vector<std::string> dashed_names(const CLI::Option& option) {
+    std::vector<std::string> names;
+    for (const std::string& name : option.get_snames()) names.push_back("-" + name);
+    for (const std::string& name : option.get_lnames()) names.push_back("--" + name);
+    return names;
+}
+
+bool is_repeated(const CLI::Option& option) {
+    return option.get_multi_option_policy() == CLI::MultiOptionPolicy::TakeAll;
+}
+
+std::string first_sentence(const std::string& description) {
+    int open = 0;  // parentheses
+    for (std::size_t i = 0; i + 1 < description.size(); ++i) {
+        const char c = description[i];
+        open += c == '(' ? 1 : c == ')' ? -1 : 0;
+        if (open == 0 && (c == '.' || c == ';') && description[i + 1] == ' ') return description.substr(0, i);
+    }
+    return description;
+}
+
 Run add_completion(CLI::App& app) {
     CLI::App& command = *app.add_subcommand("completion", "Print a completion script for the shell");
     const auto shell = std::make_shared<std::string>();
-    command.add_option("SHELL", *shell, "bash")->required()->check(one_of({"bash"}));
-    command.footer("Examples:\n  source <(glint completion bash)");
+    command.add_option("SHELL", *shell, "Which shell")
+        ->required()
+        ->check(one_of({"bash", "zsh", "fish"}))
+        ->option_text("bash|zsh|fish");
+    command.footer(
+        "Examples:\n"
+        "  source <(glint completion bash)\n"
+        "  source <(glint completion zsh)\n"
+        "  glint completion fish | source");
     return [&app, shell] {  // the option writes to it when the arguments are parsed
-        fmt::print("{}", script(app));
+        fmt::print("{}", *shell == "bash"  ? bash_completion(app)
+                         : *shell == "zsh" ? zsh_completion(app)
+                                           : fish_completion(app));
         return k_done;
     };
 }

@@ -37,24 +37,15 @@ void take_output(ConvertArguments& arguments) {
     }
 }
 
-void check_output(const std::string& path, const OutputFile& output, const std::vector<std::string>& inputs) {
-    if (output.is_stream()) return;
-    if (extension(path) != ".glint") {
-        throw Failure(k_usage, fmt::format("OUT '{}': glint writes scenes as .glint only", path));
-    }
-    if (output.replaces(inputs))
-        throw Failure(k_usage, fmt::format("'{}' is one of the scene's own files: choose another OUT", path));
-}
-
 int convert_command(ConvertArguments& arguments) {
     take_output(arguments);
     const std::string& path = arguments.output;
-    const OutputFile output(path);
-    check_output(path, output, arguments.scene.files);
+    const OutputFile output("OUT", path);
+    if (!output.is_stream() && extension(path) != ".glint")
+        throw Failure(k_usage, fmt::format("OUT '{}': glint writes scenes as .glint only", path));
     const LoadedScene loaded = load_scene(arguments.scene);
     if (!arguments.quiet) print(loaded.warnings);
     const Scene& scene = loaded.scene;
-    check_output(path, output, scene.files);  // the included ones too
     std::vector<SceneText> texts = loaded.texts;
     const std::vector<InputFile> included = open_included(loaded, texts);
     const std::string text = write_glint(scene, texts);

@@ -26,7 +26,7 @@ Image draw(const World& world, int threads, const std::string& isa) {
 }
 
 OutputFile png_output(const char* option, const std::string& path) {
-    OutputFile output(path);
+    OutputFile output(option, path);
     if (!output.is_stream() && extension(path) != ".png")
         throw Failure(k_usage, fmt::format("{} '{}': expected a name that ends in .png", option, path));
     return output;

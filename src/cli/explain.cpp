@@ -16,6 +16,7 @@
 #include "cli/scene_arguments.h"
 #include "cli/terminal.h"
 #include "cli/text.h"
+#include "cli/validators.h"
 
 namespace glint::cli {
 namespace {

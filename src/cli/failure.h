@@ -5,8 +5,22 @@
 
 namespace glint::cli {
 
-// Exit codes.
-inline constexpr int k_done = 0, k_bad_input = 1, k_usage = 2, k_interrupted = 130;
+inline constexpr int k_done = 0, k_bad_input = 1, k_usage = 2;
+
+/// What the exit codes mean, for --help, the manual page and docs/command.md.
+struct ExitCode {
+    const char *code, *meaning;
+};
+inline constexpr ExitCode k_exit_codes[] = {
+    {"0", "done"},
+    {"1",
+     "bad input: a scene, or a file that cannot be read or written; `compare`: outside the limits; "
+     "`--strict`: warnings"},
+    {"2", "usage: the command line makes no sense"},
+    {"129, 130, 143",
+     "ended by SIGHUP (the terminal was closed), SIGINT (Ctrl-C) or SIGTERM, as a shell shows it: 128 and "
+     "the signal's number"},
+};
 
 /// A command's end with a message for standard error; thrown by commands, caught by main.
 class Failure : public std::runtime_error {

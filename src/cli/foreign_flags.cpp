@@ -100,16 +100,29 @@ void answer_povray(const std::string& flag, Answer& answer) {
     }
 }
 
-struct Tachyon {
+// What a flag's value becomes.
+enum class Value {
+    none,   // it has none, or it is of no use here
+    same,   // as it is, after glint's option
+    size,   // of two values: WxH
+    width,  // with a height of another flag
+    height,
+    samples,          // of a pixel; glint counts those along a side
+    samples_besides,  // the same, beside the first one
+    scene,            // an argument without an option
+};
+
+struct ForeignFlag {
     std::string_view flag;
     int values;             // how many arguments it takes
-    std::string_view ours;  // an option, completed by the value if it ends in a space; a sentence if it does
-                            // not begin with -
+    std::string_view ours;  // an option, or a sentence if it does not begin with -
+    Value value = Value::none;
 };
-constexpr Tachyon k_tachyon[] = {
-    {"-res", 2, "--size "},
-    {"-numthreads", 1, "--threads "},
-    {"-aasamples", 1, "--aa "},
+constexpr ForeignFlag k_flags[] = {
+    // Tachyon
+    {"-res", 2, "--size", Value::size},
+    {"-numthreads", 1, "--threads", Value::same},
+    {"-aasamples", 1, "--aa", Value::samples_besides},
     {"-format", 1, "the file's type is OUT's extension: .png .ppm .exr; 16 bits are --bits 16"},
     {"-fullshade", 0, "shadows and mirrors are glint's default; leave it out"},
     {"-mediumshade", 0, "--no-shadows"},
@@ -119,7 +132,7 @@ constexpr Tachyon k_tachyon[] = {
     {"-shade_blinn", 0, "--shading blinn-phong"},
     {"-shade_blinn_fast", 0, "--shading blinn-phong"},
     {"-shade_nullphong", 0, "--shading diffuse"},
-    {"-raydepth", 1, "--reflections "},
+    {"-raydepth", 1, "--reflections", Value::same},
     {"-verbose", 0, "figures are written by --stats FILE.json"},
     {"-nosave", 0, "--output /dev/null"},
     {"-gamma", 1, "--transfer srgb"},
@@ -136,27 +149,68 @@ constexpr Tachyon k_tachyon[] = {
     {"-trans_max_surfaces", 1, "glint has no such limit; see --reflections N"},
     {"-trans_raster3d", 0, "see --convention in 'glint render --help'"},
     {"-trans_vmd", 0, "see --convention in 'glint render --help'"},
+    // pbrt, Mitsuba, Yocto/GL, Blender and programs of courses
+    {"-i", 1, "SCENE", Value::scene},
+    {"--input", 1, "SCENE", Value::scene},
+    {"--scene-file", 1, "SCENE", Value::scene},
+    {"--out", 1, "--output", Value::same},
+    {"--outfile", 1, "--output", Value::same},
+    {"--output-file", 1, "--output", Value::same},
+    {"-w", 1, "", Value::width},
+    {"--width", 1, "", Value::width},
+    {"--height", 1, "", Value::height},
+    {"--res", 1, "--size", Value::same},
+    {"--resolution", 1, "--size", Value::same},
+    {"--samples", 1, "--aa", Value::samples},
+    {"--spp", 1, "--aa", Value::samples},
+    {"--pixelsamples", 1, "--aa", Value::samples},
+    {"--antialias", 1, "--aa", Value::same},
+    {"-j", 1, "--threads", Value::same},
+    {"--jobs", 1, "--threads", Value::same},
+    {"--nthreads", 1, "--threads", Value::same},
+    {"--num-threads", 1, "--threads", Value::same},
+    {"--depth", 1, "--reflections", Value::same},
+    {"--max-depth", 1, "--reflections", Value::same},
+    {"--bounces", 1, "--reflections", Value::same},
+    {"--seed", 1, "glint's samples are regular, and every run draws the same; leave it out"},
+    {"--gamma", 1, "--transfer srgb"},
+    {"--preview", 0, "--show"},
+    {"-v", 0, "glint shows its progress on a terminal; figures are written by --stats FILE.json"},
+    {"--verbose", 0, "glint shows its progress on a terminal; figures are written by --stats FILE.json"},
+    {"--silent", 0, "--quiet"},
 };
 
-void answer_tachyon(const Tachyon& known, std::span<const std::string> values, Answer& answer) {
+// Samples of a pixel as glint counts them: along a side, at least as many.
+std::string side_of(const std::string& samples, int besides) {
+    if (!is_number(samples) || samples.size() > 5) return "N";
+    const int wanted = std::stoi(samples) + besides;
+    int side = 1;
+    while (side * side < wanted) ++side;
+    return std::to_string(side);
+}
+
+void answer_known(const ForeignFlag& known, std::span<const std::string> values, Answer& answer) {
     const auto flag = fmt::format("{}{}{}", known.flag, values.empty() ? "" : " ", fmt::join(values, " "));
-    std::string ours(known.ours);
-    if (ours[0] != '-') return answer.say(flag, ours);
-    if (ours.ends_with(' ')) {
-        if (known.flag == "-res") {
-            ours += values.size() == 2 ? values[0] + "x" + values[1] : "WxH";
-        } else if (known.flag == "-aasamples" && !values.empty() && is_number(values[0]) &&
-                   values[0].size() < 6) {
-            // Tachyon counts the samples beside the first one; glint the samples along a side.
-            const int samples = std::stoi(values[0]) + 1;
-            int side = 1;
-            while (side * side < samples) ++side;
-            ours += std::to_string(side);
-        } else {
-            ours += values.empty() ? "N" : values[0];
-        }
+    const std::string value = values.empty() ? "" : values[0];
+    const std::string ours(known.ours);
+    switch (known.value) {
+        case Value::none:
+            return ours[0] == '-' ? answer.use(flag, ours) : answer.say(flag, ours);
+        case Value::same:
+            return answer.use(flag, ours + " " + or_else(value, "VALUE"));
+        case Value::size:
+            return answer.use(flag, ours + " " + (values.size() == 2 ? values[0] + "x" + values[1] : "WxH"));
+        case Value::width:
+            return answer.dimension(flag, answer.width, value);
+        case Value::height:
+            return answer.dimension(flag, answer.height, value);
+        case Value::samples:
+            return answer.use(flag, ours + " " + side_of(value, 0));
+        case Value::samples_besides:
+            return answer.use(flag, ours + " " + side_of(value, 1));
+        case Value::scene:
+            return answer.use(flag, or_else(value, ours));
     }
-    answer.use(flag, ours);
 }
 
 bool is_povray(const std::string& argument) {
@@ -167,22 +221,29 @@ bool is_povray(const std::string& argument) {
 
 }  // namespace
 
-std::optional<std::string> answer_foreign_flags(std::span<const std::string> arguments) {
+std::optional<std::string> answer_foreign_flags(std::span<const std::string> arguments,
+                                                std::string_view command) {
     Answer answer;
     bool any = false;
-    for (std::size_t i = 0; i < arguments.size() && arguments[i] != "--"; ++i) {
+    for (std::size_t i = command.empty() ? 0 : 1; i < arguments.size() && arguments[i] != "--"; ++i) {
         const std::string& argument = arguments[i];
-        const auto* known = std::find_if(std::begin(k_tachyon), std::end(k_tachyon),
-                                         [&](const Tachyon& t) { return t.flag == argument; });
+        // --width=640 as --width 640
+        const std::size_t equals = argument.starts_with("--") ? argument.find('=') : std::string::npos;
+        const std::string word = argument.substr(0, equals);
+        const auto* known = std::find_if(std::begin(k_flags), std::end(k_flags),
+                                         [&](const ForeignFlag& f) { return f.flag == word; });
         if (is_povray(argument)) {
             answer_povray(argument, answer);
             any = true;
-        } else if (known != std::end(k_tachyon)) {
+        } else if (known != std::end(k_flags) && equals != std::string::npos) {
+            answer_known(*known, std::array{argument.substr(equals + 1)}, answer);
+            any = true;
+        } else if (known != std::end(k_flags)) {
             const std::size_t count = std::min<std::size_t>(known->values, arguments.size() - i - 1);
-            answer_tachyon(*known, arguments.subspan(i + 1, count), answer);
+            answer_known(*known, arguments.subspan(i + 1, count), answer);
             i += count;
             any = true;
-        } else if (argument != "render") {
+        } else {
             answer.command.push_back(argument);
         }
     }
@@ -192,7 +253,8 @@ std::optional<std::string> answer_foreign_flags(std::span<const std::string> arg
         answer.lines.insert(0, fmt::format("{}: glint says {}\n", answer.size_flags, size));
         answer.command.push_back(size);
     }
-    return fmt::format("{}so: glint render {}", answer.lines, fmt::join(answer.command, " "));
+    return fmt::format("{}so: glint {} {}", answer.lines, command.empty() ? "render" : command,
+                       fmt::join(answer.command, " "));
 }
 
 }  // namespace glint::cli

@@ -1,7 +1,6 @@
 // glint grade: every picture of a folder held against a reference, or every part of a rubric.
 #include <fmt/format.h>
 
-#include <array>
 #include <memory>
 
 #include "base/text.h"
@@ -213,12 +212,9 @@ int grade_command(GradeArguments& arguments) {
     if (!arguments.rubric.empty() && arguments.scene.scene.files.empty())
         throw Failure(k_usage, "--rubric needs --scene FILE, which draws its parts");
     const GradeOutputs outputs(arguments.outputs, arguments.folder);
-    outputs.spare(std::array{arguments.reference, arguments.rubric, arguments.scene.scene.profile});
-    outputs.spare(arguments.scene.scene.files);
     std::vector<RubricRow> rows;
     if (!arguments.rubric.empty()) rows = load_rubric(arguments.rubric);
     std::optional<LoadedScene> loaded = load_scene_option(arguments.scene, arguments.quiet);
-    if (loaded) outputs.spare(loaded->scene.files);  // the included ones too
     Image reference;
     if (!arguments.reference.empty()) reference = std::move(*read_picture(arguments.reference).image);
     if (loaded && !reference.rgb.empty()) {
@@ -237,7 +233,9 @@ Run add_grade(CLI::App& app) {
         "grade", "Hold every picture of a folder against a reference, or a rubric's parts");
     const auto arguments = std::make_shared<GradeArguments>();
     GradeArguments& a = *arguments;
-    command.add_option("DIR", a.folder, "Pictures, or a folder for each submission")->required();
+    command.add_option("DIR", a.folder, "Pictures, or a folder for each submission")
+        ->option_text(" ")
+        ->required();
     command
         .add_option(
             "--reference", a.reference,
@@ -256,9 +254,7 @@ Run add_grade(CLI::App& app) {
                     "numbers; 0: the "
                     "reference")
         ->option_text("OUT.png");
-    command.add_option("-t,--threads", a.threads, "Threads; 0 (default): one a processor")
-        ->check(CLI::Range(0, 1024))
-        ->option_text("N");
+    add_threads_argument(command, a.threads);
     command.add_flag("-q,--quiet", a.quiet, "No warnings and no progress");
     command.footer(k_examples);
     return [arguments] { return grade_command(*arguments); };

@@ -9,6 +9,9 @@
 #include <cstring>
 #include <utility>
 
+#include "cli/failure.h"
+#include "cli/overwriting.h"
+
 namespace glint::cli {
 namespace {
 
@@ -59,6 +62,7 @@ std::optional<InputFile> InputFile::open(const std::string& path, std::string& w
         why = "is a folder";
         return std::nullopt;
     }
+    note_input(file.number());
     InputFile input;
     if (path != "-" && S_ISREG(about.st_mode) && about.st_size > 0) {
         const auto size = static_cast<std::size_t>(about.st_size);
@@ -107,9 +111,19 @@ std::optional<std::string> FileSources::read(std::string_view name, std::string_
         why = "no regular file";
         return std::nullopt;
     }
-    const std::optional<InputFile> file = InputFile::open(path, why);
-    if (!file) return std::nullopt;
-    return std::string(file->text());
+    try {
+        const std::optional<InputFile> file = InputFile::open(path, why);
+        if (!file) return std::nullopt;
+        return std::string(file->text());
+    } catch (const Failure& e) {
+        why = e.what();
+        failure_ = std::current_exception();
+        return std::nullopt;
+    }
+}
+
+void FileSources::rethrow() const {
+    if (failure_) std::rethrow_exception(failure_);
 }
 
 }  // namespace glint::cli

@@ -1,6 +1,7 @@
 #pragma once
 // Reading scene files: regular files are mapped, anything else is read up to a limit.
 #include <cstddef>
+#include <exception>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -13,7 +14,8 @@ namespace glint::cli {
 class InputFile {
   public:
     /// Opens and reads `path` ("-": standard input). `why` says what is wrong ("no such file") if nothing is
-    /// returned. `binary`: NUL bytes are expected (else reading a pipe stops at the first).
+    /// returned. `binary`: NUL bytes are expected (else reading a pipe stops at the first). Throws Failure of
+    /// usage if the command would overwrite the file (overwriting.h).
     static std::optional<InputFile> open(const std::string& path, std::string& why, bool binary = false);
 
     InputFile(InputFile&& other) noexcept;
@@ -33,6 +35,12 @@ class InputFile {
 class FileSources : public Sources {
   public:
     std::optional<std::string> read(std::string_view name, std::string_view from, std::string& why) override;
+
+    /// Throws the Failure that a file ended in, which cannot pass through the library.
+    void rethrow() const;
+
+  private:
+    std::exception_ptr failure_;
 };
 
 }  // namespace glint::cli

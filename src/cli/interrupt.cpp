@@ -33,6 +33,13 @@ void end_at_once(int signal) {
         ::_exit(k_bad_input);
     }
     if (signal == SIGINT) say("glint: interrupted\n");
+    // Ends by the signal itself: a shell ends its loop only if it sees that the signal ended its child.
+    ::signal(signal, SIG_DFL);
+    sigset_t set;
+    ::sigemptyset(&set);
+    ::sigaddset(&set, signal);
+    ::pthread_sigmask(SIG_UNBLOCK, &set, nullptr);
+    ::raise(signal);
     ::_exit(128 + signal);
 }
 

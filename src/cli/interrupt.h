@@ -4,8 +4,9 @@
 
 namespace glint::cli {
 
-/// Makes SIGINT, SIGTERM and SIGHUP remove the unfinished file and end the program (130 for SIGINT), and
-/// turns the signals of failed writes into errors of the writing calls.
+/// Makes SIGINT, SIGTERM and SIGHUP remove the unfinished file and then end the program, as they do by
+/// default (a shell calls that 130, 143 and 129), and turns the signals of failed writes into errors of the
+/// writing calls.
 void handle_signals();
 
 /// The file that an interruption removes, while this lives.

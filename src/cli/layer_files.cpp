@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "base/text.h"
 #include "cli/failure.h"
 #include "cli/text.h"
 
@@ -32,8 +33,8 @@ std::vector<Layer> parse(const std::string& aov) {
                                       aov, aov.empty() ? "nothing" : "a comma without a name beside it"));
         const auto layer = find_layer(word);
         if (!layer)
-            throw Failure(k_usage, fmt::format("--aov: there is no layer '{}'; there are {}, or all", word,
-                                               joined(layer_names())));
+            throw Failure(k_usage, fmt::format("--aov: there is no layer {}{}, or all", glint::quoted(word),
+                                               suggestion(word, layer_names())));
         if (std::find(layers.begin(), layers.end(), *layer) == layers.end()) layers.push_back(*layer);
     }
     return layers;
@@ -60,6 +61,7 @@ LayerFiles::LayerFiles(const std::optional<std::string>& aov, const std::string&
     const std::string ending = extension(picture), base = picture.substr(0, picture.size() - ending.size());
     for (const Layer layer : wanted_) {
         files_.emplace_back(
+            "--aov",
             fmt::format("{}.{}{}", base, layer_infos()[static_cast<std::size_t>(layer)].name, ending));
     }
 }

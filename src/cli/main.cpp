@@ -1,6 +1,5 @@
 // The command: choosing what runs, and what is said when it cannot.
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cstdio>
@@ -13,8 +12,7 @@
 #include "cli/foreign_flags.h"
 #include "cli/interrupt.h"
 #include "cli/tell.h"
-#include "cli/text.h"
-#include "glint/glint.h"
+#include "cli/usage.h"
 
 namespace glint::cli {
 namespace {
@@ -39,33 +37,14 @@ int say_usage(const std::string& command, const std::string& message) {
     return k_usage;
 }
 
-// `glint scene.cgfs`: a file where a command belongs.
-std::string command_fault(const CLI::App& app, const std::vector<std::string>& arguments) {
-    const std::string& word = arguments.front();
-    const std::string ending = extension(word);
-    bool is_scene = word == "-" || ::access(word.c_str(), F_OK) == 0;
-    for (const FormatInfo& format : formats()) {
-        is_scene = is_scene ||
-                   (!ending.empty() &&
-                    fmt::format(" {} ", format.extensions).find(" " + ending + " ") != std::string::npos);
-    }
-    if (is_scene)
-        return fmt::format("'{}' is no command; did you mean 'glint render {}'?", word,
-                           fmt::join(arguments, " "));
-    std::vector<std::string> names;
-    for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
-        names.push_back(command->get_name());
-    const std::vector<std::string_view> views(names.begin(), names.end());
-    return fmt::format("there is no command '{}'; there are {}", word, joined(views));
-}
-
 int run(const std::vector<std::string>& arguments) {
     CLI::App app("glint draws classically lit scenes: Phong and Blinn-Phong, hard shadows, mirrors, glass.",
                  "glint");
-    app.set_version_flag("--version", "glint " GLINT_VERSION);
-    app.footer(
-        "Every command answers --help.\nExamples:\n  glint render castle.json\n  glint info castle.json\n"
-        "  glint --version");
+    app.set_version_flag("-V,--version", k_version, "Print the version and end");
+    std::string footer = "Every command answers --help.\n\nExit codes:\n";
+    for (const auto& [code, meaning] : k_exit_codes) footer += fmt::format("  {:<26}{}\n", code, meaning);
+    app.footer(footer +
+               "\nExamples:\n  glint render castle.json\n  glint info castle.json\n  glint help render");
     app.require_subcommand(0, 1);
     struct Command {
         std::string name;
@@ -82,6 +61,9 @@ int run(const std::vector<std::string>& arguments) {
         {"versus", add_versus(app)},
         {"grade", add_grade(app)},
         {"completion", add_completion(app)},
+        {"help", add_help(app)},
+        {"version", add_version(app)},
+        {"man", add_man(app)},
     };
     // clang-format on
 
@@ -92,22 +74,24 @@ int run(const std::vector<std::string>& arguments) {
     const std::string& word = arguments.front();
     const auto* command = std::find_if(std::begin(commands), std::end(commands),
                                        [&](const Command& c) { return c.name == word; });
-    if (const auto answer = answer_foreign_flags(arguments)) {
+    const std::string name = command == std::end(commands) ? "" : command->name;
+    const CLI::App& parsed = name.empty() ? app : *find_command(app, name);
+    // Other programs draw pictures; POV-Ray's -V is --quiet.
+    const bool draws = name.empty() ? word != "-V" : parsed.get_option_no_throw("--size") != nullptr;
+    if (const auto answer = draws ? answer_foreign_flags(arguments, name) : std::nullopt) {
         tell("{}\n", *answer);
         return k_usage;
     }
-    if (command == std::end(commands) && (word == "-" || !word.starts_with('-'))) {
-        return say_usage("", command_fault(app, arguments));
-    }
-    const std::string name = command == std::end(commands) ? "" : command->name;
+    if (name.empty() && (word == "-" || !word.starts_with('-')))
+        return say_usage("", command_message(app, arguments));
     try {
         app.parse(
             std::vector<std::string>(arguments.rbegin(), arguments.rend()));  // it takes them from the end
-        return command == std::end(commands) ? say_usage("", "expected a command") : command->run();
+        return name.empty() ? say_usage("", "expected a command") : command->run();
     } catch (const CLI::Success& e) {  // --help and --version
         return app.exit(e);
     } catch (const CLI::ParseError& e) {
-        return say_usage(name, e.what());
+        return say_usage(name, usage_message(parsed, e));
     } catch (const Failure& e) {
         const std::string message = e.what();
         if (e.code() == k_usage) return say_usage(name, message);
@@ -129,7 +113,7 @@ int main(int count, char** values) {
     } catch (const std::exception& e) {
         glint::cli::tell("glint: {}\n", e.what());
     }
-    if (std::fflush(stdout) != 0) {
+    if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {  // CLI11 flushes by itself
         std::fputs("glint: cannot write to standard output\n", stderr);
         if (code == 0) code = glint::cli::k_bad_input;
     }

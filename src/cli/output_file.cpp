@@ -5,17 +5,16 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
-#include <filesystem>
 #include <memory>
 #include <random>
 #include <utility>
 
 #include "cli/failure.h"
 #include "cli/interrupt.h"
+#include "cli/overwriting.h"
 
 namespace glint::cli {
 namespace {
@@ -42,8 +41,9 @@ std::string folder_of(const std::string& path) {
 
 }  // namespace
 
-OutputFile::OutputFile(std::string path) : path_(std::move(path)), target_(path_) {
+OutputFile::OutputFile(const std::string& option, std::string path) : path_(std::move(path)), target_(path_) {
     standard_output_ = path_ == "-" || path_ == "/dev/stdout" || path_ == "/dev/fd/1";
+    if (standard_output_) note_standard_output(option);
     struct stat about {};
     const bool exists = !standard_output_ && ::stat(path_.c_str(), &about) == 0;
     if (exists && S_ISDIR(about.st_mode)) {
@@ -70,14 +70,7 @@ OutputFile::OutputFile(std::string path) : path_(std::move(path)), target_(path_
         throw Failure(k_bad_input,
                       fmt::format("cannot write '{}': folder '{}': {}", path_, folder, std::strerror(errno)));
     }
-}
-
-bool OutputFile::replaces(std::span<const std::string> files) const {
-    if (direct_) return false;
-    return std::any_of(files.begin(), files.end(), [&](const std::string& file) {
-        std::error_code none;  // where a file is not there yet, or a name is that of no file
-        return file != "-" && std::filesystem::equivalent(target_, file, none);
-    });
+    note_output(option, path_);
 }
 
 void OutputFile::write(std::span<const std::uint8_t> bytes) const {

@@ -9,17 +9,14 @@ namespace glint::cli {
 /// Where a file's bytes go, found out before the work begins.
 class OutputFile {
   public:
-    /// "-" is standard output. Throws Failure if nothing can be written there as far as one can tell without
-    /// writing.
-    explicit OutputFile(std::string path);
+    /// Where the option `option` writes; "-" is standard output. Throws Failure if nothing can be written
+    /// there as far as one can tell without writing, or of usage if that would overwrite (overwriting.h).
+    OutputFile(const std::string& option, std::string path);
 
     /// True for "-" and /dev/stdout.
     bool is_standard_output() const { return standard_output_; }
     /// True for what has no name of its own to choose a format by: standard output, devices, pipes.
     bool is_stream() const { return direct_; }
-
-    /// Whether it would take the place of one of these files, links followed. "-" is none.
-    bool replaces(std::span<const std::string> files) const;
 
     /// Writes the bytes. A regular file gets them by a temporary file in its folder that takes its place when
     /// complete; pipes and devices get them directly. Throws Failure, and then there is no new file and an

@@ -6,9 +6,10 @@
 #include <algorithm>
 #include <fstream>
 
-#include "cli/commands.h"
+#include "base/text.h"
 #include "cli/failure.h"
 #include "cli/text.h"
+#include "cli/validators.h"
 
 namespace glint::cli {
 namespace {
@@ -43,8 +44,8 @@ void check_isa(const std::string& isa) {
     const auto names = isa_names();
     if (std::find(names.begin(), names.end(), isa) != names.end()) return;
     const std::vector<std::string_view> views(names.begin(), names.end());
-    throw Failure(k_usage,
-                  fmt::format("--isa: no instruction set '{}' here; there are {}", isa, joined(views)));
+    throw Failure(k_usage, fmt::format("--isa: no instruction set {} here{}", glint::quoted(isa),
+                                       suggestion(isa, views)));
 }
 
 void add_picture_arguments(CLI::App& command, PictureArguments& a) {
@@ -85,6 +86,12 @@ void add_number_arguments(CLI::App& command, NumberArguments& a) {
                     "Bits a channel of PNG and PPM: 8 (default) or 16; OpenEXR is 32-bit float")
         ->check(one_of({"8", "16"}))
         ->option_text("8|16");
+}
+
+void add_threads_argument(CLI::App& command, int& threads, const std::string& rest) {
+    command.add_option("-t,--threads", threads, "Threads; 0 (default): one a processor" + rest)
+        ->check(whole_number(0, 1024))
+        ->option_text("N");
 }
 
 EncodeOptions encoding_of(const NumberArguments& arguments) {

@@ -29,6 +29,9 @@ struct NumberArguments {
 /// Adds --transfer and --bits.
 void add_number_arguments(CLI::App& command, NumberArguments& arguments);
 
+/// Adds --threads, 0 to 1024. `rest` goes on with its description: ". The picture is the same".
+void add_threads_argument(CLI::App& command, int& threads, const std::string& rest = {});
+
 /// As encode() takes them.
 EncodeOptions encoding_of(const NumberArguments& arguments);
 

@@ -13,7 +13,27 @@
 
 namespace glint::cli {
 
-ProgressBar::ProgressBar(bool wanted) : wanted_(wanted && is_terminal(STDERR_FILENO)) {}
+namespace {
+
+constexpr auto k_first_bar = std::chrono::milliseconds(300), k_next_bar = std::chrono::milliseconds(100);
+constexpr auto k_next_line = std::chrono::seconds(10);
+
+// "  0:12 left"; nothing while it cannot be said.
+std::string time_left(double fraction, double seconds_so_far) {
+    if (fraction <= 0.005) return {};
+    const long seconds = std::lround(std::min(seconds_so_far * (1 - fraction) / fraction, 3.6e6));
+    if (seconds < 3600) return fmt::format("  {}:{:02} left", seconds / 60, seconds % 60);
+    return fmt::format("  {}:{:02}:{:02} left", seconds / 3600, seconds / 60 % 60, seconds % 60);
+}
+
+}  // namespace
+
+ProgressBar::ProgressBar(bool wanted, Clock::time_point (*now)())
+    : wanted_(wanted),
+      redraws_(can_redraw(STDERR_FILENO)),
+      now_(now),
+      start_(now()),
+      next_(start_ + (redraws_ ? Clock::duration(k_first_bar) : Clock::duration(k_next_line))) {}
 
 ProgressBar::~ProgressBar() {
     if (shown_) tell("\r\x1b[K");
@@ -25,26 +45,30 @@ void ProgressBar::update(double fraction) {
     const std::unique_lock lock(mutex_, std::try_to_lock);
     if (!lock || fraction < highest_) return;
     highest_ = fraction;
-    const auto now = Clock::now();
+    const auto now = now_();
     if (now < next_) return;
-    next_ = now + std::chrono::milliseconds(100);
-    shown_ = true;
-    set_progress_shown(true);
-    tell("\r{}\x1b[K", progress_text(fraction, std::chrono::duration<double>(now - start_).count()));
+    const double seconds = std::chrono::duration<double>(now - start_).count();
+    if (redraws_) {
+        next_ = now + k_next_bar;
+        shown_ = true;
+        set_progress_shown(true);
+        // In the last column some terminals go on to the next line.
+        tell("\r{}\x1b[K", progress_text(fraction, seconds, terminal_columns(STDERR_FILENO) - 1));
+    } else {
+        next_ = now + k_next_line;
+        tell("glint: {:.0f}%{}\n", 100 * fraction, time_left(fraction, seconds));
+    }
     std::fflush(stderr);
 }
 
-std::string progress_text(double fraction, double seconds_so_far) {
-    constexpr int width = 30;
+std::string progress_text(double fraction, double seconds_so_far, int columns) {
+    constexpr int widest = 30, narrowest = 5;
+    const std::string percent = fmt::format(" {:3.0f}%", 100 * fraction);
+    const std::string rest = percent + time_left(fraction, seconds_so_far);
+    const int width = std::min(widest, columns - 2 - static_cast<int>(rest.size()));
+    if (width < narrowest) return static_cast<int>(rest.size()) <= columns ? rest : percent;
     const int filled = static_cast<int>(std::clamp(fraction, 0.0, 1.0) * width);
-    std::string left;
-    if (fraction > 0.005) {
-        const long seconds = std::lround(std::min(seconds_so_far * (1 - fraction) / fraction, 3.6e6));
-        left = seconds >= 3600
-                   ? fmt::format("  {}:{:02}:{:02} left", seconds / 3600, seconds / 60 % 60, seconds % 60)
-                   : fmt::format("  {}:{:02} left", seconds / 60, seconds % 60);
-    }
-    return fmt::format("[{:<{}}] {:3.0f}%{}", std::string(filled, '#'), width, 100 * fraction, left);
+    return fmt::format("[{:<{}}]{}", std::string(static_cast<std::size_t>(filled), '#'), width, rest);
 }
 
 }  // namespace glint::cli

@@ -5,11 +5,15 @@
 
 namespace glint::cli {
 
-/// A line on standard error that says how much is done and how long the rest will take; nothing if standard
-/// error is no terminal, or the work is done before one would read it.
+/// Says on standard error how much is done and how long the rest will take: on a terminal by a line that is
+/// written again and again, elsewhere (a log, a dumb terminal) by a new line every ten seconds; nothing if
+/// the work is done before one would read it.
 class ProgressBar {
   public:
-    explicit ProgressBar(bool wanted);
+    using Clock = std::chrono::steady_clock;
+
+    /// `now`: the time, for tests.
+    explicit ProgressBar(bool wanted, Clock::time_point (*now)() = Clock::now);
     ~ProgressBar();  // erases the line
     ProgressBar(const ProgressBar&) = delete;
     ProgressBar& operator=(const ProgressBar&) = delete;
@@ -18,15 +22,16 @@ class ProgressBar {
     void update(double fraction);
 
   private:
-    using Clock = std::chrono::steady_clock;
-    const bool wanted_;
+    const bool wanted_, redraws_;
+    Clock::time_point (*const now_)();
     bool shown_ = false;
     double highest_ = 0;
-    Clock::time_point start_ = Clock::now(), next_ = start_ + std::chrono::milliseconds(300);
+    Clock::time_point start_, next_;
     std::mutex mutex_;
 };
 
-/// What the bar shows: "[######                  ]  25%  0:12 left".
-std::string progress_text(double fraction, double seconds_so_far);
+/// What the bar shows: "[######                  ]  25%  0:12 left", less of it where it would not fit into
+/// `columns` characters, and at least "  25%".
+std::string progress_text(double fraction, double seconds_so_far, int columns);
 
 }  // namespace glint::cli

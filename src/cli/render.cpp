@@ -8,6 +8,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "base/text.h"
 #include "cli/commands.h"
 #include "cli/failure.h"
 #include "cli/layer_files.h"
@@ -16,6 +17,7 @@
 #include "cli/progress.h"
 #include "cli/scene_arguments.h"
 #include "cli/show.h"
+#include "cli/submissions.h"
 #include "cli/tell.h"
 #include "cli/terminal.h"
 #include "cli/text.h"
@@ -40,7 +42,7 @@ struct RenderArguments {
     NumberArguments numbers;
     std::optional<std::string> aov;
     std::string output, crop, isa, stats;
-    bool show = false, quiet = false;
+    bool strict = false, show = false, quiet = false;
     int threads = 0;
 };
 
@@ -105,11 +107,33 @@ std::span<const std::uint8_t> bytes_of(const std::string& text) {
     return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
 }
 
+[[noreturn]] void fail_strict(std::size_t warnings) {
+    throw Failure(k_bad_input,
+                  fmt::format("--strict: {}, so no picture is written", counted(warnings, "warning")));
+}
+
+// `glint render castle.json out.png`: the picture stands where scenes do.
+void check_scenes(const SceneArguments& scene) {
+    if (!scene.format.empty()) return;  // it may be called anything
+    std::vector<std::string> scenes = scene.files, pictures;
+    std::erase_if(scenes, [&](const std::string& file) {
+        if (is_picture_name(file)) pictures.push_back(file);
+        return is_picture_name(file);
+    });
+    if (pictures.empty()) return;
+    if (scenes.empty()) scenes = {"SCENE"};
+    throw Failure(k_usage,
+                  fmt::format("{} is a picture, no scene; where a picture goes is said by -o: glint "
+                              "render {} -o {}",
+                              glint::quoted(pictures.front()), fmt::join(scenes, " "), pictures.front()));
+}
+
 int render_command(RenderArguments& arguments) {
     const auto start = Clock::now();
+    check_scenes(arguments.scene);
     const std::string path =
         arguments.output.empty() ? default_output(arguments.scene.files.front()) : arguments.output;
-    const OutputFile output(path);
+    const OutputFile output("--output", path);
     EncodeOptions encoding = encoding_of(arguments.numbers);
     encoding.format = format_of(path, output);
     encoding.threads = arguments.threads;
@@ -121,10 +145,7 @@ int render_command(RenderArguments& arguments) {
         }
     }
     std::optional<OutputFile> stats;
-    if (!arguments.stats.empty()) stats.emplace(arguments.stats);
-    if (stats && stats->is_standard_output() && output.is_standard_output()) {
-        throw Failure(k_usage, "--stats and the picture cannot both go to standard output");
-    }
+    if (!arguments.stats.empty()) stats.emplace("--stats", arguments.stats);
     check_isa(arguments.isa);
     const LayerFiles layers(arguments.aov, path, encoding.format, output.is_stream());
     add_settings(arguments.picture, arguments.crop.empty(), arguments.scene);
@@ -142,8 +163,11 @@ int render_command(RenderArguments& arguments) {
     const WorldResult prepared = prepare(loaded.scene, {.threads = arguments.threads});
     times.prepare = seconds_since(stage);
     add_warnings(loaded.warnings, prepared.diagnostics);
-    if (!arguments.quiet || !prepared.world) print(loaded.warnings);
+    const std::size_t warnings = count_warnings(loaded.warnings);
+    const bool refused = arguments.strict && warnings > 0;
+    if (!arguments.quiet || !prepared.world || refused) print(loaded.warnings);
     if (!prepared.world) throw Failure(k_bad_input, {});
+    if (refused) fail_strict(warnings);
 
     stage = Clock::now();
     RenderResult result;
@@ -158,11 +182,12 @@ int render_command(RenderArguments& arguments) {
     times.trace = seconds_since(stage);
     if (!result.image) throw Failure(k_bad_input, result.error);
 
-    if (result.rays.cut > 0 && !arguments.quiet) {
+    if (result.rays.cut > 0 && (!arguments.quiet || arguments.strict)) {
         tell(
             "warning: {} mirror and glass rays were not traced: a sample of a pixel has at most {}; "
             "--reflections or min_weight leave out the faintest first\n",
             with_commas(result.rays.cut), k_max_sample_rays);
+        if (arguments.strict) fail_strict(1);
     }
 
     stage = Clock::now();
@@ -176,14 +201,13 @@ int render_command(RenderArguments& arguments) {
     layers.write(result.layers, encoding);
     if (stats) stats->write(bytes_of(stats_text(result, times)));
     if (arguments.show) {
-        fmt::print("{}", half_blocks(*result.image, terminal_columns(), encoding.transfer));
+        fmt::print("{}", half_blocks(*result.image, terminal_columns(STDOUT_FILENO), encoding.transfer));
     }
     if (!arguments.quiet) {
         tell("{}  {}x{}  {} rays  {:.3f} s  {:.1f} Mray/s  (whole {:.3f} s, {}, {}, {})\n", path,
              result.image->width, result.image->height, with_commas(result.rays.total()), times.trace,
              static_cast<double>(result.rays.total()) / times.trace / 1e6, seconds_since(start),
-             counted(std::uint64_t(result.threads), "thread"), result.isa,
-             counted(count_warnings(loaded.warnings), "warning"));
+             counted(std::uint64_t(result.threads), "thread"), result.isa, counted(warnings, "warning"));
     }
     return k_done;
 }
@@ -206,16 +230,13 @@ Run add_render(CLI::App& app) {
     command.add_option("--crop", a.crop, "Only this part of the picture; X and Y count from its top left")
         ->option_text("WxH+X+Y");
     add_number_arguments(command, a.numbers);
-    command
-        .add_option("-t,--threads", a.threads,
-                    "Threads; 0 (default): one a processor. The picture is the same")
-        ->check(CLI::Range(0, 1024))
-        ->option_text("N");
+    add_threads_argument(command, a.threads, ". The picture is the same");
     command
         .add_option("--isa", a.isa,
                     "Instruction set (`glint info --isa` lists them). The picture is the same")
         ->option_text("NAME");
     command.add_option("--stats", a.stats, "Write times, rays and memory as JSON")->option_text("FILE.json");
+    command.add_flag("--strict", a.strict, "Any warning is an error: exit code 1, and no picture is written");
     command.add_flag("--show", a.show, "Also draw the picture in the terminal, in 24-bit colours");
     command.add_flag("-q,--quiet", a.quiet, "Say nothing but errors");
     command.footer(k_examples);

@@ -6,10 +6,11 @@
 #include <cstdio>
 #include <optional>
 
-#include "cli/commands.h"
+#include "base/text.h"
 #include "cli/failure.h"
 #include "cli/tell.h"
 #include "cli/text.h"
+#include "cli/validators.h"
 
 namespace glint::cli {
 namespace {
@@ -20,9 +21,8 @@ namespace {
 void check_setting(const std::string& key, const std::string& value, std::string_view option) {
     const std::optional<std::size_t> index = find_setting(key);
     if (!index) {
-        std::vector<std::string_view> names;
-        for (const SettingKey& known : setting_keys()) names.push_back(known.name);
-        fail_usage(fmt::format("{}: there is no '{}'; there are {}", option, key, joined(names)));
+        fail_usage(fmt::format("{}: there is no {}{}", option, glint::quoted(key),
+                               suggestion(key, setting_names())));
     }
     Scene scratch;
     const std::string error = set_setting(scratch, *index, value, {SettingOrigin::Kind::command, {}});
@@ -53,28 +53,25 @@ void add_profile(const std::string& profile, LoadOptions& options, std::optional
     std::string why;
     file = InputFile::open(profile, why);
     if (!file) {
-        fail_usage(fmt::format("--profile: there is no profile '{}' (there are {}), and as a file: {}",
-                               profile, joined(names), why));
+        fail_usage(fmt::format("--profile: as a file: {}; there is no profile {}{}", why,
+                               glint::quoted(profile), suggestion(profile, names)));
     }
     options.profile_text = SceneText{profile, file->text(), {}};
 }
 
 }  // namespace
 
-CLI::Validator one_of(std::vector<std::string> words) {
-    return CLI::Validator(
-        [words = std::move(words)](const std::string& word) -> std::string {
-            if (std::find(words.begin(), words.end(), word) != words.end()) return {};
-            const std::vector<std::string_view> views(words.begin(), words.end());
-            return fmt::format("expected {}, found '{}'", joined(views, "or"), word);
-        },
-        "");
+std::vector<std::string_view> setting_names() {
+    std::vector<std::string_view> names;
+    for (const SettingKey& known : setting_keys()) names.push_back(known.name);
+    return names;
 }
 
 void add_scene_arguments(CLI::App& command, SceneArguments& arguments) {
     command
         .add_option("SCENE", arguments.files,
                     "Scene files, read together as one scene; - is standard input (then --format is needed)")
+        ->option_text("...")
         ->required();
     command.add_option("--scene", arguments.scene_name, "Which scene of a file that holds several")
         ->option_text("NAME");
@@ -133,6 +130,7 @@ LoadedScene load_scene(const SceneArguments& arguments) {
     }
     FileSources sources;
     LoadResult result = load(texts, options, &sources);
+    sources.rethrow();
     if (!result.scene) {
         print(result.diagnostics);
         throw Failure(k_bad_input, {});

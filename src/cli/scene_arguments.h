@@ -24,6 +24,9 @@ void add_scene_arguments(CLI::App& command, SceneArguments& arguments);
 /// --format, --profile and --convention alone, for commands whose scene is an option.
 void add_convention_arguments(CLI::App& command, SceneArguments& arguments);
 
+/// Of all settings and conventions.
+std::vector<std::string_view> setting_names();
+
 struct LoadedScene {
     Scene scene;
     std::vector<Diagnostic> warnings;

@@ -5,15 +5,21 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <string_view>
 
 namespace glint::cli {
 
 bool is_terminal(int descriptor) { return ::isatty(descriptor) == 1; }
 
-int terminal_columns() {
+bool can_redraw(int descriptor) {
+    const char* kind = std::getenv("TERM");
+    return is_terminal(descriptor) && kind != nullptr && *kind != '\0' && std::string_view(kind) != "dumb";
+}
+
+int terminal_columns(int descriptor) {
     winsize size{};
     int columns = 0;
-    if (::ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0) columns = size.ws_col;
+    if (::ioctl(descriptor, TIOCGWINSZ, &size) == 0) columns = size.ws_col;
     if (columns <= 0) {
         const char* wanted = std::getenv("COLUMNS");
         columns = wanted != nullptr ? std::atoi(wanted) : 0;

@@ -6,6 +6,8 @@
 #include <charconv>
 #include <limits>
 
+#include "base/text.h"
+
 namespace glint::cli {
 namespace {
 
@@ -70,6 +72,12 @@ std::string joined(std::span<const std::string_view> words, std::string_view las
         text += words[i];
     }
     return text;
+}
+
+std::string suggestion(std::string_view word, std::span<const std::string_view> known) {
+    const std::string near = did_you_mean(word, known);
+    return near.empty() ? fmt::format("; there are {}", joined(known))
+                        : fmt::format("{} (there are {})", near, joined(known));
 }
 
 std::string stem(std::string_view path) {

@@ -32,6 +32,10 @@ std::string bytes_text(double bytes);
 /// "a, b and c".
 std::string joined(std::span<const std::string_view> words, std::string_view last = "and");
 
+/// What to say after "there is no command 'rendre'": "; did you mean `render`? (there are render, info and
+/// check)", or "; there are render, info and check".
+std::string suggestion(std::string_view word, std::span<const std::string_view> known);
+
 /// The file name of a path without its last extension.
 std::string stem(std::string_view path);
 

@@ -5,6 +5,7 @@
 #include <charconv>
 #include <nlohmann/json.hpp>
 
+#include "base/text.h"
 #include "cli/compare_report.h"
 #include "cli/draw.h"
 #include "cli/failure.h"
@@ -105,9 +106,8 @@ Variation parse_variation(const std::string& text) {
     if (equals == std::string::npos) fail(text, "expected KEY=A..B or KEY=VALUE,VALUE");
     const auto key = find_setting(text.substr(0, equals));
     if (!key) {
-        std::vector<std::string_view> names;
-        for (const SettingKey& known : setting_keys()) names.push_back(known.name);
-        fail(text, fmt::format("there is no '{}'; there are {}", text.substr(0, equals), joined(names)));
+        fail(text, fmt::format("there is no {}{}", glint::quoted(text.substr(0, equals)),
+                               suggestion(text.substr(0, equals), setting_names())));
     }
     if (setting_keys()[*key].name == "size") fail(text, "pictures of different sizes cannot be compared");
     Variation variation{*key, parse_values(text, std::string_view(text).substr(equals + 1))};

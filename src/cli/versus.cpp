@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <memory>
 
+#include "base/text.h"
 #include "cli/commands.h"
 #include "cli/compare_report.h"
 #include "cli/draw.h"
@@ -64,8 +65,8 @@ std::string name_of(const std::vector<std::string>& settings, const char* option
             throw Failure(k_usage, fmt::format("{}: expected KEY=VALUE, found '{}'", option, setting));
         const std::string key = setting.substr(0, equals);
         if (key != "profile" && !find_setting(key))
-            throw Failure(k_usage,
-                          fmt::format("{}: there is no setting '{}'; `glint info` lists them", option, key));
+            throw Failure(k_usage, fmt::format("{}: there is no setting {}{}", option, glint::quoted(key),
+                                               suggestion(key, setting_names())));
     }
     return settings.empty() ? "as it is" : fmt::format("{}", fmt::join(settings, " "));
 }

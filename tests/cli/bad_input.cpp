@@ -92,7 +92,7 @@ TEST(BadInput, Usage) {
         {{"rendr", "a.cgfs"}, "there are render, info, convert, check, "},
         {{"a.cgfs"}, "glint render a.cgfs"},
         {{"other.json", "-s", "10x10"}, "glint render other.json -s 10x10"},
-        {{"completion", "fish"}, "bash"},
+        {{"completion", "tcsh"}, "bash"},
         {{"--nonsense"}, "--nonsense"},
     };
     for (const auto& [arguments, message] : cases) {

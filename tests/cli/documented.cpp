@@ -41,12 +41,32 @@ TEST(Documented, EveryOption) {
     }
 }
 
+// "  0     done" in the help, and "| 0 | done |" in the document.
+TEST(Documented, EveryExitCode) {
+    std::ifstream file(GLINT_SOURCE "/docs/command.md");
+    const std::string docs{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+    const Folder folder;
+    const std::string help = run(folder, {"--help"}).out;
+    const std::size_t begin = help.find("Exit codes:\n");
+    ASSERT_NE(begin, std::string::npos) << help;
+    std::istringstream lines(help.substr(begin, help.find("\n\n", begin) - begin));
+    int codes = 0;
+    std::string line;
+    std::getline(lines, line);
+    for (std::smatch parts; std::getline(lines, line); ++codes) {
+        ASSERT_TRUE(std::regex_match(line, parts, std::regex("  ([0-9, ]*[0-9]) +(.*)"))) << line;
+        EXPECT_TRUE(contains(docs, "\n| " + parts[1].str() + " | " + parts[2].str() + " |\n")) << line;
+    }
+    EXPECT_EQ(codes, 4);
+}
+
 TEST(Documented, EveryHelpHasExamples) {
     const Folder folder;
     const std::vector<std::vector<std::string>> helps = {
-        {"--help"},          {"render", "--help"},    {"info", "--help"},   {"convert", "--help"},
-        {"check", "--help"}, {"explain", "--help"},   {"versus", "--help"}, {"compare", "--help"},
-        {"grade", "--help"}, {"completion", "--help"}};
+        {"--help"},          {"render", "--help"},     {"info", "--help"},   {"convert", "--help"},
+        {"check", "--help"}, {"explain", "--help"},    {"versus", "--help"}, {"compare", "--help"},
+        {"grade", "--help"}, {"completion", "--help"}, {"help", "--help"},   {"version", "--help"},
+        {"man", "--help"}};
     for (const auto& arguments : helps) {
         const Finished r = run(folder, arguments);
         EXPECT_EQ(r.code, 0);

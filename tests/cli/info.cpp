@@ -1,4 +1,4 @@
-// glint info, and the completion.
+// glint info.
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
@@ -50,17 +50,6 @@ TEST(Info, IsaIsOneNameALine) {
     EXPECT_EQ(r.code, 0);
     EXPECT_TRUE(r.out.ends_with("scalar\n")) << r.out;
     EXPECT_FALSE(contains(r.out, " "));
-}
-
-TEST(Completion, IsAScriptThatBashReads) {
-    const Folder folder;
-    folder.write("glint.bash", run(folder, {"completion", "bash"}).out);
-    folder.write(
-        "try.bash",
-        "source ./glint.bash\n"
-        "COMP_WORDS=(glint render --cr); COMP_CWORD=2; _glint; [[ ${COMPREPLY[*]} == --crop ]] || exit 1\n"
-        "COMP_WORDS=(glint in); COMP_CWORD=1; _glint; [[ ${COMPREPLY[*]} == info ]] || exit 2\n");
-    EXPECT_EQ(std::system(("cd " + folder.path() + " && bash try.bash 2>/dev/null").c_str()), 0);
 }
 
 }  // namespace

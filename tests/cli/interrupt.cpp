@@ -1,4 +1,4 @@
-// Ctrl-C: exit 130 within a second, and no file.
+// Ctrl-C: ended by the signal within a second, and no file.
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
@@ -22,18 +22,19 @@ bool catches(int process, int signal) {
     return false;
 }
 
-void interrupt(const std::vector<std::string>& arguments, std::chrono::milliseconds after) {
+void interrupt(const std::vector<std::string>& arguments, std::chrono::milliseconds after,
+               int signal = SIGINT) {
     const Folder folder;
     folder.write("a.cgfs", k_scene);
     Process process(folder, arguments);
     for (int i = 0; i < 500 && !catches(process.id(), SIGINT); ++i) std::this_thread::sleep_for(10ms);
     std::this_thread::sleep_for(after);
     const auto start = std::chrono::steady_clock::now();
-    ::kill(process.id(), SIGINT);
+    ::kill(process.id(), signal);
     const Finished r = process.finish();
     EXPECT_LT(std::chrono::steady_clock::now() - start, 1s);
-    EXPECT_EQ(r.code, 130) << r.err;
-    EXPECT_TRUE(contains(r.err, "interrupted")) << r.err;
+    EXPECT_EQ(r.code, 1000 + signal) << r.err;
+    EXPECT_EQ(contains(r.err, "interrupted"), signal == SIGINT) << r.err;
     EXPECT_EQ(folder.count(), 1) << "only the scene";
 }
 
@@ -41,6 +42,52 @@ TEST(Interrupt, WhileTracing) {
     const std::vector<std::string> long_render = {"render", "a.cgfs", "-s", "8000x8000", "--aa", "64"};
     interrupt(long_render, 300ms);
     interrupt(long_render, 0ms);
+    interrupt(long_render, 50ms, SIGTERM);
+    interrupt(long_render, 50ms, SIGHUP);
+}
+
+// A terminal sends the signal to the shell and to the command. bash ends its loop if the signal ended the
+// command, and goes on if the command ended by itself, whatever its exit code.
+TEST(Interrupt, EndsALoopOfTheShell) {
+    const Folder folder;
+    folder.write("a.cgfs", k_scene);
+    folder.write("loop.bash",
+                 "for i in 1 2 3; do\n"
+                 "  touch round$i\n"
+                 "  '" GLINT_COMMAND
+                 "' render a.cgfs -s 8000x8000 --aa 64 -q\n"
+                 "done\n");
+    const pid_t shell = ::fork();
+    if (shell == 0) {
+        ::setpgid(0, 0);
+        ::signal(SIGINT, SIG_DFL);
+        if (::chdir(folder.path().c_str()) == 0) ::execlp("bash", "bash", "loop.bash", nullptr);
+        ::_exit(99);
+    }
+    ::setpgid(shell, shell);
+    const auto command_of_shell = [&] {
+        std::ifstream children("/proc/" + std::to_string(shell) + "/task/" + std::to_string(shell) +
+                               "/children");
+        int child = -1;
+        return children >> child ? child : -1;
+    };
+    for (int i = 0; i < 500 && (!folder.has("round1") || !catches(command_of_shell(), SIGINT)); ++i)
+        std::this_thread::sleep_for(10ms);
+    // Whoever of the shell's children is there when the time is over is ended, too: no test hangs.
+    ::kill(-shell, SIGINT);
+    int status = 0;
+    bool ended = false;
+    for (int i = 0; i < 300 && !ended; ++i) {
+        ended = ::waitpid(shell, &status, WNOHANG) == shell;
+        if (!ended) std::this_thread::sleep_for(10ms);
+    }
+    if (!ended) {
+        ::kill(-shell, SIGKILL);
+        ::waitpid(shell, &status, 0);
+    }
+    EXPECT_TRUE(ended);
+    EXPECT_TRUE(WIFSIGNALED(status) && WTERMSIG(status) == SIGINT) << status;
+    EXPECT_FALSE(folder.has("round2"));
 }
 
 TEST(Interrupt, WhileWaitingForInput) {

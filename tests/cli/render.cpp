@@ -33,6 +33,49 @@ TEST(Render, EndsWithOneLine) {
     EXPECT_EQ(run(folder, {"render", "a.cgfs", "-s", "10x10", "--quiet"}).err, "");
 }
 
+TEST(Render, StrictDrawsNothingThatIsWarnedOf) {
+    const Folder folder;
+    folder.write("good.cgfs", k_scene);
+    folder.write(
+        "warned.cgfs",
+        std::string(k_scene) + "sphere { center = (0, 0, 9)  radius = 1  color = (1, 1, 1)  glow = 3 }\n");
+    for (const bool quiet : {false, true}) {
+        std::vector<std::string> strict = {"render",   "warned.cgfs", "-s",    "9x9",
+                                           "--strict", "--stats",     "s.json"};
+        if (quiet) strict.push_back("--quiet");
+        const Finished r = run(folder, strict);
+        EXPECT_EQ(r.code, 1);
+        EXPECT_TRUE(contains(r.err, "warned.cgfs:4:")) << r.err;
+        EXPECT_TRUE(contains(r.err, "glint: --strict: 1 warning, so no picture is written\n")) << r.err;
+    }
+    EXPECT_EQ(folder.count(), 2);
+    EXPECT_EQ(run(folder, {"render", "warned.cgfs", "-s", "9x9"}).code, 0);
+    EXPECT_EQ(run(folder, {"render", "good.cgfs", "-s", "9x9", "--strict"}).code, 0);
+    EXPECT_TRUE(folder.has("good.png"));
+}
+
+// Spheres of glass that mirror: more rays than a sample may have.
+TEST(Render, StrictCountsRaysThatAreNotTraced) {
+    const Folder folder;
+    folder.write("cut.glint", R"(camera { position = (0, 0, 8)  look_at = (0, 0, 0)  fov_x = 50 }
+conventions { mirror = add }
+material "glass" { diffuse = 0  mirror = 1  transmission = 1  ior = 1.5 }
+sphere { center = (0, 0, 0)  radius = 9  material = "glass" }
+sphere { center = (1, 0, 0)  radius = 7  material = "glass" }
+sphere { center = (0, 1, 0)  radius = 5  material = "glass" }
+light { type = ambient  intensity = 0.2 }
+)");
+    const std::vector<std::string> arguments = {"render", "cut.glint", "-s", "4x4", "--reflections", "1000"};
+    const Finished r = run(folder, arguments);
+    ASSERT_EQ(r.code, 0);
+    ASSERT_TRUE(contains(r.err, "were not traced")) << r.err;
+    std::filesystem::remove(folder.path("cut.png"));
+    auto strict = arguments;
+    strict.emplace_back("--strict");
+    EXPECT_EQ(run(folder, strict).code, 1);
+    EXPECT_FALSE(folder.has("cut.png"));
+}
+
 TEST(Render, SeveralFilesAreOneScene) {
     const Folder folder;
     const std::string whole = k_scene;

@@ -53,9 +53,34 @@ TEST(Texts, Paths) {
 }
 
 TEST(Texts, Progress) {
-    EXPECT_EQ(progress_text(0, 1), "[                              ]   0%");
-    EXPECT_EQ(progress_text(0.5, 72), "[###############               ]  50%  1:12 left");
-    EXPECT_EQ(progress_text(0.01, 100), "[                              ]   1%  2:45:00 left");
+    EXPECT_EQ(progress_text(0, 1, 80), "[                              ]   0%");
+    EXPECT_EQ(progress_text(0.5, 72, 80), "[###############               ]  50%  1:12 left");
+    EXPECT_EQ(progress_text(0.01, 100, 80), "[                              ]   1%  2:45:00 left");
+    EXPECT_EQ(progress_text(0.5, 72, 28), "[#####     ]  50%  1:12 left");
+    EXPECT_EQ(progress_text(0.5, 72, 20), "  50%  1:12 left");
+    EXPECT_EQ(progress_text(0.5, 72, 10), "  50%");
+    for (int columns = 5; columns < 60; ++columns) {
+        EXPECT_LE(progress_text(0.01, 100, columns).size(), static_cast<std::size_t>(columns));
+    }
+}
+
+// Seconds, as the test has them.
+int fake_time = 0;
+ProgressBar::Clock::time_point fake_now() {
+    return ProgressBar::Clock::time_point(std::chrono::seconds(fake_time));
+}
+
+TEST(Texts, ProgressWithoutATerminalIsALineEveryTenSeconds) {
+    testing::internal::CaptureStderr();
+    {
+        ProgressBar bar(true, fake_now), quiet(false, fake_now);
+        for (fake_time = 0; fake_time < 40; ++fake_time) {
+            bar.update(fake_time / 40.0);
+            quiet.update(fake_time / 40.0);
+        }
+    }
+    EXPECT_EQ(testing::internal::GetCapturedStderr(),
+              "glint: 25%  0:30 left\nglint: 50%  0:20 left\nglint: 75%  0:10 left\n");
 }
 
 TEST(Texts, HalfBlocks) {
@@ -70,7 +95,8 @@ TEST(Texts, HalfBlocks) {
 
 TEST(Texts, ForeignFlags) {
     const auto answer = [](const std::vector<std::string>& arguments) {
-        return answer_foreign_flags(arguments).value_or("");
+        const bool named = arguments.front() == "render" || arguments.front() == "check";
+        return answer_foreign_flags(arguments, named ? arguments.front() : "").value_or("");
     };
     EXPECT_EQ(answer({"render", "a.cgfs", "-o", "a.png", "-s", "64x64", "-t", "2", "--aa", "3"}), "");
     EXPECT_EQ(answer({"render", "a.cgfs", "-"}), "");
@@ -78,9 +104,21 @@ TEST(Texts, ForeignFlags) {
     EXPECT_EQ(answer({"render", "+W64", "+H48"}),
               "+W64 +H48: glint says --size 64x48\nso: glint render --size 64x48");
     EXPECT_EQ(answer({"+w64"}), "+w64: glint says --size 64xH\nso: glint render --size 64xH");
+    EXPECT_EQ(answer({"render", "a.json", "--width", "64", "--height=48", "-i", "b.json"}),
+              "--width 64 --height 48: glint says --size 64x48\n-i b.json: glint says b.json\n"
+              "so: glint render a.json b.json --size 64x48");
+    EXPECT_EQ(
+        answer({"--input=a.json", "--spp", "16", "--jobs", "2"}),
+        "--input a.json: glint says a.json\n--spp 16: glint says --aa 4\n--jobs 2: glint says --threads 2\n"
+        "so: glint render a.json --aa 4 --threads 2");
+    EXPECT_EQ(answer({"check", "a.json", "--samples", "5"}),
+              "--samples 5: glint says --aa 3\nso: glint check a.json --aa 3");
     for (const char* flag :
-         {"+A", "-A", "+D", "-D", "+R3", "+WT4", "+Q9", "+FN16", "+SC10", "-V", "+L/usr", "+Z", "-fullshade",
-          "-mediumshade", "-lowestshade", "-aasamples", "-raydepth", "-res", "-verbose"}) {
+         {"--width",      "--height",   "-i",        "--input", "--samples",  "--spp",
+          "--jobs",       "-j",         "--depth",   "--seed",  "+A",         "-A",
+          "+D",           "-D",         "+R3",       "+WT4",    "+Q9",        "+FN16",
+          "+SC10",        "-V",         "+L/usr",    "+Z",      "-fullshade", "-mediumshade",
+          "-lowestshade", "-aasamples", "-raydepth", "-res",    "-verbose"}) {
         const std::string text = answer({"a.cgfs", flag});
         EXPECT_EQ(text.find(flag), 0u) << text;
         EXPECT_NE(text.find("\nso: glint render a.cgfs"), std::string::npos) << text;

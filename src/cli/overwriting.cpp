@@ -1,0 +1,91 @@
+#include "cli/overwriting.h"
+
+#include <fmt/format.h>
+#include <sys/stat.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <optional>
+#include <vector>
+
+#include "cli/failure.h"
+
+namespace glint::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+// The same for all names of a file: links of both kinds.
+struct Identity {
+    dev_t device;
+    ino_t number;
+    bool operator==(const Identity&) const = default;
+};
+
+std::optional<Identity> identity(const struct stat& about) {
+    if (!S_ISREG(about.st_mode)) return std::nullopt;  // nothing is lost in a pipe or a device
+    return Identity{about.st_dev, about.st_ino};
+}
+
+struct Output {
+    std::string option, path;
+    std::optional<Identity> file;  // of a regular file that is there already
+    fs::path whole;                // with links followed, as far as the path exists
+};
+
+// Of the process: what a command reads and writes is spread over its options, its scene's includes and more.
+struct Noted {
+    std::vector<Identity> inputs;
+    std::vector<Output> outputs;
+    std::string standard_output;  // the option that takes it
+};
+Noted& noted() {
+    static Noted all;
+    return all;
+}
+
+[[noreturn]] void refuse(const Output& output) {
+    throw Failure(k_usage, fmt::format("{} '{}' would overwrite what is read: choose another file",
+                                       output.option, output.path));
+}
+
+}  // namespace
+
+void note_output(const std::string& option, const std::string& path) {
+    Output output{option, path, {}, {}};
+    struct stat about {};
+    if (::stat(path.c_str(), &about) == 0) {
+        output.file = identity(about);
+        if (!output.file) return;
+    }
+    std::error_code error;
+    output.whole = fs::weakly_canonical(fs::absolute(path, error), error);
+    auto& [inputs, outputs, standard_output] = noted();
+    for (const Output& other : outputs) {
+        if (other.file ? other.file == output.file : other.whole == output.whole)
+            throw Failure(k_usage, fmt::format("{} and {} are one file, '{}': choose another for one of them",
+                                               other.option, option, path));
+    }
+    if (output.file && std::find(inputs.begin(), inputs.end(), *output.file) != inputs.end()) refuse(output);
+    outputs.push_back(std::move(output));
+}
+
+void note_standard_output(const std::string& option) {
+    std::string& taken = noted().standard_output;
+    if (!taken.empty())
+        throw Failure(k_usage, fmt::format("{} and {} cannot both go to standard output", taken, option));
+    taken = option;
+}
+
+void note_input(int descriptor) {
+    struct stat about {};
+    if (::fstat(descriptor, &about) != 0) return;
+    const auto file = identity(about);
+    if (!file) return;
+    for (const Output& output : noted().outputs) {
+        if (output.file == file) refuse(output);
+    }
+    noted().inputs.push_back(*file);
+}
+
+}  // namespace glint::cli

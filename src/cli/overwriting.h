@@ -1,0 +1,18 @@
+#pragma once
+// No command writes over a file that it reads, or twice to one file. All files pass here when they are
+// opened.
+#include <string>
+
+namespace glint::cli {
+
+/// Takes note of a file that will be written. Throws Failure of usage if it has been read, or is written by
+/// another option too. `option` names it in messages: "--stats".
+void note_output(const std::string& option, const std::string& path);
+
+/// Takes note that standard output will be written. Throws Failure of usage if another option takes it.
+void note_standard_output(const std::string& option);
+
+/// Takes note of an open file that is read. Throws Failure of usage if it will be written.
+void note_input(int descriptor);
+
+}  // namespace glint::cli

@@ -1,0 +1,104 @@
+#include "cli/usage.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <string_view>
+#include <vector>
+
+#include "base/text.h"
+#include "cli/commands.h"
+#include "cli/text.h"
+#include "glint/glint.h"
+
+namespace glint::cli {
+namespace {
+
+using Options = std::vector<const CLI::Option*>;
+
+// "'--siz' (did you mean `--size`?)"
+std::string unknown_argument(const std::string& argument, std::span<const std::string_view> names) {
+    const std::string word = argument.substr(0, argument.find('='));
+    const std::string_view near = word.starts_with("--") ? nearest_word(word, names) : std::string_view();
+    return glint::quoted(argument) + (near.empty() ? "" : fmt::format(" (did you mean `{}`?)", near));
+}
+
+std::string unknown_arguments(const CLI::App& command, const std::vector<std::string>& unknown) {
+    std::vector<std::string> names;
+    for (const CLI::Option* option : command.get_options()) {
+        for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+    }
+    const std::vector<std::string_view> views(names.begin(), names.end());
+    std::vector<std::string> texts;
+    texts.reserve(unknown.size());
+    for (const std::string& argument : unknown) texts.push_back(unknown_argument(argument, views));
+    const bool are_options = std::all_of(unknown.begin(), unknown.end(), [](const std::string& argument) {
+        return argument.starts_with('-');
+    });
+    return fmt::format("{}{} {}", are_options ? "unknown option" : "unexpected argument",
+                       unknown.size() == 1 ? "" : "s", fmt::join(texts, ", "));
+}
+
+// "--size WxH", "SCENE".
+std::string with_value(const CLI::Option& option) {
+    const std::string& value = option.get_option_text();
+    return option.get_name() + (option.get_positional() || value.empty() ? "" : " " + value);
+}
+
+// The option that a message of the parser is about. Messages name it in front, or after "Could not convert:
+// ".
+const CLI::Option* option_of(const Options& options, std::string_view message) {
+    constexpr std::string_view before = "Could not convert: ";
+    if (message.starts_with(before)) message.remove_prefix(before.size());
+    for (const CLI::Option* option : options) {
+        const std::string& name = option->get_name();
+        const std::string_view rest = message.substr(std::min(name.size(), message.size()));
+        if (message.starts_with(name) && (rest.starts_with(':') || rest.starts_with(' '))) return option;
+    }
+    return nullptr;
+}
+
+}  // namespace
+
+std::string usage_message(const CLI::App& command, const CLI::ParseError& error) {
+    if (const auto unknown = command.remaining(); !unknown.empty())
+        return unknown_arguments(command, unknown);
+    const Options options = command.get_options();
+    if (dynamic_cast<const CLI::RequiredError*>(&error) != nullptr) {
+        std::vector<std::string> missing;
+        for (const CLI::Option* option : options) {
+            if (option->get_required() && option->count() == 0) missing.push_back(with_value(*option));
+        }
+        return fmt::format("expected {}", fmt::join(missing, " and "));
+    }
+    const CLI::Option* option = option_of(options, error.what());
+    if (option == nullptr) return error.what();
+    if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) != nullptr) {
+        if (option->count() > 1 && option->get_multi_option_policy() == CLI::MultiOptionPolicy::Throw)
+            return fmt::format("{} is given {} times: expected once", option->get_name(), option->count());
+        return fmt::format("{}: expected {}, found nothing", option->get_name(), option->get_option_text());
+    }
+    if (dynamic_cast<const CLI::ConversionError*>(&error) != nullptr && option->get_items_expected_max() == 0)
+        return fmt::format("{} takes no value", option->get_name());
+    return error.what();
+}
+
+std::string command_message(const CLI::App& app, std::span<const std::string> arguments) {
+    const std::string& word = arguments.front();
+    const std::string ending = extension(word);
+    bool is_scene = word == "-" || ::access(word.c_str(), F_OK) == 0;
+    for (const FormatInfo& format : formats()) {
+        is_scene = is_scene ||
+                   (!ending.empty() &&
+                    fmt::format(" {} ", format.extensions).find(" " + ending + " ") != std::string::npos);
+    }
+    if (is_scene)
+        return fmt::format("'{}' is no command; did you mean 'glint render {}'?", word,
+                           fmt::join(arguments, " "));
+    std::vector<std::string_view> names;
+    for (const CLI::App* command : shown_commands(app)) names.push_back(command->get_name());
+    return fmt::format("there is no command {}{}", glint::quoted(word), suggestion(word, names));
+}
+
+}  // namespace glint::cli

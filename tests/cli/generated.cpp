@@ -1,0 +1,149 @@
+// The manual pages and completions of the source are what the command prints: `make generated` writes them.
+#include <gtest/gtest.h>
+
+#include <regex>
+#include <set>
+
+#include "cli/process.h"
+
+namespace glint::test {
+namespace {
+
+std::string source(const std::string& name) {
+    std::ifstream in(std::string(GLINT_SOURCE "/") + name, std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+}
+
+std::set<std::string> commands(const Folder& folder) {
+    std::set<std::string> names;
+    const std::string page = run(folder, {"man"}).out;
+    const std::regex name(R"(\n\.BR glint\\-([a-z]+) \(1\))");
+    for (std::sregex_iterator it(page.begin(), page.end(), name), end; it != end; ++it)
+        names.insert((*it)[1].str());
+    return names;
+}
+
+bool has_program(const std::string& name) {
+    return std::system(("command -v " + name + " >/dev/null 2>&1").c_str()) == 0;
+}
+
+// Runs a script in the folder; its exit code.
+int shell(const Folder& folder, const std::string& command) {
+    return std::system(("cd '" + folder.path() + "' && " + command).c_str());
+}
+
+TEST(Generated, ManualPagesAreUpToDate) {
+    const Folder folder;
+    const auto names = commands(folder);
+    EXPECT_TRUE(names.contains("render") && names.contains("completion"));
+    EXPECT_EQ(source("docs/man/glint.1"), run(folder, {"man"}).out) << "run `make generated`";
+    for (const std::string& name : names)
+        EXPECT_EQ(source("docs/man/glint-" + name + ".1"), run(folder, {"man", name}).out)
+            << "run `make generated`";
+    const std::filesystem::directory_iterator pages(GLINT_SOURCE "/docs/man");
+    EXPECT_EQ(std::distance(begin(pages), end(pages)), static_cast<long>(names.size()) + 1);
+}
+
+TEST(Generated, CompletionsAreUpToDate) {
+    const Folder folder;
+    for (const std::string shell : {"bash", "zsh", "fish"})
+        EXPECT_EQ(source("tools/completions/glint." + shell), run(folder, {"completion", shell}).out)
+            << "run `make generated`";
+}
+
+// A page says what the help says: every option, with every word of its description.
+TEST(Generated, ManualPagesSayWhatTheHelpSays) {
+    const Folder folder;
+    const auto names = commands(folder);
+    EXPECT_GE(names.size(), 10u);
+    for (const std::string& name : names) {
+        std::string page = run(folder, {"man", name}).out;
+        page = std::regex_replace(page, std::regex(R"(\\f[BIR]|\\&)"), "");
+        page = std::regex_replace(page, std::regex(R"(\\-)"), "-");
+        const std::string help = run(folder, {name, "--help"}).out;
+        const std::regex option(R"(\n  (-[A-Za-z],)?(--[a-z-]+)[^\n]*?(?:\n {20,}|  +)([^\n]*))");
+        int options = 0;
+        for (std::sregex_iterator it(help.begin(), help.end(), option), end; it != end; ++it, ++options) {
+            EXPECT_TRUE(contains(page, (*it)[2].str())) << name << (*it)[2];
+            EXPECT_TRUE(contains(page, (*it)[3].str())) << name << "\n" << (*it)[3] << "\n" << page;
+        }
+        EXPECT_GE(options, 1) << help;
+        EXPECT_TRUE(contains(page, help.substr(help.rfind("\n  ") + 3))) << "its last example";
+    }
+}
+
+TEST(Generated, ManualPagesAreGoodRoff) {
+    if (!has_program("groff")) GTEST_SKIP() << "no groff";
+    const Folder folder;
+    EXPECT_EQ(shell(folder, "groff -man -Tascii -P-cbou -ww -rLL=100n " GLINT_SOURCE
+                            "/docs/man/*.1 >pages.txt 2>complaints.txt"),
+              0);
+    EXPECT_EQ(folder.read("complaints.txt"), "");
+    EXPECT_TRUE(contains(folder.read("pages.txt"), "SEE ALSO"));
+}
+
+TEST(Generated, BashCompletes) {
+    const Folder folder;
+    folder.write("glint.bash", source("tools/completions/glint.bash"));
+    folder.write("castle.json", "");
+    folder.write("castle.png", "");
+    folder.write("try.bash", R"(source ./glint.bash
+try() { COMP_WORDS=(glint "${@:2}"); COMP_CWORD=$(($# - 1)); _glint; [[ $(printf "%s\n" "${COMPREPLY[@]}" | sort | xargs) == "$1" ]] || { echo "$* gives ${COMPREPLY[*]}"; exit 1; }; }
+try --crop render --cr
+try info in
+try blinn-phong render --shading bl
+try castle.json render ca
+try castle.png render castle.json -o castle.p
+try 'castle.json castle.png' compare castle
+try castle.json compare a.png b.png --scene ca
+try specular_gate= render --convention specular_g
+try normal render --aov nor
+try '' render -s ''
+try 'render' help ren
+try 'zsh' completion z
+try --stats render a.json --quiet --sta
+)");
+    EXPECT_EQ(shell(folder, "bash try.bash 2>&1"), 0);
+}
+
+TEST(Generated, ZshCompletes) {
+    if (!has_program("zsh")) GTEST_SKIP() << "no zsh";
+    const Folder folder;
+    folder.write("_glint", source("tools/completions/glint.zsh"));
+    EXPECT_EQ(shell(folder, "zsh -f -n _glint"), 0);
+    // What _arguments is told is what it can read: it is asked as at a prompt.
+    folder.write("try.zsh", R"(zmodload zsh/zpty
+zpty glint zsh -f -i
+zpty -w glint 'PS1= ; unsetopt zle_bracketed_paste 2>/dev/null; fpath=($PWD $fpath); autoload -Uz compinit; compinit -u -D; bindkey "^I" complete-word; echo ready'
+zpty -r glint text '*ready'
+zpty -r glint text '*ready'
+zpty -w -n glint $'glint render --shading bl\t'
+sleep 1
+zpty -w -n glint $' --cr\t'
+sleep 1
+while zpty -r -t glint text; do all+=$text; done
+print -r -- $all
+[[ $all == *'blinn-phong'* && $all == *'--crop'* ]]
+)");
+    EXPECT_EQ(shell(folder, "zsh -f try.zsh >out.txt 2>&1"), 0) << folder.read("out.txt");
+}
+
+TEST(Generated, FishCompletes) {
+    if (!has_program("fish")) GTEST_SKIP() << "no fish";
+    const Folder folder;
+    folder.write("glint.fish", source("tools/completions/glint.fish"));
+    folder.write("try.fish", R"(source glint.fish
+function try
+    complete -C "$argv[2]" | string match -q -- "$argv[1]*"; or begin; echo $argv gives (complete -C "$argv[2]"); exit 1; end
+end
+try render "glint ren"
+try --crop "glint render --cr"
+try blinn-phong "glint render --shading bl"
+try specular_gate= "glint render --convention specular_g"
+try zsh "glint completion z"
+)");
+    EXPECT_EQ(shell(folder, "HOME=$PWD fish --no-config try.fish 2>&1"), 0);
+}
+
+}  // namespace
+}  // namespace glint::test

@@ -1,0 +1,187 @@
+#compdef glint
+# zsh completion for glint, printed by `glint completion zsh`
+_glint() {
+    if (( CURRENT == 2 )); then
+        local -a commands=(
+            'render:Draw a scene'
+            'info:Say what a scene holds and which conventions are in force'
+            'convert:Write a scene of any format in glint'\''s own language\: the same picture, to the bit'
+            'check:Name a scene'\''s likely mistakes, each with its line and remedy'
+            'explain:Say why a pixel has its colour'
+            'compare:Hold a picture against a reference and say why they differ'
+            'versus:Draw a scene by two conventions, and explain the pixel that differs most'
+            'grade:Hold every picture of a folder against a reference, or a rubric'\''s parts'
+            'completion:Print a completion script for the shell'
+            'help:Say how a command is used, as its --help does'
+            'version:Print the version, as --version does'
+        )
+        _describe -t commands command commands
+        [[ $PREFIX == -* ]] && compadd -- --help --version
+        return
+    fi
+    local curcontext=$curcontext
+    shift words
+    (( CURRENT-- ))
+    case $words[1] in
+        render)
+            _arguments \
+                '(-h --help)'{-h,--help}'[Print this help message and exit]' \
+                '*:SCENE:_files -g "*.(cgfs|json|js|pov|nff|glint)"' \
+                '--scene[Which scene of a file that holds several]:NAME: ' \
+                '--format[The scene'\''s format, whatever its file is called]:cgfs|epfl|csc473|nff|glint:(cgfs epfl csc473 nff glint)' \
+                '--profile[Conventions to start from instead of the format'\''s: cgfs, epfl, lecture5, light, csc473, nff and glint]:NAME|FILE:{compadd -- cgfs epfl lecture5 light csc473 nff glint; _files}' \
+                '*--convention[Set one convention (docs/conventions.md lists them; `glint info SCENE` shows what is in force)]:KEY=VALUE:{compadd -S "" -- pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= min_weight= facing= cones= size= shading= shadows= reflections= aa=}' \
+                '(-o --output)'{-o,--output}'[The picture: .png, .ppm or .exr]:OUT:_files' \
+                '(-s --size)'{-s,--size}'[Pixels]:WxH: ' \
+                '--shading[What a surface shows]:phong|blinn-phong|diffuse|color|normals:(phong blinn-phong diffuse color normals)' \
+                '--no-shadows[Every light reaches everything]' \
+                '--reflections[Most mirror generations]:N: ' \
+                '--aa[N x N regular samples a pixel]:N: ' \
+                '--aov[Also write these layers, with commas between: background, ambient, diffuse, specular, reflection, transmission, normal, depth, position, albedo, shadow, object and material]:LAYERS:(all background ambient diffuse specular reflection transmission normal depth position albedo shadow object material)' \
+                '--crop[Only this part of the picture]:WxH+X+Y: ' \
+                '--transfer[none: the numbers as computed (default)]:none|srgb:(none srgb)' \
+                '--bits[Bits a channel of PNG and PPM: 8 (default) or 16]:8|16:(8 16)' \
+                '(-t --threads)'{-t,--threads}'[Threads]:N: ' \
+                '--isa[Instruction set (`glint info --isa` lists them)]:NAME:{compadd -- $(glint info --isa 2>/dev/null)}' \
+                '--stats[Write times, rays and memory as JSON]:FILE.json:_files' \
+                '--strict[Any warning is an error: exit code 1, and no picture is written]' \
+                '--show[Also draw the picture in the terminal, in 24-bit colours]' \
+                '(-q --quiet)'{-q,--quiet}'[Say nothing but errors]' ;;
+        info)
+            _arguments \
+                '(-h --help)'{-h,--help}'[Print this help message and exit]' \
+                '*:SCENE:_files -g "*.(cgfs|json|js|pov|nff|glint)"' \
+                '--scene[Which scene of a file that holds several]:NAME: ' \
+                '--format[The scene'\''s format, whatever its file is called]:cgfs|epfl|csc473|nff|glint:(cgfs epfl csc473 nff glint)' \
+                '--profile[Conventions to start from instead of the format'\''s: cgfs, epfl, lecture5, light, csc473, nff and glint]:NAME|FILE:{compadd -- cgfs epfl lecture5 light csc473 nff glint; _files}' \
+                '*--convention[Set one convention (docs/conventions.md lists them; `glint info SCENE` shows what is in force)]:KEY=VALUE:{compadd -S "" -- pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= min_weight= facing= cones= size= shading= shadows= reflections= aa=}' \
+                '--json[As JSON]' \
+                '--isa[List the instruction sets of this machine, the best first]' ;;
+        convert)
+            _arguments \
+                '(-h --help)'{-h,--help}'[Print this help message and exit]' \
+                '*:SCENE:_files -g "*.(cgfs|json|js|pov|nff|glint)"' \
+                '--scene[Which scene of a file that holds several]:NAME: ' \
+                '--format[The scene'\''s format, whatever its file is called]:cgfs|epfl|csc473|nff|glint:(cgfs epfl csc473 nff glint)' \
+                '--profile[Conventions to start from instead of the format'\''s: cgfs, epfl, lecture5, light, csc473, nff and glint]:NAME|FILE:{compadd -- cgfs epfl lecture5 light csc473 nff glint; _files}' \
+                '*--convention[Set one convention (docs/conventions.md lists them; `glint info SCENE` shows what is in force)]:KEY=VALUE:{compadd -S "" -- pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= min_weight= facing= cones= size= shading= shadows= reflections= aa=}' \
+                '(-o --output)'{-o,--output}'[What is written: a name that ends in .glint]:OUT:_files' \
+                '(-q --quiet)'{-q,--quiet}'[Say nothing but errors]' ;;
+        check)
+            _arguments \
+                '(-h --help)'{-h,--help}'[Print this help message and exit]' \
+                '*:SCENE:_files -g "*.(cgfs|json|js|pov|nff|glint)"' \
+                '--scene[Which scene of a file that holds several]:NAME: ' \
+                '--format[The scene'\''s format, whatever its file is called]:cgfs|epfl|csc473|nff|glint:(cgfs epfl csc473 nff glint)' \
+                '--profile[Conventions to start from instead of the format'\''s: cgfs, epfl, lecture5, light, csc473, nff and glint]:NAME|FILE:{compadd -- cgfs epfl lecture5 light csc473 nff glint; _files}' \
+                '*--convention[Set one convention (docs/conventions.md lists them; `glint info SCENE` shows what is in force)]:KEY=VALUE:{compadd -S "" -- pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= min_weight= facing= cones= size= shading= shadows= reflections= aa=}' \
+                '(-s --size)'{-s,--size}'[Pixels]:WxH: ' \
+                '--shading[What a surface shows]:phong|blinn-phong|diffuse|color|normals:(phong blinn-phong diffuse color normals)' \
+                '--no-shadows[Every light reaches everything]' \
+                '--reflections[Most mirror generations]:N: ' \
+                '--aa[N x N regular samples a pixel]:N: ' \
+                '(-t --threads)'{-t,--threads}'[Threads]:N: ' \
+                '--strict[Exit code 1 if there is any finding or warning]' \
+                '--json[The findings as a JSON array]' ;;
+        explain)
+            _arguments \
+                '(-h --help)'{-h,--help}'[Print this help message and exit]' \
+                '*:SCENE:_files -g "*.(cgfs|json|js|pov|nff|glint)"' \
+                '--scene[Which scene of a file that holds several]:NAME: ' \
+                '--format[The scene'\''s format, whatever its file is called]:cgfs|epfl|csc473|nff|glint:(cgfs epfl csc473 nff glint)' \
+                '--profile[Conventions to start from instead of the format'\''s: cgfs, epfl, lecture5, light, csc473, nff and glint]:NAME|FILE:{compadd -- cgfs epfl lecture5 light csc473 nff glint; _files}' \
+                '*--convention[Set one convention (docs/conventions.md lists them; `glint info SCENE` shows what is in force)]:KEY=VALUE:{compadd -S "" -- pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= min_weight= facing= cones= size= shading= shadows= reflections= aa=}' \
+                '(-p --pixel)'{-p,--pixel}'[The pixel, counted from 0 at the top left]:X,Y: ' \
+                '--sample[Whose rays are told, column and row of the pixel'\''s --aa samples]:I,J: ' \
+                '--as[text (default)]:text|json|printrays:(text json printrays)' \
+                '--origin[Where pixel 0,0 is]:top-left|bottom-left:(top-left bottom-left)' \
+                '--why-not[Only what this light does there, by its name or its number from 1]:LIGHT: ' \
+                '--overlay[Also draw the picture with the pixel'\''s rays over it]:OUT.png:_files' \
+                '(-s --size)'{-s,--size}'[Pixels]:WxH: ' \
+                '--shading[What a surface shows]:phong|blinn-phong|diffuse|color|normals:(phong blinn-phong diffuse color normals)' \
+                '--no-shadows[Every light reaches everything]' \
+                '--reflections[Most mirror generations]:N: ' \
+                '--aa[N x N regular samples a pixel]:N: ' \
+                '--transfer[none: the numbers as computed (default)]:none|srgb:(none srgb)' \
+                '--bits[Bits a channel of PNG and PPM: 8 (default) or 16]:8|16:(8 16)' \
+                '--isa[Instruction set (`glint info --isa` lists them)]:NAME:{compadd -- $(glint info --isa 2>/dev/null)}' ;;
+        compare)
+            _arguments \
+                '(-h --help)'{-h,--help}'[Print this help message and exit]' \
+                '*:FILE:_files' \
+                '--within[A pixel may differ by N 255ths (default: 2 for the report; no limit)]:N: ' \
+                '--fail-percent[P percent of the pixels may differ by more]:P: ' \
+                '--hard-fail[No pixel at all may differ by more than N 255ths]:N: ' \
+                '--diff[Write |A - B| as a PNG, amplified so that the largest difference is white]:OUT.png:_files' \
+                '--vary[Draw a scene with each value of a setting: which steps change the picture]:KEY=VALUES:{compadd -S "" -- pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= min_weight= facing= cones= size= shading= shadows= reflections= aa=}' \
+                '*--scene[The scene that draws B: causes are tried by rendering it with each]:FILE:_files -g "*.(cgfs|json|js|pov|nff|glint)"' \
+                '--scene-name[Which scene of a file that holds several]:NAME: ' \
+                '--format[The scene'\''s format, whatever its file is called]:cgfs|epfl|csc473|nff|glint:(cgfs epfl csc473 nff glint)' \
+                '--profile[Conventions to start from instead of the format'\''s: cgfs, epfl, lecture5, light, csc473, nff and glint]:NAME|FILE:{compadd -- cgfs epfl lecture5 light csc473 nff glint; _files}' \
+                '*--convention[Set one convention (docs/conventions.md lists them; `glint info SCENE` shows what is in force)]:KEY=VALUE:{compadd -S "" -- pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= min_weight= facing= cones= size= shading= shadows= reflections= aa=}' \
+                '(-s --size)'{-s,--size}'[Pixels]:WxH: ' \
+                '--shading[What a surface shows]:phong|blinn-phong|diffuse|color|normals:(phong blinn-phong diffuse color normals)' \
+                '--no-shadows[Every light reaches everything]' \
+                '--reflections[Most mirror generations]:N: ' \
+                '--aa[N x N regular samples a pixel]:N: ' \
+                '(-t --threads)'{-t,--threads}'[Threads]:N: ' \
+                '--no-causes[The figures alone: look for no causes]' \
+                '--json[Print JSON]' \
+                '(-q --quiet)'{-q,--quiet}'[Say nothing but errors: the exit code is the answer]' ;;
+        versus)
+            _arguments \
+                '(-h --help)'{-h,--help}'[Print this help message and exit]' \
+                '*:SCENE:_files -g "*.(cgfs|json|js|pov|nff|glint)"' \
+                '--scene[Which scene of a file that holds several]:NAME: ' \
+                '--format[The scene'\''s format, whatever its file is called]:cgfs|epfl|csc473|nff|glint:(cgfs epfl csc473 nff glint)' \
+                '--profile[Conventions to start from instead of the format'\''s: cgfs, epfl, lecture5, light, csc473, nff and glint]:NAME|FILE:{compadd -- cgfs epfl lecture5 light csc473 nff glint; _files}' \
+                '*--convention[Set one convention (docs/conventions.md lists them; `glint info SCENE` shows what is in force)]:KEY=VALUE:{compadd -S "" -- pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= min_weight= facing= cones= size= shading= shadows= reflections= aa=}' \
+                '*--a[A setting of the first drawing: a convention, a render setting, or profile=NAME]:KEY=VALUE:{compadd -S "" -- pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= min_weight= facing= cones= size= shading= shadows= reflections= aa= profile=}' \
+                '*--b[The same of the second]:KEY=VALUE:{compadd -S "" -- pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= min_weight= facing= cones= size= shading= shadows= reflections= aa= profile=}' \
+                '--match-exponents[Blinn-Phong with exponents times 4, which makes highlights about as wide as Phong'\''s]' \
+                '(-o --output)'{-o,--output}'[Write both pictures and their difference beside each other]:OUT.png:_files' \
+                '--json[Print JSON]' \
+                '(-s --size)'{-s,--size}'[Pixels]:WxH: ' \
+                '--shading[What a surface shows]:phong|blinn-phong|diffuse|color|normals:(phong blinn-phong diffuse color normals)' \
+                '--no-shadows[Every light reaches everything]' \
+                '--reflections[Most mirror generations]:N: ' \
+                '--aa[N x N regular samples a pixel]:N: ' ;;
+        grade)
+            _arguments \
+                '(-h --help)'{-h,--help}'[Print this help message and exit]' \
+                ':DIR:_files -/' \
+                '--reference[The picture that is right]:PICTURE:_files' \
+                '*--scene[The scene to be drawn: names the causes, and draws a rubric'\''s parts]:FILE:_files -g "*.(cgfs|json|js|pov|nff|glint)"' \
+                '--scene-name[Which scene of a file that holds several]:NAME: ' \
+                '--format[The scene'\''s format, whatever its file is called]:cgfs|epfl|csc473|nff|glint:(cgfs epfl csc473 nff glint)' \
+                '--profile[Conventions to start from instead of the format'\''s: cgfs, epfl, lecture5, light, csc473, nff and glint]:NAME|FILE:{compadd -- cgfs epfl lecture5 light csc473 nff glint; _files}' \
+                '*--convention[Set one convention (docs/conventions.md lists them; `glint info SCENE` shows what is in force)]:KEY=VALUE:{compadd -S "" -- pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= min_weight= facing= cones= size= shading= shadows= reflections= aa=}' \
+                '(-s --size)'{-s,--size}'[Pixels]:WxH: ' \
+                '--shading[What a surface shows]:phong|blinn-phong|diffuse|color|normals:(phong blinn-phong diffuse color normals)' \
+                '--no-shadows[Every light reaches everything]' \
+                '--reflections[Most mirror generations]:N: ' \
+                '--aa[N x N regular samples a pixel]:N: ' \
+                '--rubric[Lines of PART POINTS FILE \[KEY=VALUE...\] (docs/teaching.md): points a part]:FILE:_files' \
+                '--csv[Write the table as CSV]:OUT:_files' \
+                '--json[Write all figures and causes as JSON]:OUT:_files' \
+                '--sheet[Write a PNG of all pictures, each above four times its difference, by the table'\''s numbers]:OUT.png:_files' \
+                '(-t --threads)'{-t,--threads}'[Threads]:N: ' \
+                '(-q --quiet)'{-q,--quiet}'[No warnings and no progress]' ;;
+        completion)
+            _arguments \
+                '(-h --help)'{-h,--help}'[Print this help message and exit]' \
+                ':SHELL:(bash zsh fish)' ;;
+        help)
+            _arguments \
+                '(-h --help)'{-h,--help}'[Print this help message and exit]' \
+                ':COMMAND:(render info convert check explain compare versus grade completion help version)' ;;
+        version)
+            _arguments \
+                '(-h --help)'{-h,--help}'[Print this help message and exit]' ;;
+    esac
+}
+if [[ $funcstack[1] == _glint ]]; then
+    _glint "$@"
+else
+    compdef _glint glint
+fi
