@@ -40,7 +40,7 @@ test-all:
 # Cross-compiled, and run by qemu: the same pixel values on 64-bit ARM.
 test-aarch64:
 	@tools/install-dependencies aarch64
-	@tools/test-aarch64
+	@tools/run-tests aarch64
 
 deps:
 	@tools/install-dependencies command
