@@ -28,7 +28,7 @@ struct Diagnostic {
     std::string file;          ///< as the user named it; empty if the message has no place
     std::uint32_t line = 0;    ///< from 1; 0: about the file, or the scene, as a whole
     std::uint32_t column = 0;  ///< in bytes from 1
-    std::uint32_t length = 0;  ///< bytes to underline, at least 1 when there is a place
+    std::uint32_t length = 0;  ///< bytes to underline, at least 1 when there is a place (0 counts as 1)
     std::string message;       ///< whole, e.g. "expected a number, found 'abc'"
     std::string source_line;   ///< the line's text around the place, for the caret; may be shortened
     std::uint32_t caret = 0;   ///< byte offset of the place within source_line

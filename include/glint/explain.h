@@ -104,7 +104,8 @@ struct ExplainOptions {
 };
 
 /// Draws pixel (x, y), counted from the top left, by render()'s own kernels and writes down what they do. The
-/// world must be of this scene. Never throws.
+/// world must be of this scene: if the scene has since got other numbers of shapes or materials or other
+/// lights, `error` says so. Never throws.
 GLINT_API Explanation explain(const Scene& scene, const World& world, std::int32_t x, std::int32_t y,
                               const ExplainOptions& options = {});
 
@@ -127,33 +128,38 @@ enum class HighlightReason : std::uint8_t {
     behind,       ///< N·L <= 0, and the convention specular_gate asks for more
     turned_away,  ///< S <= 0: the mirrored light goes away from the eye
 };
+/// `none` if the scene has no light of that number.
 GLINT_API HighlightReason highlight_reason(const LightTerms& terms, const ExplainedHit& hit,
                                            const Scene& scene);
 
-/// The material of a hit: of the scene, or the default.
+/// The material of a hit: of the scene, or the default if the scene has none of that number.
 GLINT_API const Material& material_of(const ExplainedHit& hit, const Scene& scene);
 
-/// The words of these, as JSON and messages have them: "turned_away".
+/// The words of these, as JSON and messages have them: "turned_away". "unknown" for any other number.
 GLINT_API std::string_view word(LightReason reason);
 GLINT_API std::string_view word(HighlightReason reason);
 GLINT_API std::string_view word(BranchState state);
 
 /// The layer that a ray's light belongs to: that of its path's first branch. For camera rays: nothing, since
-/// each of their parts has a layer of its own.
+/// each of their parts has a layer of its own. Nothing either if there is no such ray, or its path does not
+/// lead to a camera ray.
 GLINT_API std::optional<Layer> layer_of(const Explanation& explanation, std::size_t ray);
 
 /// Draws the pixel's rays over the picture (of the world's size): the camera ray's pixel with a white frame,
 /// mirror rays blue, rays through glass green, the way to each light that adds something yellow, and to each
-/// that is blocked red up to its blocker, dark from there. Every sample's rays are drawn.
-GLINT_API void draw_overlay(Image& picture, const Explanation& explanation, const Scene& scene,
-                            const World& world);
+/// that is blocked red up to its blocker, dark from there. Every sample's rays are drawn. Returns an empty
+/// string, or why nothing is drawn: the picture has another size, the explanation has an error, or it or the
+/// world are not of this scene. Never throws.
+GLINT_API std::string draw_overlay(Image& picture, const Explanation& explanation, const Scene& scene,
+                                   const World& world);
 
 /// The value of each sample, row after row: linear, not rounded; their mean is the pixel's value but for
-/// roundings. The explanation must be of all samples.
+/// roundings. The explanation must be of all samples; none if its rays are not of samples that it has.
 GLINT_API std::vector<Color> sample_values(const Explanation& explanation);
 
 /// The explanation as JSON (docs/explain.md has its schema): names and places from the scene, the file's
-/// numbers by its bits and transfer.
+/// numbers by its bits and transfer. If the explanation is not of this scene, or the bits are not 8 or 16,
+/// the JSON has an "error" that says so. Never throws.
 GLINT_API std::string explanation_json(const Explanation& explanation, const Scene& scene,
                                        const EncodeOptions& file = {});
 

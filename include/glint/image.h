@@ -39,11 +39,14 @@ struct EncodeResult {
     std::string error;
 };
 
-/// Clamps to [0, 1], scales by 255 (65535) and rounds half to even (CONVENTIONS: every source does); EXR
-/// keeps floats. The bytes do not depend on threads. Never throws.
+/// Clamps to [0, 1], scales by 255 (65535) and rounds half to even (docs/conventions.md); EXR
+/// keeps floats. The bytes do not depend on threads. An error if the image has not 1 to k_max_size pixels a
+/// side or its numbers do not fit its size, or the options name no format, number of bits or transfer that
+/// there is. Never throws.
 GLINT_API EncodeResult encode(const Image& image, const EncodeOptions& options = {});
 
-/// The number that `encode` writes for a channel value: 0 to 255 with 8 bits, to 65535 with 16.
+/// The number that `encode` writes for a channel value: 0 to 255 with 8 bits, to 65535 with 16 (which any
+/// other number of bits counts as). 0 for NaN.
 GLINT_API std::uint32_t to_number(float value, int bits, Transfer transfer = Transfer::none);
 
 /// The byte that `encode` writes for a channel value with 8 bits.

@@ -119,8 +119,12 @@ std::string to_string(const Diagnostic& d) {
     out += d.message;
     out += '\n';
     if (!d.source_line.empty()) {
-        out += fmt::format("  {}\n  {}{}\n", d.source_line, std::string(d.caret, ' '),
-                           '^' + std::string(d.length - 1, '~'));
+        // Whoever made it, the caret stays within the line.
+        const std::size_t caret = std::min<std::size_t>(d.caret, d.source_line.size());
+        const std::size_t most = std::max<std::size_t>(1, d.source_line.size() - caret);
+        const std::size_t length = std::clamp<std::size_t>(d.length, 1, most);
+        out += fmt::format("  {}\n  {}{}\n", d.source_line, std::string(caret, ' '),
+                           '^' + std::string(length - 1, '~'));
     }
     return out;
 }

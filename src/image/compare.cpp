@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "base/fp_environment.h"
 #include "base/guard.h"
@@ -191,7 +192,10 @@ Image difference_image(const Image& a, const Image& b, double gain) {
             image.rgb[i] = std::fabs(a.rgb[i] - b.rgb[i]);
             if (is_finite(image.rgb[i])) largest = std::max(largest, image.rgb[i]);
         }
-        const float factor = gain > 0 ? static_cast<float>(gain) : largest > 0 ? 1 / largest : 1;
+        const auto most = static_cast<double>(std::numeric_limits<float>::max());  // infinity times 0 is NaN
+        const float factor = gain > 0      ? static_cast<float>(std::min(gain, most))
+                             : largest > 0 ? std::min(1 / largest, std::numeric_limits<float>::max())
+                                           : 1;
         for (float& value : image.rgb) value = is_finite(value) ? std::min(value * factor, 1.0f) : 1;
     });
     return error.empty() ? image : Image{};

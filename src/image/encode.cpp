@@ -5,6 +5,7 @@
 #include "base/guard.h"
 #include "glint/image.h"
 #include "image/encoders.h"
+#include "image/layer_fault.h"
 
 namespace glint {
 namespace {
@@ -18,6 +19,24 @@ std::string fault(const Image& image, const EncodeOptions& options) {
         return "the picture's numbers do not fit its size";
     }
     if (options.bits != 8 && options.bits != 16) return "a channel has 8 or 16 bits";
+    if (options.format > FileFormat::exr) return "there is no such file format";
+    if (options.transfer > Transfer::srgb) return "there is no such transfer curve";
+    return {};
+}
+
+std::string layers_fault(const Image& picture, std::span<const LayerImage> layers) {
+    bool seen[k_layers] = {};
+    for (const LayerImage& layer : layers) {
+        if (std::string wrong = layer_fault(layer); !wrong.empty()) return wrong;
+        if (layer.width != picture.width || layer.height != picture.height)
+            return "a layer has not the picture's size";
+        bool& is_there = seen[static_cast<std::size_t>(layer.layer)];
+        if (is_there) {
+            const std::string_view name = layer_infos()[static_cast<std::size_t>(layer.layer)].name;
+            return "the layer '" + std::string(name) + "' is there twice";
+        }
+        is_there = true;
+    }
     return {};
 }
 
@@ -56,14 +75,10 @@ EncodeResult encode_layers(const Image& picture, std::span<const LayerImage> lay
     EncodeResult result;
     std::string error = guard([&] {
         result.error = fault(picture, {});
-        for (const LayerImage& layer : layers) {
-            if (!result.error.empty()) return;
-            if (layer.width != picture.width || layer.height != picture.height ||
-                layer.values.size() != picture.rgb.size() / 3 * static_cast<std::size_t>(layer.channels))
-                result.error = "a layer has not the picture's size";
-        }
+        if (result.error.empty()) result.error = layers_fault(picture, layers);
+        if (!result.error.empty()) return;
 #if defined(GLINT_WITH_EXR)
-        if (result.error.empty()) result = encode_exr_layers(picture, layers);
+        result = encode_exr_layers(picture, layers);
 #else
         result.error = "this build writes no OpenEXR";
 #endif

@@ -5,6 +5,9 @@
 #include <cmath>
 #include <limits>
 
+#include "base/guard.h"
+#include "image/layer_fault.h"
+
 namespace glint {
 namespace {
 
@@ -24,8 +27,8 @@ struct Range {
 
 // A colour of its own for every number but 0: neighbours in the scene differ.
 void put_id(float id, float* rgb) {
+    if (!(id >= 1 && id < 0x1p32f)) return;
     std::uint32_t bits = static_cast<std::uint32_t>(id);
-    if (bits == 0) return;
     bits *= 2654435769u;  // Knuth's multiplicative hashing
     for (int c = 0; c < 3; ++c) rgb[c] = static_cast<float>(64 + (bits >> (8 + 8 * c) & 0xbf)) / 255.0f;
 }
@@ -44,9 +47,7 @@ void put_xyz(const LayerImage& layer, Image& image) {
     for (std::size_t i = 0; i < image.rgb.size(); ++i) image.rgb[i] = ranges[i % 3].place(layer.values[i]);
 }
 
-}  // namespace
-
-Image viewable(const LayerImage& layer) {
+Image picture_of(const LayerImage& layer) {
     Image image{layer.width, layer.height, {}};
     const std::size_t pixels = static_cast<std::size_t>(layer.width) * static_cast<std::size_t>(layer.height);
     image.rgb.resize(3 * pixels);
@@ -68,6 +69,16 @@ Image viewable(const LayerImage& layer) {
         }
     }
     return image;
+}
+
+}  // namespace
+
+Image viewable(const LayerImage& layer) {
+    Image image;
+    const std::string failure = guard([&] {
+        if (layer_fault(layer).empty()) image = picture_of(layer);
+    });
+    return failure.empty() ? image : Image{};
 }
 
 }  // namespace glint

@@ -6,6 +6,7 @@
 #include "base/fp_environment.h"
 #include "base/guard.h"
 #include "inspect/ray_list.h"
+#include "inspect/references.h"
 #include "lighting/light.h"
 #include "math/transform.h"
 #include "trace/kernels.h"
@@ -96,8 +97,10 @@ Explanation explain(const Scene& scene, const World& explained, std::int32_t x, 
     } else if (x < 0 || y < 0 || x >= world.settings.width || y >= world.settings.height) {
         e.error = "pixel " + std::to_string(x) + "," + std::to_string(y) + " is not within the picture of " +
                   std::to_string(world.settings.width) + "x" + std::to_string(world.settings.height);
-    } else if (options.sample >= e.samples * e.samples) {
+    } else if (options.sample < -1 || options.sample >= e.samples * e.samples) {
         e.error = "a pixel has " + std::to_string(e.samples * e.samples) + " samples";
+    } else if (std::string fault = world_fault(scene, world); !fault.empty()) {
+        e.error = std::move(fault);
     } else {
         const std::string failure = guard([&] {
             const DefaultFpEnvironment environment;
@@ -110,9 +113,11 @@ Explanation explain(const Scene& scene, const World& explained, std::int32_t x, 
 }
 
 std::vector<Color> sample_values(const Explanation& explanation) {
+    if (explanation.samples < 1 || explanation.samples > k_max_samples) return {};
     std::vector<Color> values(static_cast<std::size_t>(explanation.samples) *
                               static_cast<std::size_t>(explanation.samples));
     for (const ExplainedRay& ray : explanation.rays) {
+        if (static_cast<std::size_t>(ray.sample) >= values.size()) return {};
         Color& value = values[static_cast<std::size_t>(ray.sample)];
         value =
             value + (ray.hit ? ray.hit->parts[0] + ray.hit->parts[1] + ray.hit->parts[2] : ray.background);
@@ -121,10 +126,14 @@ std::vector<Color> sample_values(const Explanation& explanation) {
 }
 
 std::optional<Layer> layer_of(const Explanation& explanation, std::size_t ray) {
-    const ExplainedRay* at = &explanation.rays[ray];
-    if (at->parent < 0) return std::nullopt;
-    while (at->generation > 1) at = &explanation.rays[static_cast<std::size_t>(at->parent)];
-    return at->transmitted ? Layer::transmission : Layer::reflection;
+    const std::vector<ExplainedRay>& rays = explanation.rays;
+    if (ray >= rays.size() || rays[ray].parent < 0) return std::nullopt;
+    while (rays[ray].generation > 1) {
+        const auto parent = static_cast<std::size_t>(rays[ray].parent);
+        if (parent >= ray) return std::nullopt;  // no ray comes before its parent
+        ray = parent;
+    }
+    return rays[ray].transmitted ? Layer::transmission : Layer::reflection;
 }
 
 }  // namespace glint

@@ -6,6 +6,7 @@
 
 #include "base/guard.h"
 #include "glint/explain.h"
+#include "inspect/references.h"
 
 namespace glint {
 namespace {
@@ -148,8 +149,11 @@ std::string explanation_json(const Explanation& e, const Scene& scene, const Enc
     std::string text;
     const std::string failure = guard([&] {
         Json json = {{"pixel", {e.x, e.y}}, {"samples", e.samples}};
-        if (!e.error.empty()) {
-            json["error"] = e.error;
+        const std::string fault = !e.error.empty()                    ? e.error
+                                  : file.bits != 8 && file.bits != 16 ? "a channel has 8 or 16 bits"
+                                                                      : explanation_fault(e, scene);
+        if (!fault.empty()) {
+            json["error"] = fault;
         } else {
             json["value"] = to_json(e.value);
             json["transfer"] = file.transfer == Transfer::srgb ? "srgb" : "none";

@@ -1,7 +1,11 @@
 // A pixel's rays, drawn over the picture.
+#include <fmt/format.h>
+
 #include <cmath>
 
+#include "base/guard.h"
 #include "glint/explain.h"
+#include "inspect/references.h"
 #include "math/transform.h"
 #include "world/world.h"
 
@@ -40,6 +44,8 @@ class View {
     Vec3 across_, upwards_, onwards_;
 };
 
+constexpr double k_farthest = 1e15;  // pixels from the picture: beyond, a double has no fractions
+
 class Pen {
   public:
     Pen(Image& image, const View& view) : image_(image), view_(view) {}
@@ -71,6 +77,9 @@ class Pen {
   private:
     // Clipped to the picture (Liang and Barsky, 1984), a pixel a step.
     void draw(ScreenPoint a, ScreenPoint b, Color color) {
+        for (const double x : {a.x, a.y, b.x, b.y}) {
+            if (!(std::fabs(x) < k_farthest)) return;
+        }
         double first = 0, last = 1;
         const double dx = b.x - a.x, dy = b.y - a.y;
         const auto clip = [&](double p, double q) {
@@ -133,12 +142,23 @@ void draw_lights(Pen& pen, const ExplainedHit& hit, const Scene& scene, const Wo
     }
 }
 
-}  // namespace
-
-void draw_overlay(Image& picture, const Explanation& explanation, const Scene& scene, const World& world) {
-    const View view(world.parts());
+// Why nothing can be drawn, or an empty string.
+std::string overlay_fault(const Image& picture, const Explanation& e, const Scene& scene,
+                          const World& world) {
     const RenderSettings& settings = world.parts().settings;
-    if (picture.width != settings.width || picture.height != settings.height) return;
+    if (picture.width != settings.width || picture.height != settings.height ||
+        picture.rgb.size() != std::size_t{3} * picture.width * picture.height)
+        return fmt::format("the picture is not of the world's size, {}x{}", settings.width, settings.height);
+    if (!e.error.empty()) return e.error;
+    if (e.x < 0 || e.y < 0 || e.x >= picture.width || e.y >= picture.height)
+        return fmt::format("pixel {},{} is not within the picture of {}x{}", e.x, e.y, picture.width,
+                           picture.height);
+    const std::string fault = world_fault(scene, world.parts());
+    return fault.empty() ? explanation_fault(e, scene) : fault;
+}
+
+void draw_rays(Image& picture, const Explanation& explanation, const Scene& scene, const World& world) {
+    const View view(world.parts());
     Pen pen(picture, view);
     for (const ExplainedRay& ray : explanation.rays) {
         if (ray.hit) draw_lights(pen, *ray.hit, scene, world);
@@ -150,6 +170,18 @@ void draw_overlay(Image& picture, const Explanation& explanation, const Scene& s
         pen.draw(ray.origin, end, ray.transmitted ? k_glass_color : k_mirror_color);
     }
     pen.frame(explanation.x, explanation.y, k_white);
+}
+
+}  // namespace
+
+std::string draw_overlay(Image& picture, const Explanation& explanation, const Scene& scene,
+                         const World& world) {
+    std::string fault;
+    std::string failure = guard([&] {
+        fault = overlay_fault(picture, explanation, scene, world);
+        if (fault.empty()) draw_rays(picture, explanation, scene, world);
+    });
+    return failure.empty() ? fault : failure;
 }
 
 }  // namespace glint

@@ -6,6 +6,12 @@
 namespace glint {
 namespace {
 
+template <class Word, std::size_t n>
+std::string_view word_of(Word value, const std::array<std::string_view, n>& words) {
+    const auto i = static_cast<std::size_t>(value);
+    return i < n ? words[i] : "unknown";
+}
+
 bool is_black(Color a, Color b) { return a.r * b.r == 0 && a.g * b.g == 0 && a.b * b.b == 0; }
 
 }  // namespace
@@ -21,6 +27,7 @@ LightReason reason(const LightTerms& terms) {
 HighlightReason highlight_reason(const LightTerms& terms, const ExplainedHit& hit, const Scene& scene) {
     if (scene.settings.shading != Shading::phong && scene.settings.shading != Shading::blinn_phong)
         return HighlightReason::unshaded;
+    if (terms.light >= scene.lights.size()) return HighlightReason::none;
     if (is_black(material_of(hit, scene).specular, scene.lights[terms.light].specular_color))
         return HighlightReason::none;
     const Conventions& rules = scene.conventions;
@@ -37,17 +44,17 @@ const Material& material_of(const ExplainedHit& hit, const Scene& scene) {
 std::string_view word(LightReason reason) {
     constexpr std::array<std::string_view, 6> words = {"adds",     "blocked", "behind",
                                                        "no_color", "faded",   "in_surface"};
-    return words[static_cast<std::size_t>(reason)];
+    return word_of(reason, words);
 }
 
 std::string_view word(HighlightReason reason) {
     constexpr std::array<std::string_view, 5> words = {"adds", "none", "unshaded", "behind", "turned_away"};
-    return words[static_cast<std::size_t>(reason)];
+    return word_of(reason, words);
 }
 
 std::string_view word(BranchState state) {
     constexpr std::array<std::string_view, 5> words = {"none", "traced", "limit", "faint", "cut"};
-    return words[static_cast<std::size_t>(state)];
+    return word_of(state, words);
 }
 
 }  // namespace glint

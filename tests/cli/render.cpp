@@ -260,7 +260,9 @@ TEST(Render, ShowsThePictureAsText) {
 
 TEST(Render, AMissingIncludeIsAnErrorEvenWhenQuiet) {
     const Folder folder;
-    folder.write("a.glint", "camera { position = (0, 0, 5) }\nsphere { radius = 1 }\ninclude \"none.glint\"\n");
+    folder.write("a.glint",
+                 "camera { position = (0, 0, 5) }\nsphere { center = (0, 0, 0) radius = 1 }\ninclude "
+                 "\"none.glint\"\n");
     const Finished done = run(folder, {"render", "a.glint", "-o", "a.png", "--quiet"});
     EXPECT_EQ(done.code, 1);
     EXPECT_TRUE(contains(done.err, "a.glint:3:9: error: 'none.glint': ")) << done.err;

@@ -386,9 +386,9 @@ TEST(GlintInclude, WhatIsNotThereIsAnError) {
         ASSERT_EQ(result.diagnostics.size(), 1u);
         const Diagnostic& missing = result.diagnostics[0];
         EXPECT_EQ(missing.severity, Severity::error);
-        EXPECT_EQ(missing.message, given == nullptr
-                                       ? "'none.glint': this text cannot include others: no files are read here"
-                                       : "'none.glint': no such file");
+        EXPECT_EQ(missing.message,
+                  given == nullptr ? "'none.glint': this text cannot include others: no files are read here"
+                                   : "'none.glint': no such file");
         EXPECT_EQ(missing.line, static_cast<std::uint32_t>(1 + std::count(text.begin(), text.end(), '\n')));
         EXPECT_EQ(missing.column, 9u);
     }

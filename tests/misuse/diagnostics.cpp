@@ -1,0 +1,57 @@
+// Diagnostics that no function of glint makes.
+#include "misuse/misused.h"
+
+namespace glint::misuse {
+namespace {
+
+TEST(Misuse, OfDiagnostics) {
+    EXPECT_EQ(to_string(Diagnostic{}), "error: \n");
+    Diagnostic d;
+    d.severity = beyond<Severity>();
+    d.file = "a.glint";
+    d.line = std::numeric_limits<std::uint32_t>::max();
+    d.message = "what";
+    d.source_line = "sphere";
+    d.length = 0;
+    EXPECT_NE(to_string(d).find("\n  sphere\n  ^\n"), std::string::npos) << to_string(d);
+    d.length = std::numeric_limits<std::uint32_t>::max();
+    EXPECT_NE(to_string(d).find("\n  sphere\n  ^~~~~~\n"), std::string::npos) << to_string(d);
+    d.caret = std::numeric_limits<std::uint32_t>::max();
+    EXPECT_NE(to_string(d).find("\n  sphere\n        ^\n"), std::string::npos) << to_string(d);
+    EXPECT_FALSE(has_errors({d}));
+    EXPECT_FALSE(has_errors({}));
+    EXPECT_EQ(count_warnings({d, {}}), 0u);
+    EXPECT_EQ(count_warnings({}), 0u);
+}
+
+TEST(Misuse, OfFindings) {
+    EXPECT_EQ(to_string(Finding{}), "error:  []\n  remedy: \n");
+    for (const CheckKind& kind : check_kinds()) EXPECT_FALSE(kind.id.empty() || kind.description.empty());
+}
+
+TEST(Misuse, OfCheck) {
+    Scene scene = some_scene();
+    scene.shapes[1].index = 77;
+    const CheckResult invalid = check(scene);
+    EXPECT_TRUE(has_errors(invalid.diagnostics));
+    EXPECT_TRUE(invalid.findings.empty());
+
+    // Texts and places that are not the scene's.
+    scene = some_scene();
+    scene.materials.push_back({});  // no shape has it
+    const std::size_t findings = check(scene).findings.size();
+    EXPECT_GT(findings, 0u);
+    scene.files = {"a.glint"};
+    scene.light_texts.places.assign(4, {1000000, 65535, 9});
+    scene.shape_texts.places.assign(1, {3, 1, 0});
+    scene.shape_texts.names = {{77u, "nobody"}};
+    const SceneText texts[] = {{"b.glint", "none", "none"}, {"a.glint", "", ""}, {"", {}, ""}};
+    const CheckResult result = check(scene, {-5, texts});
+    EXPECT_EQ(result.error, "");
+    EXPECT_EQ(result.findings.size(), findings);
+
+    EXPECT_EQ(check(Scene{}).error, "");
+}
+
+}  // namespace
+}  // namespace glint::misuse

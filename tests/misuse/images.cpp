@@ -1,0 +1,79 @@
+// Pictures to files and back.
+#include "misuse/misused.h"
+
+namespace glint::misuse {
+namespace {
+
+// Either bytes or an error.
+void expect_error(const EncodeResult& result, const char* what) {
+    EXPECT_NE(result.error, "") << what;
+    EXPECT_TRUE(result.bytes.empty()) << what;
+}
+
+TEST(Misuse, OfEncode) {
+    for (const FileFormat format : {FileFormat::png, FileFormat::ppm, FileFormat::exr}) {
+        EncodeOptions options;
+        options.format = format;
+        for (const Image& image : misfits())
+            expect_error(encode(image, options), "a picture that does not fit");
+        Image odd = picture(4, 1);
+        for (int i = 0; i < 5; ++i)
+            odd.rgb[static_cast<std::size_t>(i)] = static_cast<float>(k_odd_numbers[i] * 1e-270);
+        odd.rgb[6] = std::numeric_limits<float>::quiet_NaN();
+        odd.rgb[7] = std::numeric_limits<float>::infinity();
+        options.threads = -7;
+        EXPECT_FALSE(encode(odd, options).bytes.empty());
+    }
+    const Image good = picture(2, 2);
+    EncodeOptions options;
+    options.format = beyond<FileFormat>();
+    expect_error(encode(good, options), "no such format");
+    options = {};
+    options.transfer = beyond<Transfer>();
+    expect_error(encode(good, options), "no such transfer");
+    for (const int bits : {0, -8, 7, 9, 17, 32, std::numeric_limits<int>::max()}) {
+        options = {};
+        options.bits = bits;
+        expect_error(encode(good, options), "bits");
+    }
+}
+
+TEST(Misuse, OfNumbers) {
+    const float nan = std::numeric_limits<float>::quiet_NaN(),
+                infinity = std::numeric_limits<float>::infinity();
+    for (const Transfer transfer : {Transfer::none, Transfer::srgb, beyond<Transfer>()}) {
+        EXPECT_EQ(to_byte(nan, transfer), 0);
+        EXPECT_EQ(to_byte(-infinity, transfer), 0);
+        EXPECT_EQ(to_byte(infinity, transfer), 255);
+        for (const int bits : {16, 0, -1, 7, 64}) {
+            EXPECT_EQ(to_number(nan, bits, transfer), 0u);
+            EXPECT_EQ(to_number(infinity, bits, transfer), 65535u);
+        }
+    }
+}
+
+TEST(Misuse, OfDecode) {
+    const auto refused = [](std::span<const std::uint8_t> bytes, const DecodeOptions& options = {}) {
+        const DecodeResult result = decode(bytes, options);
+        EXPECT_NE(result.error, "");
+        EXPECT_FALSE(result.image);
+    };
+    refused({});
+    const std::uint8_t nothing[64] = {};
+    refused(nothing);
+    for (const FileFormat format : {FileFormat::png, FileFormat::ppm, FileFormat::exr}) {
+        EncodeOptions options;
+        options.format = format;
+        const std::vector<std::uint8_t> bytes = encode(picture(9, 7), options).bytes;
+        ASSERT_FALSE(bytes.empty());
+        EXPECT_TRUE(decode(bytes).image);
+        for (const std::size_t cut : {std::size_t{3}, std::size_t{8}, bytes.size() / 2})
+            refused(std::span(bytes).first(cut));
+        for (const std::int64_t most :
+             {std::int64_t{0}, std::int64_t{-1}, std::int64_t{62}, std::numeric_limits<std::int64_t>::min()})
+            refused(bytes, {most});
+    }
+}
+
+}  // namespace
+}  // namespace glint::misuse

@@ -1,0 +1,73 @@
+// Layers that are none, or whose values do not fit.
+#include "misuse/misused.h"
+
+namespace glint::misuse {
+namespace {
+
+std::vector<LayerImage> odd_layers() {
+    std::vector<LayerImage> layers;
+    for (const LayerInfo& info : layer_infos()) {
+        const auto channels = static_cast<int>(info.channels.size());
+        const std::size_t values = info.channels.size() * 6;
+        layers.push_back({info.layer, 3, 2, channels, std::vector<float>(values - 1)});
+        layers.push_back({info.layer, 3, 2, channels, std::vector<float>(values + 1)});
+        layers.push_back({info.layer, 3, 2, channels, {}});
+        for (const int wrong : {0, -1, 4, 4 - channels, std::numeric_limits<int>::max()}) {
+            layers.push_back({info.layer, 3, 2, wrong, std::vector<float>(values)});
+            layers.push_back(
+                {info.layer, 3, 2, wrong, std::vector<float>(std::size_t{6} * (wrong == 4 ? 4 : 1))});
+        }
+        for (const std::int32_t size : k_odd_sizes) {
+            layers.push_back({info.layer, size, 2, channels, std::vector<float>(values)});
+            layers.push_back({info.layer, 3, size, channels, std::vector<float>(values)});
+            layers.push_back({info.layer, size, size, channels, {}});
+        }
+    }
+    layers.push_back({beyond<Layer>(), 3, 2, 3, std::vector<float>(18)});
+    layers.push_back({static_cast<Layer>(k_layers), 3, 2, 1, std::vector<float>(6)});
+    return layers;
+}
+
+TEST(Misuse, OfViewable) {
+    for (const LayerImage& layer : odd_layers()) {
+        // Of the sizes of `wrong` channels one may be right.
+        const auto number = static_cast<std::size_t>(layer.layer);
+        const Image image = viewable(layer);
+        const bool fits = number < layer_infos().size() && layer.width == 3 && layer.height == 2 &&
+                          layer.channels == static_cast<int>(layer_infos()[number].channels.size()) &&
+                          layer.values.size() == std::size_t{6} * static_cast<std::size_t>(layer.channels);
+        EXPECT_EQ(image.rgb.size(), fits ? 18u : 0u) << number << ' ' << layer.channels;
+        EXPECT_EQ(image.width, fits ? 3 : 0);
+    }
+    // Values that no rendering writes.
+    for (const LayerInfo& info : layer_infos()) {
+        const std::size_t channels = info.channels.size();
+        LayerImage layer{info.layer, 5, 1, static_cast<int>(channels), {}};
+        for (std::size_t i = 0; i < 5 * channels; ++i)
+            layer.values.push_back(static_cast<float>(k_odd_numbers[i % 5] * (i % 2 == 0 ? 1 : 1e-265)));
+        EXPECT_EQ(viewable(layer).rgb.size(), 15u) << info.name;
+    }
+}
+
+TEST(Misuse, OfEncodeLayers) {
+    for (const LayerImage& layer : odd_layers()) {
+        if (!viewable(layer).rgb.empty()) continue;
+        const EncodeResult result = encode_layers(picture(3, 2), {&layer, 1});
+        EXPECT_NE(result.error, "");
+        EXPECT_TRUE(result.bytes.empty());
+    }
+    for (const Image& image : misfits()) EXPECT_NE(encode_layers(image, {}).error, "");
+    const LayerImage depth{Layer::depth, 3, 2, 1, std::vector<float>(6)};
+    const LayerImage twice[] = {depth, depth};
+    EXPECT_NE(encode_layers(picture(3, 2), twice).error, "");
+    EXPECT_NE(encode_layers(picture(2, 3), {&depth, 1}).error, "");
+    EXPECT_EQ(encode_layers(picture(3, 2), {&depth, 1}).error, "");
+}
+
+TEST(Misuse, OfFindLayer) {
+    for (const char* const name : {"", "Depth", "depth ", "shadows"}) EXPECT_FALSE(find_layer(name)) << name;
+    EXPECT_EQ(find_layer("depth"), Layer::depth);
+}
+
+}  // namespace
+}  // namespace glint::misuse

@@ -1,0 +1,109 @@
+// World to Image with options that cannot be had.
+#include "misuse/misused.h"
+
+namespace glint::misuse {
+namespace {
+
+void expect_error(const RenderResult& result, const char* what) {
+    EXPECT_NE(result.error, "") << what;
+    EXPECT_FALSE(result.image) << what;
+    EXPECT_TRUE(result.layers.empty()) << what;
+    EXPECT_FALSE(result.cancelled) << what;
+}
+
+TEST(Misuse, OfRender) {
+    const Scene scene = some_scene();
+    const World world = world_of(scene);
+    RenderOptions options;
+    for (const char* const isa : {"avx9", " ", "AVX2", "avx2,sse4"}) {
+        options.isa = isa;
+        expect_error(render(world, options), isa);
+    }
+    const std::int32_t most = std::numeric_limits<std::int32_t>::max(),
+                       least = std::numeric_limits<std::int32_t>::min();
+    for (const Crop crop : {Crop{}, Crop{0, 5, 0, 0}, Crop{-1, 5, 0, 0}, Crop{17, 1, 0, 0}, Crop{1, 13, 0, 0},
+                            Crop{1, 1, 16, 0}, Crop{1, 1, -1, 0}, Crop{most, most, most, most},
+                            Crop{least, least, least, least}, Crop{1, 1, most, most}, Crop{most, 1, 1, 0}}) {
+        options = {};
+        options.crop = crop;
+        expect_error(render(world, options), "crop");
+    }
+    for (const auto& layers : std::vector<std::vector<Layer>>{
+             {beyond<Layer>()}, {static_cast<Layer>(k_layers)}, {Layer::depth, Layer::depth}}) {
+        options = {};
+        options.layers = layers;
+        expect_error(render(world, options), "layers");
+    }
+    for (const int threads : {-1, std::numeric_limits<int>::min(), 1000, std::numeric_limits<int>::max()}) {
+        options = {};
+        options.threads = threads;
+        EXPECT_EQ(render(world, options).error, "") << threads;
+    }
+    const std::atomic<bool> cancel{true};
+    options = {};
+    options.cancel = &cancel;
+    const RenderResult cancelled = render(world, options);
+    EXPECT_TRUE(cancelled.cancelled);
+    EXPECT_FALSE(cancelled.image);
+    EXPECT_FALSE(isa_names().empty());
+}
+
+TEST(Misuse, OfPrepare) {
+    for (const int threads : {-1, std::numeric_limits<int>::min(), std::numeric_limits<int>::max()})
+        EXPECT_TRUE(prepare(some_scene(), {.threads = threads}).world) << threads;
+    Scene invalid = some_scene();
+    invalid.camera.look_at = invalid.camera.position;
+    const WorldResult prepared = prepare(invalid);
+    EXPECT_FALSE(prepared.world);
+    EXPECT_TRUE(has_errors(prepared.diagnostics));
+    const std::atomic<bool> cancel{true};
+    const WorldResult cancelled = prepare(some_scene(), {.cancel = &cancel});
+    EXPECT_NE(cancelled.cancelled, cancelled.world.has_value());
+}
+
+TEST(Misuse, OfAWorldWithoutShapes) {
+    Scene scene;
+    scene.settings.width = scene.settings.height = 3;
+    const World world = world_of(scene);
+    const Bounds box = bounds(world);
+    EXPECT_GT(box.min.x, box.max.x);
+    EXPECT_EQ(memory(world).packed, 0u);
+    EXPECT_EQ(memory(world).each(), 0);
+    EXPECT_EQ(WorldMemory{}.total(), 0u);
+    EXPECT_EQ(RayCounts{}.total(), 0u);
+    EXPECT_TRUE(render(world).image);
+}
+
+TEST(Misuse, OfADefaultOrMovedFromWorld) {
+    World world = world_of(some_scene());
+    const World elsewhere = std::move(world);
+    EXPECT_EQ(render(elsewhere).image.value().width, 16);
+    // NOLINTNEXTLINE(bugprone-use-after-move): that is what is tested
+    for (const World& empty : {World{}, world}) {
+        EXPECT_EQ(render(empty).image.value().width, RenderSettings{}.width);
+        EXPECT_EQ(memory(empty).packed, 0u);
+        EXPECT_GT(bounds(empty).min.x, bounds(empty).max.x);
+        const Ray ray{{0, 0, 5}, {0, 0, -1}};
+        EXPECT_EQ(nearest_hits(empty, {&ray, 1}).hits.at(0).shape, k_none);
+        EXPECT_EQ(occluded(empty, {&ray, 1}).occluded.at(0), 0);
+        EXPECT_EQ(explain(Scene{}, empty, 3, 4).error, "");
+        EXPECT_NE(explain(some_scene(), empty, 3, 4).error, "");
+        EXPECT_FALSE(with_material(empty, 0, Material{}).world);
+        EXPECT_TRUE(with_lights(empty, {}).world);
+    }
+    EXPECT_FALSE(WorldResult{}.world);
+    EXPECT_FALSE(RenderResult{}.image);
+}
+
+// The World does not refer to the Scene.
+TEST(Misuse, OfASceneThatIsGone) {
+    auto scene = std::make_unique<Scene>(some_scene());
+    const World world = world_of(*scene);
+    const Image before = render(world).image.value();
+    *scene = {};
+    scene.reset();
+    EXPECT_EQ(render(world).image.value().rgb, before.rgb);
+}
+
+}  // namespace
+}  // namespace glint::misuse

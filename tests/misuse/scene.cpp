@@ -1,0 +1,198 @@
+// Scenes that hold what a scene may not, one fault at a time: validate() names it, and nobody draws or writes
+// it.
+#include <functional>
+
+#include "misuse/misused.h"
+
+namespace glint::misuse {
+namespace {
+
+using Edit = std::function<void(Scene&)>;
+
+void expect_refused(const Edit& edit, const char* what) {
+    Scene scene = some_scene();
+    edit(scene);
+    EXPECT_TRUE(has_errors(validate(scene))) << what;
+    const WorldResult prepared = prepare(scene);
+    EXPECT_FALSE(prepared.world) << what;
+    EXPECT_TRUE(has_errors(prepared.diagnostics)) << what;
+    EXPECT_EQ(write_glint(scene), "") << what;
+    EXPECT_TRUE(check(scene).findings.empty()) << what;
+}
+
+TEST(Misuse, OfIndices) {
+    for (const std::uint32_t index : {4u, 1000000u, k_none - 1, k_none}) {
+        expect_refused([&](Scene& s) { s.shapes[0].index = index; }, "parameters");
+        if (index == k_none) continue;  // the default
+        expect_refused([&](Scene& s) { s.shapes[1].material = index; }, "material");
+        expect_refused([&](Scene& s) { s.shapes[1].transform = index; }, "transform");
+    }
+    expect_refused([](Scene& s) { s.get<Sphere>().clear(); }, "shapes without parameters");
+    expect_refused([](Scene& s) { s.materials.clear(); }, "shapes without materials");
+    expect_refused([](Scene& s) { s.transforms.clear(); }, "shapes without transforms");
+    for (const Polygon p : {Polygon{0, 3}, Polygon{k_none, k_none}, Polygon{1, k_none}, Polygon{}})
+        expect_refused([&](Scene& s) { s.add(p); }, "polygon");
+    expect_refused(
+        [](Scene& s) {
+            s.polygon_vertices.resize(5000);
+            s.add(Polygon{0, 5000});
+        },
+        "a polygon with too many vertices");
+}
+
+TEST(Misuse, OfEnumerations) {
+    const Edit edits[] = {
+        [](Scene& s) { s.shapes[0].kind = beyond<ShapeKind>(); },
+        [](Scene& s) { s.lights[0].kind = beyond<LightKind>(); },
+        [](Scene& s) { s.camera.projection = beyond<Projection>(); },
+        [](Scene& s) { s.camera.fov_axis = beyond<FovAxis>(); },
+        [](Scene& s) { s.settings.shading = beyond<Shading>(); },
+        [](Scene& s) { s.conventions.pixel_sample = beyond<PixelSample>(); },
+        [](Scene& s) { s.conventions.ray_direction = beyond<RayDirection>(); },
+        [](Scene& s) { s.conventions.offset = beyond<Offset>(); },
+        [](Scene& s) { s.conventions.mirror = beyond<MirrorRule>(); },
+        [](Scene& s) { s.conventions.limit = beyond<LimitRule>(); },
+        [](Scene& s) { s.conventions.mirror_miss = beyond<MissRule>(); },
+        [](Scene& s) { s.conventions.fresnel = beyond<Fresnel>(); },
+        [](Scene& s) { s.conventions.glass_shadow = beyond<GlassShadow>(); },
+        [](Scene& s) { s.conventions.facing = beyond<Facing>(); },
+    };
+    for (const Edit& edit : edits) expect_refused(edit, "an enumeration");
+    EXPECT_EQ(shape_word(beyond<ShapeKind>()), "unknown shape");
+}
+
+// Every double of a scene, by a function that finds it.
+std::vector<std::function<double&(Scene&)>> numbers() {
+    std::vector<std::function<double&(Scene&)>> all;
+    const auto point = [&](std::function<Vec3&(Scene&)> at) {
+        all.push_back([at](Scene& s) -> double& { return at(s).x; });
+        all.push_back([at](Scene& s) -> double& { return at(s).y; });
+        all.push_back([at](Scene& s) -> double& { return at(s).z; });
+    };
+    const auto color = [&](std::function<Color&(Scene&)> at) {
+        all.push_back([at](Scene& s) -> double& { return at(s).r; });
+        all.push_back([at](Scene& s) -> double& { return at(s).g; });
+        all.push_back([at](Scene& s) -> double& { return at(s).b; });
+    };
+    const auto number = [&](std::function<double&(Scene&)> at) { all.push_back(std::move(at)); };
+    point([](Scene& s) -> Vec3& { return s.camera.position; });
+    point([](Scene& s) -> Vec3& { return s.camera.look_at; });
+    point([](Scene& s) -> Vec3& { return s.camera.up; });
+    point([](Scene& s) -> Vec3& { return s.camera.lighting_eye.emplace(); });
+    point([](Scene& s) -> Vec3& { return s.camera.frame.emplace().right; });
+    point([](Scene& s) -> Vec3& { return s.camera.frame.emplace().up; });
+    point([](Scene& s) -> Vec3& { return s.camera.frame.emplace().forward; });
+    number([](Scene& s) -> double& { return s.camera.fov_degrees; });
+    number([](Scene& s) -> double& {
+        s.camera.projection = Projection::orthographic;
+        return s.camera.width;
+    });
+    color([](Scene& s) -> Color& { return s.background; });
+    color([](Scene& s) -> Color& { return s.lights[0].color; });
+    point([](Scene& s) -> Vec3& { return s.lights[1].position; });
+    color([](Scene& s) -> Color& { return s.lights[1].color; });
+    color([](Scene& s) -> Color& { return s.lights[1].specular_color; });
+    number([](Scene& s) -> double& { return s.lights[1].attenuation.c0; });
+    number([](Scene& s) -> double& { return s.lights[1].attenuation.c1; });
+    number([](Scene& s) -> double& { return s.lights[1].attenuation.c2; });
+    point([](Scene& s) -> Vec3& { return s.lights[2].to_light; });
+    color([](Scene& s) -> Color& { return s.materials[0].color; });
+    color([](Scene& s) -> Color& { return s.materials[0].ambient; });
+    color([](Scene& s) -> Color& { return s.materials[0].diffuse; });
+    color([](Scene& s) -> Color& { return s.materials[0].specular; });
+    color([](Scene& s) -> Color& { return s.materials[0].mirror_tint; });
+    color([](Scene& s) -> Color& { return s.materials[0].transmission_tint; });
+    number([](Scene& s) -> double& { return s.materials[0].shininess; });
+    number([](Scene& s) -> double& { return s.materials[0].mirror; });
+    number([](Scene& s) -> double& { return s.materials[0].transmission; });
+    number([](Scene& s) -> double& { return s.materials[0].ior; });
+    for (int i = 0; i < 12; ++i) number([i](Scene& s) -> double& { return s.transforms[0].m[i / 4][i % 4]; });
+    number([](Scene& s) -> double& { return s.conventions.camera_t_min; });
+    number([](Scene& s) -> double& { return s.conventions.epsilon; });
+    number([](Scene& s) -> double& { return s.conventions.beer; });
+    number([](Scene& s) -> double& { return s.conventions.min_weight; });
+    const auto last = [](auto& list) -> auto& { return list.back(); };
+    point([=](Scene& s) -> Vec3& { return s.add(Sphere{}), last(s.get<Sphere>()).center; });
+    number([=](Scene& s) -> double& { return s.add(Sphere{}), last(s.get<Sphere>()).radius; });
+    point([=](Scene& s) -> Vec3& { return s.add(Plane{}), last(s.get<Plane>()).point; });
+    point([=](Scene& s) -> Vec3& { return s.add(Plane{}), last(s.get<Plane>()).normal; });
+    point([=](Scene& s) -> Vec3& { return s.add(Cylinder{}), last(s.get<Cylinder>()).from; });
+    point([=](Scene& s) -> Vec3& { return s.add(Cylinder{}), last(s.get<Cylinder>()).to; });
+    number([=](Scene& s) -> double& { return s.add(Cylinder{}), last(s.get<Cylinder>()).radius; });
+    point([=](Scene& s) -> Vec3& { return s.add(Cone{}), last(s.get<Cone>()).from; });
+    point([=](Scene& s) -> Vec3& { return s.add(Cone{}), last(s.get<Cone>()).to; });
+    number([=](Scene& s) -> double& { return s.add(Cone{}), last(s.get<Cone>()).from_radius; });
+    number([=](Scene& s) -> double& { return s.add(Cone{}), last(s.get<Cone>()).to_radius; });
+    point([=](Scene& s) -> Vec3& { return s.add(Disc{}), last(s.get<Disc>()).center; });
+    point([=](Scene& s) -> Vec3& { return s.add(Disc{}), last(s.get<Disc>()).normal; });
+    number([=](Scene& s) -> double& { return s.add(Disc{}), last(s.get<Disc>()).radius; });
+    point([=](Scene& s) -> Vec3& { return s.add(Cuboid{}), last(s.get<Cuboid>()).min; });
+    point([=](Scene& s) -> Vec3& { return s.add(Cuboid{}), last(s.get<Cuboid>()).max; });
+    for (int i = 0; i < 3; ++i) {
+        point([=](Scene& s) -> Vec3& { return s.add(Triangle{}), last(s.get<Triangle>()).vertices[i]; });
+        point([=](Scene& s) -> Vec3& {
+            return s.add(SmoothTriangle{}), last(s.get<SmoothTriangle>()).vertices[i];
+        });
+        point([=](Scene& s) -> Vec3& {
+            return s.add(SmoothTriangle{}), last(s.get<SmoothTriangle>()).normals[i];
+        });
+        point([=](Scene& s) -> Vec3& {
+            s.polygon_vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+            s.add(Polygon{0, 3});
+            return s.polygon_vertices[static_cast<std::size_t>(i)];
+        });
+    }
+    return all;
+}
+
+TEST(Misuse, OfNumbersOfAScene) {
+    for (const auto& number : numbers())
+        for (const double odd : k_odd_numbers) expect_refused([&](Scene& s) { number(s) = odd; }, "a number");
+}
+
+TEST(Misuse, OfSizes) {
+    for (const std::int32_t size : k_odd_sizes) {
+        expect_refused([&](Scene& s) { s.settings.width = size; }, "width");
+        expect_refused([&](Scene& s) { s.settings.height = size; }, "height");
+        expect_refused([&](Scene& s) { s.settings.samples = size; }, "samples");
+        if (size != 0) expect_refused([&](Scene& s) { s.settings.reflections = size; }, "reflections");
+    }
+}
+
+TEST(Misuse, OfTextsOfAScene) {
+    Scene scene = some_scene();
+    scene.origins = {{beyond<SettingOrigin::Kind>(), {7, 7, 7}}};
+    scene.files.clear();
+    scene.camera_place = {9, 9, 9};
+    scene.shape_texts.places.assign(1000, {1, 1, 65535});
+    scene.light_texts.names = {{k_none, "\xff\0"}};
+    scene.profile = "none";
+    EXPECT_FALSE(has_errors(validate(scene)));
+    EXPECT_EQ(scene.shape_texts.name(k_none), "");
+    EXPECT_EQ(scene.shape_texts.place(k_none), SourcePlace{});
+    scene.lights[1].color.r = k_nan;  // a message with a place in no file
+    EXPECT_TRUE(has_errors(validate(scene)));
+}
+
+TEST(Misuse, OfWriteGlint) {
+    Scene scene = some_scene();
+    const SceneText texts[] = {{"", "", ""}, {"none.glint", "# \xff\xfe", "none"}};
+    scene.files = {"a.glint"};
+    scene.shape_texts.places.assign(4, {100, 100, 3});
+    scene.material_texts.names = {{0u, std::string("a\n\"}\0", 5)}, {77u, "nobody"}};
+    scene.profile = "no such profile";
+    const std::string text = write_glint(scene, texts);
+    EXPECT_NE(text, "");
+    const SceneText again{"again.glint", text, ""};
+    EXPECT_TRUE(load({&again, 1}).scene) << text;
+    EXPECT_NE(write_glint(Scene{}), "");
+}
+
+TEST(Misuse, OfVectors) {
+    const Vec3 odd{k_nan, k_infinity, 0};
+    EXPECT_NE(dot(odd, odd), 0);
+    EXPECT_FALSE(cross(odd, Vec3{}) == Vec3{});  // NaN
+}
+
+}  // namespace
+}  // namespace glint::misuse

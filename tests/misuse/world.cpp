@@ -1,0 +1,169 @@
+// Changes to a World, and rays of the caller's own, that cannot be.
+#include <functional>
+
+#include "misuse/misused.h"
+
+namespace glint::misuse {
+namespace {
+
+void expect_error(const WorldResult& result, const char* what) {
+    EXPECT_FALSE(result.world) << what;
+    EXPECT_TRUE(has_errors(result.diagnostics)) << what;
+    for (const Diagnostic& d : result.diagnostics) EXPECT_FALSE(d.message.empty()) << what;
+}
+
+TEST(Misuse, OfShading) {
+    const Scene scene = some_scene();
+    const World world = world_of(scene);
+    const Image before = render(world).image.value();
+    for (const double odd : k_odd_numbers) {
+        Light light;
+        light.position.y = odd;
+        expect_error(with_lights(world, {&light, 1}), "a light");
+        Camera camera = scene.camera;
+        camera.position.x = odd;
+        expect_error(with_camera(world, camera), "a camera");
+        expect_error(with_background(world, {0, odd, 0}), "a background");
+        Conventions conventions = scene.conventions;
+        conventions.epsilon = odd;
+        expect_error(with_rules(world, conventions, scene.settings), "a convention");
+        Material material;
+        material.shininess = odd;
+        expect_error(with_material(world, 0, material), "a material");
+        const Material materials[] = {{}, material};
+        expect_error(with_materials(world, materials), "materials");
+    }
+    Light light;
+    light.kind = beyond<LightKind>();
+    expect_error(with_lights(world, {&light, 1}), "a kind of light");
+    Camera camera = scene.camera;
+    camera.up = {};
+    expect_error(with_camera(world, camera), "a camera without up");
+    camera = scene.camera;
+    camera.projection = beyond<Projection>();
+    expect_error(with_camera(world, camera), "a projection");
+    for (const std::int32_t size : k_odd_sizes) {
+        RenderSettings settings = scene.settings;
+        settings.height = size;
+        expect_error(with_rules(world, scene.conventions, settings), "a size");
+    }
+    Conventions conventions = scene.conventions;
+    conventions.offset = beyond<Offset>();
+    expect_error(with_rules(world, conventions, scene.settings), "an offset");
+    for (const std::uint32_t index : {2u, 1000000u, k_none - 1, k_none})
+        expect_error(with_material(world, index, Material{}), "an index");
+    expect_error(with_materials(world, {}), "too few materials");
+    expect_error(with_materials(world, {scene.materials.data(), 1}), "a material too few");
+    EXPECT_EQ(render(world).image.value().rgb, before.rgb);
+}
+
+TEST(Misuse, OfAssignMaterial) {
+    World world = world_of(some_scene());
+    const Image before = render(world).image.value();
+    const std::uint32_t first[] = {0};
+    for (const std::uint32_t index : {2u, 1000000u, k_none - 1})
+        EXPECT_TRUE(has_errors(assign_material(world, first, index))) << index;
+    for (const std::uint32_t shape : {4u, 1000000u, k_none}) {
+        const std::uint32_t shapes[] = {0, shape};
+        EXPECT_TRUE(has_errors(assign_material(world, shapes, 1))) << shape;
+    }
+    EXPECT_TRUE(assign_material(world, {}, 1).empty());
+    EXPECT_EQ(render(world).image.value().rgb, before.rgb);
+    const std::uint32_t twice[] = {0, 0, 0};
+    EXPECT_TRUE(assign_material(world, twice, k_none).empty());
+    World empty;
+    EXPECT_TRUE(has_errors(assign_material(empty, first, k_none)));
+}
+
+TEST(Misuse, OfEditShapes) {
+    const Scene scene = some_scene();
+    World world = world_of(scene);
+    const Image before = render(world).image.value();
+    const auto refused = [&](const std::function<void(Scene&)>& edit, std::vector<std::uint32_t> changed,
+                             const char* what) {
+        Scene edited = scene;
+        edit(edited);
+        const EditResult result = edit_shapes(world, edited, changed);
+        EXPECT_EQ(result.edit, ShapeEdit::none) << what;
+        EXPECT_TRUE(has_errors(result.diagnostics)) << what;
+        EXPECT_EQ(render(world).image.value().rgb, before.rgb) << what;
+    };
+    const auto nothing = [](Scene&) {};
+    for (const std::uint32_t shape : {4u, 1000000u, k_none}) refused(nothing, {1, shape}, "no such shape");
+    refused([](Scene& s) { s.shapes[1].kind = beyond<ShapeKind>(); }, {1}, "kind");
+    refused([](Scene& s) { s.shapes[1].index = 99; }, {1}, "parameters");
+    refused([](Scene& s) { s.shapes[1].material = 2; }, {1}, "material");
+    refused([](Scene& s) { s.shapes[1].transform = 1; }, {1}, "transform");
+    refused([](Scene& s) { s.transforms[0] = Affine{{{0}}}; }, {2}, "a transform without an inverse");
+    refused([](Scene& s) { s.get<Sphere>()[0].radius = k_nan; }, {1}, "radius");
+    refused(
+        [](Scene& s) {
+            s.add(Sphere{});
+            s.get<Sphere>()[2].center.x = k_infinity;
+        },
+        {}, "a new shape");
+    refused([](Scene& s) { s.add(Polygon{0, 3}); }, {}, "a new polygon without vertices");
+    // Materials that the World does not have.
+    refused(
+        [](Scene& s) {
+            s.materials.resize(9);
+            s.shapes[1].material = 8;
+        },
+        {1}, "a material of the scene, not of the World");
+
+    const EditResult none = edit_shapes(world, scene, {});
+    EXPECT_EQ(none.edit, ShapeEdit::none);
+    EXPECT_FALSE(has_errors(none.diagnostics));
+    const std::uint32_t twice[] = {3, 1, 1, 2, 3};
+    for (const int threads : {-1, std::numeric_limits<int>::min(), 2000}) {
+        EXPECT_FALSE(has_errors(edit_shapes(world, scene, twice, {.threads = threads}).diagnostics));
+        EXPECT_EQ(render(world).image.value().rgb, before.rgb);
+    }
+    // All shapes of a World that had none, and then none.
+    World empty;
+    Scene bare = scene;
+    for (Shape& shape : bare.shapes) shape.material = k_none;
+    EXPECT_EQ(edit_shapes(empty, bare, {}).edit, ShapeEdit::rebuilt);
+    EXPECT_FALSE(has_errors(edit_shapes(empty, Scene{}, {}).diagnostics));
+    EXPECT_EQ(memory(empty).packed, 0u);
+    // An explanation of what the scene no longer is.
+    EXPECT_NE(explain(scene, empty, 3, 4).error, "");
+}
+
+TEST(Misuse, OfRays) {
+    const World world = world_of(some_scene());
+    std::vector<Ray> rays;
+    const Ray good{{-1, 0, 9}, {0, 0, -1}};
+    for (const double odd : {k_nan, k_infinity, -k_infinity, 1e300, 0.0}) {
+        for (int field = 0; field < 8; ++field) {
+            Ray ray = good;
+            double* const numbers[] = {&ray.origin.x,    &ray.origin.y,    &ray.origin.z, &ray.direction.x,
+                                       &ray.direction.y, &ray.direction.z, &ray.t_min,    &ray.t_max};
+            *numbers[field] = odd;
+            rays.push_back(ray);
+        }
+        rays.push_back({{odd, odd, odd}, {odd, odd, odd}, odd, odd});
+        rays.push_back(good);
+    }
+    rays.push_back({good.origin, good.direction, 5, 1});  // ends before it begins
+    for (const int threads : {0, -4, std::numeric_limits<int>::max()}) {
+        const RayHits hits = nearest_hits(world, rays, threads);
+        const Occlusions occlusions = occluded(world, rays, threads);
+        ASSERT_EQ(hits.hits.size(), rays.size());
+        ASSERT_EQ(occlusions.occluded.size(), rays.size());
+        for (std::size_t i = 0; i < rays.size(); ++i) {
+            EXPECT_TRUE(hits.hits[i].shape == k_none || hits.hits[i].shape < 4) << i;
+            EXPECT_LE(occlusions.occluded[i], 1) << i;
+            if (i % 10 != 9) continue;
+            EXPECT_EQ(hits.hits[i].shape, 1u) << i << ": its neighbours are odd, it is not";
+        }
+        EXPECT_EQ(hits.hits.back().shape, k_none);
+        // NaN in its origin or direction hits nothing.
+        for (const std::size_t i : {0, 1, 2, 3, 4, 5, 8}) EXPECT_EQ(hits.hits[i].shape, k_none) << i;
+    }
+    EXPECT_TRUE(nearest_hits(world, {}).hits.empty());
+    EXPECT_TRUE(occluded(world, {}).occluded.empty());
+}
+
+}  // namespace
+}  // namespace glint::misuse
