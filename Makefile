@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 # The short way in: make demo, make test. CMakePresets.json has every configuration.
 PREFIX ?= /usr/local
 glint = build/release/glint

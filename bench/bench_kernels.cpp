@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Nanoseconds of a ray against a sphere, a triangle and a box, and of one light's terms at a
 // point, by instruction set; seconds to build a hierarchy. Run: bench_kernels [--benchmark_filter=sphere].
 // pow is in bench_math, walking the hierarchy in bench_rays.

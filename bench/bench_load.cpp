@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Bytes a second of load(), by what the text is full of. Run: bench_load [--benchmark_filter=nff]. The texts
 // are 100 MB; GLINT_BENCH_MB says otherwise.
 #include <benchmark/benchmark.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Nanoseconds for one pow, by instruction set, beside the C library's. Run: bench_math
 // [--benchmark_filter=pow].
 #include <benchmark/benchmark.h>

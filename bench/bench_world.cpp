@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What does a change to a World cost? Medians, of a scene of a million spheres with a thousand materials.
 // Run: bench_world [SHAPES [THREADS]].
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // register_loop THREADS: seconds that so many threads take for a fixed amount of arithmetic in registers,
 // shared evenly. It needs no memory and waits for nothing: what threads can gain on this machine.
 #include <chrono>

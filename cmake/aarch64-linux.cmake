@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 # Cross-compiling for arm64 with Debian's g++-aarch64-linux-gnu, against the libraries that tools/make-aarch64-sysroot unpacks;
 # qemu-user runs what is built.
 set(CMAKE_SYSTEM_NAME Linux)

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 # What cpack makes of an install: the Debian packages glint (the command, its documents and scenes) and libglint-dev (headers
 # and a static library). tools/make-release calls it.
 set(CPACK_GENERATOR DEB)

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 # The libraries that glint uses (NOTICE says what for), as the same targets natively and for the browser.
 if(NOT GLINT_BROWSER)
   # Without these encode() and decode() say so.

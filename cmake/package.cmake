@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 # make install: the library, its headers, the CMake package (find_package(glint)) and pkg-config's glint.pc; the command with
 # its documents and scenes. Components: library (a shared one), development, command.
 include(GNUInstallDirs)

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 # The browser build: Debian's clang 14 for wasm32-wasi (lld-14, wasi-libc, libc++-14-dev-wasm32, libc++abi-14-dev-wasm32,
 # libclang-rt-14-dev-wasm32).
 set(CMAKE_SYSTEM_NAME Generic)

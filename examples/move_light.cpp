@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A light that moves: the scene is prepared once, and each picture takes only its own time to draw. Writes
 // move_light_0.png and on. Run: move_light [PICTURES [LIGHTS]].
 #include <glint/glint.h>

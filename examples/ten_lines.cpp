@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A scene made in code, and its picture in ten_lines.png.
 #include <glint/glint.h>
 

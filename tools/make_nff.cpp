@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Writes scenes as .nff, of any size: make_nff sphereflake [DEPTH] | pyramid [DEPTH] | fullerene
 //
 // sphereflake: every sphere carries nine a third as large, 1 + 9 + ... + 9^DEPTH in all (3: 820; 6: 597,871).

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The plots of docs/lighting.md as SVG, on standard output.
 //     plot_cosines powers > docs/images/plots/powers.svg      cos^n for several n
 //     plot_cosines models > docs/images/plots/models.svg      Phong and Blinn-Phong, with equal and with

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Nanoseconds of one thread for a ray, by class, of glint's kernels and of Embree's packets of 16.
 // Run: bench_rays [--benchmark_filter=mirror] SCENE.nff...
 // `hits` is the fraction of rays that hit anything: both must find about the same.

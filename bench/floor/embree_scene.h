@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // A glint::Scene in Embree: spheres, cones and cylinders as Embree's own round shapes, the rest as triangles.
 #include <embree3/rtcore.h>

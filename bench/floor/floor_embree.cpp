@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // floor_embree SCENE.nff [SIZE [THREADS]]: how long Embree takes to answer the rays of a frame, as packets of
 // 16 and without any shading. Prints JSON: rays and seconds (the least of three replays), all in all and by
 // class. The rays are recorded first, which does not count.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The rays of a frame, by class, in the order in which a tile after a tile asks for them.
 #include <cstddef>

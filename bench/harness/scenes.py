@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """The scenes: the Standard Procedural Databases, written by bench/spd."""
 import os
 import re

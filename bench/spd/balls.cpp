@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Sphereflake: every sphere carries nine a third as large; 1 + 9 + ... + 9^size spheres.
 #include "databases.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A cube of size^3 gears over a mirror, some of glass. A gear has two faces of 144 vertices, concave, and 144
 // rectangles around.
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A cubic lattice inside [0, 1]^3: (size + 1)^3 mirroring spheres, joined by matte cylinders.
 #include "databases.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // make_spd DATABASE [SIZE] [nff|pov|tachyon]: one of the Standard Procedural Databases, to standard output.
 #include <cstdlib>
 #include <string_view>

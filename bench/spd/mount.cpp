@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A fractal mountain of 2 * 4^size triangles by moving midpoints, and four spheres of glass.
 #include "databases.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // POV-Ray 3.7. Its own space is left-handed, but a camera given by all its axes is taken as it is, so the
 // coordinates stay.
 #include "scene_writer.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // What a database is written to: one interface, one implementation a format. Coordinates are right-handed.
 #include <cmath>

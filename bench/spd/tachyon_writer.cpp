@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Tachyon 0.99's scene format. Its camera is left-handed, so its picture is the mirror image, in the same
 // time.
 #include <map>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Newell's teapot: 32 Bezier patches of size^2 * 2 smooth triangles each, on a checkerboard of size^2
 // squares. The control points are the published ones, put down by what they have in common: 20 patches are
 // quarters of surfaces of revolution, 8 are halves of a handle and a spout that are the same on both sides.

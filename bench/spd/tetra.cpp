@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Sierpinski's pyramid: a tetrahedron's four corners again and again; 4^size triangles.
 #include "databases.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A tree by Aono and Kunii's method (IEEE CG&A, May 1984): 2^(size + 1) - 1 cones, each with a sphere at its
 // end, on a field.
 #include "databases.h"

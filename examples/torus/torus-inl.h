@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The torus: packing, bounds, hit, normal. A shape added to glint (docs/adding_a_shape.md).
 #if defined(GLINT_GEOMETRY_TORUS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLINT_GEOMETRY_TORUS_INL_H_

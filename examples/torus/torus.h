@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 /// The points at distance `tube` from a circle of radius `radius` around the origin in the plane y = 0, both
 /// > 0; a transform puts it anywhere else. Its normal points outward.
 struct Torus {

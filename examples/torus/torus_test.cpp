@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Draws the torus that was added, and holds its normals and its outline against what is known of a torus.
 #include <cmath>
 #include <cstdio>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // A scene's likely mistakes: what can be drawn, and is hardly what was meant. docs/checks.md explains each.
 #include <span>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Two pictures held against each other, and the classic causes of a difference.
 #include <atomic>

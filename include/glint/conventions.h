@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // What the sources of this renderer disagree about, as data. docs/conventions.md says which source means
 // what.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // What the library has to say about its input. The library never prints: it returns these.
 #include <cstddef>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Why a pixel is as it is: every ray that was traced for it, and every term of its light.
 #include <cstdint>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // GLINT_API marks the functions that a shared libglint exports; everything else in it is hidden.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The parts of a picture: what its light is made of, and what its first surfaces are.
 #include <cstdint>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Text to Scene. The library opens no file of its own accord: texts come from the caller or from the Sources
 // given.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The Scene: what a picture is of. Plain data; make it in code or load it from text.
 #include <cstddef>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The shapes' parameters. A new kind adds its struct, and one line to GLINT_SHAPES (docs/adding_a_shape.md).
 // Where points, directions and lengths are all there is to know, fields() lists them once: validate() and the

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Points, directions, colours and affine maps: plain values, in double.
 

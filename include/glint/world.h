@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Scene -> World: geometry, which takes time to build and is shared, and shading, which is replaced in
 // microseconds.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // A value that its copies share until one of them is written to.
 #include <memory>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Collecting messages while reading a text: places are byte offsets until a message is made.
 #include <cstddef>

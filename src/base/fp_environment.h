@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The floating-point state that the bits of a picture assume.
 #include <cstdint>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Exceptions of libraries and bad_alloc stop at the public functions. The browser build has no exceptions.
 #include <exception>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // oneTBB is not compiled with the thread sanitizer, which cannot see in it that a task starts after its
 // caller and ends before the caller goes on. Under that sanitizer, and only there, a Handover says so with

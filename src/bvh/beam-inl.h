@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A beam: rays of nearly one way, which walk the hierarchy together by interval evaluation of the slab
 // expression.
 #if defined(GLINT_BVH_BEAM_INL_H_) == defined(HWY_TARGET_TOGGLE)

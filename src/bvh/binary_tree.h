@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The binary tree that the wide one is made from, and how it is best cut into wide nodes.
 #include <array>

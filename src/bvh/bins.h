@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Items in bins along the three axes, and the best place to part them (Wald 2007).
 #include <array>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "bvh/binary_tree.h"
 #include "bvh/bvh.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The binary tree, top down. Ranges above a size are parted one after another, each on all threads; what is
 // left is a list of subtrees, each built on one thread.
 #include <algorithm>

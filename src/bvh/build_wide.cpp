@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The binary tree cut into wide nodes and leaves at the least expected cost (Ylitie, Karras and Laine 2017,
 // "Efficient Incoherent Ray Traversal on GPUs Through Compressed Wide BVHs", section 3.1).
 #include <cstddef>

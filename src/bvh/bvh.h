@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The hierarchy: wide nodes over boxes. It knows boxes and leaves, not shapes. A leaf is a run of items of
 // one class.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Boxes as vectors of four floats (three used), by the compilers' own vector types: exact operations only.
 #include <cstdint>

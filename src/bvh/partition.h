@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Parting a range of items in two, in place, on several threads.
 #include <span>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // New boxes for a hierarchy whose items have moved. Its nodes and leaves stay what they are.
 #include <cstdint>

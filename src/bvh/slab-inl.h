@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The hierarchy's slab expression: by rays in lanes, and by boxes in lanes.
 //
 // Every decision about a box uses one expression of a ray and the box's planes, in single precision:

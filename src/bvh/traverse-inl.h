@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Walking the hierarchy with a beam, or with one ray.
 #if defined(GLINT_BVH_TRAVERSE_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLINT_BVH_TRAVERSE_INL_H_

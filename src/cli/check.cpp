@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // glint check: a scene's likely mistakes.
 #include <fmt/format.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The commands of glint. Each adds its subcommand and returns what runs it: the exit code, or a Failure.
 #include <CLI/CLI.hpp>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // glint compare: a picture held against a reference, and why they differ.
 #include <fmt/format.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // What `glint compare` prints about two pictures.
 #include <optional>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // glint completion: scripts made from the commands' own options, so that they cannot be behind them.
 #include "cli/completion.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // What a shell completes, from the commands' own options, and its scripts.
 #include <CLI/CLI.hpp>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // glint convert: a scene of any format to glint's own language.
 #include <fmt/format.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // A scene's picture inside a command that wants more of it than a file.
 #include <string>

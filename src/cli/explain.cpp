@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // glint explain: why a pixel has its colour.
 #include <fmt/format.h>
 #include <unistd.h>

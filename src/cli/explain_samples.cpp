@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The samples of a pixel, one a line.
 #include <fmt/format.h>
 

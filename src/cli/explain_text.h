@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // An explanation as text: for people in a terminal, and in CSC 473's own layout.
 #include <string>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // glint grade: every picture of a folder held against a reference, or every part of a rubric.
 #include <fmt/format.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // What `glint grade` prints and writes.
 #include <cstdint>

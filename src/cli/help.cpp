@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // glint help and glint version: other spellings of --help and --version.
 #include <fmt/format.h>
 

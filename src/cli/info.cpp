@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // glint info: what a scene holds, and what is in force when it is drawn.
 #include <fmt/format.h>
 

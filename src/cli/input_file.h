@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Reading scene files: regular files are mapped, anything else is read up to a limit.
 #include <cstddef>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Ctrl-C and its like: the program ends at once, wherever it is, and leaves no half file behind.
 #include <string>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The layers of a picture, and where they are written.
 #include <CLI/CLI.hpp>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The command: choosing what runs, and what is said when it cannot.
 #include <fmt/format.h>
 

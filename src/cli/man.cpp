@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // glint man: the manual pages, of the same texts as --help.
 #include <fmt/format.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // No command writes over a file that it reads, or twice to one file. All files pass here when they are
 // opened.

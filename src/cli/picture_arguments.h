@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The options that say how a scene is drawn, whatever is done with the picture.
 #include <CLI/CLI.hpp>

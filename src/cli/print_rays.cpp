@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // CSC 473's own layout of a pixel's rays.
 #include <fmt/format.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // glint render: a scene to a picture.
 #include <fmt/format.h>
 #include <sys/resource.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // What the commands have in common: which scene, read how.
 #include <CLI/CLI.hpp>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The scene that stands beside pictures: `--scene FILE` and how it is drawn.
 #include <optional>

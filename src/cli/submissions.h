@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // What has been handed in: the pictures of a folder, or its folders.
 #include <string>

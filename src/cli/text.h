@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Small texts: what the command line says and what the command prints.
 #include <cstdint>

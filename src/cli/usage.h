@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // What is said of arguments that make no sense, in the command's own words.
 #include <CLI/CLI.hpp>

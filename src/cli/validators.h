@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Checks of options' values, in the command's own words.
 #include <CLI/CLI.hpp>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // `glint compare SCENE --vary KEY=VALUES`: which values of a setting change the picture.
 #include <string>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // glint versus: a scene drawn by two conventions, and what the difference comes from.
 #include <fmt/format.h>
 #include <unistd.h>

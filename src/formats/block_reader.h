@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Blocks and settings as the book's listings write them: word { key = value ... } and word = value. glint's
 // own language has more: a name before the brace, blocks in blocks, and include "file".

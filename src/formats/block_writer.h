@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The layout of .glint: word "name" { key = value  key = value }, in one line where it fits.
 #include <cstddef>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // .cgfs: the listings of "Computer Graphics from Scratch", and a camera beside them. docs/formats/cgfs.md.
 #include <fmt/format.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The comments of the texts that a scene was read from, and which of its items each stands by.
 #include <cstdint>

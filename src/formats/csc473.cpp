@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // .pov as CSC 473 writes it: a right-handed, small part of POV-Ray's language. docs/formats/csc473.md.
 #include "formats/csc473.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // What the shapes of CSC 473's .pov have in common: pigment, finish, and maps.
 #include <optional>

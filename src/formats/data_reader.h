@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Objects and lists as JSON and JavaScript write them: unquoted keys, single quotes, comments and trailing
 // commas too.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // One scene of RT2 "Lighting and light rays": camera, materials, lights, spheres, planes, cylinders.
 // docs/formats/epfl.md.
 #include "formats/epfl.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // .json and .js: where the scenes of a text are, and which of them is read. JSON has one scene; the
 // homework's JavaScript has a list of them, between a little of the program around it.
 #include <fmt/format.h>

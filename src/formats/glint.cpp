@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // .glint: glint's own scene language. docs/formats/glint.md.
 #include <fmt/format.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "formats/glint_item.h"
 
 #include "math/transform.h"

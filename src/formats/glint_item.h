@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // What every shape and group of glint's own language may say: its material and its transforms.
 #include <algorithm>

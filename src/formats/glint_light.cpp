@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // light { } of glint's own language.
 #include <fmt/format.h>
 

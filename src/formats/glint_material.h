@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The materials of glint's own language: by name, in place, and from one another.
 #include <map>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The shapes of glint's own language: a block a shape.
 #include <fmt/format.h>
 

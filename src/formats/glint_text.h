@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // What the parts of the reader of glint's own language share: the text under reading, and its kinds of
 // values.

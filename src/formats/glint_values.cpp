@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The values of glint's own language: colours, names, words.
 #include <fmt/format.h>
 

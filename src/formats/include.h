@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // include "file": a text that another one names.
 #include "formats/reading.h"

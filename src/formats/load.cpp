@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Texts to one Scene: each by its format's reader, then the settings, then the check of every number.
 #include "glint/load.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // .nff: Eric Haines' Neutral File Format, of the Standard Procedural Databases. docs/formats/nff.md.
 #include <fmt/format.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // What every reader does with tokens: looks one ahead, says what it expected, and finds its footing again
 // after a mistake.

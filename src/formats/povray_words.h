@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Words of POV-Ray's own language that CSC 473's part of it has not.
 #include <string_view>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // A profile of the user's own: `key = value` lines.
 #include "formats/reading.h"

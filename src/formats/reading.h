@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // What the readers of one load() share: the scene that grows, and what the texts before have given.
 #include <cstdint>

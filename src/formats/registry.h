@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The formats: a new one adds its file and its row in registry.cpp.
 #include <span>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Text to tokens, for every format. One pass, constant work a byte, places known at no cost.
 #include <cstddef>

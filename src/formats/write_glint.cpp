@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Scene -> .glint, so that load() makes the same scene of it. docs/formats/glint.md is the language.
 #include <fmt/format.h>
 

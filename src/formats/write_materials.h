@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Materials as .glint writes them: which have a name, and the words of each.
 #include <cstdint>

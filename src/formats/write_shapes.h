@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The shapes of a scene as .glint writes them, in their order.
 #include "formats/block_writer.h"

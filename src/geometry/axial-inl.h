@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What cylinders and cones share: an axis of some height, and discs at its ends.
 #if defined(GLINT_GEOMETRY_AXIAL_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLINT_GEOMETRY_AXIAL_INL_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The finite cylinder, open or capped: packing, bounds, hit, normal.
 #if defined(GLINT_GEOMETRY_CYLINDER_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLINT_GEOMETRY_CYLINDER_INL_H_

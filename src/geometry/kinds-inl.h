@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The list of kinds: which geometry belongs to which shape. A new shape adds its file here.
 #if defined(GLINT_GEOMETRY_KINDS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLINT_GEOMETRY_KINDS_INL_H_

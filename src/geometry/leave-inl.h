@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How a ray leaves a surface: where it starts, by the scene's convention. The one place with epsilons.
 #if defined(GLINT_GEOMETRY_LEAVE_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLINT_GEOMETRY_LEAVE_INL_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The infinite plane: packing, hit, normal.
 #if defined(GLINT_GEOMETRY_PLANE_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLINT_GEOMETRY_PLANE_INL_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Rays and what a shape's formula answers, for any kind of number.
 #if defined(GLINT_GEOMETRY_RAY_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLINT_GEOMETRY_RAY_INL_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The sphere: packing, bounds, hit, filter, normal.
 #if defined(GLINT_GEOMETRY_SPHERE_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLINT_GEOMETRY_SPHERE_INL_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Any shape under an affine map: the ray goes into the shape's own space, where t means the same.
 #if defined(GLINT_GEOMETRY_TRANSFORMED_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLINT_GEOMETRY_TRANSFORMED_INL_H_

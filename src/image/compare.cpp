@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The figures of two pictures' difference.
 #include <fmt/format.h>
 

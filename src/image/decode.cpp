@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Choosing the decoder by a file's first bytes.
 #include <fmt/format.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // OpenEXR from memory: the channels R, G, B, or Y alone, as floats, within the display window.
 #include <ImfChannelList.h>
 #include <ImfFrameBuffer.h>

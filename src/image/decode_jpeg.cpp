@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // JPEG by libjpeg(-turbo), grey or colour, 8 bits.
 #include <csetjmp>
 #include <cstdio>  // jpeglib.h needs it before

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // PNG by libpng: any colour type, 1 to 16 bits, interlaced or not.
 #include <png.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // PPM and PGM, as text (P2, P3) and raw (P5, P6): https://netpbm.sourceforge.net/doc/ppm.html
 #include <fmt/format.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // One function a file format, for bytes that begin as that format does. They throw what their libraries
 // throw, bad_alloc, and Undecodable; decode() guards them.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // One function a file format, for a picture and options that encode() has checked. They throw bad_alloc, and
 // what their libraries throw; encode() guards them.

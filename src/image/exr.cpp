@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // OpenEXR: linear float RGB, written to memory. One thread: the library would need its global pool for more.
 #include <ImfChannelList.h>
 #include <ImfFrameBuffer.h>

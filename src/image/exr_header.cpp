@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The header of an OpenEXR file (https://openexr.com/en/latest/OpenEXRFileLayout.html): magic number and
 // version, then attributes of name, type, length and value until an empty name; of several parts, a header
 // each.

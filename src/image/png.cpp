@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // PNG (https://www.w3.org/TR/png-3/), RGB of 8 or 16 bits. Strips of a fixed height are filtered and
 // compressed on their own, each to a run of whole bytes of one deflate stream, so the file does not depend on
 // how many threads did it.

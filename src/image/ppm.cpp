@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // PPM, the raw kind (P6): https://netpbm.sourceforge.net/doc/ppm.html
 #include <fmt/format.h>
 

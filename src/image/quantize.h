@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // From linear numbers to the whole numbers of a file.
 #include <cstddef>

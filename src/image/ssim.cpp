@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Structural similarity: Wang, Bovik, Sheikh, Simoncelli: "Image Quality Assessment: From Error Visibility to
 // Structural Similarity", 2004, with the constants of the authors' own program.
 #include <array>

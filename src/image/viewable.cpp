@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Layers as pictures to look at.
 #include "glint/layers.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Pictures as the bytes that a file would hold: what causes are judged by.
 #include <cstdint>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // What has been found about a picture, and which of it is named.
 #include <optional>

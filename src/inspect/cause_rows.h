@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The tables of faults that a scene is drawn with: when a fault can matter, and the change of the scene.
 #include <algorithm>

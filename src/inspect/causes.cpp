@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Which of the classic causes explains a difference best: each makes the picture that it would have made, and
 // the least mean difference from the faulty picture wins.
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A scene's likely mistakes: all checks, one after the other.
 #include "glint/check.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The camera: inside a shape, or where it sees nothing.
 #include <fmt/format.h>
 

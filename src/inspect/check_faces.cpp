@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Surfaces in one place, where the camera sees them, and shapes that are written twice.
 #include <fmt/format.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Lights that add nothing to the picture, found by drawing it with each of them alone; and why.
 #include <fmt/format.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Materials that nothing has, and numbers of materials that can hardly be meant.
 #include <fmt/format.h>
 

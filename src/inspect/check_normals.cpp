@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Surfaces that turn their backs on the viewer where nothing turns them around, and vertex normals against
 // their triangle's winding.
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What a small picture shows: black, of one colour, clamped, of another epsilon, of one more reflection.
 #include <fmt/format.h>
 

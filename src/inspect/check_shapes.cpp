@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Shapes that nobody sees: not directly, not in the first mirrors, not by their shadows.
 #include <fmt/format.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // What the camera sees, ray by ray, by the renderer's own kernels.
 #include <cstdint>

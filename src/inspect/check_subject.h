@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // What the checks work on: the scene, its world, small pictures of it, and the list of findings.
 #include <optional>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Vectors that are taken as unit vectors and are none, and camera frames that distort.
 #include <fmt/format.h>
 

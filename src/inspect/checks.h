@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The checks, one a subject. Each reports to the subject what it finds.
 #include "inspect/check_sight.h"

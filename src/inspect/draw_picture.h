@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // A scene's picture, for what holds pictures against each other.
 #include <atomic>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // One pixel drawn by render()'s kernels, with a record of what they do.
 #include "glint/explain.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // An explanation as JSON; docs/explain.schema.json is its schema.
 // The browser has no file system for the JSON library to know.
 #define JSON_HAS_FILESYSTEM 0

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Which multiple of a number makes a picture, found by drawing.
 #include <functional>

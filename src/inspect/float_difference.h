@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Differences of floats that a picture of bytes does not show.
 #include "glint/compare.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Points for a picture by how much of it is as it should be.
 #include <cstdint>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A pixel's rays, drawn over the picture.
 #include <fmt/format.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The causes that can be seen in the pictures alone, as a table.
 #include "inspect/picture_causes.h"
 

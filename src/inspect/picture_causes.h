@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The causes that can be seen in the pictures alone.
 #include <vector>

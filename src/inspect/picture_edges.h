@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Faults whose exact picture is not known, but within which limits every pixel lies.
 #include <string>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Faults of pictures: what a reference would be with each.
 #include <functional>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Whole rows or columns of a picture that are wrong.
 #include <optional>

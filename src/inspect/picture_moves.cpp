@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Faults by which a pixel is another one's, or one between its neighbours.
 #include <algorithm>
 #include <array>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Rays that are traced for a question of their own, by the renderer's own kernels.
 #include <cstddef>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Why a light adds what it adds, in a word.
 #include <array>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Whether the numbers of shapes, materials and lights in an Explanation or a World are those of a scene.
 #include <string>

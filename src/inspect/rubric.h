@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // A rubric: which parts of a picture give how many points, and which renderings show them (docs/teaching.md).
 #include <string>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The causes that are tried by drawing a scene: the tables' rows that apply to it, and those that go by its
 // lights and numbers.
 #include "inspect/scene_causes.h"

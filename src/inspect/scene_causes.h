@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The causes that are tried by drawing the scene with a fault.
 #include <functional>

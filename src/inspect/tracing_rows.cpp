@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Faults of rays: of shadows, mirrors, glass and the camera.
 #include "inspect/cause_rows.h"
 

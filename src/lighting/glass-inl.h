@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Refraction: where a ray goes at the surface of glass, and how much of it (docs/lighting.md). Pure
 // functions.
 #if defined(GLINT_LIGHTING_GLASS_INL_H_) == defined(HWY_TARGET_TOGGLE)

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The lighting equation (docs/lighting.md): one light's diffuse and specular terms at a surface point. Pure
 // functions.
 #if defined(GLINT_LIGHTING_PHONG_INL_H_) == defined(HWY_TARGET_TOGGLE)

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Axis-aligned boxes in single precision that contain what they were made from in double.
 #include <limits>

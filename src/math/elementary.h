@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The elementary functions of plain numbers. Ours, since those of the C library differ between machines
 // (docs/architecture.md); the formulas are in elementary_templates-inl.h and give lanes the same bits

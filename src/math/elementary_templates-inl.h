@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // log, exp, pow, sin, cos and tan as templates over the kind of number T: double, or the lanes of
 // simd/lanes-inl.h.
 //

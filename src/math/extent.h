@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The extent of points and discs along the axes, in double: what shapes' boxes are made of.
 #include <limits>

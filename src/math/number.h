@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // What a formula may ask of a number, for the plain kinds: the same names that simd/lanes-inl.h gives to
 // lanes. Formulas are templates over the kind of number and use these, the operators, and nothing else, so

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Affine maps and vectors, in double, by + - * / and sqrt alone.
 #include <optional>

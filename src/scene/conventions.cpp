@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Every field of Conventions and RenderSettings as text: one row a key.
 #include "glint/conventions.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The mistakes of a scene, before they become diagnostics: load() has the texts to show, validate() has not.
 #include <cstdint>

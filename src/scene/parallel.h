@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Directions of any length, and whether they are parallel.
 #include "glint/vec.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What each source means, as data. docs/conventions.md has the same table and says why.
 #include <array>
 

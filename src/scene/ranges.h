@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // What the numbers of a scene may be: one table for the readers, which point at the number, and for
 // validate().

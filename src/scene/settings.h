@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The table of settings (conventions and render settings) as this room sees it.
 #include "glint/scene.h"

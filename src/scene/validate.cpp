@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Every number and index of a scene, checked once, so that no later room has to.
 #include <fmt/format.h>
 

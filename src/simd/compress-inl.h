@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Lanes squeezed together, and spread again: what passes the stages of a tile is written without gaps.
 #if defined(GLINT_SIMD_COMPRESS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLINT_SIMD_COMPRESS_INL_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // log_positive, exp, pow, sin, cos and tan of lanes (math/elementary_templates-inl.h), once a target like
 // lanes-inl.h.
 #if defined(GLINT_SIMD_ELEMENTARY_INL_H_) == defined(HWY_TARGET_TOGGLE)

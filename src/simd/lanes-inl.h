@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Lanes<T>: as many numbers as the instruction set computes at once, with the operators and the names of
 // math/number.h. The only file that includes highway.h: compress-inl.h and elementary-inl.h have it from
 // here. Included once a target, by way of foreach_target.h (trace/kernels.cpp, trace/hit_kernels.cpp). Of

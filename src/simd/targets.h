@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Which instruction sets this machine has.
 #include <hwy/detect_targets.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A triple of numbers of any kind (double, long double, lanes), for the formulas of geometry and lighting.
 #if defined(GLINT_SIMD_VEC3_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLINT_SIMD_VEC3_INL_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The shapes' filters in single precision, asked of a beam.
 #if defined(GLINT_TRACE_BEAM_FILTERS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLINT_TRACE_BEAM_FILTERS_INL_H_

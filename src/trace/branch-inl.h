@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The rays that leave a hit: mirrored, and through glass. Each carries on with its path's weight times what
 // it counts for (docs/lighting.md: a recursion unrolled into a sum).
 #if defined(GLINT_TRACE_BRANCH_INL_H_) == defined(HWY_TARGET_TOGGLE)

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The first stage: one camera ray a pixel of the tile, in blocks of 8 x 8 so that neighbours walk together.
 #if defined(GLINT_TRACE_CAMERA_RAYS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLINT_TRACE_CAMERA_RAYS_INL_H_

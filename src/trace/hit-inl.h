@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What rays hit (the rule is in trace/shape_tests-inl.h): which rays walk the hierarchy together.
 #if defined(GLINT_TRACE_HIT_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLINT_TRACE_HIT_INL_H_

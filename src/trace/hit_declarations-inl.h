@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What a tile asks of the hit kernels, which are compiled in a file of their own (hit_kernels.cpp).
 #if defined(GLINT_TRACE_HIT_DECLARATIONS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLINT_TRACE_HIT_DECLARATIONS_INL_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // nearest_hit and any_hit for every instruction set. Apart from kernels.cpp so that the two compile side by
 // side.
 #undef HWY_TARGET_INCLUDE

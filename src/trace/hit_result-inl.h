@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The nearest hits, or the occlusions, of some rays as they grow.
 #if defined(GLINT_TRACE_HIT_RESULT_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLINT_TRACE_HIT_RESULT_INL_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // What is compiled once for every instruction set, and chosen once a render.
 #include <cstdint>

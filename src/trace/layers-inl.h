@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The layers of a tile (glint/layers.h): what is noted of the first surfaces, and what the film gets.
 #if defined(GLINT_TRACE_LAYERS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLINT_TRACE_LAYERS_INL_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The rays that leave a hit: to a light, mirrored, and through glass; where they start and where they go.
 #if defined(GLINT_TRACE_LEAVING_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLINT_TRACE_LEAVING_INL_H_

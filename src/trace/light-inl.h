@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The light of a tile's hits: for each light the cosines, the shadow rays of those it may reach, and the
 // terms of those it does.
 #if defined(GLINT_TRACE_LIGHT_INL_H_) == defined(HWY_TARGET_TOGGLE)

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The materials of a vector of hits.
 #if defined(GLINT_TRACE_MATERIAL_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLINT_TRACE_MATERIAL_INL_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The padded boxes of a vector of shapes: stored, or computed from the shapes' values.
 #if defined(GLINT_TRACE_OWN_BOXES_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLINT_TRACE_OWN_BOXES_INL_H_

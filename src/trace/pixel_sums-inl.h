@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // From the light of rays to the pixels of a tile: what misses and hits add, and a pixel's fold.
 #if defined(GLINT_TRACE_PIXEL_SUMS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLINT_TRACE_PIXEL_SUMS_INL_H_

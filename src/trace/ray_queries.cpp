@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What a World answers to rays of the user's own: by the kernels that draw pictures.
 #include <algorithm>
 

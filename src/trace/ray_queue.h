@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Rays waiting to be traced, as columns that grow; their memory is kept from tile to tile.
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Writing down what the stages did (trace/record.h). Each function is called right after the stage it is
 // named for, and calls what that stage called: the numbers are the same to the bit.
 #if defined(GLINT_TRACE_RECORD_INL_H_) == defined(HWY_TARGET_TOGGLE)

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // What the stages of a tile of one pixel write down of it (trace/record-inl.h), for explain().
 #include <cstddef>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // World -> Image: tiles to threads.
 #include <algorithm>
 #include <atomic>

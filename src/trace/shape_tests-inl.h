@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Shapes against rays. The hit rule, here and nowhere else:
 //   a ray hits a shape at t if the shape's formula says so and the ray meets the shape's own padded box by
 //   the hierarchy's slab expression; t is clamped into that interval and must lie in (t_min, t_max); nearest

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What triangles need of a ray, once a ray.
 #if defined(GLINT_TRACE_SIGHTS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLINT_TRACE_SIGHTS_INL_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The stage between a hit and its light: the hits of a stream one after the other, with their point, normal,
 // direction to the eye and material.
 #if defined(GLINT_TRACE_SURFACE_INL_H_) == defined(HWY_TARGET_TOGGLE)

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A tile from its camera rays to its pixels: nearest hit, surface, light, next rays, again.
 #if defined(GLINT_TRACE_TILE_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLINT_TRACE_TILE_INL_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // A tile: a fixed number of pixels whose rays pass the stages together.
 #include <array>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Tiles that see nothing: a pyramid of all their camera rays, beside which every box of the hierarchy lies.
 #if defined(GLINT_TRACE_VOID_TILE_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLINT_TRACE_VOID_TILE_INL_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "wasm/describe.h"
 
 #include "world/prepare_camera.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // What the door tells of a scene.
 #include "wasm/request.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The browser's door: glint as a few C functions over one linear memory. Strings are UTF-8 with a final zero;
 // what a function returns stays valid until the next call with the same scene. Nothing here needs exceptions,

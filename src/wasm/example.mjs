@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // node example.mjs [SCENE]: draws a scene in the terminal and says why the pixel in its middle is what it is.
 import {readFileSync} from 'node:fs';
 

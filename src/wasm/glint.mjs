@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The door from JavaScript's side (door.h is the other), for browsers and node alike; glint.d.mts says what everything
 // takes and gives. One instance has one thread: a page that wants more makes one in each of its workers.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // What the caller asks for, in JSON, and what the library makes of it.
 // The browser has no file system for the JSON library to know.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What Debian's C++ runtime for WebAssembly lacks.
 
 /// Registers the destructor of a thread_local object. There is one thread and it never ends.

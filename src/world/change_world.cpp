@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A World with other shading: what is not given is shared.
 #include <fmt/format.h>
 

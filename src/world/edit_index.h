@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Where a scene's shapes are in a geometry, so that a few of them can be edited.
 #include <cstdint>

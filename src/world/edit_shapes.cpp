@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Shapes of a World that change: in place if nobody shares the geometry.
 #include <algorithm>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // What a World's functions say where there is nothing of the scene to point at.
 #include <string>

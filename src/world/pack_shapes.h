@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // A scene's shapes into a PackedGeometry: sorted by kind, packed as columns under a hierarchy.
 #include <optional>

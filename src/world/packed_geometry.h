@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // What takes time to build: packed shapes and the hierarchy over them. It knows no materials, lights, camera,
 // conventions or settings.

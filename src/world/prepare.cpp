@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Scene -> World.
 #include "base/fp_environment.h"
 #include "base/guard.h"

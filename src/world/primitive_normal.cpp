@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "geometry/kinds-inl.h"
 #include "world/packed_geometry.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // What a scene's shapes are packed as: primitives, one a shape, or one a triangle of a polygon.
 #include <array>

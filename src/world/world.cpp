@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Parts of Worlds: access, memory and bounds.
 #include "world/world.h"
 

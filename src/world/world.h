@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The parts of a World (glint/world.h), as the kernels read them.
 #include <cstdint>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What every hierarchy keeps to, whatever the boxes.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The lanes after the last prepared ray, on every instruction set of this machine: a vector that begins at
 // any ray may read them.
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What the command says to what it cannot do, and with which exit code.
 #include <gtest/gtest.h>
 

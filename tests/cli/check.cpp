@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // glint check: its output and exit codes.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // glint compare: exit codes, limits, reports, --diff and --vary.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // glint convert: which file is read, which is written, and what is never overwritten.
 #include <gtest/gtest.h>
 

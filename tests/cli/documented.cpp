@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // docs/command.md names every option of every command.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What the documents show is what the command prints: every `    $ glint ...` of theirs is run, in the folder
 // of the project's scenes, and its output held against the lines below it. A line `...` stands for any number
 // of lines.
@@ -60,7 +61,8 @@ TEST_P(DocumentedRuns, PrintWhatTheySay) {
     EXPECT_GT(runs, 0);
 }
 
-INSTANTIATE_TEST_SUITE_P(Docs, DocumentedRuns, testing::Values("README.md", "docs/explain.md", "docs/finding_out_why.md"));
+INSTANTIATE_TEST_SUITE_P(Docs, DocumentedRuns,
+                         testing::Values("README.md", "docs/explain.md", "docs/finding_out_why.md"));
 
 }  // namespace
 }  // namespace glint::test

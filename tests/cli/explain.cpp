@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // glint explain: its forms, and what it answers to what cannot be explained. What it says is tests/inspect's.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The manual pages and completions of the source are what the command prints: `make generated` writes them.
 #include <gtest/gtest.h>
 

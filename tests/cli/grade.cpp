@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // glint grade: the table of a folder of submissions.
 #include "cli/grade.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // What the tests of glint grade have in common: a class's pictures, drawn and graded.
 #include <gtest/gtest.h>

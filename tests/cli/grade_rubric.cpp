@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // glint grade --rubric: RT2's rubric, the worked example, and mistakes in rubrics.
 #include "cli/grade.h"
 #include "image/read_png.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Ctrl-C: ended by the signal within a second, and no file.
 #include <gtest/gtest.h>
 #include <sys/stat.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A file appears whole or not at all.
 #include <gtest/gtest.h>
 #include <sys/stat.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // An output never overwrites an input or another output, whatever the command.
 #include <gtest/gtest.h>
 

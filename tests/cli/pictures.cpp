@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The pictures of README.md and docs/: each is what the command beside it draws.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Running the real command as a user would: in a folder of its own, with its outputs caught.
 #include <fcntl.h>

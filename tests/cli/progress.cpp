@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The progress bar, on terminals of several kinds.
 #include <gtest/gtest.h>
 #include <sys/ioctl.h>

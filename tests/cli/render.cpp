@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // glint render: what it draws, where it puts it and what it says.
 #include <gtest/gtest.h>
 

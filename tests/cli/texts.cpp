@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The small texts of the command line.
 #include <gtest/gtest.h>
 

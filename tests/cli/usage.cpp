@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What is said of a command line that makes no sense, and what asks for help.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // glint versus: two drawings of one scene.
 #include <gtest/gtest.h>
 

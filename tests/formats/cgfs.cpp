@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // .cgfs, field by field.
 #include "formats/load_text.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Any scene as .glint draws the same picture, bit for bit.
 #include <gtest/gtest.h>
 

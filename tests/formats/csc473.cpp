@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // CSC 473's .pov, key by key.
 #include <cmath>
 

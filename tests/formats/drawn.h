@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // All that a scene says about its picture, and its names, as one text: two scenes draw the same if and only
 // if their texts are equal. Numbers by their bits; indices that draw nothing are left out.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // RT2's scenes, field by field, as JSON and as JavaScript.
 #include "formats/load_text.h"
 

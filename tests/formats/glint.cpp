@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // .glint: what each block becomes in the Scene.
 #include <map>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What is said of mistakes in glint's own language.
 #include "formats/mistakes.h"
 

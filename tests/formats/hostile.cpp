@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Texts that nobody means: they get an answer, soon, and never more memory than a multiple of their length.
 #include <chrono>
 #include <filesystem>

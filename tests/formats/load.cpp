@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What load() does around the readers: formats, profiles, settings.
 #include <cfenv>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Loading one text, and what must hold of any answer.
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What is said of mistakes in the books' formats.
 #include "formats/mistakes.h"
 

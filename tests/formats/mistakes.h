@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Texts with mistakes, and the messages they get: one text a row. $ marks the place in the text.
 #include <algorithm>

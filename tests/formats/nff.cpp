@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The Neutral File Format, entity by entity.
 #include <cmath>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Scenes by chance: every kind of everything, with the numbers and names that are hardest to write and read.
 #include <random>

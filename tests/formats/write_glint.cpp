@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The text of a scene: what is written, and where comments and names go.
 #include <gtest/gtest.h>
 

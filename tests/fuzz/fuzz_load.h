@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // What a fuzzer does with a text: load it and look at the answer.
 #include <string>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // libFuzzer over decode(): fuzz_decode tests/fuzz/corpus/decode
 #include "fuzz/fuzz_picture.h"
 

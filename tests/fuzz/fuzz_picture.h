@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // What a fuzzer does with a picture file: read it and look at the answer.
 #include <cmath>

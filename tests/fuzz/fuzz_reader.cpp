@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // libFuzzer over the reader of GLINT_FUZZED_FORMAT: fuzz_cgfs tests/fuzz/corpus/cgfs
 #include <cstdio>
 #include <cstdlib>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // libFuzzer over GLINT_FUZZED, fuzz_convert or fuzz_render: a format's name in the first line, then its text.
 // tools/run-fuzzers makes such texts of every reader's corpus.
 #include "fuzz/fuzz_scene.h"

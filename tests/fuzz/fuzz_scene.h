@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // What a fuzzer does with a scene: write it as .glint and read that again; draw it.
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Every text of the corpora through the functions that the fuzzers call, in the ordinary build.
 #include <gtest/gtest.h>
 

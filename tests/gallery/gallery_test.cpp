@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Every scene of the gallery: the same floats on every instruction set, for any threads, put together from
 // crops, and in every configuration that builds this test (g++, clang, sanitizers, debug); and the picture
 // that we looked at.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The filters in single precision never reject what double hits.
 #include <gtest/gtest.h>
 

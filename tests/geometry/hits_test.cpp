@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Each shape's formula against its own long double instantiation, and against what its shape says of its
 // points.
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Rays that leave a surface: where they start under each convention, and that under glint's they never find
 // it again.
 #include "geometry/leave-inl.h"

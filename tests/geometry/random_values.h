@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Random points, directions and sizes for the tests of the engine.
 #include <cmath>

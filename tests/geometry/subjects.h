@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Shapes under test: their packed values, and what is known of them apart from the formulas that are tested.
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The figures of a difference, by pictures whose figures are known.
 #include "glint/compare.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // decode(): what encode() writes comes back, what others write is read, and nothing is believed.
 #include <ImfChannelList.h>
 #include <ImfFrameBuffer.h>

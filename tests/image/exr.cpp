@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // OpenEXR: the floats come back as they were, whatever they are.
 #include <ImfChannelList.h>
 #include <ImfFrameBuffer.h>

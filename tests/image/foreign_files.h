@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Picture files of kinds that glint reads and does not write, by the libraries themselves.
 #include <png.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The judge of golden pictures must itself be able to fail.
 #include "image/golden.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Comparing pictures with golden ones: both the largest difference and the number of differing pixels are
 // limited, so that neither many small errors nor a small missing object passes.

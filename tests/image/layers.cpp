@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Layers: as the parts of an OpenEXR file, and as pictures.
 #include "glint/layers.h"
 

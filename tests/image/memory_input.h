@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Bytes as OpenEXR reads them.
 #include <ImfIO.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // From floats to the numbers of a file.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // PNG: what is read back is what was quantised, whatever the size and the threads.
 #include <gtest/gtest.h>
 

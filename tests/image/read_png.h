@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // A PNG decoder for tests: RGB of 8 or 16 bits, every checksum verified.
 #include <zlib.h>

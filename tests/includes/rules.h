@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Which room may include what: the arrows of docs/architecture.md, as data.
 #include <optional>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Every #include of the tree against the arrows of docs/architecture.md.
 #include <gtest/gtest.h>
 

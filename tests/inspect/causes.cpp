@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Each classic fault of lighting and tracing, planted in a scene's text, is the first that find_causes()
 // names.
 #include <cctype>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Exponents that are wrong by any factor are named with that factor.
 #include "inspect/planted.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Pictures of floats, whose difference a picture of bytes need not show.
 #include "inspect/planted.h"
 

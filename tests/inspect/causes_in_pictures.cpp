@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Faults that are planted in the pixels are named, with the scene and without it.
 #include <array>
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Pictures of so many pixels that causes are tried on a sample of their rows.
 #include <cstring>
 #include <functional>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Pictures that no classic cause explains, and what is said of them instead.
 #include <cmath>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Mistakes of the camera, planted, and what is none.
 #include "inspect/check_text.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Shapes that lie in one another make every ray expensive: then there are fewer of them.
 #include "gallery/scene_file.h"
 #include "inspect/check_sight.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Nothing is the matter with the gallery, but with the scene that shows acne on purpose.
 #include <filesystem>
 

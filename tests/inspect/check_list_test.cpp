@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // docs/checks.md has every kind, and no other; and what holds of any answer.
 #include <cstdlib>
 #include <regex>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Scenes of many shapes take no longer than their size explains.
 #include <chrono>
 

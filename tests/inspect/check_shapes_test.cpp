@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Shapes that nobody sees, and shapes in one place: planted, and what is no mistake.
 #include "inspect/check_text.h"
 

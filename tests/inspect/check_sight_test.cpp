@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // check follows the rays that the picture is made of: those that explain() writes down of its pixels.
 #include "inspect/check_sight.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // What check() says of a text.
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What explain() says of a pixel is what render() draws, and adds up.
 #include "glint/explain.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // explain's JSON is what docs/explain.schema.json says: as much of JSON Schema as that file uses.
 #include <gtest/gtest.h>
 

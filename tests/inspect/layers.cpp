@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The layers of a picture: light that adds up to it, and the surfaces it shows.
 #include "glint/layers.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Scenes as texts of glint's own language, so that faults can be planted by editing the text, and their
 // pictures.

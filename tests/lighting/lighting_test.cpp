@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The lighting equation, term by term: against the sources' own numbers, and against the formulas written out
 // plainly.
 #include <gtest/gtest.h>

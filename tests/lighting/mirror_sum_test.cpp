@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // docs/lighting.md, "Mirrors as a sum": the recursion, the sum, both readings of "at most N reflections", and
 // the renderer.
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The worked example of "Lighting Models in Computer Graphics", to its four decimals.
 #include <gtest/gtest.h>
 

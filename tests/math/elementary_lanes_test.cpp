@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Lanes of every instruction set that this machine has compute the bits of the plain functions.
 #include <gtest/gtest.h>
 

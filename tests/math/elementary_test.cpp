@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The elementary functions against the C library's long double, which is good to about 2^-63.
 #include "math/elementary.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Pictures that cannot be held against each other.
 #include "misuse/misused.h"
 

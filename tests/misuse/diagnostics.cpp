@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Diagnostics that no function of glint makes.
 #include "misuse/misused.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The functions of the public headers, held against what the tests of misuse call.
 #include <filesystem>
 #include <fstream>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // explain() and what takes its answer, with a scene that was edited since prepare(), and with answers that
 // explain() does not give.
 #include <functional>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Layers that are none, or whose values do not fit.
 #include "misuse/misused.h"
 

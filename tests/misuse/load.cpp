@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // load() of what is no scene.
 #include <stdexcept>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // What the tests of misuse begin with.
 #include <gtest/gtest.h>

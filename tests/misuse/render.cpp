@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // World to Image with options that cannot be had.
 #include "misuse/misused.h"
 

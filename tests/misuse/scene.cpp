@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Scenes that hold what a scene may not, one fault at a time: validate() names it, and nobody draws or writes
 // it.
 #include <functional>

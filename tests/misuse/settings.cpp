@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Keys, values and profiles that there are not.
 #include "misuse/misused.h"
 

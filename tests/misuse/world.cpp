@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Changes to a World, and rays of the caller's own, that cannot be.
 #include <functional>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The profiles, and that docs/conventions.md says of them what the code does.
 #include <gtest/gtest.h>
 

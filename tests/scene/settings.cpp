@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The table of settings: every key takes what it prints, and refuses what it cannot mean.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Every number of a scene made in code is checked: one broken scene a row, and the message it gets.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What moves lanes, on every instruction set of this machine and for every mask, beside the same in plain
 // code.
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Pictures of which every pixel is known.
 #include <gtest/gtest.h>
 

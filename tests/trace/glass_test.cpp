@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Glass: the stream of rays against a recursion by the sources' own words, and pictures known in closed form.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The hit rule where single precision has little to go by: grazing rays, tiny and huge scenes, short
 // directions.
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The hit rule, said once more without lanes, beams or a hierarchy: what the kernels must agree with to the
 // bit.

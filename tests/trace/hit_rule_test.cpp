@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // However rays are grouped and whatever instruction set computes: the same t and the same shape, to the bit.
 #include "trace/hit_rule.h"
 

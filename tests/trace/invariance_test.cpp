@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The same bits for any threads, instruction set, crop and floating-point state of the caller; and what
 // render() reports.
 #include <gtest/gtest.h>

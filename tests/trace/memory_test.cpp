@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The memory that a process keeps when it renders again and again.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Mirrors: the stream's sum of weights against the recursion that the sources write, by every rule.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Rendering in tests, and comparing what comes out.
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // nearest_hits() and occluded(): what the kernels say, in the scene's own terms.
 #include "trace/hit_rule.h"
 #include "trace/worlds.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Rays in columns, and what the kernels answer for them.
 #include <cstdint>

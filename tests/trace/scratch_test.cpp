@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What is beyond the rays and the hits at hand: padding, which ends, and what an earlier picture left there.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Shadow rays: where each convention lets them begin and end, and what a classic fault looks like.
 #include <gtest/gtest.h>
 

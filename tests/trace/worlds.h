@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Scenes made in code, and their worlds.
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The browser build in node: the same bytes as the native build, tiles that make the whole, and bad input.
 // GLINT_WASM: glint.wasm; GLINT_PACKAGE: the npm package; GLINT_NATIVE_DOOR: native_door of a native build; GLINT_SCENES: the
 // folder scenes/.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The browser's door compiled for this machine, for the tests to compare. A request comes from standard
 // input:
 //   native_door render X Y WIDTH HEIGHT    writes the rectangle's floats to standard output

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Without a mouse, on a small screen, in the dark.
 import assert from 'node:assert/strict';
 import {test} from 'node:test';

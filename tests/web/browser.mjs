@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The built page in Chromium, and the native command to compare it with. Environment: CHROMIUM, its path; SHOTS, a folder for
 // screenshots.
 import assert from 'node:assert/strict';

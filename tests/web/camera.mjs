@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The camera: moved by mouse, fingers, wheel and buttons, in the text.
 import assert from 'node:assert/strict';
 import {test} from 'node:test';

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The controls: each edits its value in the text, or beside it, and the picture is the native one of that text.
 import assert from 'node:assert/strict';
 import {readFileSync} from 'node:fs';

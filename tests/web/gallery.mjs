@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Every scene of the gallery is drawn to the native bytes, by the page's own menu.
 import assert from 'node:assert/strict';
 import {readdirSync} from 'node:fs';

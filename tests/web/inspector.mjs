@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The inspector: what it shows of a pixel adds up to it, and leads to the text.
 import assert from 'node:assert/strict';
 import {test} from 'node:test';

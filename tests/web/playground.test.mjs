@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The playground's tests. One process and one browser: the subjects' files are imported one after the other.
 import './gallery.mjs';
 import './text.mjs';

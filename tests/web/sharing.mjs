@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Links, files, and the page without a network.
 import assert from 'node:assert/strict';
 import {readFileSync} from 'node:fs';

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Many edits, hostile texts, scenes that take for ever.
 import assert from 'node:assert/strict';
 import {readdirSync, readFileSync} from 'node:fs';

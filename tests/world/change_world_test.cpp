@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A World with other shading is the World of the scene so changed: for every scene of the gallery.
 #include "gallery/scene_file.h"
 #include "trace/worlds.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Shapes that are edited in a World: as the scene prepared anew, bit for bit, refitted or rebuilt.
 #include <numeric>
 #include <thread>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // A slot's own padded box, stored or not.
 #include <algorithm>

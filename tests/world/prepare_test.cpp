@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Scene -> World: what is packed where, the boxes, the camera, and what does not depend on threads.
 #include <gtest/gtest.h>
 

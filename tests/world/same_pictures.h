@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Whether two Worlds draw the same bits.
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Polygons into triangles: the same area, on the same side, nothing twice.
 #include "world/triangulate.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The camera on the page's side: from world to picture, and where the mouse moves it.
 import type {CameraInfo, Vec3, View} from 'glint-wasm';
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Saving what the page has made.
 import {comparison, fileName, settingOf} from './store/state';
 

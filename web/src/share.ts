@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A scene and its settings as a link: all of it is in the fragment, which browsers send nowhere.
 import type {SceneText} from 'glint-wasm';
 

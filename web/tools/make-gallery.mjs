@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Makes src/gallery/: the scenes of ../scenes as one list, and a thumbnail of each, drawn by glint itself.
 import {mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync} from 'node:fs';
 import {join, relative, sep} from 'node:path';

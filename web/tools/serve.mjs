@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // node serve.mjs FOLDER [PORT]: a plain static file server on this machine alone; prints its address.
 import {createReadStream, statSync} from 'node:fs';
 import {createServer} from 'node:http';

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What a user of the library does: load, prepare, render, encode; and what bad input gives. Every public
 // function is linked. Exits with 1 and says why if something is not as the headers promise.
 #include <glint/glint.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The places of a scene are those in the text that it was read from; this takes them along as the text changes.
 import {type ChangeDesc, MapMode, type Text} from '@codemirror/state';
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The scene's text. It stands in a shadow root, where CodeMirror's styles need no <style> element: the page's
 // Content-Security-Policy permits none.
 import {defaultKeymap, history, historyKeymap, invertedEffects, isolateHistory, redo, redoDepth, undo, undoDepth} from '@codemirror/commands';

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Colours for the scene formats: comments, strings, numbers, the words of blocks and keys. One reader for all of them.
 import {type StreamParser, HighlightStyle, StreamLanguage, syntaxHighlighting} from '@codemirror/language';
 import {tags} from '@lezer/highlight';

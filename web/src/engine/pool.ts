@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A worker for each core, and a queue of what they are to do.
 import type {Answers, FromWorker, Job, Task, ToWorker} from './protocol';
 

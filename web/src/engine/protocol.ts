@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What the page and its workers say to each other.
 import type {Explanation, OpenRequest, PrepareRequest, Report, SceneInfo} from 'glint-wasm';
 

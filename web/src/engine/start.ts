@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Fetches the engine once and starts the workers.
 import wasmUrl from 'glint-wasm/glint.wasm?url';
 

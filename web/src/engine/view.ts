@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A picture that is drawn coarse to fine, and begun anew whenever it is to show something else.
 import type {OpenRequest, PrepareRequest, SceneInfo} from 'glint-wasm';
 

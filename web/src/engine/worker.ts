@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A worker: one instance of glint, one open scene a view.
 import {type Glint, type PrepareRequest, type Scene, instantiate} from 'glint-wasm';
 

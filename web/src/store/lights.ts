@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The scene's lights as the text says them.
 import type {Vec3} from 'glint-wasm';
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Why a pixel is what it is: the one pointed at, and the one that is pinned.
 import {batch} from '@preact/signals';
 import type {Explanation} from 'glint-wasm';

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Where in the text something of the scene stands. The scene is that of the last text that could be read; the text may have
 // changed since.
 import type {Place} from 'glint-wasm';

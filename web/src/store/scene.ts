@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Opening a scene, and drawing it again whenever its text or what is beside it changes.
 import {batch} from '@preact/signals';
 import type {OpenRequest, SceneText} from 'glint-wasm';

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Settings: in the text where its format can say them, else beside it.
 import {besideNow, format, machinery, overrides, settingOf, text} from './state';
 

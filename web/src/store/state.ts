@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What the page knows. The scene's text is the one truth: controls edit it, and only what its format cannot say is kept
 // beside it, in `overrides`.
 import {computed, signal} from '@preact/signals';

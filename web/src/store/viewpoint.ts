@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Moving the camera, in the text.
 import type {CameraInfo} from 'glint-wasm';
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // .glint and .cgfs: blocks of `key = value`.
 import type {Vec3} from 'glint-wasm';
 

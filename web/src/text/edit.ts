@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Changing a value in a scene's text, and nothing else in it.
 import type {CameraInfo, Vec3} from 'glint-wasm';
 

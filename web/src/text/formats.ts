@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 import {cgfs, glint} from './blocks';
 import type {SceneFormat} from './edit';
 import {json} from './json';

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // .json and .js: the scenes of RT2, as JSON or as data of JavaScript.
 import type {Vec3} from 'glint-wasm';
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // .nff: a line is a word and its numbers. .pov: vectors in angle brackets, in blocks.
 import type {Vec3} from 'glint-wasm';
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The engine counts lines from 1 and columns in bytes of UTF-8; the editor counts UTF-16 units from the text's beginning.
 
 /** Where line `line` of a text begins and ends, without its line end. */

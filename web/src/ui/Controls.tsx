@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The right side: everything of the scene that a page can set. Each control edits the text where its format can say it.
 import type {LightInfo, Setting, Vec3} from 'glint-wasm';
 import {useSignal} from '@preact/signals';

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The vectors at a hit, in space: N upright, the others where they are, seen a little from above.
 import type {Explanation, Vec3} from 'glint-wasm';
 

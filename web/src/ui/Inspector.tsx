@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Why a pixel is what it is: what adds up to its colour, the tree of its rays, and each term of each light.
 import type {Explanation, ExplainedHit, ExplainedRay, LightTerms, Vec3} from 'glint-wasm';
 import type {ComponentChildren} from 'preact';

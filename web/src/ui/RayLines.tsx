@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The pinned pixel's rays, as lines in a picture of the scene.
 import type {CameraInfo, Explanation, Vec3} from 'glint-wasm';
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The middle: the picture, and what is drawn over it.
 import {useSignal} from '@preact/signals';
 import {useLayoutEffect, useRef} from 'preact/hooks';

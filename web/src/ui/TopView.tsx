@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The scene from above, drawn by the engine, with the pixel's rays in it. It can be turned.
 import {useSignal} from '@preact/signals';
 import type {Explanation, Vec3} from 'glint-wasm';

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The page's inputs. While one is used, it shows what is typed or dragged; else what the scene says.
 import {useSignal} from '@preact/signals';
 import type {ComponentChildren} from 'preact';

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What mouse, fingers and keys do on the picture: point at a pixel, pin it, move the camera.
 import type {CameraInfo} from 'glint-wasm';
 import {useEffect, useRef} from 'preact/hooks';

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The canvases of the two pictures, and what the engine's views do to them and to the page's state.
 import {batch, signal} from '@preact/signals';
 

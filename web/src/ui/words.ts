@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How the page writes what the engine explains.
 import type {LightTerms, NamedItem, Vec3} from 'glint-wasm';
 
