@@ -34,7 +34,7 @@ LineColumn line_column(std::string_view text, std::size_t offset) {
     return {line, static_cast<std::uint32_t>(offset - start + 1)};
 }
 
-Diagnostic make_diagnostic(Severity severity, TextPlace where, std::size_t offset, std::size_t length,
+Diagnostic make_diagnostic(Severity severity, InputText where, std::size_t offset, std::size_t length,
                            std::string message) {
     offset = std::min(offset, where.text.size());
     const auto [line, column] = line_column(where.text, offset);
@@ -67,7 +67,7 @@ Diagnostic make_diagnostic(Severity severity, TextPlace where, std::size_t offse
     return d;
 }
 
-Diagnostic diagnostic_at(Severity severity, TextPlace where, SourcePlace place, std::string message) {
+Diagnostic diagnostic_at(Severity severity, InputText where, SourcePlace place, std::string message) {
     const std::size_t offset = offset_of(where.text, place);
     const auto word_end = where.text.find_first_of(" \t\r\n{[(:=,", offset);
     const std::size_t length = std::min(word_end, where.text.size()) - offset;
@@ -86,11 +86,11 @@ void Diagnostics::add(Diagnostic diagnostic) {
     list_.push_back(std::move(diagnostic));
 }
 
-void Diagnostics::error(TextPlace where, std::size_t offset, std::size_t length, std::string message) {
+void Diagnostics::error(InputText where, std::size_t offset, std::size_t length, std::string message) {
     if (!full()) add(make_diagnostic(Severity::error, where, offset, length, std::move(message)));
 }
 
-void Diagnostics::warn(TextPlace where, std::size_t offset, std::size_t length, std::string message) {
+void Diagnostics::warn(InputText where, std::size_t offset, std::size_t length, std::string message) {
     if (warnings_ < k_max_warnings)
         add(make_diagnostic(Severity::warning, where, offset, length, std::move(message)));
 }
@@ -100,7 +100,7 @@ bool Diagnostics::warned(std::string_view key) const {
     return warnings_ == k_max_warnings || std::find(once_.begin(), once_.end(), key) != once_.end();
 }
 
-void Diagnostics::warn_once(std::string_view key, TextPlace where, std::size_t offset, std::size_t length,
+void Diagnostics::warn_once(std::string_view key, InputText where, std::size_t offset, std::size_t length,
                             std::string message) {
     if (warned(key)) return;
     once_.emplace_back(key);

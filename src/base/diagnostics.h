@@ -17,18 +17,18 @@ struct LineColumn {
 LineColumn line_column(std::string_view text, std::size_t offset);
 
 /// A text under reading: knows its name and makes diagnostics from byte offsets.
-struct TextPlace {
+struct InputText {
     std::string_view name;
     std::string_view text;
 };
 
 /// The diagnostic for bytes [offset, offset + length) of a text, with its source line, shortened around the
 /// place.
-Diagnostic make_diagnostic(Severity severity, TextPlace where, std::size_t offset, std::size_t length,
+Diagnostic make_diagnostic(Severity severity, InputText where, std::size_t offset, std::size_t length,
                            std::string message);
 
 /// The diagnostic for the word at a place (line > 0) of a text.
-Diagnostic diagnostic_at(Severity severity, TextPlace where, SourcePlace place, std::string message);
+Diagnostic diagnostic_at(Severity severity, InputText where, SourcePlace place, std::string message);
 
 /// A list of diagnostics that stops growing: at most max_errors errors and 100 warnings and notes. Warnings
 /// that `warn_once` gives with the same key appear once.
@@ -36,9 +36,9 @@ class Diagnostics {
   public:
     explicit Diagnostics(std::uint32_t max_errors = 20) : max_errors_(max_errors) {}
     void add(Diagnostic diagnostic);
-    void error(TextPlace where, std::size_t offset, std::size_t length, std::string message);
-    void warn(TextPlace where, std::size_t offset, std::size_t length, std::string message);
-    void warn_once(std::string_view key, TextPlace where, std::size_t offset, std::size_t length,
+    void error(InputText where, std::size_t offset, std::size_t length, std::string message);
+    void warn(InputText where, std::size_t offset, std::size_t length, std::string message);
+    void warn_once(std::string_view key, InputText where, std::size_t offset, std::size_t length,
                    std::string message);
     /// True if warn_once with this key would add nothing.
     bool warned(std::string_view key) const;

@@ -31,7 +31,7 @@ struct WholePages {
 
 /// Asks the system to give memory that nobody has touched yet in large pages, where it has them: it is then
 /// handed over in few steps. No more than a wish: whatever the system answers, the memory is the same.
-inline void prefer_huge_pages([[maybe_unused]] void* memory, [[maybe_unused]] std::size_t size) {
+inline void advise_huge_pages([[maybe_unused]] void* memory, [[maybe_unused]] std::size_t size) {
 #if defined(__linux__) && defined(MADV_HUGEPAGE)
     const WholePages pages(memory, size);
     if (pages.bytes > 0) madvise(pages.begin, pages.bytes, MADV_HUGEPAGE);
@@ -40,8 +40,8 @@ inline void prefer_huge_pages([[maybe_unused]] void* memory, [[maybe_unused]] st
 
 /// Has the system hand over untouched memory now, on all threads: to fill large pages with zeros is most of
 /// what a picture's memory costs. No more than a wish, too.
-inline void claim_pages([[maybe_unused]] void* memory, [[maybe_unused]] std::size_t size,
-                        [[maybe_unused]] int threads) {
+inline void prefault_pages([[maybe_unused]] void* memory, [[maybe_unused]] std::size_t size,
+                           [[maybe_unused]] int threads) {
 #if defined(__linux__) && defined(MADV_POPULATE_WRITE)
     const WholePages pages(memory, size);
     // Up to the first border between large pages, then from border to border.
@@ -59,7 +59,7 @@ inline void claim_pages([[maybe_unused]] void* memory, [[maybe_unused]] std::siz
 /// Makes an empty vector n values long, in large pages where they are worth it.
 template <class T> void resize_in_huge_pages(std::vector<T>& values, std::size_t n) {
     values.reserve(n);
-    prefer_huge_pages(values.data(), n * sizeof(T));
+    advise_huge_pages(values.data(), n * sizeof(T));
     values.resize(n);
 }
 

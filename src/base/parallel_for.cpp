@@ -7,9 +7,9 @@
 #include <utility>
 #include <vector>
 
+#include "base/catch_exceptions.h"
 #include "base/fp_environment.h"
-#include "base/guard.h"
-#include "base/handover.h"
+#include "base/tsan_ordering.h"
 #if !defined(__wasm__)
 #include <oneapi/tbb/global_control.h>
 #include <oneapi/tbb/info.h>
@@ -93,7 +93,8 @@ class LentArena {
   public:
     explicit LentArena(int threads) : arena_(idle_arenas().take(threads)) {}
     ~LentArena() {
-        guard([&] { idle_arenas().put_back(std::move(arena_)); });  // no memory to keep it: it ends here
+        catch_exceptions(
+            [&] { idle_arenas().put_back(std::move(arena_)); });  // no memory to keep it: it ends here
     }
     LentArena(const LentArena&) = delete;
     LentArena& operator=(const LentArena&) = delete;
@@ -103,11 +104,11 @@ class LentArena {
     ArenaPtr arena_;
 };
 
-template <class Body> void run_as_task(Handover& handover, const Body& body) {
-    handover.task_starts();
+template <class Body> void run_as_task(TsanOrdering& ordering, const Body& body) {
+    ordering.task_starts();
     const DefaultFpEnvironment environment;
     body();
-    handover.task_ends();
+    ordering.task_ends();
 }
 
 }  // namespace
@@ -125,18 +126,18 @@ void parallel_for(std::size_t count, int threads, const std::function<void(std::
     }
     const AllowThreads allow(n);
     LentArena arena(n);
-    Handover handover;
+    TsanOrdering ordering;
     arena->execute([&] {
         oneapi::tbb::parallel_for(
             oneapi::tbb::blocked_range<std::size_t>(0, count, 1),
             [&](const oneapi::tbb::blocked_range<std::size_t>& range) {
-                run_as_task(handover, [&] {
+                run_as_task(ordering, [&] {
                     for (std::size_t i = range.begin(); i != range.end(); ++i) body(i);
                 });
             },
             oneapi::tbb::simple_partitioner{});
     });
-    handover.all_ended();
+    ordering.all_ended();
 }
 
 #endif

@@ -79,7 +79,7 @@ class GlintMaterials {
   private:
     struct Use {
         std::uint32_t index = 0;
-        TextPlace place;
+        InputText place;
         Token token;
     };
     struct Change {

@@ -6,8 +6,8 @@
 
 #include <algorithm>
 
+#include "base/catch_exceptions.h"
 #include "base/fp_environment.h"
-#include "base/guard.h"
 #include "formats/profile_file.h"
 #include "formats/registry.h"
 #include "scene/mistakes.h"
@@ -77,7 +77,7 @@ class Loader {
         if (!wrong.empty()) add(Severity::error, "", wrong);
         formats_.front()->set_defaults(reading_.scene);
         if (options_.profile_text) {
-            const TextPlace place{options_.profile_text->name, options_.profile_text->text};
+            const InputText place{options_.profile_text->name, options_.profile_text->text};
             reading_.scene.files.push_back(options_.profile_text->name);
             reading_.texts.push_back(place);
             reading_.profile_text = {place, static_cast<std::uint16_t>(texts_.size())};
@@ -120,7 +120,7 @@ class Loader {
     void sort(std::vector<Diagnostic>& diagnostics) const {
         const auto file = [&](const Diagnostic& d) {
             const auto at = std::find_if(reading_.texts.begin(), reading_.texts.end(),
-                                         [&](const TextPlace& t) { return t.name == d.file; });
+                                         [&](const InputText& t) { return t.name == d.file; });
             return at - reading_.texts.begin();
         };
         std::stable_sort(diagnostics.begin(), diagnostics.end(),
@@ -141,14 +141,14 @@ class Loader {
 
 LoadResult load(std::span<const SceneText> texts, const LoadOptions& options, Sources* sources) {
     LoadResult result;
-    const std::string failure = guard([&] {
+    const std::string failure = catch_exceptions([&] {
         const DefaultFpEnvironment environment;
         result = Loader(texts, options, sources).run();
     });
     if (failure.empty()) return result;
     LoadResult failed;
     // If there is no memory for a message either, the caller finds no scene and no message.
-    guard([&] { failed.diagnostics.push_back(without_place(Severity::error, "", failure)); });
+    catch_exceptions([&] { failed.diagnostics.push_back(without_place(Severity::error, "", failure)); });
     return failed;
 }
 

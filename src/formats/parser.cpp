@@ -14,7 +14,7 @@ char closer(char open) { return open == '{' ? '}' : open == '[' ? ']' : ')'; }
 
 }  // namespace
 
-Parser::Parser(TextPlace place, Dialect dialect, Diagnostics& diagnostics)
+Parser::Parser(InputText place, Dialect dialect, Diagnostics& diagnostics)
     : place_(place), diagnostics_(diagnostics), tokenizer_(place.text, dialect) {
     if (place.text.starts_with("\xff\xfe") || place.text.starts_with("\xfe\xff")) {
         error({}, "expected UTF-8, found UTF-16");

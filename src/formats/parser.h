@@ -54,7 +54,7 @@ class FieldSet {
 
 class Parser {
   public:
-    Parser(TextPlace place, Dialect dialect, Diagnostics& diagnostics);
+    Parser(InputText place, Dialect dialect, Diagnostics& diagnostics);
 
     const Token& token() const { return token_; }
     /// The current token; the next one becomes current.
@@ -122,7 +122,7 @@ class Parser {
     void report_unknown(const FieldSet& set, const Token& key, std::string_view key_name);
     void stop_at_nesting(const Token& token);
 
-    TextPlace place_;
+    InputText place_;
     Diagnostics& diagnostics_;
     Tokenizer tokenizer_;
     Token token_;

@@ -21,7 +21,7 @@ class GlintMaterials;
 
 /// One of the texts.
 struct ReadText {
-    TextPlace place;
+    InputText place;
     std::uint16_t file = 0;  ///< index into Scene::files
     bool is_included = false;
 };
@@ -45,7 +45,7 @@ struct Reading {
 
     const LoadOptions& options;
     Sources* sources;              ///< null: nothing can be included
-    std::vector<TextPlace> texts;  ///< by SourcePlace::file
+    std::vector<InputText> texts;  ///< by SourcePlace::file
     Includes includes;
     Scene scene;
     Diagnostics diagnostics;

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "base/guard.h"
+#include "base/catch_exceptions.h"
 #include "formats/block_writer.h"
 #include "formats/comments.h"
 #include "formats/registry.h"
@@ -188,7 +188,7 @@ class GlintWriter {
 
 std::string write_glint(const Scene& scene, std::span<const SceneText> texts) {
     std::string text;
-    const std::string failure = guard([&] {
+    const std::string failure = catch_exceptions([&] {
         if (!has_errors(validate(scene))) text = GlintWriter(scene, texts).run();
     });
     return failure.empty() ? text : std::string();

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "base/catch_exceptions.h"
 #include "base/fp_environment.h"
-#include "base/guard.h"
 #include "base/parallel_for.h"
 #include "glint/compare.h"
 #include "image/levels.h"
@@ -173,7 +173,7 @@ std::vector<std::uint8_t> find_edges(const Levels& levels, int threads) {
 
 PictureDifference compare(const Image& a, const Image& b, const CompareOptions& options) {
     PictureDifference result;
-    std::string error = guard([&] {
+    std::string error = catch_exceptions([&] {
         const DefaultFpEnvironment environment;
         result.error = pair_fault(a, b);
         if (result.error.empty()) result = measure(a, b, options);
@@ -184,7 +184,7 @@ PictureDifference compare(const Image& a, const Image& b, const CompareOptions& 
 
 Image difference_image(const Image& a, const Image& b, double gain) {
     Image image;
-    const std::string error = guard([&] {
+    const std::string error = catch_exceptions([&] {
         const DefaultFpEnvironment environment;
         if (!pair_fault(a, b).empty()) return;
         image = {b.width, b.height, std::vector<float>(b.rgb.size())};

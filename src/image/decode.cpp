@@ -6,8 +6,8 @@
 #include <string_view>
 #include <utility>
 
+#include "base/catch_exceptions.h"
 #include "base/fp_environment.h"
-#include "base/guard.h"
 #include "image/decoders.h"
 
 namespace glint {
@@ -66,7 +66,7 @@ void check_size(std::int64_t width, std::int64_t height, const DecodeOptions& op
 
 DecodeResult decode(std::span<const std::uint8_t> bytes, const DecodeOptions& options) {
     DecodeResult result;
-    std::string error = guard([&] {
+    std::string error = catch_exceptions([&] {
         const DefaultFpEnvironment environment;
         result = decode_any(bytes, options);
     });

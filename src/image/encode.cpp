@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <utility>
 
-#include "base/guard.h"
+#include "base/catch_exceptions.h"
 #include "glint/image.h"
 #include "image/encoders.h"
 #include "image/layer_fault.h"
@@ -45,7 +45,7 @@ std::string layers_fault(const Image& picture, std::span<const LayerImage> layer
 
 EncodeResult encode(const Image& image, const EncodeOptions& options) {
     EncodeResult result;
-    std::string error = guard([&] {
+    std::string error = catch_exceptions([&] {
         result.error = fault(image, options);
         if (!result.error.empty()) return;
         switch (options.format) {
@@ -74,7 +74,7 @@ EncodeResult encode(const Image& image, const EncodeOptions& options) {
 
 EncodeResult encode_layers(const Image& picture, std::span<const LayerImage> layers) {
     EncodeResult result;
-    std::string error = guard([&] {
+    std::string error = catch_exceptions([&] {
         result.error = fault(picture, {});
         if (result.error.empty()) result.error = layers_fault(picture, layers);
         if (!result.error.empty()) return;

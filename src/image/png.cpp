@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <string_view>
 
-#include "base/guard.h"
+#include "base/catch_exceptions.h"
 #include "base/parallel_for.h"
 #include "image/encoders.h"
 #include "image/quantize.h"
@@ -107,7 +107,7 @@ EncodeResult encode_png(const Image& image, const EncodeOptions& options) {
     const std::int32_t count = (image.height + k_strip_rows - 1) / k_strip_rows;
     std::vector<Strip> strips(count);
     parallel_for(count, options.threads, [&](std::size_t i) {
-        strips[i].error = guard([&] {
+        strips[i].error = catch_exceptions([&] {
             const auto first = static_cast<std::int32_t>(i) * k_strip_rows;
             const auto last = std::min(first + k_strip_rows, image.height);
             const bool is_last = last == image.height;

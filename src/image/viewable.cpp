@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "base/guard.h"
+#include "base/catch_exceptions.h"
 #include "image/layer_fault.h"
 
 namespace glint {
@@ -76,7 +76,7 @@ Image picture_of(const LayerImage& layer) {
 
 Image viewable(const LayerImage& layer) {
     Image image;
-    const std::string failure = guard([&] {
+    const std::string failure = catch_exceptions([&] {
         if (layer_fault(layer).empty()) image = picture_of(layer);
     });
     return failure.empty() ? image : Image{};

@@ -7,8 +7,8 @@
 #include <memory>
 #include <stdexcept>
 
+#include "base/catch_exceptions.h"
 #include "base/fp_environment.h"
-#include "base/guard.h"
 #include "glint/compare.h"
 #include "image/levels.h"
 #include "inspect/cause_ranking.h"
@@ -207,7 +207,7 @@ class CauseFinder {
 std::vector<CauseReport> find_causes(std::span<const Image> pictures, const Image& b, const Scene* scene,
                                      const CauseOptions& options) {
     std::vector<CauseReport> reports;
-    const std::string error = guard([&] {
+    const std::string error = catch_exceptions([&] {
         const DefaultFpEnvironment environment;
         if (b.width < 1 || b.height < 1 || b.rgb.size() != std::size_t{3} * b.width * b.height)
             throw std::invalid_argument("the reference has no pixels, or their numbers do not fit its size");

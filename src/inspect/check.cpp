@@ -4,8 +4,8 @@
 
 #include <fmt/format.h>
 
+#include "base/catch_exceptions.h"
 #include "base/fp_environment.h"
-#include "base/guard.h"
 #include "inspect/checks.h"
 
 namespace glint {
@@ -71,7 +71,7 @@ CheckResult check(const Scene& scene, const CheckOptions& options) {
     WorldResult prepared = prepare(scene, {.threads = options.threads});
     result.diagnostics = std::move(prepared.diagnostics);
     if (!prepared.world) return result;
-    result.error = guard([&] {
+    result.error = catch_exceptions([&] {
         const DefaultFpEnvironment environment;
         run_checks(scene, *prepared.world, options, result);
     });

@@ -4,8 +4,8 @@
 
 #include <memory>
 
+#include "base/catch_exceptions.h"
 #include "base/fp_environment.h"
-#include "base/guard.h"
 #include "inspect/ray_list.h"
 #include "inspect/references.h"
 #include "lighting/light.h"
@@ -103,7 +103,7 @@ Explanation explain(const Scene& scene, const World& explained, std::int32_t x, 
     } else if (std::string fault = world_fault(scene, world); !fault.empty()) {
         e.error = std::move(fault);
     } else {
-        const std::string failure = guard([&] {
+        const std::string failure = catch_exceptions([&] {
             const DefaultFpEnvironment environment;
             draw(world, *kernels, options.sample, e);
             complete(scene, world, e);

@@ -5,7 +5,7 @@
 #define JSON_HAS_EXPERIMENTAL_FILESYSTEM 0
 #include <nlohmann/json.hpp>
 
-#include "base/guard.h"
+#include "base/catch_exceptions.h"
 #include "glint/explain.h"
 #include "inspect/references.h"
 
@@ -148,7 +148,7 @@ Json ray_json(const Explanation& e, const Scene& scene, std::size_t number) {
 
 std::string explanation_json(const Explanation& e, const Scene& scene, const EncodeOptions& file) {
     std::string text;
-    const std::string failure = guard([&] {
+    const std::string failure = catch_exceptions([&] {
         Json json = {{"pixel", {e.x, e.y}}, {"samples", e.samples}};
         const std::string fault = !e.error.empty()                    ? e.error
                                   : file.bits != 8 && file.bits != 16 ? "a channel has 8 or 16 bits"

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cstdlib>
 
-#include "base/guard.h"
+#include "base/catch_exceptions.h"
 #include "image/levels.h"
 #include "inspect/draw_picture.h"
 
@@ -38,7 +38,7 @@ double points_factor(double share) {
 
 WantedPicture draw_wanted(const Scene& scene, const RubricRow& row, int threads) {
     WantedPicture wanted;
-    std::string failure = guard([&] {
+    std::string failure = catch_exceptions([&] {
         wanted.scene = with_settings(scene, row.settings);
         RenderResult drawn = draw_picture(wanted.scene, threads);
         wanted.error = drawn.error;

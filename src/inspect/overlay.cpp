@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "base/guard.h"
+#include "base/catch_exceptions.h"
 #include "glint/explain.h"
 #include "inspect/references.h"
 #include "math/transform.h"
@@ -178,7 +178,7 @@ void draw_rays(Image& picture, const Explanation& explanation, const Scene& scen
 std::string draw_overlay(Image& picture, const Explanation& explanation, const Scene& scene,
                          const World& world) {
     std::string fault;
-    std::string failure = guard([&] {
+    std::string failure = catch_exceptions([&] {
         fault = overlay_fault(picture, explanation, scene, world);
         if (fault.empty()) draw_rays(picture, explanation, scene, world);
     });

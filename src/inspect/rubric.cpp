@@ -56,7 +56,7 @@ std::string setting_fault(std::string_view key, std::string_view value) {
 class LineReader {
   public:
     /// line: of the whole text.
-    LineReader(TextPlace whole, std::string_view line, std::vector<RubricRow>& rows, Diagnostics& diagnostics)
+    LineReader(InputText whole, std::string_view line, std::vector<RubricRow>& rows, Diagnostics& diagnostics)
         : whole_(whole), line_(line), rows_(rows), diagnostics_(diagnostics) {}
 
     void read() {
@@ -131,7 +131,7 @@ class LineReader {
         diagnostics_.error(whole_, word.at, word.text.size(), std::move(message));
     }
 
-    TextPlace whole_;
+    InputText whole_;
     std::string_view line_;
     std::vector<RubricRow>& rows_;
     Diagnostics& diagnostics_;

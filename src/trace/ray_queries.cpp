@@ -2,7 +2,7 @@
 // What a World answers to rays of the user's own: by the kernels that draw pictures.
 #include <algorithm>
 
-#include "base/guard.h"
+#include "base/catch_exceptions.h"
 #include "base/parallel_for.h"
 #include "glint/world.h"
 #include "trace/kernels.h"
@@ -43,7 +43,7 @@ template <class Visit> void for_chunks(std::span<const Ray> rays, int threads, c
 
 RayHits nearest_hits(const World& world, std::span<const Ray> rays, int threads) {
     RayHits result;
-    result.error = guard([&] {
+    result.error = catch_exceptions([&] {
         const WorldParts& parts = world.parts();
         const PackedGeometry& geometry = *parts.geometry;
         const Kernels& kernels = available_kernels().front();
@@ -68,7 +68,7 @@ RayHits nearest_hits(const World& world, std::span<const Ray> rays, int threads)
 
 Occlusions occluded(const World& world, std::span<const Ray> rays, int threads) {
     Occlusions result;
-    result.error = guard([&] {
+    result.error = catch_exceptions([&] {
         const Kernels& kernels = available_kernels().front();
         result.occluded.resize(rays.size());
         for_chunks(rays, threads, [&](std::size_t first, std::span<const Ray> some) {

@@ -4,7 +4,7 @@
 #include <atomic>
 #include <memory>
 
-#include "base/guard.h"
+#include "base/catch_exceptions.h"
 #include "base/huge_pages.h"
 #include "base/parallel_for.h"
 #include "glint/render.h"
@@ -80,8 +80,8 @@ void render_into(const WorldParts& world, const RenderOptions& options, const Ke
     const std::size_t numbers =
         3 * static_cast<std::size_t>(crop.width) * static_cast<std::size_t>(crop.height);
     image.rgb.reserve(numbers);
-    prefer_huge_pages(image.rgb.data(), numbers * sizeof(float));
-    claim_pages(image.rgb.data(), numbers * sizeof(float), result.threads);
+    advise_huge_pages(image.rgb.data(), numbers * sizeof(float));
+    prefault_pages(image.rgb.data(), numbers * sizeof(float), result.threads);
     image.rgb.resize(numbers);
 
     const int across = (crop.width + k_tile_side - 1) / k_tile_side,
@@ -140,7 +140,7 @@ RenderResult render(const World& rendered, const RenderOptions& options) {
     if (!result.error.empty()) return result;
     result.isa = kernels->isa;
     result.threads = thread_count(options.threads);
-    result.error = guard([&] { render_into(world, options, *kernels, crop, result); });
+    result.error = catch_exceptions([&] { render_into(world, options, *kernels, crop, result); });
     if (!result.error.empty()) result.image.reset();
     return result;
 }

@@ -2,8 +2,8 @@
 // A World with other shading: what is not given is shared.
 #include <fmt/format.h>
 
+#include "base/catch_exceptions.h"
 #include "base/fp_environment.h"
-#include "base/guard.h"
 #include "scene/mistakes.h"
 #include "world/edit_index.h"
 #include "world/failure.h"
@@ -29,7 +29,7 @@ WorldResult changed(const World& world, std::vector<Mistake> mistakes, const Cha
 // body() makes the result.
 template <class Body> WorldResult guarded(const Body& body) {
     WorldResult result;
-    const std::string failure = guard([&] {
+    const std::string failure = catch_exceptions([&] {
         const DefaultFpEnvironment environment;
         result = body();
     });
@@ -148,7 +148,7 @@ std::vector<Diagnostic> assign_material(World& world, std::span<const std::uint3
     const auto error = [&](std::string message) {
         diagnostics.push_back(failure_diagnostic(std::move(message)));
     };
-    const std::string failure = guard([&] {
+    const std::string failure = catch_exceptions([&] {
         const WorldParts& now = world.parts();
         const std::uint32_t count = now.scene_materials();
         if (material != k_none && material >= count)

@@ -2,8 +2,8 @@
 // Shapes of a World that change: in place if nobody shares the geometry.
 #include <algorithm>
 
+#include "base/catch_exceptions.h"
 #include "base/fp_environment.h"
-#include "base/guard.h"
 #include "base/huge_pages.h"
 #include "base/parallel_chunks.h"
 #include "scene/mistakes.h"
@@ -180,7 +180,7 @@ class ShapeEditor {
 EditResult edit_shapes(World& world, const Scene& scene, std::span<const std::uint32_t> changed,
                        const PrepareOptions& options) {
     EditResult result;
-    const std::string failure = guard([&] {
+    const std::string failure = catch_exceptions([&] {
         const DefaultFpEnvironment environment;
         ShapeEditor(world, scene, changed, options).run(result);
     });

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Scene -> World.
+#include "base/catch_exceptions.h"
 #include "base/fp_environment.h"
-#include "base/guard.h"
 #include "scene/mistakes.h"
 #include "world/failure.h"
 #include "world/pack_shapes.h"
@@ -13,7 +13,7 @@ namespace glint {
 
 WorldResult prepare(const Scene& scene, const PrepareOptions& options) {
     WorldResult result;
-    const std::string failure = guard([&] {
+    const std::string failure = catch_exceptions([&] {
         const DefaultFpEnvironment environment;
         result.diagnostics = validate(scene);
         if (has_errors(result.diagnostics)) return;

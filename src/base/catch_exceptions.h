@@ -8,7 +8,7 @@
 namespace glint {
 
 /// Runs body(); returns an empty string, or what went wrong if it threw.
-template <class Body> std::string guard(Body&& body) {
+template <class Body> std::string catch_exceptions(Body&& body) {
 #if defined(__cpp_exceptions)
     try {
         body();
