@@ -67,7 +67,7 @@ template <class T> HWY_INLINE T highlight_power(T s, T shininess, const Lighting
     if (rules.clamp_cosines) return power;
     // (-x)^n of an odd n is negative, of other whole n positive, and of others it does not exist.
     const T half = shininess * T(0.5);
-    const auto whole = round_whole(shininess) == shininess, even = round_whole(half) == half;
+    const auto whole = round_to_integer(shininess) == shininess, even = round_to_integer(half) == half;
     return select(s < T(0), select(whole, select(even, power, -power), T(0)), power);
 }
 

@@ -66,7 +66,7 @@ template <class T> GLINT_INLINE HighLow<T> log2_high_low(T x) {
 /// subnormal). hi has at most 52 bits; it may be infinite, and lo anything then.
 template <class T> GLINT_INLINE T exp2_high_low(T hi, T lo) {
     const T w = hi + lo;
-    const T n = round_whole(w);
+    const T n = round_to_integer(w);
     const T difference = hi - n;  // exact
     const T r = difference + lo;  // 2^r = 1 + r ln 2 + r^2 P(r), |r| <= 1/2
     const T r_hi = head(difference);
@@ -84,7 +84,7 @@ template <class T> GLINT_INLINE T exp2_high_low(T hi, T lo) {
     const T one = 1.0 + u;
     const T power = one + ((u - (one - 1.0)) + rest);
     // 2^1024 is not a number: the last doubling is done apart.
-    const T scaled = power * exp2_whole(min(n, T(1023))) * select(n > 1023.0, T(2), T(1));
+    const T scaled = power * exp2_integer(min(n, T(1023))) * select(n > 1023.0, T(2), T(1));
     const T beyond = select(hi > 0.0, T(k_infinity), T(0));
     // Near the least normal number hi + 1022 is exact, so this asks for the sum before its rounding.
     const auto normal = (hi + 1022.0) + lo >= 0.0;
@@ -119,13 +119,13 @@ template <class T> GLINT_INLINE T pow(T x, T y) {
 /// 0, 1, 2.
 template <class T> struct ReducedAngle { T quadrant, hi, lo; };
 
-template <class T> GLINT_INLINE T quadrant_of(T n) { return n - 4.0 * round_whole(n * 0.25); }
+template <class T> GLINT_INLINE T quadrant_of(T n) { return n - 4.0 * round_to_integer(n * 0.25); }
 
 /// |x| <= 1e5 radians; other angles are taken as 0. Cody and Waite's reduction: the first two of the three
 /// parts of pi/2 have 37 bits, so that their products with n < 2^16 are exact.
 template <class T> GLINT_INLINE ReducedAngle<T> reduce_radians(T angle) {
     const T x = select(abs(angle) <= 1e5, angle, T(0));
-    const T n = round_whole(x * 0x1.45f306dc9c883p-1);
+    const T n = round_to_integer(x * 0x1.45f306dc9c883p-1);
     const T a = x - n * 0x1.921fb5444p+0;  // exact
     const T b = n * 0x1.68c234c4cp-39;     // exact
     const T c = n * 0x1.98a2e03707345p-77;
@@ -141,7 +141,7 @@ template <class T> GLINT_INLINE ReducedAngle<T> reduce_radians(T angle) {
 /// 0.
 template <class T> GLINT_INLINE ReducedAngle<T> reduce_degrees(T angle) {
     const T x = select(abs(angle) <= 0x1p45, angle, T(0));
-    const T n = round_whole(x * (1.0 / 90.0));
+    const T n = round_to_integer(x * (1.0 / 90.0));
     const T degrees = x - n * 90.0;  // exact
     const T d_hi = head(degrees);
     const T u = d_hi * 0x1.1df46ap-6;  // exact; pi / 180 = 0x1.1df46ap-6 + 0x1.294e9c8ae0ec6p-33

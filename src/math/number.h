@@ -41,7 +41,7 @@ inline double split_exponent(double x, double& mantissa) {
 }
 
 /// 2^k for a whole number k, -1022 <= k <= 1023. For others some number, the same from every kind.
-inline double exp2_whole(double k) {
+inline double exp2_integer(double k) {
     return std::bit_cast<double>(std::bit_cast<std::uint64_t>(k + (4503599627370496.0 + 1023.0)) << 52);
 }
 
@@ -51,7 +51,7 @@ inline double head(double x) {
 }
 
 /// The nearest whole number (ties to even), |x| < 2^51, by IEEE addition alone.
-inline double round_whole(double x) {
+inline double round_to_integer(double x) {
     constexpr double shift = 6755399441055744.0;  // 1.5 * 2^52
     return (x + shift) - shift;
 }

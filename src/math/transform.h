@@ -14,7 +14,7 @@ inline double binary_size(Vec3 v) {
     const double largest = number::max(number::max(number::abs(v.x), number::abs(v.y)), number::abs(v.z));
     if (!(largest >= 0x1p-1022)) return largest;  // zero or subnormal
     double mantissa;
-    return number::exp2_whole(number::split_exponent(largest, mantissa));
+    return number::exp2_integer(number::split_exponent(largest, mantissa));
 }
 
 /// |v|, of any finite v.

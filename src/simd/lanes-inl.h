@@ -69,12 +69,12 @@ using number::abs;
 using number::all;
 using number::and_not;
 using number::any;
-using number::exp2_whole;
+using number::exp2_integer;
 using number::head;
 using number::k_infinity;
 using number::max;
 using number::min;
-using number::round_whole;
+using number::round_to_integer;
 using number::select;
 using number::split_exponent;
 using number::sqrt;
@@ -113,7 +113,7 @@ HWY_INLINE Doubles split_exponent(Doubles x, Doubles& mantissa) {
     return Doubles(hn::BitCast(d, biased)) - Doubles(4503599627370496.0 + 1023.0);
 }
 
-HWY_INLINE Doubles exp2_whole(Doubles k) {
+HWY_INLINE Doubles exp2_integer(Doubles k) {
     const Tag<double> d;
     const hn::RebindToUnsigned<Tag<double>> du;
     const auto biased = hn::BitCast(du, (k + Doubles(4503599627370496.0 + 1023.0)).v);  // low bits: k + 1023
@@ -126,7 +126,7 @@ HWY_INLINE Doubles head(Doubles x) {
     return Doubles(hn::And(x.v, hn::BitCast(d, hn::Set(du, 0xfffffffff8000000u))));
 }
 
-HWY_INLINE Doubles round_whole(Doubles x) {
+HWY_INLINE Doubles round_to_integer(Doubles x) {
     const Doubles shift(6755399441055744.0);
     return (x + shift) - shift;
 }
@@ -172,10 +172,10 @@ HWY_INLINE bool all_same(const std::uint32_t* x) {
 }
 
 /// A vector of places in an array: stride * index[i].
-struct Places {
+struct GatherIndices {
     using D = hn::RebindToSigned<Tag<double>>;
     hn::Vec<D> v;
-    HWY_INLINE explicit Places(const std::uint32_t* index, std::uint32_t stride = 1) {
+    HWY_INLINE explicit GatherIndices(const std::uint32_t* index, std::uint32_t stride = 1) {
 #if HWY_TARGET == HWY_SCALAR
         v = hn::Set(D(), static_cast<std::int64_t>(std::uint64_t{index[0]} * stride));
 #else
@@ -187,7 +187,7 @@ struct Places {
     }
 };
 /// Lane i of the result is base[places[i]].
-HWY_INLINE Doubles gather(const double* base, const Places& places) {
+HWY_INLINE Doubles gather(const double* base, const GatherIndices& places) {
     return Doubles(hn::GatherIndex(Tag<double>(), base, places.v));
 }
 

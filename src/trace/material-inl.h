@@ -26,7 +26,7 @@ struct MaterialLanes {
     HWY_INLINE Doubles value(int k) const {
         if (same)
             return Doubles(base[std::size_t{index[0]} * k_material_values + static_cast<std::size_t>(k)]);
-        return gather(base + k, Places(index, k_material_values));
+        return gather(base + k, GatherIndices(index, k_material_values));
     }
     HWY_INLINE Triple<Doubles> color(int k) const { return {value(k), value(k + 1), value(k + 2)}; }
 };

@@ -69,7 +69,8 @@ struct NormalsAt {
     template <class Geometry> HWY_INLINE void visit() {
         Doubles p[Geometry::k_values];
         for (int k = 0; k < Geometry::k_values; ++k) {
-            p[k] = same ? Doubles(shapes.column(k)[items[0]]) : gather(shapes.column(k), Places(items));
+            p[k] =
+                same ? Doubles(shapes.column(k)[items[0]]) : gather(shapes.column(k), GatherIndices(items));
         }
         normal = Geometry::normal(p, point);
     }

@@ -39,7 +39,7 @@ Moved move_lanes(const double* values, const std::uint32_t* numbers, std::uint32
     compress_store(load(values), mask, m.compressed.data());
     compress_store(numbers, mask, m.compressed_numbers.data());
     store(expand_load(values, mask), m.expanded.data());
-    store(gather(values, Places(numbers, 3)), m.gathered.data());
+    store(gather(values, GatherIndices(numbers, 3)), m.gathered.data());
     m.same = all_same(numbers);
     NarrowFloats a, b, c;
     a.add(load(values));
