@@ -16,7 +16,7 @@
 #define HWY_TARGET_INCLUDE "bench_kernels.cpp"
 #include <hwy/foreach_target.h>
 
-#include "geometry/cuboid-inl.h"
+#include "geometry/box-inl.h"
 #include "geometry/sphere-inl.h"
 #include "geometry/triangle-inl.h"
 #include "lighting/phong-inl.h"
@@ -34,8 +34,8 @@ double nearest_of_shapes(const double* columns, std::size_t stride, std::size_t 
     for (std::size_t i = 0; i < count; i += lane_count<double>()) {
         Doubles p[Geometry::k_values];
         for (int k = 0; k < Geometry::k_values; ++k) p[k] = load(columns + k * stride + i);
-        const auto candidate = Geometry::hit(p, ray, Doubles(0));
-        nearest = select(candidate.hit, min(nearest, candidate.t), nearest);
+        const auto hit = Geometry::hit(p, ray, Doubles(0));
+        nearest = select(hit.valid, min(nearest, hit.t), nearest);
     }
     alignas(64) double lanes[lane_count<double>()];
     store(nearest, lanes);
@@ -49,7 +49,7 @@ double nearest_triangle(const double* columns, std::size_t stride, std::size_t c
     return nearest_of_shapes<TriangleGeometry>(columns, stride, count);
 }
 double nearest_box(const double* columns, std::size_t stride, std::size_t count) {
-    return nearest_of_shapes<CuboidGeometry>(columns, stride, count);
+    return nearest_of_shapes<BoxGeometry>(columns, stride, count);
 }
 
 // One light at many points: normals and directions are unit columns 0 to 8, the exponent is column 9.
@@ -143,9 +143,9 @@ void add_target(const std::string& name, std::int64_t target, Kernel sphere, Ker
     add("triangle/" + name, triangle, pack<N_SCALAR::TriangleGeometry>([](Values& v) {
             return Triangle{{v.point(), v.point(), v.point()}};
         }));
-    add("box/" + name, box, pack<N_SCALAR::CuboidGeometry>([](Values& v) {
+    add("box/" + name, box, pack<N_SCALAR::BoxGeometry>([](Values& v) {
             const Vec3 p = v.point();
-            return Cuboid{p, p + Vec3{0.2, 0.2, 0.2}};
+            return Box{p, p + Vec3{0.2, 0.2, 0.2}};
         }));
     add("shade/" + name, shade, points_to_shade());
 }

@@ -29,7 +29,7 @@ Vec3 unit(Vec3 v) { return v / std::sqrt(dot(v, v)); }
 // Floats cannot tell a point from a surface closer than this.
 double reach(Vec3 p) { return 3e-5 * (1 + std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)})); }
 
-Vec3 leave(const Hit& hit, Vec3 direction) {
+Vec3 offset_ray_origin(const Hit& hit, Vec3 direction) {
     return hit.point + hit.normal * (dot(hit.normal, direction) < 0 ? -reach(hit.point) : reach(hit.point));
 }
 
@@ -49,7 +49,7 @@ struct Tracer {
                 const double same_side = dot(s.hit.normal, to_light) * -dot(s.hit.normal, s.incoming);
                 const bool dark = m.diffuse == Color{0, 0, 0} && m.specular == Color{0, 0, 0};
                 if (!(same_side > 0) || dark) continue;
-                const Vec3 way = leave(s.hit, to_light) - light.position;
+                const Vec3 way = offset_ray_origin(s.hit, to_light) - light.position;
                 frame.lists[to].add(light.position, unit(way),
                                     static_cast<float>(0.99999 * std::sqrt(dot(way, way))));
             }
@@ -72,11 +72,12 @@ struct Tracer {
                 if (square < 0)
                     mirror += m.transmission;
                 else if (s.weight * m.transmission >= k_min_weight)
-                    transmitted.push_back({leave(s.hit, through), unit(through), s.weight * m.transmission});
+                    transmitted.push_back(
+                        {offset_ray_origin(s.hit, through), unit(through), s.weight * m.transmission});
             }
             if (mirror > 0 && s.weight * mirror >= k_min_weight) {
                 const Vec3 back = d - n * (2 * dot(n, d));
-                reflected.push_back({leave(s.hit, back), unit(back), s.weight * mirror});
+                reflected.push_back({offset_ray_origin(s.hit, back), unit(back), s.weight * mirror});
             }
         }
         reflected.insert(reflected.end(), transmitted.begin(), transmitted.end());

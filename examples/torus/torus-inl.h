@@ -17,11 +17,11 @@ namespace HWY_NAMESPACE {
 struct TorusGeometry {
     static constexpr int k_values = 2;  // radius of the ring, radius of the tube
     static constexpr bool k_bounded = true;
-    static constexpr bool k_takes_maps = false;
+    static constexpr bool k_bakes_transform = false;
     static constexpr bool k_filtered = false;
 
     static void pack(const Torus& torus, double* p) { p[0] = torus.radius, p[1] = torus.tube; }
-    static bool open(const Torus&) { return false; }
+    static bool is_open(const Torus&) { return false; }
     static void bounds(const Torus& torus, Vec3& lo, Vec3& hi) {
         const double out = torus.radius + torus.tube;
         lo = {-out, -torus.tube, -out}, hi = {out, torus.tube, out};
@@ -31,7 +31,7 @@ struct TorusGeometry {
     /// degree 4. Between the roots of its derivative it is monotone, so that bisection finds its first root
     /// and cannot miss one; the derivative's roots are found the same way between those of the second, which
     /// are known.
-    template <class T> static HWY_INLINE Candidate<T> hit(const T* p, const Ray<T>& ray, T t_min) {
+    template <class T> static HWY_INLINE Hit<T> hit(const T* p, const Ray<T>& ray, T t_min) {
         const T big = p[0], small = p[1], out = big + small;
         // s runs from -1 to 1 within the ball around the torus, whatever the ray's length.
         const Roots<T> ball = closest_approach(ray.origin, ray.direction, out);

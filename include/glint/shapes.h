@@ -60,7 +60,7 @@ struct Disc {
 };
 
 /// A box along the axes, min <= max in each coordinate. Its normals point outward. Scene files call it `box`.
-struct Cuboid {
+struct Box {
     Vec3 min{-1, -1, -1}, max{1, 1, 1};
 };
 
@@ -94,7 +94,7 @@ struct Polygon {
     X(Cylinder, cylinder)              \
     X(Cone, cone)                      \
     X(Disc, disc)                      \
-    X(Cuboid, box)                     \
+    X(Box, box)                        \
     X(Triangle, triangle)              \
     X(SmoothTriangle, smooth_triangle) \
     X(Polygon, polygon)

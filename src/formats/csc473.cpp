@@ -177,8 +177,8 @@ class Csc473Reader {
     bool read_box(const Token& word) {
         Vec3 a, b;
         if (!vector(a) || !vector(b)) return false;
-        return finish_shape(Cuboid{{std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z)},
-                                   {std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)}},
+        return finish_shape(Box{{std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z)},
+                                {std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)}},
                             word);
     }
 

@@ -62,7 +62,7 @@ class ShapeReader {
 
     void box() {
         static constexpr auto fields = with_item_fields({{"min", true}, {"max", true}});
-        Cuboid s;
+        Box s;
         if (keys(fields, [&](int field, const Token&) { return read_point(t_, field == 0 ? s.min : s.max); }))
             add(s);
     }

@@ -133,7 +133,7 @@ class ShapeWriter {
         fmt::format_to(std::back_inserter(block_.key("radius")), "({}, {})", c.from_radius, c.to_radius);
         if (!c.caps) block_.key("caps") += "false";
     }
-    void write_keys(const Cuboid& c) {
+    void write_keys(const Box& c) {
         append(block_.key("min"), c.min);
         append(block_.key("max"), c.max);
     }

@@ -65,7 +65,7 @@ template <class T> struct AxialRay {
         consider_disc(-q_along / d_along, from_radius, capped);
         consider_disc((height - q_along) / d_along, to_radius, capped);
     }
-    HWY_INLINE Candidate<T> candidate() const { return {best < T(1e300), best}; }
+    HWY_INLINE Hit<T> hit() const { return {best < T(1e300), best}; }
 
   private:
     template <class M> HWY_INLINE void consider_disc(T s, T radius, M ok) {

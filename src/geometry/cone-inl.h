@@ -18,14 +18,14 @@ struct ConeGeometry {
     static constexpr int k_values =
         10;  // from, unit axis, height, radius at from, growth of the radius a unit, caps (0 or 1)
     static constexpr bool k_bounded = true;
-    static constexpr bool k_takes_maps = false;
+    static constexpr bool k_bakes_transform = false;
     static constexpr bool k_filtered = true;
 
     static void pack(const Cone& c, double* p) {
         const double height = pack_axis(c.from, c.to, p);
         p[7] = c.from_radius, p[8] = (c.to_radius - c.from_radius) / height, p[9] = c.caps ? 1 : 0;
     }
-    static bool open(const Cone& c) { return !c.caps; }
+    static bool is_open(const Cone& c) { return !c.caps; }
     static void bounds(const Cone& c, Vec3& lo, Vec3& hi) {
         axial_bounds(c.from, c.to, c.from_radius, c.to_radius, lo, hi);
     }
@@ -33,7 +33,7 @@ struct ConeGeometry {
     /// |across(t)|^2 = r(t)^2 with r(t) = r_0 + k along(t), about the ray's closest approach to the middle of
     /// the axis, so that distance costs no digits. The roots as q / a and c / q: a may be 0, for a ray
     /// parallel to the side.
-    template <class T> static HWY_INLINE Candidate<T> hit(const T* p, const Ray<T>& ray, T t_min) {
+    template <class T> static HWY_INLINE Hit<T> hit(const T* p, const Ray<T>& ray, T t_min) {
         const Triple<T> axis = triple(p + 3), d = ray.direction;
         const T height = p[6], base = p[7], growth = p[8];
         const Triple<T> to_origin = ray.origin - triple(p);
@@ -51,7 +51,7 @@ struct ConeGeometry {
         r.consider_side(sum / a, real);
         r.consider_side(c / sum, real);
         r.consider_caps(p[9], base, base + growth * height);
-        return r.candidate();
+        return r.hit();
     }
 
     template <class F> struct Filter : AxialFilter<F> {

@@ -17,19 +17,19 @@ namespace HWY_NAMESPACE {
 struct CylinderGeometry {
     static constexpr int k_values = 9;  // from, unit axis, height, radius, caps (0 or 1)
     static constexpr bool k_bounded = true;
-    static constexpr bool k_takes_maps = false;
+    static constexpr bool k_bakes_transform = false;
     static constexpr bool k_filtered = true;
 
     static void pack(const Cylinder& c, double* p) {
         pack_axis(c.from, c.to, p);
         p[7] = c.radius, p[8] = c.caps ? 1 : 0;
     }
-    static bool open(const Cylinder& c) { return !c.caps; }
+    static bool is_open(const Cylinder& c) { return !c.caps; }
     static void bounds(const Cylinder& c, Vec3& lo, Vec3& hi) {
         axial_bounds(c.from, c.to, c.radius, c.radius, lo, hi);
     }
 
-    template <class T> static HWY_INLINE Candidate<T> hit(const T* p, const Ray<T>& ray, T t_min) {
+    template <class T> static HWY_INLINE Hit<T> hit(const T* p, const Ray<T>& ray, T t_min) {
         AxialRay<T> r(triple(p + 3), p[6], ray.origin - triple(p), ray.direction, T(0), t_min);
         // Parallel to the axis, the division gives NaN or infinity, and no lateral hit.
         const auto roots = closest_approach(r.q_across, r.d_across, p[7]);
@@ -38,7 +38,7 @@ struct CylinderGeometry {
             r.consider_side(roots.b + roots.h, roots.real);
         }
         r.consider_caps(p[8], p[7], p[7]);
-        return r.candidate();
+        return r.hit();
     }
 
     template <class F> struct Filter : AxialFilter<F> {

@@ -19,7 +19,7 @@ namespace HWY_NAMESPACE {
 struct DiscGeometry {
     static constexpr int k_values = 7;  // center, unit normal, radius
     static constexpr bool k_bounded = true;
-    static constexpr bool k_takes_maps = false;
+    static constexpr bool k_bakes_transform = false;
     static constexpr bool k_filtered = false;
 
     static void pack(const Disc& disc, double* p) {
@@ -28,14 +28,14 @@ struct DiscGeometry {
         p[3] = n.x, p[4] = n.y, p[5] = n.z;
         p[6] = disc.radius;
     }
-    static bool open(const Disc&) { return true; }
+    static bool is_open(const Disc&) { return true; }
     static void bounds(const Disc& disc, Vec3& lo, Vec3& hi) {
         Extent extent;
         extent.add_disc(disc.center, glint::normalize(disc.normal), disc.radius);
         lo = extent.lo, hi = extent.hi;
     }
 
-    template <class T> static HWY_INLINE Candidate<T> hit(const T* p, const Ray<T>& ray, T t_min) {
+    template <class T> static HWY_INLINE Hit<T> hit(const T* p, const Ray<T>& ray, T t_min) {
         const Triple<T> q = ray.origin - triple(p), n = triple(p + 3);
         // A ray within the disc's plane gives NaN or infinity: no hit.
         const T t = -dot(q, n) / dot(ray.direction, n);

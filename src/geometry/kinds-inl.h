@@ -9,8 +9,8 @@
 
 #include <type_traits>
 
+#include "geometry/box-inl.h"
 #include "geometry/cone-inl.h"
-#include "geometry/cuboid-inl.h"
 #include "geometry/cylinder-inl.h"
 #include "geometry/disc-inl.h"
 #include "geometry/plane-inl.h"
@@ -26,7 +26,7 @@ namespace HWY_NAMESPACE {
 struct PolygonGeometry : TriangleGeometry {};
 template <class Geometry> inline constexpr bool k_is_packed = !std::is_same_v<Geometry, PolygonGeometry>;
 
-/// Their formula takes a TriangleGeometry::Sight of the ray, and their boxes are computed when needed.
+/// Their formula takes a TriangleGeometry::ShearedRay of the ray, and their boxes are computed when needed.
 template <class Geometry>
 inline constexpr bool k_is_triangle =
     std::is_same_v<Geometry, TriangleGeometry> || std::is_same_v<Geometry, SmoothTriangleGeometry>;
@@ -36,10 +36,10 @@ template <class Geometry>
 inline constexpr bool k_is_cheap = k_is_triangle<Geometry> || std::is_same_v<Geometry, SphereGeometry>;
 
 /// Calls visitor.visit<Geometry>() for the geometry of a kind, under a transform or not. Kinds that take a
-/// map into their own parameters (k_takes_maps) are never packed with one.
+/// map into their own parameters (k_bakes_transform) are never packed with one.
 template <class Geometry, class Visitor> HWY_INLINE void visit_kind(bool transformed, Visitor&& visitor) {
     if constexpr (k_is_packed<Geometry>) {
-        if constexpr (!Geometry::k_takes_maps) {
+        if constexpr (!Geometry::k_bakes_transform) {
             if (transformed) return visitor.template visit<Transformed<Geometry>>();
         }
         visitor.template visit<Geometry>();

@@ -18,7 +18,7 @@ namespace HWY_NAMESPACE {
 struct PlaneGeometry {
     static constexpr int k_values = 6;  // point nearest to the origin, unit normal
     static constexpr bool k_bounded = false;
-    static constexpr bool k_takes_maps = true;
+    static constexpr bool k_bakes_transform = true;
     static constexpr bool k_filtered = false;
 
     static void pack(const Plane& plane, double* p) {
@@ -28,15 +28,15 @@ struct PlaneGeometry {
         p[0] = foot.x, p[1] = foot.y, p[2] = foot.z;
         p[3] = n.x, p[4] = n.y, p[5] = n.z;
     }
-    static Plane mapped(const Plane& plane, const Affine& world_from_object,
-                        const Affine& object_from_world) {
+    static Plane apply_transform(const Plane& plane, const Affine& world_from_object,
+                                 const Affine& object_from_world) {
         return {transform_point(world_from_object, plane.point),
                 transform_normal(object_from_world, plane.normal)};
     }
-    static bool open(const Plane&) { return true; }
+    static bool is_open(const Plane&) { return true; }
     static void bounds(const Plane&, Vec3&, Vec3&) {}
 
-    template <class T> static HWY_INLINE Candidate<T> hit(const T* p, const Ray<T>& ray, T t_min) {
+    template <class T> static HWY_INLINE Hit<T> hit(const T* p, const Ray<T>& ray, T t_min) {
         const Triple<T> n = triple(p + 3);
         const T t = dot(triple(p) - ray.origin, n) / dot(ray.direction, n);
         // A ray within the plane gives NaN or infinity: no hit.

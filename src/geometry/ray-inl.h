@@ -16,9 +16,9 @@ namespace HWY_NAMESPACE {
 /// Points origin + t direction; the direction has any length but 0.
 template <class T> struct Ray { Triple<T> origin, direction; };
 
-/// A formula's answer: the least t > t_min at which the ray meets the shape, where `hit` says so.
-template <class T> struct Candidate {
-    decltype(T() < T()) hit;
+/// A formula's answer: the least t > t_min at which the ray meets the shape, if `valid`.
+template <class T> struct Hit {
+    decltype(T() < T()) valid;
     T t;
 };
 

@@ -17,19 +17,19 @@ namespace HWY_NAMESPACE {
 struct SphereGeometry {
     static constexpr int k_values = 4;  // center, radius
     static constexpr bool k_bounded = true;
-    static constexpr bool k_takes_maps = false;
+    static constexpr bool k_bakes_transform = false;
     static constexpr bool k_filtered = true;
 
     static void pack(const Sphere& s, double* p) {
         p[0] = s.center.x, p[1] = s.center.y, p[2] = s.center.z, p[3] = s.radius;
     }
-    static bool open(const Sphere&) { return false; }
+    static bool is_open(const Sphere&) { return false; }
     static void bounds(const Sphere& s, Vec3& lo, Vec3& hi) {
         const Vec3 r{s.radius, s.radius, s.radius};
         lo = s.center - r, hi = s.center + r;
     }
 
-    template <class T> static HWY_INLINE Candidate<T> hit(const T* p, const Ray<T>& ray, T t_min) {
+    template <class T> static HWY_INLINE Hit<T> hit(const T* p, const Ray<T>& ray, T t_min) {
         const auto roots = closest_approach(ray.origin - triple(p), ray.direction, p[3]);
         const T near = roots.b - roots.h, far = roots.b + roots.h;
         const T t = select(near > t_min, near, far);

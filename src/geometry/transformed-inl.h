@@ -17,7 +17,7 @@ namespace HWY_NAMESPACE {
 template <class Geometry> struct Transformed {
     static constexpr int k_values = Geometry::k_values + 12;
     static constexpr bool k_bounded = Geometry::k_bounded;
-    static constexpr bool k_takes_maps = false;
+    static constexpr bool k_bakes_transform = false;
     static constexpr bool k_filtered = false;
 
     template <class T> static HWY_INLINE Triple<T> linear(const T* m, Triple<T> v) {
@@ -28,7 +28,7 @@ template <class Geometry> struct Transformed {
         return linear(m, v) + Triple<T>{m[3], m[7], m[11]};
     }
 
-    template <class T> static HWY_INLINE Candidate<T> hit(const T* p, const Ray<T>& ray, T t_min) {
+    template <class T> static HWY_INLINE Hit<T> hit(const T* p, const Ray<T>& ray, T t_min) {
         const T* m = p + Geometry::k_values;
         return Geometry::hit(p, Ray<T>{affine(m, ray.origin), linear(m, ray.direction)}, t_min);
     }

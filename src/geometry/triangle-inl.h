@@ -20,13 +20,14 @@ namespace HWY_NAMESPACE {
 struct TriangleGeometry {
     static constexpr int k_values = 9;  // a, b, c
     static constexpr bool k_bounded = true;
-    static constexpr bool k_takes_maps = true;
+    static constexpr bool k_bakes_transform = true;
     static constexpr bool k_filtered = true;
 
     static void pack(const Triangle& triangle, double* p) {
         for (const Vec3& v : triangle.vertices) *p++ = v.x, *p++ = v.y, *p++ = v.z;
     }
-    static Triangle mapped(const Triangle& triangle, const Affine& world_from_object, const Affine&) {
+    static Triangle apply_transform(const Triangle& triangle, const Affine& world_from_object,
+                                    const Affine&) {
         Triangle out;
         for (int i = 0; i < 3; ++i)
             out.vertices[i] = transform_point(world_from_object, triangle.vertices[i]);
@@ -34,15 +35,15 @@ struct TriangleGeometry {
         if (determinant(world_from_object) < 0) std::swap(out.vertices[1], out.vertices[2]);
         return out;
     }
-    static bool open(const Triangle&) { return true; }
+    static bool is_open(const Triangle&) { return true; }
     static void bounds(const Triangle& triangle, Vec3& lo, Vec3& hi) {
         Extent extent;
         for (const Vec3& v : triangle.vertices) extent.add(v);
         lo = extent.lo, hi = extent.hi;
     }
     /// The same, from the packed values: a triangle's box is not worth its memory.
-    template <class T> struct Sides { Triple<T> lo, hi; };
-    template <class T> static HWY_INLINE Sides<T> sides(const T* p) {
+    template <class T> struct PackedBounds { Triple<T> lo, hi; };
+    template <class T> static HWY_INLINE PackedBounds<T> packed_bounds(const T* p) {
         const auto least = [&](int k) HWY_ATTR { return min(min(p[k], p[k + 3]), p[k + 6]); };
         const auto most = [&](int k) HWY_ATTR { return max(max(p[k], p[k + 3]), p[k + 6]); };
         return {{least(0), least(1), least(2)}, {most(0), most(1), most(2)}};
@@ -51,21 +52,21 @@ struct TriangleGeometry {
     /// A ray as the formula sees it: from `start` on, the point of its line that is nearest to the world's
     /// origin, so that a distant ray costs no digits; sheared into the plane across the axis (0 to 2) that it
     /// mostly follows.
-    template <class T> struct Sight {
+    template <class T> struct ShearedRay {
         static constexpr int k_values = 6;
         Triple<T> origin;
         T start, shear_x, shear_y;
     };
-    template <class T, class Turned>
-    static HWY_INLINE Sight<T> sight(const Ray<T>& ray, const Turned& turned) {
-        const Triple<T> d = ray.direction, along = turned(d);
+    template <class T, class Permutation>
+    static HWY_INLINE ShearedRay<T> shear_ray(const Ray<T>& ray, const Permutation& permute) {
+        const Triple<T> d = ray.direction, along = permute(d);
         const T start = -(dot(ray.origin, d) / dot(d, d));
         return {ray.origin + d * start, start, along.x / along.z, along.y / along.z};
     }
     /// Turns the axis that the ray mostly follows into z.
-    template <class T> struct Turn {
+    template <class T> struct AxisPermutation {
         decltype(T() < T()) along_x, along_y;
-        static HWY_INLINE Turn of(const Triple<T>& d) {
+        static HWY_INLINE AxisPermutation of(const Triple<T>& d) {
             return {(abs(d.x) > abs(d.y)) && (abs(d.x) > abs(d.z)), abs(d.y) > abs(d.z)};
         }
         HWY_INLINE Triple<T> operator()(const Triple<T>& v) const {
@@ -74,7 +75,7 @@ struct TriangleGeometry {
         }
     };
     /// The same where all rays follow one axis.
-    template <class T> struct TurnAll {
+    template <class T> struct UniformPermutation {
         int axis;
         HWY_INLINE Triple<T> operator()(const Triple<T>& v) const {
             return axis == 0 ? Triple<T>{v.y, v.z, v.x} : axis == 1 ? Triple<T>{v.z, v.x, v.y} : v;
@@ -85,14 +86,14 @@ struct TriangleGeometry {
     /// Watertight Ray/Triangle Intersection, 2013). A vertex has the same place for all its triangles, and a
     /// difference of two rounded products has the right sign or is 0, so that a mesh has no gap at its edges
     /// and vertices.
-    template <class T, class Turned>
-    static HWY_INLINE Candidate<T> hit_seen(const T* p, const Sight<T>& sight, const Triple<T>& d,
-                                            const Turned& turned, T t_min) {
-        const auto seen = [&](const T* vertex) HWY_ATTR {
-            const Triple<T> v = turned(triple(vertex) - sight.origin);
-            return Triple<T>{v.x - sight.shear_x * v.z, v.y - sight.shear_y * v.z, v.z};
+    template <class T, class Permutation>
+    static HWY_INLINE Hit<T> hit_sheared(const T* p, const ShearedRay<T>& sheared, const Triple<T>& d,
+                                         const Permutation& permute, T t_min) {
+        const auto shear = [&](const T* vertex) HWY_ATTR {
+            const Triple<T> v = permute(triple(vertex) - sheared.origin);
+            return Triple<T>{v.x - sheared.shear_x * v.z, v.y - sheared.shear_y * v.z, v.z};
         };
-        const Triple<T> a = seen(p), b = seen(p + 3), c = seen(p + 6);
+        const Triple<T> a = shear(p), b = shear(p + 3), c = shear(p + 6);
         const auto side = [](const Triple<T>& from, const Triple<T>& to)
                               HWY_ATTR { return from.x * to.y - from.y * to.x; };
         const T u = side(b, c), v = side(c, a), w = side(a, b);
@@ -102,12 +103,12 @@ struct TriangleGeometry {
         if (!any(inside)) return {inside, zero};
         const Triple<T> n = cross(triple(p + 3) - triple(p), triple(p + 6) - triple(p));
         // A ray within the plane gives NaN or infinity: no hit.
-        const T t = sight.start + dot(triple(p) - sight.origin, n) / dot(d, n);
+        const T t = sheared.start + dot(triple(p) - sheared.origin, n) / dot(d, n);
         return {inside && (t > t_min) && (t < T(1e300)), t};
     }
-    template <class T> static HWY_INLINE Candidate<T> hit(const T* p, const Ray<T>& ray, T t_min) {
-        const auto turned = Turn<T>::of(ray.direction);
-        return hit_seen(p, sight(ray, turned), ray.direction, turned, t_min);
+    template <class T> static HWY_INLINE Hit<T> hit(const T* p, const Ray<T>& ray, T t_min) {
+        const auto permute = AxisPermutation<T>::of(ray.direction);
+        return hit_sheared(p, shear_ray(ray, permute), ray.direction, permute, t_min);
     }
 
     /// In single precision: false only where `hit` in double is false. The ray passes the three edges on one
@@ -169,7 +170,7 @@ struct TriangleGeometry {
 struct SmoothTriangleGeometry {
     static constexpr int k_values = 18;  // a, b, c, and their normals
     static constexpr bool k_bounded = true;
-    static constexpr bool k_takes_maps = true;
+    static constexpr bool k_bakes_transform = true;
     static constexpr bool k_filtered = true;
 
     static void pack(const SmoothTriangle& triangle, double* p) {
@@ -179,8 +180,8 @@ struct SmoothTriangleGeometry {
             *p++ = n.x, *p++ = n.y, *p++ = n.z;
         }
     }
-    static SmoothTriangle mapped(const SmoothTriangle& triangle, const Affine& world_from_object,
-                                 const Affine& object_from_world) {
+    static SmoothTriangle apply_transform(const SmoothTriangle& triangle, const Affine& world_from_object,
+                                          const Affine& object_from_world) {
         SmoothTriangle out;
         for (int i = 0; i < 3; ++i) {
             out.vertices[i] = transform_point(world_from_object, triangle.vertices[i]);
@@ -188,20 +189,20 @@ struct SmoothTriangleGeometry {
         }
         return out;
     }
-    static bool open(const SmoothTriangle&) { return true; }
+    static bool is_open(const SmoothTriangle&) { return true; }
     static void bounds(const SmoothTriangle& triangle, Vec3& lo, Vec3& hi) {
         TriangleGeometry::bounds({{triangle.vertices[0], triangle.vertices[1], triangle.vertices[2]}}, lo,
                                  hi);
     }
 
-    template <class T> static HWY_INLINE Candidate<T> hit(const T* p, const Ray<T>& ray, T t_min) {
+    template <class T> static HWY_INLINE Hit<T> hit(const T* p, const Ray<T>& ray, T t_min) {
         return TriangleGeometry::hit(p, ray, t_min);
     }
     template <class F> using Filter = TriangleGeometry::Filter<F>;
-    template <class T, class Turned>
-    static HWY_INLINE Candidate<T> hit_seen(const T* p, const TriangleGeometry::Sight<T>& sight,
-                                            const Triple<T>& d, const Turned& turned, T t_min) {
-        return TriangleGeometry::hit_seen(p, sight, d, turned, t_min);
+    template <class T, class Permutation>
+    static HWY_INLINE Hit<T> hit_sheared(const T* p, const TriangleGeometry::ShearedRay<T>& sheared,
+                                         const Triple<T>& d, const Permutation& permute, T t_min) {
+        return TriangleGeometry::hit_sheared(p, sheared, d, permute, t_min);
     }
 
     template <class T> static HWY_INLINE Triple<T> normal(const T* p, Triple<T> point) {

@@ -36,11 +36,11 @@ class MemoryStream : public Imf::IStream {
     std::size_t at_ = 0;
 };
 
-struct Box {
+struct ChannelWindow {
     std::int64_t x = 0, y = 0, width = 0, height = 0;
 };
 
-Box box_of(const Imath::Box2i& window) {
+ChannelWindow window_of(const Imath::Box2i& window) {
     return {window.min.x, window.min.y, std::int64_t{window.max.x} - window.min.x + 1,
             std::int64_t{window.max.y} - window.min.y + 1};
 }
@@ -64,7 +64,8 @@ DecodeResult decode_exr(ByteSpan bytes, const DecodeOptions& options) {
     check_exr_header(bytes, options);
     MemoryStream stream(bytes);
     Imf::InputFile file(stream, 0);
-    const Box data = box_of(file.header().dataWindow()), shown = box_of(file.header().displayWindow());
+    const ChannelWindow data = window_of(file.header().dataWindow()),
+                        shown = window_of(file.header().displayWindow());
     check_size(data.width, data.height, options);
     check_size(shown.width, shown.height, options);
     const auto names = channels_of(file.header().channels());

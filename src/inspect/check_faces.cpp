@@ -56,7 +56,7 @@ std::vector<double> values_of(const Scene& scene, const Shape& shape) {
             break;
         }
         case ShapeKind::box: {
-            const Cuboid& s = scene.get<Cuboid>()[shape.index];
+            const Box& s = scene.get<Box>()[shape.index];
             append(v, s.min), append(v, s.max);
             break;
         }

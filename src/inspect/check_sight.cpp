@@ -44,14 +44,15 @@ RayList leaving_rays(const WorldParts& world, const std::vector<SurfaceHit>& hit
         if ((!mirror && !glass) || number++ % step != 0) continue;
         const SurfacePoint<double> surface = surface_point(h);
         const auto add = [&](Triple<double> origin, Triple<double> direction) {
-            rays.add(vec_of(origin), vec_of(direction), leave_t_min(rules.offset, rules.epsilon));
+            rays.add(vec_of(origin), vec_of(direction), offset_t_min(rules.offset, rules.epsilon));
         };
         bool reflects = mirror;
         if (glass) {
             const double ior = world.material(h.material)[k_ior];
             const auto on = refracted_ray(surface, h.behind, ior, rules);
             if (on.fresnel < 1)
-                add(leave_through(surface, on.direction, rules.offset, rules.epsilon), on.direction);
+                add(offset_transmitted_origin(surface, on.direction, rules.offset, rules.epsilon),
+                    on.direction);
             reflects = mirror || on.fresnel > 0;
         }
         if (reflects) {

@@ -68,7 +68,7 @@ class ParameterCheck {
         }
     }
 
-    void check_parameters(const Cuboid& c) {
+    void check_parameters(const Box& c) {
         check_vertices(std::array{c.min, c.max});
         if (c.min.x > c.max.x || c.min.y > c.max.y || c.min.z > c.max.z) {
             say(fmt::format("expected min at most max in each coordinate, found {} and {}", text(c.min),

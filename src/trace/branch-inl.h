@@ -118,7 +118,7 @@ HWY_INLINE void queue_vector(const WorldParts& world, TileScratch& s, int h, Lan
     };
     LeavingRays rays{surface.point, surface.incoming,
                      b.reflected,   load(s.target.data() + h),
-                     zero,          leave_t_min(rules.offset, rules.epsilon)};
+                     zero,          offset_t_min(rules.offset, rules.epsilon)};
     const Doubles own = beer ? material_numbers(s.material.data() + h) : zero,
                   none(static_cast<double>(k_none));
 
@@ -137,7 +137,7 @@ HWY_INLINE void queue_vector(const WorldParts& world, TileScratch& s, int h, Lan
                         rules.min_weight);
     if (!any(transmitted)) return;
     rays.direction = b.through;
-    rays.origin = leave_through(surface, rays.direction, rules.offset, rules.epsilon);
+    rays.origin = offset_transmitted_origin(surface, rays.direction, rules.offset, rules.epsilon);
     rays.weight = b.transmitted;
     if (generation == 0) rays.target = rays.target + Doubles(k_layer_stride);
     if (beer) rays.medium = select(from_inside, none, own);

@@ -7,7 +7,7 @@
 #define GLINT_TRACE_LEAVING_INL_H_
 #endif
 
-#include "geometry/leave-inl.h"
+#include "geometry/ray_offset-inl.h"
 #include "glint/scene.h"
 #include "lighting/glass-inl.h"
 #include "lighting/light.h"
@@ -24,9 +24,9 @@ template <class T> struct LeavingRay { Triple<T> origin, direction; };
 template <class T, class M>
 HWY_INLINE LeavingRay<T> mirrored_ray(const SurfacePoint<T>& s, M glass, const Conventions& rules) {
     const Triple<T> direction = mirrored(-s.incoming, s.normal);
-    Triple<T> origin = leave(s, direction, rules.offset, rules.epsilon);
+    Triple<T> origin = offset_ray_origin(s, direction, rules.offset, rules.epsilon);
     if (rules.offset == Offset::normal)
-        origin = select_triple(glass, leave(s, direction, Offset::facing, rules.epsilon), origin);
+        origin = select_triple(glass, offset_ray_origin(s, direction, Offset::facing, rules.epsilon), origin);
     return {origin, direction};
 }
 
@@ -59,9 +59,9 @@ template <class T> struct ShadowRay {
 template <class T>
 HWY_INLINE ShadowRay<T> shadow_ray(const SurfacePoint<T>& s, const Light& light, Triple<T> to_light,
                                    const Conventions& rules) {
-    const Triple<T> start = leave(s, to_light, rules.offset, rules.epsilon);
+    const Triple<T> start = offset_ray_origin(s, to_light, rules.offset, rules.epsilon);
     if (!comes_from_light(light, rules))
-        return {start, to_light, T(leave_t_min(rules.offset, rules.epsilon)), k_infinity};
+        return {start, to_light, T(offset_t_min(rules.offset, rules.epsilon)), k_infinity};
     const Triple<T> from{T(light.position.x), T(light.position.y), T(light.position.z)}, way = start - from;
     // Its distance is compared with the light's from P itself: it sees epsilon past the light.
     const T least = rules.offset == Offset::direction ? T(-rules.epsilon) / length(way) : T(0);

@@ -34,10 +34,10 @@ template <class Geometry> struct OwnBoxes {
                 Doubles p[9];
                 for (int k = 0; k < 9; ++k)
                     p[k] = load(shapes.column(k) + (first - shapes.first) + static_cast<std::uint32_t>(i));
-                const auto sides = TriangleGeometry::sides(p);
-                pad_sides(sides.lo.x, sides.hi.x, computed_[0] + i, computed_[3] + i);
-                pad_sides(sides.lo.y, sides.hi.y, computed_[1] + i, computed_[4] + i);
-                pad_sides(sides.lo.z, sides.hi.z, computed_[2] + i, computed_[5] + i);
+                const auto packed_bounds = TriangleGeometry::packed_bounds(p);
+                pad_sides(packed_bounds.lo.x, packed_bounds.hi.x, computed_[0] + i, computed_[3] + i);
+                pad_sides(packed_bounds.lo.y, packed_bounds.hi.y, computed_[1] + i, computed_[4] + i);
+                pad_sides(packed_bounds.lo.z, packed_bounds.hi.z, computed_[2] + i, computed_[5] + i);
                 i += lane_count<double>();
             } while (i < count);
             for (int a = 0; a < 3; ++a) lo[a] = computed_[a], hi[a] = computed_[3 + a];

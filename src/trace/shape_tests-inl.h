@@ -110,24 +110,23 @@ struct ShapeTests {
     }
 
     /// The shape's formula, lanes are rays.
-    template <class Geometry> HWY_INLINE Candidate<Doubles> formula(const Doubles* p, int i, Doubles t_min) {
+    template <class Geometry> HWY_INLINE Hit<Doubles> formula(const Doubles* p, int i, Doubles t_min) {
         if constexpr (k_is_triangle<Geometry>) {
             const auto sight = sights.lanes(i);
             const int axis = sights.common_axis(i);
             if (axis >= 0) {
-                const TriangleGeometry::TurnAll<Doubles> turned{axis};
-                return Geometry::hit_seen(p, sight, ray_lanes(i).direction, turned, t_min);
+                const TriangleGeometry::UniformPermutation<Doubles> turned{axis};
+                return Geometry::hit_sheared(p, sight, ray_lanes(i).direction, turned, t_min);
             }
         }
         return Geometry::hit(p, ray_lanes(i), t_min);
     }
     /// The same, lanes are shapes.
-    template <class Geometry>
-    HWY_INLINE Candidate<Doubles> formula_of_one(const Doubles* p, int i, Doubles t_min) {
+    template <class Geometry> HWY_INLINE Hit<Doubles> formula_of_one(const Doubles* p, int i, Doubles t_min) {
         if constexpr (k_is_triangle<Geometry>) {
             const auto sight = sights.one(i);
-            const TriangleGeometry::TurnAll<Doubles> turned{sights.axis(i)};
-            return Geometry::hit_seen(p, sight, one_ray(i).direction, turned, t_min);
+            const TriangleGeometry::UniformPermutation<Doubles> turned{sights.axis(i)};
+            return Geometry::hit_sheared(p, sight, one_ray(i).direction, turned, t_min);
         } else {
             return Geometry::hit(p, one_ray(i), t_min);
         }
@@ -139,9 +138,9 @@ struct ShapeTests {
     HWY_INLINE void settle_rays(const Doubles* p, std::uint32_t slot, int i, std::uint32_t bits,
                                 Doubles entry, Doubles exit) {
         const Doubles t_min = load(rays.t_min + i);
-        const auto candidate = formula<Geometry>(p, i, t_min);
-        const Doubles t = min(max(candidate.t, entry), exit);
-        bits &= to_bits(candidate.hit && t > t_min && t <= load(result.t + i));
+        const auto hit = formula<Geometry>(p, i, t_min);
+        const Doubles t = min(max(hit.t, entry), exit);
+        bits &= to_bits(hit.valid && t > t_min && t <= load(result.t + i));
         if (bits == 0) return;
         if (result.occluded == nullptr) {
             // Strictly nearer ones all at once.
@@ -276,14 +275,14 @@ struct ShapeTests {
             Doubles p[Geometry::k_values];
             for (int k = 0; k < Geometry::k_values; ++k)
                 p[k] = load(shapes.column(k) + (slot - shapes.first));
-            const auto candidate = formula_of_one<Geometry>(p, i, t_min);
-            bits &= to_bits(candidate.hit);
+            const auto hit = formula_of_one<Geometry>(p, i, t_min);
+            bits &= to_bits(hit.valid);
             if (bits == 0) continue;
             if constexpr (k_is_cheap<Geometry>) {
                 meet_boxes<Geometry>(shapes, slot, i, boxes);
                 bits &= boxes.meets;
             }
-            const Doubles t = min(max(candidate.t, widen(boxes.entry)), widen(boxes.exit));
+            const Doubles t = min(max(hit.t, widen(boxes.entry)), widen(boxes.exit));
             bits &= to_bits(t > t_min && t <= Doubles(result.t[i]));
             if (bits == 0) continue;
             alignas(64) double lanes[lane_count<double>()];

@@ -14,14 +14,14 @@ HWY_BEFORE_NAMESPACE();
 namespace glint {
 namespace HWY_NAMESPACE {
 
-/// The chunk's rays as triangles see them (TriangleGeometry::Sight), computed for groups of rays when first
-/// asked for.
+/// The chunk's rays as triangles see them (TriangleGeometry::ShearedRay), computed for groups of rays when
+/// first asked for.
 class Sights {
   public:
     explicit Sights(const RaySpan& rays) : rays_(rays) {}
 
     /// Ray i in all lanes.
-    HWY_INLINE TriangleGeometry::Sight<Doubles> one(int i) {
+    HWY_INLINE TriangleGeometry::ShearedRay<Doubles> one(int i) {
         prepare(i);
         return {{Doubles(column_[0][i]), Doubles(column_[1][i]), Doubles(column_[2][i])},
                 Doubles(column_[3][i]),
@@ -29,7 +29,7 @@ class Sights {
                 Doubles(column_[5][i])};
     }
     /// Rays [i, i + lanes).
-    HWY_INLINE TriangleGeometry::Sight<Doubles> lanes(int i) {
+    HWY_INLINE TriangleGeometry::ShearedRay<Doubles> lanes(int i) {
         prepare(i), prepare(i + lane_count<double>() - 1);
         return {{load(column_[0] + i), load(column_[1] + i), load(column_[2] + i)},
                 load(column_[3] + i),
@@ -58,8 +58,8 @@ class Sights {
         for (int i = group * k_group; i < (group + 1) * k_group; i += lane_count<double>()) {
             const Ray<Doubles> ray{{load(rays_.ox + i), load(rays_.oy + i), load(rays_.oz + i)},
                                    {load(rays_.dx + i), load(rays_.dy + i), load(rays_.dz + i)}};
-            const auto turn = TriangleGeometry::Turn<Doubles>::of(ray.direction);
-            const auto s = TriangleGeometry::sight(ray, turn);
+            const auto turn = TriangleGeometry::AxisPermutation<Doubles>::of(ray.direction);
+            const auto s = TriangleGeometry::shear_ray(ray, turn);
             const Doubles values[6] = {s.origin.x, s.origin.y, s.origin.z, s.start, s.shear_x, s.shear_y};
             for (int k = 0; k < 6; ++k) store(values[k], column_[k] + i);
             const std::uint32_t along_x = to_bits(turn.along_x), along_y = to_bits(turn.along_y);

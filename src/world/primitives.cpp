@@ -20,7 +20,7 @@ constexpr std::size_t k_cache_line = 64;
 struct FactsOf {
     ClassFacts facts;
     template <class Geometry> void visit() {
-        facts.takes_maps = Geometry::k_takes_maps;
+        facts.bakes_transform = Geometry::k_bakes_transform;
         facts.values = Geometry::k_values;
         facts.bounded = Geometry::k_bounded;
         facts.stores_box = facts.bounded && !k_is_triangle<Geometry>;
@@ -69,7 +69,7 @@ int Primitives::class_of(const Primitive& primitive) const {
     const ShapeKind kind = primitive.triangle == k_none ? s.kind : ShapeKind::triangle;
     const int plain = 2 * static_cast<int>(kind);
     return plain +
-           (s.transform != k_none && !class_facts()[static_cast<std::size_t>(plain)].takes_maps ? 1 : 0);
+           (s.transform != k_none && !class_facts()[static_cast<std::size_t>(plain)].bakes_transform ? 1 : 0);
 }
 
 // The transform that it is packed with: none where its parameters take it.
@@ -79,13 +79,14 @@ std::uint32_t Primitives::map_of(const Primitive& primitive) const {
 
 // Calls visit(parameters, geometry), with the shape's map taken into the parameters where the kind allows.
 template <class Parameters, class Geometry, class Visit>
-void Primitives::visit_mapped(const Shape& shape, const Parameters& parameters, Geometry geometry,
-                              Visit&& visit) const {
-    if constexpr (Geometry::k_takes_maps) {
+void Primitives::visit_transformed(const Shape& shape, const Parameters& parameters, Geometry geometry,
+                                   Visit&& visit) const {
+    if constexpr (Geometry::k_bakes_transform) {
         if (shape.transform != k_none) {
             const Affine& map = scene_.transforms[shape.transform];
             // validate() has made sure that it can be inverted.
-            return visit(Geometry::mapped(parameters, map, inverse(map).value_or(Affine{})), geometry);
+            return visit(Geometry::apply_transform(parameters, map, inverse(map).value_or(Affine{})),
+                         geometry);
         }
     }
     visit(parameters, geometry);
@@ -95,13 +96,13 @@ void Primitives::visit_mapped(const Shape& shape, const Parameters& parameters, 
 template <class Visit> void Primitives::with_parameters(const Primitive& primitive, Visit&& visit) const {
     const Shape& shape = scene_.shapes[primitive.shape];
     if (primitive.triangle != k_none)
-        return visit_mapped(shape, triangles_[primitive.triangle], TriangleGeometry(), visit);
+        return visit_transformed(shape, triangles_[primitive.triangle], TriangleGeometry(), visit);
     switch (shape.kind) {
-#define GLINT_KIND(Type, word)                                                             \
-    case ShapeKind::word:                                                                  \
-        if constexpr (!std::is_same_v<Type, Polygon>) {                                    \
-            visit_mapped(shape, scene_.get<Type>()[shape.index], Type##Geometry(), visit); \
-        }                                                                                  \
+#define GLINT_KIND(Type, word)                                                                  \
+    case ShapeKind::word:                                                                       \
+        if constexpr (!std::is_same_v<Type, Polygon>) {                                         \
+            visit_transformed(shape, scene_.get<Type>()[shape.index], Type##Geometry(), visit); \
+        }                                                                                       \
         break;
         GLINT_SHAPES(GLINT_KIND)
 #undef GLINT_KIND
@@ -143,7 +144,7 @@ Aabb Primitives::box_of(const Primitive& primitive) const {
 bool Primitives::is_open(const Primitive& primitive) const {
     bool open = false;
     with_parameters(primitive,
-                    [&](const auto& parameters, auto geometry) { open = geometry.open(parameters); });
+                    [&](const auto& parameters, auto geometry) { open = geometry.is_open(parameters); });
     return open;
 }
 

@@ -26,7 +26,7 @@ struct ClassFacts {
     int values = 0;          // of a packed primitive
     bool bounded = true;     // it has a box
     bool stores_box = true;  // a triangle's is computed
-    bool takes_maps = false;
+    bool bakes_transform = false;
 };
 using AllClassFacts = std::array<ClassFacts, k_primitive_classes>;
 const AllClassFacts& class_facts();
@@ -64,8 +64,8 @@ class Primitives {
   private:
     std::uint32_t map_of(const Primitive& primitive) const;
     template <class Parameters, class Geometry, class Visit>
-    void visit_mapped(const Shape& shape, const Parameters& parameters, Geometry geometry,
-                      Visit&& visit) const;
+    void visit_transformed(const Shape& shape, const Parameters& parameters, Geometry geometry,
+                           Visit&& visit) const;
     template <class Visit> void with_parameters(const Primitive& primitive, Visit&& visit) const;
 
     const Scene& scene_;

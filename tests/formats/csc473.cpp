@@ -102,8 +102,8 @@ TEST(Csc473, ReadsShapes) {
     EXPECT_EQ(s.get<Plane>()[0].normal, (Vec3{0, 2, 0}));
     EXPECT_EQ(s.get<Plane>()[0].point, (Vec3{0, -2, 0})) << "n.p = d with n as written";
     EXPECT_EQ(s.get<Triangle>()[0].vertices[1], (Vec3{1, 0, 0}));
-    EXPECT_EQ(s.get<Cuboid>()[0].min, (Vec3{-1, -1, -1}));
-    EXPECT_EQ(s.get<Cuboid>()[0].max, (Vec3{1, 1, 1}));
+    EXPECT_EQ(s.get<Box>()[0].min, (Vec3{-1, -1, -1}));
+    EXPECT_EQ(s.get<Box>()[0].max, (Vec3{1, 1, 1}));
     EXPECT_EQ(s.shape_texts.place(3).line, 6u);
 }
 

@@ -37,7 +37,7 @@ class Drawn {
     void add(const Cylinder& c) { add(c.from), add(c.to), add(c.radius), add(c.caps); }
     void add(const Cone& c) { add(c.from), add(c.to), add(c.from_radius), add(c.to_radius), add(c.caps); }
     void add(const Disc& d) { add(d.center), add(d.normal), add(d.radius); }
-    void add(const Cuboid& c) { add(c.min), add(c.max); }
+    void add(const Box& c) { add(c.min), add(c.max); }
     void add(const Triangle& t) { add(std::span(t.vertices)); }
     void add(const SmoothTriangle& t) { add(std::span(t.vertices)), add(std::span(t.normals)); }
     void add(const Polygon& p) { add(std::span(s_.polygon_vertices).subspan(p.first, p.count)); }

@@ -78,7 +78,7 @@ TEST(Glint, ReadsEveryShape) {
     EXPECT_EQ(s.get<Cone>()[1].to_radius, 0);
     EXPECT_TRUE(s.get<Cone>()[1].caps);
     EXPECT_EQ(s.get<Disc>()[0].radius, 3);
-    EXPECT_EQ(s.get<Cuboid>()[0].min, (Vec3{-1, -2, -3}));
+    EXPECT_EQ(s.get<Box>()[0].min, (Vec3{-1, -2, -3}));
     EXPECT_EQ(s.get<Triangle>()[0].vertices[1], (Vec3{1, 0, 0}));
     EXPECT_EQ(s.get<SmoothTriangle>()[0].normals[2], (Vec3{1, 0, 1}));
     EXPECT_EQ(s.get<Polygon>()[0].count, 4u);

@@ -178,7 +178,7 @@ class RandomScene {
                 s.add(Disc{point(), direction(), length()}, material, transform);
                 break;
             case ShapeKind::box:
-                s.add(Cuboid{{-1, -0.0, between(-1, 0)}, {between(0, 1), 5e-324, 1}}, material, transform);
+                s.add(Box{{-1, -0.0, between(-1, 0)}, {between(0, 1), 5e-324, 1}}, material, transform);
                 break;
             case ShapeKind::triangle:
                 s.add(Triangle{{point(), point(), point()}}, material, transform);

@@ -186,7 +186,7 @@ std::pair<double, double> run_cases(Case<Shape> (*random_case)(Random&), Lanes&&
             Geometry::pack(cases[i].shape, exact);
             const Vec3 o = cases[i].origin, d = cases[i].direction;
             const bool hit =
-                Geometry::hit(exact, plain::Ray<double>{{o.x, o.y, o.z}, {d.x, d.y, d.z}}, -1e300).hit;
+                Geometry::hit(exact, plain::Ray<double>{{o.x, o.y, o.z}, {d.x, d.y, d.z}}, -1e300).valid;
             ++total;
             hits += hit;
             rejected += !may[i];
@@ -256,7 +256,8 @@ TEST(TriangleFilter, OfOneOriginNeverRejectsWhatDoubleHits) {
         double p[9];
         plain::TriangleGeometry::pack(c.shape, p);
         const bool hit =
-            plain::TriangleGeometry::hit(p, plain::Ray<double>{{o.x, o.y, o.z}, {d.x, d.y, d.z}}, -1e300).hit;
+            plain::TriangleGeometry::hit(p, plain::Ray<double>{{o.x, o.y, o.z}, {d.x, d.y, d.z}}, -1e300)
+                .valid;
         const bool may = one_origin_filter(c.shape, o).may_hit(narrow_direction(d));
         ASSERT_TRUE(may || !hit) << "case " << i << ": a hit was filtered away";
         hits += hit;

@@ -5,18 +5,18 @@
 
 #include <vector>
 
-#include "geometry/subjects.h"
+#include "geometry/shape_cases.h"
 
 namespace glint::testing {
 namespace {
 
 constexpr double k_epsilon = 0x1p-53;
 
-template <class Subject> class Hits : public ::testing::Test {};
-using Subjects = ::testing::Types<SphereSubject, PlaneSubject, CylinderSubject<false>, CylinderSubject<true>,
-                                  EllipsoidSubject, ConeSubject<false>, ConeSubject<true>, DiscSubject,
-                                  CuboidSubject, TriangleSubject>;
-TYPED_TEST_SUITE(Hits, Subjects);
+template <class ShapeCase> class Hits : public ::testing::Test {};
+using ShapeCases =
+    ::testing::Types<SphereCase, PlaneCase, CylinderCase<false>, CylinderCase<true>, EllipsoidCase,
+                     ConeCase<false>, ConeCase<true>, DiscCase, BoxCase, TriangleCase>;
+TYPED_TEST_SUITE(Hits, ShapeCases);
 
 struct TestRay {
     Vec3 origin, direction;
@@ -45,24 +45,24 @@ TYPED_TEST(Hits, AreOnTheSurfaceAndWhereLongDoubleHasThem) {
         const double size =
             chance(random, 0.5) ? (chance(random, 0.5) ? 1e-6 : 1) : log_uniform(random, 1e-6, 1e6);
         const Vec3 at = point_in_cube(random, chance(random, 0.5) ? size : log_uniform(random, 1e-3, 1e3));
-        const TypeParam subject = TypeParam::make(random, at, size);
+        const TypeParam shape_case = TypeParam::make(random, at, size);
         double p[Geometry::k_values];
-        subject.pack(p);
+        shape_case.pack(p);
         const auto [o, d] = random_ray(random, at, size);
         const auto got = formula_hit<Geometry, double>(p, o, d, 0);
         const auto exact = formula_hit<Geometry, Long>(p, o, d, 0);
-        const double magnitude = length(o) + subject.magnitude() + (got.hit ? got.t * length(d) : 0);
+        const double magnitude = length(o) + shape_case.magnitude() + (got.valid ? got.t * length(d) : 0);
         // Where a surface bends much within its size (a cone, at its apex) a grazing ray's roots are that
         // much less sure.
         const auto sure = [size](const Nearness& near) {
             return near.bend < Long(size) ? static_cast<double>(near.bend) / size : 1.0;
         };
         const Long tolerance = 8 * k_epsilon * magnitude;
-        if (got.hit) {
+        if (got.valid) {
             ++hits;
             ASSERT_TRUE(got.t > 0 && got.t < 1e300) << "case " << i;
             const LongVec point = to_long(o) + to_long(d) * Long(got.t);
-            const Nearness near = subject.nearness(point);
+            const Nearness near = shape_case.nearness(point);
             const auto off =
                 static_cast<double>(std::fabs(near.distance) / (k_epsilon * magnitude)) * sure(near);
             worst = std::max(worst, off);
@@ -79,7 +79,7 @@ TYPED_TEST(Hits, AreOnTheSurfaceAndWhereLongDoubleHasThem) {
             if (static_cast<double>(off_unit) > allowed && !std::is_same_v<Geometry, plain::SphereGeometry>) {
                 // At a rim either normal is right, provided the point is on both.
                 const Long step = 1e3 * tolerance;
-                const Nearness there = subject.nearness(point + to_long(n) * step);
+                const Nearness there = shape_case.nearness(point + to_long(n) * step);
                 ASSERT_NEAR(static_cast<double>(there.distance / step), 1, 0.01)
                     << "case " << i << ": normal";
             } else {
@@ -87,12 +87,12 @@ TYPED_TEST(Hits, AreOnTheSurfaceAndWhereLongDoubleHasThem) {
                 ASSERT_LT(static_cast<double>(off_unit), allowed) << "case " << i << ": normal";
             }
         }
-        if (got.hit != exact.hit) {
+        if (got.valid != exact.valid) {
             // Only where rounding decides: the ray passes the silhouette, an edge, or starts on the surface.
             ++unsure;
-            const Long t = got.hit ? Long(got.t) : exact.t;
+            const Long t = got.valid ? Long(got.t) : exact.t;
             const LongVec point = to_long(o) + to_long(d) * t;
-            const Nearness near = subject.nearness(point);
+            const Nearness near = shape_case.nearness(point);
             EXPECT_LT(std::fabs(near.distance) * Long(sure(near)), tolerance) << "case " << i;
         }
     }
@@ -114,16 +114,16 @@ TYPED_TEST(Hits, NothingIsPassedOver) {
         for (int i = 0; i < 30000; ++i) {
             const double size = log_uniform(random, 1e-6, 1e6);
             const Vec3 at = point_in_cube(random, size);
-            const TypeParam subject = TypeParam::make(random, at, size);
+            const TypeParam shape_case = TypeParam::make(random, at, size);
             double p[Geometry::k_values];
-            subject.pack(p);
+            shape_case.pack(p);
             const auto ray = random_ray(random, at, size);
             const Vec3 o = ray.origin, d = ray.direction;
-            const double magnitude = length(o) + subject.magnitude();
+            const double magnitude = length(o) + shape_case.magnitude();
             const auto first = formula_hit<Geometry, double>(p, o, d, 0);
-            const double end = first.hit ? first.t : 3 * magnitude / length(d);
+            const double end = first.valid ? first.t : 3 * magnitude / length(d);
             const auto side = [&](double t) {
-                return subject.nearness(to_long(o) + to_long(d) * Long(t)).distance;
+                return shape_case.nearness(to_long(o) + to_long(d) * Long(t)).distance;
             };
             const Long tolerance = 32 * k_epsilon * (magnitude + end * length(d));
             const Long start = side(0);
@@ -133,10 +133,10 @@ TYPED_TEST(Hits, NothingIsPassedOver) {
                 if (std::fabs(here) < tolerance) continue;
                 ASSERT_EQ(here > 0, start > 0) << "case " << i << ", " << k << "/16 of the way";
             }
-            if (!first.hit) continue;
+            if (!first.valid) continue;
             // And the next hit from there on is another one.
             const auto second = formula_hit<Geometry, double>(p, o, d, first.t);
-            if (second.hit) {
+            if (second.valid) {
                 EXPECT_GT(second.t, first.t);
                 ++crossings;
                 const double middle = first.t + (second.t - first.t) * 0.5;
@@ -145,7 +145,7 @@ TYPED_TEST(Hits, NothingIsPassedOver) {
                 }
             }
         }
-        if (!std::is_same_v<TypeParam, PlaneSubject>) {
+        if (!std::is_same_v<TypeParam, PlaneCase>) {
             EXPECT_GT(crossings, 3000);
         }
     }
@@ -158,13 +158,13 @@ TYPED_TEST(Hits, BadRaysHitNowhere) {
                  infinity = std::numeric_limits<double>::infinity();
     const double values[] = {nan, infinity, -infinity, 0, -0.0, 1, 1e300, -1e300, 1e-320, 1e154};
     for (int i = 0; i < 200000; ++i) {
-        const TypeParam subject = TypeParam::make(random, {0, 0, 0}, 1);
+        const TypeParam shape_case = TypeParam::make(random, {0, 0, 0}, 1);
         double p[Geometry::k_values];
-        subject.pack(p);
+        shape_case.pack(p);
         const auto value = [&] { return values[below(random, 10)]; };
         const Vec3 o{value(), value(), value()}, d{value(), value(), value()};
         const auto c = formula_hit<Geometry, double>(p, o, d, 0);
-        if (!c.hit) continue;
+        if (!c.valid) continue;
         ASSERT_TRUE(c.t > 0 && c.t < infinity) << "case " << i << ": t " << c.t;
     }
 }
@@ -177,20 +177,20 @@ TEST(CylinderHits, AlongTheAxisAndThroughTheRim) {
             return formula_hit<plain::CylinderGeometry, double>(p, o, d, t_min);
         };
         // Within and beside the axis, along it: only the caps.
-        EXPECT_EQ(hit({0, 0, -3}, {0, 0, 1}).hit, caps);
-        EXPECT_EQ(hit({0.5, 0, -3}, {0, -0.0, 1}).hit, caps);
+        EXPECT_EQ(hit({0, 0, -3}, {0, 0, 1}).valid, caps);
+        EXPECT_EQ(hit({0.5, 0, -3}, {0, -0.0, 1}).valid, caps);
         if (caps) {
             EXPECT_EQ(hit({0.5, 0, -3}, {0, 0, 2}).t, 1.5);
             EXPECT_EQ(hit({0.5, 0, 5}, {0, 0, -1}).t, 3);
             EXPECT_EQ(hit({0.5, 0, 1}, {0, 0, 1}).t, 1);
             EXPECT_EQ(hit({0.5, 0, -3}, {0, 0, 1}, 3).t, 5);
         }
-        EXPECT_FALSE(hit({1.5, 0, -3}, {0, 0, 1}).hit);
-        EXPECT_FALSE(hit({0, 0, 3}, {0, 0, 1}).hit);
+        EXPECT_FALSE(hit({1.5, 0, -3}, {0, 0, 1}).valid);
+        EXPECT_FALSE(hit({0, 0, 3}, {0, 0, 1}).valid);
         // Across it: the ends belong to it.
         EXPECT_EQ(hit({-3, 0, 0}, {1, 0, 0}).t, 2);
         EXPECT_EQ(hit({-3, 0, 2}, {1, 0, 0}).t, 2);
-        EXPECT_FALSE(hit({-3, 0, 2.0000001}, {1, 0, 0}).hit);
+        EXPECT_FALSE(hit({-3, 0, 2.0000001}, {1, 0, 0}).valid);
         // From within, and the far side.
         EXPECT_EQ(hit({0, 0, 1}, {1, 0, 0}).t, 1);
         EXPECT_EQ(hit({-3, 0, 1}, {1, 0, 0}, 2.5).t, 4);
@@ -198,7 +198,7 @@ TEST(CylinderHits, AlongTheAxisAndThroughTheRim) {
         EXPECT_EQ(hit({-1, 0, 3}, {1, 0, -1}).t, caps ? 1 : 2);
         // Tangent.
         EXPECT_EQ(hit({-3, 1, 1}, {1, 0, 0}).t, 3);
-        EXPECT_FALSE(hit({-3, 1.0000001, 1}, {1, 0, 0}).hit);
+        EXPECT_FALSE(hit({-3, 1.0000001, 1}, {1, 0, 0}).valid);
     }
 }
 
@@ -234,7 +234,7 @@ TEST(TriangleHits, AMeshHasNoGaps) {
             for (const Triangle& triangle : mesh) {
                 double p[9];
                 plain::TriangleGeometry::pack(triangle, p);
-                hits += formula_hit<plain::TriangleGeometry, double>(p, from, to - from, 0).hit;
+                hits += formula_hit<plain::TriangleGeometry, double>(p, from, to - from, 0).valid;
             }
             ASSERT_GE(hits, 1) << "size " << size << ", ray " << i;
         }
@@ -264,10 +264,10 @@ TEST(PlaneHits, WithinThePlaneThereAreNone) {
     double p[plain::PlaneGeometry::k_values];
     plain::PlaneGeometry::pack({{0, 1, 0}, {0, 5, 0}}, p);
     const auto hit = [&](Vec3 o, Vec3 d) { return formula_hit<plain::PlaneGeometry, double>(p, o, d, 0); };
-    EXPECT_FALSE(hit({0, 1, 0}, {1, 0, 0}).hit);
-    EXPECT_FALSE(hit({0, 2, 0}, {1, -0.0, 0}).hit);
-    EXPECT_FALSE(hit({0, 2, 0}, {1, 1e-310, 0}).hit);
-    EXPECT_FALSE(hit({0, 2, 0}, {0, 1, 0}).hit);
+    EXPECT_FALSE(hit({0, 1, 0}, {1, 0, 0}).valid);
+    EXPECT_FALSE(hit({0, 2, 0}, {1, -0.0, 0}).valid);
+    EXPECT_FALSE(hit({0, 2, 0}, {1, 1e-310, 0}).valid);
+    EXPECT_FALSE(hit({0, 2, 0}, {0, 1, 0}).valid);
     EXPECT_EQ(hit({7, 3, 0}, {0, -2, 0}).t, 1);
     EXPECT_EQ(hit({7, -3, 0}, {0, 2, 5}).t, 2);
 }

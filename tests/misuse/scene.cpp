@@ -127,8 +127,8 @@ std::vector<std::function<double&(Scene&)>> numbers() {
     point([=](Scene& s) -> Vec3& { return s.add(Disc{}), last(s.get<Disc>()).center; });
     point([=](Scene& s) -> Vec3& { return s.add(Disc{}), last(s.get<Disc>()).normal; });
     number([=](Scene& s) -> double& { return s.add(Disc{}), last(s.get<Disc>()).radius; });
-    point([=](Scene& s) -> Vec3& { return s.add(Cuboid{}), last(s.get<Cuboid>()).min; });
-    point([=](Scene& s) -> Vec3& { return s.add(Cuboid{}), last(s.get<Cuboid>()).max; });
+    point([=](Scene& s) -> Vec3& { return s.add(Box{}), last(s.get<Box>()).min; });
+    point([=](Scene& s) -> Vec3& { return s.add(Box{}), last(s.get<Box>()).max; });
     for (int i = 0; i < 3; ++i) {
         point([=](Scene& s) -> Vec3& { return s.add(Triangle{}), last(s.get<Triangle>()).vertices[i]; });
         point([=](Scene& s) -> Vec3& {

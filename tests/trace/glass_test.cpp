@@ -82,7 +82,7 @@ class Recursion {
     Vec3 normal(const Shape& shape, Vec3 p) const {
         if (shape.kind == ShapeKind::sphere) return normalize(p - scene_.get<Sphere>()[shape.index].center);
         if (shape.kind == ShapeKind::plane) return normalize(scene_.get<Plane>()[shape.index].normal);
-        const Cuboid& box = scene_.get<Cuboid>()[shape.index];
+        const Box& box = scene_.get<Box>()[shape.index];
         const auto on = [](double x, double face) {
             return std::fabs(x - face) < 1e-9 * (1 + std::fabs(face));
         };
@@ -122,7 +122,7 @@ Scene glass_scene(Random& random) {
         const auto m = material(i % 3 == 0 ? 0 : random.uniform(0, 1), i == 1 ? 1 : random.uniform(0.3, 1),
                                 i % 4 == 0 ? 0.7 : random.uniform(1, 2.4));
         if (i % 3 == 2) {
-            scene.add(Cuboid{at - Vec3{0.4, 0.6, 0.3}, at + Vec3{0.4, 0.5, 0.7}}, m);
+            scene.add(Box{at - Vec3{0.4, 0.6, 0.3}, at + Vec3{0.4, 0.5, 0.7}}, m);
         } else {
             scene.add(Sphere{at, random.uniform(0.3, 0.9)}, m);
         }
@@ -201,7 +201,7 @@ Scene pane(double thickness) {
     glass.transmission_tint = {0.5, 0.25, 1};
     glass.ior = 1;
     scene.add(Plane{{0, 0, -5}, {0, 0, 1}}, add_material(scene, wall));
-    scene.add(Cuboid{{-9, -9, -thickness}, {9, 9, 0}}, add_material(scene, glass));
+    scene.add(Box{{-9, -9, -thickness}, {9, 9, 0}}, add_material(scene, glass));
     return scene;
 }
 
@@ -244,7 +244,7 @@ TEST(Glass, BeersLawTakesTheWallsOfWhatIsHollow) {
     Material air;
     air.ambient = {0, 0, 0};
     air.transmission = 1;
-    scene.add(Cuboid{{-8, -8, -1.5}, {8, 8, -0.5}}, add_material(scene, air));
+    scene.add(Box{{-8, -8, -1.5}, {8, 8, -0.5}}, add_material(scene, air));
     const Color got = pixel(render_scene(scene), 4, 4);
     const auto left = [](double tint) { return std::exp((1 - tint) * 0.15 * -1); };
     EXPECT_NEAR(got.r, 0.8 * left(0.5), 1e-4);
@@ -261,7 +261,7 @@ TEST(Glass, BeersLawTakesTheWallsOfWhatIsHollow) {
 
 TEST(Glass, AClearBallOfAirIsInvisible) {
     Scene scene = pane(1);
-    scene.get<Cuboid>().clear();
+    scene.get<Box>().clear();
     scene.shapes.pop_back();
     const Image without = render_scene(scene);
     Material air;
@@ -286,8 +286,8 @@ TEST(Glass, ABallIsALensThatTurnsThePictureAround) {
     green.ambient = {0, 1, 0};
     ball.transmission = 1;
     ball.ior = 1.5;
-    scene.add(Cuboid{{-50, 0, -31}, {50, 50, -30}}, add_material(scene, red));
-    scene.add(Cuboid{{-50, -50, -31}, {50, 0, -30}}, add_material(scene, green));
+    scene.add(Box{{-50, 0, -31}, {50, 50, -30}}, add_material(scene, red));
+    scene.add(Box{{-50, -50, -31}, {50, 0, -30}}, add_material(scene, green));
     scene.add(Sphere{{0, 0, 0}, 1}, add_material(scene, ball));
     const Image image = render_scene(scene);
     for (const int y : {10, 15}) {

@@ -51,11 +51,11 @@ struct FormulaHit {
     std::uint32_t item;
     plain::Ray<double> ray;
     double t_min;
-    plain::Candidate<double> candidate{};
+    plain::Hit<double> hit{};
     template <class Geometry> void visit() {
         double p[Geometry::k_values];
         for (int k = 0; k < Geometry::k_values; ++k) p[k] = shapes.column(k)[item];
-        candidate = Geometry::hit(p, ray, t_min);
+        hit = Geometry::hit(p, ray, t_min);
     }
 };
 
@@ -75,8 +75,8 @@ inline BruteHit brute_nearest(const World& world, Vec3 o, Vec3 d, double t_min, 
             if (!(in.entry <= in.exit)) continue;
             FormulaHit formula{shapes, item, {{o.x, o.y, o.z}, {d.x, d.y, d.z}}, t_min};
             plain::visit_geometry(shapes.kind, shapes.transformed, formula);
-            if (!formula.candidate.hit) continue;
-            double t = formula.candidate.t;
+            if (!formula.hit.valid) continue;
+            double t = formula.hit.t;
             if (t < in.entry) t = in.entry;
             if (t > in.exit) t = in.exit;
             if (!(t > t_min && t < t_max)) continue;

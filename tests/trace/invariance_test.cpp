@@ -132,7 +132,7 @@ TEST(Invariance, TilesThatSeeNothing) {
         for (int k = 0; k < 30; ++k) {
             const Vec3 at = point_in_cube(random, 10);
             const double size = log_uniform(random, 0.05, 1);
-            scene.add(Cuboid{at, at + Vec3{size, size, size}});
+            scene.add(Box{at, at + Vec3{size, size, size}});
         }
         const Image known = render_scene(scene);
         const Vec3 back = scene.camera.position - scene.camera.look_at;

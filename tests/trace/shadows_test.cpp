@@ -222,7 +222,7 @@ TEST(Shadows, NoAcneAtAnySizeOrPlace) {
                 scene.add(Cone{at, at + unit_direction(random) * size, size, 0.1 * size, true}, material);
                 break;
             case 3:
-                scene.add(Cuboid{at - Vec3{size, size, size}, at + Vec3{size, size, size}}, material);
+                scene.add(Box{at - Vec3{size, size, size}, at + Vec3{size, size, size}}, material);
                 break;
             default:
                 scene.add(Plane{at, eye}, material);

@@ -57,7 +57,7 @@ inline void add_other(Scene& scene, Random& random, Vec3 at, double r, std::uint
             scene.add(Disc{at, along, r}, k_none, transform);
             break;
         case 3:
-            scene.add(Cuboid{at - Vec3{r, r / 2, r / 3}, at + Vec3{r, r, r}}, k_none, transform);
+            scene.add(Box{at - Vec3{r, r / 2, r / 3}, at + Vec3{r, r, r}}, k_none, transform);
             break;
         case 4:
             scene.add(Triangle{{corner(), corner(), corner()}}, k_none, transform);

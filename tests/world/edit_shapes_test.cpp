@@ -73,7 +73,7 @@ void move(Scene& scene, std::uint32_t index, Vec3 by) {
         case ShapeKind::disc:
             return move_all({&parameters<Disc>(scene, shape).center});
         case ShapeKind::box: {
-            Cuboid& c = parameters<Cuboid>(scene, shape);
+            Box& c = parameters<Box>(scene, shape);
             return move_all({&c.min, &c.max});
         }
         case ShapeKind::triangle:
@@ -213,7 +213,7 @@ TEST(EditShapes, RebuildsWhereTheStructureChanges) {
         s.shapes[shape] = s.shapes[at];
         s.shapes.pop_back();
     };
-    expect_rebuilt("another kind", sphere, [&](Scene& s) { replace(s, sphere, Cuboid{}); });
+    expect_rebuilt("another kind", sphere, [&](Scene& s) { replace(s, sphere, Box{}); });
     expect_rebuilt("without bounds", sphere, [&](Scene& s) {
         replace(s, sphere, Plane{{0, -9, 0}, {0, 1, 0}});
     });
@@ -340,9 +340,9 @@ TEST(EditShapes, ShapesThatAreNotGivenKeepTheirMaterial) {
     expected.shapes[1].material = expected.shapes[2].material = 1;
     // The scene itself was never told; shape 2 is taken from it.
     scene.shapes[2].material = expected.shapes[2].material = 0;
-    scene.shapes[3] = scene.shapes[scene.add(Cuboid{}, 2)];
+    scene.shapes[3] = scene.shapes[scene.add(Box{}, 2)];
     scene.shapes.pop_back();
-    expected.shapes[3] = expected.shapes[expected.add(Cuboid{}, 2)];
+    expected.shapes[3] = expected.shapes[expected.add(Box{}, 2)];
     expected.shapes.pop_back();
     EXPECT_EQ(edit(world, scene, {2, 3}), ShapeEdit::rebuilt);
     EXPECT_TRUE(draw_the_same(world, prepared(expected)));

@@ -135,7 +135,7 @@ TEST(Prepare, WhoseNormalIsTurned) {
         scene.add(Cone{{0, 0, 0}, {0, 1, 0}, 1, 0, false}, k_none, transform);
         scene.add(Cone{{0, 0, 0}, {0, 1, 0}, 1, 0, true}, k_none, transform);
         scene.add(Disc{}, k_none, transform);
-        scene.add(Cuboid{}, k_none, transform);
+        scene.add(Box{}, k_none, transform);
         scene.add(Triangle{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}}, k_none, transform);
     }
     EXPECT_EQ(turned(Facing::none), std::vector<bool>(18, false));
@@ -245,9 +245,9 @@ TEST(Prepare, BoxesHoldTheirShapes) {
             const Vec3 d = unit_direction(random), o = to - d * (3 * size);
             FormulaHit hit{shapes, slot - shapes.first, {{o.x, o.y, o.z}, {d.x, d.y, d.z}}, 0};
             plain::visit_geometry(shapes.kind, shapes.transformed, hit);
-            if (!hit.candidate.hit) continue;
+            if (!hit.hit.valid) continue;
             ++checked;
-            const Vec3 p = o + d * hit.candidate.t;
+            const Vec3 p = o + d * hit.hit.t;
             const double at[3] = {p.x, p.y, p.z};
             for (int a = 0; a < 3; ++a) {
                 const double slack = 1e-14 * (std::fabs(at[a]) + 10);

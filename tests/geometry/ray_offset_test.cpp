@@ -1,22 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
 // Rays that leave a surface: where they start under each convention, and that under glint's they never find
 // it again.
-#include "geometry/leave-inl.h"
+#include "geometry/ray_offset-inl.h"
 
 #include <gtest/gtest.h>
 
-#include "geometry/subjects.h"
+#include "geometry/shape_cases.h"
 
 namespace glint::testing {
 namespace {
 
 using Point = plain::SurfacePoint<double>;
 
-TEST(Leave, EachConventionByItsDefinition) {
+TEST(RayOffset, EachConventionByItsDefinition) {
     const Point s{{1, 2, 3}, {0, 1, 0}, {3, -4, 0}, 10};
     const plain::Triple<double> out{0, 3, 4}, in{0, -3, 4};
     const auto at = [&](const Point& p, plain::Triple<double> d, Offset offset, double e) {
-        return to_vec(plain::leave(p, d, offset, e));
+        return to_vec(plain::offset_ray_origin(p, d, offset, e));
     };
     EXPECT_EQ(at(s, out, Offset::ray, 0.5), (Vec3{1, 2, 3}));
     EXPECT_EQ(at(s, out, Offset::normal, 0.5), (Vec3{1, 2.5, 3}));
@@ -28,18 +28,18 @@ TEST(Leave, EachConventionByItsDefinition) {
     EXPECT_EQ(at(s, out, Offset::direction, 0.5), (Vec3{1, 2.3, 3.4}));
     EXPECT_EQ(at(s, out, Offset::scale, 0.01), (Vec3{1, 2.1, 3}));
     EXPECT_EQ(at(s, in, Offset::scale, 0.01), (Vec3{1, 1.9, 3}));
-    EXPECT_EQ(plain::leave_t_min(Offset::ray, 0.5), 0.5);
+    EXPECT_EQ(plain::offset_t_min(Offset::ray, 0.5), 0.5);
     for (const Offset o : {Offset::normal, Offset::facing, Offset::direction, Offset::scale}) {
-        EXPECT_EQ(plain::leave_t_min(o, 0.5), 0);
+        EXPECT_EQ(plain::offset_t_min(o, 0.5), 0);
         EXPECT_EQ(at(s, out, o, 0), (Vec3{1, 2, 3}));
     }
 }
 
-template <class Subject> class Reintersect : public ::testing::Test {};
-using Subjects = ::testing::Types<SphereSubject, PlaneSubject, CylinderSubject<false>, CylinderSubject<true>,
-                                  EllipsoidSubject, ConeSubject<false>, ConeSubject<true>, DiscSubject,
-                                  CuboidSubject, TriangleSubject>;
-TYPED_TEST_SUITE(Reintersect, Subjects);
+template <class ShapeCase> class Reintersect : public ::testing::Test {};
+using ShapeCases =
+    ::testing::Types<SphereCase, PlaneCase, CylinderCase<false>, CylinderCase<true>, EllipsoidCase,
+                     ConeCase<false>, ConeCase<true>, DiscCase, BoxCase, TriangleCase>;
+TYPED_TEST_SUITE(Reintersect, ShapeCases);
 
 TYPED_TEST(Reintersect, NeverUnderGlintsConvention) {
     using Geometry = typename TypeParam::Geometry;
@@ -65,29 +65,30 @@ TYPED_TEST(Reintersect, NeverUnderGlintsConvention) {
             o = at * (-near / size);
             d = normalize(normalize(at) + unit_direction(random) * 0.5);
         }
-        const TypeParam subject = TypeParam::make(random, at, size);
+        const TypeParam shape_case = TypeParam::make(random, at, size);
         double p[Geometry::k_values];
-        subject.pack(p);
+        shape_case.pack(p);
         const auto hit = formula_hit<Geometry, double>(p, o, d, 0);
-        if (!hit.hit) continue;
+        if (!hit.valid) continue;
         // As trace/surface-inl.h does.
         const plain::Triple<double> point = triple_of<double>(o) + triple_of<double>(d) * hit.t;
         plain::Triple<double> normal = Geometry::normal(p, point);
         if (plain::dot(normal, triple_of<double>(d)) > 0) normal = -normal;
         const Point surface{
             point, normal, triple_of<double>(d),
-            plain::max_abs(triple_of<double>(o)) + plain::max_abs(point) + subject.box_reach()};
+            plain::max_abs(triple_of<double>(o)) + plain::max_abs(point) + shape_case.box_reach()};
         const Vec3 n = to_vec(normal);
         // Anywhere, many of them grazing.
         Vec3 out = unit_direction(random);
         if (chance(random, 0.3))
             out = perpendicular(random, n) + n * std::ldexp(random.uniform(-1, 1), -below(random, 50));
-        const Vec3 start = to_vec(plain::leave(surface, triple_of<double>(out), glint.offset, glint.epsilon));
+        const Vec3 start =
+            to_vec(plain::offset_ray_origin(surface, triple_of<double>(out), glint.offset, glint.epsilon));
         const auto next =
-            formula_hit<Geometry, double>(p, start, out, plain::leave_t_min(glint.offset, glint.epsilon));
+            formula_hit<Geometry, double>(p, start, out, plain::offset_t_min(glint.offset, glint.epsilon));
         ++left;
         const double reach = glint.epsilon * surface.magnitude;
-        const Nearness near = subject.nearness(to_long(to_vec(point)));
+        const Nearness near = shape_case.nearness(to_long(to_vec(point)));
         const LongVec outward = near.outward;
         // At a cone's apex, within the rounding of its points, no normal is right.
         if (static_cast<double>(near.bend) < 1e-9 * surface.magnitude && near.bend < 1e-3L * Long(size))
@@ -97,10 +98,10 @@ TYPED_TEST(Reintersect, NeverUnderGlintsConvention) {
         bool wrong = false;
         if (outwards) {
             ++outside;
-            wrong = next.hit;  // all of them are convex
-        } else if (next.hit) {
+            wrong = next.valid;  // all of them are convex
+        } else if (next.valid) {
             // Inside, the other side is a chord away; the same face is not to be found next to the point.
-            const LongVec there = subject.nearness(to_long(start) + to_long(out) * Long(next.t)).outward;
+            const LongVec there = shape_case.nearness(to_long(start) + to_long(out) * Long(next.t)).outward;
             wrong = next.t * length(out) < 100 * reach && std::fabs(dot(n, out)) > 1e-2 &&
                     reach < 1e-4 * static_cast<double>(std::min<Long>(near.bend, size)) &&
                     plain::dot(there, outward) > 0.5L;

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // How a ray leaves a surface: where it starts, by the scene's convention. The one place with epsilons.
-#if defined(GLINT_GEOMETRY_LEAVE_INL_H_) == defined(HWY_TARGET_TOGGLE)
-#ifdef GLINT_GEOMETRY_LEAVE_INL_H_
-#undef GLINT_GEOMETRY_LEAVE_INL_H_
+#if defined(GLINT_GEOMETRY_RAY_OFFSET_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef GLINT_GEOMETRY_RAY_OFFSET_INL_H_
+#undef GLINT_GEOMETRY_RAY_OFFSET_INL_H_
 #else
-#define GLINT_GEOMETRY_LEAVE_INL_H_
+#define GLINT_GEOMETRY_RAY_OFFSET_INL_H_
 #endif
 
 #include "geometry/ray-inl.h"
@@ -24,7 +24,8 @@ template <class T> struct SurfacePoint {
 
 /// Where a ray in direction `outgoing` (any length) from the surface starts (see enum Offset).
 template <class T>
-HWY_INLINE Triple<T> leave(const SurfacePoint<T>& s, Triple<T> outgoing, Offset offset, double epsilon) {
+HWY_INLINE Triple<T> offset_ray_origin(const SurfacePoint<T>& s, Triple<T> outgoing, Offset offset,
+                                       double epsilon) {
     const T e = T(epsilon);
     switch (offset) {
         case Offset::ray:
@@ -44,15 +45,18 @@ HWY_INLINE Triple<T> leave(const SurfacePoint<T>& s, Triple<T> outgoing, Offset 
 
 /// Where a ray through the surface starts: on the side it goes to, as far from it as one that leaves.
 template <class T>
-HWY_INLINE Triple<T> leave_through(const SurfacePoint<T>& s, Triple<T> outgoing, Offset offset,
-                                   double epsilon) {
-    if (offset != Offset::normal && offset != Offset::facing) return leave(s, outgoing, offset, epsilon);
+HWY_INLINE Triple<T> offset_transmitted_origin(const SurfacePoint<T>& s, Triple<T> outgoing, Offset offset,
+                                               double epsilon) {
+    if (offset != Offset::normal && offset != Offset::facing)
+        return offset_ray_origin(s, outgoing, offset, epsilon);
     const T e = T(epsilon);
     return s.point + s.normal * select(dot(s.normal, outgoing) < T(0), -e, e);
 }
 
 /// The least t of a ray that leaves a surface.
-HWY_INLINE double leave_t_min(Offset offset, double epsilon) { return offset == Offset::ray ? epsilon : 0.0; }
+HWY_INLINE double offset_t_min(Offset offset, double epsilon) {
+    return offset == Offset::ray ? epsilon : 0.0;
+}
 
 }  // namespace HWY_NAMESPACE
 }  // namespace glint

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // The axis-aligned box: packing, bounds, hit, normal.
-#if defined(GLINT_GEOMETRY_CUBOID_INL_H_) == defined(HWY_TARGET_TOGGLE)
-#ifdef GLINT_GEOMETRY_CUBOID_INL_H_
-#undef GLINT_GEOMETRY_CUBOID_INL_H_
+#if defined(GLINT_GEOMETRY_BOX_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef GLINT_GEOMETRY_BOX_INL_H_
+#undef GLINT_GEOMETRY_BOX_INL_H_
 #else
-#define GLINT_GEOMETRY_CUBOID_INL_H_
+#define GLINT_GEOMETRY_BOX_INL_H_
 #endif
 
 #include "geometry/ray-inl.h"
@@ -15,34 +15,35 @@ HWY_BEFORE_NAMESPACE();
 namespace glint {
 namespace HWY_NAMESPACE {
 
-struct CuboidGeometry {
+struct BoxGeometry {
     static constexpr int k_values = 6;  // min, max
     static constexpr bool k_bounded = true;
-    static constexpr bool k_takes_maps = false;
+    static constexpr bool k_bakes_transform = false;
     static constexpr bool k_filtered = false;
 
-    static void pack(const Cuboid& c, double* p) {
+    static void pack(const Box& c, double* p) {
         p[0] = c.min.x, p[1] = c.min.y, p[2] = c.min.z;
         p[3] = c.max.x, p[4] = c.max.y, p[5] = c.max.z;
     }
-    static bool open(const Cuboid&) { return false; }
-    static void bounds(const Cuboid& c, Vec3& lo, Vec3& hi) { lo = c.min, hi = c.max; }
+    static bool is_open(const Box&) { return false; }
+    static void bounds(const Box& c, Vec3& lo, Vec3& hi) { lo = c.min, hi = c.max; }
 
-    template <class T> static HWY_INLINE Candidate<T> hit(const T* p, const Ray<T>& ray, T t_min) {
-        T enter = T(-1e300), leave = T(1e300);
+    template <class T> static HWY_INLINE Hit<T> hit(const T* p, const Ray<T>& ray, T t_min) {
+        T enter = T(-1e300), offset_ray_origin = T(1e300);
         const auto slab = [&](T lo, T hi, T o, T d) HWY_ATTR {
             const auto parallel = d == T(0);
             const auto inside = (o >= lo) && (o <= hi);
             const T a = (lo - o) / d, b = (hi - o) / d;
             enter = select(parallel, select(inside, enter, T(1e300)), max(enter, min(a, b)));
-            leave = select(parallel, select(inside, leave, T(-1e300)), min(leave, max(a, b)));
+            offset_ray_origin = select(parallel, select(inside, offset_ray_origin, T(-1e300)),
+                                       min(offset_ray_origin, max(a, b)));
         };
         slab(p[0], p[3], ray.origin.x, ray.direction.x);
         slab(p[1], p[4], ray.origin.y, ray.direction.y);
         slab(p[2], p[5], ray.origin.z, ray.direction.z);
-        const T t = select(enter > t_min, enter, leave);
+        const T t = select(enter > t_min, enter, offset_ray_origin);
         // A NaN or infinity in the ray leaves t at its bounds, or beyond: no hit.
-        return {(enter <= leave) && (t > t_min) && (t < T(1e300)), t};
+        return {(enter <= offset_ray_origin) && (t > t_min) && (t < T(1e300)), t};
     }
 
     /// Of the face whose plane is nearest to the point.

@@ -27,8 +27,7 @@ template <class Geometry, class T> struct Packed {
     const T* data() const { return values.data(); }
 };
 
-template <class Geometry, class T>
-plain::Candidate<T> formula_hit(const double* p, Vec3 o, Vec3 d, double t_min) {
+template <class Geometry, class T> plain::Hit<T> formula_hit(const double* p, Vec3 o, Vec3 d, double t_min) {
     const Packed<Geometry, T> packed(p);
     return Geometry::hit(packed.data(), plain::Ray<T>{triple_of<T>(o), triple_of<T>(d)}, T(t_min));
 }
@@ -48,11 +47,11 @@ template <class Geometry, class Shape> double reach_of(const Shape& shape) {
     return std::max({-lo.x, -lo.y, -lo.z, hi.x, hi.y, hi.z});
 }
 
-struct SphereSubject {
+struct SphereCase {
     using Geometry = plain::SphereGeometry;
     static constexpr bool k_solid = true, k_convex = true;
     Sphere shape;
-    static SphereSubject make(Random&, Vec3 at, double size) { return {{at, size}}; }
+    static SphereCase make(Random&, Vec3 at, double size) { return {{at, size}}; }
     void pack(double* p) const { Geometry::pack(shape, p); }
     double box_reach() const { return reach_of<Geometry>(shape); }
     double magnitude() const { return length(shape.center) + shape.radius; }
@@ -63,11 +62,11 @@ struct SphereSubject {
     }
 };
 
-struct PlaneSubject {
+struct PlaneCase {
     using Geometry = plain::PlaneGeometry;
     static constexpr bool k_solid = true, k_convex = true;
     Plane shape;
-    static PlaneSubject make(Random& random, Vec3 at, double) {
+    static PlaneCase make(Random& random, Vec3 at, double) {
         return {{at, (chance(random, 0.3) ? axis_direction(random) : unit_direction(random)) *
                          log_uniform(random, 1e-3, 1e3)}};
     }
@@ -80,11 +79,11 @@ struct PlaneSubject {
     }
 };
 
-template <bool caps> struct CylinderSubject {
+template <bool caps> struct CylinderCase {
     using Geometry = plain::CylinderGeometry;
     static constexpr bool k_solid = caps, k_convex = true;
     Cylinder shape;
-    static CylinderSubject make(Random& random, Vec3 at, double size) {
+    static CylinderCase make(Random& random, Vec3 at, double size) {
         const Vec3 along = chance(random, 0.3) ? axis_direction(random) : unit_direction(random);
         return {{at, at + along * (size * log_uniform(random, 0.3, 3)), size, caps}};
     }
@@ -108,11 +107,11 @@ template <bool caps> struct CylinderSubject {
     }
 };
 
-template <bool caps> struct ConeSubject {
+template <bool caps> struct ConeCase {
     using Geometry = plain::ConeGeometry;
     static constexpr bool k_solid = caps, k_convex = true;
     Cone shape;
-    static ConeSubject make(Random& random, Vec3 at, double size) {
+    static ConeCase make(Random& random, Vec3 at, double size) {
         const Vec3 along = chance(random, 0.3) ? axis_direction(random) : unit_direction(random);
         const double from = chance(random, 0.3) ? 0 : size * random.uniform(0.1, 1);
         const double to = from > 0 && chance(random, 0.4) ? 0 : size * random.uniform(0.1, 1);
@@ -141,11 +140,11 @@ template <bool caps> struct ConeSubject {
     }
 };
 
-struct DiscSubject {
+struct DiscCase {
     using Geometry = plain::DiscGeometry;
     static constexpr bool k_solid = false, k_convex = true;
     Disc shape;
-    static DiscSubject make(Random& random, Vec3 at, double size) {
+    static DiscCase make(Random& random, Vec3 at, double size) {
         return {{at,
                  (chance(random, 0.3) ? axis_direction(random) : unit_direction(random)) *
                      log_uniform(random, 1e-3, 1e3),
@@ -161,11 +160,11 @@ struct DiscSubject {
     }
 };
 
-struct CuboidSubject {
-    using Geometry = plain::CuboidGeometry;
+struct BoxCase {
+    using Geometry = plain::BoxGeometry;
     static constexpr bool k_solid = true, k_convex = true;
-    Cuboid shape;
-    static CuboidSubject make(Random& random, Vec3 at, double size) {
+    Box shape;
+    static BoxCase make(Random& random, Vec3 at, double size) {
         const Vec3 half{random.uniform(0.1, 1) * size, random.uniform(0.1, 1) * size,
                         random.uniform(0.1, 1) * size};
         return {{at - half, at + half}};
@@ -188,11 +187,11 @@ struct CuboidSubject {
     }
 };
 
-struct TriangleSubject {
+struct TriangleCase {
     using Geometry = plain::TriangleGeometry;
     static constexpr bool k_solid = false, k_convex = true;
     Triangle shape;
-    static TriangleSubject make(Random& random, Vec3 at, double size) {
+    static TriangleCase make(Random& random, Vec3 at, double size) {
         const Vec3 n = unit_direction(random), x = perpendicular(random, n), y = cross(n, x);
         // Of all shapes, but not slivers.
         return {{{at - x * size, at + x * size + y * (size * random.uniform(-0.5, 0.5)),
@@ -220,11 +219,11 @@ struct TriangleSubject {
 };
 
 /// The unit sphere made an ellipsoid somewhere.
-struct EllipsoidSubject {
+struct EllipsoidCase {
     using Geometry = plain::Transformed<plain::SphereGeometry>;
     static constexpr bool k_solid = true, k_convex = true;
     Affine world_from_object;
-    static EllipsoidSubject make(Random& random, Vec3 at, double size) {
+    static EllipsoidCase make(Random& random, Vec3 at, double size) {
         const Affine turn = compose(rotation_x(random.uniform(0, 360)), rotation_y(random.uniform(0, 360)));
         const auto scale = [&] { return size * random.uniform(0.5, 1) * (chance(random, 0.2) ? -1 : 1); };
         return {compose(translation(at), compose(turn, scaling({scale(), scale(), scale()})))};
