@@ -150,7 +150,7 @@ template <class T> std::uint32_t Scene::add(const T& shape, std::uint32_t materi
 }
 
 /// The word of a kind in scene files and messages: "sphere".
-GLINT_API std::string_view shape_word(ShapeKind kind);
+GLINT_API std::string_view to_string(ShapeKind kind);
 
 /// Checks every number and index of the scene; prepare() needs a scene without errors. Warnings name what is
 /// likely a mistake (no lights: the picture will be black). Messages have the place of the item where it is

@@ -278,7 +278,7 @@ std::string color_text(Color c) { return color(c); }
 std::string swatch(const ExplainStyle& style, Color c) { return swatch(style, c.r, c.g, c.b); }
 
 std::string shape_text(const Scene& scene, std::uint32_t shape) {
-    return item_text(scene, scene.shape_texts, shape, std::string(shape_word(scene.shapes[shape].kind)));
+    return item_text(scene, scene.shape_texts, shape, std::string(to_string(scene.shapes[shape].kind)));
 }
 
 std::string light_text(const Scene& scene, std::uint32_t light) {

@@ -34,7 +34,7 @@ std::string print_rays(const Explanation& e, const Scene& scene, int y, const Ex
             continue;
         }
         const ExplainedHit& hit = *ray.hit;
-        std::string kind(shape_word(scene.shapes[hit.shape].kind));
+        std::string kind(to_string(scene.shapes[hit.shape].kind));
         kind.front() = static_cast<char>(kind.front() - 'a' + 'A');
         row("Hit Object", fmt::format("(ID #{} - {})", hit.shape + 1, kind));
         row("Intersection", fmt::format("{} at T = {:.4f}", triple(hit.point), ray.t));

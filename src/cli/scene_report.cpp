@@ -128,7 +128,7 @@ std::string text_report(const SceneReport& report) {
     fmt::format_to(out, "scene       {}\n", fmt::join(scene.files, " "));
     fmt::format_to(out, "shapes      {}\n",
                    counts_text(shape_counts(scene), [](std::size_t n, std::size_t kind) {
-                       return counted(n, shape_word(static_cast<ShapeKind>(kind)));
+                       return counted(n, to_string(static_cast<ShapeKind>(kind)));
                    }));
     const Bounds box = bounds(report.world);
     fmt::format_to(
@@ -191,7 +191,7 @@ std::string json_report(const SceneReport& report) {
     Json shapes = Json::object();
     const auto counts = shape_counts(scene);
     for (std::size_t i = 0; i < counts.size(); ++i)
-        shapes[std::string(shape_word(static_cast<ShapeKind>(i)))] = counts[i];
+        shapes[std::string(to_string(static_cast<ShapeKind>(i)))] = counts[i];
     json["shapes"] = std::move(shapes);
     json["shape_count"] = scene.shapes.size();
     const Bounds box = bounds(report.world);

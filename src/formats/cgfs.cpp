@@ -18,7 +18,7 @@ constexpr std::string_view k_words[] = {"sphere",     "light",         "camera",
 
 class CgfsReader {
   public:
-    CgfsReader(Reading& reading, const ReadText& text)
+    CgfsReader(LoadState& reading, const ReadText& text)
         : reading_(reading),
           scene_(reading.scene),
           text_(text),
@@ -243,7 +243,7 @@ class CgfsReader {
 
     using Look = std::tuple<double, double, double, double, double>;
 
-    Reading& reading_;
+    LoadState& reading_;
     Scene& scene_;
     const ReadText& text_;
     Parser p_;
@@ -261,6 +261,6 @@ void set_cgfs_defaults(Scene& scene) {
     scene.background = {1, 1, 1};
 }
 
-void read_cgfs(Reading& reading, const ReadText& text) { CgfsReader(reading, text).read(); }
+void read_cgfs(LoadState& reading, const ReadText& text) { CgfsReader(reading, text).read(); }
 
 }  // namespace glint

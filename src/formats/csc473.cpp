@@ -7,7 +7,7 @@
 #include <algorithm>
 
 #include "base/text.h"
-#include "formats/povray_words.h"
+#include "formats/povray_keywords.h"
 #include "formats/registry.h"
 #include "math/transform.h"
 
@@ -23,7 +23,7 @@ constexpr std::string_view k_camera_names[] = {"location", "up", "right", "look_
 
 class Csc473Reader {
   public:
-    Csc473Reader(Reading& reading, const ReadText& text)
+    Csc473Reader(LoadState& reading, const ReadText& text)
         : reading_(reading),
           scene_(reading.scene),
           text_(text),
@@ -230,7 +230,7 @@ class Csc473Reader {
         return material_;
     }
 
-    Reading& reading_;
+    LoadState& reading_;
     Scene& scene_;
     const ReadText& text_;
     Parser p_;
@@ -252,6 +252,6 @@ void set_csc473_defaults(Scene& scene) {
     scene.unit_normals.reason = "n.p = d then puts the plane at d / |n| from the origin, not at d";
 }
 
-void read_csc473(Reading& reading, const ReadText& text) { Csc473Reader(reading, text).read(); }
+void read_csc473(LoadState& reading, const ReadText& text) { Csc473Reader(reading, text).read(); }
 
 }  // namespace glint

@@ -3,7 +3,7 @@
 // What the shapes of CSC 473's .pov have in common: pigment, finish, and maps.
 #include <optional>
 
-#include "formats/reading.h"
+#include "formats/load_state.h"
 
 namespace glint {
 

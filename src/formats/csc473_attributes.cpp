@@ -5,7 +5,7 @@
 
 #include "base/text.h"
 #include "formats/csc473.h"
-#include "formats/povray_words.h"
+#include "formats/povray_keywords.h"
 #include "math/transform.h"
 
 namespace glint {

@@ -23,7 +23,7 @@ struct MaterialUse {
 
 class SceneReader {
   public:
-    SceneReader(Reading& reading, const ReadText& text, Parser& parser)
+    SceneReader(LoadState& reading, const ReadText& text, Parser& parser)
         : reading_(reading), scene_(reading.scene), text_(text), p_(parser), data_(parser) {}
 
     bool read() {
@@ -299,7 +299,7 @@ class SceneReader {
         p_.error(token, fmt::format("no material is called {}{}", quoted(name), did_you_mean(name, names)));
     }
 
-    Reading& reading_;
+    LoadState& reading_;
     Scene& scene_;
     const ReadText& text_;
     Parser& p_;
@@ -316,7 +316,7 @@ void set_epfl_defaults(Scene& scene) {
     scene.unit_normals.reason = "RT2's lighting takes it as it is, and N.L with it";
 }
 
-bool read_epfl_scene(Reading& reading, const ReadText& text, Parser& parser) {
+bool read_epfl_scene(LoadState& reading, const ReadText& text, Parser& parser) {
     return SceneReader(reading, text, parser).read();
 }
 

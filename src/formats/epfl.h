@@ -3,8 +3,8 @@
 // One scene object of RT2.
 #include <string_view>
 
+#include "formats/load_state.h"
 #include "formats/parser.h"
-#include "formats/reading.h"
 
 namespace glint {
 
@@ -12,6 +12,6 @@ inline constexpr Field k_epfl_scene_fields[] = {{"name"},    {"camera"}, {"mater
                                                 {"spheres"}, {"planes"}, {"cylinders"}};
 
 /// Reads the scene object that begins at the parser's token into the scene of `reading`. False if it is none.
-bool read_epfl_scene(Reading& reading, const ReadText& text, Parser& parser);
+bool read_epfl_scene(LoadState& reading, const ReadText& text, Parser& parser);
 
 }  // namespace glint

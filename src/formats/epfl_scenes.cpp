@@ -61,7 +61,7 @@ std::vector<FoundScene> find_scenes(std::string_view text) {
 
 class EpflReader {
   public:
-    EpflReader(Reading& reading, const ReadText& text)
+    EpflReader(LoadState& reading, const ReadText& text)
         : reading_(reading), text_(text), p_(text.place, k_javascript, reading.diagnostics), data_(p_) {}
 
     void read() {
@@ -179,7 +179,7 @@ class EpflReader {
         return read_epfl_scene(reading_, text_, p_);
     }
 
-    Reading& reading_;
+    LoadState& reading_;
     const ReadText& text_;
     Parser p_;
     DataReader data_;
@@ -189,6 +189,6 @@ class EpflReader {
 
 }  // namespace
 
-void read_epfl(Reading& reading, const ReadText& text) { EpflReader(reading, text).read(); }
+void read_epfl(LoadState& reading, const ReadText& text) { EpflReader(reading, text).read(); }
 
 }  // namespace glint

@@ -34,14 +34,14 @@ struct SettingFields {
 struct Group {
     GlintContext context;
     GlintItem item;
-    FieldSet set{"group", k_item_fields, material_habits()};
+    FieldSet set{"group", k_item_fields, material_hints()};
     Token word;
     bool has_begun = false;  // what it holds: the context is complete
 };
 
 class GlintReader {
   public:
-    GlintReader(Reading& reading, const ReadText& text) : t_(reading, text), p_(t_.p) {}
+    GlintReader(LoadState& reading, const ReadText& text) : t_(reading, text), p_(t_.p) {}
 
     void read() {
         if (!t_.reading.camera_wanted && !t_.text.is_included) {
@@ -99,7 +99,7 @@ class GlintReader {
             return t_.blocks.skip_block();
         }
         const Token name = *t_.blocks.label();
-        FieldSet set("material", k_material_fields, material_habits());
+        FieldSet set("material", k_material_fields, material_hints());
         MaterialKeys keys;
         if (t_.blocks.fields(set, word,
                              [&](int field, const Token&) { return read_material_key(t_, field, keys); }))
@@ -110,17 +110,17 @@ class GlintReader {
     void read_settings(const Token& word, bool are_conventions) {
         static const SettingFields conventions(true), settings(false);
         const std::string_view what = are_conventions ? "conventions block" : "render block";
-        static constexpr Habit conventions_habits[] = {{"size", "it in a `render` block"},
-                                                       {"shading", "it in a `render` block"},
-                                                       {"shadows", "it in a `render` block"},
-                                                       {"reflections", "it in a `render` block"},
-                                                       {"aa", "it in a `render` block"}};
-        static constexpr Habit render_habits[] = {
+        static constexpr SpellingHint conventions_hints[] = {{"size", "it in a `render` block"},
+                                                             {"shading", "it in a `render` block"},
+                                                             {"shadows", "it in a `render` block"},
+                                                             {"reflections", "it in a `render` block"},
+                                                             {"aa", "it in a `render` block"}};
+        static constexpr SpellingHint render_hints[] = {
             {"depth", "`reflections`"},           {"samples", "`aa`"},
             {"width", "`size = 640 x 480`"},      {"height", "`size = 640 x 480`"},
             {"resolution", "`size = 640 x 480`"}, {"threads", "it on the command line"}};
         FieldSet set(what, are_conventions ? conventions.fields : settings.fields,
-                     are_conventions ? std::span<const Habit>(conventions_habits) : render_habits);
+                     are_conventions ? std::span<const SpellingHint>(conventions_hints) : render_hints);
         if (t_.text.is_included) warn_ignored(word);
         t_.reading.settings_given = true;
         t_.blocks.fields(set, word, [&](int field, const Token& key) {
@@ -165,7 +165,7 @@ class GlintReader {
     }
 
     bool read_background(const Token& word) {
-        Reading& reading = t_.reading;
+        LoadState& reading = t_.reading;
         if (reading.background_given) {
             p_.warn(word, reading.background_included
                               ? "this background holds, and not that of an included file"
@@ -269,7 +269,7 @@ class GlintReader {
 
 }  // namespace
 
-GlintText::GlintText(Reading& of, const ReadText& read_text)
+GlintText::GlintText(LoadState& of, const ReadText& read_text)
     : reading(of),
       scene(of.scene),
       text(read_text),
@@ -279,9 +279,9 @@ GlintText::GlintText(Reading& of, const ReadText& read_text)
 
 void set_glint_defaults(Scene&) {}
 
-void read_glint(Reading& reading, const ReadText& text) { GlintReader(reading, text).read(); }
+void read_glint(LoadState& reading, const ReadText& text) { GlintReader(reading, text).read(); }
 
-void finish_glint(Reading& reading) {
+void finish_glint(LoadState& reading) {
     if (!reading.glint_materials) return;
     reading.glint_materials->finish(reading);
     // It may stand behind the mistake.

@@ -24,23 +24,23 @@ constexpr Field k_fields[] = {{"projection"}, {"position"}, {"look_at"},      {"
 
 constexpr std::string_view k_fov =
     "`fov_x` (across the picture's width) or `fov_y` (across its height), in degrees";
-constexpr Habit k_habits[] = {{"fov", k_fov},
-                              {"fov_degrees", k_fov},
-                              {"angle", k_fov},
-                              {"field_of_view", k_fov},
-                              {"target", "`look_at`"},
-                              {"lookat", "`look_at`"},
-                              {"look", "`look_at`"},
-                              {"at", "`look_at`"},
-                              {"to", "`look_at`"},
-                              {"direction", "`look_at`, a point; or `right`, `up` and `forward`"},
-                              {"rotation", "`right`, `up` and `forward`"},
-                              {"eye", "`position`"},
-                              {"from", "`position`"},
-                              {"location", "`position`"},
-                              {"type", "`projection`"},
-                              {"viewer", "`lighting_eye`"},
-                              {"observer", "`lighting_eye`"}};
+constexpr SpellingHint k_hints[] = {{"fov", k_fov},
+                                    {"fov_degrees", k_fov},
+                                    {"angle", k_fov},
+                                    {"field_of_view", k_fov},
+                                    {"target", "`look_at`"},
+                                    {"lookat", "`look_at`"},
+                                    {"look", "`look_at`"},
+                                    {"at", "`look_at`"},
+                                    {"to", "`look_at`"},
+                                    {"direction", "`look_at`, a point; or `right`, `up` and `forward`"},
+                                    {"rotation", "`right`, `up` and `forward`"},
+                                    {"eye", "`position`"},
+                                    {"from", "`position`"},
+                                    {"location", "`position`"},
+                                    {"type", "`projection`"},
+                                    {"viewer", "`lighting_eye`"},
+                                    {"observer", "`lighting_eye`"}};
 
 // What does not go together. Each mistake is named at the block.
 void check(GlintText& t, const FieldSet& set, const Token& word, const Camera& camera) {
@@ -68,7 +68,7 @@ void check(GlintText& t, const FieldSet& set, const Token& word, const Camera& c
 }  // namespace
 
 void read_glint_camera(GlintText& t, const Token& word) {
-    FieldSet set("camera", k_fields, k_habits);
+    FieldSet set("camera", k_fields, k_hints);
     Camera camera;
     CameraFrame frame;
     const bool whole = t.blocks.fields(set, word, [&](int field, const Token&) {
@@ -106,7 +106,7 @@ void read_glint_camera(GlintText& t, const Token& word) {
         frame.up = camera.up;
         camera.frame = frame;
     }
-    Reading& reading = t.reading;
+    LoadState& reading = t.reading;
     if (reading.camera_given) {
         t.p.warn(word, reading.camera_included ? "this camera holds, and not that of an included file"
                                                : "a second camera: the last one holds");

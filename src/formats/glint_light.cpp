@@ -11,20 +11,20 @@ enum { k_type, k_position, k_intensity, k_color, k_specular_color, k_to_light, k
 constexpr Field k_fields[] = {{"type"},           {"position"}, {"intensity"}, {"color"},
                               {"specular_color"}, {"to_light"}, {"direction"}, {"attenuation"}};
 
-constexpr Habit k_habits[] = {{"pos", "`position`"},
-                              {"location", "`position`"},
-                              {"center", "`position`"},
-                              {"colour", "`color`"},
-                              {"rgb", "`color`"},
-                              {"diffuse", "`color`"},
-                              {"diffuse_color", "`color`"},
-                              {"specular", "`specular_color`"},
-                              {"ambient", "a light of its own: `light { type = ambient }`"},
-                              {"power", "`intensity`"},
-                              {"brightness", "`intensity`"},
-                              {"strength", "`intensity`"},
-                              {"falloff", "`attenuation = (c0, c1, c2)`"},
-                              {"kind", "`type`"}};
+constexpr SpellingHint k_hints[] = {{"pos", "`position`"},
+                                    {"location", "`position`"},
+                                    {"center", "`position`"},
+                                    {"colour", "`color`"},
+                                    {"rgb", "`color`"},
+                                    {"diffuse", "`color`"},
+                                    {"diffuse_color", "`color`"},
+                                    {"specular", "`specular_color`"},
+                                    {"ambient", "a light of its own: `light { type = ambient }`"},
+                                    {"power", "`intensity`"},
+                                    {"brightness", "`intensity`"},
+                                    {"strength", "`intensity`"},
+                                    {"falloff", "`attenuation = (c0, c1, c2)`"},
+                                    {"kind", "`type`"}};
 
 std::string_view with_article(LightKind kind) {
     return kind == LightKind::ambient ? "an ambient" : kind == LightKind::point ? "a point" : "a directional";
@@ -33,7 +33,7 @@ std::string_view with_article(LightKind kind) {
 }  // namespace
 
 void read_glint_light(GlintText& t, const Token& word) {
-    FieldSet set("light", k_fields, k_habits);
+    FieldSet set("light", k_fields, k_hints);
     std::string name = block_name(t);
     Light light;
     Color specular_color;

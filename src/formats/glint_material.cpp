@@ -12,27 +12,27 @@ namespace {
 
 using Keys = MaterialKeys;
 
-constexpr Habit k_habits[] = {{"reflective", "`mirror`"},
-                              {"reflection", "`mirror`"},
-                              {"reflectivity", "`mirror`"},
-                              {"reflect", "`mirror`"},
-                              {"phong", "`specular`"},
-                              {"phong_size", "`shininess`"},
-                              {"exponent", "`shininess`"},
-                              {"specular_exponent", "`shininess`"},
-                              {"shine", "`shininess`"},
-                              {"roughness", "`shininess`, the exponent: 2/roughness^2 - 2"},
-                              {"refraction", "`transmission`, and `ior`"},
-                              {"transparency", "`transmission`"},
-                              {"filter", "`transmission`"},
-                              {"transmit", "`transmission`"},
-                              {"opacity", "`transmission`, which is 1 - opacity"},
-                              {"refractive_index", "`ior`"},
-                              {"index", "`ior`"},
-                              {"colour", "`color`"},
-                              {"pigment", "`color`"},
-                              {"albedo", "`color`"},
-                              {"rgb", "`color`"}};
+constexpr SpellingHint k_hints[] = {{"reflective", "`mirror`"},
+                                    {"reflection", "`mirror`"},
+                                    {"reflectivity", "`mirror`"},
+                                    {"reflect", "`mirror`"},
+                                    {"phong", "`specular`"},
+                                    {"phong_size", "`shininess`"},
+                                    {"exponent", "`shininess`"},
+                                    {"specular_exponent", "`shininess`"},
+                                    {"shine", "`shininess`"},
+                                    {"roughness", "`shininess`, the exponent: 2/roughness^2 - 2"},
+                                    {"refraction", "`transmission`, and `ior`"},
+                                    {"transparency", "`transmission`"},
+                                    {"filter", "`transmission`"},
+                                    {"transmit", "`transmission`"},
+                                    {"opacity", "`transmission`, which is 1 - opacity"},
+                                    {"refractive_index", "`ior`"},
+                                    {"index", "`ior`"},
+                                    {"colour", "`color`"},
+                                    {"pigment", "`color`"},
+                                    {"albedo", "`color`"},
+                                    {"rgb", "`color`"}};
 
 constexpr Range k_coefficient{0, 1e6, false, false, "a coefficient from 0 to 1e6"};
 
@@ -110,7 +110,7 @@ Keys changed_keys(Keys k, const Keys& over) {
 
 }  // namespace
 
-std::span<const Habit> material_habits() { return k_habits; }
+std::span<const SpellingHint> material_hints() { return k_hints; }
 
 bool read_material_key(GlintText& t, int key, MaterialKeys& keys) {
     keys.given |= 1u << key;
@@ -149,7 +149,7 @@ bool GlintMaterials::Less::operator()(std::uint32_t a, std::uint32_t b) const {
     return std::bit_cast<Bits>((*materials)[a]) < std::bit_cast<Bits>((*materials)[b]);
 }
 
-GlintMaterials& GlintMaterials::of(Reading& reading) {
+GlintMaterials& GlintMaterials::of(LoadState& reading) {
     if (!reading.glint_materials) reading.glint_materials.reset(new GlintMaterials(reading.scene));
     return *reading.glint_materials;
 }
@@ -245,7 +245,7 @@ std::uint32_t GlintMaterials::changed(GlintText& t, const Token& word, std::uint
     return *at;
 }
 
-void GlintMaterials::finish(Reading& reading) {
+void GlintMaterials::finish(LoadState& reading) {
     std::vector<std::string_view> names;
     for (const auto& [name, index] : reading.materials) names.push_back(name);
     for (const auto& [name, use] : undefined_) {

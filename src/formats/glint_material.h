@@ -51,7 +51,7 @@ inline constexpr Field k_material_fields[] = {{"color"},
                                               {"ior"}};
 
 /// What people of other languages write.
-std::span<const Habit> material_habits();
+std::span<const SpellingHint> material_hints();
 
 /// Reads the value of one of those keys.
 bool read_material_key(GlintText& t, int key, MaterialKeys& keys);
@@ -61,7 +61,7 @@ bool read_material_key(GlintText& t, int key, MaterialKeys& keys);
 class GlintMaterials {
   public:
     /// The table of this load, made when first asked for.
-    static GlintMaterials& of(Reading& reading);
+    static GlintMaterials& of(LoadState& reading);
 
     /// The material that the text names at `name`.
     std::uint32_t named(GlintText& t, const Token& name);
@@ -74,7 +74,7 @@ class GlintMaterials {
                           bool is_shared);
 
     /// After the last text: what was used before it was defined, and what never was.
-    void finish(Reading& reading);
+    void finish(LoadState& reading);
 
   private:
     struct Use {

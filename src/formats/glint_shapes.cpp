@@ -17,11 +17,11 @@ template <std::size_t N> constexpr auto with_item_fields(const Field (&own)[N]) 
     return all;
 }
 
-// The habits of a shape and those of its material.
-template <std::size_t N> std::span<const Habit> with_material_habits(const Habit (&own)[N]) {
-    static const std::vector<Habit> all = [&own] {
-        std::vector<Habit> list(std::begin(own), std::end(own));
-        list.insert(list.end(), material_habits().begin(), material_habits().end());
+// The spelling hints of a shape and those of its material.
+template <std::size_t N> std::span<const SpellingHint> with_material_hints(const SpellingHint (&own)[N]) {
+    static const std::vector<SpellingHint> all = [&own] {
+        std::vector<SpellingHint> list(std::begin(own), std::end(own));
+        list.insert(list.end(), material_hints().begin(), material_hints().end());
         return list;
     }();
     return all;
@@ -125,7 +125,7 @@ class ShapeReader {
     template <class ReadOwn> bool keys(std::span<const Field> fields, ReadOwn&& read_own) {
         const int own = static_cast<int>(fields.size() - std::size(k_item_fields));
         name_ = block_name(t_);
-        FieldSet set(t_.p.text(word_), fields, habits());
+        FieldSet set(t_.p.text(word_), fields, hints());
         const bool whole = t_.blocks.fields(set, word_, [&](int field, const Token& key) {
             return field < own ? read_own(field, key) : read_item_key(t_, field - own, key, item_);
         });
@@ -152,8 +152,8 @@ class ShapeReader {
             add(s);
     }
 
-    static std::span<const Habit> habits() {
-        static constexpr Habit own[] = {
+    static std::span<const SpellingHint> hints() {
+        static constexpr SpellingHint own[] = {
             {"centre", "`center`"},
             {"position", "`center`, or `translate`"},
             {"location", "`center`"},
@@ -175,7 +175,7 @@ class ShapeReader {
             {"capped", "`caps = true`"},
             {"open", "`caps = false`"},
         };
-        return with_material_habits(own);
+        return with_material_hints(own);
     }
 
     template <class Shape> void add(const Shape& shape) {

@@ -3,16 +3,16 @@
 // What the parts of the reader of glint's own language share: the text under reading, and its kinds of
 // values.
 #include "formats/block_reader.h"
-#include "formats/reading.h"
+#include "formats/load_state.h"
 
 namespace glint {
 
 class GlintMaterials;
 
 struct GlintText {
-    GlintText(Reading& of, const ReadText& read_text);
+    GlintText(LoadState& of, const ReadText& read_text);
 
-    Reading& reading;
+    LoadState& reading;
     Scene& scene;
     const ReadText& text;
     GlintMaterials& materials;

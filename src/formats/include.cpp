@@ -18,7 +18,7 @@ constexpr std::size_t k_max_repeated_bytes = std::size_t{64} << 20;
 
 // What an included text cannot change for those that have it already.
 struct Kept {
-    explicit Kept(const Reading& r)
+    explicit Kept(const LoadState& r)
         : camera(r.scene.camera),
           background(r.scene.background),
           camera_place(r.scene.camera_place),
@@ -46,7 +46,7 @@ struct Kept {
 
 class Include {
   public:
-    Include(Reading& reading, const ReadText& from, const Token& at)
+    Include(LoadState& reading, const ReadText& from, const Token& at)
         : reading_(reading), from_(from), at_(at) {}
 
     void read(const std::string& name) {
@@ -163,14 +163,14 @@ class Include {
             fmt::format("glint ignores the {} of {}: the scene has one", what, quoted(text.place.name)));
     }
 
-    Reading& reading_;
+    LoadState& reading_;
     const ReadText& from_;
     const Token& at_;
 };
 
 }  // namespace
 
-void include_text(Reading& reading, const ReadText& from, const Token& at, const std::string& name) {
+void include_text(LoadState& reading, const ReadText& from, const Token& at, const std::string& name) {
     Include(reading, from, at).read(name);
 }
 

@@ -134,7 +134,7 @@ class Loader {
     std::span<const SceneText> texts_;
     const LoadOptions& options_;
     std::vector<const Format*> formats_;
-    Reading reading_;
+    LoadState reading_;
 };
 
 }  // namespace

@@ -28,7 +28,7 @@ template <std::size_t N> bool is_one_of(const std::string_view (&names)[N], std:
 
 class NffReader {
   public:
-    NffReader(Reading& reading, const ReadText& text)
+    NffReader(LoadState& reading, const ReadText& text)
         : reading_(reading),
           scene_(reading.scene),
           text_(text),
@@ -271,7 +271,7 @@ class NffReader {
         return true;
     }
 
-    Reading& reading_;
+    LoadState& reading_;
     Scene& scene_;
     const ReadText& text_;
     Parser p_;
@@ -288,6 +288,6 @@ void set_nff_defaults(Scene& scene) {
     scene.unit_normals.reason = "the format asks for normalised ones";
 }
 
-void read_nff(Reading& reading, const ReadText& text) { NffReader(reading, text).read(); }
+void read_nff(LoadState& reading, const ReadText& text) { NffReader(reading, text).read(); }
 
 }  // namespace glint

@@ -214,10 +214,10 @@ void Parser::report_unknown(const FieldSet& set, const Token& key, std::string_v
     for (std::size_t i = 0; i < fields.size(); ++i) names[i] = fields[i].name;
     const auto known = std::span(names).first(fields.size());
     if (!set.is_strict()) return warn_ignored(key_name, key, set.what(), known);
-    for (const Habit& habit : set.habits()) {
-        if (habit.name == key_name)
-            return error(
-                key, fmt::format("a {} has no {}: write {}", set.what(), quoted(key_name), habit.instead));
+    for (const SpellingHint& hint : set.hints()) {
+        if (hint.name == key_name)
+            return error(key,
+                         fmt::format("a {} has no {}: write {}", set.what(), quoted(key_name), hint.instead));
     }
     error(key, fmt::format("a {} has no {}{}", set.what(), quoted(key_name), did_you_mean(key_name, known)));
 }

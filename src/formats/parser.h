@@ -25,7 +25,7 @@ struct Field {
 };
 
 /// A key of other languages, and what to write instead: "`mirror`".
-struct Habit {
+struct SpellingHint {
     std::string_view name, instead;
 };
 
@@ -34,12 +34,12 @@ class FieldSet {
   public:
     /// what: as messages call the block, "sphere". Unknown keys are ignored, with a warning.
     FieldSet(std::string_view what, std::span<const Field> fields) : what_(what), fields_(fields) {}
-    /// Unknown keys are mistakes; of habits the message says what to write.
-    FieldSet(std::string_view what, std::span<const Field> fields, std::span<const Habit> habits)
-        : what_(what), fields_(fields), habits_(habits), is_strict_(true) {}
+    /// Unknown keys are mistakes; where there is a spelling hint the message has it.
+    FieldSet(std::string_view what, std::span<const Field> fields, std::span<const SpellingHint> hints)
+        : what_(what), fields_(fields), hints_(hints), is_strict_(true) {}
     std::string_view what() const { return what_; }
     std::span<const Field> fields() const { return fields_; }
-    std::span<const Habit> habits() const { return habits_; }
+    std::span<const SpellingHint> hints() const { return hints_; }
     bool is_strict() const { return is_strict_; }
     bool has(int index) const { return (met_ >> index & 1u) != 0; }
     void add(int index) { met_ |= 1u << index; }
@@ -47,7 +47,7 @@ class FieldSet {
   private:
     std::string_view what_;
     std::span<const Field> fields_;
-    std::span<const Habit> habits_;
+    std::span<const SpellingHint> hints_;
     std::uint32_t met_ = 0;
     bool is_strict_ = false;
 };

@@ -44,7 +44,7 @@ std::string set_named_profile(Scene& scene, std::string_view name) {
                        did_you_mean(name, profile_names()));
 }
 
-void read_profile_file(Reading& reading, const ReadText& text) {
+void read_profile_file(LoadState& reading, const ReadText& text) {
     std::string_view rest = text.place.text;
     if (rest.starts_with("\xef\xbb\xbf")) rest.remove_prefix(3);
     for (std::uint32_t line_number = 1; !rest.empty() && !reading.diagnostics.full(); ++line_number) {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 // A profile of the user's own: `key = value` lines.
-#include "formats/reading.h"
+#include "formats/load_state.h"
 
 namespace glint {
 
 /// Applies the lines of the text to the scene, with origin `file`. `profile = NAME` sets every key first.
-void read_profile_file(Reading& reading, const ReadText& text);
+void read_profile_file(LoadState& reading, const ReadText& text);
 
 /// "no setting is called 'foo'; did you mean `...`?", or, for an existing key, what set_setting says.
 std::string set_named_setting(Scene& scene, std::string_view key, std::string_view value,

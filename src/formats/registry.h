@@ -3,7 +3,7 @@
 // The formats: a new one adds its file and its row in registry.cpp.
 #include <span>
 
-#include "formats/reading.h"
+#include "formats/load_state.h"
 
 namespace glint {
 
@@ -12,9 +12,9 @@ struct Format {
     /// Sets what a scene of this format has without saying so (camera, background); called for the first
     /// text.
     void (*set_defaults)(Scene&);
-    void (*read)(Reading&, const ReadText&);
+    void (*read)(LoadState&, const ReadText&);
     /// What is left to do after the last text of a load; or null.
-    void (*finish)(Reading&) = nullptr;
+    void (*finish)(LoadState&) = nullptr;
 };
 
 std::span<const Format> all_formats();
@@ -23,19 +23,19 @@ std::span<const Format> all_formats();
 const Format* find_format(const SceneText& text, std::string& why);
 
 void set_cgfs_defaults(Scene& scene);
-void read_cgfs(Reading& reading, const ReadText& text);
+void read_cgfs(LoadState& reading, const ReadText& text);
 
 void set_epfl_defaults(Scene& scene);
-void read_epfl(Reading& reading, const ReadText& text);
+void read_epfl(LoadState& reading, const ReadText& text);
 
 void set_csc473_defaults(Scene& scene);
-void read_csc473(Reading& reading, const ReadText& text);
+void read_csc473(LoadState& reading, const ReadText& text);
 
 void set_nff_defaults(Scene& scene);
-void read_nff(Reading& reading, const ReadText& text);
+void read_nff(LoadState& reading, const ReadText& text);
 
 void set_glint_defaults(Scene& scene);
-void read_glint(Reading& reading, const ReadText& text);
-void finish_glint(Reading& reading);
+void read_glint(LoadState& reading, const ReadText& text);
+void finish_glint(LoadState& reading);
 
 }  // namespace glint

@@ -13,7 +13,7 @@ namespace glint {
 namespace {
 
 std::string_view word_of(ShapeKind kind) {
-    return kind == ShapeKind::smooth_triangle ? "triangle" : shape_word(kind);
+    return kind == ShapeKind::smooth_triangle ? "triangle" : to_string(kind);
 }
 
 bool same_bits(const Affine& a, const Affine& b) {

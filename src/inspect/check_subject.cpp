@@ -142,7 +142,7 @@ std::string Subject::line_of(SourcePlace place) const {
 }
 
 std::string Subject::shape(std::uint32_t i) const {
-    return item(shape_word(scene_.shapes[i].kind), i, scene_.shape_texts.name(i));
+    return item(to_string(scene_.shapes[i].kind), i, scene_.shape_texts.name(i));
 }
 std::string Subject::shape_and_line(std::uint32_t i) const {
     return shape(i) + line_of(scene_.shape_texts.place(i));

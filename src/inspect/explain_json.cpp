@@ -32,7 +32,7 @@ void add_item(Json& item, const Scene& scene, const ItemTexts& texts, std::uint3
 }
 
 Json shape_json(const Scene& scene, std::uint32_t index) {
-    Json item = {{"kind", shape_word(scene.shapes[index].kind)}};
+    Json item = {{"kind", to_string(scene.shapes[index].kind)}};
     add_item(item, scene, scene.shape_texts, index);
     return item;
 }

@@ -12,7 +12,7 @@ SourcePlace ItemTexts::place(std::uint32_t index) const {
     return index < places.size() ? places[index] : SourcePlace{};
 }
 
-std::string_view shape_word(ShapeKind kind) {
+std::string_view to_string(ShapeKind kind) {
     switch (kind) {
 #define GLINT_KIND(Type, word) \
     case ShapeKind::word:      \

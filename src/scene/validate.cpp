@@ -239,7 +239,7 @@ class Validator {
 
     // The text of a shape is made only when there is something to say: there may be millions.
     void shape_error(std::uint32_t i, std::string_view message) {
-        const std::string of = item(shape_word(scene_.shapes[i].kind), i, scene_.shape_texts.name(i));
+        const std::string of = item(to_string(scene_.shapes[i].kind), i, scene_.shape_texts.name(i));
         error(scene_.shape_texts.place(i), fmt::format("{}: {}", of, message));
     }
 

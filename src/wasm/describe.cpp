@@ -75,7 +75,7 @@ Json shapes_json(const Scene& scene) {
     for (const Shape& shape : scene.shapes) ++counts[static_cast<std::size_t>(shape.kind)];
     Json json = Json::object();
     for (std::size_t kind = 0; kind < k_shape_kinds; ++kind) {
-        if (counts[kind] != 0) json[std::string(shape_word(static_cast<ShapeKind>(kind)))] = counts[kind];
+        if (counts[kind] != 0) json[std::string(to_string(static_cast<ShapeKind>(kind)))] = counts[kind];
     }
     return json;
 }

@@ -95,7 +95,7 @@ class Drawn {
 
     void add_shape(std::uint32_t i) {
         const Shape& shape = s_.shapes[i];
-        line(shape_word(shape.kind));
+        line(to_string(shape.kind));
         out_ += s_.shape_texts.name(i);
         switch (shape.kind) {
 #define GLINT_KIND(Type, word)            \

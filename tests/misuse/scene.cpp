@@ -59,7 +59,7 @@ TEST(Misuse, OfEnumerations) {
         [](Scene& s) { s.conventions.facing = beyond<Facing>(); },
     };
     for (const Edit& edit : edits) expect_refused(edit, "an enumeration");
-    EXPECT_EQ(shape_word(beyond<ShapeKind>()), "unknown shape");
+    EXPECT_EQ(to_string(beyond<ShapeKind>()), "unknown shape");
 }
 
 // Every double of a scene, by a function that finds it.

@@ -211,9 +211,9 @@ TEST(Scene, ItemTextsOfScenesMadeInCodeAreEmpty) {
 }
 
 TEST(Scene, ShapesHaveTheirWords) {
-    EXPECT_EQ(shape_word(ShapeKind::sphere), "sphere");
-    EXPECT_EQ(shape_word(ShapeKind::cylinder), "cylinder");
-    EXPECT_EQ(shape_word(static_cast<ShapeKind>(250)), "unknown shape");
+    EXPECT_EQ(to_string(ShapeKind::sphere), "sphere");
+    EXPECT_EQ(to_string(ShapeKind::cylinder), "cylinder");
+    EXPECT_EQ(to_string(static_cast<ShapeKind>(250)), "unknown shape");
 }
 
 }  // namespace

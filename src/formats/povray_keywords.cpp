@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "formats/povray_words.h"
+#include "formats/povray_keywords.h"
 
 #include <algorithm>
 #include <iterator>

@@ -39,8 +39,8 @@ struct Includes {
     std::size_t repeated_bytes = 0;   ///< of texts included again
 };
 
-struct Reading {
-    Reading(const LoadOptions& load_options, Sources* text_sources, std::uint32_t max_errors)
+struct LoadState {
+    LoadState(const LoadOptions& load_options, Sources* text_sources, std::uint32_t max_errors)
         : options(load_options), sources(text_sources), diagnostics(max_errors) {}
 
     const LoadOptions& options;
