@@ -74,10 +74,12 @@ std::size_t trace(const Frame& frame, int c, const glint::Kernels& kernels) {
     for (std::size_t first = 0; first < total; first += k_run) {
         const int count = static_cast<int>(std::min(k_run, total - first));
         if (is_shadow(c)) {
-            kernels.any_hit(frame.world->parts(), frame.span(c, first), count, glint::k_beam, occluded);
+            kernels.any_hit(frame.world->parts(), frame.span(c, first), count, glint::k_packet_size,
+                            occluded);
             hits += std::count(occluded, occluded + count, 1);
         } else {
-            kernels.nearest_hit(frame.world->parts(), frame.span(c, first), count, glint::k_beam, t, slot);
+            kernels.nearest_hit(frame.world->parts(), frame.span(c, first), count, glint::k_packet_size, t,
+                                slot);
             hits += count - std::count(slot, slot + count, glint::k_none);
         }
     }

@@ -33,7 +33,7 @@ Vec3 offset_ray_origin(const Hit& hit, Vec3 direction) {
     return hit.point + hit.normal * (dot(hit.normal, direction) < 0 ? -reach(hit.point) : reach(hit.point));
 }
 
-// Pixels in Z-order: a packet of 16 is a block of 4 x 4 pixels, a beam of 64 one of 8 x 8.
+// Pixels in Z-order: a packet of 16 is a block of 4 x 4 pixels, a packet of 64 one of 8 x 8.
 int even_bits(int i) { return (i & 1) | (i >> 1 & 2) | (i >> 2 & 4) | (i >> 3 & 8) | (i >> 4 & 16); }
 
 struct Tracer {

@@ -69,13 +69,13 @@ GLINT_API Image difference_image(const Image& a, const Image& b, double gain = 0
 // ---- Causes ----
 
 /// A cause is named if it explains at least this much of a difference.
-inline constexpr double k_least_explained = 0.3;
+inline constexpr double k_min_explained = 0.3;
 
 /// One explanation of a difference.
 struct Cause {
     std::string name;         ///< a word: "ambient-missing"
     std::string explanation;  ///< what it is and what to do, in a sentence or two
-    double explained = 0;     ///< share of the mean difference that goes away with it, k_least_explained to 1
+    double explained = 0;     ///< share of the mean difference that goes away with it, k_min_explained to 1
     double remaining = 0;     ///< mean difference that stays, in 255ths
     bool rendered = false;    ///< found by rendering the scene with the fault
 };

@@ -95,11 +95,11 @@ struct Explanation {
     std::string error;  ///< and then nothing else holds
 };
 
-inline constexpr std::size_t k_most_explained_rays = 100000;
+inline constexpr std::size_t k_max_explained_rays = 100000;
 
 struct ExplainOptions {
     /// The rays of this sample alone are written down, row n + column; -1: of all, if they are not more than
-    /// k_most_explained_rays. Layers and value are always those of the pixel.
+    /// k_max_explained_rays. Layers and value are always those of the pixel.
     int sample = -1;
     std::string isa;  ///< one of isa_names(); empty: the best
 };

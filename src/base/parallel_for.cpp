@@ -67,7 +67,7 @@ class IdleArenas {
         const Mutex::scoped_lock lock(mutex_);
         idle_.push_back(std::move(arena));
         slots_ += idle_.back()->max_concurrency();
-        while (slots_ > k_most_slots) {
+        while (slots_ > k_max_slots) {
             slots_ -= idle_.front()->max_concurrency();
             idle_.erase(idle_.begin());
         }
@@ -75,7 +75,7 @@ class IdleArenas {
 
   private:
     using Mutex = oneapi::tbb::mutex;
-    static constexpr int k_most_slots = 4096;  // of a few kilobytes each
+    static constexpr int k_max_slots = 4096;  // of a few kilobytes each
 
     Mutex mutex_;
     std::vector<ArenaPtr> idle_;  // the last used last

@@ -29,7 +29,7 @@ struct BinaryNode {
     bool is_leaf = false;                // as one root: a leaf or a wide node
     bool is_link = false;                // stands for the first node of another tree
     std::uint64_t left_roots = 0;        // of i roots, how many are the left child's: 4 bits at 4 (i - 1)
-    std::uint32_t left_part(int i) const {
+    std::uint32_t left_roots_of(int i) const {
         return static_cast<std::uint32_t>(left_roots >> 4 * (i - 1) & 15);
     }
 };

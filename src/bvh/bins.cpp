@@ -9,7 +9,7 @@ namespace {
 int bins_for(std::uint32_t count) { return count <= 8 ? 6 : count <= 64 ? 8 : k_bins; }
 
 // A range of centroids below it is a point's: its reciprocal would not be finite.
-constexpr float k_least_size = 1e-36f;
+constexpr float k_min_size = 1e-36f;
 
 }  // namespace
 
@@ -17,7 +17,7 @@ Binning::Binning(const ItemRange& range) : lo(range.centroids.lo), scale{}, bins
     const Float4 size = range.centroids.hi - range.centroids.lo;
     // A little less than all, so that the last centroid rounds into the last bin.
     for (int a = 0; a < 3; ++a)
-        scale[a] = size[a] > k_least_size ? static_cast<float>(bins) * (1 - 0x1p-20f) / size[a] : 0;
+        scale[a] = size[a] > k_min_size ? static_cast<float>(bins) * (1 - 0x1p-20f) / size[a] : 0;
 }
 
 Bins::Bins(int bins) : bins_(bins) {

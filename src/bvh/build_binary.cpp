@@ -12,9 +12,9 @@
 namespace glint {
 namespace {
 
-constexpr std::uint32_t k_lowest = 2;         // items of one class in a lowest node, at most
-constexpr std::uint32_t k_mixed = 32;         // items of several classes that are parted both ways
-constexpr std::uint32_t k_least_task = 2048;  // items of a subtree that is worth a thread's while
+constexpr std::uint32_t k_lowest = 2;       // items of one class in a lowest node, at most
+constexpr std::uint32_t k_mixed = 32;       // items of several classes that are parted both ways
+constexpr std::uint32_t k_min_task = 2048;  // items of a subtree that is worth a thread's while
 constexpr std::uint32_t k_tasks = 64;
 // From this depth on ranges are halved, whatever their classes: the depth is then at most 48 + 27
 // (k_bvh_max_items is 2^27), or 48 + 31 where k_mixed items have just begun to be parted by class: below
@@ -37,7 +37,7 @@ class Builder {
     std::vector<BinaryTree> run() {
         const ItemRange whole = whole_range();
         area_scale_ = area_scale(whole.box);
-        task_items_ = std::max(k_least_task, whole.count / k_tasks);
+        task_items_ = std::max(k_min_task, whole.count / k_tasks);
         build_top(whole);
         trees_.resize(1 + tasks_.size());
         cuts_.resize(tasks_.size());
@@ -101,7 +101,7 @@ class Builder {
     }
 
     // Keeps the bins out of the recursion's frames.
-    __attribute__((noinline)) Parts part(const ItemRange& range, int depth, int threads) const {
+    __attribute__((noinline)) SplitRanges split_range(const ItemRange& range, int depth, int threads) const {
         if (depth < k_balanced_below) {
             const Binning binning(range);
             const Split split = best_split(range, binning, threads);
@@ -150,29 +150,29 @@ class Builder {
         } else if (range.count == 2) {
             build(tree, node, range, halve(items_, range), depth, cut);
         } else if (range.count > k_mixed || depth >= k_balanced_below || of_one_class(range)) {
-            build(tree, node, range, part(range, depth, 1), depth, cut);
+            build(tree, node, range, split_range(range, depth, 1), depth, cut);
         } else {
             build_mixed(tree, node, range, depth, cut);
         }
     }
 
-    void build(BinaryTree& tree, std::uint32_t node, const ItemRange& range, const Parts& parts, int depth,
-               CutCosts& cut) const {
+    void build(BinaryTree& tree, std::uint32_t node, const ItemRange& range, const SplitRanges& ranges,
+               int depth, CutCosts& cut) const {
         const std::uint32_t left = add_children(tree, node, range);
         CutCosts left_cut, right_cut;
-        build(tree, left, parts.left, depth + 1, left_cut);
-        build(tree, left + 1, parts.right, depth + 1, right_cut);
+        build(tree, left, ranges.left, depth + 1, left_cut);
+        build(tree, left + 1, ranges.right, depth + 1, right_cut);
         choose_cut(tree[node], half_area(range.box, area_scale_), left_cut, right_cut, costs_, cut);
     }
 
-    // Parts the items by place or by class, whichever makes the cheaper two roots.
+    // SplitRanges the items by place or by class, whichever makes the cheaper two roots.
     __attribute__((noinline)) void build_mixed(BinaryTree& tree, std::uint32_t node, const ItemRange& range,
                                                int depth, CutCosts& cut) const {
         const auto items = items_.begin() + range.first;
         const auto end = static_cast<std::ptrdiff_t>(tree.size());
         std::array<BvhItem, k_mixed> by_place;
         BinaryTree tree_by_place;
-        build(tree, node, range, part(range, depth, 1), depth, cut);
+        build(tree, node, range, split_range(range, depth, 1), depth, cut);
         std::copy_n(items, range.count, by_place.begin());
         tree_by_place.assign(tree.begin() + end, tree.end());
         const BinaryNode node_by_place = tree[node];
@@ -193,11 +193,11 @@ class Builder {
     void build_by_class(BinaryTree& tree, std::uint32_t node, const ItemRange& range, int depth,
                         CutCosts& cut) const {
         if (of_one_class(range)) return build(tree, node, range, depth, cut);
-        const Parts parts = part_classes(items_, range);
+        const SplitRanges ranges = partition_by_class(items_, range);
         const std::uint32_t left = add_children(tree, node, range);
         CutCosts left_cut, right_cut;
-        build(tree, left, parts.left, depth + 1, left_cut);
-        build_by_class(tree, left + 1, parts.right, depth + 1, right_cut);
+        build(tree, left, ranges.left, depth + 1, left_cut);
+        build_by_class(tree, left + 1, ranges.right, depth + 1, right_cut);
         choose_cut(tree[node], half_area(range.box, area_scale_), left_cut, right_cut, costs_, cut);
     }
 
@@ -217,10 +217,10 @@ class Builder {
                 top[node].left = static_cast<std::uint32_t>(tasks_.size());
                 continue;
             }
-            const Parts parts = part(task.range, task.depth, threads_);
+            const SplitRanges ranges = split_range(task.range, task.depth, threads_);
             const std::uint32_t left = add_children(top, node, task.range);
-            open.push_back({left + 1, {parts.right, task.depth + 1}});
-            open.push_back({left, {parts.left, task.depth + 1}});
+            open.push_back({left + 1, {ranges.right, task.depth + 1}});
+            open.push_back({left, {ranges.left, task.depth + 1}});
         }
     }
 

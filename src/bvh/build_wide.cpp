@@ -75,7 +75,7 @@ class Writer {
 
     void split(Reference r, int roots, std::array<Reference, k_bvh_width>& children, int& count) const {
         const BinaryNode& n = at(r);
-        const int left = static_cast<int>(n.left_part(roots));
+        const int left = static_cast<int>(n.left_roots_of(roots));
         gather({r.tree, n.left}, left, children, count);
         gather({r.tree, n.left + 1}, roots - left, children, count);
     }

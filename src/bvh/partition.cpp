@@ -15,14 +15,14 @@ Float4 where(Int4 mask, Float4 yes, Float4 no) {
                                     (reinterpret_cast<Int4>(no) & ~mask));
 }
 
-struct ChunkParts {
+struct ChunkSplit {
     std::size_t left = 0;  // how many
     Box4 left_centroids, right_centroids;
 };
 
 // Every item changes places with the first right one, so that nothing has to be guessed about its side.
-ChunkParts partition_chunk(std::span<BvhItem> items, const Binning& binning, const Split& split) {
-    ChunkParts parts;
+ChunkSplit partition_chunk(std::span<BvhItem> items, const Binning& binning, const Split& split) {
+    ChunkSplit ranges;
     const Box4 none;
     std::size_t left = 0;
     for (std::size_t i = 0; i < items.size(); ++i) {
@@ -30,14 +30,14 @@ ChunkParts partition_chunk(std::span<BvhItem> items, const Binning& binning, con
         const Float4 c = centroid(item);
         const std::int32_t is_left = binning.bin(c)[split.axis] < split.bin ? -1 : 0;
         const Int4 mask{is_left, is_left, is_left, is_left};
-        parts.left_centroids.add(where(mask, c, none.lo), where(mask, c, none.hi));
-        parts.right_centroids.add(where(mask, none.lo, c), where(mask, none.hi, c));
+        ranges.left_centroids.add(where(mask, c, none.lo), where(mask, c, none.hi));
+        ranges.right_centroids.add(where(mask, none.lo, c), where(mask, none.hi, c));
         items[i] = items[left];
         items[left] = item;
         left -= static_cast<std::size_t>(static_cast<std::ptrdiff_t>(is_left));
     }
-    parts.left = left;
-    return parts;
+    ranges.left = left;
+    return ranges;
 }
 
 // Runs of items that stand on the wrong side; changes the k-th of one list with the k-th of the other.
@@ -76,19 +76,19 @@ ItemRange bounds_of(std::span<const BvhItem> items, std::uint32_t first, std::ui
 
 }  // namespace
 
-Parts partition(std::span<BvhItem> all, const ItemRange& range, const Binning& binning, const Split& split,
-                int threads) {
+SplitRanges partition(std::span<BvhItem> all, const ItemRange& range, const Binning& binning,
+                      const Split& split, int threads) {
     const std::span<BvhItem> items = all.subspan(range.first, range.count);
-    ChunkParts whole;
+    ChunkSplit whole;
     if (items.size() <= k_chunk) {
         whole = partition_chunk(items, binning, split);
     } else {
-        std::vector<ChunkParts> chunks((items.size() + k_chunk - 1) / k_chunk);
+        std::vector<ChunkSplit> chunks((items.size() + k_chunk - 1) / k_chunk);
         const auto chunk_size = [&](std::size_t c) { return std::min(k_chunk, items.size() - c * k_chunk); };
         parallel_for(chunks.size(), threads, [&](std::size_t c) {
             chunks[c] = partition_chunk(items.subspan(c * k_chunk, chunk_size(c)), binning, split);
         });
-        for (const ChunkParts& c : chunks) {
+        for (const ChunkSplit& c : chunks) {
             whole.left += c.left;
             whole.left_centroids.add(c.left_centroids);
             whole.right_centroids.add(c.right_centroids);
@@ -115,12 +115,12 @@ Parts partition(std::span<BvhItem> all, const ItemRange& range, const Binning& b
             {range.first + left, range.count - left, split.right, whole.right_centroids}};
 }
 
-Parts halve(std::span<const BvhItem> items, const ItemRange& range) {
+SplitRanges halve(std::span<const BvhItem> items, const ItemRange& range) {
     const std::uint32_t left = range.count / 2;
     return {bounds_of(items, range.first, left), bounds_of(items, range.first + left, range.count - left)};
 }
 
-Parts part_classes(std::span<BvhItem> items, const ItemRange& range) {
+SplitRanges partition_by_class(std::span<BvhItem> items, const ItemRange& range) {
     const auto begin = items.begin() + range.first;
     const std::uint32_t item_class = begin->item_class;
     const auto middle = std::stable_partition(

@@ -9,17 +9,17 @@ namespace glint {
 
 /// The two ranges that the split parts the range into; reorders items. The order does not depend on threads.
 /// Neither is empty.
-struct Parts {
+struct SplitRanges {
     ItemRange left, right;
 };
-Parts partition(std::span<BvhItem> items, const ItemRange& range, const Binning& binning, const Split& split,
-                int threads);
+SplitRanges partition(std::span<BvhItem> items, const ItemRange& range, const Binning& binning,
+                      const Split& split, int threads);
 
 /// The range in two halves as it stands.
-Parts halve(std::span<const BvhItem> items, const ItemRange& range);
+SplitRanges halve(std::span<const BvhItem> items, const ItemRange& range);
 
 /// The items of the first one's class, and the others.
-Parts part_classes(std::span<BvhItem> items, const ItemRange& range);
+SplitRanges partition_by_class(std::span<BvhItem> items, const ItemRange& range);
 
 /// Items in one go; larger ranges are parted in pieces of so many, whatever the number of threads.
 inline constexpr std::size_t k_chunk = 16384;

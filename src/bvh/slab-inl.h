@@ -6,7 +6,7 @@
 //   * inverse
 // with the origin and the inverse direction rounded so that entry is never too late and exit never too early.
 // IEEE rounding is monotone: the entry of a box is at most that of any box inside it, and an interval
-// evaluation of the same expression bounds every ray of a beam. So grouping rays, or the shape of the tree,
+// evaluation of the same expression bounds every ray of a packet. So grouping rays, or the shape of the tree,
 // cannot change what is hit.
 #if defined(GLINT_BVH_SLAB_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLINT_BVH_SLAB_INL_H_
@@ -27,8 +27,8 @@ namespace HWY_NAMESPACE {
 
 /// Rays in single precision, as the slab expression and the shapes' filters take them.
 struct SlabRays {
-    static constexpr int k_most = 256;
-    static constexpr int k_size = k_most + k_ray_padding;
+    static constexpr int k_max_rays = 256;
+    static constexpr int k_size = k_max_rays + k_ray_padding;
     // By axis and ray: the rounded origins and inverse directions for the near and for the far plane.
     alignas(64) float near_origin[3][k_size], far_origin[3][k_size];
     alignas(64) float near_inverse[3][k_size], far_inverse[3][k_size];
@@ -96,20 +96,20 @@ inline void pad_rays(int count, SlabRays& to) {
     fill(to.t_max, -std::numeric_limits<float>::infinity());
 }
 
-/// Prepares rays [0, count) of the stream, 1 <= count <= SlabRays::k_most, and what follows them.
+/// Prepares rays [0, count) of the stream, 1 <= count <= SlabRays::k_max_rays, and what follows them.
 inline void prepare_rays(const RaySpan& rays, int count, SlabRays& to) {
     to.common_origin = have_common_origin(rays, count);
     for (int i = 0; i < count; i += lane_count<double>()) narrow_rays(rays, i, to);
     // An inverse is wrong by 2^-23 of itself, the slab's difference and product by 2^-24 each.
     const Floats zero(0), tiny(1e-30f), shrink(1 - 0x1p-21f), grow(1 + 0x1p-21f);
     for (int i = 0; i < count; i += lane_count<float>()) {
-        Floats direction[3], least_inverse(std::numeric_limits<float>::infinity());
+        Floats direction[3], min_inverse(std::numeric_limits<float>::infinity());
         for (int a = 0; a < 3; ++a) {
             const Floats o = load(to.origin[a] + i), d = load(to.direction[a] + i);
             // A direction of 0 along an axis becomes tiny: the slab then covers all t, or none.
             direction[a] = select(abs(d) < tiny, select(d < zero, -tiny, tiny), d);
             const Floats inverse = Floats(1) / direction[a];
-            least_inverse = min(least_inverse, abs(inverse));
+            min_inverse = min(min_inverse, abs(inverse));
             const Floats margin = rounding_margin(o), below = o - margin, above = o + margin;
             const auto ahead = inverse > zero;
             store(select(ahead, above, below), to.near_origin[a] + i);
@@ -119,7 +119,7 @@ inline void prepare_rays(const RaySpan& rays, int count, SlabRays& to) {
         }
         // Its largest component is about 1, so that its square is a float too. Of one so short that what was
         // made tiny above counts, no filter shall judge: none rejects 0.
-        const Floats stretch = select(least_inverse > Floats(1e22f), zero, least_inverse);
+        const Floats stretch = select(min_inverse > Floats(1e22f), zero, min_inverse);
         for (int a = 0; a < 3; ++a) store(direction[a] * stretch, to.direction[a] + i);
         const Floats t_min = load(to.t_min + i), t_max = load(to.t_max + i);
         store(t_min - rounding_margin(t_min), to.t_min + i);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Walking the hierarchy with a beam, or with one ray.
+// Walking the hierarchy with a packet, or with one ray.
 #if defined(GLINT_BVH_TRAVERSE_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLINT_BVH_TRAVERSE_INL_H_
 #undef GLINT_BVH_TRAVERSE_INL_H_
@@ -7,28 +7,28 @@
 #define GLINT_BVH_TRAVERSE_INL_H_
 #endif
 
-#include "bvh/beam-inl.h"
+#include "bvh/ray_packet-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace glint {
 namespace HWY_NAMESPACE {
 
 /// What is still to be visited; on top the next. Not set at first: it has thousands of entries.
-template <class Visit> class Visits {
+template <class StackEntry> class TraversalStack {
   public:
     bool empty() const { return top_ == 0; }
-    HWY_INLINE const Visit& pop() { return stack_[--top_]; }
+    HWY_INLINE const StackEntry& pop() { return stack_[--top_]; }
     int size() const { return top_; }
-    HWY_INLINE void push(const Visit& visit) { stack_[top_++] = visit; }
+    HWY_INLINE void push(const StackEntry& visit) { stack_[top_++] = visit; }
     /// Pushes below those from `base` on that are nearer: the nearest stays on top.
-    HWY_INLINE void push_ordered(const Visit& visit, int base) {
+    HWY_INLINE void push_ordered(const StackEntry& visit, int base) {
         int at = top_++;
         for (; at > base && stack_[at - 1].is_nearer_than(visit); --at) stack_[at] = stack_[at - 1];
         stack_[at] = visit;
     }
 
   private:
-    Visit stack_[k_bvh_max_depth * (k_bvh_width - 1) + 1];
+    StackEntry stack_[k_bvh_max_depth * (k_bvh_width - 1) + 1];
     int top_ = 0;
 };
 
@@ -37,7 +37,7 @@ struct KeyedChild {
     std::int64_t key;
     HWY_INLINE KeyedChild(BvhChild child, std::int32_t entry)
         : key(entry * (std::int64_t{1} << 32) + child.bits) {}
-    KeyedChild() {}  // not set: see Visits
+    KeyedChild() {}  // not set: see TraversalStack
     BvhChild child() const { return {static_cast<std::uint32_t>(key)}; }
     std::int32_t entry() const { return static_cast<std::int32_t>(key >> 32); }
     bool is_nearer_than(const KeyedChild& other) const { return key < other.key; }
@@ -54,7 +54,7 @@ HWY_INLINE void sort(KeyedChild& a, KeyedChild& b) {
 /// Pushes the children that are met, the nearest last, but for the nearest itself, which is returned.
 /// met is not 0.
 HWY_INLINE BvhChild push_all_but_nearest(const BvhNode& node, std::uint32_t met, const std::int32_t* entries,
-                                         Visits<KeyedChild>& visits) {
+                                         TraversalStack<KeyedChild>& visits) {
     const auto first_met = [&]() HWY_ATTR {
         const int c = __builtin_ctz(met);
         return KeyedChild(node.child[c], entries[c]);
@@ -85,7 +85,7 @@ HWY_INLINE void traverse_ray(const Bvh& bvh, const SlabRays& rays, int i, BvhChi
         near_at[a] = (rays.near_inverse[a][i] > 0 ? 0 : 3 * k_bvh_width) + a * k_bvh_width;
         far_at[a] = (rays.near_inverse[a][i] > 0 ? 3 * k_bvh_width : 0) + a * k_bvh_width;
     }
-    Visits<KeyedChild> visits;
+    TraversalStack<KeyedChild> visits;
     float t_max = rays.t_max[i];
     for (;;) {
         if (next.is_leaf()) {
@@ -127,52 +127,53 @@ HWY_INLINE void traverse_ray(const Bvh& bvh, const SlabRays& rays, int i, BvhChi
     }
 }
 
-/// Rays that go on alone when fewer than this of a beam are left.
-inline constexpr int k_least_beam = 8;
+/// Rays that go on alone when fewer than this of a packet are left.
+inline constexpr int k_min_packet_size = 8;
 
-/// Calls leaf.visit(beam, mine, first, count) for every leaf whose box some rays of the beam meet before
-/// their t_max: those that are set in `mine`; nearest first when `ordered`. Where few rays are left, they go
-/// on alone. visit may shrink rays' t_max (and then updates the beam's).
-template <bool ordered, class Leaf> HWY_INLINE void traverse_beam(const Bvh& bvh, Beam& beam, Leaf& leaf) {
-    struct Visit {
+/// Calls leaf.visit(packet, active, first, count) for every leaf whose box some rays of the packet meet
+/// before their t_max: those that are set in `active`; nearest first when `ordered`. Where few rays are left,
+/// they go on alone. visit may shrink rays' t_max (and then updates the packet's).
+template <bool ordered, class Leaf>
+HWY_INLINE void traverse_packet(const Bvh& bvh, RayPacket& packet, Leaf& leaf) {
+    struct StackEntry {
         BvhChild child;
         float entry;
-        std::uint64_t mine;
-        bool is_nearer_than(const Visit& other) const { return entry < other.entry; }
+        std::uint64_t active;
+        bool is_nearer_than(const StackEntry& other) const { return entry < other.entry; }
     };
-    Visits<Visit> visits;
-    visits.push({BvhChild::node(0), -std::numeric_limits<float>::infinity(), beam.all()});
+    TraversalStack<StackEntry> visits;
+    visits.push({BvhChild::node(0), -std::numeric_limits<float>::infinity(), packet.all()});
     while (!visits.empty()) {
-        const Visit next = visits.pop();
-        // Also true once every ray is done: most_t_max is then -infinity.
-        if (next.entry > beam.most_t_max) continue;
-        if (__builtin_popcountll(next.mine) < k_least_beam) {
-            for (std::uint64_t bits = next.mine; bits != 0; bits &= bits - 1) {
-                const int i = beam.first + __builtin_ctzll(bits);
-                if (next.entry > beam.rays.t_max[i]) continue;
-                traverse_ray<ordered>(bvh, beam.rays, i, next.child, leaf);
+        const StackEntry next = visits.pop();
+        // Also true once every ray is done: max_t_max is then -infinity.
+        if (next.entry > packet.max_t_max) continue;
+        if (__builtin_popcountll(next.active) < k_min_packet_size) {
+            for (std::uint64_t bits = next.active; bits != 0; bits &= bits - 1) {
+                const int i = packet.first + __builtin_ctzll(bits);
+                if (next.entry > packet.rays.t_max[i]) continue;
+                traverse_ray<ordered>(bvh, packet.rays, i, next.child, leaf);
             }
-            beam.update_t_max();
+            packet.update_t_max();
             continue;
         }
         if (next.child.is_leaf()) {
-            leaf.visit(beam, next.mine, next.child.first(), next.child.count());
+            leaf.visit(packet, next.active, next.child.first(), next.child.count());
             continue;
         }
         const BvhNode& node = bvh.nodes[next.child.index()];
         alignas(64) float entries[k_bvh_width];
-        std::uint32_t met = children_met(beam, node, entries);
+        std::uint32_t met = children_met(packet, node, entries);
         const int base = visits.size();
         for (; met != 0; met &= met - 1) {
             const int c = __builtin_ctz(met);
             const float lo[3] = {node.lo[0][c], node.lo[1][c], node.lo[2][c]};
             const float hi[3] = {node.hi[0][c], node.hi[1][c], node.hi[2][c]};
-            const std::uint64_t mine = rays_that_meet(beam, next.mine, lo, hi);
-            if (mine == 0) continue;
+            const std::uint64_t active = rays_that_meet(packet, next.active, lo, hi);
+            if (active == 0) continue;
             if constexpr (ordered) {
-                visits.push_ordered({node.child[c], entries[c], mine}, base);
+                visits.push_ordered({node.child[c], entries[c], active}, base);
             } else {
-                visits.push({node.child[c], entries[c], mine});
+                visits.push({node.child[c], entries[c], active});
             }
         }
     }

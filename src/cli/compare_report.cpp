@@ -15,7 +15,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::size_t k_most_other_causes = 3;
+constexpr std::size_t k_max_other_causes = 3;
 
 std::string color_text(const float (&c)[3], bool as_floats) {
     if (as_floats) return fmt::format("({:.5g}, {:.5g}, {:.5g})", c[0], c[1], c[2]);
@@ -31,7 +31,7 @@ void add_counts(std::string& text, const char* name, const PixelCounts& counts) 
 void add_others(std::string& text, const char* how, std::span<const Cause> causes) {
     if (causes.empty()) return;
     std::vector<std::string> words;
-    for (const Cause& cause : causes.first(std::min(causes.size(), k_most_other_causes)))
+    for (const Cause& cause : causes.first(std::min(causes.size(), k_max_other_causes)))
         words.push_back(fmt::format("{} ({})", cause.name, share_text(cause.explained)));
     text += fmt::format("  {}: {}\n", how, fmt::join(words, ", "));
 }

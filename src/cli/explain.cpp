@@ -29,7 +29,7 @@ constexpr auto k_examples = R"(Examples:
   glint explain castle.json -p 320,200 --as json | jq .value
   glint explain spheres.pov -p 315,185 --origin bottom-left --as printrays)";
 
-constexpr int k_most_listed = 8;  // samples a side that are listed one by one
+constexpr int k_max_listed = 8;  // samples a side that are listed one by one
 
 struct ExplainArguments {
     SceneArguments scene;
@@ -135,7 +135,7 @@ int explain_command(ExplainArguments& arguments) {
     } else {
         fmt::print("{}", explanation_text(explanation, scene, style));
         const int samples = scene.settings.samples;
-        if (samples > 1 && samples <= k_most_listed) {
+        if (samples > 1 && samples <= k_max_listed) {
             options.sample = -1;
             const Explanation all = explain(scene, *prepared.world, pixel.x, pixel.y, options);
             if (all.error.empty()) fmt::print("{}", samples_text(all, scene, style));

@@ -16,7 +16,7 @@
 namespace glint::cli {
 namespace {
 
-constexpr std::size_t k_most_read = std::size_t{1} << 30;  // of a pipe or a device, which may never end
+constexpr std::size_t k_max_read = std::size_t{1} << 30;  // of a pipe or a device, which may never end
 
 class Descriptor {
   public:
@@ -39,7 +39,7 @@ std::string read_all(int descriptor, bool binary, std::string& text) {
     constexpr std::size_t step = 1 << 16;
     for (;;) {
         const std::size_t size = text.size();
-        if (size >= k_most_read) return "goes on after 1 GiB; only a regular file may be longer";
+        if (size >= k_max_read) return "goes on after 1 GiB; only a regular file may be longer";
         text.resize(size + step);
         const ssize_t count = ::read(descriptor, text.data() + size, step);
         text.resize(size + static_cast<std::size_t>(count > 0 ? count : 0));

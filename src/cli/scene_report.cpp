@@ -15,7 +15,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::size_t k_most_listed = 20;  // of lights and materials, in the text
+constexpr std::size_t k_max_listed = 20;  // of lights and materials, in the text
 
 std::string vec(Vec3 v) { return fmt::format("({:.6g}, {:.6g}, {:.6g})", v.x, v.y, v.z); }
 std::string color(Color c) {
@@ -140,7 +140,7 @@ std::string text_report(const SceneReport& report) {
                    counts_text(light_counts(scene), [](std::size_t n, std::size_t kind) {
                        return fmt::format("{} {}", n, word(static_cast<LightKind>(kind)));
                    }));
-    for (std::size_t i = 0; i < scene.lights.size() && i < k_most_listed; ++i) {
+    for (std::size_t i = 0; i < scene.lights.size() && i < k_max_listed; ++i) {
         const Light& light = scene.lights[i];
         const auto index = static_cast<std::uint32_t>(i);
         std::string line =
@@ -151,13 +151,13 @@ std::string text_report(const SceneReport& report) {
         if (!place.empty()) line += "  " + place;
         fmt::format_to(out, "{}\n", line);
     }
-    if (scene.lights.size() > k_most_listed) {
-        fmt::format_to(out, "  and {} more\n", with_commas(scene.lights.size() - k_most_listed));
+    if (scene.lights.size() > k_max_listed) {
+        fmt::format_to(out, "  and {} more\n", with_commas(scene.lights.size() - k_max_listed));
     }
     fmt::format_to(out, "  sum of intensities {}\n", color(sum_of_lights(scene)));
     fmt::format_to(out, "materials   {}", with_commas(scene.materials.size()));
     std::size_t named = 0;
-    for (std::uint32_t i = 0; i < scene.materials.size() && named < k_most_listed; ++i) {
+    for (std::uint32_t i = 0; i < scene.materials.size() && named < k_max_listed; ++i) {
         const std::string_view name = scene.material_texts.name(i);
         if (!name.empty()) fmt::format_to(out, "{}{}", named++ == 0 ? ": " : ", ", name);
     }

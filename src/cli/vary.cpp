@@ -18,7 +18,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int k_most_values = 1001;
+constexpr int k_max_values = 1001;
 
 struct Step {
     std::string value;
@@ -44,7 +44,7 @@ std::vector<std::string> parse_values(const std::string& whole, std::string_view
     if (const std::size_t dots = text.find(".."); dots != std::string_view::npos) {
         const auto first = whole_number(text.substr(0, dots)), last = whole_number(text.substr(dots + 2));
         if (!first || !last || *first > *last) fail(whole, "expected A..B, two whole numbers, A below B");
-        if (*last - *first >= k_most_values) fail(whole, fmt::format("more than {} values", k_most_values));
+        if (*last - *first >= k_max_values) fail(whole, fmt::format("more than {} values", k_max_values));
         for (int i = *first; i <= *last; ++i) values.push_back(std::to_string(i));
         return values;
     }

@@ -8,8 +8,8 @@
 namespace glint {
 namespace {
 
-constexpr std::int32_t k_gap = 6, k_wide_gap = 18;            // pixels: between cells, and beside a head
-constexpr std::int32_t k_least_side = 16, k_most_side = 160;  // pixels of a picture
+constexpr std::int32_t k_gap = 6, k_wide_gap = 18;         // pixels: between cells, and beside a head
+constexpr std::int32_t k_min_side = 16, k_max_side = 160;  // pixels of a picture
 constexpr float k_paper = 0.15f, k_frame = 0.35f;
 
 // Digits of 3 x 5 dots, a row in three bits: enough to tell the pictures by the table's numbers.
@@ -122,7 +122,7 @@ std::optional<SheetLayout> lay_out_list(std::size_t cells) {
     SheetLayout layout;
     while (layout.columns * layout.columns < 2 * cells) ++layout.columns;  // cells are twice as high as wide
     const std::size_t rows = quotient_up(cells, layout.columns);
-    for (layout.side = k_most_side; layout.side >= k_least_side; --layout.side) {
+    for (layout.side = k_max_side; layout.side >= k_min_side; --layout.side) {
         if (fits(across(layout.columns, layout.side)) && fits(down(rows, layout.side))) return layout;
     }
     return std::nullopt;
@@ -131,7 +131,7 @@ std::optional<SheetLayout> lay_out_list(std::size_t cells) {
 std::optional<SheetLayout> lay_out_table(std::size_t rows, std::size_t columns) {
     SheetLayout layout;
     layout.columns = columns;
-    for (layout.side = k_most_side; layout.side >= k_least_side; --layout.side) {
+    for (layout.side = k_max_side; layout.side >= k_min_side; --layout.side) {
         layout.rows = (k_sheet_side - k_gap) / down(1, layout.side) - 1;
         const std::size_t blocks = quotient_up(rows, layout.rows);
         if (fits(blocks * (across(columns, layout.side) + k_wide_gap))) return layout;

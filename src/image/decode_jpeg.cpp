@@ -12,7 +12,7 @@ namespace glint {
 namespace {
 
 // Progressive files send the picture in passes; honest ones have about ten, hostile ones thousands.
-constexpr int k_most_scans = 100;
+constexpr int k_max_scans = 100;
 
 struct ErrorManager {
     jpeg_error_mgr manager;  // first: libjpeg knows only this part
@@ -35,9 +35,9 @@ void on_message(j_common_ptr info, int level) {
 }
 
 void on_progress(j_common_ptr info) {
-    if (reinterpret_cast<j_decompress_ptr>(info)->input_scan_number <= k_most_scans) return;
+    if (reinterpret_cast<j_decompress_ptr>(info)->input_scan_number <= k_max_scans) return;
     auto& errors = *reinterpret_cast<ErrorManager*>(info->err);
-    std::snprintf(errors.message, sizeof errors.message, "more than %d passes", k_most_scans);
+    std::snprintf(errors.message, sizeof errors.message, "more than %d passes", k_max_scans);
     fail(errors);
 }
 

@@ -13,7 +13,7 @@ namespace {
 
 // A byte of deflate is at most this many bytes of picture (zlib's own figure): a file that claims more is cut
 // off.
-constexpr std::size_t k_most_inflated = 1032;
+constexpr std::size_t k_max_inflated = 1032;
 
 // What outlives a longjmp, and what libpng's callbacks see.
 struct Reading {
@@ -96,7 +96,7 @@ DecodeResult decode_png(ByteSpan bytes, const DecodeOptions& options) {
                       height = png_get_image_height(file.png, file.info);
     check_size(static_cast<std::int64_t>(width), static_cast<std::int64_t>(height), options);
     const std::size_t packed_row = png_get_rowbytes(file.png, file.info);
-    if (packed_row * height / k_most_inflated > bytes.size()) throw Undecodable("PNG: the file is cut off");
+    if (packed_row * height / k_max_inflated > bytes.size()) throw Undecodable("PNG: the file is cut off");
     const int file_bits = png_get_bit_depth(file.png, file.info), bits = file_bits == 16 ? 16 : 8;
 
     Image image{static_cast<std::int32_t>(width), static_cast<std::int32_t>(height), {}};

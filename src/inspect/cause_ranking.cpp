@@ -14,7 +14,7 @@ constexpr double k_tie = 0.003;
 // What can be bent is dropped if something else explains this much.
 constexpr double k_explained_well = 0.9;
 // In 255ths: less is nothing to explain.
-constexpr double k_least_calm = 0.01;
+constexpr double k_min_calm = 0.01;
 
 // Does a candidate of no more freedom explain this much?
 bool explains(const std::vector<Candidate>& list, int freedom, double share) {
@@ -67,7 +67,7 @@ std::vector<Candidate> ranked(const Search& search, bool& away_from_edges) {
     std::vector<Candidate> found = explaining(search, false), list;
     double whole = search.whole.all;
     away_from_edges = false;
-    if (!explains(found, 2, k_explained_partly) && search.whole.calm > k_least_calm) {
+    if (!explains(found, 2, k_explained_partly) && search.whole.calm > k_min_calm) {
         std::vector<Candidate> calm = explaining(search, true);
         if (explains(calm, 0, k_explained_partly)) {
             found = std::move(calm);

@@ -10,7 +10,7 @@ namespace glint {
 
 struct Candidate {
     Cause cause;
-    double least = k_least_explained;
+    double least = k_min_explained;
     int freedom = 0;     ///< PictureCause::freedom
     Distance left = {};  ///< from the picture to explain
     /// If only a sample of rows has been looked at, by which `left` is estimated: the place in

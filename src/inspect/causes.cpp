@@ -29,7 +29,7 @@ constexpr double k_same_part = 0.1;
 constexpr std::size_t k_confirmed = 5;
 constexpr double k_fair_sample = 2;
 // Smaller pictures are done before another thread has begun.
-constexpr std::int64_t k_least_for_threads = 1 << 18;
+constexpr std::int64_t k_min_for_threads = 1 << 18;
 
 class CauseFinder {
   public:
@@ -44,7 +44,7 @@ class CauseFinder {
         Search search;
         search.report.error = pair_fault(picture, reference_);
         if (!search.report.error.empty()) return search;
-        const bool is_small = std::int64_t{reference_.width} * reference_.height < k_least_for_threads;
+        const bool is_small = std::int64_t{reference_.width} * reference_.height < k_min_for_threads;
         search.area = {&edges_, all_rows(reference_.height), 1, is_small ? 1 : options_.threads};
         if (std::min(reference_.width, reference_.height) < 3) search.area.rim = 0;
         search.sample = search.area;

@@ -7,8 +7,8 @@
 namespace glint {
 namespace {
 
-constexpr std::int32_t k_longest = 16;         // rays a side
-constexpr std::uint32_t k_most_boxes = 20000;  // of more, some are looked at
+constexpr std::int32_t k_longest = 16;        // rays a side
+constexpr std::uint32_t k_max_boxes = 20000;  // of more, some are looked at
 
 // Whether the ray is in the box anywhere before t.
 bool meets(const Bounds& box, Vec3 origin, Vec3 direction, double t) {
@@ -33,7 +33,7 @@ bool meets(const Bounds& box, Vec3 origin, Vec3 direction, double t) {
 double shapes_a_ray(const WorldParts& world, int threads) {
     const RayList rays = camera_rays(world, small_size(world.settings, k_longest), 0, 0);
     const HitList hits = nearest_hits(world, rays, threads);
-    const std::uint32_t step = world.geometry->bounded / k_most_boxes + 1;
+    const std::uint32_t step = world.geometry->bounded / k_max_boxes + 1;
     std::uint64_t met = 0;
     for (std::uint32_t slot = 0; slot < world.geometry->bounded; slot += step) {
         const Bounds box = to_bounds(primitive_bounds(*world.geometry, slot));

@@ -18,8 +18,8 @@ constexpr std::int32_t k_longest = 400;
 // Where in their pixels the rays pass: off every symmetry, so that none runs along an edge that two faces
 // share.
 constexpr double k_beside_x = 0.2371, k_beside_y = -0.1893;
-constexpr double k_least_share = 1e-4;  // of the picture; a ball that touches the floor has less
-constexpr std::size_t k_most_reported = 5;
+constexpr double k_min_share = 1e-4;  // of the picture; a ball that touches the floor has less
+constexpr std::size_t k_max_reported = 5;
 constexpr double k_parallel = 1e-10, k_grazing = 0.02;  // 1 - cosine; cosine
 
 // All that makes a shape what it is, materials apart.
@@ -109,9 +109,9 @@ void check_twins(Subject& subject, std::vector<bool>& covered) {
     }
     std::sort(twins.begin(), twins.end());
     for (const auto& [later, earlier] : twins) covered[later] = covered[earlier] = true;
-    for (std::size_t i = 0; i < twins.size() && i < k_most_reported; ++i) {
+    for (std::size_t i = 0; i < twins.size() && i < k_max_reported; ++i) {
         const auto [later, earlier] = twins[i];
-        const std::size_t more = i + 1 == k_most_reported ? twins.size() - k_most_reported : 0;
+        const std::size_t more = i + 1 == k_max_reported ? twins.size() - k_max_reported : 0;
         subject.report(
             "shape-written-twice", scene.shape_texts.place(later),
             fmt::format("{} is in the very place of {}: only the earlier one is seen{}", subject.shape(later),
@@ -179,14 +179,14 @@ class Coincidences {
             list.emplace_back(pixels, pair);
             all += pixels;
         }
-        const double least = k_least_share * static_cast<double>(rays_);
+        const double least = k_min_share * static_cast<double>(rays_);
         if (static_cast<double>(all) <= least) return;
         std::stable_sort(list.begin(), list.end(),
                          [](const auto& a, const auto& b) { return a.first > b.first; });
         for (const auto& [pixels, pair] : list) covered[pair.earlier] = covered[pair.later] = true;
         // Of thousands of small ones none may be large enough by itself.
         std::size_t named = 1;
-        while (named < list.size() && named<k_most_reported&& static_cast<double>(list[named].first)> least)
+        while (named < list.size() && named<k_max_reported&& static_cast<double>(list[named].first)> least)
             ++named;
         for (std::size_t i = 0; i < named; ++i) {
             const auto& [pixels, pair] = list[i];

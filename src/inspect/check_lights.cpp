@@ -14,13 +14,13 @@ namespace glint {
 namespace {
 
 constexpr std::int32_t k_first_look = 160, k_second_look = 480;  // longest side, pixels
-constexpr std::size_t k_most_groups = 256;  // of lights that are drawn together: one each, of up to 256
-constexpr std::size_t k_full_looks = 8;     // more groups get smaller pictures
-constexpr std::size_t k_most_dark = 256;    // whose reasons are looked for
-constexpr std::size_t k_most_named = 5;
+constexpr std::size_t k_max_groups = 256;  // of lights that are drawn together: one each, of up to 256
+constexpr std::size_t k_full_looks = 8;    // more groups get smaller pictures
+constexpr std::size_t k_max_dark = 256;    // whose reasons are looked for
+constexpr std::size_t k_max_named = 5;
 constexpr double k_half_byte = 0.5 / 255;
-constexpr std::size_t k_most_points = 4096;
-constexpr double k_most_intensity = 10;  // without attenuation; 255 is a byte's
+constexpr std::size_t k_max_points = 4096;
+constexpr double k_max_intensity = 10;  // without attenuation; 255 is a byte's
 
 bool is_black(Color c) { return c.r == 0 && c.g == 0 && c.b == 0; }
 
@@ -75,7 +75,7 @@ Blockage find_blockage(const Subject& subject, const Sight& sight, const Light& 
         std::size_t all = 0, beyond = 0;
     };
     const WorldParts& world = subject.world();
-    const ShadowRays shadows = shadow_rays(world, sight, light, k_most_points);
+    const ShadowRays shadows = shadow_rays(world, sight, light, k_max_points);
     Blockage found;
     found.points = shadows.points;
     found.facing = shadows.rays.size();
@@ -188,7 +188,7 @@ bool check_color(Subject& subject, std::uint32_t index) {
                                    subject.light(index), light.color.r, light.color.g, light.color.b),
                        "give it a colour and an intensity of 0 or more");
     }
-    if (brightest(light.color) > k_most_intensity && !is_attenuated(light)) {
+    if (brightest(light.color) > k_max_intensity && !is_attenuated(light)) {
         subject.report(
             "light-color-255", place,
             fmt::format(
@@ -227,9 +227,9 @@ void report_weak(Subject& subject, Effects& effects, std::span<const std::uint32
     std::string what = subject.light(weak[0]) + " adds";
     if (weak.size() > 1) {
         what = fmt::format("{} lights (", weak.size());
-        for (std::size_t i = 0; i < weak.size() && i < k_most_named; ++i)
+        for (std::size_t i = 0; i < weak.size() && i < k_max_named; ++i)
             what += (i == 0 ? "" : ", ") + subject.light(weak[i]);
-        what += weak.size() > k_most_named ? "...) add together" : ") add together";
+        what += weak.size() > k_max_named ? "...) add together" : ") add together";
     }
     subject.report("light-too-weak", scene.light_texts.place(weak[0]),
                    fmt::format("{} {:.2g} of 255 to the brightest pixel: nobody sees it", what, effect * 255),
@@ -250,7 +250,7 @@ void check_lights(Subject& subject, const Sight& sight) {
         else if (shading != Shading::diffuse)
             check_ambient(subject, i);
     }
-    const std::size_t groups = std::min(lights.size(), k_most_groups);
+    const std::size_t groups = std::min(lights.size(), k_max_groups);
     std::int32_t longest = k_first_look;
     for (std::size_t n = groups; n > k_full_looks; n /= 4) longest /= 2;
     std::size_t looked_twice = 0, dark = 0;
@@ -264,7 +264,7 @@ void check_lights(Subject& subject, const Sight& sight) {
         effect = effects.of(group, looked_twice++ < k_full_looks ? k_second_look : k_first_look);
         if (effect >= k_half_byte) continue;
         for (const std::uint32_t index : group) {
-            if (effect == 0 && dark++ < k_most_dark)
+            if (effect == 0 && dark++ < k_max_dark)
                 report_dark(subject, sight, index);
             else
                 weak.push_back(index);

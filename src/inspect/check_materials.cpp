@@ -7,8 +7,8 @@
 namespace glint {
 namespace {
 
-constexpr double k_most_color = 20;  // 1 is full; a lamp of one's own may glow several times as bright
-constexpr double k_least_color = 1.5 / 255;  // a colour of 0 to 1 where 0 to 255 was asked for
+constexpr double k_max_color = 20;         // 1 is full; a lamp of one's own may glow several times as bright
+constexpr double k_min_color = 1.5 / 255;  // a colour of 0 to 1 where 0 to 255 was asked for
 
 void check_color(Subject& subject, std::uint32_t index) {
     const Material& m = subject.scene().materials[index];
@@ -21,13 +21,13 @@ void check_color(Subject& subject, std::uint32_t index) {
                                    subject.material(index)),
                        "give it colours from 0 to 1");
     }
-    if (most > k_most_color) {
+    if (most > k_max_color) {
         subject.report(
             "material-color-255", place,
             fmt::format("{} has a colour of {:.4g}, where 1 is full: are these bytes from 0 to 255?",
                         subject.material(index), most),
             "divide the colour by 255");
-    } else if (most > 0 && most <= k_least_color) {
+    } else if (most > 0 && most <= k_min_color) {
         subject.report(
             "material-almost-black", place,
             fmt::format("{} has a colour of at most {:.2g}, which is no more than 1 of 255: it looks black",

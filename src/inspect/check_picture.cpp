@@ -17,9 +17,9 @@ constexpr double k_half_byte = 0.5 / 255, k_over = 1 + k_half_byte;
 constexpr double k_visible = 8.0 / 255;  // differences in a channel that count
 // Shares of the picture. The gallery's scenes have up to 0.1 of clamped lamplight, 0.0006 where epsilons of
 // the sources differ from ours, and 0.005 that another reflection changes.
-constexpr double k_most_clamped = 0.125, k_most_acne = 0.005, k_most_changed = 0.0075;
-constexpr double k_least_shape = 0.002;  // of the picture: a shape that covers so much is looked at by itself
-constexpr std::int32_t k_most_more = 64;  // reflections that are tried
+constexpr double k_max_clamped = 0.125, k_max_acne = 0.005, k_max_changed = 0.0075;
+constexpr double k_min_shape = 0.002;    // of the picture: a shape that covers so much is looked at by itself
+constexpr std::int32_t k_max_more = 64;  // reflections that are tried
 
 // The share of pixels of which test(first number) says so.
 template <class Test> double share(const Image& image, Test test) {
@@ -102,7 +102,7 @@ template <class Test> void check_clamped_shapes(Subject& subject, const Sight& s
         count.over += over_at(h.ray) ? 1 : 0;
     }
     for (const auto& [shape, count] : counts) {
-        if (static_cast<double>(count.all) < k_least_shape * static_cast<double>(sight.rays())) continue;
+        if (static_cast<double>(count.all) < k_min_shape * static_cast<double>(sight.rays())) continue;
         if (2 * count.over <= count.all || glows(subject.world(), count.material)) continue;
         subject.report(
             "picture-clamped", subject.scene().shape_texts.place(shape),
@@ -127,7 +127,7 @@ void check_clamped(Subject& subject, const Sight& sight, const Image& picture) {
         return is_over(picture,
                        3 * (ray / columns * height / rows * width + ray % columns * width / columns));
     };
-    if (over < k_most_clamped) return check_clamped_shapes(subject, sight, over_at);
+    if (over < k_max_clamped) return check_clamped_shapes(subject, sight, over_at);
     std::vector<std::size_t> pixels(scene.materials.size() + 1);
     std::size_t background = 0;
     for (std::size_t ray = 0; ray < sight.rays(); ++ray) background += over_at(ray) ? 1 : 0;
@@ -179,9 +179,9 @@ void check_epsilon(Subject& subject, const Sight& sight, const Image& picture) {
     };
     const Image other = draw(trusted);
     const double differs = share_that_differs(picture, other, k_visible);
-    if (differs < k_most_acne) return;
+    if (differs < k_max_acne) return;
     // Where mirrors make chaos of any small change, no epsilon is better than another.
-    if (epsilon > trusted && share_that_differs(other, draw(trusted / 8), k_visible) >= k_most_acne) return;
+    if (epsilon > trusted && share_that_differs(other, draw(trusted / 8), k_visible) >= k_max_acne) return;
     const SourcePlace place = place_of_setting(scene, "epsilon");
     const std::string remedy =
         scene.conventions.offset == Offset::scale
@@ -214,11 +214,11 @@ void check_reflections(Subject& subject, const Image& picture) {
     };
     if (now >= k_max_reflections) return;
     const double changed = share_that_differs(picture, draw(now + 1), k_visible);
-    if (changed < k_most_changed) return;
+    if (changed < k_max_changed) return;
     std::int32_t enough = now + 1;
-    for (std::int32_t more = 1; more <= k_most_more && now + 2 * more < k_max_reflections; more *= 2) {
+    for (std::int32_t more = 1; more <= k_max_more && now + 2 * more < k_max_reflections; more *= 2) {
         enough = now + more;
-        if (share_that_differs(draw(enough), draw(enough + 1), k_visible) < k_most_changed) break;
+        if (share_that_differs(draw(enough), draw(enough + 1), k_visible) < k_max_changed) break;
     }
     subject.report(
         "reflections-too-few", place_of_setting(subject.scene(), "reflections"),

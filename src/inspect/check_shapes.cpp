@@ -11,17 +11,17 @@
 namespace glint {
 namespace {
 
-constexpr std::size_t k_most_lights = 16;
+constexpr std::size_t k_max_lights = 16;
 constexpr std::size_t k_by_hand = 64;  // shapes of a scene that is written, not computed
-constexpr std::size_t k_most_enclosed = 8;
-constexpr std::size_t k_most_points = 20000;  // a generation, whose shadows are followed
+constexpr std::size_t k_max_enclosed = 8;
+constexpr std::size_t k_max_points = 20000;  // a generation, whose shadows are followed
 
 // Which shapes cast a shadow on what is seen: the first that a light meets on its way there.
 void mark_shadows(const Subject& subject, const Sight& sight, std::vector<bool>& seen) {
     const WorldParts& world = subject.world();
     if (!world.settings.shadows) return;
-    for (std::size_t l = 0; l < world.lights->size() && l < k_most_lights; ++l) {
-        const ShadowRays shadows = shadow_rays(world, sight, (*world.lights)[l], k_most_points);
+    for (std::size_t l = 0; l < world.lights->size() && l < k_max_lights; ++l) {
+        const ShadowRays shadows = shadow_rays(world, sight, (*world.lights)[l], k_max_points);
         for (const std::uint32_t slot : nearest_occluders(world, shadows.rays, subject.threads()).slot)
             if (slot != k_none) seen[world.geometry->shape_index[slot]] = true;
     }
@@ -125,7 +125,7 @@ std::vector<std::uint32_t> worth_naming(const Scene& scene, const Unseen& unseen
 // What is inside of what, of the first few.
 std::string enclosure(const Subject& subject, const WorldParts& world,
                       const std::vector<std::uint32_t>& list) {
-    for (std::size_t i = 0; i < list.size() && i < k_most_enclosed; ++i) {
+    for (std::size_t i = 0; i < list.size() && i < k_max_enclosed; ++i) {
         std::uint32_t slot = 0;
         while (slot < world.geometry->bounded && world.geometry->shape_index[slot] != list[i]) ++slot;
         if (slot == world.geometry->bounded) continue;
@@ -155,7 +155,7 @@ void check_shapes(Subject& subject, const Sight& sight, const std::vector<bool>&
                   : fmt::format("; nor is anything in the first {} of mirrors and glass",
                                 deep == 1 ? "generation" : fmt::format("{} generations", deep));
     // Where lights were left out, nothing is known of their shadows.
-    const bool knows_shadows = !world.settings.shadows || world.lights->size() <= k_most_lights;
+    const bool knows_shadows = !world.settings.shadows || world.lights->size() <= k_max_lights;
     const std::string coarse = subject.coarse_grid(Sight::k_longest);
     const auto report = [&](std::string_view id, const std::vector<std::uint32_t>& all,
                             std::string_view where, bool hidden, std::string remedy) {

@@ -15,8 +15,8 @@ namespace {
 
 using namespace HWY_NAMESPACE;
 
-constexpr std::size_t k_most_followed = 65536;  // mirror and glass rays of a generation
-constexpr int k_most_generations = 4;
+constexpr std::size_t k_max_followed = 65536;  // mirror and glass rays of a generation
+constexpr int k_max_generations = 4;
 
 Triple<double> triple_of(Vec3 v) { return {v.x, v.y, v.z}; }
 Vec3 vec_of(Triple<double> v) { return {v.x, v.y, v.z}; }
@@ -36,7 +36,7 @@ RayList leaving_rays(const WorldParts& world, const std::vector<SurfaceHit>& hit
     };
     std::size_t count = 0;
     for (const SurfaceHit& h : hits) count += leaves(h).first || leaves(h).second ? 1 : 0;
-    const std::size_t step = count / k_most_followed + 1;
+    const std::size_t step = count / k_max_followed + 1;
     RayList rays;
     std::size_t number = 0;
     for (const SurfaceHit& h : hits) {
@@ -118,7 +118,7 @@ Sight::Sight(const Subject& subject) : size(subject.grid(k_longest)) {
     const int threads = subject.threads();
     RayList rays = camera_rays(world, size, 0, 0);
     generations.push_back({surface_hits(world, rays, threads)});
-    const int most = std::min(world.settings.reflections, k_most_generations);
+    const int most = std::min(world.settings.reflections, k_max_generations);
     for (int g = 0; g < most; ++g) {
         rays = leaving_rays(world, generations.back().hits);
         if (rays.size() == 0) break;
@@ -146,10 +146,10 @@ ShadowRays shadow_rays(const WorldParts& world, const Sight& sight, const Light&
 }
 
 std::vector<std::uint32_t> shapes_along(const WorldParts& world, Vec3 point, Vec3 direction) {
-    constexpr int k_most = 1000;
+    constexpr int k_max = 1000;
     std::vector<std::uint32_t> shapes;
     double t_min = 0;
-    for (int i = 0; i < k_most; ++i) {
+    for (int i = 0; i < k_max; ++i) {
         RayList ray;
         ray.add(point, direction, t_min);
         const HitList hit = nearest_hits(world, ray, 1);

@@ -13,11 +13,11 @@
 namespace glint {
 namespace {
 
-constexpr std::size_t k_most_named = 5;
-constexpr std::size_t k_most_alike = 8;  // findings of one kind
-constexpr std::int32_t k_probe = 24;     // longest side of a picture that counts rays
-constexpr double k_most_rays = 4e6;      // of a picture
-constexpr double k_most_tests = 6e7;     // of rays and shapes, for a picture or a grid of rays
+constexpr std::size_t k_max_named = 5;
+constexpr std::size_t k_max_alike = 8;  // findings of one kind
+constexpr std::int32_t k_probe = 24;    // longest side of a picture that counts rays
+constexpr double k_max_rays = 4e6;      // of a picture
+constexpr double k_max_tests = 6e7;     // of rays and shapes, for a picture or a grid of rays
 
 std::string item(std::string_view word, std::uint32_t index, std::string_view name) {
     return name.empty() ? fmt::format("{} {}", word, std::uint64_t{index} + 1)
@@ -46,7 +46,7 @@ Subject::Subject(const Scene& scene, World prepared, const CheckOptions& options
 
 SmallSize Subject::grid(std::int32_t longest) const {
     SmallSize size = small_size(scene_.settings, longest);
-    while (longest > k_probe && shapes_a_ray_ * size.width * size.height > k_most_tests)
+    while (longest > k_probe && shapes_a_ray_ * size.width * size.height > k_max_tests)
         size = small_size(scene_.settings, longest -= longest / 8);
     return size;
 }
@@ -77,7 +77,7 @@ SmallSize Subject::affordable(std::int32_t longest) {
         rays_a_pixel_ = static_cast<double>(probe.rays.total()) / size.width / size.height;
     }
     SmallSize size = small_size(scene_.settings, longest);
-    const double most = std::min(k_most_rays, k_most_tests / std::max(shapes_a_ray_, 1.0));
+    const double most = std::min(k_max_rays, k_max_tests / std::max(shapes_a_ray_, 1.0));
     while (longest > k_probe && rays_a_pixel_ * size.width * size.height > most)
         size = small_size(scene_.settings, longest /= 2);
     return size;
@@ -126,7 +126,7 @@ std::vector<Finding> Subject::take() {
     for (auto& [place, finding] : findings_) {
         std::size_t& count = counts[finding.id];
         if (count == 0) continue;
-        if (count > k_most_alike) {
+        if (count > k_max_alike) {
             finding.diagnostic.message += fmt::format("; and {} more like it", count - 1);
             count = 0;
         }
@@ -156,7 +156,7 @@ std::string Subject::material(std::uint32_t i) const {
 
 std::string Subject::some_shapes(const std::vector<std::uint32_t>& shapes) const {
     std::string text;
-    const std::size_t named = shapes.size() <= k_most_named + 1 ? shapes.size() : k_most_named;
+    const std::size_t named = shapes.size() <= k_max_named + 1 ? shapes.size() : k_max_named;
     for (std::size_t i = 0; i < named; ++i) {
         const bool last = i + 1 == named && named == shapes.size();
         text += i == 0 ? "" : last ? " and " : ", ";

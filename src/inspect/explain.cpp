@@ -75,7 +75,7 @@ void draw(const WorldParts& world, const Kernels& kernels, int sample, Explanati
     job.layers = &layers;
     kernels.render_tile(world, job, *scratch);
     if (record.is_full) {
-        e.error = "the pixel has more than " + std::to_string(k_most_explained_rays) +
+        e.error = "the pixel has more than " + std::to_string(k_max_explained_rays) +
                   " rays: ask for one of its samples";
         return;
     }

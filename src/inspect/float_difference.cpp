@@ -12,9 +12,9 @@ namespace glint {
 namespace {
 
 // Of the whole difference, what is between 0 and 1 has to be this part to be looked at.
-constexpr double k_least_visible = 0.1;
+constexpr double k_min_visible = 0.1;
 // A factor has to explain this much, and be this far from 1.
-constexpr double k_least_fitted = 0.85, k_least_change = 0.0005;
+constexpr double k_min_fitted = 0.85, k_min_change = 0.0005;
 
 struct Sums {
     double whole = 0, visible = 0;     // of |a - b|, and of the same clamped to 0 to 1
@@ -40,7 +40,7 @@ bool is_beyond_bytes(const Image& a, const Image& b, bool same_bytes, CauseRepor
         sums.squares += y * y;
         ++sums.count;
     });
-    const bool is_visible = sums.visible >= k_least_visible * sums.whole;
+    const bool is_visible = sums.visible >= k_min_visible * sums.whole;
     if (sums.whole == 0 || (is_visible && !same_bytes)) return false;
     const double scale = 255 / static_cast<double>(sums.count);
     report.difference = sums.whole * scale;
@@ -48,7 +48,7 @@ bool is_beyond_bytes(const Image& a, const Image& b, bool same_bytes, CauseRepor
     double left = 0;
     for_each_finite(a, b, [&](double x, double y) { left += std::fabs(x - factor * y); });
     const double explained = 1 - left / sums.whole;
-    if (factor > 0 && std::fabs(factor - 1) > k_least_change && explained >= k_least_fitted) {
+    if (factor > 0 && std::fabs(factor - 1) > k_min_change && explained >= k_min_fitted) {
         report.tried = 1;
         report.causes.push_back(
             {"light-intensity",

@@ -10,7 +10,7 @@ namespace glint {
 namespace {
 
 // What has no free parameter is believed earlier than what is fitted to the picture.
-constexpr double k_moved = k_least_explained, k_curved = 0.7, k_fitted = 0.85, k_specks = 0.4;
+constexpr double k_moved = k_min_explained, k_curved = 0.7, k_fitted = 0.85, k_specks = 0.4;
 
 }  // namespace
 

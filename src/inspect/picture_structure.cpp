@@ -10,7 +10,7 @@ namespace glint {
 namespace {
 
 // Fewer steps than this part of the pixels say nothing.
-constexpr double k_least_steps = 0.002;
+constexpr double k_min_steps = 0.002;
 
 // One mark a pixel of a row: is there a step to the next?
 void mark_steps(const BytePicture& picture, std::int32_t y, std::vector<std::uint8_t>& marks) {
@@ -55,7 +55,7 @@ std::optional<StepAgreement> step_agreement(const BytePicture& a, const BytePict
         count_steps(steps_a, steps_b, of_a);
         count_steps(steps_b, steps_a, of_b);
     }
-    const double pixels = static_cast<double>(rows.size()) * a.width, least = k_least_steps * pixels;
+    const double pixels = static_cast<double>(rows.size()) * a.width, least = k_min_steps * pixels;
     if (of_a.steps <= least || of_b.steps <= least) return std::nullopt;
     const auto [worse, better] = std::minmax({agreement(of_a, of_b, pixels), agreement(of_b, of_a, pixels)});
     return StepAgreement{better, worse};

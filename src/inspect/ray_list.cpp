@@ -34,7 +34,7 @@ HitList nearest_hits(const WorldParts& world, const RayList& rays, int threads) 
         double t[k_chunk + k_ray_padding];
         std::uint32_t slot[k_chunk + k_ray_padding];
         const std::size_t first = chunk * k_chunk, count = std::min(k_chunk, rays.size() - first);
-        kernels.nearest_hit(world, rays.from(first), static_cast<int>(count), k_beam, t, slot);
+        kernels.nearest_hit(world, rays.from(first), static_cast<int>(count), k_packet_size, t, slot);
         std::copy_n(t, count, hits.t.begin() + static_cast<std::ptrdiff_t>(first));
         std::copy_n(slot, count, hits.slot.begin() + static_cast<std::ptrdiff_t>(first));
     });

@@ -14,7 +14,7 @@
 namespace glint {
 namespace {
 
-constexpr double k_most_points = 1e6;
+constexpr double k_max_points = 1e6;
 
 struct Word {
     std::string_view text;
@@ -69,10 +69,10 @@ class LineReader {
         const auto [end, error] =
             fast_float::from_chars(points.data(), points.data() + points.size(), row.points);
         if (error != std::errc() || end != points.data() + points.size() || !(row.points > 0) ||
-            row.points > k_most_points) {
+            row.points > k_max_points) {
             return fail(words[1],
                         fmt::format("expected the part's points, a number above 0 and at most {}, found {}",
-                                    k_most_points, quoted(points)));
+                                    k_max_points, quoted(points)));
         }
         if (row.file.empty())
             return fail(words[2], "expected the file of a submission, such as *.png, found nothing");

@@ -42,14 +42,14 @@ std::string light_text(const Scene& scene, std::uint32_t index, int number) {
     return name.empty() ? fmt::format("light {}", number) : fmt::format("light {} (\"{}\")", number, name);
 }
 
-constexpr int k_most_lights = 8;  // tried one by one
+constexpr int k_max_lights = 8;  // tried one by one
 
 void add_single_lights(const Scene& scene, std::vector<SceneCause>& causes) {
     std::vector<std::uint32_t> lights;
     for (std::uint32_t i = 0; i < scene.lights.size(); ++i) {
         if (!is_ambient(scene.lights[i])) lights.push_back(i);
     }
-    if (!is_lit(scene) || lights.size() < 2 || lights.size() > k_most_lights) return;
+    if (!is_lit(scene) || lights.size() < 2 || lights.size() > k_max_lights) return;
     for (std::size_t k = 0; k < lights.size(); ++k) {
         const std::string text = light_text(scene, lights[k], static_cast<int>(k) + 1);
         causes.push_back(
@@ -71,12 +71,12 @@ void add_single_lights(const Scene& scene, std::vector<SceneCause>& causes) {
     }
 }
 
-constexpr int k_most_levels = 8;  // of reflection that are tried one by one
+constexpr int k_max_levels = 8;  // of reflection that are tried one by one
 
 void add_reflection_levels(const Scene& scene, std::vector<SceneCause>& causes) {
     const int asked = scene.settings.reflections;
     if (!has_mirrors(scene)) return;
-    for (int n = 1; n < std::min(asked - 1, k_most_levels); ++n) {
+    for (int n = 1; n < std::min(asked - 1, k_max_levels); ++n) {
         causes.push_back({"reflections-fewer",
                           fmt::format("The recursion stops after {} of {} levels of reflection.", n, asked),
                           [n](Scene& s) { s.settings.reflections = n; }});

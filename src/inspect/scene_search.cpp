@@ -13,10 +13,10 @@ namespace glint {
 namespace {
 
 // What is fitted to the picture has to explain more.
-constexpr double k_least_fitted = 0.85, k_least_factor = 0.5;
+constexpr double k_min_fitted = 0.85, k_min_factor = 0.5;
 // A factor is looked for from 1 to these, and no further where no more than this part of the difference
 // stays.
-constexpr double k_most_factor = 16, k_enough = 0.001;
+constexpr double k_max_factor = 16, k_enough = 0.001;
 
 std::string capital(std::string text) {
     if (text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 'a' + 'A');
@@ -131,7 +131,7 @@ void SceneSearch::try_factors(std::vector<Search>& searches, const SceneCause& c
         if (!made || made->bytes.rgb == one->bytes.rgb) continue;
         search.judge(
             made->bytes,
-            {{cause.name, cause.scale_text(best.factor, best.left > enough), 0, 0, true}, k_least_factor});
+            {{cause.name, cause.scale_text(best.factor, best.left > enough), 0, 0, true}, k_min_factor});
     }
 }
 
@@ -140,7 +140,7 @@ void SceneSearch::walk(std::vector<Search>& searches, const SceneCause& cause, c
                        double step, std::vector<Walk>& walks) const {
     for (std::size_t i = 0; i < searches.size(); ++i) walks[i].goes_on = searches[i].is_open();
     const auto goes_on = [](const Walk& w) { return w.goes_on; };
-    for (double factor = step; factor <= k_most_factor && factor * k_most_factor >= 1; factor *= step) {
+    for (double factor = step; factor <= k_max_factor && factor * k_max_factor >= 1; factor *= step) {
         if (std::none_of(walks.begin(), walks.end(), goes_on) || is_cancelled()) return;
         const std::optional<DrawnScene> made = draw_scaled(cause, factor);
         if (!made || made->bytes.rgb == one.rgb) return;
@@ -150,7 +150,7 @@ void SceneSearch::walk(std::vector<Search>& searches, const SceneCause& cause, c
             const Distance moved = distance(made->bytes, one, searches[i].area),
                            left = distance(made->bytes, *searches[i].target, searches[i].area);
             const auto is_on_the_way = [](double from_one, double way, double rest) {
-                return (from_one + way - rest) / 2 > k_least_explained * from_one;
+                return (from_one + way - rest) / 2 > k_min_explained * from_one;
             };
             w.leads = w.leads || is_on_the_way(w.at_one.all, moved.all, left.all) ||
                       is_on_the_way(w.at_one.calm, moved.calm, left.calm);
@@ -177,7 +177,7 @@ void SceneSearch::try_multiples(std::vector<Search>& searches, const SceneCause&
             to_bytes(image, options_.threads),
             {{cause.scaled,
               fmt::format("{} is {:.3g} times what it should be.", capital(cause.part), *factor), 0, 0, true},
-             k_least_fitted});
+             k_min_fitted});
     }
 }
 

@@ -21,11 +21,11 @@ HWY_INLINE RaySpan from(const RaySpan& r, int first) {
             r.dy + first, r.dz + first, r.t_min + first, r.t_max + first};
 }
 
-/// A beam's directions differ by this much at most, relative to their size. Measured: nearest hits 0.05 to 1
-/// within 10% of each other, with the best at 0.5; any hit 0.05 better than 0.5 by 15%.
+/// A packet's directions differ by this much at most, relative to their size. Measured: nearest hits 0.05 to
+/// 1 within 10% of each other, with the best at 0.5; any hit 0.05 better than 0.5 by 15%.
 template <bool nearest> inline constexpr double k_spread = nearest ? 0.5 : 0.05;
 
-/// How many of rays [first, first + most) go nearly the way of the first: they walk together, since a beam
+/// How many of rays [first, first + most) go nearly the way of the first: they walk together, since a packet
 /// meets every box that lies between its rays.
 template <bool nearest> HWY_INLINE int bundle(const SlabRays& rays, int first, int most) {
     const auto& d = rays.direction;
@@ -39,10 +39,10 @@ template <bool nearest> HWY_INLINE int bundle(const SlabRays& rays, int first, i
     return most;
 }
 
-/// Rays [0, count) of the span, count <= SlabRays::k_most.
+/// Rays [0, count) of the span, count <= SlabRays::k_max_rays.
 template <bool ordered>
-HWY_INLINE void trace_chunk(const WorldParts& world, const RaySpan& rays, int count, int most_beam, double* t,
-                            std::uint32_t* slot, std::uint8_t* occluded) {
+HWY_INLINE void trace_chunk(const WorldParts& world, const RaySpan& rays, int count, int max_packet,
+                            double* t, std::uint32_t* slot, std::uint8_t* occluded) {
     const PackedGeometry& geometry = *world.geometry;
     SlabRays slab_rays;
     prepare_rays(rays, count, slab_rays);
@@ -55,14 +55,14 @@ HWY_INLINE void trace_chunk(const WorldParts& world, const RaySpan& rays, int co
     }
     if (geometry.bvh.nodes.empty()) return;
     for (int first = 0, n = 0; first < count; first += n) {
-        n = bundle<ordered>(slab_rays, first, number::min(most_beam, count - first));
-        if (n >= k_least_beam) {
-            Beam beam(slab_rays, first, n);
+        n = bundle<ordered>(slab_rays, first, number::min(max_packet, count - first));
+        if (n >= k_min_packet_size) {
+            RayPacket packet(slab_rays, first, n);
             if (!ordered && occluder != k_none) {
-                tests.visit_shape(beam, occluder);
-                beam.update_t_max();
+                tests.visit_shape(packet, occluder);
+                packet.update_t_max();
             }
-            traverse_beam<ordered>(geometry.bvh, beam, tests);
+            traverse_packet<ordered>(geometry.bvh, packet, tests);
         } else {
             for (int i = first; i < first + n; ++i)
                 if (slab_rays.t_max[i] >= slab_rays.t_min[i])
@@ -71,27 +71,27 @@ HWY_INLINE void trace_chunk(const WorldParts& world, const RaySpan& rays, int co
     }
 }
 
-void nearest_hit(const WorldParts& world, const RaySpan& rays, int count, int beam, double* t,
+void nearest_hit(const WorldParts& world, const RaySpan& rays, int count, int packet, double* t,
                  std::uint32_t* slot) {
     for (int i = 0; i < count; ++i) {
         t[i] = rays.t_max[i];
         slot[i] = k_none;
     }
-    for (int first = 0; first < count; first += SlabRays::k_most) {
-        trace_chunk<true>(world, from(rays, first), number::min(SlabRays::k_most, count - first), beam,
+    for (int first = 0; first < count; first += SlabRays::k_max_rays) {
+        trace_chunk<true>(world, from(rays, first), number::min(SlabRays::k_max_rays, count - first), packet,
                           t + first, slot + first, nullptr);
     }
 }
 
-void any_hit(const WorldParts& world, const RaySpan& rays, int count, int beam, std::uint8_t* occluded) {
+void any_hit(const WorldParts& world, const RaySpan& rays, int count, int packet, std::uint8_t* occluded) {
     double t[SlabRays::k_size];
-    for (int first = 0; first < count; first += SlabRays::k_most) {
-        const int n = number::min(SlabRays::k_most, count - first);
+    for (int first = 0; first < count; first += SlabRays::k_max_rays) {
+        const int n = number::min(SlabRays::k_max_rays, count - first);
         for (int i = 0; i < n; ++i) {
             t[i] = rays.t_max[first + i];
             occluded[first + i] = 0;
         }
-        trace_chunk<false>(world, from(rays, first), n, beam, t, nullptr, occluded + first);
+        trace_chunk<false>(world, from(rays, first), n, packet, t, nullptr, occluded + first);
     }
 }
 

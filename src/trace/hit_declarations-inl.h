@@ -15,9 +15,9 @@ namespace glint {
 namespace HWY_NAMESPACE {
 
 /// See Kernels::nearest_hit and Kernels::any_hit (trace/kernels.h).
-void nearest_hit(const WorldParts& world, const RaySpan& rays, int count, int beam, double* t,
+void nearest_hit(const WorldParts& world, const RaySpan& rays, int count, int packet, double* t,
                  std::uint32_t* slot);
-void any_hit(const WorldParts& world, const RaySpan& rays, int count, int beam, std::uint8_t* occluded);
+void any_hit(const WorldParts& world, const RaySpan& rays, int count, int packet, std::uint8_t* occluded);
 
 }  // namespace HWY_NAMESPACE
 }  // namespace glint

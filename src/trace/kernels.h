@@ -18,13 +18,13 @@ struct Kernels {
     const char* isa;
 
     /// For rays [0, count): the least t in (t_min, t_max) and the slot hit there (k_none: none; t is then
-    /// t_max). Of equal t the shape that is first in the scene. Rays walk in beams of `beam` (1 to k_beam);
-    /// the answer does not depend on it.
-    void (*nearest_hit)(const WorldParts&, const RaySpan& rays, int count, int beam, double* t,
+    /// t_max). Of equal t the shape that is first in the scene. Rays walk in packets of `packet` (1 to
+    /// k_packet_size); the answer does not depend on it.
+    void (*nearest_hit)(const WorldParts&, const RaySpan& rays, int count, int packet, double* t,
                         std::uint32_t* slot);
 
     /// occluded[i] = 1 if anything is hit in (t_min, t_max), else 0.
-    void (*any_hit)(const WorldParts&, const RaySpan& rays, int count, int beam, std::uint8_t* occluded);
+    void (*any_hit)(const WorldParts&, const RaySpan& rays, int count, int packet, std::uint8_t* occluded);
 
     /// Draws one tile.
     void (*render_tile)(const WorldParts&, const TileJob&, TileScratch&);

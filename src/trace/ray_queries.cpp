@@ -52,7 +52,7 @@ RayHits nearest_hits(const World& world, std::span<const Ray> rays, int threads)
             const RayColumns columns(some);
             double t[k_chunk + k_ray_padding];
             std::uint32_t slot[k_chunk + k_ray_padding];
-            kernels.nearest_hit(parts, columns.span(), static_cast<int>(some.size()), k_beam, t, slot);
+            kernels.nearest_hit(parts, columns.span(), static_cast<int>(some.size()), k_packet_size, t, slot);
             for (std::size_t i = 0; i < some.size(); ++i) {
                 RayHit& hit = result.hits[first + i];
                 hit.t = t[i];
@@ -74,7 +74,8 @@ Occlusions occluded(const World& world, std::span<const Ray> rays, int threads) 
         for_chunks(rays, threads, [&](std::size_t first, std::span<const Ray> some) {
             const RayColumns columns(some);
             std::uint8_t flags[k_chunk + k_ray_padding];
-            kernels.any_hit(world.parts(), columns.span(), static_cast<int>(some.size()), k_beam, flags);
+            kernels.any_hit(world.parts(), columns.span(), static_cast<int>(some.size()), k_packet_size,
+                            flags);
             std::copy_n(flags, some.size(), result.occluded.begin() + static_cast<std::ptrdiff_t>(first));
         });
     });

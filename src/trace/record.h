@@ -18,7 +18,7 @@ struct TileRecord {
     /// Whether sample number `next` is written down.
     bool begin(int next) {
         sample = next;
-        is_full = is_full || (only < 0 && rays.size() > k_most_explained_rays);
+        is_full = is_full || (only < 0 && rays.size() > k_max_explained_rays);
         return !is_full && (only < 0 || only == next);
     }
 

@@ -11,16 +11,16 @@
 #define GLINT_TRACE_SHAPE_TESTS_INL_H_
 #endif
 
-#include "trace/beam_filters-inl.h"
 #include "trace/hit_result-inl.h"
 #include "trace/own_boxes-inl.h"
+#include "trace/packet_filters-inl.h"
 #include "trace/sights-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace glint {
 namespace HWY_NAMESPACE {
 
-/// Tests shapes against a beam, or one ray, of a chunk of rays.
+/// Tests shapes against a packet, or one ray, of a chunk of rays.
 struct ShapeTests {
     const PackedGeometry& geometry;
     const RaySpan& rays;  // the chunk's
@@ -37,14 +37,14 @@ struct ShapeTests {
                 {Doubles(rays.dx[i]), Doubles(rays.dy[i]), Doubles(rays.dz[i])}};
     }
 
-    Vec3 origin(const Beam& b) const { return {rays.ox[b.first], rays.oy[b.first], rays.oz[b.first]}; }
+    Vec3 origin(const RayPacket& b) const { return {rays.ox[b.first], rays.oy[b.first], rays.oz[b.first]}; }
 
     /// A leaf: slots [first, first + count), of one class.
-    HWY_INLINE void visit(Beam& beam, std::uint64_t mine, std::uint32_t first, std::uint32_t count) {
+    HWY_INLINE void visit(RayPacket& packet, std::uint64_t active, std::uint32_t first, std::uint32_t count) {
         const ShapeClass& shapes = geometry.class_of(first);
-        BeamLeaf visitor{*this, shapes, beam, mine, first, count};
+        PacketLeaf visitor{*this, shapes, packet, active, first, count};
         visit_geometry(shapes.kind, shapes.transformed, visitor);
-        beam.update_t_max();
+        packet.update_t_max();
     }
     HWY_INLINE void visit(int ray, std::uint32_t first, std::uint32_t count) {
         const ShapeClass& shapes = geometry.class_of(first);
@@ -57,30 +57,31 @@ struct ShapeTests {
         visit_geometry(shapes.kind, shapes.transformed, visitor);
     }
 
-    /// One shape against the beam.
-    HWY_INLINE void visit_shape(Beam& beam, std::uint32_t slot) {
+    /// One shape against the packet.
+    HWY_INLINE void visit_shape(RayPacket& packet, std::uint32_t slot) {
         const ShapeClass& shapes = geometry.class_of(slot);
-        BeamShape visitor{*this, shapes, beam, slot};
+        PacketShape visitor{*this, shapes, packet, slot};
         visit_geometry(shapes.kind, shapes.transformed, visitor);
     }
 
-    struct BeamShape {
+    struct PacketShape {
         ShapeTests& tests;
         const ShapeClass& shapes;
-        const Beam& beam;
+        const RayPacket& packet;
         std::uint32_t slot;
         template <class Geometry> HWY_INLINE void visit() {
-            if constexpr (Geometry::k_bounded) tests.lone_shape<Geometry>(shapes, beam, slot);
+            if constexpr (Geometry::k_bounded) tests.lone_shape<Geometry>(shapes, packet, slot);
         }
     };
-    struct BeamLeaf {
+    struct PacketLeaf {
         ShapeTests& tests;
         const ShapeClass& shapes;
-        const Beam& beam;
-        std::uint64_t mine;
+        const RayPacket& packet;
+        std::uint64_t active;
         std::uint32_t first, count;
         template <class Geometry> HWY_INLINE void visit() {
-            if constexpr (Geometry::k_bounded) tests.beam_leaf<Geometry>(shapes, beam, mine, first, count);
+            if constexpr (Geometry::k_bounded)
+                tests.packet_leaf<Geometry>(shapes, packet, active, first, count);
         }
     };
     struct RayLeaf {
@@ -168,52 +169,54 @@ struct ShapeTests {
     }
 
     template <class Geometry>
-    HWY_NOINLINE void beam_leaf(const ShapeClass& shapes, const Beam& beam, std::uint64_t mine,
-                                std::uint32_t first, std::uint32_t count) {
+    HWY_NOINLINE void packet_leaf(const ShapeClass& shapes, const RayPacket& packet, std::uint64_t active,
+                                  std::uint32_t first, std::uint32_t count) {
         for (std::uint32_t s = 0; s < count; s += lane_count<float>()) {
             const int n = number::min(static_cast<int>(count - s), lane_count<float>());
             const OwnBoxes<Geometry> boxes(geometry, shapes, first + s, n);
-            std::uint32_t bits = meets(beam, beam_slab(beam, boxes.lo, boxes.hi)) & first_bits(n);
+            std::uint32_t bits = meets(packet, packet_slab(packet, boxes.lo, boxes.hi)) & first_bits(n);
             if (bits == 0) continue;
             SharedFilters<Geometry> filters;
             if constexpr (k_is_triangle<Geometry>) {
-                if (beam.common_origin) bits &= filters.prepare(shapes, beam, origin(beam), first + s, n);
+                if (packet.common_origin)
+                    bits &= filters.prepare(shapes, packet, origin(packet), first + s, n);
             }
             for (; bits != 0; bits &= bits - 1)
-                beam_shape<Geometry>(shapes, beam, mine, boxes, filters, first + s, __builtin_ctz(bits));
+                packet_shape<Geometry>(shapes, packet, active, boxes, filters, first + s,
+                                       __builtin_ctz(bits));
         }
     }
 
     template <class Geometry>
-    HWY_NOINLINE void lone_shape(const ShapeClass& shapes, const Beam& beam, std::uint32_t slot) {
+    HWY_NOINLINE void lone_shape(const ShapeClass& shapes, const RayPacket& packet, std::uint32_t slot) {
         SharedFilters<Geometry> filters;
         if constexpr (k_is_triangle<Geometry>) {
-            if (beam.common_origin && filters.prepare(shapes, beam, origin(beam), slot, 1) == 0) return;
+            if (packet.common_origin && filters.prepare(shapes, packet, origin(packet), slot, 1) == 0) return;
         }
-        beam_shape<Geometry>(shapes, beam, beam.all(), OwnBoxes<Geometry>(geometry, shapes, slot, 1), filters,
-                             slot, 0);
+        packet_shape<Geometry>(shapes, packet, packet.all(), OwnBoxes<Geometry>(geometry, shapes, slot, 1),
+                               filters, slot, 0);
     }
 
-    /// One shape, number `lane` from slot `first` on, against the beam's rays `mine`.
+    /// One shape, number `lane` from slot `first` on, against the packet's rays `active`.
     template <class Geometry>
-    HWY_INLINE void beam_shape(const ShapeClass& shapes, const Beam& beam, std::uint64_t mine,
-                               const OwnBoxes<Geometry>& boxes, const SharedFilters<Geometry>& filters,
-                               std::uint32_t first, int lane) {
+    HWY_INLINE void packet_shape(const ShapeClass& shapes, const RayPacket& packet, std::uint64_t active,
+                                 const OwnBoxes<Geometry>& boxes, const SharedFilters<Geometry>& filters,
+                                 std::uint32_t first, int lane) {
         const std::uint32_t slot = first + static_cast<std::uint32_t>(lane);
         const float lo[3] = {boxes.lo[0][lane], boxes.lo[1][lane], boxes.lo[2][lane]};
         const float hi[3] = {boxes.hi[0][lane], boxes.hi[1][lane], boxes.hi[2][lane]};
         constexpr int lanes = lane_count<float>();
         if constexpr (Geometry::k_filtered) {
-            mine = filter_rays(shapes, beam, mine, filters, slot, lane);
-            if (mine == 0) return;
+            active = filter_rays(shapes, packet, active, filters, slot, lane);
+            if (active == 0) return;
         }
         Doubles p[Geometry::k_values];
         bool loaded = false;
-        for (int r = 0; r < beam.count; r += lanes) {
-            std::uint32_t bits = static_cast<std::uint32_t>(mine >> r) & first_bits(lanes);
+        for (int r = 0; r < packet.count; r += lanes) {
+            std::uint32_t bits = static_cast<std::uint32_t>(active >> r) & first_bits(lanes);
             if (bits == 0) continue;
-            const int i = beam.first + r;
-            const Slab slab = box_slab(beam, i, lo, hi);
+            const int i = packet.first + r;
+            const Slab slab = box_slab(packet, i, lo, hi);
             bits &= to_bits(meets(slab_rays, i, slab));
             if (bits == 0) continue;
             if (!loaded) broadcast_values<Geometry>(shapes, slot, p);

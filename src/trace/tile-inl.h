@@ -30,7 +30,7 @@ inline void light_hits(const WorldParts& world, TileScratch& s, int generation) 
     for (const Light& light : *world.lights) {
         const int rays = reach_hits(world, light, s);
         if (rays > 0) {
-            any_hit(world, s.shadow_rays(), rays, k_beam, s.occluded.data());
+            any_hit(world, s.shadow_rays(), rays, k_packet_size, s.occluded.data());
             if (count_shadows) count_lit(s, s.seen.asked, 1), count_lit(s, s.seen.blocked, 1);
             take_shadows(s);
             if (count_shadows) count_lit(s, s.seen.blocked, -1);
@@ -93,7 +93,7 @@ inline bool trace_sample(const WorldParts& world, TileScratch& s) {
         s.next_rays.clear();
         for (int first = 0; first < s.rays.size(); first += k_stream) {
             const int count = number::min(k_stream, s.rays.size() - first);
-            nearest_hit(world, s.rays.rays(first), count, k_beam, s.t.data(), s.slot.data());
+            nearest_hit(world, s.rays.rays(first), count, k_packet_size, s.t.data(), s.slot.data());
             if (generation == 0 && !s.is_watched() && all_missed(s, count)) return false;
             for (int i = 0; i < count; i += k_share) {
                 shade_share(world, s, first, i, number::min(i + k_share, count), generation);

@@ -6,7 +6,7 @@
 namespace glint {
 namespace {
 
-constexpr double k_least_direction = 1e-15;  // length of a light's
+constexpr double k_min_direction = 1e-15;  // length of a light's
 
 }  // namespace
 
@@ -35,8 +35,8 @@ PreparedLights prepare_lights(std::span<const Light> lights) {
         prepared.lights.push_back(light);
         Vec3& to_light = prepared.lights.back().to_light;
         // Squares of shorter ones vanish.
-        if (light.kind == LightKind::directional && length(to_light) < k_least_direction)
-            to_light = normalize(to_light) * k_least_direction;
+        if (light.kind == LightKind::directional && length(to_light) < k_min_direction)
+            to_light = normalize(to_light) * k_min_direction;
     }
     return prepared;
 }

@@ -106,7 +106,7 @@ TEST_P(Gallery, HasTheSameBitsHoweverItIsDrawn) {
         EXPECT_EQ(again.rays.total(), whole.rays.total());
     }
     Image joined{whole.image->width, whole.image->height, std::vector<float>(whole.image->rgb.size())};
-    constexpr int step = 47;  // nothing that tiles or beams would like
+    constexpr int step = 47;  // nothing that tiles or packets would like
     for (int y = 0; y < joined.height; y += step) {
         for (int x = 0; x < joined.width; x += step) {
             RenderOptions options;

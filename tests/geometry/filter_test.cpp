@@ -230,7 +230,7 @@ TEST(ConeFilter, NeverRejectsWhatDoubleHits) {
     EXPECT_GT(rejected, 0.02);
 }
 
-// The filter for rays of one origin, as a beam makes it: computed in double, then rounded.
+// The filter for rays of one origin, as a packet makes it: computed in double, then rounded.
 plain::TriangleGeometry::Filter<float> one_origin_filter(const Triangle& triangle, const Vec3& origin) {
     double p[9];
     plain::TriangleGeometry::pack(triangle, p);

@@ -11,15 +11,15 @@
 namespace glint::testing {
 namespace {
 
-/// Every instruction set and beam gives the bits of the brute force. Returns how many rays hit.
+/// Every instruction set and packet gives the bits of the brute force. Returns how many rays hit.
 int expect_brute_force(const World& world, const Rays& rays) {
     const Hits expected = brute_hits(world, rays);
     int hit = 0;
     for (const std::uint32_t slot : expected.slot) hit += slot != k_none;
     for (const Kernels& kernels : available_kernels()) {
-        for (const int beam : {1, 8, 13, 64}) {
-            const Hits got = nearest_hits(kernels, world, rays, beam);
-            const auto occluded = any_hits(kernels, world, rays, beam);
+        for (const int packet : {1, 8, 13, 64}) {
+            const Hits got = nearest_hits(kernels, world, rays, packet);
+            const auto occluded = any_hits(kernels, world, rays, packet);
             int wrong = 0, wrong_any = 0;
             for (std::size_t i = 0; i < got.t.size(); ++i) {
                 wrong +=
@@ -27,8 +27,9 @@ int expect_brute_force(const World& world, const Rays& rays) {
                     expected.slot[i] != got.slot[i];
                 wrong_any += (occluded[i] != 0) != (expected.slot[i] != k_none);
             }
-            EXPECT_EQ(wrong, 0) << kernels.isa << ", beams of " << beam << ", of " << rays.size() << " rays";
-            EXPECT_EQ(wrong_any, 0) << kernels.isa << ", beams of " << beam << ", any hit";
+            EXPECT_EQ(wrong, 0) << kernels.isa << ", packets of " << packet << ", of " << rays.size()
+                                << " rays";
+            EXPECT_EQ(wrong_any, 0) << kernels.isa << ", packets of " << packet << ", any hit";
         }
     }
     return hit;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// The hit rule, said once more without lanes, beams or a hierarchy: what the kernels must agree with to the
+// The hit rule, said once more without lanes, packets or a hierarchy: what the kernels must agree with to the
 // bit.
 #include <cmath>
 #include <cstdint>

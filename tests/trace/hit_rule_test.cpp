@@ -11,7 +11,7 @@
 namespace glint::testing {
 namespace {
 
-constexpr int k_beams[] = {1, 2, 3, 8, 17, 64};
+constexpr int k_packet_sizes[] = {1, 2, 3, 8, 17, 64};
 
 void expect_same(const Hits& expected, const Hits& got, const World& world, const Rays& rays) {
     int wrong = 0;
@@ -33,13 +33,13 @@ void expect_same(const Hits& expected, const Hits& got, const World& world, cons
     EXPECT_EQ(wrong, 0) << "of " << rays.size() << " rays";
 }
 
-/// Every instruction set and beam agrees with `expected`; so does any_hit.
+/// Every instruction set and packet agrees with `expected`; so does any_hit.
 void expect_all(const World& world, const Rays& rays, const Hits& expected) {
     for (const Kernels& kernels : available_kernels()) {
-        for (const int beam : k_beams) {
-            SCOPED_TRACE(std::string(kernels.isa) + ", beams of " + std::to_string(beam));
-            expect_same(expected, nearest_hits(kernels, world, rays, beam), world, rays);
-            const auto occluded = any_hits(kernels, world, rays, beam);
+        for (const int packet : k_packet_sizes) {
+            SCOPED_TRACE(std::string(kernels.isa) + ", packets of " + std::to_string(packet));
+            expect_same(expected, nearest_hits(kernels, world, rays, packet), world, rays);
+            const auto occluded = any_hits(kernels, world, rays, packet);
             int wrong = 0;
             for (std::size_t i = 0; i < occluded.size(); ++i)
                 wrong += (occluded[i] != 0) != (expected.slot[i] != k_none);
@@ -211,8 +211,8 @@ TEST(HitRule, OfEqualTheFirstInTheSceneWins) {
         Rays rays;
         for (int i = 0; i < 9; ++i) rays.push({0, 0, 0}, {0, 0, -1});
         for (const Kernels& kernels : available_kernels()) {
-            for (const int beam : k_beams) {
-                const Hits hits = nearest_hits(kernels, *world, rays, beam);
+            for (const int packet : k_packet_sizes) {
+                const Hits hits = nearest_hits(kernels, *world, rays, packet);
                 for (int i = 0; i < 9; ++i) {
                     const auto at = static_cast<std::size_t>(i);
                     ASSERT_NE(hits.slot[at], k_none);
@@ -317,9 +317,9 @@ TEST(HitRule, BadRaysHitNothingAndLeaveTheOthersAlone) {
         where.push_back(i);
     }
     for (const Kernels& kernels : available_kernels()) {
-        for (const int beam : k_beams) {
-            SCOPED_TRACE(std::string(kernels.isa) + ", beams of " + std::to_string(beam));
-            const Hits all = nearest_hits(kernels, *world, mixed, beam);
+        for (const int packet : k_packet_sizes) {
+            SCOPED_TRACE(std::string(kernels.isa) + ", packets of " + std::to_string(packet));
+            const Hits all = nearest_hits(kernels, *world, mixed, packet);
             Hits got;
             for (std::size_t i = 0; i < where.size(); ++i) {
                 EXPECT_FALSE(std::isnan(all.t[i])) << "ray " << i;

@@ -44,19 +44,19 @@ struct Hits {
     std::vector<std::uint32_t> slot;
 };
 
-inline Hits nearest_hits(const Kernels& kernels, const World& world, const Rays& rays, int beam) {
+inline Hits nearest_hits(const Kernels& kernels, const World& world, const Rays& rays, int packet) {
     const auto padded = static_cast<std::size_t>(rays.size() + k_ray_padding);
     Hits hits{std::vector<double>(padded), std::vector<std::uint32_t>(padded)};
-    kernels.nearest_hit(world.parts(), rays.span(), rays.size(), beam, hits.t.data(), hits.slot.data());
+    kernels.nearest_hit(world.parts(), rays.span(), rays.size(), packet, hits.t.data(), hits.slot.data());
     hits.t.resize(static_cast<std::size_t>(rays.size()));
     hits.slot.resize(static_cast<std::size_t>(rays.size()));
     return hits;
 }
 
 inline std::vector<std::uint8_t> any_hits(const Kernels& kernels, const World& world, const Rays& rays,
-                                          int beam) {
+                                          int packet) {
     std::vector<std::uint8_t> occluded(static_cast<std::size_t>(rays.size() + k_ray_padding));
-    kernels.any_hit(world.parts(), rays.span(), rays.size(), beam, occluded.data());
+    kernels.any_hit(world.parts(), rays.span(), rays.size(), packet, occluded.data());
     occluded.resize(static_cast<std::size_t>(rays.size()));
     return occluded;
 }

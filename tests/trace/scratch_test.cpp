@@ -39,7 +39,7 @@ TEST(Scratch, NothingIsReadPastTheRaysPadding) {  // the address sanitizer says 
     ASSERT_TRUE(world);
     for (int count = 1; count < 60; ++count) {
         for (int aside = 0; aside < std::min(count, 20); ++aside) {
-            Rays rays;  // the first ones go other ways, so that a beam of the others begins anywhere
+            Rays rays;  // the first ones go other ways, so that a packet of the others begins anywhere
             for (int i = 0; i < count; ++i)
                 rays.push({0, 0, 0},
                           i < aside ? Vec3{0, i % 2 != 0 ? 1.0 : -1.0, 0} : Vec3{0.003 * i, 0, -1});
@@ -49,8 +49,8 @@ TEST(Scratch, NothingIsReadPastTheRaysPadding) {  // the address sanitizer says 
                 const auto t = std::make_unique<double[]>(padded);
                 const auto slot = std::make_unique<std::uint32_t[]>(padded);
                 const auto occluded = std::make_unique<std::uint8_t[]>(padded);
-                kernels.nearest_hit(world->parts(), exact.span(), count, k_beam, t.get(), slot.get());
-                kernels.any_hit(world->parts(), exact.span(), count, k_beam, occluded.get());
+                kernels.nearest_hit(world->parts(), exact.span(), count, k_packet_size, t.get(), slot.get());
+                kernels.any_hit(world->parts(), exact.span(), count, k_packet_size, occluded.get());
                 int hit = 0, dark = 0;
                 for (int i = 0; i < count; ++i) {
                     hit += slot[static_cast<std::size_t>(i)] != k_none;

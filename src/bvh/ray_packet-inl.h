@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// A beam: rays of nearly one way, which walk the hierarchy together by interval evaluation of the slab
+// A packet: rays of nearly one way, which walk the hierarchy together by interval evaluation of the slab
 // expression.
-#if defined(GLINT_BVH_BEAM_INL_H_) == defined(HWY_TARGET_TOGGLE)
-#ifdef GLINT_BVH_BEAM_INL_H_
-#undef GLINT_BVH_BEAM_INL_H_
+#if defined(GLINT_BVH_RAY_PACKET_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef GLINT_BVH_RAY_PACKET_INL_H_
+#undef GLINT_BVH_RAY_PACKET_INL_H_
 #else
-#define GLINT_BVH_BEAM_INL_H_
+#define GLINT_BVH_RAY_PACKET_INL_H_
 #endif
 
 #include "bvh/slab-inl.h"
@@ -20,18 +20,18 @@ struct Intervals {
         int sign = 0;  // which way all rays go; 0: some this, some that
         float near_origin = 0,
               far_origin = 0;  // the end of the interval that gives the earliest entry, the latest exit
-        float near_least = 0, near_most = 0, far_least = 0, far_most = 0;
+        float near_min = 0, near_max = 0, far_min = 0, far_max = 0;
 
         /// Wider than the numbers of any ray with origin and inverse direction in these ranges, which are
         /// within a margin of the origin, and the inverse shrunk and grown by 2^-21.
-        HWY_INLINE void set(float least_origin, float most_origin, float least_inverse, float most_inverse) {
-            sign = least_inverse > 0 ? 1 : most_inverse < 0 ? -1 : 0;
-            const float below = slightly_below(least_origin), above = slightly_above(most_origin);
+        HWY_INLINE void set(float min_origin, float max_origin, float min_inverse, float max_inverse) {
+            sign = min_inverse > 0 ? 1 : max_inverse < 0 ? -1 : 0;
+            const float below = slightly_below(min_origin), above = slightly_above(max_origin);
             near_origin = sign > 0 ? above : below;
             far_origin = sign > 0 ? below : above;
-            near_least = least_inverse * (sign > 0 ? k_shrink : k_grow);
-            near_most = most_inverse * (sign > 0 ? k_grow : k_shrink);
-            far_least = near_least, far_most = near_most;
+            near_min = min_inverse * (sign > 0 ? k_shrink : k_grow);
+            near_max = max_inverse * (sign > 0 ? k_grow : k_shrink);
+            far_min = near_min, far_max = near_max;
         }
 
       private:
@@ -40,21 +40,21 @@ struct Intervals {
         static HWY_INLINE float slightly_above(float f) { return -slightly_below(-f); }
     };
     Axis axis[3];
-    float least_t_min = -std::numeric_limits<float>::infinity(),
-          most_t_max = std::numeric_limits<float>::infinity();
+    float min_t_min = -std::numeric_limits<float>::infinity(),
+          max_t_max = std::numeric_limits<float>::infinity();
 };
 
 /// Rays [first, first + count) of prepared ones.
-struct Beam : Intervals {
+struct RayPacket : Intervals {
     SlabRays& rays;
     int first, count;
-    bool common_origin;                           // in double, and of rays that are usable
-    float least_direction[3], most_direction[3];  // where the origin is common
+    bool common_origin;                        // in double, and of rays that are usable
+    float min_direction[3], max_direction[3];  // where the origin is common
 
     /// All its rays, as bits; ray `first` is the lowest.
     HWY_INLINE std::uint64_t all() const { return ~std::uint64_t{0} >> (64 - count); }
 
-    HWY_INLINE Beam(SlabRays& prepared, int from, int rays_count)
+    HWY_INLINE RayPacket(SlabRays& prepared, int from, int rays_count)
         : rays(prepared), first(from), count(rays_count), common_origin(prepared.common_origin) {
         for (int a = 0; a < 3; ++a) {
             const Range inverse = range(rays.near_inverse[a]), origin = range(rays.origin[a]);
@@ -63,14 +63,14 @@ struct Beam : Intervals {
         }
         for (int a = 0; common_origin && a < 3; ++a) {
             const Range direction = range(rays.direction[a]);
-            least_direction[a] = direction.least, most_direction[a] = direction.most;
+            min_direction[a] = direction.least, max_direction[a] = direction.most;
         }
-        least_t_min = range(rays.t_min).least;
+        min_t_min = range(rays.t_min).least;
         update_t_max();
     }
 
     /// After rays' t_max have shrunk.
-    HWY_INLINE void update_t_max() { most_t_max = range(rays.t_max).most; }
+    HWY_INLINE void update_t_max() { max_t_max = range(rays.t_max).most; }
 
   private:
     struct Range {
@@ -86,9 +86,9 @@ struct Beam : Intervals {
             least = min(x, least), most = max(most, x);
         }
         if (i < first + count) {
-            const auto mine = first_lanes<float>(first + count - i);
+            const auto active = first_lanes<float>(first + count - i);
             const Floats x = load(column + i);
-            least = min(select(mine, x, infinity), least), most = max(most, select(mine, x, -infinity));
+            least = min(select(active, x, infinity), least), most = max(most, select(active, x, -infinity));
         }
         return {min_of_lanes(least), max_of_lanes(most)};
     }
@@ -96,28 +96,27 @@ struct Beam : Intervals {
 
 /// Bounds of the slab expression over all rays, for a vector of boxes given by the columns of their lower and
 /// upper planes.
-HWY_INLINE Slab beam_slab(const Intervals& beam, const float* const lo[3], const float* const hi[3]) {
+HWY_INLINE Slab packet_slab(const Intervals& packet, const float* const lo[3], const float* const hi[3]) {
     Slab slab{Floats(-std::numeric_limits<float>::infinity()),
               Floats(std::numeric_limits<float>::infinity())};
     for (int a = 0; a < 3; ++a) {
-        const Intervals::Axis& axis = beam.axis[a];
+        const Intervals::Axis& axis = packet.axis[a];
         if (axis.sign == 0) continue;
         const Floats to_near = load(axis.sign > 0 ? lo[a] : hi[a]) - Floats(axis.near_origin);
         const Floats to_far = load(axis.sign > 0 ? hi[a] : lo[a]) - Floats(axis.far_origin);
         // Rounding is monotone: the least product is the product of the least.
         const Floats entry =
-            to_near * select(to_near >= Floats(0), Floats(axis.near_least), Floats(axis.near_most));
-        const Floats exit =
-            to_far * select(to_far >= Floats(0), Floats(axis.far_most), Floats(axis.far_least));
+            to_near * select(to_near >= Floats(0), Floats(axis.near_min), Floats(axis.near_max));
+        const Floats exit = to_far * select(to_far >= Floats(0), Floats(axis.far_max), Floats(axis.far_min));
         slab.entry = max(slab.entry, entry);
         slab.exit = min(slab.exit, exit);
     }
     return slab;
 }
 
-/// The slab expression for rays [i, i + lanes), of the beam, and one box.
-HWY_INLINE Slab box_slab(const Beam& beam, int i, const float* lo, const float* hi) {
-    const SlabRays& rays = beam.rays;
+/// The slab expression for rays [i, i + lanes), of the packet, and one box.
+HWY_INLINE Slab box_slab(const RayPacket& packet, int i, const float* lo, const float* hi) {
+    const SlabRays& rays = packet.rays;
     Slab slab{Floats(-std::numeric_limits<float>::infinity()),
               Floats(std::numeric_limits<float>::infinity())};
     for (int a = 0; a < 3; ++a) {
@@ -125,8 +124,8 @@ HWY_INLINE Slab box_slab(const Beam& beam, int i, const float* lo, const float* 
                      far_inverse = load(rays.far_inverse[a] + i);
         const Floats lower(lo[a]), upper(hi[a]);
         Floats near = lower, far = upper;
-        if (beam.axis[a].sign < 0) near = upper, far = lower;
-        if (beam.axis[a].sign == 0) {
+        if (packet.axis[a].sign < 0) near = upper, far = lower;
+        if (packet.axis[a].sign == 0) {
             const auto ahead = near_inverse > Floats(0);
             near = select(ahead, lower, upper), far = select(ahead, upper, lower);
         }
@@ -139,34 +138,34 @@ HWY_INLINE LaneMask<float> meets(const SlabRays& rays, int i, const Slab& slab) 
     return meets(slab, load(rays.t_min + i), load(rays.t_max + i));
 }
 
-/// Which of some of the beam's rays meet a box before their t_max.
-HWY_INLINE std::uint64_t rays_that_meet(const Beam& beam, std::uint64_t some, const float* lo,
+/// Which of some of the packet's rays meet a box before their t_max.
+HWY_INLINE std::uint64_t rays_that_meet(const RayPacket& packet, std::uint64_t some, const float* lo,
                                         const float* hi) {
     constexpr int lanes = lane_count<float>();
     std::uint64_t met = 0;
-    for (int r = 0; r < beam.count; r += lanes) {
+    for (int r = 0; r < packet.count; r += lanes) {
         const std::uint32_t here = static_cast<std::uint32_t>(some >> r) & first_bits(lanes);
         if (here == 0) continue;
-        const int i = beam.first + r;
-        met |= std::uint64_t{to_bits(meets(beam.rays, i, box_slab(beam, i, lo, hi))) & here} << r;
+        const int i = packet.first + r;
+        met |= std::uint64_t{to_bits(meets(packet.rays, i, box_slab(packet, i, lo, hi))) & here} << r;
     }
     return met;
 }
 
 /// Which of them some ray may meet before its t_max, as bits.
-HWY_INLINE std::uint32_t meets(const Intervals& beam, const Slab& slab) {
-    return to_bits(meets(slab, Floats(beam.least_t_min), Floats(beam.most_t_max)));
+HWY_INLINE std::uint32_t meets(const Intervals& packet, const Slab& slab) {
+    return to_bits(meets(slab, Floats(packet.min_t_min), Floats(packet.max_t_max)));
 }
 
 /// Which of a node's children some ray may meet, as bits; entries gets the earliest entries.
-HWY_INLINE std::uint32_t children_met(const Intervals& beam, const BvhNode& node, float* entries) {
+HWY_INLINE std::uint32_t children_met(const Intervals& packet, const BvhNode& node, float* entries) {
     std::uint32_t met = 0;
     for (int c = 0; c < k_bvh_width; c += lane_count<float>()) {
         const float* lo[3] = {node.lo[0] + c, node.lo[1] + c, node.lo[2] + c};
         const float* hi[3] = {node.hi[0] + c, node.hi[1] + c, node.hi[2] + c};
-        const Slab slab = beam_slab(beam, lo, hi);
+        const Slab slab = packet_slab(packet, lo, hi);
         store(slab.entry, entries + c);
-        met |= meets(beam, slab) << c;
+        met |= meets(packet, slab) << c;
     }
     return met;
 }

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// The shapes' filters in single precision, asked of a beam.
-#if defined(GLINT_TRACE_BEAM_FILTERS_INL_H_) == defined(HWY_TARGET_TOGGLE)
-#ifdef GLINT_TRACE_BEAM_FILTERS_INL_H_
-#undef GLINT_TRACE_BEAM_FILTERS_INL_H_
+// The shapes' filters in single precision, asked of a packet.
+#if defined(GLINT_TRACE_PACKET_FILTERS_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef GLINT_TRACE_PACKET_FILTERS_INL_H_
+#undef GLINT_TRACE_PACKET_FILTERS_INL_H_
 #else
-#define GLINT_TRACE_BEAM_FILTERS_INL_H_
+#define GLINT_TRACE_PACKET_FILTERS_INL_H_
 #endif
 
-#include "bvh/beam-inl.h"
+#include "bvh/ray_packet-inl.h"
 #include "geometry/kinds-inl.h"
 #include "world/world.h"
 
@@ -15,12 +15,12 @@ HWY_BEFORE_NAMESPACE();
 namespace glint {
 namespace HWY_NAMESPACE {
 
-/// The filters of a vector of triangles for a beam whose rays share their origin: made once a leaf, not once
-/// a ray. Of other shapes nothing is kept.
+/// The filters of a vector of triangles for a packet whose rays share their origin: made once a leaf, not
+/// once a ray. Of other shapes nothing is kept.
 template <class Geometry> class SharedFilters {
   public:
-    /// Of slots [first, first + count), count <= lanes. Returns which some ray of the beam may hit.
-    HWY_INLINE std::uint32_t prepare(const ShapeClass& shapes, const Beam& beam, const Vec3& origin,
+    /// Of slots [first, first + count), count <= lanes. Returns which some ray of the packet may hit.
+    HWY_INLINE std::uint32_t prepare(const ShapeClass& shapes, const RayPacket& packet, const Vec3& origin,
                                      std::uint32_t first, int count) {
         int i = 0;
         do {
@@ -37,7 +37,7 @@ template <class Geometry> class SharedFilters {
         for (int k = 0; k < 10; ++k) v[k] = load(value_[k]);
         const TriangleGeometry::Filter<Floats> all{
             {v[0], v[1], v[2]}, {v[3], v[4], v[5]}, {v[6], v[7], v[8]}, v[9]};
-        const float *lo = beam.least_direction, *hi = beam.most_direction;
+        const float *lo = packet.min_direction, *hi = packet.max_direction;
         return to_bits(all.some_may_hit({Floats(lo[0]), Floats(lo[1]), Floats(lo[2])},
                                         {Floats(hi[0]), Floats(hi[1]), Floats(hi[2])})) &
                first_bits(count);
@@ -52,9 +52,10 @@ template <class Geometry> class SharedFilters {
     alignas(64) float value_[10][k_is_triangle<Geometry> ? lane_count<float>() : 1];
 };
 
-/// Which of the beam's rays `mine` may hit the shape in a slot, number `lane` of those that `shared` is of.
+/// Which of the packet's rays `active` may hit the shape in a slot, number `lane` of those that `shared` is
+/// of.
 template <class Geometry>
-HWY_INLINE std::uint64_t filter_rays(const ShapeClass& shapes, const Beam& beam, std::uint64_t mine,
+HWY_INLINE std::uint64_t filter_rays(const ShapeClass& shapes, const RayPacket& packet, std::uint64_t active,
                                      [[maybe_unused]] const SharedFilters<Geometry>& shared,
                                      std::uint32_t slot, [[maybe_unused]] int lane) {
     constexpr int lanes = lane_count<float>();
@@ -64,29 +65,30 @@ HWY_INLINE std::uint64_t filter_rays(const ShapeClass& shapes, const Beam& beam,
     };
     std::uint64_t passed = 0;
     const auto pass = [&](const Filter& filter, int r) HWY_ATTR {
-        const std::uint32_t here = static_cast<std::uint32_t>(mine >> r) & first_bits(lanes);
+        const std::uint32_t here = static_cast<std::uint32_t>(active >> r) & first_bits(lanes);
         if (here == 0) return;
-        const auto may = filter.may_hit(columns(beam.rays.direction, beam.first + r));
+        const auto may = filter.may_hit(columns(packet.rays.direction, packet.first + r));
         passed |= std::uint64_t{to_bits(may) & here} << r;
     };
     if constexpr (k_is_triangle<Geometry>) {
-        if (beam.common_origin) {
+        if (packet.common_origin) {
             const Filter filter = shared.one(lane);
-            for (int r = 0; r < beam.count; r += lanes) pass(filter, r);
+            for (int r = 0; r < packet.count; r += lanes) pass(filter, r);
             return passed;
         }
     }
     Floats q[Geometry::k_values];
     for (int k = 0; k < Geometry::k_values; ++k)
         q[k] = Floats(static_cast<float>(shapes.column(k)[slot - shapes.first]));
-    const auto& origin = beam.rays.origin;
-    if (beam.common_origin) {
-        const int i = beam.first;
+    const auto& origin = packet.rays.origin;
+    if (packet.common_origin) {
+        const int i = packet.first;
         const Filter filter =
             Filter::of(q, {Floats(origin[0][i]), Floats(origin[1][i]), Floats(origin[2][i])});
-        for (int r = 0; r < beam.count; r += lanes) pass(filter, r);
+        for (int r = 0; r < packet.count; r += lanes) pass(filter, r);
     } else {
-        for (int r = 0; r < beam.count; r += lanes) pass(Filter::of(q, columns(origin, beam.first + r)), r);
+        for (int r = 0; r < packet.count; r += lanes)
+            pass(Filter::of(q, columns(origin, packet.first + r)), r);
     }
     return passed;
 }
