@@ -144,12 +144,12 @@ struct WorldMemory {
         return packed == 0 ? 0 : static_cast<double>(total() - materials) / static_cast<double>(packed);
     }
 };
-GLINT_API WorldMemory memory(const World& world);
+GLINT_API WorldMemory memory_usage(const World& world);
 
 /// The box around all bounded shapes; min > max if there are none.
 struct Bounds {
     Vec3 min, max;
 };
-GLINT_API Bounds bounds(const World& world);
+GLINT_API Bounds scene_bounds(const World& world);
 
 }  // namespace glint

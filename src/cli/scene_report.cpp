@@ -130,7 +130,7 @@ std::string text_report(const SceneReport& report) {
                    counts_text(shape_counts(scene), [](std::size_t n, std::size_t kind) {
                        return counted(n, to_string(static_cast<ShapeKind>(kind)));
                    }));
-    const Bounds box = bounds(report.world);
+    const Bounds box = scene_bounds(report.world);
     fmt::format_to(
         out, "bounds      {}\n",
         is_bounded(box) ? fmt::format("{} to {}", vec(box.min), vec(box.max)) : "no bounded shapes");
@@ -161,7 +161,7 @@ std::string text_report(const SceneReport& report) {
         const std::string_view name = scene.material_texts.name(i);
         if (!name.empty()) fmt::format_to(out, "{}{}", named++ == 0 ? ": " : ", ", name);
     }
-    const WorldMemory used = memory(report.world);
+    const WorldMemory used = memory_usage(report.world);
     fmt::format_to(out,
                    "\nmemory      shapes {}, boxes {}, indices {}, hierarchy {}, materials {}, together {}\n",
                    bytes_text(double(used.shapes)), bytes_text(double(used.boxes)),
@@ -194,7 +194,7 @@ std::string json_report(const SceneReport& report) {
         shapes[std::string(to_string(static_cast<ShapeKind>(i)))] = counts[i];
     json["shapes"] = std::move(shapes);
     json["shape_count"] = scene.shapes.size();
-    const Bounds box = bounds(report.world);
+    const Bounds box = scene_bounds(report.world);
     if (is_bounded(box)) {
         json["bounds"] = {{"min", vec_json(box.min)}, {"max", vec_json(box.max)}};
     } else {
@@ -218,7 +218,7 @@ std::string json_report(const SceneReport& report) {
     }
     json["light_sum"] = color_json(sum_of_lights(scene));
     json["material_count"] = scene.materials.size();
-    const WorldMemory used = memory(report.world);
+    const WorldMemory used = memory_usage(report.world);
     json["memory_bytes"] = {{"shapes", used.shapes},       {"boxes", used.boxes},
                             {"indices", used.indices},     {"hierarchy", used.hierarchy},
                             {"materials", used.materials}, {"total", used.total()}};

@@ -69,7 +69,7 @@ bool check_camera(Subject& subject, const Sight& sight) {
                        "turn the camera towards a plane");
         return false;
     }
-    const Bounds all = bounds(subject.prepared());
+    const Bounds all = scene_bounds(subject.prepared());
     const Vec3 middle = (all.min + all.max) * 0.5, way = middle - world.camera.position;
     const double along = dot(way, normalize(world.camera.forward));
     const bool away = along <= 0;

@@ -80,7 +80,7 @@ SurfaceHit surface_hit(const WorldParts& world, const RayList& rays, const HitLi
     h.slot = hits.slot[ray];
     h.shape = world.geometry->shape_index[h.slot];
     h.material = (*world.slot_material)[h.slot];
-    h.turned = world.turns_normal(h.slot);
+    h.turned = world.flips_normal(h.slot);
     h.incoming = rays.direction(ray);
     h.point = rays.origin(ray) + h.incoming * hits.t[ray];
     h.normal = primitive_normal(*world.geometry, h.slot, h.point);

@@ -122,7 +122,7 @@ constexpr Color k_white{1, 1, 1}, k_mirror_color{0.3, 0.6, 1}, k_glass_color{0.2
 
 // How far a ray without an end is drawn: across all that there is.
 double far_away(const World& world, Vec3 from) {
-    const Bounds box = bounds(world);
+    const Bounds box = scene_bounds(world);
     if (!(box.min.x <= box.max.x)) return 100;
     return 2 * (length(box.max - box.min) + length(from - box.min));
 }

@@ -53,7 +53,7 @@ inline ExplainedHit recorded_hit(const WorldParts& world, const TileScratch& s, 
     hit.normal = vec3_at(s.normal, i);
     hit.to_eye = vec3_at(s.to_eye, i);
     hit.behind = s.behind[h] > 0;
-    hit.turned = hit.behind && world.turns_normal(s.hit_slot[h]);
+    hit.turned = hit.behind && world.flips_normal(s.hit_slot[h]);
     hit.weight = color_at(s.weight, i);
     return hit;
 }

@@ -123,7 +123,7 @@ inline void find_surfaces(const WorldParts& world, TileScratch& s, int generatio
         for (int k = 0; k < (same ? 1 : lane_count<double>()); ++k) {
             reach[k] = box_reach(*world.geometry, slots[k]);
             materials[k] = (*world.slot_material)[slots[k]];
-            turns |= static_cast<std::uint32_t>(world.turns_normal(slots[k])) << k;
+            turns |= static_cast<std::uint32_t>(world.flips_normal(slots[k])) << k;
         }
         if (same) {
             std::fill_n(materials + 1, lane_count<double>() - 1, materials[0]);

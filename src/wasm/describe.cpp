@@ -93,7 +93,7 @@ Json to_json(const Diagnostic& d) {
 }
 
 Json describe(const Scene& scene, const World& world) {
-    const Bounds box = bounds(world);
+    const Bounds box = scene_bounds(world);
     Json lights = Json::array();
     for (std::uint32_t i = 0; i < scene.lights.size(); ++i) lights.push_back(light_json(scene, i));
     return {{"profile", scene.profile},

@@ -65,11 +65,11 @@ class Packer {
     }
 
     void find_boxes() {
-        const AllClassFacts& facts = class_facts();
+        const AllClassTraits& traits = class_traits();
         const auto count = static_cast<std::uint32_t>(primitives_.list().size());
         std::uint32_t bounded = 0;
         for (std::uint32_t i = 0; i < count; ++i) {
-            if (facts[class_of(i)].bounded) {
+            if (traits[class_of(i)].bounded) {
                 ++bounded;
             } else {
                 unbounded_.push_back(i);
@@ -99,8 +99,8 @@ class Packer {
             ++count[static_cast<std::size_t>(primitives_.class_of(p))];
         for (int rank = 0; rank < 3; ++rank) {
             for (std::size_t c = 0; c < count.size(); ++c) {
-                const ClassFacts& facts = class_facts()[c];
-                if (2 - facts.bounded - facts.stores_box != rank || count[c] == 0) continue;
+                const ClassTraits& traits = class_traits()[c];
+                if (2 - traits.bounded - traits.stores_box != rank || count[c] == 0) continue;
                 ShapeClass packed;
                 packed.kind = static_cast<ShapeKind>(c / 2);
                 packed.transformed = c % 2 == 1;
@@ -108,7 +108,7 @@ class Packer {
                 packed.count = count[c];
                 packed.stride = count[c] + k_ray_padding;
                 resize_in_huge_pages(packed.values, static_cast<std::size_t>(packed.stride) *
-                                                        static_cast<std::size_t>(facts.values));
+                                                        static_cast<std::size_t>(traits.values));
                 next_slot_[c] = geometry_.count;
                 class_index_[c] = geometry_.classes.size();
                 geometry_.classes.push_back(std::move(packed));

@@ -18,29 +18,29 @@ namespace {
 constexpr std::size_t k_cache_line = 64;
 
 struct FactsOf {
-    ClassFacts facts;
+    ClassTraits traits;
     template <class Geometry> void visit() {
-        facts.bakes_transform = Geometry::k_bakes_transform;
-        facts.values = Geometry::k_values;
-        facts.bounded = Geometry::k_bounded;
-        facts.stores_box = facts.bounded && !k_is_triangle<Geometry>;
+        traits.bakes_transform = Geometry::k_bakes_transform;
+        traits.values = Geometry::k_values;
+        traits.bounded = Geometry::k_bounded;
+        traits.stores_box = traits.bounded && !k_is_triangle<Geometry>;
     }
 };
 
-AllClassFacts find_class_facts() {
-    AllClassFacts all;
+AllClassTraits find_class_facts() {
+    AllClassTraits all;
     for (int c = 0; c < k_primitive_classes; ++c) {
         FactsOf of;
         visit_geometry(static_cast<ShapeKind>(c / 2), c % 2 == 1, of);
-        all[static_cast<std::size_t>(c)] = of.facts;
+        all[static_cast<std::size_t>(c)] = of.traits;
     }
     return all;
 }
 
 }  // namespace
 
-const AllClassFacts& class_facts() {
-    static const AllClassFacts all = find_class_facts();
+const AllClassTraits& class_traits() {
+    static const AllClassTraits all = find_class_facts();
     return all;
 }
 
@@ -68,8 +68,9 @@ int Primitives::class_of(const Primitive& primitive) const {
     const Shape& s = scene_.shapes[primitive.shape];
     const ShapeKind kind = primitive.triangle == k_none ? s.kind : ShapeKind::triangle;
     const int plain = 2 * static_cast<int>(kind);
-    return plain +
-           (s.transform != k_none && !class_facts()[static_cast<std::size_t>(plain)].bakes_transform ? 1 : 0);
+    return plain + (s.transform != k_none && !class_traits()[static_cast<std::size_t>(plain)].bakes_transform
+                        ? 1
+                        : 0);
 }
 
 // The transform that it is packed with: none where its parameters take it.

@@ -22,14 +22,14 @@ struct Primitive {
 };
 
 /// What a class says of itself.
-struct ClassFacts {
+struct ClassTraits {
     int values = 0;          // of a packed primitive
     bool bounded = true;     // it has a box
     bool stores_box = true;  // a triangle's is computed
     bool bakes_transform = false;
 };
-using AllClassFacts = std::array<ClassFacts, k_primitive_classes>;
-const AllClassFacts& class_facts();
+using AllClassTraits = std::array<ClassTraits, k_primitive_classes>;
+const AllClassTraits& class_traits();
 
 /// Packs the shapes of a valid scene one by one.
 class Primitives {

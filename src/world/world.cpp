@@ -38,7 +38,7 @@ WorldParts& WorldAccess::own(World& world) {
     return *world.parts_;
 }
 
-WorldMemory memory(const World& world) {
+WorldMemory memory_usage(const World& world) {
     const WorldParts& parts = world.parts();
     const PackedGeometry& geometry = *parts.geometry;
     WorldMemory m;
@@ -52,6 +52,6 @@ WorldMemory memory(const World& world) {
     return m;
 }
 
-Bounds bounds(const World& world) { return to_bounds(world.parts().geometry->bvh.bounds); }
+Bounds scene_bounds(const World& world) { return to_bounds(world.parts().geometry->bvh.bounds); }
 
 }  // namespace glint

@@ -63,7 +63,7 @@ struct WorldParts {
         return static_cast<std::uint32_t>(materials->size() / k_material_values - 1);
     }
     /// Whether the conventions turn the normal of a slot's shape towards the incoming ray.
-    bool turns_normal(std::uint32_t slot) const {
+    bool flips_normal(std::uint32_t slot) const {
         return conventions.facing == Facing::all ||
                (conventions.facing == Facing::open && geometry->is_open(slot));
     }

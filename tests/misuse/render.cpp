@@ -66,10 +66,10 @@ TEST(Misuse, OfAWorldWithoutShapes) {
     Scene scene;
     scene.settings.width = scene.settings.height = 3;
     const World world = world_of(scene);
-    const Bounds box = bounds(world);
+    const Bounds box = scene_bounds(world);
     EXPECT_GT(box.min.x, box.max.x);
-    EXPECT_EQ(memory(world).packed, 0u);
-    EXPECT_EQ(memory(world).each(), 0);
+    EXPECT_EQ(memory_usage(world).packed, 0u);
+    EXPECT_EQ(memory_usage(world).each(), 0);
     EXPECT_EQ(WorldMemory{}.total(), 0u);
     EXPECT_EQ(RayCounts{}.total(), 0u);
     EXPECT_TRUE(render(world).image);

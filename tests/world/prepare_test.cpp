@@ -51,7 +51,7 @@ TEST(Prepare, ConesAreLeftOutWhereTheConventionsSaySo) {
     scene.conventions.cones = false;
     const std::optional<World> world = make_world(scene);
     EXPECT_EQ(world->parts().geometry->count, 2u);
-    EXPECT_LT(bounds(*world).max.y, 2);
+    EXPECT_LT(scene_bounds(*world).max.y, 2);
     EXPECT_EQ(world->parts().geometry->shape_index[0] + world->parts().geometry->shape_index[1], 2u)
         << "indices are the scene's";
 }
@@ -122,7 +122,7 @@ TEST(Prepare, WhoseNormalIsTurned) {
         const std::optional<World> world = make_world(scene);
         std::vector<bool> by_shape(scene.shapes.size());
         for (std::uint32_t slot = 0; slot < world->parts().geometry->count; ++slot) {
-            by_shape[world->parts().geometry->shape_index[slot]] = world->parts().turns_normal(slot);
+            by_shape[world->parts().geometry->shape_index[slot]] = world->parts().flips_normal(slot);
         }
         return by_shape;
     };
@@ -173,29 +173,29 @@ TEST(Prepare, LightsAndMaterials) {
 TEST(Prepare, BoundsAndMemory) {
     Scene scene;
     scene.add(Plane{});
-    Bounds none = bounds(*make_world(scene));
+    Bounds none = scene_bounds(*make_world(scene));
     EXPECT_GT(none.min.x, none.max.x);
     scene.add(Sphere{{1, 2, 3}, 0.5});
     scene.add(Cylinder{{-4, 0, 0}, {-4, 7, 0}, 1, false});
     const std::optional<World> world = make_world(scene);
-    const Bounds b = bounds(*world);
+    const Bounds b = scene_bounds(*world);
     EXPECT_NEAR(b.min.x, -5, 1e-5);
     EXPECT_NEAR(b.min.y, 0, 1e-5);
     EXPECT_NEAR(b.max.x, 1.5, 1e-5);
     EXPECT_NEAR(b.max.y, 7, 1e-5);
     EXPECT_NEAR(b.max.z, 3.5, 1e-5);
-    EXPECT_GE(memory(*world).shapes, sizeof(double) * 4);
-    EXPECT_GE(memory(*world).hierarchy, sizeof(BvhNode));
+    EXPECT_GE(memory_usage(*world).shapes, sizeof(double) * 4);
+    EXPECT_GE(memory_usage(*world).hierarchy, sizeof(BvhNode));
 }
 
 TEST(Prepare, MemoryByPart) {
     Random random(114);
     Scene scene;
     scene.add(Plane{{0, 0, 0}, {0, 1, 0}});
-    EXPECT_EQ(memory(*make_world(scene)).hierarchy, 0u);
+    EXPECT_EQ(memory_usage(*make_world(scene)).hierarchy, 0u);
     for (int i = 0; i < 20000; ++i) scene.add(Sphere{point_in_cube(random, 10), 0.1});
     const std::optional<World> world = make_world(scene);
-    const WorldMemory used = memory(*world);
+    const WorldMemory used = memory_usage(*world);
     EXPECT_EQ(used.packed, world->parts().geometry->count);
     EXPECT_GE(used.shapes, 20000 * 4 * sizeof(double));
     EXPECT_GE(used.indices, 20000 * 2 * sizeof(std::uint32_t));
@@ -203,7 +203,7 @@ TEST(Prepare, MemoryByPart) {
     EXPECT_GE(used.materials, k_material_values * sizeof(double));
     EXPECT_EQ(used.total(), used.shapes + used.boxes + used.indices + used.hierarchy + used.materials);
     EXPECT_LE(used.each(), 96) << "what a sphere may cost";
-    EXPECT_EQ(memory(*make_world(Scene{})).each(), 0);
+    EXPECT_EQ(memory_usage(*make_world(Scene{})).each(), 0);
 }
 
 TEST(Prepare, AWorldOfASceneWithErrorsIsNone) {

@@ -36,8 +36,8 @@ void good_input() {
     const auto prepared = glint::prepare(*loaded.scene);
     expect(prepared.world.has_value(), "the scene is prepared");
     if (!prepared.world) return;
-    expect(glint::memory(*prepared.world).total() > 0, "a world takes memory");
-    expect(glint::bounds(*prepared.world).max.z >= 4, "the bounds hold the sphere");
+    expect(glint::memory_usage(*prepared.world).total() > 0, "a world takes memory");
+    expect(glint::scene_bounds(*prepared.world).max.z >= 4, "the bounds hold the sphere");
     const auto rendered = glint::render(*prepared.world);
     expect(rendered.image && rendered.image->width == 64 && rendered.image->rgb.size() == 64 * 48 * 3,
            "a picture");
