@@ -7,7 +7,7 @@
 #include "geometry/kinds-inl.h"
 #include "math/transform.h"
 #include "trace/camera_rays-inl.h"
-#include "trace/leaving-inl.h"
+#include "trace/secondary_rays-inl.h"
 #include "world/primitives.h"
 
 namespace glint {

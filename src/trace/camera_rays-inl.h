@@ -59,24 +59,24 @@ inline void make_camera_rays(const WorldParts& world, const TileJob& job, int i,
     const bool orthographic = camera.projection == Projection::orthographic;
     const bool unit = world.conventions.ray_direction == RayDirection::unit;
     const int count = job.width * job.height;
-    rays.start_alike(count, camera.position, world.conventions.camera_t_min, k_infinity);
+    rays.start_uniform(count, camera.position, world.conventions.camera_t_min, k_infinity);
     if (orthographic) rays.reserve(count);  // what they share is written over
     double* o[3] = {rays.column(k_ray_origin), rays.column(k_ray_origin + 1), rays.column(k_ray_origin + 2)};
     double* d[3] = {rays.column(k_ray_direction), rays.column(k_ray_direction + 1),
                     rays.column(k_ray_direction + 2)};
 
-    alignas(k_ray_alignment) double beside[3][k_tile_side];  // by column of the tile
+    alignas(k_ray_alignment) double column_offset[3][k_tile_side];  // by column of the tile
     for (int x = 0; x < k_tile_side; x += lane_count<double>()) {
         const Doubles column = Doubles(static_cast<double>(job.x + x)) + iota();
-        store_triple(lanes_of(camera.right) * viewport_x(world.settings, where, column, i), beside, x);
+        store_triple(lanes_of(camera.right) * viewport_x(world.settings, where, column, i), column_offset, x);
     }
-    Vec3 above[k_tile_side];
+    Vec3 row_offset[k_tile_side];
     for (int y = 0; y < job.height; ++y) {
-        above[y] = camera.up * viewport_y(world.settings, where, job.y + y, j);
+        row_offset[y] = camera.up * viewport_y(world.settings, where, job.y + y, j);
     }
     for_each_row(job, [&](int x, int y, int first, int width) HWY_ATTR {
         for (int c = 0; c < width; c += lane_count<double>()) {
-            const Triple<Doubles> across = load_triple(beside, x + c) + lanes_of(above[y]);
+            const Triple<Doubles> across = load_triple(column_offset, x + c) + lanes_of(row_offset[y]);
             Triple<Doubles> direction = lanes_of(camera.forward);
             if (orthographic) {
                 store_triple(lanes_of(camera.position) + across, o, first + c);

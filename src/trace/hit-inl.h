@@ -27,7 +27,7 @@ template <bool nearest> inline constexpr double k_spread = nearest ? 0.5 : 0.05;
 
 /// How many of rays [first, first + most) go nearly the way of the first: they walk together, since a packet
 /// meets every box that lies between its rays.
-template <bool nearest> HWY_INLINE int bundle(const SlabRays& rays, int first, int most) {
+template <bool nearest> HWY_INLINE int count_coherent(const SlabRays& rays, int first, int most) {
     const auto& d = rays.direction;
     const Floats x(d[0][first]), y(d[1][first]), z(d[2][first]);
     const Floats near = Floats(static_cast<float>(k_spread<nearest>)) * (abs(x) + abs(y) + abs(z));
@@ -48,14 +48,14 @@ HWY_INLINE void trace_chunk(const WorldParts& world, const RaySpan& rays, int co
     prepare_rays(rays, count, slab_rays);
     std::uint32_t occluder = k_none;
     const HitResult result{world, slab_rays, t, slot, occluded, &occluder};
-    Sights sights(rays);
-    ShapeTests tests{geometry, rays, slab_rays, result, sights};
+    ShearedRays sheared_rays(rays);
+    ShapeTests tests{geometry, rays, slab_rays, result, sheared_rays};
     for (const ShapeClass& shapes : geometry.classes) {
         if (shapes.first >= geometry.bounded) tests.visit_unbounded(shapes, count);
     }
     if (geometry.bvh.nodes.empty()) return;
     for (int first = 0, n = 0; first < count; first += n) {
-        n = bundle<ordered>(slab_rays, first, number::min(max_packet, count - first));
+        n = count_coherent<ordered>(slab_rays, first, number::min(max_packet, count - first));
         if (n >= k_min_packet_size) {
             RayPacket packet(slab_rays, first, n);
             if (!ordered && occluder != k_none) {

@@ -7,26 +7,27 @@
 #define GLINT_TRACE_LAYERS_INL_H_
 #endif
 
-#include "trace/pixel_sums-inl.h"
+#include "trace/film-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace glint {
 namespace HWY_NAMESPACE {
 
 /// Begins a tile: nothing is seen yet.
-inline void clear_seen(SeenSurfaces& seen) {
+inline void clear_first_hits(FirstHits& first_hits) {
     const auto clear = [](std::vector<double>& column, double value) { column.assign(k_tile_pixels, value); };
-    for (auto* triple : {seen.normal, seen.position, seen.albedo}) {
+    for (auto* triple : {first_hits.normal, first_hits.position, first_hits.albedo}) {
         for (int c = 0; c < 3; ++c) clear(triple[c], 0);
     }
-    for (auto* column : {&seen.object, &seen.material, &seen.asked, &seen.blocked}) clear(*column, 0);
-    clear(seen.depth, k_infinity);
+    for (auto* column : {&first_hits.object, &first_hits.material, &first_hits.asked, &first_hits.blocked})
+        clear(*column, 0);
+    clear(first_hits.depth, k_infinity);
 }
 
-/// Notes the surfaces of camera rays [from, to) of the stream: after find_surfaces.
-inline void see_surfaces(const WorldParts& world, TileScratch& s, int first, int from, int to) {
-    SeenSurfaces& seen = s.seen;
-    if (!seen.is_middle) return;
+/// Notes the surfaces of camera rays [from, to) of the stream: after compute_surfaces.
+inline void store_first_hits(const WorldParts& world, TileScratch& s, int first, int from, int to) {
+    FirstHits& first_hits = s.first_hits;
+    if (!first_hits.is_middle) return;
     std::size_t h = 0;
     for (int i = from; i < to; ++i) {
         const double t = s.t[static_cast<std::size_t>(i)];
@@ -35,13 +36,13 @@ inline void see_surfaces(const WorldParts& world, TileScratch& s, int first, int
         const auto direction = [&](int c) { return s.rays.column(k_ray_direction + c)[p]; };
         const double* material = world.material(s.material[h]);
         for (int c = 0; c < 3; ++c) {
-            seen.normal[c][p] = s.normal[c][h];
-            seen.position[c][p] = s.point[c][h];
-            seen.albedo[c][p] = material[k_diffuse + c];
+            first_hits.normal[c][p] = s.normal[c][h];
+            first_hits.position[c][p] = s.point[c][h];
+            first_hits.albedo[c][p] = material[k_diffuse + c];
         }
-        seen.depth[p] = t * length(Triple<double>{direction(0), direction(1), direction(2)});
-        seen.object[p] = static_cast<double>(world.geometry->shape_index[s.hit_slot[h]]) + 1;
-        seen.material[p] = static_cast<double>(s.material[h]) + 1;
+        first_hits.depth[p] = t * length(Triple<double>{direction(0), direction(1), direction(2)});
+        first_hits.object[p] = static_cast<double>(world.geometry->shape_index[s.hit_slot[h]]) + 1;
+        first_hits.material[p] = static_cast<double>(s.material[h]) + 1;
         ++h;
     }
 }
@@ -58,32 +59,33 @@ inline void count_lit(const TileScratch& s, std::vector<double>& counts, double 
 
 /// Value c of a layer at a pixel of the tile.
 inline float layer_value(const TileScratch& s, Layer layer, int c, std::size_t p, double samples) {
-    const SeenSurfaces& seen = s.seen;
+    const FirstHits& first_hits = s.first_hits;
     switch (layer) {
         case Layer::normal:
-            return static_cast<float>(seen.normal[c][p]);
+            return static_cast<float>(first_hits.normal[c][p]);
         case Layer::position:
-            return static_cast<float>(seen.position[c][p]);
+            return static_cast<float>(first_hits.position[c][p]);
         case Layer::albedo:
-            return static_cast<float>(seen.albedo[c][p]);
+            return static_cast<float>(first_hits.albedo[c][p]);
         case Layer::depth:
-            return static_cast<float>(seen.depth[p]);
+            return static_cast<float>(first_hits.depth[p]);
         case Layer::object:
-            return static_cast<float>(seen.object[p]);
+            return static_cast<float>(first_hits.object[p]);
         case Layer::material:
-            return static_cast<float>(seen.material[p]);
+            return static_cast<float>(first_hits.material[p]);
         case Layer::shadow:
-            return seen.asked[p] > 0 ? static_cast<float>(seen.blocked[p] / seen.asked[p]) : 0.0f;
+            return first_hits.asked[p] > 0 ? static_cast<float>(first_hits.blocked[p] / first_hits.asked[p])
+                                           : 0.0f;
         default:
             break;
     }
-    if (!s.sums.touched[static_cast<std::size_t>(layer)]) return 0;
-    // As fold_pixels does.
-    const double sum = s.sums.of(layer, c)[p];
-    return static_cast<float>(film_part(samples > 1 ? sum / samples : sum));
+    if (!s.film.touched[static_cast<std::size_t>(layer)]) return 0;
+    // As resolve does.
+    const double sum = s.film.of(layer, c)[p];
+    return static_cast<float>(film_value(samples > 1 ? sum / samples : sum));
 }
 
-/// Writes the layers of the tile: beside fold_pixels.
+/// Writes the layers of the tile: beside resolve.
 inline void write_layers(const WorldParts& world, const TileJob& job, const TileScratch& s) {
     const double samples = static_cast<double>(world.settings.samples) * world.settings.samples;
     for (const LayerInfo& info : layer_infos()) {

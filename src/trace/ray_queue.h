@@ -53,22 +53,22 @@ class RayQueue {
 
     /// Makes room for this many rays and their padding.
     void reserve(int rays) {
-        make_room(rays);
-        alike_rays_ = 0;
+        ensure_capacity(rays);
+        uniform_rays_ = 0;
     }
     /// Begins with camera rays that share these numbers. They are written unless they are still here, from a
     /// tile whose rays all missed.
-    void start_alike(int rays, Vec3 origin, double t_min, double t_max) {
+    void start_uniform(int rays, Vec3 origin, double t_min, double t_max) {
         clear();
-        make_room(rays);
+        ensure_capacity(rays);
         const std::array<double, 5> numbers{origin.x, origin.y, origin.z, t_min, t_max};
         using Bits = std::array<std::uint64_t, 5>;  // -0 is not 0
-        if (alike_rays_ >= rays && std::bit_cast<Bits>(numbers) == std::bit_cast<Bits>(alike_)) return;
+        if (uniform_rays_ >= rays && std::bit_cast<Bits>(numbers) == std::bit_cast<Bits>(uniform_)) return;
         constexpr int columns[] = {k_ray_origin, k_ray_origin + 1, k_ray_origin + 2, k_ray_t_min,
                                    k_ray_t_max};
         for (std::size_t i = 0; i < numbers.size(); ++i) std::fill_n(column(columns[i]), rays, numbers[i]);
-        alike_ = numbers;
-        alike_rays_ = rays;
+        uniform_ = numbers;
+        uniform_rays_ = rays;
     }
     /// To be written from size() on, within what is reserved; grow() makes rays of it.
     double* column(int c) { return columns_[c].data(); }
@@ -81,7 +81,7 @@ class RayQueue {
     }
 
     /// Moves the rays of the other queue to the end of this one, as a group.
-    void take_group(RayQueue& other) {
+    void append_group(RayQueue& other) {
         if (other.size_ == 0) return;
         reserve(size_ + other.size_);
         for (int c = 0; c < k_ray_columns; ++c) {
@@ -107,15 +107,15 @@ class RayQueue {
     }
 
   private:
-    void make_room(int rays) {
+    void ensure_capacity(int rays) {
         const auto needed = static_cast<std::size_t>(rays) + k_ray_padding;
         if (columns_[0].size() >= needed) return;
         for (auto& column : columns_) column.resize(2 * needed);
-        alike_rays_ = 0;
+        uniform_rays_ = 0;
     }
 
-    std::array<double, 5> alike_{};  // see start_alike
-    int alike_rays_ = 0;             // so many have them
+    std::array<double, 5> uniform_{};  // see start_uniform
+    int uniform_rays_ = 0;             // so many have them
     std::vector<double, AlignedMemory<double>> columns_[k_ray_columns];
     std::vector<int> group_ends_;
     int size_ = 0;

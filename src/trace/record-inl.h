@@ -8,8 +8,8 @@
 #define GLINT_TRACE_RECORD_INL_H_
 #endif
 
-#include "trace/light-inl.h"
-#include "trace/pixel_sums-inl.h"
+#include "trace/direct_lighting-inl.h"
+#include "trace/film-inl.h"
 #include "trace/record.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -58,11 +58,11 @@ inline ExplainedHit recorded_hit(const WorldParts& world, const TileScratch& s, 
     return hit;
 }
 
-/// Rays [from, to) of the stream and what they hit: after find_surfaces and absorb.
+/// Rays [from, to) of the stream and what they hit: after compute_surfaces and absorb.
 inline void record_rays(const WorldParts& world, TileScratch& s, int first, int from, int to,
                         int generation) {
     TileRecord& record = *s.record;
-    record.share.clear();
+    record.batch.clear();
     const bool camera = generation == 0;
     for (int i = from; i < to; ++i) {
         const auto at = [&](int column) { return s.rays.column(column)[first + i]; };
@@ -70,10 +70,10 @@ inline void record_rays(const WorldParts& world, TileScratch& s, int first, int 
         ray.sample = record.sample;
         ray.generation = generation;
         if (!camera) {
-            const TileRecord::Leaving& leaving = record.leaving[record.arrived++];
-            ray.parent = leaving.ray;
-            ray.transmitted = leaving.transmitted;
-            ExplainedHit& hit = *record.rays[static_cast<std::size_t>(leaving.ray)].hit;
+            const TileRecord::SpawnedRay& spawned = record.spawned[record.arrived++];
+            ray.parent = spawned.ray;
+            ray.transmitted = spawned.transmitted;
+            ExplainedHit& hit = *record.rays[static_cast<std::size_t>(spawned.ray)].hit;
             (ray.transmitted ? hit.transmitted : hit.reflected).ray = static_cast<int>(record.rays.size());
         }
         ray.origin = {at(k_ray_origin), at(k_ray_origin + 1), at(k_ray_origin + 2)};
@@ -83,10 +83,10 @@ inline void record_rays(const WorldParts& world, TileScratch& s, int first, int 
         ray.weight =
             camera ? Color{1, 1, 1} : Color{at(k_ray_weight), at(k_ray_weight + 1), at(k_ray_weight + 2)};
         if (ray.t < k_infinity) {
-            ray.hit = recorded_hit(world, s, record.share.size());
-            record.share.push_back(record.rays.size());
+            ray.hit = recorded_hit(world, s, record.batch.size());
+            record.batch.push_back(record.rays.size());
         } else if (camera || world.conventions.mirror_miss != MissRule::black) {
-            ray.background = ray.weight * seen_in_the_void(world);
+            ray.background = ray.weight * miss_color(world);
         }
         record.rays.push_back(std::move(ray));
     }
@@ -150,16 +150,17 @@ inline void record_light(const WorldParts& world, const Light& light, TileScratc
 }
 
 /// Which hits of a vector have branches, have glass, and sent a ray out.
-struct BranchMasks {
-    LaneMask<double> leaves, glass, reflected, transmitted;
+struct SecondaryMasks {
+    LaneMask<double> has_secondary, glass, reflected, transmitted;
 };
 
 /// What left a vector of hits: as it is queued.
-inline void record_branches(TileScratch& s, int h, const BranchMasks& masks, const Triple<Doubles>& reflected,
-                            const Triple<Doubles>& transmitted, Doubles fresnel, double min_weight) {
+inline void record_secondary_rays(TileScratch& s, int h, const SecondaryMasks& masks,
+                                  const Triple<Doubles>& reflected, const Triple<Doubles>& transmitted,
+                                  Doubles fresnel, double min_weight) {
     const TripleNumbers weights[2] = {TripleNumbers(reflected), TripleNumbers(transmitted)};
     const Numbers f(fresnel);
-    const std::uint32_t has[2] = {to_bits(masks.leaves), to_bits(masks.glass)},
+    const std::uint32_t has[2] = {to_bits(masks.has_secondary), to_bits(masks.glass)},
                         traced[2] = {to_bits(masks.reflected), to_bits(masks.transmitted)};
     for (int k = 0; k < lane_count<double>(); ++k) {
         if ((has[0] >> k & 1) == 0) continue;
@@ -177,8 +178,8 @@ inline void record_branches(TileScratch& s, int h, const BranchMasks& masks, con
                                                                 : BranchState::faint,
                                weight, -1};
             if (went)
-                s.record->leaving.push_back(
-                    {static_cast<int>(s.record->share[static_cast<std::size_t>(number)]), side == 1});
+                s.record->spawned.push_back(
+                    {static_cast<int>(s.record->batch[static_cast<std::size_t>(number)]), side == 1});
         }
     }
 }

@@ -22,15 +22,15 @@ struct TileRecord {
         return !is_full && (only < 0 || only == next);
     }
 
-    struct Leaving {
+    struct SpawnedRay {
         int ray;  // it leaves this one's hit
         bool transmitted;
     };
-    std::vector<Leaving> leaving;  // branches that were traced, in the order of their rays
-    std::size_t arrived = 0;       // the first of these whose ray has not come
+    std::vector<SpawnedRay> spawned;  // branches that were traced, in the order of their rays
+    std::size_t arrived = 0;          // the first of these whose ray has not come
 
-    std::vector<std::size_t> share;  // the rays of the hits of the share at hand
-    ExplainedHit& hit(int h) { return *rays[share[static_cast<std::size_t>(h)]].hit; }
+    std::vector<std::size_t> batch;  // the rays of the hits of the batch at hand
+    ExplainedHit& hit(int h) { return *rays[batch[static_cast<std::size_t>(h)]].hit; }
 };
 
 }  // namespace glint

@@ -12,9 +12,9 @@
 #endif
 
 #include "trace/hit_result-inl.h"
-#include "trace/own_boxes-inl.h"
 #include "trace/packet_filters-inl.h"
-#include "trace/sights-inl.h"
+#include "trace/primitive_bounds-inl.h"
+#include "trace/sheared_rays-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace glint {
@@ -26,7 +26,7 @@ struct ShapeTests {
     const RaySpan& rays;  // the chunk's
     SlabRays& slab_rays;
     const HitResult& result;
-    Sights& sights;
+    ShearedRays& sheared_rays;
 
     HWY_INLINE Ray<Doubles> ray_lanes(int i) const {
         return {{load(rays.ox + i), load(rays.oy + i), load(rays.oz + i)},
@@ -70,7 +70,7 @@ struct ShapeTests {
         const RayPacket& packet;
         std::uint32_t slot;
         template <class Geometry> HWY_INLINE void visit() {
-            if constexpr (Geometry::k_bounded) tests.lone_shape<Geometry>(shapes, packet, slot);
+            if constexpr (Geometry::k_bounded) tests.single_shape<Geometry>(shapes, packet, slot);
         }
     };
     struct PacketLeaf {
@@ -113,11 +113,11 @@ struct ShapeTests {
     /// The shape's formula, lanes are rays.
     template <class Geometry> HWY_INLINE Hit<Doubles> formula(const Doubles* p, int i, Doubles t_min) {
         if constexpr (k_is_triangle<Geometry>) {
-            const auto sight = sights.lanes(i);
-            const int axis = sights.common_axis(i);
+            const auto sheared = sheared_rays.lanes(i);
+            const int axis = sheared_rays.common_axis(i);
             if (axis >= 0) {
-                const TriangleGeometry::UniformPermutation<Doubles> turned{axis};
-                return Geometry::hit_sheared(p, sight, ray_lanes(i).direction, turned, t_min);
+                const TriangleGeometry::UniformPermutation<Doubles> permute{axis};
+                return Geometry::hit_sheared(p, sheared, ray_lanes(i).direction, permute, t_min);
             }
         }
         return Geometry::hit(p, ray_lanes(i), t_min);
@@ -125,9 +125,9 @@ struct ShapeTests {
     /// The same, lanes are shapes.
     template <class Geometry> HWY_INLINE Hit<Doubles> formula_of_one(const Doubles* p, int i, Doubles t_min) {
         if constexpr (k_is_triangle<Geometry>) {
-            const auto sight = sights.one(i);
-            const TriangleGeometry::UniformPermutation<Doubles> turned{sights.axis(i)};
-            return Geometry::hit_sheared(p, sight, one_ray(i).direction, turned, t_min);
+            const auto sheared = sheared_rays.one(i);
+            const TriangleGeometry::UniformPermutation<Doubles> permute{sheared_rays.axis(i)};
+            return Geometry::hit_sheared(p, sheared, one_ray(i).direction, permute, t_min);
         } else {
             return Geometry::hit(p, one_ray(i), t_min);
         }
@@ -173,7 +173,7 @@ struct ShapeTests {
                                   std::uint32_t first, std::uint32_t count) {
         for (std::uint32_t s = 0; s < count; s += lane_count<float>()) {
             const int n = number::min(static_cast<int>(count - s), lane_count<float>());
-            const OwnBoxes<Geometry> boxes(geometry, shapes, first + s, n);
+            const PrimitiveBounds<Geometry> boxes(geometry, shapes, first + s, n);
             std::uint32_t bits = meets(packet, packet_slab(packet, boxes.lo, boxes.hi)) & first_bits(n);
             if (bits == 0) continue;
             SharedFilters<Geometry> filters;
@@ -188,20 +188,20 @@ struct ShapeTests {
     }
 
     template <class Geometry>
-    HWY_NOINLINE void lone_shape(const ShapeClass& shapes, const RayPacket& packet, std::uint32_t slot) {
+    HWY_NOINLINE void single_shape(const ShapeClass& shapes, const RayPacket& packet, std::uint32_t slot) {
         SharedFilters<Geometry> filters;
         if constexpr (k_is_triangle<Geometry>) {
             if (packet.common_origin && filters.prepare(shapes, packet, origin(packet), slot, 1) == 0) return;
         }
-        packet_shape<Geometry>(shapes, packet, packet.all(), OwnBoxes<Geometry>(geometry, shapes, slot, 1),
-                               filters, slot, 0);
+        packet_shape<Geometry>(shapes, packet, packet.all(),
+                               PrimitiveBounds<Geometry>(geometry, shapes, slot, 1), filters, slot, 0);
     }
 
     /// One shape, number `lane` from slot `first` on, against the packet's rays `active`.
     template <class Geometry>
     HWY_INLINE void packet_shape(const ShapeClass& shapes, const RayPacket& packet, std::uint64_t active,
-                                 const OwnBoxes<Geometry>& boxes, const SharedFilters<Geometry>& filters,
-                                 std::uint32_t first, int lane) {
+                                 const PrimitiveBounds<Geometry>& boxes,
+                                 const SharedFilters<Geometry>& filters, std::uint32_t first, int lane) {
         const std::uint32_t slot = first + static_cast<std::uint32_t>(lane);
         const float lo[3] = {boxes.lo[0][lane], boxes.lo[1][lane], boxes.lo[2][lane]};
         const float hi[3] = {boxes.hi[0][lane], boxes.hi[1][lane], boxes.hi[2][lane]};
@@ -225,8 +225,9 @@ struct ShapeTests {
             store(slab.entry, entry);
             store(slab.exit, exit);
             for (int c = 0; c < lanes; c += lane_count<double>()) {
-                const std::uint32_t part = bits >> c & first_bits(lane_count<double>());
-                if (part != 0) settle_rays<Geometry>(p, slot, i + c, part, widen(entry + c), widen(exit + c));
+                const std::uint32_t lanes_here = bits >> c & first_bits(lane_count<double>());
+                if (lanes_here != 0)
+                    settle_rays<Geometry>(p, slot, i + c, lanes_here, widen(entry + c), widen(exit + c));
             }
         }
     }
@@ -250,7 +251,7 @@ struct ShapeTests {
     template <class Geometry>
     HWY_INLINE void meet_boxes(const ShapeClass& shapes, std::uint32_t first, int i, RaySlab& to) const {
         const SlabRay ray(slab_rays, i);
-        const OwnBoxes<Geometry> boxes(geometry, shapes, first, lane_count<double>());
+        const PrimitiveBounds<Geometry> boxes(geometry, shapes, first, lane_count<double>());
         const float *near[3], *far[3];
         for (int a = 0; a < 3; ++a) {
             near[a] = ray.ahead[a] ? boxes.lo[a] : boxes.hi[a];

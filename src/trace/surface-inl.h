@@ -17,7 +17,7 @@ namespace glint {
 namespace HWY_NAMESPACE {
 
 /// Takes the hits among rays [i, end) of the stream, at most a vector of them.
-HWY_INLINE void take_hits(const WorldParts& world, TileScratch& s, int first, int i, int end, bool camera) {
+HWY_INLINE void append_hits(const WorldParts& world, TileScratch& s, int first, int i, int end, bool camera) {
     const Doubles t = load(s.t.data() + i);
     const auto hit =
         t < Doubles(k_infinity) && first_lanes<double>(end - i);  // a ray that misses keeps its t_max
@@ -50,13 +50,13 @@ HWY_INLINE void take_hits(const WorldParts& world, TileScratch& s, int first, in
 /// Takes the hits of rays [from, to) of the stream that begins with ray `first`, group by group.
 inline void collect_hits(const WorldParts& world, TileScratch& s, int first, int from, int to,
                          int generation) {
-    s.hits = s.parts = 0;
+    s.hits = s.groups = 0;
     std::size_t group = s.rays.group_of(first + from);
     for (int i = from; i < to; ++group) {
         const int end = number::min(s.rays.group_end(group) - first, to);
-        for (; i < end; i += lane_count<double>()) take_hits(world, s, first, i, end, generation == 0);
+        for (; i < end; i += lane_count<double>()) append_hits(world, s, first, i, end, generation == 0);
         i = end;
-        s.part[static_cast<std::size_t>(s.parts++)] = {end, s.hits};
+        s.group_end[static_cast<std::size_t>(s.groups++)] = {end, s.hits};
     }
 }
 
@@ -100,7 +100,7 @@ HWY_INLINE Triple<Doubles> normals_at(const PackedGeometry& geometry, const std:
 
 /// The largest coordinate of a bounded shape: its formula's rounding is relative to that too, however near to
 /// the world's origin the ray is.
-HWY_INLINE double box_reach(const PackedGeometry& geometry, std::uint32_t slot) {
+HWY_INLINE double max_coordinate(const PackedGeometry& geometry, std::uint32_t slot) {
     if (slot >= geometry.bounded) return 0;
     const Aabb box = primitive_bounds(geometry, slot);
     float reach = 0;
@@ -109,7 +109,7 @@ HWY_INLINE double box_reach(const PackedGeometry& geometry, std::uint32_t slot) 
 }
 
 /// Fills the columns of the hits from what collect_hits took.
-inline void find_surfaces(const WorldParts& world, TileScratch& s, int generation) {
+inline void compute_surfaces(const WorldParts& world, TileScratch& s, int generation) {
     if (s.hits == 0) return;
     // Lanes past the last hit are computed with, though nothing of them is kept.
     std::fill_n(s.hit_slot.begin() + s.hits, k_ray_padding, s.hit_slot[static_cast<std::size_t>(s.hits - 1)]);
@@ -119,21 +119,21 @@ inline void find_surfaces(const WorldParts& world, TileScratch& s, int generatio
         std::uint32_t* materials = s.material.data() + h;
         const bool same = all_same(slots);
         alignas(k_ray_alignment) double reach[lane_count<double>()];
-        std::uint32_t turns = 0;
+        std::uint32_t flips = 0;
         for (int k = 0; k < (same ? 1 : lane_count<double>()); ++k) {
-            reach[k] = box_reach(*world.geometry, slots[k]);
+            reach[k] = max_coordinate(*world.geometry, slots[k]);
             materials[k] = (*world.slot_material)[slots[k]];
-            turns |= static_cast<std::uint32_t>(world.flips_normal(slots[k])) << k;
+            flips |= static_cast<std::uint32_t>(world.flips_normal(slots[k])) << k;
         }
         if (same) {
             std::fill_n(materials + 1, lane_count<double>() - 1, materials[0]);
-            turns = turns != 0 ? (1u << lane_count<double>()) - 1 : 0;
+            flips = flips != 0 ? (1u << lane_count<double>()) - 1 : 0;
         }
         const Triple<Doubles> point = load_triple(s.point, h), d = load_triple(s.incoming, h);
         const Triple<Doubles> normal = normals_at(*world.geometry, slots, same, point);
         const auto behind = dot(normal, d) > Doubles(0);
-        const auto turned = behind && from_bits<double>(turns);
-        store_triple(select_triple(turned, -normal, normal), s.normal, h);
+        const auto flipped = behind && from_bits<double>(flips);
+        store_triple(select_triple(flipped, -normal, normal), s.normal, h);
         store(select(behind, Doubles(1), Doubles(0)), s.behind.data() + h);
 
         Triple<Doubles> eye = eye_apart ? lanes_of(world.camera.lighting_eye) - point : -d;

@@ -7,14 +7,14 @@
 #define GLINT_TRACE_TILE_INL_H_
 #endif
 
-#include "trace/branch-inl.h"
 #include "trace/camera_rays-inl.h"
+#include "trace/direct_lighting-inl.h"
+#include "trace/film-inl.h"
 #include "trace/hit_declarations-inl.h"
 #include "trace/layers-inl.h"
-#include "trace/light-inl.h"
-#include "trace/pixel_sums-inl.h"
+#include "trace/queue_secondary_rays-inl.h"
 #include "trace/surface-inl.h"
-#include "trace/void_tile-inl.h"
+#include "trace/tile_culling-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace glint {
@@ -22,18 +22,18 @@ namespace HWY_NAMESPACE {
 
 /// Sums diffuse and specular of all hits over the lights, in the scene's order.
 inline void light_hits(const WorldParts& world, TileScratch& s, int generation) {
-    const bool count_shadows = generation == 0 && s.seen.wanted;
+    const bool count_shadows = generation == 0 && s.first_hits.wanted;
     for (int c = 0; c < 3; ++c) {
         std::fill_n(s.diffuse[c].begin(), s.hits, 0.0);
         std::fill_n(s.specular[c].begin(), s.hits, 0.0);
     }
     for (const Light& light : *world.lights) {
-        const int rays = reach_hits(world, light, s);
+        const int rays = make_shadow_rays(world, light, s);
         if (rays > 0) {
             any_hit(world, s.shadow_rays(), rays, k_packet_size, s.occluded.data());
-            if (count_shadows) count_lit(s, s.seen.asked, 1), count_lit(s, s.seen.blocked, 1);
-            take_shadows(s);
-            if (count_shadows) count_lit(s, s.seen.blocked, -1);
+            if (count_shadows) count_lit(s, s.first_hits.asked, 1), count_lit(s, s.first_hits.blocked, 1);
+            apply_occlusion(s);
+            if (count_shadows) count_lit(s, s.first_hits.blocked, -1);
             s.counts.shadow += static_cast<std::uint64_t>(rays);
         }
         add_terms(world, light, s);
@@ -41,12 +41,12 @@ inline void light_hits(const WorldParts& world, TileScratch& s, int generation) 
     }
 }
 
-/// Adds the light of a share's rays, those from number `from` of the stream on, to their pixels, group by
+/// Adds the light of a batch's rays, those from number `from` of the stream on, to their pixels, group by
 /// group.
 inline void add_light(const WorldParts& world, TileScratch& s, int first, int from, int generation) {
-    TileScratch::Part begin{from, 0};
-    for (int i = 0; i < s.parts; ++i) {
-        const TileScratch::Part end = s.part[static_cast<std::size_t>(i)];
+    TileScratch::GroupEnd begin{from, 0};
+    for (int i = 0; i < s.groups; ++i) {
+        const TileScratch::GroupEnd end = s.group_end[static_cast<std::size_t>(i)];
         add_misses(world, s, first, begin.rays, end.rays, generation);
         add_hits(world, s, begin.hits, end.hits, generation);
         begin = end;
@@ -55,12 +55,12 @@ inline void add_light(const WorldParts& world, TileScratch& s, int first, int fr
 
 /// The rays of one generation, which are traced: what they find goes to the pixels, what leaves it to the
 /// next rays.
-inline void shade_share(const WorldParts& world, TileScratch& s, int first, int from, int to,
+inline void shade_batch(const WorldParts& world, TileScratch& s, int first, int from, int to,
                         int generation) {
     const Shading shading = world.settings.shading;
     collect_hits(world, s, first, from, to, generation);
-    find_surfaces(world, s, generation);
-    if (generation == 0 && s.seen.wanted) see_surfaces(world, s, first, from, to);
+    compute_surfaces(world, s, generation);
+    if (generation == 0 && s.first_hits.wanted) store_first_hits(world, s, first, from, to);
     if (shading == Shading::color || shading == Shading::normals) {
         add_misses(world, s, first, from, to, generation);
         add_unlit(world, s);
@@ -70,12 +70,12 @@ inline void shade_share(const WorldParts& world, TileScratch& s, int first, int 
         }
         return;
     }
-    absorb(world, s);
+    apply_beer_law(world, s);
     if (s.record != nullptr) record_rays(world, s, first, from, to, generation);
     light_hits(world, s, generation);
     add_light(world, s, first, from, generation);
     if (s.record != nullptr) record_sums(world, s, generation);
-    queue_branches(world, s, generation);
+    queue_secondary_rays(world, s, generation);
 }
 
 /// Whether rays [0, count) of the stream all hit nothing.
@@ -91,12 +91,12 @@ inline bool all_missed(const TileScratch& s, int count) {
 inline bool trace_sample(const WorldParts& world, TileScratch& s) {
     for (int generation = 0; s.rays.size() > 0; ++generation) {
         s.next_rays.clear();
-        for (int first = 0; first < s.rays.size(); first += k_stream) {
-            const int count = number::min(k_stream, s.rays.size() - first);
+        for (int first = 0; first < s.rays.size(); first += k_stream_size) {
+            const int count = number::min(k_stream_size, s.rays.size() - first);
             nearest_hit(world, s.rays.rays(first), count, k_packet_size, s.t.data(), s.slot.data());
-            if (generation == 0 && !s.is_watched() && all_missed(s, count)) return false;
-            for (int i = 0; i < count; i += k_share) {
-                shade_share(world, s, first, i, number::min(i + k_share, count), generation);
+            if (generation == 0 && !s.needs_every_stage() && all_missed(s, count)) return false;
+            for (int i = 0; i < count; i += k_batch_size) {
+                shade_batch(world, s, first, i, number::min(i + k_batch_size, count), generation);
             }
         }
         std::swap(s.rays, s.next_rays);
@@ -108,28 +108,28 @@ void render_tile(const WorldParts& world, const TileJob& job, TileScratch& s) {
     const int samples = world.settings.samples;
     const bool layers = job.layers != nullptr;
     TileRecord* const record = s.record;
-    s.seen.wanted = layers;
-    if (layers) clear_seen(s.seen);
-    if (!s.is_watched() && sees_nothing(world, job)) {
+    s.first_hits.wanted = layers;
+    if (layers) clear_first_hits(s.first_hits);
+    if (!s.needs_every_stage() && is_tile_empty(world, job)) {
         s.counts.camera += static_cast<std::uint64_t>(samples) * static_cast<std::uint64_t>(samples) *
                            static_cast<std::uint64_t>(job.width * job.height);
-        return fill_with_void(world, job);
+        return fill_background(world, job);
     }
-    s.sums.clear();
+    s.film.clear();
     for (int j = 0; j < samples; ++j) {
         for (int i = 0; i < samples; ++i) {
             make_camera_rays(world, job, i, j, s.rays);
             s.counts.camera += static_cast<std::uint64_t>(s.rays.size());
             if (is_limited(world)) s.sample_rays.fill(0);
-            s.seen.is_middle = i == samples / 2 && j == samples / 2;
+            s.first_hits.is_middle = i == samples / 2 && j == samples / 2;
             if (record != nullptr) s.record = record->begin(j * samples + i) ? record : nullptr;
             if (trace_sample(world, s)) continue;
-            if (samples == 1) return fill_with_void(world, job);
+            if (samples == 1) return fill_background(world, job);
             add_misses(world, s, 0, 0, s.rays.size(), 0);
         }
     }
     s.record = record;
-    fold_pixels(world, job, s.sums);
+    resolve(world, job, s.film);
     if (layers) write_layers(world, job, s);
 }
 

@@ -15,9 +15,9 @@ namespace glint {
 inline constexpr int k_tile_side = 32;
 inline constexpr int k_tile_block = 8;  // camera rays go in blocks of 8 x 8, so that neighbours walk together
 inline constexpr int k_tile_pixels = k_tile_side * k_tile_side;
-inline constexpr int k_stream = k_tile_pixels;  // rays that are traced together, at most
+inline constexpr int k_stream_size = k_tile_pixels;  // rays that are traced together, at most
 /// Rays of a stream whose hits pass the stages together, at most: their columns stay in the first cache.
-inline constexpr int k_share = 256;
+inline constexpr int k_batch_size = 256;
 
 struct TileRecord;
 
@@ -28,7 +28,7 @@ struct LayerTargets {
 };
 
 /// What layers tell of the first surfaces, by pixel of the tile. Empty unless asked for.
-struct SeenSurfaces {
+struct FirstHits {
     std::vector<double> normal[3], position[3], albedo[3], depth, object, material;
     std::vector<double> asked, blocked;  // lights, over the samples
     bool wanted = false;
@@ -46,7 +46,7 @@ struct TileJob {
 inline constexpr int k_layer_stride = k_tile_pixels + k_ray_padding;
 
 /// Sums over the samples, by light layer and pixel. Pixels are numbered as the camera rays go, without gaps.
-struct PixelSums {
+struct Film {
     alignas(k_ray_alignment) std::array<double, k_light_layers * k_layer_stride> channel[3];
     std::array<bool, k_light_layers> touched;  // others count as 0, whatever they hold
 
@@ -71,25 +71,25 @@ struct PixelSums {
 struct TileScratch {
     // Vectors that straddle the lines of the cache cost twice.
     template <class T, std::size_t n> struct alignas(k_ray_alignment) Aligned : std::array<T, n> {};
-    template <class T> using PerRay = Aligned<T, k_stream + k_ray_padding>;
-    template <class T> using PerHit = Aligned<T, k_share + k_ray_padding>;
+    template <class T> using PerRay = Aligned<T, k_stream_size + k_ray_padding>;
+    template <class T> using PerHit = Aligned<T, k_batch_size + k_ray_padding>;
     using Column = PerHit<double>;
 
     RayQueue rays, next_rays;   // this generation, and the one after
     RayQueue transmitted_rays;  // of the group at hand
-    PixelSums sums;
+    Film film;
 
     std::array<std::int32_t, k_tile_pixels> sample_rays;  // mirror and glass rays of the sample, by pixel
 
     PerRay<double> t;            // by ray of the stream
     PerRay<std::uint32_t> slot;  // by ray of the stream
 
-    /// What of a share belongs to one group: it ends before these rays of the stream and these hits.
-    struct Part {
+    /// What of a batch belongs to one group: it ends before these rays of the stream and these hits.
+    struct GroupEnd {
         int rays, hits;
     };
-    std::array<Part, k_share> part;
-    int parts = 0;
+    std::array<GroupEnd, k_batch_size> group_end;
+    int groups = 0;
 
     int hits = 0;
     PerHit<std::uint32_t> hit_slot, material;
@@ -111,10 +111,10 @@ struct TileScratch {
     }
 
     RayCounts counts;
-    SeenSurfaces seen;
+    FirstHits first_hits;
     TileRecord* record = nullptr;  // where a tile of one pixel writes down what it does (trace/record.h)
     /// Whether the stages are to be gone through even where nothing is hit.
-    bool is_watched() const { return record != nullptr || seen.wanted; }
+    bool needs_every_stage() const { return record != nullptr || first_hits.wanted; }
 };
 
 }  // namespace glint

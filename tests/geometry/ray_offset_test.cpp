@@ -76,7 +76,7 @@ TYPED_TEST(Reintersect, NeverUnderGlintsConvention) {
         if (plain::dot(normal, triple_of<double>(d)) > 0) normal = -normal;
         const Point surface{
             point, normal, triple_of<double>(d),
-            plain::max_abs(triple_of<double>(o)) + plain::max_abs(point) + shape_case.box_reach()};
+            plain::max_abs(triple_of<double>(o)) + plain::max_abs(point) + shape_case.max_coordinate()};
         const Vec3 n = to_vec(normal);
         // Anywhere, many of them grazing.
         Vec3 out = unit_direction(random);

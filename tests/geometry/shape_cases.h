@@ -53,7 +53,7 @@ struct SphereCase {
     Sphere shape;
     static SphereCase make(Random&, Vec3 at, double size) { return {{at, size}}; }
     void pack(double* p) const { Geometry::pack(shape, p); }
-    double box_reach() const { return reach_of<Geometry>(shape); }
+    double max_coordinate() const { return reach_of<Geometry>(shape); }
     double magnitude() const { return length(shape.center) + shape.radius; }
     Nearness nearness(LongVec point) const {
         const LongVec q = point - to_long(shape.center);
@@ -71,7 +71,7 @@ struct PlaneCase {
                          log_uniform(random, 1e-3, 1e3)}};
     }
     void pack(double* p) const { Geometry::pack(shape, p); }
-    double box_reach() const { return 0; }
+    double max_coordinate() const { return 0; }
     double magnitude() const { return length(shape.point); }
     Nearness nearness(LongVec point) const {
         const LongVec n = plain::normalize(to_long(shape.normal));
@@ -88,7 +88,7 @@ template <bool caps> struct CylinderCase {
         return {{at, at + along * (size * log_uniform(random, 0.3, 3)), size, caps}};
     }
     void pack(double* p) const { Geometry::pack(shape, p); }
-    double box_reach() const { return reach_of<Geometry>(shape); }
+    double max_coordinate() const { return reach_of<Geometry>(shape); }
     double magnitude() const { return length(shape.from) + length(shape.to) + shape.radius; }
     Nearness nearness(LongVec point) const {
         const LongVec axis = to_long(shape.to) - to_long(shape.from), q = point - to_long(shape.from);
@@ -118,7 +118,7 @@ template <bool caps> struct ConeCase {
         return {{at, at + along * (size * log_uniform(random, 0.3, 3)), from, to, caps}};
     }
     void pack(double* p) const { Geometry::pack(shape, p); }
-    double box_reach() const { return reach_of<Geometry>(shape); }
+    double max_coordinate() const { return reach_of<Geometry>(shape); }
     double magnitude() const {
         return length(shape.from) + length(shape.to) + shape.from_radius + shape.to_radius;
     }
@@ -151,7 +151,7 @@ struct DiscCase {
                  size}};
     }
     void pack(double* p) const { Geometry::pack(shape, p); }
-    double box_reach() const { return reach_of<Geometry>(shape); }
+    double max_coordinate() const { return reach_of<Geometry>(shape); }
     double magnitude() const { return length(shape.center) + shape.radius; }
     Nearness nearness(LongVec point) const {
         const LongVec n = plain::normalize(to_long(shape.normal)), q = point - to_long(shape.center);
@@ -170,7 +170,7 @@ struct BoxCase {
         return {{at - half, at + half}};
     }
     void pack(double* p) const { Geometry::pack(shape, p); }
-    double box_reach() const { return reach_of<Geometry>(shape); }
+    double max_coordinate() const { return reach_of<Geometry>(shape); }
     double magnitude() const { return length(shape.min) + length(shape.max); }
     Nearness nearness(LongVec point) const {
         const LongVec lo = to_long(shape.min) - point, hi = point - to_long(shape.max);
@@ -198,7 +198,7 @@ struct TriangleCase {
                   at + y * (size * random.uniform(0.6, 1)) + x * (size * random.uniform(-1, 1))}}};
     }
     void pack(double* p) const { Geometry::pack(shape, p); }
-    double box_reach() const { return reach_of<Geometry>(shape); }
+    double max_coordinate() const { return reach_of<Geometry>(shape); }
     double magnitude() const {
         return length(shape.vertices[0]) + length(shape.vertices[1]) + length(shape.vertices[2]);
     }
@@ -236,7 +236,7 @@ struct EllipsoidCase {
             for (const double value : row) p[n++] = value;
         }
     }
-    double box_reach() const {
+    double max_coordinate() const {
         double reach = 0;
         for (const auto& row : world_from_object.m) {
             reach = std::max(reach,

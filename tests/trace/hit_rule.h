@@ -9,7 +9,7 @@
 
 #include "geometry/kinds-inl.h"
 #include "trace/rays.h"
-#include "world/own_box.h"
+#include "world/primitive_box.h"
 #include "world/world.h"
 
 namespace glint::testing {
@@ -29,7 +29,7 @@ struct Interval {
 /// Where the ray is within the padded box of a slot.
 inline Interval box_interval(const PackedGeometry& geometry, std::uint32_t slot, Vec3 o, Vec3 d) {
     const double origin[3] = {o.x, o.y, o.z}, direction[3] = {d.x, d.y, d.z};
-    const Aabb box = own_box(geometry, slot);
+    const Aabb box = primitive_box(geometry, slot);
     Interval in{-std::numeric_limits<float>::infinity(), std::numeric_limits<float>::infinity()};
     for (int a = 0; a < 3; ++a) {
         auto along = static_cast<float>(direction[a]);

@@ -69,7 +69,7 @@ TEST(Prepare, LeavesReferToSlotsOfOneClass) {
                 ++met[slot];
                 EXPECT_EQ(&world->parts().geometry->class_of(slot),
                           &world->parts().geometry->class_of(node.child[c].first()));
-                const Aabb box = own_box(*world->parts().geometry, slot);
+                const Aabb box = primitive_box(*world->parts().geometry, slot);
                 for (int a = 0; a < 3; ++a) {
                     EXPECT_LE(node.lo[a][c], box.lo[a]);
                     EXPECT_GE(node.hi[a][c], box.hi[a]);
@@ -86,7 +86,7 @@ TEST(Prepare, BoundsOfAPrimitiveAreThoseThatRaysAreTestedAgainst) {
     const PackedGeometry& geometry = *world->parts().geometry;
     int computed = 0;
     for (std::uint32_t slot = 0; slot < geometry.bounded; ++slot) {
-        const Aabb box = own_box(geometry, slot), bounds = primitive_bounds(geometry, slot);
+        const Aabb box = primitive_box(geometry, slot), bounds = primitive_bounds(geometry, slot);
         for (int a = 0; a < 3; ++a) {
             EXPECT_EQ(bounds.lo[a], box.lo[a]) << slot;
             EXPECT_EQ(bounds.hi[a], box.hi[a]) << slot;
@@ -235,7 +235,7 @@ TEST(Prepare, BoxesHoldTheirShapes) {
     for (std::uint32_t slot = 0; slot < world->parts().geometry->bounded; ++slot) {
         const ShapeClass& shapes = world->parts().geometry->class_of(slot);
         double lo[3], hi[3];
-        const Aabb box = own_box(*world->parts().geometry, slot);
+        const Aabb box = primitive_box(*world->parts().geometry, slot);
         for (int a = 0; a < 3; ++a) lo[a] = box.lo[a], hi[a] = box.hi[a];
         for (int i = 0; i < 20; ++i) {
             // From well outside the box through a point of it.

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // The rays that leave a hit: to a light, mirrored, and through glass; where they start and where they go.
-#if defined(GLINT_TRACE_LEAVING_INL_H_) == defined(HWY_TARGET_TOGGLE)
-#ifdef GLINT_TRACE_LEAVING_INL_H_
-#undef GLINT_TRACE_LEAVING_INL_H_
+#if defined(GLINT_TRACE_SECONDARY_RAYS_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef GLINT_TRACE_SECONDARY_RAYS_INL_H_
+#undef GLINT_TRACE_SECONDARY_RAYS_INL_H_
 #else
-#define GLINT_TRACE_LEAVING_INL_H_
+#define GLINT_TRACE_SECONDARY_RAYS_INL_H_
 #endif
 
 #include "geometry/ray_offset-inl.h"
@@ -17,12 +17,12 @@ HWY_BEFORE_NAMESPACE();
 namespace glint {
 namespace HWY_NAMESPACE {
 
-template <class T> struct LeavingRay { Triple<T> origin, direction; };
+template <class T> struct SecondaryRay { Triple<T> origin, direction; };
 
 /// The mirrored ray. glass: a mask, where the surface lets light through. Glass has two sides to leave to,
 /// whatever the convention does with the one of an opaque surface.
 template <class T, class M>
-HWY_INLINE LeavingRay<T> mirrored_ray(const SurfacePoint<T>& s, M glass, const Conventions& rules) {
+HWY_INLINE SecondaryRay<T> mirrored_ray(const SurfacePoint<T>& s, M glass, const Conventions& rules) {
     const Triple<T> direction = mirrored(-s.incoming, s.normal);
     Triple<T> origin = offset_ray_origin(s, direction, rules.offset, rules.epsilon);
     if (rules.offset == Offset::normal)
@@ -32,13 +32,13 @@ HWY_INLINE LeavingRay<T> mirrored_ray(const SurfacePoint<T>& s, M glass, const C
 
 /// What glass does with a ray: where it goes on, and how much of it is reflected instead, F (Fresnel; all of
 /// it where no ray gets through).
-template <class T> struct GlassRay {
+template <class T> struct RefractedRay {
     Triple<T> direction;
     T fresnel;
 };
 template <class T, class M>
-HWY_INLINE GlassRay<T> refracted_ray(const SurfacePoint<T>& s, M from_inside, T ior,
-                                     const Conventions& rules) {
+HWY_INLINE RefractedRay<T> refracted_ray(const SurfacePoint<T>& s, M from_inside, T ior,
+                                         const Conventions& rules) {
     const T one(1);
     const Triple<T> facing = select_triple(dot(s.normal, s.incoming) > T(0), -s.normal, s.normal);
     const auto refraction = refracted(s.incoming, facing, select(from_inside, ior, one / ior));

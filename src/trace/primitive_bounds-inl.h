@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // The padded boxes of a vector of shapes: stored, or computed from the shapes' values.
-#if defined(GLINT_TRACE_OWN_BOXES_INL_H_) == defined(HWY_TARGET_TOGGLE)
-#ifdef GLINT_TRACE_OWN_BOXES_INL_H_
-#undef GLINT_TRACE_OWN_BOXES_INL_H_
+#if defined(GLINT_TRACE_PRIMITIVE_BOUNDS_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef GLINT_TRACE_PRIMITIVE_BOUNDS_INL_H_
+#undef GLINT_TRACE_PRIMITIVE_BOUNDS_INL_H_
 #else
-#define GLINT_TRACE_OWN_BOXES_INL_H_
+#define GLINT_TRACE_PRIMITIVE_BOUNDS_INL_H_
 #endif
 
 #include "geometry/kinds-inl.h"
@@ -23,11 +23,11 @@ HWY_INLINE void pad_sides(Doubles lo, Doubles hi, float* lower, float* upper) {
 
 /// The planes of the boxes of slots [first, first + count), count <= lanes, by axis. What is past them means
 /// nothing.
-template <class Geometry> struct OwnBoxes {
+template <class Geometry> struct PrimitiveBounds {
     const float *lo[3], *hi[3];
 
-    HWY_INLINE OwnBoxes(const PackedGeometry& geometry, const ShapeClass& shapes, std::uint32_t first,
-                        [[maybe_unused]] int count) {
+    HWY_INLINE PrimitiveBounds(const PackedGeometry& geometry, const ShapeClass& shapes, std::uint32_t first,
+                               [[maybe_unused]] int count) {
         if constexpr (k_is_triangle<Geometry>) {
             int i = 0;
             do {
@@ -46,8 +46,8 @@ template <class Geometry> struct OwnBoxes {
                 lo[a] = &geometry.box_lo[a][first], hi[a] = &geometry.box_hi[a][first];
         }
     }
-    OwnBoxes(const OwnBoxes&) = delete;
-    OwnBoxes& operator=(const OwnBoxes&) = delete;
+    PrimitiveBounds(const PrimitiveBounds&) = delete;
+    PrimitiveBounds& operator=(const PrimitiveBounds&) = delete;
 
   private:
     alignas(64) float computed_[6][k_is_triangle<Geometry> ? lane_count<float>() : 1];

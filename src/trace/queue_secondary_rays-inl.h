@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 // The rays that leave a hit: mirrored, and through glass. Each carries on with its path's weight times what
 // it counts for (docs/lighting.md: a recursion unrolled into a sum).
-#if defined(GLINT_TRACE_BRANCH_INL_H_) == defined(HWY_TARGET_TOGGLE)
-#ifdef GLINT_TRACE_BRANCH_INL_H_
-#undef GLINT_TRACE_BRANCH_INL_H_
+#if defined(GLINT_TRACE_QUEUE_SECONDARY_RAYS_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef GLINT_TRACE_QUEUE_SECONDARY_RAYS_INL_H_
+#undef GLINT_TRACE_QUEUE_SECONDARY_RAYS_INL_H_
 #else
-#define GLINT_TRACE_BRANCH_INL_H_
+#define GLINT_TRACE_QUEUE_SECONDARY_RAYS_INL_H_
 #endif
 
-#include "trace/leaving-inl.h"
-#include "trace/light-inl.h"
+#include "trace/direct_lighting-inl.h"
 #include "trace/record-inl.h"
+#include "trace/secondary_rays-inl.h"
 #include "trace/surface-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -19,23 +19,23 @@ namespace HWY_NAMESPACE {
 
 /// The two rays that leave a hit, as far as there are any. F is what glass reflects.
 ///   reflected: tint ((1-f) a + f F) with blend, tint (a + f F) with add; transmitted: tint f (1-F).
-struct Branches {
+struct SecondaryWeights {
     Triple<Doubles> reflected, transmitted;  // weights
-    Triple<Doubles> through;                 // direction of the transmitted ray
+    Triple<Doubles> refracted_direction;     // direction of the transmitted ray
     Doubles fresnel;                         // F
 };
-HWY_INLINE Branches branches_of(const WorldParts& world, const MaterialLanes& material,
-                                const SurfacePoint<Doubles>& surface, LaneMask<double> glass,
-                                LaneMask<double> from_inside, Triple<Doubles> weight) {
+HWY_INLINE SecondaryWeights secondary_weights(const WorldParts& world, const MaterialLanes& material,
+                                              const SurfacePoint<Doubles>& surface, LaneMask<double> glass,
+                                              LaneMask<double> from_inside, Triple<Doubles> weight) {
     const Conventions& rules = world.conventions;
     const Doubles a = material.value(k_mirror), f = material.value(k_transmission), one(1);
-    Branches b{weight, weight, weight, Doubles(0)};
+    SecondaryWeights b{weight, weight, weight, Doubles(0)};
     Doubles mirror = rules.mirror == MirrorRule::blend ? (one - f) * a : a;
     if (any(glass)) {  // otherwise nothing is asked of the transmitted ray
         const Doubles ior = material.value(k_ior);
-        const GlassRay<Doubles> ray = refracted_ray(surface, from_inside, ior, rules);
+        const RefractedRay<Doubles> ray = refracted_ray(surface, from_inside, ior, rules);
         const Doubles fresnel = ray.fresnel;
-        b.through = ray.direction;
+        b.refracted_direction = ray.direction;
         b.fresnel = fresnel;
         mirror = select(glass, mirror + f * fresnel, mirror);
         b.transmitted = weight * select(glass, f * (one - fresnel), Doubles(0));
@@ -50,12 +50,12 @@ HWY_INLINE Branches branches_of(const WorldParts& world, const MaterialLanes& ma
 }
 
 /// Rays of hits [h, h + lanes) as a queue takes them.
-struct LeavingRays {
+struct SecondaryRays {
     Triple<Doubles> origin, direction, weight;
     Doubles target, medium;
     double t_min;
 };
-HWY_INLINE void push(RayQueue& queue, const LeavingRays& rays, LaneMask<double> set, bool medium) {
+HWY_INLINE void push(RayQueue& queue, const SecondaryRays& rays, LaneMask<double> set, bool medium) {
     double* at[k_ray_columns];
     for (int c = 0; c < k_ray_columns; ++c) at[c] = queue.column(c) + queue.size();
     compress_triple(rays.origin, set, at + k_ray_origin, 0);
@@ -76,7 +76,7 @@ HWY_INLINE bool is_limited(const WorldParts& world) {
 }
 
 /// Of the set rays, those that a sample of their pixel may still have. Counts them.
-inline LaneMask<double> within_limit(TileScratch& s, const double* targets, LaneMask<double> set) {
+inline LaneMask<double> limit_rays(TileScratch& s, const double* targets, LaneMask<double> set) {
     std::uint32_t kept = 0;
     for (std::uint32_t bits = to_bits(set); bits != 0; bits &= bits - 1) {
         const int target = static_cast<int>(targets[__builtin_ctz(bits)]);
@@ -99,32 +99,33 @@ HWY_INLINE Doubles material_numbers(const std::uint32_t* material) {
 }
 
 /// Queues the mirror and glass rays of a vector of hits.
-HWY_INLINE void queue_vector(const WorldParts& world, TileScratch& s, int h, LaneMask<double> hit,
-                             int generation, bool limited) {
+HWY_INLINE void queue_hit_vector(const WorldParts& world, TileScratch& s, int h, LaneMask<double> hit,
+                                 int generation, bool limited) {
     const Conventions& rules = world.conventions;
     const Doubles zero(0);
     const MaterialLanes material(world, s.material.data() + h);
     const auto glass = hit && material.value(k_transmission) > zero;
-    const auto leaves = glass || (hit && material.value(k_mirror) > zero);
-    if (!any(leaves)) return;
+    const auto has_secondary = glass || (hit && material.value(k_mirror) > zero);
+    if (!any(has_secondary)) return;
     const bool beer = rules.beer > 0;
     const SurfacePoint<Doubles> surface = surface_at(s, h);
     const auto from_inside = glass && load(s.behind.data() + h) > zero;
-    const Branches b = branches_of(world, material, surface, glass, from_inside, load_triple(s.weight, h));
+    const SecondaryWeights b =
+        secondary_weights(world, material, surface, glass, from_inside, load_triple(s.weight, h));
     const auto counts = [&](Triple<Doubles> w) HWY_ATTR {
         const Doubles most = max(max(w.x, w.y), w.z);
-        const auto kept = leaves && most > zero && most >= Doubles(rules.min_weight);
-        return limited ? within_limit(s, s.target.data() + h, kept) : kept;
+        const auto kept = has_secondary && most > zero && most >= Doubles(rules.min_weight);
+        return limited ? limit_rays(s, s.target.data() + h, kept) : kept;
     };
-    LeavingRays rays{surface.point, surface.incoming,
-                     b.reflected,   load(s.target.data() + h),
-                     zero,          offset_t_min(rules.offset, rules.epsilon)};
+    SecondaryRays rays{surface.point, surface.incoming,
+                       b.reflected,   load(s.target.data() + h),
+                       zero,          offset_t_min(rules.offset, rules.epsilon)};
     const Doubles own = beer ? material_numbers(s.material.data() + h) : zero,
                   none(static_cast<double>(k_none));
 
     const auto reflected = counts(b.reflected);
     if (any(reflected)) {
-        const LeavingRay<Doubles> ray = mirrored_ray(surface, glass, rules);
+        const SecondaryRay<Doubles> ray = mirrored_ray(surface, glass, rules);
         rays.direction = ray.direction;
         rays.origin = ray.origin;
         if (beer) rays.medium = select(from_inside, own, load(s.medium.data() + h));
@@ -133,10 +134,10 @@ HWY_INLINE void queue_vector(const WorldParts& world, TileScratch& s, int h, Lan
     }
     const auto transmitted = any(glass) ? counts(b.transmitted) && glass : glass;
     if (s.record != nullptr)
-        record_branches(s, h, {leaves, glass, reflected, transmitted}, b.reflected, b.transmitted, b.fresnel,
-                        rules.min_weight);
+        record_secondary_rays(s, h, {has_secondary, glass, reflected, transmitted}, b.reflected,
+                              b.transmitted, b.fresnel, rules.min_weight);
     if (!any(transmitted)) return;
-    rays.direction = b.through;
+    rays.direction = b.refracted_direction;
     rays.origin = offset_transmitted_origin(surface, rays.direction, rules.offset, rules.epsilon);
     rays.weight = b.transmitted;
     if (generation == 0) rays.target = rays.target + Doubles(k_layer_stride);
@@ -147,32 +148,32 @@ HWY_INLINE void queue_vector(const WorldParts& world, TileScratch& s, int h, Lan
 
 /// Queues the mirror and glass rays of the hits: of each group of rays first all reflected, then all
 /// transmitted ones, so that rays of one kind walk together and a pixel's keep their order.
-inline void queue_branches(const WorldParts& world, TileScratch& s, int generation) {
+inline void queue_secondary_rays(const WorldParts& world, TileScratch& s, int generation) {
     if (generation >= world.settings.reflections) {
         if (s.record != nullptr) record_limit(world, s);
         return;
     }
     const bool limited = is_limited(world);
     int h = 0;
-    for (int part = 0; part < s.parts; ++part) {
-        const int end = s.part[static_cast<std::size_t>(part)].hits;
+    for (int group = 0; group < s.groups; ++group) {
+        const int end = s.group_end[static_cast<std::size_t>(group)].hits;
         s.next_rays.reserve(s.next_rays.size() + (end - h));
         s.transmitted_rays.reserve(end - h);
         for (; h < end; h += lane_count<double>()) {
-            queue_vector(world, s, h, first_lanes<double>(end - h), generation, limited);
+            queue_hit_vector(world, s, h, first_lanes<double>(end - h), generation, limited);
         }
         h = end;
         s.next_rays.end_group();
-        if (generation == 0 && s.next_rays.size() > 0) s.sums.touch(Layer::reflection);
-        if (generation == 0 && s.transmitted_rays.size() > 0) s.sums.touch(Layer::transmission);
-        s.next_rays.take_group(s.transmitted_rays);
+        if (generation == 0 && s.next_rays.size() > 0) s.film.touch(Layer::reflection);
+        if (generation == 0 && s.transmitted_rays.size() > 0) s.film.touch(Layer::transmission);
+        s.next_rays.append_group(s.transmitted_rays);
     }
 }
 
 /// Beer's law: what a ray found in glass counts for, by the way it went there. It went through the glass
 /// whose inner side it hits; else through that which it entered. A ray that hits nothing has left through an
 /// open surface: nobody knows where.
-inline void absorb(const WorldParts& world, TileScratch& s) {
+inline void apply_beer_law(const WorldParts& world, TileScratch& s) {
     const double k = world.conventions.beer;
     if (!(k > 0)) return;
     const auto value = [&](std::uint32_t material, int which) { return world.material(material)[which]; };

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // From the light of rays to the pixels of a tile: what misses and hits add, and a pixel's fold.
-#if defined(GLINT_TRACE_PIXEL_SUMS_INL_H_) == defined(HWY_TARGET_TOGGLE)
-#ifdef GLINT_TRACE_PIXEL_SUMS_INL_H_
-#undef GLINT_TRACE_PIXEL_SUMS_INL_H_
+#if defined(GLINT_TRACE_FILM_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef GLINT_TRACE_FILM_INL_H_
+#undef GLINT_TRACE_FILM_INL_H_
 #else
-#define GLINT_TRACE_PIXEL_SUMS_INL_H_
+#define GLINT_TRACE_FILM_INL_H_
 #endif
 
 #include "trace/camera_rays-inl.h"
@@ -18,16 +18,15 @@ namespace HWY_NAMESPACE {
 struct PixelLanes {
     const double* pixels;
     LaneMask<double> set;
-    bool in_a_row;  // neighbours in memory
+    bool are_adjacent;  // neighbours in memory
 
     HWY_INLINE PixelLanes(const double* numbers, LaneMask<double> m)
-        : pixels(numbers), set(m), in_a_row(all(load(numbers) == Doubles(numbers[0]) + iota() || !m)) {}
+        : pixels(numbers), set(m), are_adjacent(all(load(numbers) == Doubles(numbers[0]) + iota() || !m)) {}
 
     /// Adds colours to the pixels' sums of a layer, one after the other.
-    template <class... Colors>
-    HWY_INLINE void add(PixelSums& all_sums, Layer layer, const Colors&... colors) const {
-        double* sums[3] = {all_sums.of(layer, 0), all_sums.of(layer, 1), all_sums.of(layer, 2)};
-        if (in_a_row) {
+    template <class... Colors> HWY_INLINE void add(Film& film, Layer layer, const Colors&... colors) const {
+        double* sums[3] = {film.of(layer, 0), film.of(layer, 1), film.of(layer, 2)};
+        if (are_adjacent) {
             const int first = static_cast<int>(pixels[0]);
             const Triple<Doubles> before = load_triple(sums, first);
             Triple<Doubles> sum = before;
@@ -50,7 +49,7 @@ struct PixelLanes {
 };
 
 /// What rays that hit nothing see.
-HWY_INLINE Color seen_in_the_void(const WorldParts& world) {
+HWY_INLINE Color miss_color(const WorldParts& world) {
     return world.settings.shading == Shading::normals ? Color{0, 0, 1} : world.background;
 }
 
@@ -58,7 +57,7 @@ HWY_INLINE Color seen_in_the_void(const WorldParts& world) {
 inline void add_misses(const WorldParts& world, TileScratch& s, int first, int from, int to, int generation) {
     const bool camera = generation == 0;
     if (!camera && world.conventions.mirror_miss == MissRule::black) return;
-    const Triple<Doubles> seen = lanes_of(seen_in_the_void(world));
+    const Triple<Doubles> first_hits = lanes_of(miss_color(world));
     const double* weights[3] = {s.rays.column(k_ray_weight) + first, s.rays.column(k_ray_weight + 1) + first,
                                 s.rays.column(k_ray_weight + 2) + first};
     for (int i = from; i < to; i += lane_count<double>()) {
@@ -67,11 +66,11 @@ inline void add_misses(const WorldParts& world, TileScratch& s, int first, int f
         if (camera) {
             alignas(k_ray_alignment) double pixels[lane_count<double>()];
             store(Doubles(static_cast<double>(first + i)) + iota(), pixels);
-            s.sums.touch(Layer::background);
-            PixelLanes(pixels, missed).add(s.sums, Layer::background, seen);
+            s.film.touch(Layer::background);
+            PixelLanes(pixels, missed).add(s.film, Layer::background, first_hits);
         } else {
             const PixelLanes pixels(s.rays.column(k_ray_target) + first + i, missed);
-            pixels.add(s.sums, Layer::reflection, load_triple(weights, i) * seen);
+            pixels.add(s.film, Layer::reflection, load_triple(weights, i) * first_hits);
         }
     }
 }
@@ -85,10 +84,10 @@ HWY_INLINE Triple<Doubles> unlit_color(const WorldParts& world, const TileScratc
 
 /// Adds the surfaces of hits to their pixels: shading modes that look no further.
 inline void add_unlit(const WorldParts& world, TileScratch& s) {
-    s.sums.touch(Layer::ambient);
+    s.film.touch(Layer::ambient);
     for (int h = 0; h < s.hits; h += lane_count<double>()) {
         PixelLanes(s.target.data() + h, first_lanes<double>(s.hits - h))
-            .add(s.sums, Layer::ambient, unlit_color(world, s, h));
+            .add(s.film, Layer::ambient, unlit_color(world, s, h));
     }
 }
 
@@ -113,40 +112,40 @@ inline void add_hits(const WorldParts& world, TileScratch& s, int from, int to, 
     if (from == to) return;
     const bool camera = generation == 0;
     if (camera) {
-        for (const Layer layer : {Layer::ambient, Layer::diffuse, Layer::specular}) s.sums.touch(layer);
+        for (const Layer layer : {Layer::ambient, Layer::diffuse, Layer::specular}) s.film.touch(layer);
     }
     for (int h = from; h < to; h += lane_count<double>()) {
         const MaterialLanes material(world, s.material.data() + h);
         const HitLight light = light_of(world, s, material, h, generation);
         const PixelLanes pixels(s.target.data() + h, first_lanes<double>(to - h));
         if (camera) {
-            pixels.add(s.sums, Layer::ambient, light.ambient);
-            pixels.add(s.sums, Layer::diffuse, light.diffuse);
-            pixels.add(s.sums, Layer::specular, light.specular);
+            pixels.add(s.film, Layer::ambient, light.ambient);
+            pixels.add(s.film, Layer::diffuse, light.diffuse);
+            pixels.add(s.film, Layer::specular, light.specular);
         } else {
-            pixels.add(s.sums, Layer::reflection, light.ambient, light.diffuse, light.specular);
+            pixels.add(s.film, Layer::reflection, light.ambient, light.diffuse, light.specular);
         }
     }
 }
 
 /// A part of a pixel as the film keeps it.
-template <class T> HWY_INLINE T film_part(T part) {
-    part = select(part == part, part, T(0));  // no NaN reaches the film
-    return min(max(part, T(-1e30)), T(1e30));
+template <class T> HWY_INLINE T film_value(T value) {
+    value = select(value == value, value, T(0));  // no NaN reaches the film
+    return min(max(value, T(-1e30)), T(1e30));
 }
 
 /// The pixel's fold (docs/architecture.md): each layer averaged over the samples and rounded to float, then
 /// background + ambient + diffuse + specular + reflected + transmitted, in that order.
-inline void fold_pixels(const WorldParts& world, const TileJob& job, const PixelSums& sums) {
+inline void resolve(const WorldParts& world, const TileJob& job, const Film& film) {
     const double samples = static_cast<double>(world.settings.samples) * world.settings.samples;
     Layer layers[k_light_layers];
     int touched = 0;
     for (int layer = 0; layer < k_light_layers; ++layer) {
-        if (sums.touched[static_cast<std::size_t>(layer)]) layers[touched++] = static_cast<Layer>(layer);
+        if (film.touched[static_cast<std::size_t>(layer)]) layers[touched++] = static_cast<Layer>(layer);
     }
     const auto add = [&](NarrowFloats& to, const double* from) HWY_ATTR {
         const Doubles sum = load(from);
-        to.add(film_part(samples > 1 ? sum / Doubles(samples) : sum));
+        to.add(film_value(samples > 1 ? sum / Doubles(samples) : sum));
     };
     for_each_row(job, [&](int x, int y, int first, int width) HWY_ATTR {
         float* to = job.rgb + 3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(job.row_pixels) +
@@ -154,7 +153,7 @@ inline void fold_pixels(const WorldParts& world, const TileJob& job, const Pixel
         for (int i = 0; i < width; i += lane_count<double>(), to += 3 * lane_count<double>()) {
             NarrowFloats rgb[3];
             for (int layer = 0; layer < touched; ++layer) {
-                for (int c = 0; c < 3; ++c) add(rgb[c], sums.of(layers[layer], c) + first + i);
+                for (int c = 0; c < 3; ++c) add(rgb[c], film.of(layers[layer], c) + first + i);
             }
             if (i + lane_count<double>() <= width) {
                 store_interleaved(rgb[0], rgb[1], rgb[2], to);
@@ -168,16 +167,16 @@ inline void fold_pixels(const WorldParts& world, const TileJob& job, const Pixel
 }
 
 /// A tile whose rays all hit nothing: the fold of one sum.
-inline void fill_with_void(const WorldParts& world, const TileJob& job) {
+inline void fill_background(const WorldParts& world, const TileJob& job) {
     const int samples = world.settings.samples * world.settings.samples;
-    const Triple<Doubles> seen = lanes_of(seen_in_the_void(world));
+    const Triple<Doubles> first_hits = lanes_of(miss_color(world));
     Triple<Doubles> sum = lanes_of(Vec3{});
-    for (int i = 0; i < samples; ++i) sum = sum + seen;
+    for (int i = 0; i < samples; ++i) sum = sum + first_hits;
     if (samples > 1) sum = sum / Doubles(static_cast<double>(samples));
     NarrowFloats r, g, b;
-    r.add(film_part(sum.x));
-    g.add(film_part(sum.y));
-    b.add(film_part(sum.z));
+    r.add(film_value(sum.x));
+    g.add(film_value(sum.y));
+    b.add(film_value(sum.z));
     float rgb[3 * lane_count<double>()];
     store_interleaved(r, g, b, rgb);
     for (int y = 0; y < job.height; ++y) {

@@ -8,7 +8,7 @@
 
 namespace glint::testing {
 
-inline Aabb own_box(const PackedGeometry& world, std::uint32_t slot) {
+inline Aabb primitive_box(const PackedGeometry& world, std::uint32_t slot) {
     Aabb box;
     if (slot < world.boxed) {
         for (int a = 0; a < 3; ++a) box.lo[a] = world.box_lo[a][slot], box.hi[a] = world.box_hi[a][slot];

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // What triangles need of a ray, once a ray.
-#if defined(GLINT_TRACE_SIGHTS_INL_H_) == defined(HWY_TARGET_TOGGLE)
-#ifdef GLINT_TRACE_SIGHTS_INL_H_
-#undef GLINT_TRACE_SIGHTS_INL_H_
+#if defined(GLINT_TRACE_SHEARED_RAYS_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef GLINT_TRACE_SHEARED_RAYS_INL_H_
+#undef GLINT_TRACE_SHEARED_RAYS_INL_H_
 #else
-#define GLINT_TRACE_SIGHTS_INL_H_
+#define GLINT_TRACE_SHEARED_RAYS_INL_H_
 #endif
 
 #include "bvh/slab-inl.h"
@@ -16,9 +16,9 @@ namespace HWY_NAMESPACE {
 
 /// The chunk's rays as triangles see them (TriangleGeometry::ShearedRay), computed for groups of rays when
 /// first asked for.
-class Sights {
+class ShearedRays {
   public:
-    explicit Sights(const RaySpan& rays) : rays_(rays) {}
+    explicit ShearedRays(const RaySpan& rays) : rays_(rays) {}
 
     /// Ray i in all lanes.
     HWY_INLINE TriangleGeometry::ShearedRay<Doubles> one(int i) {
@@ -58,11 +58,12 @@ class Sights {
         for (int i = group * k_group; i < (group + 1) * k_group; i += lane_count<double>()) {
             const Ray<Doubles> ray{{load(rays_.ox + i), load(rays_.oy + i), load(rays_.oz + i)},
                                    {load(rays_.dx + i), load(rays_.dy + i), load(rays_.dz + i)}};
-            const auto turn = TriangleGeometry::AxisPermutation<Doubles>::of(ray.direction);
-            const auto s = TriangleGeometry::shear_ray(ray, turn);
+            const auto permutation = TriangleGeometry::AxisPermutation<Doubles>::of(ray.direction);
+            const auto s = TriangleGeometry::shear_ray(ray, permutation);
             const Doubles values[6] = {s.origin.x, s.origin.y, s.origin.z, s.start, s.shear_x, s.shear_y};
             for (int k = 0; k < 6; ++k) store(values[k], column_[k] + i);
-            const std::uint32_t along_x = to_bits(turn.along_x), along_y = to_bits(turn.along_y);
+            const std::uint32_t along_x = to_bits(permutation.along_x),
+                                along_y = to_bits(permutation.along_y);
             for (int k = 0; k < lane_count<double>(); ++k)
                 axis_[i + k] = static_cast<std::uint8_t>(along_x >> k & 1 ? 0 : along_y >> k & 1 ? 1 : 2);
         }

@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 // The light of a tile's hits: for each light the cosines, the shadow rays of those it may reach, and the
 // terms of those it does.
-#if defined(GLINT_TRACE_LIGHT_INL_H_) == defined(HWY_TARGET_TOGGLE)
-#ifdef GLINT_TRACE_LIGHT_INL_H_
-#undef GLINT_TRACE_LIGHT_INL_H_
+#if defined(GLINT_TRACE_DIRECT_LIGHTING_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef GLINT_TRACE_DIRECT_LIGHTING_INL_H_
+#undef GLINT_TRACE_DIRECT_LIGHTING_INL_H_
 #else
-#define GLINT_TRACE_LIGHT_INL_H_
+#define GLINT_TRACE_DIRECT_LIGHTING_INL_H_
 #endif
 
 #include <bit>
 #include <cstring>
 
 #include "lighting/phong-inl.h"
-#include "trace/leaving-inl.h"
 #include "trace/material-inl.h"
+#include "trace/secondary_rays-inl.h"
 #include "trace/tile.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -72,9 +72,9 @@ HWY_INLINE LightLanes light_at(const WorldParts& world, const Light& light, cons
 }
 
 /// Writes shadow rays number `at`... of the set lanes.
-HWY_INLINE void put_shadow_rays(const WorldParts& world, const Light& light,
-                                const SurfacePoint<Doubles>& surface, Triple<Doubles> to_light,
-                                LaneMask<double> set, TileScratch& s, int at) {
+HWY_INLINE void store_shadow_rays(const WorldParts& world, const Light& light,
+                                  const SurfacePoint<Doubles>& surface, Triple<Doubles> to_light,
+                                  LaneMask<double> set, TileScratch& s, int at) {
     const ShadowRay<Doubles> ray = shadow_ray(surface, light, to_light, world.conventions);
     if (comes_from_light(light, world.conventions)) {
         store_triple(ray.origin, s.shadow, at);  // of all lanes the same
@@ -88,7 +88,7 @@ HWY_INLINE void put_shadow_rays(const WorldParts& world, const Light& light,
 
 /// The first half of a light: cosines, attenuation, who may be lit, and their shadow rays. Returns how many
 /// of those.
-inline int reach_hits(const WorldParts& world, const Light& light, TileScratch& s) {
+inline int make_shadow_rays(const WorldParts& world, const Light& light, TileScratch& s) {
     const LightingRules rules = lighting_rules(world);
     const bool constant = has_no_attenuation(light);
     int rays = 0;
@@ -101,14 +101,14 @@ inline int reach_hits(const WorldParts& world, const Light& light, TileScratch& 
         store(at.cosines.n_l, s.n_l.data() + i);
         store(at.cosines.s, s.s.data() + i);
         if (!world.settings.shadows) continue;
-        put_shadow_rays(world, light, surface_at(s, i), at.to_light, at.lit, s, rays);
+        store_shadow_rays(world, light, surface_at(s, i), at.to_light, at.lit, s, rays);
         rays += count(at.lit);
     }
     return rays;
 }
 
 /// Takes from the lit hits those whose shadow ray is occluded.
-inline void take_shadows(TileScratch& s) {
+inline void apply_occlusion(TileScratch& s) {
     const std::uint8_t* occluded = s.occluded.data();
     for (int i = 0; i < s.hits; i += lane_count<double>()) {
         std::uint8_t& lit = s.lit[static_cast<std::size_t>(i / lane_count<double>())];

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tiles that see nothing: a pyramid of all their camera rays, beside which every box of the hierarchy lies.
-#if defined(GLINT_TRACE_VOID_TILE_INL_H_) == defined(HWY_TARGET_TOGGLE)
-#ifdef GLINT_TRACE_VOID_TILE_INL_H_
-#undef GLINT_TRACE_VOID_TILE_INL_H_
+// Tiles that see nothing: a frustum of all their camera rays, beside which every box of the hierarchy lies.
+#if defined(GLINT_TRACE_TILE_CULLING_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef GLINT_TRACE_TILE_CULLING_INL_H_
+#undef GLINT_TRACE_TILE_CULLING_INL_H_
 #else
-#define GLINT_TRACE_VOID_TILE_INL_H_
+#define GLINT_TRACE_TILE_CULLING_INL_H_
 #endif
 
 #include "simd/vec3-inl.h"
@@ -15,15 +15,15 @@ HWY_BEFORE_NAMESPACE();
 namespace glint {
 namespace HWY_NAMESPACE {
 
-/// Planes through the camera, each with the pyramid on its negative side.
-struct Pyramid {
+/// Planes through the camera, each with the frustum on its negative side.
+struct TileFrustum {
     Vec3 apex;
     Vec3 outward[4];  // the largest coordinate is 1
     bool exists = false;
 };
 
-/// A pyramid around the rays of a tile, wider by a pixel on each side than any PixelSample.
-inline Pyramid pyramid_of(const WorldParts& world, const TileJob& job) {
+/// A frustum around the rays of a tile, wider by a pixel on each side than any PixelSample.
+inline TileFrustum tile_frustum(const WorldParts& world, const TileJob& job) {
     const PreparedCamera& camera = world.camera;
     const double w = world.settings.width, h = world.settings.height;
     const double x[2] = {(job.x - 1) / w - 0.5, (job.x + job.width + 1) / w - 0.5};
@@ -31,27 +31,27 @@ inline Pyramid pyramid_of(const WorldParts& world, const TileJob& job) {
     const auto corner = [&](int i, int j) { return camera.ray_through(x[i], y[j]).direction; };
     const Vec3 corners[4] = {corner(0, 0), corner(1, 0), corner(1, 1), corner(0, 1)};
     const Vec3 middle = corners[0] + corners[1] + corners[2] + corners[3];
-    Pyramid pyramid;
-    pyramid.apex = camera.position;
+    TileFrustum frustum;
+    frustum.apex = camera.position;
     for (int i = 0; i < 4; ++i) {
         const Vec3 a = corners[i], b = corners[(i + 1) % 4], n = glint::cross(a, b);
         const double size = max_abs(Triple<double>{n.x, n.y, n.z});
         // A view so narrow that rounding turns its planes is left alone.
-        if (!(size > 1e-6 * (glint::dot(a, a) + glint::dot(b, b)))) return pyramid;
-        pyramid.outward[i] = n * ((glint::dot(n, middle) > 0 ? -1 : 1) / size);
+        if (!(size > 1e-6 * (glint::dot(a, a) + glint::dot(b, b)))) return frustum;
+        frustum.outward[i] = n * ((glint::dot(n, middle) > 0 ? -1 : 1) / size);
     }
-    pyramid.exists = true;
-    return pyramid;
+    frustum.exists = true;
+    return frustum;
 }
 
-/// Which of a vector of boxes are not for certain on the outer side of a plane of the pyramid. What the slab
+/// Which of a vector of boxes are not for certain on the outer side of a plane of the frustum. What the slab
 /// expression and this one round is below 1e-6 of the coordinates; the margin is ten times that.
-HWY_INLINE LaneMask<float> may_meet(const Pyramid& pyramid, const float* const lo[3],
-                                    const float* const hi[3]) {
+HWY_INLINE LaneMask<float> may_overlap(const TileFrustum& frustum, const float* const lo[3],
+                                       const float* const hi[3]) {
     auto outside = Floats(0) > Floats(0);
-    for (const Vec3& n : pyramid.outward) {
+    for (const Vec3& n : frustum.outward) {
         const double normal[3] = {n.x, n.y, n.z};
-        const double apex[3] = {pyramid.apex.x, pyramid.apex.y, pyramid.apex.z};
+        const double apex[3] = {frustum.apex.x, frustum.apex.y, frustum.apex.z};
         Floats least(0), size(0);  // the least distance from the plane, and of what size the terms are
         for (int a = 0; a < 3; ++a) {
             const Floats na(static_cast<float>(normal[a])), o(static_cast<float>(apex[a]));
@@ -65,28 +65,28 @@ HWY_INLINE LaneMask<float> may_meet(const Pyramid& pyramid, const float* const l
 }
 
 /// Whether no camera ray of the tile can hit anything. False where that is not found out quickly.
-inline bool sees_nothing(const WorldParts& world, const TileJob& job) {
-    constexpr int most_nodes = 64, most_waiting = most_nodes * (k_bvh_width - 1) + 1;
+inline bool is_tile_empty(const WorldParts& world, const TileJob& job) {
+    constexpr int max_nodes = 64, max_stack = max_nodes * (k_bvh_width - 1) + 1;
     const PackedGeometry& geometry = *world.geometry;
     if (world.camera.projection == Projection::orthographic || geometry.bounded != geometry.count)
         return false;
     if (geometry.bvh.nodes.empty()) return true;
-    const Pyramid pyramid = pyramid_of(world, job);
-    if (!pyramid.exists) return false;
-    std::uint32_t waiting[most_waiting];
+    const TileFrustum frustum = tile_frustum(world, job);
+    if (!frustum.exists) return false;
+    std::uint32_t stack[max_stack];
     int count = 0;
-    waiting[count++] = 0;
+    stack[count++] = 0;
     for (int visited = 0; count > 0; ++visited) {
-        if (visited == most_nodes) return false;
-        const BvhNode& node = geometry.bvh.nodes[waiting[--count]];
+        if (visited == max_nodes) return false;
+        const BvhNode& node = geometry.bvh.nodes[stack[--count]];
         for (int c = 0; c < k_bvh_width; c += lane_count<float>()) {
             const float* lo[3] = {node.lo[0] + c, node.lo[1] + c, node.lo[2] + c};
             const float* hi[3] = {node.hi[0] + c, node.hi[1] + c, node.hi[2] + c};
-            for (std::uint32_t bits = to_bits(may_meet(pyramid, lo, hi)); bits != 0; bits &= bits - 1) {
+            for (std::uint32_t bits = to_bits(may_overlap(frustum, lo, hi)); bits != 0; bits &= bits - 1) {
                 const BvhChild child = node.child[c + __builtin_ctz(bits)];
                 if (child.is_none()) continue;
                 if (child.is_leaf()) return false;
-                waiting[count++] = child.index();
+                stack[count++] = child.index();
             }
         }
     }
