@@ -137,9 +137,9 @@ GLINT_API HighlightReason highlight_reason(const LightTerms& terms, const Explai
 GLINT_API const Material& material_of(const ExplainedHit& hit, const Scene& scene);
 
 /// The words of these, as JSON and messages have them: "turned_away". "unknown" for any other number.
-GLINT_API std::string_view word(LightReason reason);
-GLINT_API std::string_view word(HighlightReason reason);
-GLINT_API std::string_view word(BranchState state);
+GLINT_API std::string_view to_string(LightReason reason);
+GLINT_API std::string_view to_string(HighlightReason reason);
+GLINT_API std::string_view to_string(BranchState state);
 
 /// The layer that a ray's light belongs to: that of its path's first branch. For camera rays: nothing, since
 /// each of their parts has a layer of its own. Nothing either if there is no such ray, or its path does not

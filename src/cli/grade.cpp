@@ -51,7 +51,7 @@ CauseOptions cause_options(int threads, std::function<void(double)> progress) {
 }
 
 Image draw_reference(const Scene& scene, int threads) {
-    WantedPicture wanted = draw_wanted(scene, {}, threads);
+    WantedPicture wanted = render_wanted(scene, {}, threads);
     if (!wanted.error.empty()) throw Failure(k_bad_input, wanted.error);
     return std::move(wanted.image);
 }
@@ -128,7 +128,7 @@ std::vector<RubricRow> load_rubric(const std::string& path) {
 class PartGrader {
   public:
     PartGrader(const RubricRow& row, const Scene& scene, const GradeArguments& arguments)
-        : row_(row), arguments_(arguments), wanted_(draw_wanted(scene, row, arguments.threads)) {
+        : row_(row), arguments_(arguments), wanted_(render_wanted(scene, row, arguments.threads)) {
         if (!wanted_.error.empty())
             throw Failure(k_bad_input, fmt::format("part {}: {}", glint::quoted(row.part), wanted_.error));
     }

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "glint/compare.h"
-#include "inspect/grading.h"
+#include "grade/grading.h"
 
 namespace glint::cli {
 

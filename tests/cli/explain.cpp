@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// glint explain: its forms, and what it answers to what cannot be explained. What it says is tests/inspect's.
+// glint explain: its forms, and what it answers to what cannot be explained. What it says is tests/explain's.
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>

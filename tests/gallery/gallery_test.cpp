@@ -128,7 +128,7 @@ INSTANTIATE_TEST_SUITE_P(Scenes, Gallery, testing::ValuesIn(k_gallery),
 
 TEST(GalleryList, NamesEveryScene) {
     for (const std::string& path : test::scene_files(GLINT_PROJECT_DIR "/scenes")) {
-        if (path.find("/faults/") != std::string::npos) continue;  // of tests/inspect/faults.cpp
+        if (path.find("/faults/") != std::string::npos) continue;  // of tests/compare
         const bool listed = std::any_of(std::begin(k_gallery), std::end(k_gallery),
                                         [&](const GalleryPicture& p) { return path.ends_with(p.scene); });
         EXPECT_TRUE(listed) << path << " is drawn by no test";

@@ -13,8 +13,9 @@ using Names = std::set<std::string_view>;
 
 Names all_but(const Names& removed) {
     Names names;
-    for (const std::string_view name : {"base", "math", "simd", "scene", "formats", "geometry", "lighting",
-                                        "bvh", "world", "trace", "inspect", "image", "cli", "wasm"}) {
+    for (const std::string_view name :
+         {"base", "math", "simd", "scene", "formats", "geometry", "lighting", "bvh", "world", "trace",
+          "explain", "check", "compare", "grade", "image", "cli", "wasm"}) {
         if (!removed.contains(name)) names.insert(name);
     }
     return names;
@@ -74,9 +75,20 @@ const std::vector<Room>& rooms() {
         {"bvh", {"base", "math", "simd"}, {}},
         {"scene", {"base", "math"}, {"fmt/", "fast_float/"}},
         {"formats", {"base", "math", "scene"}, {"fmt/", "fast_float/"}},
-        {"world", all_but({"trace", "inspect", "image", "cli", "wasm"}), {"fmt/"}},
-        {"trace", all_but({"inspect", "image", "cli", "wasm"}), {"fmt/"}},
-        {"inspect", all_but({"cli", "wasm"}), {"fmt/", "fast_float/", "nlohmann/"}},
+        {"world",
+         all_but({"trace", "explain", "check", "compare", "grade", "image", "cli", "wasm"}),
+         {"fmt/"}},
+        {"trace", all_but({"explain", "check", "compare", "grade", "image", "cli", "wasm"}), {"fmt/"}},
+        {"explain",
+         all_but({"check", "compare", "grade", "image", "cli", "wasm"}),
+         {"fmt/", "fast_float/", "nlohmann/"}},
+        {"check",
+         all_but({"explain", "compare", "grade", "image", "cli", "wasm"}),
+         {"fmt/", "fast_float/", "nlohmann/"}},
+        {"compare",
+         all_but({"explain", "check", "grade", "cli", "wasm"}),
+         {"fmt/", "fast_float/", "nlohmann/"}},
+        {"grade", all_but({"explain", "check", "cli", "wasm"}), {"fmt/", "fast_float/", "nlohmann/"}},
         {"image", {"base", "math"}, {"fmt/", "zlib.h", "png.h", "jpeglib.h", "Imf", "Imath"}, false},
         {"cli",
          all_but({"wasm"}),

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: Apache-2.0
+// The camera: inside a shape, or where it sees nothing.
+#include <fmt/format.h>
+
+#include "check/checks.h"
+#include "math/number.h"
+#include "math/transform.h"
+
+namespace glint {
+namespace {
+
+bool contains(const Bounds& outer, const Bounds& inner) {
+    return outer.min.x <= inner.min.x && outer.min.y <= inner.min.y && outer.min.z <= inner.min.z &&
+           outer.max.x >= inner.max.x && outer.max.y >= inner.max.y && outer.max.z >= inner.max.z;
+}
+
+bool cuts(Vec3 point, Vec3 normal, const Bounds& box) {
+    const Vec3 half = (box.max - box.min) * 0.5, way = box.min + half - point;
+    const double reach =
+        number::abs(normal.x) * half.x + number::abs(normal.y) * half.y + number::abs(normal.z) * half.z;
+    return number::abs(dot(way, normal)) < reach;
+}
+
+// A sky, or a room: it holds other shapes too, or a plane goes through it.
+bool is_enclosure(const WorldParts& world, std::uint32_t shape) {
+    std::uint32_t own = 0;
+    while (own < world.geometry->bounded && world.geometry->shape_index[own] != shape) ++own;
+    if (own == world.geometry->bounded) return false;
+    const Bounds enclosure = to_bounds(primitive_bounds(*world.geometry, own));
+    for (std::uint32_t slot = 0; slot < world.geometry->bounded; ++slot)
+        if (slot != own && contains(enclosure, to_bounds(primitive_bounds(*world.geometry, slot))))
+            return true;
+    for (std::uint32_t slot = world.geometry->bounded; slot < world.geometry->count; ++slot) {
+        const ShapeClass& planes = world.geometry->class_of(slot);
+        const auto value = [&](int k) { return planes.column(k)[slot - planes.first]; };
+        if (cuts({value(0), value(1), value(2)}, {value(3), value(4), value(5)}, enclosure)) return true;
+    }
+    return false;
+}
+
+void check_inside(CheckContext& context) {
+    const Scene& scene = context.scene();
+    for (const std::uint32_t shape : shapes_around(context, scene.camera.position)) {
+        if (is_enclosure(context.world(), shape)) continue;
+        context.report("camera-inside-shape", scene.camera_place,
+                       fmt::format("the camera at {} is inside {}: its picture is of the shape's inside",
+                                   vector_text(scene.camera.position), context.shape_and_line(shape)),
+                       "move the camera out of the shape, or make the shape smaller");
+    }
+}
+
+}  // namespace
+
+bool check_camera(CheckContext& context, const VisibleHits& visible) {
+    if (context.scene().camera.projection == Projection::perspective) check_inside(context);
+    const WorldParts& world = context.world();
+    if (world.geometry->count == 0) return false;
+    bool planes = false;
+    for (const Generation& g : visible.generations) {
+        for (const SurfaceHit& h : g.hits) {
+            if (h.slot < world.geometry->bounded) return true;
+            planes = true;
+        }
+    }
+    if (world.geometry->bounded == 0 && planes) return true;
+    const SourcePlace place = context.scene().camera_place;
+    if (world.geometry->bounded == 0) {
+        context.report("camera-sees-nothing", place,
+                       "the camera looks away from every plane of the scene: the picture is only background",
+                       "turn the camera towards a plane");
+        return false;
+    }
+    const Bounds all = scene_bounds(context.prepared());
+    const Vec3 middle = (all.min + all.max) * 0.5, way = middle - world.camera.position;
+    const double along = dot(way, normalize(world.camera.forward));
+    const bool away = along <= 0;
+    context.report(
+        "camera-sees-nothing", place,
+        fmt::format(
+            "the camera sees none of the scene's shapes{}: it looks along {} from {}, and the middle of "
+            "what there is, {}, lies {}",
+            planes ? " but planes" : "", vector_text(normalize(world.camera.forward)),
+            vector_text(world.camera.position), vector_text(middle),
+            away ? "behind it" : fmt::format("{:.4g} before it", along)),
+        fmt::format("let it look at {}{}", vector_text(middle),
+                    planes && !away ? ", and see that no plane hides the shapes" : ""));
+    return false;
+}
+
+}  // namespace glint

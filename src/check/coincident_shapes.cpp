@@ -1,0 +1,240 @@
+// SPDX-License-Identifier: Apache-2.0
+// Surfaces in one place, where the camera sees them, and shapes that are written twice.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
+#include <map>
+#include <unordered_set>
+
+#include "check/checks.h"
+#include "math/number.h"
+#include "math/transform.h"
+
+namespace glint {
+namespace {
+
+constexpr std::int32_t k_longest = 400;
+// Where in their pixels the rays pass: off every symmetry, so that none runs along an edge that two faces
+// share.
+constexpr double k_beside_x = 0.2371, k_beside_y = -0.1893;
+constexpr double k_min_share = 1e-4;  // of the picture; a ball that touches the floor has less
+constexpr std::size_t k_max_reported = 5;
+constexpr double k_parallel = 1e-10, k_grazing = 0.02;  // 1 - cosine; cosine
+
+// All that makes a shape what it is, materials apart.
+void append(std::vector<double>& to, Vec3 v) { to.insert(to.end(), {v.x, v.y, v.z}); }
+
+std::vector<double> values_of(const Scene& scene, const Shape& shape) {
+    std::vector<double> v{static_cast<double>(shape.kind)};
+    switch (shape.kind) {
+        case ShapeKind::sphere: {
+            const Sphere& s = scene.get<Sphere>()[shape.index];
+            append(v, s.center), v.push_back(s.radius);
+            break;
+        }
+        case ShapeKind::plane: {
+            const Plane& s = scene.get<Plane>()[shape.index];
+            const Vec3 n = normalize(s.normal);
+            append(v, n), v.push_back(dot(n, s.point));
+            break;
+        }
+        case ShapeKind::cylinder: {
+            const Cylinder& s = scene.get<Cylinder>()[shape.index];
+            append(v, s.from), append(v, s.to), v.push_back(s.radius);
+            break;
+        }
+        case ShapeKind::cone: {
+            const Cone& s = scene.get<Cone>()[shape.index];
+            append(v, s.from), append(v, s.to);
+            v.insert(v.end(), {s.from_radius, s.to_radius});
+            break;
+        }
+        case ShapeKind::disc: {
+            const Disc& s = scene.get<Disc>()[shape.index];
+            append(v, s.center), append(v, normalize(s.normal)), v.push_back(s.radius);
+            break;
+        }
+        case ShapeKind::box: {
+            const Box& s = scene.get<Box>()[shape.index];
+            append(v, s.min), append(v, s.max);
+            break;
+        }
+        case ShapeKind::triangle:
+            for (const Vec3& p : scene.get<Triangle>()[shape.index].vertices) append(v, p);
+            break;
+        case ShapeKind::smooth_triangle:
+            v[0] = static_cast<double>(ShapeKind::triangle);  // the same surface
+            for (const Vec3& p : scene.get<SmoothTriangle>()[shape.index].vertices) append(v, p);
+            break;
+        case ShapeKind::polygon: {
+            const Polygon& s = scene.get<Polygon>()[shape.index];
+            for (std::uint32_t i = 0; i < s.count; ++i) append(v, scene.polygon_vertices[s.first + i]);
+            break;
+        }
+        default:  // a kind that was added: like no other of its kind
+            v.push_back(static_cast<double>(shape.index));
+    }
+    if (shape.transform != k_none && !(scene.transforms[shape.transform] == Affine{})) {
+        for (const auto& row : scene.transforms[shape.transform].m)
+            v.insert(v.end(), std::begin(row), std::end(row));
+    }
+    return v;
+}
+
+std::uint64_t hash(const std::vector<double>& values) {
+    std::uint64_t h = 14695981039346656037u;
+    for (const double x : values) {
+        h = (h ^ std::bit_cast<std::uint64_t>(x == 0 ? 0.0 : x)) * 1099511628211u;  // -0 is 0
+        h ^= h >> 29;
+    }
+    return h;
+}
+
+bool are_twins(const Scene& scene, std::uint32_t a, std::uint32_t b) {
+    return values_of(scene, scene.shapes[a]) == values_of(scene, scene.shapes[b]);
+}
+
+void check_twins(CheckContext& context, std::vector<bool>& covered) {
+    const Scene& scene = context.scene();
+    std::vector<std::pair<std::uint64_t, std::uint32_t>> keys;
+    keys.reserve(scene.shapes.size());
+    for (std::uint32_t i = 0; i < scene.shapes.size(); ++i)
+        keys.emplace_back(hash(values_of(scene, scene.shapes[i])), i);
+    std::sort(keys.begin(), keys.end());
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> twins;  // the later, the earlier
+    for (std::size_t i = 1; i < keys.size(); ++i) {
+        if (keys[i].first == keys[i - 1].first && are_twins(scene, keys[i].second, keys[i - 1].second))
+            twins.emplace_back(keys[i].second, keys[i - 1].second);
+    }
+    std::sort(twins.begin(), twins.end());
+    for (const auto& [later, earlier] : twins) covered[later] = covered[earlier] = true;
+    for (std::size_t i = 0; i < twins.size() && i < k_max_reported; ++i) {
+        const auto [later, earlier] = twins[i];
+        const std::size_t more = i + 1 == k_max_reported ? twins.size() - k_max_reported : 0;
+        context.report(
+            "shape-written-twice", scene.shape_texts.place(later),
+            fmt::format("{} is in the very place of {}: only the earlier one is seen{}", context.shape(later),
+                        context.shape_and_line(earlier),
+                        more == 0 ? "" : fmt::format("; and {} more shapes are written twice", more)),
+            "leave one of them out, or move it to where it belongs");
+    }
+}
+
+// A pair of shapes whose surfaces coincide.
+struct Pair {
+    std::uint32_t earlier, later;
+    friend auto operator<=>(const Pair&,
+                            const Pair&) = default;  // NOLINT(modernize-use-nullptr): there is no 0
+};
+
+// How far apart two surfaces are that a ray leaving one of them cannot tell apart: the offset's epsilon as a
+// length, within reason.
+double tolerance(const Conventions& rules, double magnitude) {
+    const double epsilon = rules.offset == Offset::scale ? rules.epsilon * magnitude : rules.epsilon;
+    return number::min(number::max(epsilon, 1e-9 * magnitude), 1e-4 * magnitude);
+}
+
+class Coincidences {
+  public:
+    explicit Coincidences(CheckContext& context) : context_(context), world_(context.world()) {}
+
+    void find() {
+        const SmallSize size = context_.grid(k_longest);
+        const RayList rays = camera_rays(world_, size, k_beside_x, k_beside_y);
+        rays_ = rays.size();
+        const HitList first = nearest_hits(world_, rays, context_.threads());
+        // Of two that are hit at the same t, the later.
+        World from_behind = context_.prepared();
+        WorldAccess::own(from_behind).last_of_equals = true;
+        const HitList last = nearest_hits(from_behind.parts(), rays, context_.threads());
+
+        RayList beyond;
+        std::vector<SurfaceHit> before;
+        for (std::size_t i = 0; i < rays.size(); ++i) {
+            if (first.slot[i] == k_none) continue;
+            const SurfaceHit hit = surface_hit(world_, rays, first, i);
+            if (last.slot[i] != first.slot[i]) {
+                consider(hit, surface_hit(world_, rays, last, i));
+                continue;
+            }
+            const double slope = number::abs(dot(hit.normal, hit.incoming));
+            if (slope < k_grazing * length(hit.incoming)) continue;
+            const double t = first.t[i];
+            beyond.add(rays.origin(i), hit.incoming, t,
+                       t + tolerance(world_.conventions, hit.magnitude) / slope);
+            before.push_back(hit);
+        }
+        const HitList second = nearest_hits(world_, beyond, context_.threads());
+        for (std::size_t i = 0; i < beyond.size(); ++i)
+            if (second.slot[i] != k_none) consider(before[i], surface_hit(world_, beyond, second, i));
+    }
+
+    /// Marks the shapes whose faces are not seen for another's sake.
+    void report(std::vector<bool>& covered) const {
+        std::vector<std::pair<std::size_t, Pair>> list;
+        std::size_t all = 0;
+        for (const auto& [pair, pixels] : pixels_) {
+            if (are_twins(context_.scene(), pair.earlier, pair.later)) continue;
+            list.emplace_back(pixels, pair);
+            all += pixels;
+        }
+        const double least = k_min_share * static_cast<double>(rays_);
+        if (static_cast<double>(all) <= least) return;
+        std::stable_sort(list.begin(), list.end(),
+                         [](const auto& a, const auto& b) { return a.first > b.first; });
+        for (const auto& [pixels, pair] : list) covered[pair.earlier] = covered[pair.later] = true;
+        // Of thousands of small ones none may be large enough by itself.
+        std::size_t named = 1;
+        while (named < list.size() && named<k_max_reported&& static_cast<double>(list[named].first)> least)
+            ++named;
+        for (std::size_t i = 0; i < named; ++i) {
+            const auto& [pixels, pair] = list[i];
+            const std::size_t more = i + 1 == named ? list.size() - named : 0;
+            context_.report(
+                "faces-coincide", context_.scene().shape_texts.place(pair.later),
+                fmt::format(
+                    "{} has a face in the place of one of {}, seen in {:.2g}% of the picture: the order in "
+                    "the file or rounding decides which one a pixel shows{}",
+                    context_.shape(pair.later), context_.shape_and_line(pair.earlier),
+                    100 * static_cast<double>(pixels) / static_cast<double>(rays_),
+                    more == 0 ? ""
+                              : fmt::format("; in {:.2g}% of it {} pairs of shapes do so",
+                                            100 * static_cast<double>(all) / static_cast<double>(rays_),
+                                            list.size())),
+                "move one of them by more than epsilon, or leave out what is covered");
+        }
+    }
+
+  private:
+    void consider(const SurfaceHit& a, const SurfaceHit& b) {
+        if (a.shape == b.shape) return;
+        const double along = dot(a.normal, b.normal);
+        if (number::abs(along) < 1 - k_parallel) return;
+        const double* first = values(a.material);
+        const double* second = values(b.material);
+        // Two faces of one look show no difference, unless light goes through them.
+        const bool same = along > 0 && std::equal(first, first + k_material_values, second);
+        if (same && !(first[k_transmission] > 0)) return;
+        ++pixels_[{std::min(a.shape, b.shape), std::max(a.shape, b.shape)}];
+    }
+    const double* values(std::uint32_t material) const { return world_.material(material); }
+
+    CheckContext& context_;
+    const WorldParts& world_;
+    std::size_t rays_ = 0;
+    std::map<Pair, std::size_t> pixels_;
+};
+
+}  // namespace
+
+std::vector<bool> check_coincident_shapes(CheckContext& context) {
+    std::vector<bool> covered(context.scene().shapes.size());
+    check_twins(context, covered);
+    Coincidences coincidences(context);
+    coincidences.find();
+    coincidences.report(covered);
+    return covered;
+}
+
+}  // namespace glint

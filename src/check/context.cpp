@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "check/context.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+#include "base/diagnostics.h"
+#include "base/text.h"
+#include "check/visible_hits.h"
+
+namespace glint {
+namespace {
+
+constexpr std::size_t k_max_named = 5;
+constexpr std::size_t k_max_alike = 8;  // findings of one kind
+constexpr std::int32_t k_probe = 24;    // longest side of a picture that counts rays
+constexpr double k_max_rays = 4e6;      // of a picture
+constexpr double k_max_tests = 6e7;     // of rays and shapes, for a picture or a grid of rays
+
+std::string item(std::string_view word, std::uint32_t index, std::string_view name) {
+    return name.empty() ? fmt::format("{} {}", word, std::uint64_t{index} + 1)
+                        : fmt::format("{} {}", word, quoted(name));
+}
+
+}  // namespace
+
+std::string vector_text(Vec3 v) { return fmt::format("({:.4g}, {:.4g}, {:.4g})", v.x, v.y, v.z); }
+
+SmallSize small_size(const RenderSettings& settings, std::int32_t longest) {
+    const std::int64_t most = std::max(settings.width, settings.height);
+    if (most <= longest) return {settings.width, settings.height};
+    const auto scaled = [&](std::int32_t side) {
+        return static_cast<std::int32_t>(
+            std::max<std::int64_t>(1, (2 * side * std::int64_t{longest} + most) / (2 * most)));
+    };
+    return {scaled(settings.width), scaled(settings.height)};
+}
+
+CheckContext::CheckContext(const Scene& scene, World prepared, const CheckOptions& options)
+    : scene_(scene),
+      prepared_(std::move(prepared)),
+      options_(options),
+      shapes_per_ray_(shapes_per_ray(world(), options.threads)) {}
+
+SmallSize CheckContext::grid(std::int32_t longest) const {
+    SmallSize size = small_size(scene_.settings, longest);
+    while (longest > k_probe && shapes_per_ray_ * size.width * size.height > k_max_tests)
+        size = small_size(scene_.settings, longest -= longest / 8);
+    return size;
+}
+
+std::string CheckContext::coarse_grid(std::int32_t longest) const {
+    const SmallSize size = grid(longest);
+    if (size.width == small_size(scene_.settings, longest).width) return {};
+    return fmt::format("; looked at with {}x{} rays only, each of which meets the boxes of {:.0f} shapes",
+                       size.width, size.height, shapes_per_ray_);
+}
+
+// Of the whole view, whatever proportions so few pixels have: the camera stays that of the picture's size.
+RenderResult CheckContext::render_at(World world, SmallSize size) const {
+    RenderSettings& settings = WorldAccess::own(world).settings;
+    settings.width = size.width;
+    settings.height = size.height;
+    settings.samples = 1;
+    RenderOptions options;
+    options.threads = options_.threads;
+    return render(world, options);
+}
+
+// Mirrors of glass can double the rays at each generation.
+SmallSize CheckContext::affordable(std::int32_t longest) {
+    if (rays_per_pixel_ == 0) {
+        const SmallSize size = small_size(scene_.settings, k_probe);
+        const RenderResult probe = render_at(prepared_, size);
+        rays_per_pixel_ = static_cast<double>(probe.rays.total()) / size.width / size.height;
+    }
+    SmallSize size = small_size(scene_.settings, longest);
+    const double most = std::min(k_max_rays, k_max_tests / std::max(shapes_per_ray_, 1.0));
+    while (longest > k_probe && rays_per_pixel_ * size.width * size.height > most)
+        size = small_size(scene_.settings, longest /= 2);
+    return size;
+}
+
+Image CheckContext::render_small(const std::optional<World>& world, std::int32_t longest) {
+    if (!world) return {};
+    RenderResult result = render_at(*world, affordable(longest));
+    return result.image ? std::move(*result.image) : Image{};
+}
+
+void CheckContext::report(std::string_view id, SourcePlace place, std::string message, std::string remedy) {
+    Finding finding;
+    finding.id = id;
+    Diagnostic& d = finding.diagnostic;
+    d.severity = Severity::warning;
+    if (place.line != 0 && place.file < scene_.files.size()) {
+        d.file = scene_.files[place.file];
+        d.line = place.line;
+        d.column = place.column;
+        d.length = 1;
+        for (const SceneText& text : options_.texts) {
+            if (text.name != d.file) continue;
+            d = diagnostic_at(Severity::warning, {text.name, text.text}, place, {});
+            break;
+        }
+    } else {
+        place = {};
+    }
+    d.message = std::move(message);
+    finding.remedy = std::move(remedy);
+    findings_.emplace_back(place, std::move(finding));
+}
+
+std::vector<Finding> CheckContext::take() {
+    std::stable_sort(findings_.begin(), findings_.end(), [](const auto& a, const auto& b) {
+        const SourcePlace &p = a.first, &q = b.first;
+        if ((p.line == 0) != (q.line == 0)) return p.line != 0;
+        if (p.file != q.file) return p.file < q.file;
+        return p.line != q.line ? p.line < q.line : p.column < q.column;
+    });
+    // A mistake made often is one finding, at its first place.
+    std::map<std::string_view, std::size_t> counts;
+    for (const auto& [place, finding] : findings_) ++counts[finding.id];
+    std::vector<Finding> list;
+    for (auto& [place, finding] : findings_) {
+        std::size_t& count = counts[finding.id];
+        if (count == 0) continue;
+        if (count > k_max_alike) {
+            finding.diagnostic.message += fmt::format("; and {} more like it", count - 1);
+            count = 0;
+        }
+        list.push_back(std::move(finding));
+    }
+    return list;
+}
+
+std::string CheckContext::line_of(SourcePlace place) const {
+    if (place.line == 0 || place.file >= scene_.files.size()) return {};
+    return place.file == 0 ? fmt::format(" (line {})", place.line)
+                           : fmt::format(" ({}:{})", scene_.files[place.file], place.line);
+}
+
+std::string CheckContext::shape(std::uint32_t i) const {
+    return item(to_string(scene_.shapes[i].kind), i, scene_.shape_texts.name(i));
+}
+std::string CheckContext::shape_and_line(std::uint32_t i) const {
+    return shape(i) + line_of(scene_.shape_texts.place(i));
+}
+std::string CheckContext::light(std::uint32_t i) const {
+    return item("light", i, scene_.light_texts.name(i));
+}
+std::string CheckContext::material(std::uint32_t i) const {
+    return i >= scene_.materials.size()
+               ? "the default material"
+               : item("material", i, scene_.material_texts.name(i)) + line_of(scene_.material_texts.place(i));
+}
+
+std::string CheckContext::some_shapes(const std::vector<std::uint32_t>& shapes) const {
+    std::string text;
+    const std::size_t named = shapes.size() <= k_max_named + 1 ? shapes.size() : k_max_named;
+    for (std::size_t i = 0; i < named; ++i) {
+        const bool last = i + 1 == named && named == shapes.size();
+        text += i == 0 ? "" : last ? " and " : ", ";
+        text += shape_and_line(shapes[i]);
+    }
+    if (named < shapes.size()) text += fmt::format(" and {} more", shapes.size() - named);
+    return text;
+}
+
+const Material& CheckContext::material_of(std::uint32_t shape) const {
+    static const Material k_default;
+    const std::uint32_t material = scene_.shapes[shape].material;
+    return material == k_none ? k_default : scene_.materials[material];
+}
+
+}  // namespace glint

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+// What the checks work on: the scene, its world, small pictures of it, and the list of findings.
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "glint/check.h"
+#include "glint/render.h"
+#include "world/world.h"
+
+namespace glint {
+
+/// As findings write it: "(1, 2.5, -3)".
+std::string vector_text(Vec3 v);
+
+/// The sides of the picture, made small: at most `longest` pixels, in about the same proportion.
+struct SmallSize {
+    std::int32_t width, height;
+};
+SmallSize small_size(const RenderSettings& settings, std::int32_t longest);
+
+class CheckContext {
+  public:
+    /// prepared: from the scene.
+    CheckContext(const Scene& scene, World prepared, const CheckOptions& options);
+
+    const Scene& scene() const { return scene_; }
+    const World& prepared() const { return prepared_; }
+    const WorldParts& world() const { return prepared_.parts(); }
+    int threads() const { return options_.threads; }
+
+    /// The size of a grid of camera rays, at most `longest` a side: fewer where each meets hundreds of shapes
+    /// that lie in one another, since it is tested against all of them.
+    SmallSize grid(std::int32_t longest) const;
+    /// Where the grid is coarser for that reason, a sentence that says so, else nothing; for findings that a
+    /// finer one might not make.
+    std::string coarse_grid(std::int32_t longest) const;
+
+    /// A picture of the scene, or of a World with other shading (none: an empty picture), one sample a pixel,
+    /// at most `longest` pixels a side; fewer where the scene's rays multiply, or its shapes lie in one
+    /// another. Of the same size for the same `longest`.
+    Image render_small(std::int32_t longest) { return render_small(prepared_, longest); }
+    Image render_small(const std::optional<World>& world, std::int32_t longest);
+
+    void report(std::string_view id, SourcePlace place, std::string message, std::string remedy);
+    /// The findings by their places; where there are many of a kind, the first of them and their number.
+    std::vector<Finding> take();
+
+    /// "sphere 'ball'" or "sphere 3", and with its line: "sphere 3 (line 7)", if it has one.
+    std::string shape(std::uint32_t index) const;
+    std::string shape_and_line(std::uint32_t index) const;
+    std::string light(std::uint32_t index) const;
+    std::string material(std::uint32_t index) const;
+
+    /// The first few of a list: "sphere 1 (line 3), sphere 2 (line 4) and 98 more".
+    std::string some_shapes(const std::vector<std::uint32_t>& shapes) const;
+
+    const Material& material_of(std::uint32_t shape) const;
+
+  private:
+    std::string line_of(SourcePlace place) const;
+    RenderResult render_at(World world, SmallSize size) const;
+    SmallSize affordable(std::int32_t longest);
+
+    const Scene& scene_;
+    const World prepared_;
+    const CheckOptions& options_;
+    double rays_per_pixel_ = 0;  // of the scene as it is, once drawn
+    const double shapes_per_ray_;
+    std::vector<std::pair<SourcePlace, Finding>> findings_;
+};
+
+}  // namespace glint

@@ -1,0 +1,277 @@
+// SPDX-License-Identifier: Apache-2.0
+// Lights that add nothing to the picture, found by drawing it with each of them alone; and why.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <span>
+#include <unordered_map>
+
+#include "check/checks.h"
+#include "math/number.h"
+
+namespace glint {
+namespace {
+
+constexpr std::int32_t k_first_look = 160, k_second_look = 480;  // longest side, pixels
+constexpr std::size_t k_max_groups = 256;  // of lights that are drawn together: one each, of up to 256
+constexpr std::size_t k_full_looks = 8;    // more groups get smaller pictures
+constexpr std::size_t k_max_dark = 256;    // whose reasons are looked for
+constexpr std::size_t k_max_named = 5;
+constexpr double k_half_byte = 0.5 / 255;
+constexpr std::size_t k_max_points = 4096;
+constexpr double k_max_intensity = 10;  // without attenuation; 255 is a byte's
+
+bool is_black(Color c) { return c.r == 0 && c.g == 0 && c.b == 0; }
+
+double largest_difference(const Image& a, const Image& b) {
+    double most = 0;
+    for (std::size_t i = 0; i < a.rgb.size() && i < b.rgb.size(); ++i)
+        most = number::max(most, number::abs(static_cast<double>(a.rgb[i]) - static_cast<double>(b.rgb[i])));
+    return most;
+}
+
+// What single lights do to the picture.
+class Effects {
+  public:
+    explicit Effects(CheckContext& context) : context_(context) {}
+
+    /// The most that the lights together add to a channel of a pixel.
+    double of(std::span<const std::uint32_t> lights, std::int32_t longest) {
+        const auto dark = dark_.find(longest);
+        const Image& unlit = dark == dark_.end()
+                                 ? dark_.emplace(longest, render_with({}, longest)).first->second
+                                 : dark->second;
+        std::vector<Light> list;
+        for (const std::uint32_t index : lights) list.push_back(context_.scene().lights[index]);
+        return largest_difference(unlit, render_with(list, longest));
+    }
+
+  private:
+    Image render_with(const std::vector<Light>& lights, std::int32_t longest) {
+        return context_.render_small(with_lights(context_.prepared(), lights).world, longest);
+    }
+
+    CheckContext& context_;
+    std::map<std::int32_t, Image> dark_;  // by longest side
+};
+
+// Why points that the camera sees get nothing of a light.
+struct Blockage {
+    std::size_t points = 0, facing = 0, reflecting = 0, blocked = 0;
+    std::uint32_t blocker = k_none;  // the shape that most shadow rays of reflecting points meet
+    std::size_t by_blocker = 0;
+    bool beyond = false;  // most of those meet it beyond the light
+};
+
+bool reflects(const WorldParts& world, std::uint32_t material, const Light& light) {
+    const double* m = world.material(material);
+    const Color diffuse{m[k_diffuse], m[k_diffuse + 1], m[k_diffuse + 2]};
+    const Color specular{m[k_specular], m[k_specular + 1], m[k_specular + 2]};
+    return !is_black(diffuse * light.color) || !is_black(specular * light.specular_color);
+}
+
+Blockage find_blockage(const CheckContext& context, const VisibleHits& visible, const Light& light) {
+    struct Count {
+        std::size_t all = 0, beyond = 0;
+    };
+    const WorldParts& world = context.world();
+    const ShadowRays shadows = shadow_rays(world, visible, light, k_max_points);
+    Blockage found;
+    found.points = shadows.points;
+    found.facing = shadows.rays.size();
+    for (const std::uint32_t material : shadows.material)
+        found.reflecting += reflects(world, material, light) ? 1 : 0;
+    if (!world.settings.shadows) return found;
+    const HitList hits = nearest_occluders(world, shadows.rays, context.threads());
+    const bool may_pass = light.kind == LightKind::point && !shadows.from_light;
+    std::unordered_map<std::uint32_t, Count> counts;
+    for (std::size_t i = 0; i < hits.slot.size(); ++i) {
+        if (hits.slot[i] == k_none || !reflects(world, shadows.material[i], light)) continue;
+        ++found.blocked;
+        const std::uint32_t shape = world.geometry->shape_index[hits.slot[i]];
+        Count& count = counts[shape];
+        ++count.all;
+        count.beyond += may_pass && hits.t[i] > 1 ? 1 : 0;
+        if (count.all > found.by_blocker || (count.all == found.by_blocker && shape < found.blocker)) {
+            found.by_blocker = count.all;
+            found.blocker = shape;
+        }
+    }
+    if (found.blocker != k_none) found.beyond = 2 * counts[found.blocker].beyond > counts[found.blocker].all;
+    return found;
+}
+
+// The closed shape that keeps a light to itself, or k_none: the light is in it and what is seen is not.
+std::uint32_t case_of(const CheckContext& context, const Light& light, const Blockage& b) {
+    const Scene& scene = context.scene();
+    if (light.kind != LightKind::point || !context.world().settings.shadows || b.beyond) return k_none;
+    std::vector<std::uint32_t> around_camera;
+    if (b.facing == 0) around_camera = shapes_around(context, scene.camera.position);
+    for (const std::uint32_t shape : shapes_around(context, light.position)) {
+        if (b.facing > 0) {
+            if (shape == b.blocker) return shape;
+            continue;
+        }
+        const bool clear = context.material_of(shape).transmission > 0 &&
+                           scene.conventions.glass_shadow == GlassShadow::none;
+        const bool sees_in =
+            std::find(around_camera.begin(), around_camera.end(), shape) != around_camera.end();
+        if (!clear && !sees_in) return shape;
+    }
+    return k_none;
+}
+
+void report_dark(CheckContext& context, const VisibleHits& visible, std::uint32_t index) {
+    const Light& light = context.scene().lights[index];
+    const SourcePlace place = context.scene().light_texts.place(index);
+    const std::string name = context.light(index);
+    const Blockage b = find_blockage(context, visible, light);
+    const std::uint32_t around = case_of(context, light, b);
+    if (around != k_none) {
+        return context.report(
+            "light-inside-shape", place,
+            fmt::format("{} is inside {}, which keeps its light from all that the camera sees", name,
+                        context.shape_and_line(around)),
+            "move the light out of the shape");
+    }
+    if (b.facing == 0) {
+        return context.report(
+            "light-behind-everything", place,
+            fmt::format("{} is behind every surface that the camera sees: N.L <= 0 at all of {} points", name,
+                        b.points),
+            light.kind == LightKind::point
+                ? "move the light to the side of the surfaces that the camera sees"
+                : "turn the direction around: it goes from the surface towards the light");
+    }
+    // The picture without the light is of other rays: one of many may get past an edge.
+    if (b.blocker == k_none || 2 * b.blocked < b.reflecting) {
+        return context.report(
+            "light-adds-nothing", place,
+            fmt::format(
+                "{} adds nothing to the picture: no material that the camera sees reflects its colour", name),
+            "give the materials diffuse or specular coefficients, or leave the light out");
+    }
+    if (b.beyond) {
+        return context.report(
+            "light-blocked", place,
+            fmt::format("{} lights nothing that the camera sees: {} is beyond it, from {} of {} points, and "
+                        "shadow rays do not stop at the light",
+                        name, context.shape_and_line(b.blocker), b.by_blocker, b.reflecting),
+            "set shadow_stops_at_light = true");
+    }
+    const bool plane = context.scene().shapes[b.blocker].kind == ShapeKind::plane;
+    context.report(
+        plane ? "light-behind-plane" : "light-blocked", place,
+        fmt::format("{} lights nothing that the camera sees: {} stands between it and {} of {} points", name,
+                    context.shape_and_line(b.blocker), b.by_blocker, b.reflecting),
+        plane ? "move the light to the other side of the plane" : "move the light, or the shape before it");
+}
+
+bool is_attenuated(const Light& light) {
+    const Attenuation& a = light.attenuation;
+    return light.kind == LightKind::point && (a.c0 > 1 || a.c1 > 0 || a.c2 > 0);
+}
+
+// Colours and intensities that can hardly be meant. True if the light has none.
+bool check_color(CheckContext& context, std::uint32_t index) {
+    const Light& light = context.scene().lights[index];
+    const SourcePlace place = context.scene().light_texts.place(index);
+    if (is_black(light.color) && (light.kind == LightKind::ambient || is_black(light.specular_color))) {
+        context.report("light-without-color", place,
+                       fmt::format("{} is black: it adds nothing", context.light(index)),
+                       "give it a colour or an intensity, or leave it out");
+        return true;
+    }
+    if (least(light.color) < 0) {
+        context.report("light-negative", place,
+                       fmt::format("{} has the colour ({:.4g}, {:.4g}, {:.4g}): it takes light away",
+                                   context.light(index), light.color.r, light.color.g, light.color.b),
+                       "give it a colour and an intensity of 0 or more");
+    }
+    if (brightest(light.color) > k_max_intensity && !is_attenuated(light)) {
+        context.report(
+            "light-color-255", place,
+            fmt::format(
+                "{} has the colour ({:.4g}, {:.4g}, {:.4g}), where 1 is full and nothing weakens it: are "
+                "these bytes from 0 to 255?",
+                context.light(index), light.color.r, light.color.g, light.color.b),
+            "divide the colour by 255");
+    }
+    return false;
+}
+
+// An ambient light that the format implies has no place in a scene whose other items have.
+bool is_implied(const Scene& scene, std::uint32_t index) {
+    return !scene.light_texts.places.empty() && scene.light_texts.place(index).line == 0;
+}
+
+void check_ambient(CheckContext& context, std::uint32_t index) {
+    const Scene& scene = context.scene();
+    if (scene.shapes.empty() || is_implied(scene, index)) return;
+    for (std::uint32_t i = 0; i < scene.shapes.size(); ++i)
+        if (!is_black(context.material_of(i).ambient)) return;
+    context.report(
+        "light-adds-nothing", scene.light_texts.place(index),
+        fmt::format("{} adds nothing: no shape's material has an ambient coefficient", context.light(index)),
+        "give the materials `ambient`, or leave the light out");
+}
+
+// Lights each of which nobody would miss: a mistake unless they are the light of the scene together.
+void report_weak(CheckContext& context, Effects& effects, std::span<const std::uint32_t> weak) {
+    if (weak.empty()) return;
+    const double effect = effects.of(weak, weak.size() == 1 ? k_second_look : k_first_look);
+    if (effect >= k_half_byte) return;
+    const Scene& scene = context.scene();
+    bool attenuated = true;
+    for (const std::uint32_t index : weak) attenuated = attenuated && is_attenuated(scene.lights[index]);
+    std::string what = context.light(weak[0]) + " adds";
+    if (weak.size() > 1) {
+        what = fmt::format("{} lights (", weak.size());
+        for (std::size_t i = 0; i < weak.size() && i < k_max_named; ++i)
+            what += (i == 0 ? "" : ", ") + context.light(weak[i]);
+        what += weak.size() > k_max_named ? "...) add together" : ") add together";
+    }
+    context.report("light-too-weak", scene.light_texts.place(weak[0]),
+                   fmt::format("{} {:.2g} of 255 to the brightest pixel: nobody sees it", what, effect * 255),
+                   attenuated ? "raise the intensity, or weaken the attenuation" : "raise the intensity");
+}
+
+}  // namespace
+
+void check_lights(CheckContext& context, const VisibleHits& visible) {
+    const Scene& scene = context.scene();
+    const Shading shading = scene.settings.shading;
+    if (shading == Shading::color || shading == Shading::normals) return;
+    std::vector<std::uint32_t> lights, weak;
+    for (std::uint32_t i = 0; i < scene.lights.size(); ++i) {
+        if (check_color(context, i)) continue;
+        if (scene.lights[i].kind != LightKind::ambient)
+            lights.push_back(i);
+        else if (shading != Shading::diffuse)
+            check_ambient(context, i);
+    }
+    const std::size_t groups = std::min(lights.size(), k_max_groups);
+    std::int32_t longest = k_first_look;
+    for (std::size_t n = groups; n > k_full_looks; n /= 4) longest /= 2;
+    std::size_t looked_twice = 0, dark = 0;
+    Effects effects(context);
+    for (std::size_t g = 0; g < groups; ++g) {
+        const std::size_t first = g * lights.size() / groups, end = (g + 1) * lights.size() / groups;
+        const auto group = std::span<const std::uint32_t>(lights).subspan(first, end - first);
+        double effect = effects.of(group, longest);
+        if (effect >= k_half_byte) continue;
+        // A highlight may lie between the pixels of a small picture.
+        effect = effects.of(group, looked_twice++ < k_full_looks ? k_second_look : k_first_look);
+        if (effect >= k_half_byte) continue;
+        for (const std::uint32_t index : group) {
+            if (effect == 0 && dark++ < k_max_dark)
+                report_dark(context, visible, index);
+            else
+                weak.push_back(index);
+        }
+    }
+    report_weak(context, effects, weak);
+}
+
+}  // namespace glint

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: Apache-2.0
+// Surfaces that turn their backs on the viewer where nothing turns them around, and vertex normals against
+// their triangle's winding.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "check/checks.h"
+#include "math/transform.h"
+
+namespace glint {
+namespace {
+
+// Of the pixels in which a surface is seen, those in which it is seen from behind.
+struct Views {
+    std::size_t front = 0, behind = 0;
+    bool mostly_behind() const { return behind > 9 * front && behind > 0; }
+};
+
+// Not those that enclose a space: their insides are meant to be dark.
+bool is_sheet(ShapeKind kind) {
+    return kind == ShapeKind::plane || kind == ShapeKind::disc || kind == ShapeKind::triangle ||
+           kind == ShapeKind::smooth_triangle || kind == ShapeKind::polygon;
+}
+
+void check_backs(CheckContext& context, const VisibleHits& visible) {
+    const Scene& scene = context.scene();
+    const Shading shading = scene.settings.shading;
+    if (shading == Shading::color || shading == Shading::normals || context.world().lights->empty()) return;
+    std::vector<Views> views(scene.shapes.size());
+    for (const SurfaceHit& h : visible.seen()) {
+        if (h.turned || !is_sheet(scene.shapes[h.shape].kind)) continue;
+        ++(h.behind ? views[h.shape].behind : views[h.shape].front);
+    }
+    std::vector<std::uint32_t> backs;
+    std::size_t pixels = 0, fronts = 0;
+    for (std::uint32_t i = 0; i < views.size(); ++i) {
+        fronts += views[i].front > 0 ? 1 : 0;
+        if (!views[i].mostly_behind()) continue;
+        backs.push_back(i);
+        pixels += views[i].behind;
+    }
+    if (backs.empty()) return;
+    context.report(
+        "seen-from-behind", scene.shape_texts.place(backs.front()),
+        fmt::format(
+            "{} {} seen from behind, in {:.2g}% of the picture, where the lights of the viewer's side do not "
+            "reach: these conventions turn no normals ({} flat shapes are seen from the front)",
+            context.some_shapes(backs), backs.size() == 1 ? "is" : "are",
+            100 * static_cast<double>(pixels) / static_cast<double>(visible.rays()), fronts),
+        "turn the normal around, or the order of the vertices: the front is where they go counter-clockwise");
+}
+
+void check_vertex_normals(CheckContext& context) {
+    const Scene& scene = context.scene();
+    std::vector<std::uint32_t> against, mixed;
+    std::size_t smooth = 0;
+    for (std::uint32_t i = 0; i < scene.shapes.size(); ++i) {
+        const Shape& shape = scene.shapes[i];
+        if (shape.kind != ShapeKind::smooth_triangle) continue;
+        ++smooth;
+        // As it is written: a mirroring would turn the winding around, but no normals.
+        const SmoothTriangle& t = scene.get<SmoothTriangle>()[shape.index];
+        const Vec3 face = cross(t.vertices[1] - t.vertices[0], t.vertices[2] - t.vertices[0]);
+        const auto backward = std::count_if(std::begin(t.normals), std::end(t.normals),
+                                            [&](Vec3 n) { return dot(n, face) < 0; });
+        if (backward == 3) against.push_back(i);
+        if (backward == 1 || backward == 2) mixed.push_back(i);
+    }
+    if (!against.empty()) {
+        context.report(
+            "normals-against-winding", scene.shape_texts.place(against.front()),
+            fmt::format("the vertex normals of {} of {} smooth triangles point to the side where their "
+                        "vertices go clockwise: {}",
+                        against.size(), smooth, context.some_shapes(against)),
+            "turn the normals around, or the order of the vertices");
+    }
+    if (!mixed.empty()) {
+        context.report(
+            "normals-on-both-sides", scene.shape_texts.place(mixed.front()),
+            fmt::format("the vertex normals of {} of {} smooth triangles point to different sides of "
+                        "them: {}",
+                        mixed.size(), smooth, context.some_shapes(mixed)),
+            "let the three normals of a triangle point to one side of it");
+    }
+}
+
+}  // namespace
+
+void check_normals(CheckContext& context, const VisibleHits& visible) {
+    check_backs(context, visible);
+    check_vertex_normals(context);
+}
+
+}  // namespace glint

@@ -1,0 +1,246 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a small picture shows: black, of one colour, clamped, of another epsilon, of one more reflection.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+#include "check/checks.h"
+#include "math/number.h"
+#include "math/transform.h"
+
+namespace glint {
+namespace {
+
+constexpr std::int32_t k_longest = 160;
+constexpr double k_half_byte = 0.5 / 255, k_over = 1 + k_half_byte;
+constexpr double k_visible = 8.0 / 255;  // differences in a channel that count
+// Shares of the picture. The gallery's scenes have up to 0.1 of clamped lamplight, 0.0006 where epsilons of
+// the sources differ from ours, and 0.005 that another reflection changes.
+constexpr double k_max_clamped = 0.125, k_max_acne = 0.005, k_max_changed = 0.0075;
+constexpr double k_min_shape = 0.002;    // of the picture: a shape that covers so much is looked at by itself
+constexpr std::int32_t k_max_more = 64;  // reflections that are tried
+
+// The share of pixels of which test(first number) says so.
+template <class Test> double share(const Image& image, Test test) {
+    if (image.rgb.empty()) return 0;
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < image.rgb.size(); i += 3) count += test(i) ? 1 : 0;
+    return 3 * static_cast<double>(count) / static_cast<double>(image.rgb.size());
+}
+
+double clamped(float x) { return x < 0 ? 0.0 : x > 1 ? 1.0 : static_cast<double>(x); }
+
+// The share of pixels in which two pictures differ by more than `least` in a channel, as they are shown.
+double share_that_differs(const Image& a, const Image& b, double least) {
+    return share(a, [&](std::size_t i) {
+        for (std::size_t c = i; c < i + 3; ++c)
+            if (number::abs(clamped(a.rgb[c]) - clamped(b.rgb[c])) > least) return true;
+        return false;
+    });
+}
+
+bool is_over(const Image& image, std::size_t i) {
+    return image.rgb[i] > k_over || image.rgb[i + 1] > k_over || image.rgb[i + 2] > k_over;
+}
+
+// True if the picture is black, or of one colour: then there is no more to say about it.
+bool check_one_color(CheckContext& context, const Image& picture) {
+    float least[3] = {picture.rgb[0], picture.rgb[1], picture.rgb[2]},
+          most[3] = {least[0], least[1], least[2]};
+    for (std::size_t i = 0; i < picture.rgb.size(); ++i) {
+        least[i % 3] = std::min(least[i % 3], picture.rgb[i]);
+        most[i % 3] = std::max(most[i % 3], picture.rgb[i]);
+    }
+    for (int c = 0; c < 3; ++c)
+        if (clamped(most[c]) - clamped(least[c]) > k_half_byte) return false;
+    if (clamped(most[0]) < k_half_byte && clamped(most[1]) < k_half_byte && clamped(most[2]) < k_half_byte) {
+        context.report("picture-black", {}, "the whole picture is black, though shapes are in it",
+                       "see that a light reaches them, and that their colours and coefficients are above 0");
+    } else {
+        context.report(
+            "picture-one-color", {},
+            fmt::format("the whole picture has one colour, ({:.3g}, {:.3g}, {:.3g}), though shapes are in "
+                        "it",
+                        most[0], most[1], most[2]),
+            "see that what is before the camera differs from the background, and that the light is not so "
+            "strong that all of it is white");
+    }
+    return true;
+}
+
+// What a material can come to at most: k_a I_a + the sum over the lights of k_d I_d + k_s I_s.
+double bound_of(const WorldParts& world, std::uint32_t material) {
+    const double* m = world.material(material);
+    const Color ambient{m[k_ambient], m[k_ambient + 1], m[k_ambient + 2]};
+    const Color diffuse{m[k_diffuse], m[k_diffuse + 1], m[k_diffuse + 2]};
+    const Color specular{m[k_specular], m[k_specular + 1], m[k_specular + 2]};
+    Color sum = ambient * world.ambient;
+    for (const Light& light : *world.lights)
+        sum = sum + diffuse * light.color + specular * light.specular_color;
+    return number::max(sum.r, number::max(sum.g, sum.b));
+}
+
+// Whether a material is meant to glow: its ambient term alone is above 1.
+bool glows(const WorldParts& world, std::uint32_t material) {
+    const double* m = world.material(material);
+    const Color glow = Color{m[k_ambient], m[k_ambient + 1], m[k_ambient + 2]} * world.ambient;
+    return number::max(glow.r, number::max(glow.g, glow.b)) > k_over;
+}
+
+// Shapes that are clamped on most of their pixels. over_at: by the number of a camera ray.
+template <class Test>
+void check_clamped_shapes(CheckContext& context, const VisibleHits& visible, Test over_at) {
+    struct Count {
+        std::size_t all = 0, over = 0;
+        std::uint32_t material = 0;
+    };
+    std::map<std::uint32_t, Count> counts;
+    for (const SurfaceHit& h : visible.seen()) {
+        Count& count = counts[h.shape];
+        count.material = h.material;
+        ++count.all;
+        count.over += over_at(h.ray) ? 1 : 0;
+    }
+    for (const auto& [shape, count] : counts) {
+        if (static_cast<double>(count.all) < k_min_shape * static_cast<double>(visible.rays())) continue;
+        if (2 * count.over <= count.all || glows(context.world(), count.material)) continue;
+        context.report(
+            "picture-clamped", context.scene().shape_texts.place(shape),
+            fmt::format(
+                "{} is brighter than 1 and is clamped on {:.2g}% of what is seen of it: its k_a I_a + "
+                "the sum over the lights of k_d I_d + k_s I_s can come to {:.3g}",
+                context.shape(shape), 100 * static_cast<double>(count.over) / static_cast<double>(count.all),
+                bound_of(context.world(), count.material)),
+            "lower the lights' intensities or the material's coefficients, until their sum is about 1");
+    }
+}
+
+void check_clamped(CheckContext& context, const VisibleHits& visible, const Image& picture) {
+    const double over = share(picture, [&](std::size_t i) { return is_over(picture, i); });
+    if (over == 0) return;
+    const Scene& scene = context.scene();
+    const auto columns = static_cast<std::size_t>(visible.size.width),
+               rows = static_cast<std::size_t>(visible.size.height);
+    const auto width = static_cast<std::size_t>(picture.width),
+               height = static_cast<std::size_t>(picture.height);
+    const auto over_at = [&](std::size_t ray) {
+        return is_over(picture,
+                       3 * (ray / columns * height / rows * width + ray % columns * width / columns));
+    };
+    if (over < k_max_clamped) return check_clamped_shapes(context, visible, over_at);
+    std::vector<std::size_t> pixels(scene.materials.size() + 1);
+    std::size_t background = 0;
+    for (std::size_t ray = 0; ray < visible.rays(); ++ray) background += over_at(ray) ? 1 : 0;
+    for (const SurfaceHit& h : visible.seen()) {
+        if (!over_at(h.ray)) continue;
+        ++pixels[h.material];
+        --background;
+    }
+    const auto most =
+        static_cast<std::uint32_t>(std::max_element(pixels.begin(), pixels.end()) - pixels.begin());
+    const std::string what =
+        fmt::format("{:.2g}% of the picture is brighter than 1 and is clamped", 100 * over);
+    if (background > pixels[most]) {
+        context.report("picture-clamped", scene.background_place, what + ", the background most of all",
+                       "darken the background");
+        return;
+    }
+    context.report(
+        "picture-clamped", scene.material_texts.place(most),
+        fmt::format("{}, {} most of all: its k_a I_a + the sum over the lights of k_d I_d + k_s I_s can come "
+                    "to {:.3g}",
+                    what, context.material(most), bound_of(context.world(), most)),
+        "lower the lights' intensities or the material's coefficients, until their sum is about 1");
+}
+
+// One that is far below the scene's size and far above rounding, in the offset's own unit.
+double trusted_epsilon(const CheckContext& context, const VisibleHits& visible) {
+    const Conventions& rules = context.scene().conventions;
+    if (rules.offset == Offset::scale) return 1e-9;
+    double magnitude = length(context.world().camera.position);
+    for (const SurfaceHit& h : visible.seen()) magnitude = number::max(magnitude, length(h.point));
+    // t of a shadow ray counts in distances of the light.
+    return rules.offset == Offset::ray ? number::min(1e-8 * magnitude, 1e-4) : 1e-8 * magnitude;
+}
+
+SourcePlace place_of_setting(const Scene& scene, std::string_view key) {
+    const auto index = find_setting(key);
+    return index && *index < scene.origins.size() ? scene.origins[*index].place : SourcePlace{};
+}
+
+void check_epsilon(CheckContext& context, const VisibleHits& visible, const Image& picture) {
+    const Scene& scene = context.scene();
+    const double epsilon = scene.conventions.epsilon, trusted = trusted_epsilon(context, visible);
+    if (epsilon == trusted) return;
+    const auto render_with = [&](double by) {
+        Conventions conventions = scene.conventions;
+        conventions.epsilon = by;
+        return context.render_small(with_rules(context.prepared(), conventions, scene.settings).world,
+                                    k_longest);
+    };
+    const Image other = render_with(trusted);
+    const double differs = share_that_differs(picture, other, k_visible);
+    if (differs < k_max_acne) return;
+    // Where mirrors make chaos of any small change, no epsilon is better than another.
+    if (epsilon > trusted && share_that_differs(other, render_with(trusted / 8), k_visible) >= k_max_acne)
+        return;
+    const SourcePlace place = place_of_setting(scene, "epsilon");
+    const std::string remedy =
+        scene.conventions.offset == Offset::scale
+            ? fmt::format("set epsilon to {:.2g}", trusted)
+            : fmt::format("set epsilon to about {:.2g}, or offset = scale and epsilon = 1e-9", trusted);
+    if (epsilon < trusted) {
+        context.report(
+            "epsilon-too-small", place,
+            fmt::format("epsilon = {:.3g} is too small for this scene: {:.2g}% of the picture is in shadow "
+                        "acne, where rays meet the surface that they leave",
+                        epsilon, 100 * differs),
+            remedy);
+    } else {
+        context.report(
+            "epsilon-too-large", place,
+            fmt::format("epsilon = {:.3g} is too large for this scene: {:.2g}% of the picture is not what "
+                        "epsilon = {:.2g} gives, where rays start beyond what is near",
+                        epsilon, 100 * differs, trusted),
+            remedy + "; or make the scene larger");
+    }
+}
+
+void check_reflections(CheckContext& context, const Image& picture) {
+    const Scene& scene = context.scene();
+    const std::int32_t now = scene.settings.reflections;
+    const auto render_with = [&](std::int32_t reflections) {
+        RenderSettings settings = scene.settings;
+        settings.reflections = reflections;
+        return context.render_small(with_rules(context.prepared(), scene.conventions, settings).world,
+                                    k_longest);
+    };
+    if (now >= k_max_reflections) return;
+    const double changed = share_that_differs(picture, render_with(now + 1), k_visible);
+    if (changed < k_max_changed) return;
+    std::int32_t enough = now + 1;
+    for (std::int32_t more = 1; more <= k_max_more && now + 2 * more < k_max_reflections; more *= 2) {
+        enough = now + more;
+        if (share_that_differs(render_with(enough), render_with(enough + 1), k_visible) < k_max_changed)
+            break;
+    }
+    context.report(
+        "reflections-too-few", place_of_setting(context.scene(), "reflections"),
+        fmt::format("one reflection more than {} changes {:.2g}% of the picture by more than 8 of 255: {}",
+                    now, 100 * changed,
+                    now == 0 ? "mirrors are switched off" : "mirrors see each other past the limit"),
+        fmt::format("set reflections to {}, or let the mirrors reflect less", enough));
+}
+
+}  // namespace
+
+void check_picture(CheckContext& context, const VisibleHits& visible) {
+    const Image picture = context.render_small(k_longest);
+    if (picture.rgb.empty() || check_one_color(context, picture)) return;
+    check_clamped(context, visible, picture);
+    check_epsilon(context, visible, picture);
+    check_reflections(context, picture);
+}
+
+}  // namespace glint

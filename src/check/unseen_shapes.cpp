@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: Apache-2.0
+// Shapes that nobody sees: not directly, not in the first mirrors, not by their shadows.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "check/checks.h"
+#include "math/extent.h"
+#include "math/number.h"
+
+namespace glint {
+namespace {
+
+constexpr std::size_t k_max_lights = 16;
+constexpr std::size_t k_by_hand = 64;  // shapes of a scene that is written, not computed
+constexpr std::size_t k_max_enclosed = 8;
+constexpr std::size_t k_max_points = 20000;  // a generation, whose shadows are followed
+
+// Which shapes cast a shadow on what is seen: the first that a light meets on its way there.
+void mark_shadows(const CheckContext& context, const VisibleHits& visible, std::vector<bool>& seen) {
+    const WorldParts& world = context.world();
+    if (!world.settings.shadows) return;
+    for (std::size_t l = 0; l < world.lights->size() && l < k_max_lights; ++l) {
+        const ShadowRays shadows = shadow_rays(world, visible, (*world.lights)[l], k_max_points);
+        for (const std::uint32_t slot : nearest_occluders(world, shadows.rays, context.threads()).slot)
+            if (slot != k_none) seen[world.geometry->shape_index[slot]] = true;
+    }
+}
+
+// Where things are in the picture.
+class Frame {
+  public:
+    Frame(const PreparedCamera& camera, const RenderSettings& settings)
+        : camera_(camera), width_(settings.width), height_(settings.height) {
+        const double volume = dot(cross(camera.right, camera.up), camera.forward);
+        to_x_ = cross(camera.up, camera.forward) / volume;
+        to_y_ = cross(camera.forward, camera.right) / volume;
+        to_depth_ = cross(camera.right, camera.up) / volume;
+    }
+
+    enum class Place : std::uint8_t { not_drawn, outside, tiny, inside };
+    Place place_of(const Bounds& box) const {
+        int out[5] = {};
+        Extent pixels;
+        bool before = true;
+        for (int corner = 0; corner < 8; ++corner) {
+            const Vec3 p{corner & 1 ? box.max.x : box.min.x, corner & 2 ? box.max.y : box.min.y,
+                         corner & 4 ? box.max.z : box.min.z};
+            const Vec3 way = p - camera_.position;
+            const double x = dot(way, to_x_), y = dot(way, to_y_), depth = dot(way, to_depth_);
+            const bool flat = camera_.projection == Projection::orthographic;
+            const double half = flat ? 0.5 : depth / 2;
+            out[0] += depth <= 0;
+            out[1] += x > half, out[2] += x < -half;
+            out[3] += y > half, out[4] += y < -half;
+            before = before && depth > 0;
+            const double size = flat ? 1 : depth;
+            if (depth > 0) pixels.add({x / size * width_, y / size * height_, 0});
+        }
+        if (std::find(std::begin(out), std::end(out), 8) != std::end(out)) return Place::outside;
+        const bool tiny = before && pixels.hi.x - pixels.lo.x < 1 && pixels.hi.y - pixels.lo.y < 1;
+        return tiny ? Place::tiny : Place::inside;
+    }
+
+    /// Whether any of the picture's rays could meet the plane, were there nothing else.
+    bool may_see(Vec3 point, Vec3 normal) const {
+        for (int i = 0; i < 25; ++i) {
+            const Ray ray = camera_.ray_through(i % 5 * 0.25 - 0.5, i / 5 * 0.25 - 0.5);
+            if (dot(point - ray.origin, normal) / dot(ray.direction, normal) > 0) return true;
+        }
+        return false;
+    }
+
+  private:
+    const PreparedCamera& camera_;
+    double width_, height_;
+    Vec3 to_x_, to_y_, to_depth_;
+};
+
+struct Unseen {
+    std::vector<std::uint32_t> outside, hidden, tiny;
+    std::size_t shapes = 0;  // that are drawn at all
+};
+
+Unseen find_unseen(const WorldParts& world, const std::vector<bool>& seen) {
+    using Place = Frame::Place;
+    const Frame frame(world.camera, world.settings);
+    // Of a polygon's triangles the best placed one counts.
+    std::vector<Place> places(seen.size(), Place::not_drawn);
+    for (std::uint32_t slot = 0; slot < world.geometry->count; ++slot) {
+        Place& place = places[world.geometry->shape_index[slot]];
+        if (slot < world.geometry->bounded) {
+            place = std::max(place, frame.place_of(to_bounds(primitive_bounds(*world.geometry, slot))));
+        } else {
+            const ShapeClass& planes = world.geometry->class_of(slot);
+            const auto value = [&](int k) { return planes.column(k)[slot - planes.first]; };
+            const bool met = frame.may_see({value(0), value(1), value(2)}, {value(3), value(4), value(5)});
+            place = met ? Place::inside : Place::outside;
+        }
+    }
+    Unseen unseen;
+    for (std::uint32_t shape = 0; shape < seen.size(); ++shape) {
+        if (places[shape] == Place::not_drawn) continue;
+        ++unseen.shapes;
+        if (seen[shape]) continue;
+        auto& list = places[shape] == Place::outside ? unseen.outside
+                     : places[shape] == Place::tiny  ? unseen.tiny
+                                                     : unseen.hidden;
+        list.push_back(shape);
+    }
+    return unseen;
+}
+
+// In a scene written by hand every shape is meant to be seen. A model of hundreds has backs and insides, and
+// goes on outside the picture: only its named shapes count, or where half of it is not there.
+std::vector<std::uint32_t> worth_naming(const Scene& scene, const Unseen& unseen,
+                                        const std::vector<std::uint32_t>& list, bool half_counts) {
+    if (unseen.shapes <= k_by_hand || (half_counts && list.size() > unseen.shapes / 2)) return list;
+    std::vector<std::uint32_t> named;
+    std::copy_if(list.begin(), list.end(), std::back_inserter(named),
+                 [&](std::uint32_t shape) { return !scene.shape_texts.name(shape).empty(); });
+    return named;
+}
+
+// What is inside of what, of the first few.
+std::string enclosure(const CheckContext& context, const WorldParts& world,
+                      const std::vector<std::uint32_t>& list) {
+    for (std::size_t i = 0; i < list.size() && i < k_max_enclosed; ++i) {
+        std::uint32_t slot = 0;
+        while (slot < world.geometry->bounded && world.geometry->shape_index[slot] != list[i]) ++slot;
+        if (slot == world.geometry->bounded) continue;
+        const Bounds box = to_bounds(primitive_bounds(*world.geometry, slot));
+        for (const std::uint32_t around : shapes_around(context, (box.min + box.max) * 0.5)) {
+            if (around == list[i]) continue;
+            return fmt::format("; the middle of {} is inside {}", context.shape(list[i]),
+                               context.shape_and_line(around));
+        }
+    }
+    return {};
+}
+
+}  // namespace
+
+void check_shapes(CheckContext& context, const VisibleHits& visible, const std::vector<bool>& explained) {
+    const Scene& scene = context.scene();
+    const WorldParts& world = context.world();
+    std::vector<bool> seen = explained;
+    for (const Generation& g : visible.generations)
+        for (const SurfaceHit& h : g.hits) seen[h.shape] = true;
+    mark_shadows(context, visible, seen);
+    const Unseen unseen = find_unseen(world, seen);
+    const std::size_t deep = visible.generations.size() - 1;
+    const std::string mirrors =
+        deep == 0 ? ""
+                  : fmt::format("; nor is anything in the first {} of mirrors and glass",
+                                deep == 1 ? "generation" : fmt::format("{} generations", deep));
+    // Where lights were left out, nothing is known of their shadows.
+    const bool knows_shadows = !world.settings.shadows || world.lights->size() <= k_max_lights;
+    const std::string coarse = context.coarse_grid(VisibleHits::k_longest);
+    const auto report = [&](std::string_view id, const std::vector<std::uint32_t>& all,
+                            std::string_view where, bool hidden, std::string remedy) {
+        const std::vector<std::uint32_t> list = worth_naming(scene, unseen, all, !hidden);
+        if (list.empty()) return;
+        context.report(id, scene.shape_texts.place(list.front()),
+                       fmt::format("{} of {} {} {}{}{}: {}{}", list.size(),
+                                   unseen.shapes == 1 ? "1 shape" : fmt::format("{} shapes", unseen.shapes),
+                                   list.size() == 1 ? "is" : "are", where,
+                                   !knows_shadows     ? ""
+                                   : list.size() == 1 ? ", and no shadow of it is seen"
+                                                      : ", and no shadow of them is seen",
+                                   mirrors, context.some_shapes(list),
+                                   (hidden ? enclosure(context, world, list) : "") + coarse),
+                       std::move(remedy));
+    };
+    report("shape-outside-view", unseen.outside, "outside the picture", false,
+           "move what is outside, or the camera, or widen its view");
+    report("shape-hidden", unseen.hidden, "hidden behind or inside others", true,
+           "move what is hidden, or what hides it, or leave it out");
+    report("shape-too-small", unseen.tiny, "smaller than a pixel", false,
+           "make the shape larger, or the picture, or bring the camera nearer");
+}
+
+}  // namespace glint

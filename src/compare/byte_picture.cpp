@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "compare/byte_picture.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <numeric>
+
+#include "image/levels.h"
+#include "image/quantize.h"
+
+namespace glint {
+
+BytePicture to_bytes(const Image& image, int threads, Transfer transfer) {
+    BytePicture picture{image.width, image.height, std::vector<std::uint8_t>(image.rgb.size())};
+    const std::size_t row = std::size_t{3} * image.width;
+    parallel_for(static_cast<std::size_t>(image.height), threads, [&](std::size_t y) {
+        quantize_row(&image.rgb[y * row], row, 8, transfer, &picture.rgb[y * row]);
+    });
+    return picture;
+}
+
+std::vector<std::uint8_t> edges_of(const BytePicture& picture, int threads) {
+    const Levels levels{{picture.rgb.begin(), picture.rgb.end()}, 1, picture.width, picture.height};
+    return find_edges(levels, threads);
+}
+
+Rows all_rows(std::int32_t height) {
+    Rows rows(static_cast<std::size_t>(height));
+    std::iota(rows.begin(), rows.end(), 0);
+    return rows;
+}
+
+Rows sample_of(const Rows& rows, std::int32_t width) {
+    const std::size_t most = std::max<std::size_t>(k_sample / static_cast<std::size_t>(width), 1),
+                      step = (rows.size() + most - 1) / most;
+    Rows sample;
+    std::uint32_t state = 1;
+    for (std::size_t first = 0; first < rows.size(); first += step) {
+        state = state * 1664525u + 1013904223u;
+        sample.push_back(rows[first + (state >> 16) % std::min(step, rows.size() - first)]);
+    }
+    return sample;
+}
+
+Distance distance(const BytePicture& a, const BytePicture& b, const Area& area) {
+    struct Sums {
+        std::uint64_t all = 0, pixels = 0, calm = 0, calm_pixels = 0;
+    };
+    std::vector<Sums> sums(area.rows.size());
+    parallel_for(area.rows.size(), area.threads, [&](std::size_t i) {
+        const std::int32_t y = area.rows[i];
+        if (y < area.rim || y >= b.height - area.rim) return;
+        const std::uint8_t *of_a = a.pixel(0, y), *of_b = b.pixel(0, y);
+        const std::uint8_t* on_edge = &(*area.edges)[static_cast<std::size_t>(y) * b.width];
+        Sums row;
+        for (std::int32_t x = area.rim; x < b.width - area.rim; ++x) {
+            std::uint32_t here = 0, calm = 0;
+            for (int c = 0; c < 3; ++c) {
+                const auto d =
+                    static_cast<std::uint32_t>(std::abs(int{of_a[3 * x + c]} - int{of_b[3 * x + c]}));
+                here += d;
+                calm += d > k_noise ? d - k_noise : 0;
+            }
+            row.all += here;
+            ++row.pixels;
+            row.calm += on_edge[x] != 0 ? 0 : calm;
+            row.calm_pixels += on_edge[x] == 0;
+        }
+        sums[i] = row;
+    });
+    Sums total;
+    for (const Sums& row : sums) {
+        total.all += row.all;
+        total.pixels += row.pixels;
+        total.calm += row.calm;
+        total.calm_pixels += row.calm_pixels;
+    }
+    const auto mean = [](std::uint64_t sum, std::uint64_t count) {
+        return count == 0 ? 0 : static_cast<double>(sum) / (3 * static_cast<double>(count));
+    };
+    return {mean(total.all, total.pixels), mean(total.calm, total.calm_pixels)};
+}
+
+bool equal_rows(const BytePicture& a, const BytePicture& b, const Rows& rows) {
+    const std::ptrdiff_t row = std::ptrdiff_t{3} * b.width;
+    return std::all_of(rows.begin(), rows.end(), [&](std::int32_t y) {
+        return std::equal(a.pixel(0, y), a.pixel(0, y) + row, b.pixel(0, y));
+    });
+}
+
+}  // namespace glint

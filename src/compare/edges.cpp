@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "compare/edges.h"
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "glint/compare.h"
+
+namespace glint {
+namespace {
+
+// A speck is darker by more than k_dark; k_calm neighbours of it differ by at most k_same. In 255ths.
+constexpr int k_dark = 8, k_same = 2, k_calm = 2;
+constexpr int k_step = static_cast<int>(k_edge_step);
+
+// Differences of a pixel: the darkest and the brightest channel of faulty - reference.
+struct Change {
+    int least = 0, most = 0;
+};
+Change change_at(const BytePicture& reference, const BytePicture& faulty, std::int32_t x, std::int32_t y) {
+    const std::uint8_t *was = reference.pixel(x, y), *is = faulty.pixel(x, y);
+    Change change{255, -255};
+    for (int c = 0; c < 3; ++c) {
+        change.least = std::min(change.least, int{is[c]} - int{was[c]});
+        change.most = std::max(change.most, int{is[c]} - int{was[c]});
+    }
+    return change;
+}
+
+bool is_step(const std::uint8_t* a, const std::uint8_t* b) {
+    for (int c = 0; c < 3; ++c) {
+        if (std::abs(int{a[c]} - int{b[c]}) > k_step) return true;
+    }
+    return false;
+}
+
+bool is_speck(const BytePicture& reference, const BytePicture& faulty, std::int32_t x, std::int32_t y) {
+    const Change here = change_at(reference, faulty, x, y);
+    if (here.least >= -k_dark || here.most > k_same) return false;
+    int calm = 0;
+    for (std::int32_t v = std::max(y - 1, 0); v <= std::min(y + 1, reference.height - 1); ++v) {
+        for (std::int32_t u = std::max(x - 1, 0); u <= std::min(x + 1, reference.width - 1); ++u) {
+            if (is_step(reference.pixel(u, v), reference.pixel(x, y))) return false;
+            const Change near = change_at(reference, faulty, u, v);
+            calm += near.least >= -k_same && near.most <= k_same;
+        }
+    }
+    return calm >= k_calm;
+}
+
+}  // namespace
+
+std::string direction_text(int dx, int dy) {
+    std::string text = dx == 0 ? "" : dx > 0 ? "to the right" : "to the left";
+    if (dy != 0) text += std::string(text.empty() ? "" : " and ") + (dy > 0 ? "down" : "up");
+    return text;
+}
+
+void nearest_between(const BytePicture& reference, const BytePicture& faulty, int left, int right, int up,
+                     int down, const Rows& rows, int threads, BytePicture& out) {
+    for_each_row(rows, threads, [&](std::int32_t y) {
+        const std::int32_t top = std::clamp(y + up, 0, reference.height - 1),
+                           bottom = std::clamp(y + down, 0, reference.height - 1);
+        for (std::int32_t x = 0; x < reference.width; ++x) {
+            const std::int32_t first = std::clamp(x + left, 0, reference.width - 1),
+                               last = std::clamp(x + right, 0, reference.width - 1);
+            std::uint8_t least[3] = {255, 255, 255}, most[3] = {0, 0, 0};
+            for (std::int32_t v = top; v <= bottom; ++v) {
+                for (std::int32_t u = first; u <= last; ++u) {
+                    const std::uint8_t* near = reference.pixel(u, v);
+                    for (int c = 0; c < 3; ++c) {
+                        least[c] = std::min(least[c], near[c]);
+                        most[c] = std::max(most[c], near[c]);
+                    }
+                }
+            }
+            const std::uint8_t* is = faulty.pixel(x, y);
+            std::uint8_t* pixel = out.pixel(x, y);
+            for (int c = 0; c < 3; ++c) pixel[c] = std::clamp(is[c], least[c], most[c]);
+        }
+    });
+}
+
+void put_dark_specks(const BytePicture& reference, const BytePicture& faulty, const Rows& rows, int threads,
+                     BytePicture& out) {
+    for_each_row(rows, threads, [&](std::int32_t y) {
+        for (std::int32_t x = 0; x < reference.width; ++x) {
+            const BytePicture& from = is_speck(reference, faulty, x, y) ? faulty : reference;
+            std::copy_n(from.pixel(x, y), 3, out.pixel(x, y));
+        }
+    });
+}
+
+}  // namespace glint

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "compare/factor_search.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "math/elementary.h"
+
+namespace glint {
+namespace {
+
+constexpr int k_sections = 10;  // of two octaves they leave 2%
+constexpr double k_golden = 0.6180339887498949;
+
+// To two digits: 1.52 is 1.5, and 0.33 is 1/3.
+double rounded(double factor) {
+    if (factor < 1) return 1 / rounded(1 / factor);
+    const double unit = factor < 10 ? 0.1 : 1;
+    return std::floor(factor / unit + 0.5) * unit;
+}
+
+}  // namespace
+
+TriedFactor refine_factor(TriedFactor known, double low, double high, double enough,
+                          const LeftByFactor& left_by) {
+    const auto try_factor = [&](double factor) {
+        const double left = left_by(factor).value_or(HUGE_VAL);
+        if (left < known.left) known = {factor, left};
+        return left;
+    };
+    double first = log(low), last = log(high);
+    double a = last - k_golden * (last - first), b = first + k_golden * (last - first);
+    double at_a = try_factor(exp(a)), at_b = try_factor(exp(b));
+    for (int i = 2; i < k_sections && known.left > enough; ++i) {
+        if (at_a < at_b) {
+            last = b;
+            b = a;
+            at_b = at_a;
+            a = last - k_golden * (last - first);
+            at_a = try_factor(exp(a));
+        } else {
+            first = a;
+            a = b;
+            at_a = at_b;
+            b = first + k_golden * (last - first);
+            at_b = try_factor(exp(b));
+        }
+    }
+    if (known.left > enough) try_factor(rounded(known.factor));
+    return known;
+}
+
+std::string factor_text(double factor, bool about) {
+    if (factor == 0.25) return "a quarter of";
+    if (factor == 0.5) return "half";
+    if (factor == 2) return "twice";
+    return factor == 4 ? "four times" : fmt::format("{}{:.3g} times", about ? "about " : "", factor);
+}
+
+}  // namespace glint

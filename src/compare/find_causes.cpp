@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: Apache-2.0
+// Which of the classic causes explains a difference best: each makes the picture that it would have made, and
+// the least mean difference from the faulty picture wins.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+#include <stdexcept>
+
+#include "base/catch_exceptions.h"
+#include "base/fp_environment.h"
+#include "compare/cause_ranking.h"
+#include "compare/float_difference.h"
+#include "compare/lines.h"
+#include "compare/picture_causes.h"
+#include "compare/scene_search.h"
+#include "compare/step_agreement.h"
+#include "glint/compare.h"
+#include "image/levels.h"
+
+namespace glint {
+namespace {
+
+// The scene's own picture stands for a picture from which it differs by less than this part of the difference
+// to be explained.
+constexpr double k_same_part = 0.1;
+// Of a large picture causes are tried on a sample of rows, and the first of them once more on all. Where the
+// sample has not about as much of the difference as the whole, by this factor, it is of rows that differ.
+constexpr std::size_t k_confirmed = 5;
+constexpr double k_fair_sample = 2;
+// Smaller pictures are done before another thread has begun.
+constexpr std::int64_t k_min_for_threads = 1 << 18;
+
+class CauseFinder {
+  public:
+    CauseFinder(const Image& reference, const Scene* scene, const CauseOptions& options)
+        : reference_(reference),
+          bytes_(to_bytes(reference, options.threads)),
+          edges_(edges_of(bytes_, options.threads)),
+          scene_(scene),
+          options_(options) {}
+
+    Search start(const Image& picture) const {
+        Search search;
+        search.report.error = pair_fault(picture, reference_);
+        if (!search.report.error.empty()) return search;
+        const bool is_small = std::int64_t{reference_.width} * reference_.height < k_min_for_threads;
+        search.area = {&edges_, all_rows(reference_.height), 1, is_small ? 1 : options_.threads};
+        if (std::min(reference_.width, reference_.height) < 3) search.area.rim = 0;
+        search.sample = search.area;
+        search.faulty = to_bytes(picture, options_.threads);
+        search.whole = distance(search.faulty, bytes_, search.area);
+        if (search.whole.all == 0) {
+            search.area.rim = search.sample.rim = 0;
+            search.whole = distance(search.faulty, bytes_, search.area);
+        }
+        search.report.difference = search.whole.all;
+        if (options_.as_floats &&
+            is_beyond_bytes(picture, reference_, search.whole.all == 0, search.report)) {
+            search.whole = {};
+            return search;
+        }
+        search.sample.rows = sample_of(search.area.rows, reference_.width);
+        const double sampled = distance(search.faulty, bytes_, search.sample).all;
+        if (sampled > k_fair_sample * search.whole.all || sampled * k_fair_sample < search.whole.all) {
+            Rows differing = search.area.rows;
+            std::erase_if(differing, [&](std::int32_t y) { return equal_rows(search.faulty, bytes_, {y}); });
+            search.sample.rows = sample_of(differing, reference_.width);
+        }
+        look_at(search);
+        return search;
+    }
+
+    void find(std::vector<Search>& searches) {
+        for (Search& search : searches) search.target = &search.faulty;
+        const auto open =
+            std::count_if(searches.begin(), searches.end(), [](const Search& s) { return s.is_open(); });
+        if (open == 0) return;
+        if (scene_ != nullptr) try_scene_causes(searches);
+        steps_ = static_cast<std::size_t>(open) * picture_causes().size() +
+                 (scene_search_ ? scene_search_->size() : 0);
+        made_ = bytes_;
+        for (Search& search : searches) {
+            if (search.is_open() && search.has_content) try_pictures(search);
+        }
+        for (std::size_t i = 0; scene_search_ && i < scene_search_->size() && !is_cancelled(); ++i) {
+            scene_search_->try_cause(i, searches);
+            step();
+        }
+        for (Search& search : searches) {
+            if (!search.is_open()) continue;
+            if (search.sample.rows.size() < search.area.rows.size()) confirm(search);
+            name_causes(search);
+        }
+    }
+
+  private:
+    bool is_cancelled() const {
+        return options_.cancel != nullptr && options_.cancel->load(std::memory_order_relaxed);
+    }
+
+    // What can be said without any cause.
+    void look_at(Search& search) const {
+        const auto agreement = step_agreement(search.faulty, bytes_, search.sample.rows);
+        search.same_view = !agreement || agreement->one_way >= k_same_view;
+        const std::optional<std::string> color = one_color(search.faulty), of_b = one_color(bytes_);
+        search.has_content = color.has_value() == of_b.has_value();
+        if (search.has_content) return;
+        search.report.remark =
+            color ? fmt::format("The picture is one colour throughout, {}: nothing is in it.", *color)
+                  : fmt::format("The reference is one colour throughout, {}: nothing is in it.", *of_b);
+    }
+
+    void step() {
+        ++done_;
+        if (options_.progress) options_.progress(static_cast<double>(done_) / static_cast<double>(steps_));
+    }
+
+    void try_scene_causes(std::vector<Search>& searches) {
+        scene_search_ = std::make_unique<SceneSearch>(*scene_, reference_.width, reference_.height, options_);
+        const auto& rendered = scene_search_->rendered();
+        for (Search& search : searches) {
+            if (!search.is_open()) continue;
+            if (!rendered) {
+                search.report.error = "the scene cannot be drawn at the pictures' size";
+                continue;
+            }
+            CauseReport& report = search.report;
+            const double near = k_same_part * report.difference;
+            const double from_a = distance(rendered->bytes, search.faulty, search.area).all,
+                         from_b = distance(rendered->bytes, bytes_, search.area).all;
+            report.scene_from_a = from_a;
+            report.scene_from_b = from_b;
+            report.swapped = from_a < near && from_b > near;
+            if (report.swapped) search.target = &bytes_;
+        }
+    }
+
+    // What the causes that are seen in pictures are made from: the scene's floats know what bytes have lost,
+    // if it draws this very picture.
+    PictureSource source(const Search& search, const Rows& rows) const {
+        const CauseReport& report = search.report;
+        const bool by_scene = scene_search_ && scene_search_->rendered() &&
+                              (report.swapped || *report.scene_from_b < k_same_part * report.difference);
+        return {by_scene ? scene_search_->rendered()->image : reference_,
+                by_scene ? scene_search_->rendered()->bytes : bytes_,
+                *search.target,
+                search.sample,
+                rows,
+                by_scene};
+    }
+
+    void try_pictures(Search& search) {
+        const PictureSource from = source(search, search.sample.rows);
+        const bool is_sample = search.sample.rows.size() < search.area.rows.size();
+        const Distance of_sample = distance(from.bytes, *search.target, search.sample);
+        const auto estimate = [](double left, double sampled, double whole) {
+            return sampled > 0 ? left / sampled * whole : whole;
+        };
+        for (std::size_t i = 0; i < picture_causes().size() && !is_cancelled(); ++i, step()) {
+            const PictureCause& cause = picture_causes()[i];
+            const std::optional<std::string> detail = cause.make(from, made_);
+            if (!detail || equal_rows(made_, from.bytes, from.rows)) continue;
+            CauseCandidate candidate{
+                {cause.name, fmt::format(fmt::runtime(cause.explanation), *detail), 0, 0, false},
+                cause.least,
+                cause.freedom,
+                distance(made_, *search.target, search.sample)};
+            candidate.is_turn = cause.is_turn;
+            if (is_sample) {
+                Distance& left = candidate.left;
+                left = {estimate(left.all, of_sample.all, search.whole.all),
+                        estimate(left.calm, of_sample.calm, search.whole.calm)};
+                candidate.unconfirmed = i;
+            }
+            search.add(made_, std::move(candidate));
+        }
+    }
+
+    // Looks at the first ones on all rows, and drops what is only estimated.
+    void confirm(Search& search) {
+        bool away_from_edges = false;
+        std::vector<CauseCandidate> first = ranked(search, away_from_edges);
+        first.resize(std::min(first.size(), k_confirmed));
+        const PictureSource from = source(search, search.area.rows);
+        for (CauseCandidate& candidate : search.found) {
+            const auto is_it = [&](const CauseCandidate& c) {
+                return c.unconfirmed == candidate.unconfirmed;
+            };
+            if (!candidate.unconfirmed || std::none_of(first.begin(), first.end(), is_it)) continue;
+            picture_causes()[*candidate.unconfirmed].make(from, made_);
+            candidate.left = distance(made_, *search.target, search.area);
+            candidate.unconfirmed.reset();
+        }
+        std::erase_if(search.found, [](const CauseCandidate& c) { return c.unconfirmed.has_value(); });
+    }
+
+    const Image& reference_;
+    const BytePicture bytes_;
+    const std::vector<std::uint8_t> edges_;
+    const Scene* const scene_;
+    const CauseOptions& options_;
+    std::unique_ptr<SceneSearch> scene_search_;
+    BytePicture made_;  // what a cause makes, one after the other
+    std::size_t steps_ = 0, done_ = 0;
+};
+
+}  // namespace
+
+std::vector<CauseReport> find_causes(std::span<const Image> pictures, const Image& b, const Scene* scene,
+                                     const CauseOptions& options) {
+    std::vector<CauseReport> reports;
+    const std::string error = catch_exceptions([&] {
+        const DefaultFpEnvironment environment;
+        if (b.width < 1 || b.height < 1 || b.rgb.size() != std::size_t{3} * b.width * b.height)
+            throw std::invalid_argument("the reference has no pixels, or their numbers do not fit its size");
+        CauseFinder finder(b, scene, options);
+        std::vector<Search> searches;
+        for (const Image& picture : pictures) searches.push_back(finder.start(picture));
+        finder.find(searches);
+        for (Search& search : searches) reports.push_back(std::move(search.report));
+    });
+    if (!error.empty()) {
+        reports.assign(pictures.size(), {});
+        for (CauseReport& report : reports) report.error = error;
+    }
+    return reports;
+}
+
+CauseReport find_causes(const Image& a, const Image& b, const Scene* scene, const CauseOptions& options) {
+    return std::move(find_causes({&a, 1}, b, scene, options).front());
+}
+
+}  // namespace glint

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: Apache-2.0
+// Faults of the lighting equation.
+#include <fmt/format.h>
+
+#include "compare/factor_search.h"
+#include "compare/scene_faults.h"
+
+namespace glint {
+namespace {
+
+void scale_exponents(Scene& s, double factor) {
+    for_each_material(s, [=](Material& m) { m.shininess = m.shininess * factor; });
+}
+void swap_model(Scene& s) {
+    s.settings.shading = s.settings.shading == Shading::phong ? Shading::blinn_phong : Shading::phong;
+}
+bool is_about_four(double factor) { return factor > 3 && factor < 5; }
+std::string exponent_text(double factor, bool about) {
+    std::string text = fmt::format("The specular exponent is {} what it should be: highlights are too {}.",
+                                   factor_text(factor, about), factor < 1 ? "wide" : "small");
+    if (is_about_four(1 / factor)) text += " (Blinn-Phong's needs to be about four times Phong's.)";
+    if (is_about_four(factor))
+        text += " (Blinn-Phong's needs to be about four times Phong's, not Phong's itself.)";
+    return text;
+}
+std::string other_model_text(double factor, bool about) {
+    return fmt::format(
+        "The other model of the highlight (Phong for Blinn-Phong, or the reverse), with {} the exponent.",
+        factor_text(factor, about));
+}
+double largest(const Color& c) { return std::max({c.r, c.g, c.b}); }
+
+constexpr SceneFault k_lighting[] = {
+    {"ambient-missing", [](const Scene& s) { return any_light(s, is_ambient); },
+     [](Scene& s) { std::erase_if(s.lights, is_ambient); },
+     "The ambient term is missing: add k_a I_a to every surface that is hit, once, also in shadow.",
+     "the ambient term", "ambient-scaled"},
+    {"diffuse-missing", is_lit,
+     [](Scene& s) { for_each_material(s, [](Material& m) {
+                        m.diffuse = {0, 0, 0};
+                    }); },
+     "The diffuse term is missing: add k_d I (N.L) for every light that reaches the point.",
+     "the diffuse term", "diffuse-scaled"},
+    {"specular-missing", has_highlights,
+     [](Scene& s) { for_each_material(s, [](Material& m) {
+                        m.specular = {0, 0, 0};
+                    }); },
+     "The specular term is missing: add k_s I (R.V)^n, or (N.H)^n, for every light that reaches the point.",
+     "the specular term", "specular-scaled"},
+    {"unlit", is_lit, [](Scene& s) { std::erase_if(s.lights, [](const Light&) { return true; }); },
+     "No light arrives at all: surfaces that are hit are black.", "the light of all lights together",
+     "light-intensity"},
+    {"shadows-missing", has_shadows, [](Scene& s) { s.settings.shadows = false; },
+     "Shadows are missing: before a light adds anything, see whether a ray from the point to it hits "
+     "something."},
+    {"shadows-added", [](const Scene& s) { return is_lit(s) && !s.settings.shadows; },
+     [](Scene& s) { s.settings.shadows = true; }, "There are shadows where the reference has none."},
+    {.name = "exponent", .applies = has_highlights, .scale = scale_exponents, .scale_text = exponent_text},
+    {"exponent", has_highlights, [](Scene& s) { for_each_material(s, [](Material& m) { m.shininess = 1; }); },
+     "The specular exponent is 1: the highlight is not raised to the power n."},
+    {"shading-model", has_highlights, swap_model,
+     "The other model of the highlight: Phong uses (R.V)^n, Blinn-Phong (N.H)^n, which is about as wide as "
+     "Phong's "
+     "with a quarter of the exponent."},
+    {.name = "shading-model-and-exponent",
+     .applies = has_highlights,
+     .put = swap_model,
+     .scale = scale_exponents,
+     .scale_text = other_model_text},
+    {"highlight-not-light-color", has_highlights,
+     [](Scene& s) { for_each_light(s, [](Light& l) {
+                        l.specular_color = {1, 1, 1};
+                    }); },
+     "The specular term is not multiplied by the light's colour and intensity: highlights are white whatever "
+     "the "
+     "light. Multiply all of k_d (N.L) + k_s (R.V)^n by it."},
+    {"highlight-surface-color", has_highlights,
+     [](Scene& s) { for_each_material(s, [](Material& m) { m.specular = m.specular * m.color; }); },
+     "Highlights have the surface's colour: the specular term is multiplied by the diffuse colour, too."},
+    {"highlight-not-surface-color", has_highlights,
+     [](Scene& s) {
+         for_each_material(s, [](Material& m) {
+             const double grey = largest(m.specular);
+             m.specular = {grey, grey, grey};
+         });
+     },
+     "Highlights are white where the reference has them in the surface's colour: multiply the specular term "
+     "by it, "
+     "too."},
+    {"ambient-per-light", [](const Scene& s) { return any_light(s, is_ambient) && s.lights.size() > 2; },
+     [](Scene& s) {
+         const auto others = static_cast<double>(
+             std::count_if(s.lights.begin(), s.lights.end(), [](const Light& l) { return !is_ambient(l); }));
+         for (Light& light : s.lights) {
+             if (is_ambient(light)) light.color = light.color * others;
+         }
+     },
+     "The ambient term is added once for every light: move it out of the loop over lights."},
+    {"light-direction-reversed",
+     [](const Scene& s) {
+         return any_light(s, [](const Light& l) { return l.kind == LightKind::directional; });
+     },
+     [](Scene& s) { for_each_light(s, [](Light& l) { l.to_light = -l.to_light; }); },
+     "A directional light shines the wrong way: the direction in the file points to the light, and L is that "
+     "direction, not its opposite (or the reverse, by the file's own rule)."},
+    {"attenuation-missing",
+     [](const Scene& s) {
+         return any_light(s, [](const Light& l) { return !(l.attenuation == Attenuation{}); });
+     },
+     [](Scene& s) { for_each_light(s, [](Light& l) { l.attenuation = {}; }); },
+     "Lights do not get weaker with distance: divide by c0 + c1 d + c2 d^2."},
+    {"flat-color", is_lit, [](Scene& s) { s.settings.shading = Shading::color; },
+     "There is no lighting at all: surfaces show their plain colour."},
+    {"normals-shown", is_lit, [](Scene& s) { s.settings.shading = Shading::normals; },
+     "Surfaces show their normals as colours, 0.5 (N + 1): what one draws to look for mistakes."},
+    {"not-normalized", [](const Scene& s) { return is_lit(s) && s.conventions.normalize; },
+     [](Scene& s) { s.conventions.normalize = false; },
+     "Vectors are not of unit length: normalise L, V, R (or H) before taking dot products."},
+    {"back-sides-lit", [](const Scene& s) { return is_lit(s) && s.conventions.clamp_cosines; },
+     [](Scene& s) { s.conventions.clamp_cosines = false; },
+     "Light from behind a surface is counted (negative): take max(0, N.L) and max(0, R.V)."},
+    {"highlight-behind", [](const Scene& s) { return has_highlights(s) && s.conventions.specular_gate; },
+     [](Scene& s) { s.conventions.specular_gate = false; },
+     "Highlights appear on sides that face away from the light: add the specular term only where N.L > 0."},
+    {"highlight-gated", [](const Scene& s) { return has_highlights(s) && !s.conventions.specular_gate; },
+     [](Scene& s) { s.conventions.specular_gate = true; },
+     "Highlights are left out where N.L <= 0, and the reference keeps them."},
+    {"normals-not-turned", [](const Scene& s) { return s.conventions.facing != Facing::none; },
+     [](Scene& s) { s.conventions.facing = Facing::none; },
+     "The inner or back side of a surface is dark: turn the normal to the ray that sees it (if N.D > 0, take "
+     "-N)."},
+    {"normals-turned", [](const Scene& s) { return s.conventions.facing != Facing::all; },
+     [](Scene& s) { s.conventions.facing = Facing::all; },
+     "Normals are turned to the ray that sees them, and in the reference they are not: back sides are lit."},
+    {"normals-turned", [](const Scene& s) { return s.conventions.facing != Facing::open; },
+     [](Scene& s) { s.conventions.facing = Facing::open; },
+     "Normals of open surfaces alone (planes, open cylinders) are turned to the ray that sees them, unlike "
+     "in the "
+     "reference."},
+};
+
+}  // namespace
+
+std::span<const SceneFault> lighting_faults() { return k_lighting; }
+
+}  // namespace glint

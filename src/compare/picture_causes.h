@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+// The causes that can be seen in the pictures alone.
+#include <vector>
+
+#include "compare/picture_faults.h"
+
+namespace glint {
+
+struct PictureCause {
+    const char* name;
+    const char* explanation;
+    double least;  ///< explained share from which it is named
+    PictureFault make;
+    int freedom =
+        0;  ///< how much it can be bent to fit anything: named only if nothing of less explains well
+    bool is_turn = false;  ///< the whole picture, flipped or turned
+};
+
+/// The table, simple causes first: of two that explain the same, the earlier is named.
+const std::vector<PictureCause>& picture_causes();
+
+}  // namespace glint

@@ -1,0 +1,259 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "compare/picture_faults.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+
+#include "compare/edges.h"
+#include "image/quantize.h"
+#include "math/elementary.h"
+
+namespace glint {
+namespace {
+
+using Detail = std::optional<std::string>;
+
+// Every channel value of the reference by change(value), as bytes.
+template <class Change> void change_values(const PictureSource& s, BytePicture& made, Change&& change) {
+    for_each_row(s.rows, s.fit.threads, [&](std::int32_t y) {
+        const std::size_t first = 3 * static_cast<std::size_t>(y) * made.width;
+        for (std::size_t i = first; i < first + 3 * static_cast<std::size_t>(made.width); ++i)
+            made.rgb[i] = static_cast<std::uint8_t>(quantize(change(s.reference.rgb[i]), 255));
+    });
+}
+
+// A pair of colours: of the reference, of the faulty picture.
+using Pair = std::array<std::uint8_t, 6>;
+
+// What most of the different pixels have.
+std::optional<Pair> commonest_change(const PictureSource& s) {
+    std::vector<Pair> pairs;
+    for (const std::int32_t y : s.fit.rows) {
+        for (std::int32_t x = 0; x < s.bytes.width; ++x) {
+            const std::uint8_t *was = s.bytes.pixel(x, y), *is = s.faulty.pixel(x, y);
+            if (!std::equal(was, was + 3, is)) pairs.push_back({was[0], was[1], was[2], is[0], is[1], is[2]});
+        }
+    }
+    std::sort(pairs.begin(), pairs.end());
+    std::optional<Pair> best;
+    std::ptrdiff_t most = 0;
+    for (auto at = pairs.begin(); at != pairs.end();) {
+        const auto end = std::upper_bound(at, pairs.end(), *at);
+        if (end - at > most) {
+            most = end - at;
+            best = *at;
+        }
+        at = end;
+    }
+    return best;
+}
+
+}  // namespace
+
+PictureFault dark_specks() {
+    return [](const PictureSource& s, BytePicture& made) -> Detail {
+        const auto rows = differing_lines(s.bytes, s.faulty, Lines::rows),
+                   columns = differing_lines(s.bytes, s.faulty, Lines::columns);
+        put_dark_specks(s.bytes, s.faulty, s.rows, s.fit.threads, made);
+        for_each_row(s.rows, s.fit.threads, [&](std::int32_t y) {
+            for (std::int32_t x = 0; x < made.width; ++x) {
+                if (rows[y] != 0 || columns[x] != 0) std::copy_n(s.bytes.pixel(x, y), 3, made.pixel(x, y));
+            }
+        });
+        return "";
+    };
+}
+
+PictureFault unwritten(Lines lines) {
+    return [=](const PictureSource& s, BytePicture& made) -> Detail {
+        const std::optional<MissingLines> missing = missing_lines(s.bytes, s.faulty, lines);
+        if (!missing) return std::nullopt;
+        for_each_row(s.rows, s.fit.threads, [&](std::int32_t y) {
+            for (std::int32_t x = 0; x < made.width; ++x) {
+                const bool is_missing = missing->marks[lines == Lines::rows ? y : x] != 0;
+                std::copy_n((is_missing ? s.faulty : s.bytes).pixel(x, y), 3, made.pixel(x, y));
+            }
+        });
+        return missing->text;
+    };
+}
+
+PictureFault rim_differs() {
+    return [](const PictureSource& s, BytePicture& made) -> Detail {
+        const std::int32_t width = made.width, height = made.height;
+        if (s.fit.rim > 0 || std::min(width, height) < 3) return std::nullopt;
+        const auto differs = [&](std::int32_t x, std::int32_t y) {
+            return !std::equal(s.bytes.pixel(x, y), s.bytes.pixel(x, y) + 3, s.faulty.pixel(x, y));
+        };
+        bool top = false, bottom = false, left = false, right = false;
+        for (std::int32_t x = 1; x < width - 1; ++x) {
+            top = top || differs(x, 0);
+            bottom = bottom || differs(x, height - 1);
+        }
+        for (std::int32_t y = 1; y < height - 1; ++y) {
+            left = left || differs(0, y);
+            right = right || differs(width - 1, y);
+        }
+        for_each_row(s.rows, s.fit.threads, [&](std::int32_t y) {
+            std::copy_n(s.faulty.pixel(0, y), std::size_t{3} * width, made.pixel(0, y));
+        });
+        std::vector<const char*> sides;
+        if (top) sides.push_back("the top row");
+        if (bottom) sides.push_back("the bottom row");
+        if (left) sides.push_back("the left column");
+        if (right) sides.push_back("the right column");
+        if (sides.empty()) sides.push_back("a corner");
+        return fmt::format("{}", fmt::join(sides, ", "));
+    };
+}
+
+PictureFault grey(double red, double green, double blue) {
+    return [=](const PictureSource& s, BytePicture& made) -> Detail {
+        for_each_row(s.rows, s.fit.threads, [&](std::int32_t y) {
+            for (std::int32_t x = 0; x < made.width; ++x) {
+                const std::uint8_t* from = s.bytes.pixel(x, y);
+                const double sum = red * from[0] + green * from[1] + blue * from[2];
+                std::fill_n(made.pixel(x, y), 3, static_cast<std::uint8_t>(std::lround(sum)));
+            }
+        });
+        return "";
+    };
+}
+
+PictureFault channels_left(bool red, bool green, bool blue) {
+    return [is_left = std::array{red, green, blue}](const PictureSource& s, BytePicture& made) -> Detail {
+        for_each_row(s.rows, s.fit.threads, [&](std::int32_t y) {
+            for (std::int32_t x = 0; x < made.width; ++x) {
+                for (std::size_t c = 0; c < 3; ++c)
+                    made.pixel(x, y)[c] = is_left[c] ? s.bytes.pixel(x, y)[c] : 0;
+            }
+        });
+        return "";
+    };
+}
+
+PictureFault permuted(int red, int green, int blue) {
+    return [=](const PictureSource& s, BytePicture& made) -> Detail {
+        for_each_row(s.rows, s.fit.threads, [&](std::int32_t y) {
+            for (std::int32_t x = 0; x < made.width; ++x) {
+                const std::uint8_t* from = s.bytes.pixel(x, y);
+                std::uint8_t* to = made.pixel(x, y);
+                to[0] = from[red];
+                to[1] = from[green];
+                to[2] = from[blue];
+            }
+        });
+        return "";
+    };
+}
+
+PictureFault curved(std::function<double(double)> curve) {
+    return [curve = std::move(curve)](const PictureSource& s, BytePicture& made) -> Detail {
+        change_values(s, made,
+                      [&](float value) { return curve(std::clamp(static_cast<double>(value), 0.0, 1.0)); });
+        return "";
+    };
+}
+
+double srgb_decoded(double v) { return v <= 0.04045 ? v / 12.92 : pow((v + 0.055) / 1.055, 2.4); }
+
+PictureFault scaled() {
+    return [](const PictureSource& s, BytePicture& made) -> Detail {
+        const std::optional<double> factor = fit_factor({}, s.reference.rgb, s.bytes, s.faulty, s.fit.rows);
+        if (!factor) return std::nullopt;
+        change_values(s, made, [by = static_cast<float>(*factor)](float value) {
+            return static_cast<double>(value * by);
+        });
+        if (s.unclamped) return fmt::format("{:.3g}", *factor);
+        for_each_row(
+            s.rows, s.fit.threads, [&](std::int32_t y) {  // a file's 255 may have been anything above
+                const std::size_t first = 3 * static_cast<std::size_t>(y) * made.width;
+                for (std::size_t i = first; i < first + 3 * static_cast<std::size_t>(made.width); ++i) {
+                    if (s.bytes.rgb[i] == 255) made.rgb[i] = std::max(made.rgb[i], s.faulty.rgb[i]);
+                }
+            });
+        return fmt::format("about {:.3g}", *factor);
+    };
+}
+
+PictureFault raised() {
+    return [](const PictureSource& s, BytePicture& made) -> Detail {
+        std::int64_t sum = 0, count = 0;
+        for (const std::int32_t y : s.fit.rows) {
+            const std::size_t first = 3 * static_cast<std::size_t>(y) * made.width;
+            for (std::size_t i = first; i < first + 3 * static_cast<std::size_t>(made.width); ++i) {
+                const int was = s.bytes.rgb[i], is = s.faulty.rgb[i];
+                if (is == 0 || is == 255) continue;  // clamped, perhaps
+                sum += is - was;
+                ++count;
+            }
+        }
+        if (count == 0) return std::nullopt;
+        const int by = static_cast<int>(std::lround(static_cast<double>(sum) / static_cast<double>(count)));
+        if (by == 0) return std::nullopt;
+        for_each_row(s.rows, s.fit.threads, [&](std::int32_t y) {
+            const std::size_t first = 3 * static_cast<std::size_t>(y) * made.width;
+            for (std::size_t i = first; i < first + 3 * static_cast<std::size_t>(made.width); ++i)
+                made.rgb[i] = static_cast<std::uint8_t>(std::clamp(s.bytes.rgb[i] + by, 0, 255));
+        });
+        return fmt::format("{:+}", by);
+    };
+}
+
+PictureFault whole_part(double scale, bool wraps) {
+    return [=](const PictureSource& s, BytePicture& made) -> Detail {
+        if (!s.unclamped) return std::nullopt;
+        for_each_row(s.rows, s.fit.threads, [&](std::int32_t y) {
+            const std::size_t first = 3 * static_cast<std::size_t>(y) * made.width;
+            for (std::size_t i = first; i < first + 3 * static_cast<std::size_t>(made.width); ++i) {
+                const double level = std::clamp(static_cast<double>(s.reference.rgb[i]) * scale, 0.0, 1e9);
+                const auto whole = static_cast<std::uint32_t>(level);
+                made.rgb[i] = static_cast<std::uint8_t>(wraps ? whole & 255u : std::min(whole, 255u));
+            }
+        });
+        return "";
+    };
+}
+
+PictureFault recolored() {
+    return [](const PictureSource& s, BytePicture& made) -> Detail {
+        const std::optional<Pair> pair = commonest_change(s);
+        if (!pair) return std::nullopt;
+        const Pair& colors = *pair;
+        for_each_row(s.rows, s.fit.threads, [&](std::int32_t y) {
+            for (std::int32_t x = 0; x < made.width; ++x) {
+                const std::uint8_t* was = s.bytes.pixel(x, y);
+                const bool is_changed = std::equal(was, was + 3, colors.begin());
+                std::copy_n(is_changed ? &colors[3] : was, 3, made.pixel(x, y));
+            }
+        });
+        return fmt::format("({}, {}, {}) instead of ({}, {}, {})", colors[3], colors[4], colors[5], colors[0],
+                           colors[1], colors[2]);
+    };
+}
+
+std::optional<double> fit_factor(const std::vector<float>& rest, const std::vector<float>& part,
+                                 const BytePicture& bytes, const BytePicture& faulty, const Rows& rows) {
+    double products = 0, squares = 0;
+    for (const std::int32_t y : rows) {
+        const std::size_t first = 3 * static_cast<std::size_t>(y) * bytes.width;
+        for (std::size_t i = first; i < first + 3 * static_cast<std::size_t>(bytes.width); ++i) {
+            const int was = bytes.rgb[i], is = faulty.rgb[i];
+            if (is == was || is == 0 || is == 255 || was == 0 || was == 255) continue;
+            const auto p = static_cast<double>(part[i]);
+            const double wanted = is / 255.0 - (rest.empty() ? 0 : static_cast<double>(rest[i]));
+            products += wanted * p;
+            squares += p * p;
+        }
+    }
+    if (!(squares > 0)) return std::nullopt;
+    const double factor = products / squares;
+    if (std::fabs(factor - 1) < 0.005 || factor <= 0) return std::nullopt;
+    return factor;
+}
+
+}  // namespace glint

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "compare/render_scene.h"
+
+namespace glint {
+namespace {
+
+RenderResult render(const std::optional<World>& world, int threads, const std::atomic<bool>* cancel) {
+    if (!world) {
+        RenderResult result;
+        result.error = "the scene cannot be drawn";
+        return result;
+    }
+    RenderOptions options;
+    options.threads = threads;
+    options.cancel = cancel;
+    return render(*world, options);
+}
+
+std::optional<World> with_shading(const World& world, const Scene& scene) {
+    std::optional<World> changed = with_lights(world, scene.lights).world;
+    if (changed) changed = with_materials(*changed, scene.materials).world;
+    if (changed) changed = with_background(*changed, scene.background).world;
+    if (changed) changed = with_camera(*changed, scene.camera).world;
+    if (changed) changed = with_rules(*changed, scene.conventions, scene.settings).world;
+    return changed;
+}
+
+}  // namespace
+
+RenderResult render_scene(const Scene& scene, int threads, const std::atomic<bool>* cancel) {
+    return render(prepare(scene, {.threads = threads}).world, threads, cancel);
+}
+
+RenderResult render_scene(const World& world, const Scene& shading, int threads,
+                          const std::atomic<bool>* cancel) {
+    return render(with_shading(world, shading), threads, cancel);
+}
+
+}  // namespace glint

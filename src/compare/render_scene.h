@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+// A scene's picture, for what holds pictures against each other.
+#include <atomic>
+
+#include "glint/render.h"
+
+namespace glint {
+
+/// prepare() and render(). Without an image and without an error it was cancelled.
+RenderResult render_scene(const Scene& scene, int threads, const std::atomic<bool>* cancel = nullptr);
+
+/// The same of a World with the scene's lights, materials, background, camera, conventions and settings in
+/// place of its own; the scene's shapes are not looked at.
+RenderResult render_scene(const World& world, const Scene& shading, int threads,
+                          const std::atomic<bool>* cancel = nullptr);
+
+}  // namespace glint

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: Apache-2.0
+// The causes that are tried by drawing a scene: the tables' rows that apply to it, and those that go by its
+// lights and numbers.
+#include "compare/scene_causes.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "compare/edges.h"
+#include "compare/scene_faults.h"
+#include "world/prepare_camera.h"
+
+namespace glint {
+namespace {
+
+// Turns the camera so that its rays pass (dx, dy) pixels further right and down.
+void shift_rays(Scene& s, double dx, double dy) {
+    const PreparedCamera camera = prepare_camera(s.camera, s.settings);
+    const Vec3 step = camera.right * (dx / s.settings.width) - camera.up * (dy / s.settings.height);
+    const bool perspective = s.camera.projection == Projection::perspective;
+    s.camera.frame = {camera.right, camera.up, perspective ? camera.forward + step : camera.forward};
+    if (!perspective) s.camera.position = s.camera.position + step;
+}
+
+void add_half_shifts(const Scene& scene, std::vector<SceneCause>& causes) {
+    if (scene.conventions.pixel_sample == PixelSample::whole) return;  // its pixels are world units
+    for (const auto& [dx, dy] :
+         {std::pair{1, 0}, {-1, 0}, {0, 1}, {0, -1}, {1, 1}, {1, -1}, {-1, 1}, {-1, -1}}) {
+        causes.push_back(
+            {"shifted-half-pixel",
+             fmt::format("Everything is half a pixel {}: rays pass through a pixel's middle (x + "
+                         "0.5) here and its corner there.",
+                         direction_text(dx, dy)),
+             [dx = dx, dy = dy](Scene& s) { shift_rays(s, -0.5 * dx, -0.5 * dy); }});
+    }
+}
+
+// "light 2 (\"lamp\")": lights other than ambient count from 1.
+std::string light_text(const Scene& scene, std::uint32_t index, int number) {
+    const std::string_view name = scene.light_texts.name(index);
+    return name.empty() ? fmt::format("light {}", number) : fmt::format("light {} (\"{}\")", number, name);
+}
+
+constexpr int k_max_lights = 8;  // tried one by one
+
+void add_single_lights(const Scene& scene, std::vector<SceneCause>& causes) {
+    std::vector<std::uint32_t> lights;
+    for (std::uint32_t i = 0; i < scene.lights.size(); ++i) {
+        if (!is_ambient(scene.lights[i])) lights.push_back(i);
+    }
+    if (!is_lit(scene) || lights.size() < 2 || lights.size() > k_max_lights) return;
+    for (std::size_t k = 0; k < lights.size(); ++k) {
+        const std::string text = light_text(scene, lights[k], static_cast<int>(k) + 1);
+        causes.push_back(
+            {"light-missing",
+             fmt::format("The light of {} is missing, or never arrives: sum over all lights.", text),
+             [i = lights[k]](Scene& s) { s.lights.erase(s.lights.begin() + i); }, text, "light-scaled"});
+    }
+    for (std::size_t k = 0; lights.size() > 2 && k < lights.size(); ++k) {
+        causes.push_back(
+            {"light-alone",
+             fmt::format("Only {} shines: add up the lights (a sum that is overwritten keeps the "
+                         "last, a return inside the loop the first).",
+                         light_text(scene, lights[k], static_cast<int>(k) + 1)),
+             [i = lights[k]](Scene& s) {
+                 const Light kept = s.lights[i];
+                 std::erase_if(s.lights, [](const Light& l) { return !is_ambient(l); });
+                 s.lights.push_back(kept);
+             }});
+    }
+}
+
+constexpr int k_max_levels = 8;  // of reflection that are tried one by one
+
+void add_reflection_levels(const Scene& scene, std::vector<SceneCause>& causes) {
+    const int asked = scene.settings.reflections;
+    if (!has_mirrors(scene)) return;
+    for (int n = 1; n < std::min(asked - 1, k_max_levels); ++n) {
+        causes.push_back({"reflections-fewer",
+                          fmt::format("The recursion stops after {} of {} levels of reflection.", n, asked),
+                          [n](Scene& s) { s.settings.reflections = n; }});
+    }
+}
+
+void add_sample_counts(const Scene& scene, std::vector<SceneCause>& causes) {
+    for (const int n : {1, 2, 3, 4}) {
+        if (n == scene.settings.samples) continue;
+        causes.push_back(
+            {"anti-aliasing",
+             fmt::format("Only edges differ: {} x {} samples in a pixel, where the scene asks for {} x {}.",
+                         n, n, scene.settings.samples, scene.settings.samples),
+             [n](Scene& s) { s.settings.samples = n; }});
+    }
+}
+
+}  // namespace
+
+std::vector<SceneCause> scene_causes(const Scene& scene) {
+    std::vector<SceneCause> causes;
+    const auto add = [&](std::span<const SceneFault> rows) {
+        for (const SceneFault& row : rows) {
+            if (row.applies(scene))
+                causes.push_back(
+                    {row.name, row.explanation, row.put, row.part, row.scaled, row.scale, row.scale_text});
+        }
+    };
+    add_single_lights(scene, causes);
+    add(lighting_faults());
+    add(tracing_faults());
+    add_reflection_levels(scene, causes);
+    add_half_shifts(scene, causes);
+    add_sample_counts(scene, causes);
+    return causes;
+}
+
+}  // namespace glint

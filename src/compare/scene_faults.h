@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+// The tables of faults that a scene is drawn with: when a fault can matter, and the change of the scene.
+#include <algorithm>
+#include <span>
+#include <string>
+
+#include "glint/scene.h"
+
+namespace glint {
+
+struct SceneFault {
+    const char* name;
+    bool (*applies)(const Scene&);
+    void (*put)(Scene&) = nullptr;
+    const char* explanation = "";
+    const char* part = "";
+    const char* scaled = "";
+    void (*scale)(Scene&, double) = nullptr;  ///< then the cause is a factor, and the next its explanation
+    std::string (*scale_text)(double, bool) = nullptr;
+};
+
+/// Of the lighting equation; of rays.
+std::span<const SceneFault> lighting_faults();
+std::span<const SceneFault> tracing_faults();
+
+// ---- What rows ask of a scene, and do to it ----
+
+inline bool is_ambient(const Light& light) { return light.kind == LightKind::ambient; }
+inline bool is_zero(const Color& c) { return c == Color{0, 0, 0}; }
+
+template <class Test> bool any_light(const Scene& s, Test&& test) {
+    return std::any_of(s.lights.begin(), s.lights.end(), test);
+}
+template <class Test> bool any_material(const Scene& s, Test&& test) {
+    return std::any_of(s.materials.begin(), s.materials.end(), test);
+}
+
+inline bool is_lit(const Scene& s) {
+    return any_light(s, [](const Light& l) { return !is_ambient(l); }) &&
+           s.settings.shading != Shading::color && s.settings.shading != Shading::normals;
+}
+inline bool has_highlights(const Scene& s) {
+    return is_lit(s) && s.settings.shading != Shading::diffuse &&
+           any_material(s, [](const Material& m) { return !is_zero(m.specular); });
+}
+inline bool has_mirrors(const Scene& s) {
+    return s.settings.reflections > 0 && any_material(s, [](const Material& m) { return m.mirror > 0; });
+}
+inline bool has_glass(const Scene& s) {
+    return s.settings.reflections > 0 &&
+           any_material(s, [](const Material& m) { return m.transmission > 0; });
+}
+inline bool has_shadows(const Scene& s) { return is_lit(s) && s.settings.shadows; }
+
+template <class Change> void for_each_light(Scene& s, Change&& change) {
+    for (Light& light : s.lights) {
+        if (!is_ambient(light)) change(light);
+    }
+}
+template <class Change> void for_each_material(Scene& s, Change&& change) {
+    for (Material& material : s.materials) change(material);
+}
+
+}  // namespace glint

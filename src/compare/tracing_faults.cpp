@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Apache-2.0
+// Faults of rays: of shadows, mirrors, glass and the camera.
+#include "compare/scene_faults.h"
+
+namespace glint {
+namespace {
+
+constexpr SceneFault k_tracing[] = {
+    {"acne", has_shadows, [](Scene& s) { s.conventions.epsilon = 0; },
+     "Dark specks on lit surfaces (acne): a shadow ray hits the very surface it leaves. Start it a little "
+     "off the "
+     "surface, or ignore hits with t below a small epsilon."},
+    {"acne", has_shadows,
+     [](Scene& s) {
+         s.conventions.offset = Offset::ray;
+         s.conventions.epsilon = 0;
+     },
+     "Dark specks on lit surfaces (acne): a shadow ray hits the very surface it leaves. Start it a little "
+     "off the "
+     "surface, or ignore hits with t below a small epsilon."},
+    {"shadow-past-light", has_shadows, [](Scene& s) { s.conventions.shadow_stops_at_light = false; },
+     "What is behind a light casts a shadow, too: a shadow ray to a point light ends at the light, so only "
+     "hits "
+     "before it (t < distance) count."},
+    {"reflections-missing", has_mirrors, [](Scene& s) { s.settings.reflections = 0; },
+     "Mirrors are missing: follow the ray reflected at N and mix what it sees with the surface's own "
+     "colour."},
+    {"reflections-one-fewer", [](const Scene& s) { return has_mirrors(s) && s.settings.reflections > 1; },
+     [](Scene& s) { --s.settings.reflections; },
+     "One level of reflection too few: the recursion stops one mirror early."},
+    {"reflections-one-more",
+     [](const Scene& s) { return has_mirrors(s) && s.settings.reflections < k_max_reflections; },
+     [](Scene& s) { ++s.settings.reflections; },
+     "One level of reflection too many: the recursion stops one mirror late."},
+    {"mirror-limit-dark",
+     [](const Scene& s) { return has_mirrors(s) && s.conventions.limit != LimitRule::drop; },
+     [](Scene& s) { s.conventions.limit = LimitRule::drop; },
+     "Mirrors are too dark where the recursion ends: at the last level return the surface's own colour "
+     "whole, not "
+     "mixed with black."},
+    {"mirror-limit-bright",
+     [](const Scene& s) { return has_mirrors(s) && s.conventions.limit != LimitRule::keep; },
+     [](Scene& s) { s.conventions.limit = LimitRule::keep; },
+     "Mirrors are too bright where the recursion ends: at the last level mix the surface's own colour with "
+     "black."},
+    {"mirror-miss-black",
+     [](const Scene& s) { return has_mirrors(s) && s.conventions.mirror_miss != MissRule::black; },
+     [](Scene& s) { s.conventions.mirror_miss = MissRule::black; },
+     "Mirrors are too dark where they look out of the scene: a reflected ray that hits nothing sees the "
+     "background, not black."},
+    {"mirror-miss-background",
+     [](const Scene& s) { return has_mirrors(s) && s.conventions.mirror_miss != MissRule::background; },
+     [](Scene& s) { s.conventions.mirror_miss = MissRule::background; },
+     "A reflected ray that hits nothing sees the background, and in the reference black."},
+    {"mirror-added", [](const Scene& s) { return has_mirrors(s) && s.conventions.mirror != MirrorRule::add; },
+     [](Scene& s) { s.conventions.mirror = MirrorRule::add; },
+     "Mirrors are too bright: the reflected colour is added to the local one in place of mixing the two, "
+     "(1 - a) local + a reflected."},
+    {"mirror-blended",
+     [](const Scene& s) { return has_mirrors(s) && s.conventions.mirror != MirrorRule::blend; },
+     [](Scene& s) { s.conventions.mirror = MirrorRule::blend; },
+     "Mirrors are too dark: the reflected colour is mixed with the local one, and in the reference added to "
+     "it."},
+    {"glass-missing", has_glass,
+     [](Scene& s) { for_each_material(s, [](Material& m) { m.transmission = 0; }); },
+     "Glass is opaque: follow the refracted ray."},
+    {"refraction-missing", has_glass, [](Scene& s) { for_each_material(s, [](Material& m) { m.ior = 1; }); },
+     "Rays go straight through glass: bend them by Snell's law."},
+    {"glass-shadow", has_glass,
+     [](Scene& s) {
+         s.conventions.glass_shadow =
+             s.conventions.glass_shadow == GlassShadow::none ? GlassShadow::opaque : GlassShadow::none;
+     },
+     "Glass casts a shadow and in the reference it does not, or the reverse."},
+    {"background", [](const Scene& s) { return !is_zero(s.background); },
+     [](Scene& s) {
+         s.background = {0, 0, 0};
+     },
+     "The background is black: a ray that hits nothing returns the scene's background colour."},
+    {"field-of-view",
+     [](const Scene& s) {
+         return !s.camera.frame && s.camera.projection == Projection::perspective &&
+                s.settings.width != s.settings.height;
+     },
+     [](Scene& s) { s.camera.fov_axis = s.camera.fov_axis == FovAxis::x ? FovAxis::y : FovAxis::x; },
+     "The field of view is taken along the other side of the picture: width in place of height, or the "
+     "reverse."},
+};
+
+}  // namespace
+
+std::span<const SceneFault> tracing_faults() { return k_tracing; }
+
+}  // namespace glint

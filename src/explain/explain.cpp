@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: Apache-2.0
+// One pixel drawn by render()'s kernels, with a record of what they do.
+#include "glint/explain.h"
+
+#include <memory>
+
+#include "base/catch_exceptions.h"
+#include "base/fp_environment.h"
+#include "explain/references.h"
+#include "lighting/light.h"
+#include "math/transform.h"
+#include "trace/kernels.h"
+#include "trace/ray_list.h"
+#include "trace/record.h"
+
+namespace glint {
+namespace {
+
+// What is in the way of a shadow ray: the nearest to the point that is shaded.
+std::optional<Blocker> find_blocker(const WorldParts& world, const LightTerms& terms, Vec3 shaded,
+                                    bool from_light) {
+    const auto nearest = [&](Vec3 origin, Vec3 direction, double t_min,
+                             double t_max) -> std::optional<Blocker> {
+        RayList ray;
+        ray.add(origin, direction, t_min, t_max);
+        const HitList hit = nearest_occluders(world, ray, 1);
+        if (hit.slot[0] == k_none) return std::nullopt;
+        const Vec3 at = origin + direction * hit.t[0];
+        return Blocker{world.geometry->shape_index[hit.slot[0]], length(at - shaded), at};
+    };
+    std::optional<Blocker> blocker;
+    // The same way from its other end.
+    if (from_light) {
+        blocker = nearest(terms.origin + terms.direction, -terms.direction, 1 - terms.t_max, 1 - terms.t_min);
+    }
+    // The shadow ray itself. Where the way back misses by its rounding, what this finds is in the way for
+    // certain.
+    return blocker ? blocker : nearest(terms.origin, terms.direction, terms.t_min, terms.t_max);
+}
+
+std::vector<std::uint32_t> scene_lights(const Scene& scene) {
+    std::vector<std::uint32_t> numbers;
+    for (std::size_t i = 0; i < scene.lights.size(); ++i) {
+        if (scene.lights[i].kind != LightKind::ambient) numbers.push_back(static_cast<std::uint32_t>(i));
+    }
+    return numbers;
+}
+
+// From the World's numbers to the Scene's, and who blocks which light.
+void complete(const Scene& scene, const WorldParts& world, Explanation& e) {
+    const std::vector<std::uint32_t> lights = scene_lights(scene);
+    for (ExplainedRay& ray : e.rays) {
+        if (!ray.hit) continue;
+        if (ray.hit->material >= scene.materials.size()) ray.hit->material = k_none;
+        for (LightTerms& terms : ray.hit->lights) {
+            terms.light = lights[terms.light];
+            const bool from_light = comes_from_light(scene.lights[terms.light], world.conventions);
+            if (terms.blocked) terms.blocker = find_blocker(world, terms, ray.hit->point, from_light);
+        }
+    }
+}
+
+void render_pixel(const WorldParts& world, const Kernels& kernels, int sample, Explanation& e) {
+    TileRecord record;
+    record.only = sample;
+    const auto scratch = std::make_unique<TileScratch>();
+    scratch->record = &record;
+    TileJob job;
+    job.x = e.x;
+    job.y = e.y;
+    job.width = job.height = job.row_pixels = 1;
+    job.rgb = e.value;
+    LayerTargets layers;
+    for (std::size_t l = 0; l < k_light_layers; ++l) layers.data[l] = e.layers[l];
+    job.layers = &layers;
+    kernels.render_tile(world, job, *scratch);
+    if (record.is_full) {
+        e.error = "the pixel has more than " + std::to_string(k_max_explained_rays) +
+                  " rays: ask for one of its samples";
+        return;
+    }
+    e.rays = std::move(record.rays);
+    e.counts = scratch->counts;
+}
+
+}  // namespace
+
+Explanation explain(const Scene& scene, const World& explained, std::int32_t x, std::int32_t y,
+                    const ExplainOptions& options) {
+    const WorldParts& world = explained.parts();
+    Explanation e;
+    e.x = x;
+    e.y = y;
+    e.samples = world.settings.samples;
+    const Kernels* kernels = find_kernels(options.isa);
+    if (kernels == nullptr) {
+        e.error = no_kernels_error(options.isa);
+    } else if (x < 0 || y < 0 || x >= world.settings.width || y >= world.settings.height) {
+        e.error = "pixel " + std::to_string(x) + "," + std::to_string(y) + " is not within the picture of " +
+                  std::to_string(world.settings.width) + "x" + std::to_string(world.settings.height);
+    } else if (options.sample < -1 || options.sample >= e.samples * e.samples) {
+        e.error = "a pixel has " + std::to_string(e.samples * e.samples) + " samples";
+    } else if (std::string fault = world_fault(scene, world); !fault.empty()) {
+        e.error = std::move(fault);
+    } else {
+        const std::string failure = catch_exceptions([&] {
+            const DefaultFpEnvironment environment;
+            render_pixel(world, *kernels, options.sample, e);
+            complete(scene, world, e);
+        });
+        if (!failure.empty()) e.error = failure;
+    }
+    return e;
+}
+
+std::vector<Color> sample_values(const Explanation& explanation) {
+    if (explanation.samples < 1 || explanation.samples > k_max_samples) return {};
+    std::vector<Color> values(static_cast<std::size_t>(explanation.samples) *
+                              static_cast<std::size_t>(explanation.samples));
+    for (const ExplainedRay& ray : explanation.rays) {
+        if (static_cast<std::size_t>(ray.sample) >= values.size()) return {};
+        Color& value = values[static_cast<std::size_t>(ray.sample)];
+        value =
+            value + (ray.hit ? ray.hit->parts[0] + ray.hit->parts[1] + ray.hit->parts[2] : ray.background);
+    }
+    return values;
+}
+
+std::optional<Layer> layer_of(const Explanation& explanation, std::size_t ray) {
+    const std::vector<ExplainedRay>& rays = explanation.rays;
+    if (ray >= rays.size() || rays[ray].parent < 0) return std::nullopt;
+    while (rays[ray].generation > 1) {
+        const auto parent = static_cast<std::size_t>(rays[ray].parent);
+        if (parent >= ray) return std::nullopt;  // no ray comes before its parent
+        ray = parent;
+    }
+    return rays[ray].transmitted ? Layer::transmission : Layer::reflection;
+}
+
+}  // namespace glint

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: Apache-2.0
+// An explanation as JSON; docs/explain.schema.json is its schema.
+// The browser has no file system for the JSON library to know.
+#define JSON_HAS_FILESYSTEM 0
+#define JSON_HAS_EXPERIMENTAL_FILESYSTEM 0
+#include <nlohmann/json.hpp>
+
+#include "base/catch_exceptions.h"
+#include "explain/references.h"
+#include "glint/explain.h"
+
+namespace glint {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json to_json(Vec3 v) { return {v.x, v.y, v.z}; }
+Json to_json(Color c) { return {c.r, c.g, c.b}; }
+// Of the double that a float is, the library would print more digits than tell one float from another.
+Json to_json(const float (&v)[3]) { return {v[0], v[1], v[2]}; }
+// JSON has no infinity.
+Json finite(double number) { return number < 1e308 ? Json(number) : Json(); }
+
+void add_item(Json& item, const Scene& scene, const ItemTexts& texts, std::uint32_t index) {
+    item["index"] = index;
+    if (const auto name = texts.name(index); !name.empty()) item["name"] = name;
+    const SourcePlace place = texts.place(index);
+    if (place.line == 0 || place.file >= scene.files.size()) return;
+    item["file"] = scene.files[place.file];
+    item["line"] = place.line;
+    item["column"] = place.column;
+}
+
+Json shape_json(const Scene& scene, std::uint32_t index) {
+    Json item = {{"kind", to_string(scene.shapes[index].kind)}};
+    add_item(item, scene, scene.shape_texts, index);
+    return item;
+}
+
+Json material_json(const Scene& scene, const ExplainedHit& hit) {
+    Json item = Json::object();
+    if (hit.material != k_none) add_item(item, scene, scene.material_texts, hit.material);
+    const Material& m = material_of(hit, scene);
+    item["ambient"] = to_json(m.ambient);
+    item["diffuse"] = to_json(m.diffuse);
+    item["specular"] = to_json(m.specular);
+    item["shininess"] = m.shininess;
+    item["mirror"] = m.mirror;
+    item["mirror_tint"] = to_json(m.mirror_tint);
+    item["transmission"] = m.transmission;
+    item["transmission_tint"] = to_json(m.transmission_tint);
+    item["ior"] = m.ior;
+    return item;
+}
+
+Json light_json(const Scene& scene, std::uint32_t index) {
+    const Light& light = scene.lights[index];
+    Json item = {{"kind", light.kind == LightKind::point ? "point" : "directional"}};
+    add_item(item, scene, scene.light_texts, index);
+    item["color"] = to_json(light.color);
+    item["specular_color"] = to_json(light.specular_color);
+    return item;
+}
+
+Json terms_json(const Scene& scene, const ExplainedHit& hit, const LightTerms& terms) {
+    Json json = {{"light", light_json(scene, terms.light)},
+                 {"reason", to_string(reason(terms))},
+                 {"highlight", to_string(highlight_reason(terms, hit, scene))},
+                 {"to_light", to_json(terms.to_light)},
+                 {"distance", terms.distance},
+                 {"attenuation", terms.attenuation},
+                 {"n_l", finite(terms.n_l)},
+                 {"s", finite(terms.s)},
+                 {"power", terms.power},
+                 {"diffuse", to_json(terms.diffuse)},
+                 {"specular", to_json(terms.specular)}};
+    if (terms.has_ray) {
+        json["shadow_ray"] = {{"origin", to_json(terms.origin)},
+                              {"direction", to_json(terms.direction)},
+                              {"t_min", terms.t_min},
+                              {"t_max", finite(terms.t_max)}};
+    }
+    if (terms.blocker) {
+        json["blocker"] = {{"shape", shape_json(scene, terms.blocker->shape)},
+                           {"distance", terms.blocker->distance},
+                           {"point", to_json(terms.blocker->point)}};
+    }
+    return json;
+}
+
+Json branch_json(const Branch& branch) {
+    Json json = {{"state", to_string(branch.state)}};
+    if (branch.state != BranchState::none && branch.state != BranchState::limit)
+        json["weight"] = to_json(branch.weight);
+    if (branch.ray >= 0) json["ray"] = branch.ray;
+    return json;
+}
+
+Json hit_json(const Scene& scene, const ExplainedHit& hit) {
+    Json lights = Json::array();
+    for (const LightTerms& terms : hit.lights) lights.push_back(terms_json(scene, hit, terms));
+    return {{"shape", shape_json(scene, hit.shape)},
+            {"material", material_json(scene, hit)},
+            {"point", to_json(hit.point)},
+            {"normal", to_json(hit.normal)},
+            {"to_eye", to_json(hit.to_eye)},
+            {"side", hit.behind ? "back" : "front"},
+            {"normal_turned", hit.turned},
+            {"weight", to_json(hit.weight)},
+            {"local_share", hit.local_share},
+            {"ambient", to_json(hit.ambient)},
+            {"lights", std::move(lights)},
+            {"diffuse", to_json(hit.diffuse)},
+            {"specular", to_json(hit.specular)},
+            {"parts",
+             {{"ambient", to_json(hit.parts[0])},
+              {"diffuse", to_json(hit.parts[1])},
+              {"specular", to_json(hit.parts[2])}}},
+            {"fresnel", hit.fresnel},
+            {"reflected", branch_json(hit.reflected)},
+            {"transmitted", branch_json(hit.transmitted)}};
+}
+
+Json ray_json(const Explanation& e, const Scene& scene, std::size_t number) {
+    const ExplainedRay& ray = e.rays[number];
+    Json json = {{"kind", ray.parent < 0    ? "camera"
+                          : ray.transmitted ? "transmitted"
+                                            : "mirror"},
+                 {"sample", {ray.sample % e.samples, ray.sample / e.samples}},
+                 {"generation", ray.generation},
+                 {"parent", ray.parent < 0 ? Json() : Json(ray.parent)}};
+    const auto layer = layer_of(e, number);
+    json["layer"] = layer ? Json(layer_infos()[static_cast<std::size_t>(*layer)].name) : Json();
+    json["origin"] = to_json(ray.origin);
+    json["direction"] = to_json(ray.direction);
+    json["t_min"] = ray.t_min;
+    json["t"] = finite(ray.t);
+    json["weight"] = to_json(ray.weight);
+    if (ray.hit) {
+        json["hit"] = hit_json(scene, *ray.hit);
+    } else {
+        json["background"] = to_json(ray.background);
+    }
+    return json;
+}
+
+}  // namespace
+
+std::string explanation_json(const Explanation& e, const Scene& scene, const EncodeOptions& file) {
+    std::string text;
+    const std::string failure = catch_exceptions([&] {
+        Json json = {{"pixel", {e.x, e.y}}, {"samples", e.samples}};
+        const std::string fault = !e.error.empty()                    ? e.error
+                                  : file.bits != 8 && file.bits != 16 ? "a channel has 8 or 16 bits"
+                                                                      : explanation_fault(e, scene);
+        if (!fault.empty()) {
+            json["error"] = fault;
+        } else {
+            json["value"] = to_json(e.value);
+            json["transfer"] = file.transfer == Transfer::srgb ? "srgb" : "none";
+            for (const float v : e.value)
+                json[file.bits == 8 ? "bytes" : "words"].push_back(to_number(v, file.bits, file.transfer));
+            for (int l = 0; l < k_light_layers; ++l)
+                json["layers"][std::string(layer_infos()[static_cast<std::size_t>(l)].name)] =
+                    to_json(e.layers[l]);
+            json["rays"] = Json::array();
+            for (std::size_t i = 0; i < e.rays.size(); ++i) json["rays"].push_back(ray_json(e, scene, i));
+        }
+        text = json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+    });
+    return failure.empty() ? text : "{\"error\":\"out of memory\"}";
+}
+
+}  // namespace glint

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+// Why a light adds what it adds, in a word.
+#include <array>
+
+#include "glint/explain.h"
+
+namespace glint {
+namespace {
+
+template <class Word, std::size_t n>
+std::string_view word_of(Word value, const std::array<std::string_view, n>& words) {
+    const auto i = static_cast<std::size_t>(value);
+    return i < n ? words[i] : "unknown";
+}
+
+bool is_black(Color a, Color b) { return a.r * b.r == 0 && a.g * b.g == 0 && a.b * b.b == 0; }
+
+}  // namespace
+
+LightReason reason(const LightTerms& terms) {
+    if (terms.blocked) return LightReason::blocked;
+    if (terms.may_add) return LightReason::adds;
+    if (!(terms.distance > 0)) return LightReason::in_surface;
+    if (!(terms.attenuation > 0)) return LightReason::faded;
+    return terms.n_l > 0 ? LightReason::no_color : LightReason::behind;
+}
+
+HighlightReason highlight_reason(const LightTerms& terms, const ExplainedHit& hit, const Scene& scene) {
+    if (scene.settings.shading != Shading::phong && scene.settings.shading != Shading::blinn_phong)
+        return HighlightReason::unshaded;
+    if (terms.light >= scene.lights.size()) return HighlightReason::none;
+    if (is_black(material_of(hit, scene).specular, scene.lights[terms.light].specular_color))
+        return HighlightReason::none;
+    const Conventions& rules = scene.conventions;
+    if (rules.specular_gate && !(terms.n_l > 0)) return HighlightReason::behind;
+    if (rules.clamp_cosines ? !(terms.s > 0) : terms.s == 0) return HighlightReason::turned_away;
+    return HighlightReason::adds;
+}
+
+const Material& material_of(const ExplainedHit& hit, const Scene& scene) {
+    static const Material by_default;
+    return hit.material < scene.materials.size() ? scene.materials[hit.material] : by_default;
+}
+
+std::string_view to_string(LightReason reason) {
+    constexpr std::array<std::string_view, 6> words = {"adds",     "blocked", "behind",
+                                                       "no_color", "faded",   "in_surface"};
+    return word_of(reason, words);
+}
+
+std::string_view to_string(HighlightReason reason) {
+    constexpr std::array<std::string_view, 5> words = {"adds", "none", "unshaded", "behind", "turned_away"};
+    return word_of(reason, words);
+}
+
+std::string_view to_string(BranchState state) {
+    constexpr std::array<std::string_view, 5> words = {"none", "traced", "limit", "faint", "cut"};
+    return word_of(state, words);
+}
+
+}  // namespace glint

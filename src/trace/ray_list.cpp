@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "trace/ray_list.h"
+
+#include <algorithm>
+
+#include "base/parallel_for.h"
+#include "trace/kernels.h"
+
+namespace glint {
+namespace {
+
+constexpr std::size_t k_chunk = 4096;  // rays of a task
+
+}  // namespace
+
+void RayList::add(Vec3 o, Vec3 d, double t_min, double t_max) {
+    const double values[8] = {o.x, o.y, o.z, d.x, d.y, d.z, t_min, t_max};
+    for (int c = 0; c < 8; ++c) {
+        columns_[c][columns_[c].size() - k_ray_padding] = values[c];
+        columns_[c].push_back(0);
+    }
+}
+
+RaySpan RayList::from(std::size_t i) const {
+    return {columns_[0].data() + i, columns_[1].data() + i, columns_[2].data() + i, columns_[3].data() + i,
+            columns_[4].data() + i, columns_[5].data() + i, columns_[6].data() + i, columns_[7].data() + i};
+}
+
+HitList nearest_hits(const WorldParts& world, const RayList& rays, int threads) {
+    const Kernels& kernels = available_kernels().front();
+    HitList hits{std::vector<double>(rays.size()), std::vector<std::uint32_t>(rays.size())};
+    parallel_for((rays.size() + k_chunk - 1) / k_chunk, threads, [&](std::size_t chunk) {
+        // The kernels write whole vectors: a chunk's answers must not reach into its neighbour's.
+        double t[k_chunk + k_ray_padding];
+        std::uint32_t slot[k_chunk + k_ray_padding];
+        const std::size_t first = chunk * k_chunk, count = std::min(k_chunk, rays.size() - first);
+        kernels.nearest_hit(world, rays.from(first), static_cast<int>(count), k_packet_size, t, slot);
+        std::copy_n(t, count, hits.t.begin() + static_cast<std::ptrdiff_t>(first));
+        std::copy_n(slot, count, hits.slot.begin() + static_cast<std::ptrdiff_t>(first));
+    });
+    return hits;
+}
+
+HitList nearest_occluders(const WorldParts& world, const RayList& rays, int threads) {
+    const auto passes = [&](std::uint32_t slot) { return slot != k_none && !world.casts_shadow(slot); };
+    HitList hits = nearest_hits(world, rays, threads);
+    for (;;) {
+        RayList on;
+        std::vector<std::size_t> numbers;
+        for (std::size_t i = 0; i < rays.size(); ++i) {
+            if (!passes(hits.slot[i])) continue;
+            on.add(rays.origin(i), rays.direction(i), hits.t[i], rays.t_max(i));
+            numbers.push_back(i);
+        }
+        if (numbers.empty()) return hits;
+        const HitList next = nearest_hits(world, on, threads);
+        for (std::size_t k = 0; k < numbers.size(); ++k) {
+            hits.t[numbers[k]] = next.t[k];
+            hits.slot[numbers[k]] = next.slot[k];
+        }
+    }
+}
+
+}  // namespace glint

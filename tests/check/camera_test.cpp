@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: Apache-2.0
+// Mistakes of the camera, planted, and what is none.
+#include "check/check_text.h"
+
+namespace glint {
+namespace {
+
+TEST(CheckCamera, ACleanSceneHasNoFinding) { EXPECT_EQ(ids_of(k_clean), ""); }
+
+TEST(CheckCamera, InsideAShape) {
+    for (const char* shape :
+         {"sphere \"case\" { center = (0, 2, 8.3)  radius = 0.5 }",
+          "box \"case\" { min = (-1, 1, 7.9)  max = (1, 3, 9) }",
+          "cylinder \"case\" { from = (0, 1, 8)  to = (0, 3, 8)  radius = 0.4 }",
+          "cone \"case\" { from = (0, 1, 8)  to = (0, 3, 8)  radius = (1, 0) }",
+          "sphere \"case\" { center = (0, 0, 0)  radius = 1  scale = 0.5  translate = (0, 2, 8) }"}) {
+        const CheckResult result = check_text(k_clean + shape);
+        ASSERT_FALSE(result.findings.empty()) << shape;
+        EXPECT_EQ(result.findings[0].id, "camera-inside-shape") << shape;
+        EXPECT_EQ(result.findings[0].diagnostic.line, 1u);
+        EXPECT_TRUE(has(result.findings[0].diagnostic.message, "'case' (line 7)"))
+            << result.findings[0].diagnostic.message;
+        EXPECT_TRUE(has(result.findings[0].diagnostic.source_line, "camera {"));
+    }
+}
+
+TEST(CheckCamera, NotInsideWhatIsOpenBesideItOrAroundAll) {
+    for (const char* shape :
+         {// open ends
+          "cylinder { from = (0, 1, 9)  to = (0, 3, 9)  radius = 1.5  caps = false }",
+          // its box holds the camera, it does not
+          "sphere { center = (3, 4, 9.5)  radius = 3.5 }",
+          // the sky
+          "sphere { center = (0, 0, 0)  radius = 200  color = (0.4, 0.5, 0.9)  ambient = 3 }",
+          // a room under a sky
+          "box { min = (-9, -1, -9)  max = (9, 9, 9) }\nsphere { center = (0, 0, 0)  radius = 200 }"}) {
+        EXPECT_FALSE(has(ids_of(k_clean + shape), "camera-inside")) << shape << "\n"
+                                                                    << ids_of(k_clean + shape);
+    }
+}
+
+TEST(CheckCamera, NotInsideASkyOverAFloor) {
+    const std::string scene = R"(camera { position = (0, 2, 8)  look_at = (0, 1, 0)  fov_x = 50 }
+light { type = ambient  intensity = 0.2 }
+light { position = (3, 6, 5)  intensity = 0.6 }
+)";
+    const std::string sky =
+        "sphere { center = (0, 0, 0)  radius = 50  color = (0.4, 0.5, 0.9)  ambient = 1 }\n";
+    EXPECT_EQ(
+        ids_of(scene + sky + "plane { point = (0, 0, 0)  normal = (0, 1, 0)  color = (0.5, 0.4, 0.3) }\n"),
+        "");
+    // A plane that does not go through it makes no room of it.
+    EXPECT_TRUE(has(ids_of(scene + sky + "plane { point = (0, -60, 0)  normal = (0, 1, 0) }\n"),
+                    "camera-inside-shape@1"));
+}
+
+TEST(CheckCamera, LooksAway) {
+    const std::string message = only_message(R"(light { position = (0, 5, 0) }
+camera { position = (0, 0, 5)  look_at = (0, 0, 10) }
+sphere { center = (0, 0, 0)  radius = 1 }
+)");
+    EXPECT_TRUE(has(message, "scene.glint:2:1: warning: ")) << message;
+    EXPECT_TRUE(has(message, "[camera-sees-nothing]")) << message;
+    EXPECT_TRUE(has(message, "lies behind it")) << message;
+    EXPECT_TRUE(has(message, "  remedy: let it look at (0, 0, 0)")) << message;
+}
+
+TEST(CheckCamera, SeesOnlyPlanes) {
+    // The floor is seen, the ball is behind the viewer.
+    EXPECT_EQ(ids_of(R"(light { position = (0, 5, 0) }
+camera { position = (0, 1, 5)  look_at = (0, 0, 10) }
+plane { point = (0, 0, 0)  normal = (0, 1, 0) }
+sphere { center = (0, 1, 0)  radius = 1 }
+)"),
+              "camera-sees-nothing@2");
+    // A scene of planes alone is one.
+    EXPECT_EQ(ids_of(R"(light { position = (0, 5, 0)  intensity = 0.7 }
+camera { position = (0, 1, 5)  look_at = (0, 0, 10) }
+plane { point = (0, 0, 0)  normal = (0, 1, 0) }
+)"),
+              "");
+}
+
+TEST(CheckCamera, SeesByItsMirror) {
+    EXPECT_EQ(ids_of(R"(light { position = (0, 5, 0)  intensity = 0.6 }
+camera { position = (0, 1, 5)  look_at = (0, 1, 10) }
+plane { point = (0, 0, 9)  normal = (0, 0, -1)  mirror = 0.9 }
+sphere { center = (0, 1, 0)  radius = 1 }
+)"),
+              "");
+}
+
+TEST(CheckCamera, SkewedFrame) {
+    const std::string lit =
+        "sphere { center = (0, 0, 4) radius = 1 color = (200, 100, 50) }\n"
+        "light { type = point intensity = 0.7 position = (2, 3, 0) }\n";
+    EXPECT_EQ(ids_of(lit + "camera { position = (0, 0, 0)\n rotation = ((1, 0.3, 0), (0, 1, 0), (0, 0, 1)) }",
+                     "a.cgfs"),
+              "camera-frame-skewed@3");
+    EXPECT_EQ(ids_of(lit + "camera { position = (0, 0, 0)\n rotation = ((1, 0, 0), (0, 1, 0), (0, 0, 2)) }",
+                     "a.cgfs"),
+              "camera-frame-skewed@3");
+    // Rounded to four digits.
+    EXPECT_EQ(ids_of("sphere { center = (0, 0, 4) radius = 1 color = (200, 100, 50) }\n"
+                     "light { type = point intensity = 0.7 position = (2, 3, 0) }\n"
+                     "camera { position = (4, 0, 0)  rotation = ((0.7071, 0, -0.7071), (0, 1, 0), (0.7071, "
+                     "0, 0.7071)) }",
+                     "a.cgfs"),
+              "");
+}
+
+}  // namespace
+}  // namespace glint

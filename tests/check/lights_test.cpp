@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: Apache-2.0
+// Mistakes of lights, planted, and what is none.
+#include "check/check_text.h"
+
+namespace glint {
+namespace {
+
+TEST(CheckLights, InsideAClosedShape) {
+    const std::string text = k_clean + "light \"lost\" { position = (-1.5, 1, 0.2)  intensity = 0.5 }\n";
+    EXPECT_EQ(ids_of(text), "light-inside-shape@7");
+    EXPECT_TRUE(has(only_message(text), "light 'lost' is inside sphere 'left' (line 5)"))
+        << only_message(text);
+}
+
+TEST(CheckLights, NotInsideALampOfGlassOrWithoutShadows) {
+    const std::string lamp =
+        "sphere { center = (-2, 3, 1)  radius = 0.3  transmission = 0.9 }\n"
+        "light { position = (-2, 3, 1)  intensity = 0.4 }\n";
+    EXPECT_EQ(ids_of(k_clean + "conventions { glass_shadow = none }\n" + lamp), "");
+    EXPECT_EQ(ids_of(k_clean + "render { shadows = false }\n" + lamp), "");
+}
+
+TEST(CheckLights, BehindAnOpaquePlane) {
+    const std::string text = k_clean + "light { position = (0, -3, 4)  intensity = 0.5 }\n";
+    EXPECT_EQ(ids_of(text), "light-behind-plane@7");
+    EXPECT_TRUE(has(only_message(text), "plane 1 (line 4)")) << only_message(text);
+}
+
+TEST(CheckLights, BehindEverything) {
+    // Nothing that is seen faces it.
+    EXPECT_EQ(ids_of(R"(camera { position = (0, 0, 8)  look_at = (0, 0, 0)  fov_x = 20 }
+light { position = (2, 3, 8)  intensity = 0.7 }
+light { position = (0, 0, -9)  intensity = 0.7 }
+light { type = directional  to_light = (0, 0, -1)  intensity = 0.7 }
+sphere { center = (0, 0, 0)  radius = 1 }
+disc { center = (0, 0, -2)  normal = (0, 0, 1)  radius = 2  color = (0.2, 0.4, 0.2) }
+)"),
+              "light-behind-everything@3 light-behind-everything@4");
+}
+
+TEST(CheckLights, BlockedByAShape) {
+    const std::string text = R"(camera { position = (0, 4, 8)  look_at = (0, 0, 0)  fov_x = 30 }
+light { position = (3, 6, 8)  intensity = 0.7 }
+light "hidden" { position = (0, 30, 0)  intensity = 0.3 }
+disc { center = (0, 0, 0)  normal = (0, 1, 0)  radius = 2 }
+box "shade" { min = (-4, 20, -4)  max = (4, 21, 4) }
+)";
+    EXPECT_EQ(ids_of(text), "light-blocked@3");
+    EXPECT_TRUE(has(only_message(text), "box 'shade' (line 5)")) << only_message(text);
+}
+
+TEST(CheckLights, BlockedByWhatItLiesIn) {
+    // By the lecture's rule a surface through the light itself is before it.
+    const std::string lamp = "disc \"lamp\" { center = (3, 6, 5)  normal = (-3, 4, 3)  radius = 0.5 }\n";
+    EXPECT_FALSE(has(ids_of(k_clean + lamp), "light-"));
+    EXPECT_TRUE(has(ids_of("profile = lecture5\n" + k_clean + lamp), "light-blocked@4"));
+}
+
+TEST(CheckLights, TheShapeIsNamedThatIsInTheWay) {
+    // The sky holds the lamp and the camera alike.
+    const std::string sky =
+        "sphere \"sky\" { center = (0, 0, 0)  radius = 50  color = (0.4, 0.5, 0.9)  diffuse = 0 }\n";
+    const std::string below = k_clean + sky + "light { position = (0, -3, 4)  intensity = 0.5 }\n";
+    EXPECT_EQ(ids_of(below), "light-behind-plane@8");
+    EXPECT_TRUE(has(only_message(below), "plane 1 (line 4) stands between")) << only_message(below);
+    // A pane that casts no shadow is not in the way, and nothing is without shadows.
+    const std::string pane =
+        "disc { center = (0, -2, 4)  normal = (0, 1, 0)  radius = 9  transmission = 0.9 }\n"
+        "conventions { glass_shadow = none }\n";
+    EXPECT_TRUE(has(ids_of(k_clean + "light { position = (0, -3, 4)  intensity = 0.5 }\n" + pane),
+                    "light-behind-plane@7"));
+    EXPECT_EQ(ids_of(R"(render { shadows = false }
+camera { position = (0, 4, 8)  look_at = (0, 0, 0)  fov_x = 30 }
+light { position = (3, 6, 8)  intensity = 0.7 }
+light { position = (0, 30, 0)  color = (0, 0, 0.5) }
+disc { center = (0, 0, 0)  normal = (0, 1, 0)  radius = 2  color = (0.8, 0.8, 0) }
+box { min = (-4, 20, -4)  max = (4, 21, 4) }
+)"),
+              "light-adds-nothing@4 shape-outside-view@6");
+}
+
+TEST(CheckLights, BlockedByWhatIsBeyondIt) {
+    const std::string enclosure = R"(camera { position = (0, 2, 8)  look_at = (0, 0.5, 0)  fov_x = 50 }
+light { type = ambient  intensity = 0.2 }
+light { position = (3, 6, 5)  intensity = 0.6 }
+plane { point = (0, 0, 0)  normal = (0, 1, 0)  ambient = 1 }
+plane "ceiling" { point = (0, 9, 0)  normal = (0, -1, 0)  ambient = 1 }
+sphere { center = (-1.5, 1, 0)  radius = 1  ambient = 1 }
+)";
+    EXPECT_EQ(ids_of(enclosure), "");
+    const std::string past = enclosure + "conventions { shadow_stops_at_light = false }\n";
+    EXPECT_TRUE(has(ids_of(past), "light-blocked@3")) << ids_of(past);
+    std::string message;
+    for (const Finding& f : check_text(past).findings)
+        if (f.id == "light-blocked") message = to_string(f);
+    EXPECT_TRUE(has(message, "plane 'ceiling' (line 5) is beyond it")) << message;
+    EXPECT_TRUE(has(message, "remedy: set shadow_stops_at_light = true")) << message;
+}
+
+TEST(CheckLights, ARimLightIsNoMistake) {
+    // From behind, but its rim is seen; and a small highlight in a scene without diffuse surfaces.
+    EXPECT_EQ(ids_of(k_clean + "light { position = (-3, 4, -6)  intensity = 0.4 }\n"), "");
+    EXPECT_EQ(ids_of(R"(camera { position = (0, 0, 8)  look_at = (0, 0, 0) }
+light { type = ambient  intensity = 0.4 }
+light { position = (4, 5, 6)  intensity = 0.9 }
+sphere { center = (0, 0, 0)  radius = 1  ambient = 1  diffuse = 0  specular_color = (1, 1, 1)  shininess = 5000 }
+)"),
+              "");
+}
+
+TEST(CheckLights, WithoutColorOrEffect) {
+    EXPECT_EQ(ids_of(k_clean + "light { position = (0, 5, 5)  intensity = 0 }\n"), "light-without-color@7");
+    EXPECT_EQ(ids_of(k_clean + "light { type = ambient  intensity = 0 }\n"), "light-without-color@7");
+    EXPECT_EQ(ids_of(k_clean + "light { position = (0, 5, 5)  attenuation = (0, 0, 9000) }\n"),
+              "light-too-weak@7");
+    // No material reflects what the light has.
+    EXPECT_EQ(ids_of(R"(camera { position = (0, 0, 8)  look_at = (0, 0, 0) }
+light { position = (4, 5, 6)  color = (0, 0.8, 0) }
+light { position = (4, 5, 6)  color = (0, 0, 0.8) }
+light { type = ambient  intensity = 0.4 }
+sphere { center = (0, 0, 0)  radius = 1  color = (1, 1, 0)  ambient = 0  diffuse = 0.8 }
+)"),
+              "light-adds-nothing@3 light-adds-nothing@4");
+}
+
+TEST(CheckLights, ThatTakeLightAway) {
+    EXPECT_TRUE(
+        has(ids_of(k_clean + "light { position = (0, 5, 5)  intensity = -0.1 }\n"), "light-negative@7"));
+}
+
+TEST(CheckLights, ColorsAsBytes) {
+    EXPECT_TRUE(has(ids_of(k_clean + "light { position = (0, 5, 5)  color = (255, 250, 240) }\n"),
+                    "light-color-255@7"));
+    // Strong, for what its distance takes from it.
+    EXPECT_EQ(ids_of(k_clean + "light { position = (0, 5, 5)  intensity = 12  attenuation = (0, 0, 1) }\n"),
+              "");
+}
+
+TEST(CheckLights, NotWhereNothingIsLit) {
+    EXPECT_EQ(ids_of(k_clean + "render { shading = normals }\nlight { position = (0, -3, 4) }\n"), "");
+}
+
+std::string with_lights(int count, const std::string& rest) {
+    std::string text = k_clean;
+    for (int i = 0; i < count; ++i)
+        text += fmt::format("light {{ position = ({}, 6, 4)  {} }}\n", i * 12.0 / count - 6, rest);
+    return text;
+}
+
+TEST(CheckLights, WeakLightsAreJudgedTogether) {
+    EXPECT_EQ(ids_of(with_lights(40, "intensity = 0.001")), "");
+    EXPECT_EQ(ids_of(with_lights(600, "intensity = 0.001")), "");
+    const std::string weak = with_lights(40, "intensity = 0.000001");
+    EXPECT_EQ(ids_of(weak), "light-too-weak@7");
+    EXPECT_TRUE(has(only_message(weak), "40 lights (light 3, ")) << only_message(weak);
+    // Two and three are drawn together; one is with the lamp.
+    EXPECT_EQ(ids_of(with_lights(600, "intensity = 1e-8")), "light-too-weak@8");
+}
+
+TEST(CheckLights, ManyMistakesOfOneKindAreOneFinding) {
+    const std::string black = with_lights(300, "intensity = 0");
+    EXPECT_EQ(ids_of(black), "light-without-color@7");
+    EXPECT_TRUE(has(only_message(black), "; and 299 more like it")) << only_message(black);
+}
+
+TEST(CheckLights, ManyLightsEachOfThemLooked) {
+    std::string text = k_clean;
+    for (int i = 0; i < 60; ++i)
+        text += fmt::format("light {{ position = ({}, 6, 4)  intensity = 0.01 }}\n", i * 0.2 - 6);
+    text += "light { position = (0, -3, 4) }\n";
+    EXPECT_EQ(ids_of(text), "light-behind-plane@67");
+}
+
+}  // namespace
+}  // namespace glint

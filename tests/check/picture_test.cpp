@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a small picture shows, planted, and what is no mistake.
+#include "check/check_text.h"
+
+namespace glint {
+namespace {
+
+TEST(CheckPicture, Black) {
+    EXPECT_TRUE(has(ids_of(R"(camera { position = (0, 0, 8)  look_at = (0, 0, 0) }
+light { position = (0, 4, 8) }
+sphere { center = (0, 0, 0)  radius = 1  color = (0, 0, 0) }
+)"),
+                    "picture-black@0"));
+}
+
+TEST(CheckPicture, OfOneColor) {
+    EXPECT_TRUE(has(ids_of(R"(background = (1, 1, 1)
+camera { position = (0, 0, 8)  look_at = (0, 0, 0) }
+light { type = ambient  intensity = 9 }
+sphere { center = (0, 0, 0)  radius = 1  color = (1, 1, 1)  ambient = 1 }
+)"),
+                    "picture-one-color@0"));
+}
+
+TEST(CheckPicture, Clamped) {
+    const std::string text = R"(camera { position = (0, 2, 8)  look_at = (0, 0.5, 0)  fov_x = 50 }
+light { type = ambient  intensity = 0.6 }
+light { position = (3, 6, 5)  intensity = 0.9 }
+material floor { color = (0.9, 0.9, 0.9)  ambient = 1  diffuse = 1 }
+plane { point = (0, 0, 0)  normal = (0, 1, 0)  material = floor }
+)";
+    EXPECT_EQ(ids_of(text), "picture-clamped@4");
+    EXPECT_TRUE(has(only_message(text), "can come to 1.35")) << only_message(text);
+    EXPECT_EQ(ids_of("background = (1.5, 1.5, 1.5)\n" + k_clean), "picture-clamped@1");
+}
+
+TEST(CheckPicture, AShapeMayNotBeAllClamped) {
+    const std::string white = R"(camera { position = (0, 0, 8)  look_at = (0, 0, 0)  fov_x = 60 }
+light { type = ambient  intensity = 1 }
+light { position = (3, 6, 8)  intensity = 3 }
+sphere { center = (0, 0, 0)  radius = 1  color = (1, 1, 1)  ambient = 1  diffuse = 1 }
+)";
+    EXPECT_EQ(ids_of(white), "picture-clamped@4");
+    EXPECT_TRUE(has(only_message(white), "sphere 1 is brighter than 1")) << only_message(white);
+    EXPECT_TRUE(has(only_message(white), "can come to 4")) << only_message(white);
+    // A lamp glows.
+    EXPECT_EQ(
+        ids_of(k_clean + "sphere { center = (0, 2.6, 0)  radius = 0.4  color = (1, 1, 1)  ambient = 8 }\n"),
+        "");
+}
+
+TEST(CheckPicture, AHighlightMayBeClamped) {
+    // About 1% of the picture.
+    EXPECT_EQ(ids_of(k_clean + "sphere { center = (0, 1.3, 2)  radius = 1.3  color = (1, 1, 1)  ambient = 1\n"
+                               "diffuse = 0.7  specular = 1  shininess = 8 }\n"),
+              "");
+}
+
+TEST(CheckPicture, EpsilonTooSmall) {
+    EXPECT_EQ(ids_of(k_clean + "conventions { epsilon = 0 }\n"), "epsilon-too-small@7");
+    EXPECT_EQ(ids_of(k_clean + "conventions {\n  offset = normal\n  epsilon = 1e-17 }\n"),
+              "epsilon-too-small@9");
+    EXPECT_TRUE(
+        has(only_message(k_clean + "conventions { epsilon = 0 }\n"), "% of the picture is in shadow acne"));
+}
+
+TEST(CheckPicture, EpsilonTooLarge) {
+    // A scene in millimetres, with an epsilon for one in metres.
+    const std::string small = R"(camera { position = (0, 0.002, 0.008)  look_at = (0, 0.0005, 0)  fov_x = 50 }
+light { type = ambient  intensity = 0.2 }
+light { position = (0.003, 0.006, 0.005)  intensity = 0.6 }
+plane { point = (0, 0, 0)  normal = (0, 1, 0)  color = (0.5, 0.5, 0.5)  ambient = 1  diffuse = 0.9 }
+sphere { center = (-0.0015, 0.001, 0)  radius = 0.001  color = (0.8, 0.3, 0.2)  ambient = 1  diffuse = 0.9 }
+)";
+    EXPECT_EQ(ids_of(small + "conventions { offset = normal  epsilon = 0.001 }\n"), "epsilon-too-large@6");
+    EXPECT_EQ(ids_of(small + "conventions { offset = normal  epsilon = 1e-6 }\n"), "");
+    EXPECT_EQ(ids_of(small), "");
+}
+
+TEST(CheckPicture, WhereMirrorsMakeChaosNoEpsilonIsTooLarge) {
+    // A quarter of the picture changes with the epsilon, and goes on to with those that are smaller still.
+    EXPECT_FALSE(has(ids_of(R"(render { size = 160 x 120  reflections = 60 }
+conventions { offset = normal  epsilon = 0.0001 }
+camera { position = (0, 0, 0.05)  look_at = (0.3, 0.2, -3)  fov_x = 100 }
+light { type = ambient  intensity = 0.4 }
+light { position = (0, 0.3, 0)  intensity = 0.6 }
+sphere { center = (1, 1, 1)  radius = 0.99  mirror = 0.98  color = (0.8, 0.1, 0.1)  ambient = 0.1 }
+sphere { center = (-1, -1, 1)  radius = 0.99  mirror = 0.98  color = (0.1, 0.8, 0.1)  ambient = 0.1 }
+sphere { center = (-1, 1, -1)  radius = 0.99  mirror = 0.98  color = (0.1, 0.1, 0.8)  ambient = 0.1 }
+sphere { center = (1, -1, -1)  radius = 0.99  mirror = 0.98  color = (0.8, 0.8, 0.1)  ambient = 0.1 }
+sphere { center = (0, 0, 0)  radius = 2.5  color = (1, 1, 1)  mirror = 0.9  ambient = 0.3 }
+)"),
+                     "epsilon"));
+}
+
+TEST(CheckPicture, EpsilonsOfTheSources) {
+    for (const char* offset : {"ray", "normal", "facing", "direction"})
+        EXPECT_EQ(ids_of(k_clean + "conventions { epsilon = 0.001  offset = " + offset + " }\n"), "")
+            << offset;
+}
+
+const std::string k_mirrors =
+    R"(camera { position = (1.1, 1.75, 3.1)  look_at = (-0.25, 1.15, -3)  fov_x = 62 }
+light { type = ambient  intensity = 0.3 }
+light { position = (0, 3.6, 0)  intensity = 0.7 }
+plane { point = (0, 0, 0)  normal = (0, 1, 0)  color = (0.4, 0.3, 0.2)  ambient = 1 }
+plane { point = (0, 0, -4)  normal = (0, 0, 1)  mirror = 0.95  color = (0.2, 0.3, 0.2)  ambient = 1 }
+plane { point = (0, 0, 4)  normal = (0, 0, -1)  mirror = 0.95  color = (0.2, 0.3, 0.2)  ambient = 1 }
+sphere { center = (-0.5, 0.6, -1.2)  radius = 0.6  color = (0.8, 0.3, 0.2)  ambient = 1 }
+)";
+
+TEST(CheckPicture, MirrorsPastTheLimit) {
+    EXPECT_EQ(ids_of(k_mirrors + "render {\n  reflections = 2 }\n"), "reflections-too-few@9");
+    EXPECT_EQ(ids_of(k_mirrors + "render {\n  reflections = 0 }\n"),
+              "shape-outside-view@6 reflections-too-few@9");
+    const std::string message = only_message(k_mirrors + "render {\n  reflections = 2 }\n");
+    EXPECT_TRUE(has(message, "one reflection more than 2 changes")) << message;
+    EXPECT_EQ(ids_of(k_mirrors + "render { reflections = 60 }\n"), "");
+}
+
+TEST(CheckPicture, OneMirrorNeedsOneReflection) {
+    EXPECT_EQ(
+        ids_of(
+            k_clean +
+            "render { reflections = 1 }\nplane { point = (0, 0, -4)  normal = (0, 0, 1)  mirror = 0.8 }\n"),
+        "");
+}
+
+}  // namespace
+}  // namespace glint
