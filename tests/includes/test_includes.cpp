@@ -99,7 +99,7 @@ TEST(IncludeRules, KnowWhatIsWrong) {
     EXPECT_FALSE(allowed("src/bvh/build.cpp", "#include \"geometry/sphere-inl.h\""));
     EXPECT_FALSE(allowed("src/math/vec.h", "#include \"simd/lanes-inl.h\""));
     EXPECT_FALSE(allowed("src/trace/render.cpp", "#include \"cli/render.h\""));
-    EXPECT_FALSE(allowed("src/image/png.cpp", "#include \"trace/render.h\""));
+    EXPECT_FALSE(allowed("src/image/encode_png.cpp", "#include \"trace/render.h\""));
     EXPECT_TRUE(allowed("src/simd/lanes-inl.h", "#include <hwy/highway.h>"));
     EXPECT_FALSE(allowed("src/bvh/traverse-inl.h", "#include <hwy/highway.h>"));
     EXPECT_TRUE(allowed("src/trace/kernels.cpp", "#include <hwy/foreach_target.h>"));
