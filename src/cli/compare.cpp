@@ -6,13 +6,13 @@
 
 #include "cli/commands.h"
 #include "cli/compare_report.h"
-#include "cli/draw.h"
 #include "cli/failure.h"
 #include "cli/output_file.h"
 #include "cli/picture_file.h"
+#include "cli/print_error.h"
 #include "cli/progress.h"
+#include "cli/render_or_fail.h"
 #include "cli/scene_option.h"
-#include "cli/tell.h"
 #include "cli/text.h"
 #include "cli/validators.h"
 #include "cli/vary.h"
@@ -52,8 +52,8 @@ void write_difference(const OutputFile& file, const CompareArguments& arguments,
                       const Image& b, double largest) {
     write_png(difference_image(a, b), file, {.threads = arguments.threads});
     if (arguments.quiet) return;
-    tell("{}  |A - B|{}\n", arguments.diff,
-         largest > 0 ? fmt::format(" times {:.4g}", 255 / largest) : ", all black");
+    print_error("{}  |A - B|{}\n", arguments.diff,
+                largest > 0 ? fmt::format(" times {:.4g}", 255 / largest) : ", all black");
 }
 
 std::string note_text(const std::string& file, const DecodeResult& picture) {
@@ -82,7 +82,8 @@ int compare_command(CompareArguments& arguments) {
     }
     const std::optional<LoadedScene> scene = load_scene_option(arguments.scene, arguments.quiet);
     const DecodeResult a = read_picture(arguments.files[0]), b = read_picture(arguments.files[1]);
-    if (!arguments.quiet) tell("{}{}", note_text(arguments.files[0], a), note_text(arguments.files[1], b));
+    if (!arguments.quiet)
+        print_error("{}{}", note_text(arguments.files[0], a), note_text(arguments.files[1], b));
 
     CompareReport report;
     report.a = arguments.files[0];

@@ -8,8 +8,8 @@
 #include "cli/commands.h"
 #include "cli/failure.h"
 #include "cli/output_file.h"
+#include "cli/print_error.h"
 #include "cli/scene_arguments.h"
-#include "cli/tell.h"
 #include "cli/text.h"
 
 namespace glint::cli {
@@ -53,9 +53,10 @@ int convert_command(ConvertArguments& arguments) {
     if (text.empty()) throw Failure(k_bad_input, "out of memory while writing the scene as text");
     output.write({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
     if (!arguments.quiet) {
-        tell("{}  {}  {}, {}, {}  ({})\n", path, bytes_text(static_cast<double>(text.size())),
-             counted(scene.shapes.size(), "shape"), counted(scene.materials.size(), "material"),
-             counted(scene.lights.size(), "light"), counted(count_warnings(loaded.warnings), "warning"));
+        print_error("{}  {}  {}, {}, {}  ({})\n", path, bytes_text(static_cast<double>(text.size())),
+                    counted(scene.shapes.size(), "shape"), counted(scene.materials.size(), "material"),
+                    counted(scene.lights.size(), "light"),
+                    counted(count_warnings(loaded.warnings), "warning"));
     }
     return k_done;
 }

@@ -9,11 +9,11 @@
 #include <memory>
 
 #include "cli/commands.h"
-#include "cli/draw.h"
 #include "cli/explain_text.h"
 #include "cli/failure.h"
 #include "cli/output_file.h"
 #include "cli/picture_arguments.h"
+#include "cli/render_or_fail.h"
 #include "cli/scene_arguments.h"
 #include "cli/terminal.h"
 #include "cli/text.h"
@@ -143,7 +143,7 @@ int explain_command(ExplainArguments& arguments) {
     }
     if (overlay) {
         check_memory(scene.settings.width, scene.settings.height);
-        Image picture = draw(*prepared.world, 0, arguments.isa);
+        Image picture = render_or_fail(*prepared.world, 0, arguments.isa);
         draw_overlay(picture, explanation, scene, *prepared.world);
         write_png(picture, *overlay, style.file);
     }

@@ -104,7 +104,7 @@ class Tree {
     Tree(const Explanation& e, const Scene& scene, const ExplainStyle& style)
         : e_(e), scene_(scene), style_(style) {}
 
-    void tell(std::size_t ray, int depth) {
+    void add_ray(std::size_t ray, int depth) {
         const ExplainedRay& r = e_.rays[ray];
         const std::string_view kind = r.parent < 0    ? "camera ray"
                                       : r.transmitted ? "ray through glass"
@@ -118,9 +118,9 @@ class Tree {
                                                 color(r.background), swatch(style_, r.background)));
             return;
         }
-        tell_hit(r, depth + 1);
-        tell_branch(r.hit->reflected, "mirror", depth + 1);
-        tell_branch(r.hit->transmitted, "glass", depth + 1);
+        add_hit(r, depth + 1);
+        add_branch(r.hit->reflected, "mirror", depth + 1);
+        add_branch(r.hit->transmitted, "glass", depth + 1);
     }
 
     std::string text;
@@ -132,7 +132,7 @@ class Tree {
         text += '\n';
     }
 
-    void tell_hit(const ExplainedRay& r, int depth) {
+    void add_hit(const ExplainedRay& r, int depth) {
         const ExplainedHit& hit = *r.hit;
         line(depth,
              fmt::format("hits {} at t = {}, from its {}{}", shape_text(scene_, hit.shape), number(r.t),
@@ -146,7 +146,7 @@ class Tree {
         }
         line(depth + 1,
              fmt::format("ambient k_a I_a = {}{}", color(hit.ambient), swatch(style_, hit.ambient)));
-        for (const LightTerms& terms : hit.lights) tell_light(hit, terms, depth + 1);
+        for (const LightTerms& terms : hit.lights) add_light(hit, terms, depth + 1);
         if (material_of(hit, scene_).transmission > 0)
             line(depth + 1, fmt::format("glass: reflects F = {}, tint {}", number(hit.fresnel),
                                         color(material_of(hit, scene_).transmission_tint)));
@@ -163,7 +163,7 @@ class Tree {
         }
     }
 
-    void tell_light(const ExplainedHit& hit, const LightTerms& terms, int depth) {
+    void add_light(const ExplainedHit& hit, const LightTerms& terms, int depth) {
         const std::string name = light_text(scene_, terms.light);
         const std::string nothing = nothing_text(scene_, hit, terms);
         const Light& light = scene_.lights[terms.light];
@@ -181,12 +181,12 @@ class Tree {
              fmt::format("{}; N·L = {}; {}", how, number(terms.n_l), highlight_text(scene_, hit, terms)));
     }
 
-    void tell_branch(const Branch& branch, std::string_view what, int depth) {
+    void add_branch(const Branch& branch, std::string_view what, int depth) {
         switch (branch.state) {
             case BranchState::none:
                 return;
             case BranchState::traced:
-                return tell(static_cast<std::size_t>(branch.ray), depth);
+                return add_ray(static_cast<std::size_t>(branch.ray), depth);
             case BranchState::limit:
                 return line(depth, fmt::format("{}: ends here, the limit of {} reflections is reached", what,
                                                scene_.settings.reflections));
@@ -241,7 +241,7 @@ std::string rays_text(const Explanation& e, Layer layer) {
 }
 
 // The layers that there is light in, and what they add up to.
-void tell_sum(const Explanation& e, const ExplainStyle& style, std::string& text) {
+void add_sum(const Explanation& e, const ExplainStyle& style, std::string& text) {
     auto out = std::back_inserter(text);
     if (e.samples > 1)
         fmt::format_to(out, "the pixel: the mean of {0} x {0} samples\n", e.samples);
@@ -297,9 +297,9 @@ std::string explanation_text(const Explanation& e, const Scene& scene, const Exp
                             e.samples, e.samples);
     text += '\n';
     Tree tree(e, scene, style);
-    tree.tell(camera_ray(e, style.sample), 0);
+    tree.add_ray(camera_ray(e, style.sample), 0);
     text += tree.text;
-    tell_sum(e, style, text);
+    add_sum(e, style, text);
     return text;
 }
 

@@ -18,9 +18,11 @@ struct Answer {
     std::vector<std::string> command;  // glint's own arguments
     std::string size_flags, width, height;
 
-    void say(std::string_view flag, std::string_view what) { lines += fmt::format("{}: {}\n", flag, what); }
+    void add_line(std::string_view flag, std::string_view what) {
+        lines += fmt::format("{}: {}\n", flag, what);
+    }
     void use(std::string_view flag, const std::string& ours) {
-        say(flag, "glint says " + ours);
+        add_line(flag, "glint says " + ours);
         command.push_back(ours);
     }
     void dimension(const std::string& flag, std::string& which, std::string value) {
@@ -57,47 +59,48 @@ void answer_povray(const std::string& flag, Answer& answer) {
         case 'O':
             return answer.use(flag, "--output " + or_else(value, "OUT"));
         case 'A':
-            if (off) return answer.say(flag, "one sample a pixel is glint's default");
+            if (off) return answer.add_line(flag, "one sample a pixel is glint's default");
             return answer.use(flag, "--aa 3");
         case 'R':
             return answer.use(flag, fmt::format("--aa {}", is_number(value) ? value : "3"));
         case 'D':
-            if (off) return answer.say(flag, "glint opens no window; leave it out");
+            if (off) return answer.add_line(flag, "glint opens no window; leave it out");
             return answer.use(flag, "--show");
         case 'Q':
             if (is_number(value) && value.size() == 1 && value[0] <= '1')
                 return answer.use(flag, "--shading color");
             if (is_number(value) && value.size() == 1 && value[0] <= '3')
                 return answer.use(flag, "--no-shadows");
-            return answer.say(
+            return answer.add_line(
                 flag,
                 "full quality is glint's default; less is --no-shadows, --reflections 0, --shading color");
         case 'S':
         case 'E':
-            return answer.say(flag, "a part of the picture is --crop WxH+X+Y");
+            return answer.add_line(flag, "a part of the picture is --crop WxH+X+Y");
         case 'F':
-            return answer.say(flag,
-                              "the file's type is OUT's extension: .png .ppm .exr; 16 bits are --bits 16");
+            return answer.add_line(
+                flag, "the file's type is OUT's extension: .png .ppm .exr; 16 bits are --bits 16");
         case 'V':
             if (off) return answer.use(flag, "--quiet");
-            return answer.say(
+            return answer.add_line(
                 flag, "glint shows its progress on a terminal; figures are written by --stats FILE.json");
         case 'G':
-            return answer.say(flag,
-                              "messages go to standard error; figures are written by --stats FILE.json");
+            return answer.add_line(flag,
+                                   "messages go to standard error; figures are written by --stats FILE.json");
         case 'L':
-            return answer.say(flag, "included files are found beside the file that names them; leave it out");
+            return answer.add_line(flag,
+                                   "included files are found beside the file that names them; leave it out");
         case 'K':
-            return answer.say(flag, "glint has no animation clock");
+            return answer.add_line(flag, "glint has no animation clock");
         case 'P':
         case 'C':
         case 'B':
         case 'M':
         case 'U':
         case 'J':
-            return answer.say(flag, "glint has no need of it; leave it out");
+            return answer.add_line(flag, "glint has no need of it; leave it out");
         default:
-            return answer.say(flag, "glint's options begin with - or --; see 'glint render --help'");
+            return answer.add_line(flag, "glint's options begin with - or --; see 'glint render --help'");
     }
 }
 
@@ -196,7 +199,7 @@ void answer_known(const ForeignFlag& known, std::span<const std::string> values,
     const std::string ours(known.ours);
     switch (known.value) {
         case Value::none:
-            return ours[0] == '-' ? answer.use(flag, ours) : answer.say(flag, ours);
+            return ours[0] == '-' ? answer.use(flag, ours) : answer.add_line(flag, ours);
         case Value::same:
             return answer.use(flag, ours + " " + or_else(value, "VALUE"));
         case Value::size:

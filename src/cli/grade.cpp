@@ -50,7 +50,7 @@ CauseOptions cause_options(int threads, std::function<void(double)> progress) {
     return options;
 }
 
-Image draw_reference(const Scene& scene, int threads) {
+Image render_reference(const Scene& scene, int threads) {
     WantedPicture wanted = render_wanted(scene, {}, threads);
     if (!wanted.error.empty()) throw Failure(k_bad_input, wanted.error);
     return std::move(wanted.image);
@@ -223,7 +223,7 @@ int grade_command(GradeArguments& arguments) {
         loaded->scene.settings.height = reference.height;
     }
     if (!rows.empty()) return grade_by_rubric(arguments, loaded->scene, rows, outputs);
-    if (reference.rgb.empty()) reference = draw_reference(loaded->scene, arguments.threads);
+    if (reference.rgb.empty()) reference = render_reference(loaded->scene, arguments.threads);
     return grade_pictures(arguments, loaded ? &loaded->scene : nullptr, reference, outputs);
 }
 

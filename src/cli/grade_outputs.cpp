@@ -6,8 +6,8 @@
 #include <filesystem>
 #include <tuple>
 
-#include "cli/draw.h"
 #include "cli/failure.h"
+#include "cli/render_or_fail.h"
 #include "cli/submissions.h"
 
 namespace glint::cli {

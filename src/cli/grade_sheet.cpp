@@ -3,8 +3,8 @@
 
 #include <fmt/format.h>
 
-#include "cli/draw.h"
 #include "cli/failure.h"
+#include "cli/render_or_fail.h"
 #include "cli/text.h"
 #include "glint/compare.h"
 

@@ -19,7 +19,7 @@ std::atomic<bool> has_unfinished{false};
 std::atomic<bool> progress_shown{false};
 static_assert(std::atomic<bool>::is_always_lock_free);
 
-void say(std::string_view text) {
+void write_to_stderr(std::string_view text) {
     // There is nothing to do about a failure here.
     [[maybe_unused]] const ssize_t count = ::write(STDERR_FILENO, text.data(), text.size());
 }
@@ -28,12 +28,12 @@ void say(std::string_view text) {
 // none of them needs to be asked to stop.
 void end_at_once(int signal) {
     if (has_unfinished) ::unlink(unfinished_path);
-    if (progress_shown) say("\r\x1b[K");
+    if (progress_shown) write_to_stderr("\r\x1b[K");
     if (signal == SIGBUS) {
-        say("glint: a scene file became shorter while it was read\n");
+        write_to_stderr("glint: a scene file became shorter while it was read\n");
         ::_exit(k_bad_input);
     }
-    if (signal == SIGINT) say("glint: interrupted\n");
+    if (signal == SIGINT) write_to_stderr("glint: interrupted\n");
     // Ends by the signal itself: a shell ends its loop only if it sees that the signal ended its child.
     ::signal(signal, SIG_DFL);
     sigset_t set;

@@ -12,7 +12,7 @@
 #include "cli/failure.h"
 #include "cli/foreign_flags.h"
 #include "cli/interrupt.h"
-#include "cli/tell.h"
+#include "cli/print_error.h"
 #include "cli/usage.h"
 
 namespace glint::cli {
@@ -32,9 +32,9 @@ constexpr auto k_short_help =
 Example: glint render castle.json -o castle.png
 )";
 
-int say_usage(const std::string& command, const std::string& message) {
-    tell("glint{}{}: {}\nsee 'glint{}{} --help'\n", command.empty() ? "" : " ", command, message,
-         command.empty() ? "" : " ", command);
+int print_usage_error(const std::string& command, const std::string& message) {
+    print_error("glint{}{}: {}\nsee 'glint{}{} --help'\n", command.empty() ? "" : " ", command, message,
+                command.empty() ? "" : " ", command);
     return k_usage;
 }
 
@@ -80,23 +80,23 @@ int run(const std::vector<std::string>& arguments) {
     // Other programs draw pictures; POV-Ray's -V is --quiet.
     const bool draws = name.empty() ? word != "-V" : parsed.get_option_no_throw("--size") != nullptr;
     if (const auto answer = draws ? answer_foreign_flags(arguments, name) : std::nullopt) {
-        tell("{}\n", *answer);
+        print_error("{}\n", *answer);
         return k_usage;
     }
     if (name.empty() && (word == "-" || !word.starts_with('-')))
-        return say_usage("", command_message(app, arguments));
+        return print_usage_error("", command_message(app, arguments));
     try {
         app.parse(
             std::vector<std::string>(arguments.rbegin(), arguments.rend()));  // it takes them from the end
-        return name.empty() ? say_usage("", "expected a command") : command->run();
+        return name.empty() ? print_usage_error("", "expected a command") : command->run();
     } catch (const CLI::Success& e) {  // --help and --version
         return app.exit(e);
     } catch (const CLI::ParseError& e) {
-        return say_usage(name, usage_message(parsed, e));
+        return print_usage_error(name, usage_message(parsed, e));
     } catch (const Failure& e) {
         const std::string message = e.what();
-        if (e.code() == k_usage) return say_usage(name, message);
-        if (!message.empty()) tell("glint: {}\n", message);
+        if (e.code() == k_usage) return print_usage_error(name, message);
+        if (!message.empty()) print_error("glint: {}\n", message);
         return e.code();
     }
 }
@@ -112,7 +112,7 @@ int main(int count, char** values) {
     } catch (const std::bad_alloc&) {
         std::fputs("glint: out of memory\n", stderr);
     } catch (const std::exception& e) {
-        glint::cli::tell("glint: {}\n", e.what());
+        glint::cli::print_error("glint: {}\n", e.what());
     }
     if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {  // CLI11 flushes by itself
         std::fputs("glint: cannot write to standard output\n", stderr);

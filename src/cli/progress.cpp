@@ -9,7 +9,7 @@
 #include <cstdio>
 
 #include "cli/interrupt.h"
-#include "cli/tell.h"
+#include "cli/print_error.h"
 #include "cli/terminal.h"
 
 namespace glint::cli {
@@ -37,7 +37,7 @@ ProgressBar::ProgressBar(bool wanted, Clock::time_point (*now)())
       next_(start_ + (redraws_ ? Clock::duration(k_first_bar) : Clock::duration(k_next_line))) {}
 
 ProgressBar::~ProgressBar() {
-    if (shown_) tell("\r\x1b[K");
+    if (shown_) print_error("\r\x1b[K");
     set_progress_shown(false);
 }
 
@@ -54,10 +54,10 @@ void ProgressBar::update(double fraction) {
         shown_ = true;
         set_progress_shown(true);
         // In the last column some terminals go on to the next line.
-        tell("\r{}\x1b[K", progress_text(fraction, seconds, terminal_columns(STDERR_FILENO) - 1));
+        print_error("\r{}\x1b[K", progress_text(fraction, seconds, terminal_columns(STDERR_FILENO) - 1));
     } else {
         next_ = now + k_next_line;
-        tell("glint: {:.0f}%{}\n", 100 * fraction, time_left(fraction, seconds));
+        print_error("glint: {:.0f}%{}\n", 100 * fraction, time_left(fraction, seconds));
     }
     std::fflush(stderr);
 }

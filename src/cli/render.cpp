@@ -12,14 +12,14 @@
 #include "base/text.h"
 #include "cli/commands.h"
 #include "cli/failure.h"
+#include "cli/half_blocks.h"
 #include "cli/layer_files.h"
 #include "cli/output_file.h"
 #include "cli/picture_arguments.h"
+#include "cli/print_error.h"
 #include "cli/progress.h"
 #include "cli/scene_arguments.h"
-#include "cli/show.h"
 #include "cli/submissions.h"
-#include "cli/tell.h"
 #include "cli/terminal.h"
 #include "cli/text.h"
 
@@ -156,9 +156,9 @@ int render_command(RenderArguments& arguments) {
     times.load = seconds_since(start);
     RenderOptions options;
     options.crop = crop_of(arguments, loaded.scene.settings);
-    const Crop drawn =
+    const Crop rendered =
         options.crop ? *options.crop : Crop{loaded.scene.settings.width, loaded.scene.settings.height};
-    check_memory(drawn.width, drawn.height, layers.bytes_a_pixel());
+    check_memory(rendered.width, rendered.height, layers.bytes_a_pixel());
 
     auto stage = Clock::now();
     const WorldResult prepared = prepare(loaded.scene, {.threads = arguments.threads});
@@ -184,7 +184,7 @@ int render_command(RenderArguments& arguments) {
     if (!result.image) throw Failure(k_bad_input, result.error);
 
     if (result.rays.cut > 0 && (!arguments.quiet || arguments.strict)) {
-        tell(
+        print_error(
             "warning: {} mirror and glass rays were not traced: a sample of a pixel has at most {}; "
             "--reflections or min_weight leave out the faintest first\n",
             with_commas(result.rays.cut), k_max_sample_rays);
@@ -205,10 +205,11 @@ int render_command(RenderArguments& arguments) {
         fmt::print("{}", half_blocks(*result.image, terminal_columns(STDOUT_FILENO), encoding.transfer));
     }
     if (!arguments.quiet) {
-        tell("{}  {}x{}  {} rays  {:.3f} s  {:.1f} Mray/s  (whole {:.3f} s, {}, {}, {})\n", path,
-             result.image->width, result.image->height, with_commas(result.rays.total()), times.trace,
-             static_cast<double>(result.rays.total()) / times.trace / 1e6, seconds_since(start),
-             counted(std::uint64_t(result.threads), "thread"), result.isa, counted(warnings, "warning"));
+        print_error("{}  {}x{}  {} rays  {:.3f} s  {:.1f} Mray/s  (whole {:.3f} s, {}, {}, {})\n", path,
+                    result.image->width, result.image->height, with_commas(result.rays.total()), times.trace,
+                    static_cast<double>(result.rays.total()) / times.trace / 1e6, seconds_since(start),
+                    counted(std::uint64_t(result.threads), "thread"), result.isa,
+                    counted(warnings, "warning"));
     }
     return k_done;
 }

@@ -9,7 +9,7 @@
 
 #include "base/text.h"
 #include "cli/failure.h"
-#include "cli/tell.h"
+#include "cli/print_error.h"
 #include "cli/text.h"
 #include "cli/validators.h"
 
@@ -163,7 +163,7 @@ void add_warnings(std::vector<Diagnostic>& warnings, const std::vector<Diagnosti
 }
 
 void print(const std::vector<Diagnostic>& diagnostics) {
-    for (const Diagnostic& d : diagnostics) tell("{}", to_string(d));
+    for (const Diagnostic& d : diagnostics) print_error("{}", to_string(d));
 }
 
 }  // namespace glint::cli

@@ -8,9 +8,9 @@
 
 #include "base/text.h"
 #include "cli/compare_report.h"
-#include "cli/draw.h"
 #include "cli/failure.h"
 #include "cli/progress.h"
+#include "cli/render_or_fail.h"
 #include "cli/text.h"
 
 namespace glint::cli {
@@ -134,7 +134,7 @@ int vary_command(SceneOption& scene, const Variation& variation, int threads, bo
             // What rules alone cannot change, and what is wrong with a value, prepare() knows.
             const World world =
                 changed.world ? std::move(*changed.world) : prepare_or_fail(loaded.scene, threads);
-            Image now = draw(world, threads);
+            Image now = render_or_fail(world, threads);
             steps.push_back({value, {}});
             if (!before.rgb.empty()) {
                 CompareOptions options;

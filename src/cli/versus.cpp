@@ -11,10 +11,10 @@
 #include "base/text.h"
 #include "cli/commands.h"
 #include "cli/compare_report.h"
-#include "cli/draw.h"
 #include "cli/explain_text.h"
 #include "cli/failure.h"
 #include "cli/picture_arguments.h"
+#include "cli/render_or_fail.h"
 #include "cli/scene_arguments.h"
 #include "cli/terminal.h"
 #include "cli/text.h"
@@ -73,8 +73,8 @@ std::string name_of(const std::vector<std::string>& settings, const char* option
 }
 
 // A profile brings a size of its own: pictures that are held against each other have that of the first.
-Side draw_side(const VersusArguments& arguments, const std::vector<std::string>& settings, const char* option,
-               const std::optional<RenderSettings>& same_size) {
+Side render_side(const VersusArguments& arguments, const std::vector<std::string>& settings,
+                 const char* option, const std::optional<RenderSettings>& same_size) {
     Side side;
     side.name = name_of(settings, option);
     side.loaded = load_scene(with_settings(arguments.scene, settings));
@@ -90,7 +90,7 @@ Side draw_side(const VersusArguments& arguments, const std::vector<std::string>&
         side.name += fmt::format(" with exponents times {}", k_matching_factor);
     }
     side.world = prepare_or_fail(scene);
-    side.image = draw(side.world);
+    side.image = render_or_fail(side.world);
     return side;
 }
 
@@ -103,7 +103,7 @@ std::optional<RenderSettings> size_of_scene(const VersusArguments& arguments) {
 }
 
 // A, B and their difference beside each other, with a light line between.
-Image beside(const Image& a, const Image& b, const Image& difference) {
+Image side_by_side(const Image& a, const Image& b, const Image& difference) {
     const std::ptrdiff_t row = std::ptrdiff_t{3} * a.width, step = row + 3 * k_line;
     Image all{3 * a.width + 2 * k_line, a.height, {}};
     all.rgb.assign(static_cast<std::size_t>(3) * all.width * all.height, 1);
@@ -140,8 +140,8 @@ int versus_command(VersusArguments& arguments) {
     if (arguments.a.empty() && arguments.b.empty())
         throw Failure(k_usage, "expected --a KEY=VALUE or --b KEY=VALUE: what the two drawings differ in");
     add_settings(arguments.picture, true, arguments.scene);
-    const Side a = draw_side(arguments, arguments.a, "--a", size_of_scene(arguments));
-    const Side b = draw_side(arguments, arguments.b, "--b", a.loaded.scene.settings);
+    const Side a = render_side(arguments, arguments.a, "--a", size_of_scene(arguments));
+    const Side b = render_side(arguments, arguments.b, "--b", a.loaded.scene.settings);
     print(a.loaded.warnings);
     const PictureDifference difference = compare(a.image, b.image);
     if (!difference.error.empty()) throw Failure(k_bad_input, difference.error);
@@ -168,7 +168,7 @@ int versus_command(VersusArguments& arguments) {
             fmt::print("\nA: {}\n{}\nB: {}\n{}", a.name, explained(a, difference.largest, style), b.name,
                        explained(b, difference.largest, style));
     }
-    if (output) write_png(beside(a.image, b.image, difference_image(a.image, b.image)), *output);
+    if (output) write_png(side_by_side(a.image, b.image, difference_image(a.image, b.image)), *output);
     return k_done;
 }
 

@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "cli/foreign_flags.h"
+#include "cli/half_blocks.h"
 #include "cli/progress.h"
-#include "cli/show.h"
 #include "cli/text.h"
 
 namespace glint::cli {

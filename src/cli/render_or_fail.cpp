@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "cli/draw.h"
+#include "cli/render_or_fail.h"
 
 #include <fmt/format.h>
 
@@ -17,7 +17,7 @@ World prepare_or_fail(const Scene& scene, int threads) {
     throw Failure(k_bad_input, {});
 }
 
-Image draw(const World& world, int threads, const std::string& isa) {
+Image render_or_fail(const World& world, int threads, const std::string& isa) {
     RenderOptions options;
     options.threads = threads;
     options.isa = isa;

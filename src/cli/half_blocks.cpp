@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "cli/show.h"
+#include "cli/half_blocks.h"
 
 #include <fmt/format.h>
 

@@ -11,7 +11,7 @@ namespace glint::cli {
 
 /// Writes to standard error. Where that cannot be written, nobody is told: the work goes on, and the exit
 /// code is the work's.
-template <class... Args> void tell(fmt::format_string<Args...> format, Args&&... args) {
+template <class... Args> void print_error(fmt::format_string<Args...> format, Args&&... args) {
     const std::string text = fmt::format(format, std::forward<Args>(args)...);
     std::fwrite(text.data(), 1, text.size(), stderr);
 }

@@ -12,7 +12,7 @@ namespace glint::cli {
 World prepare_or_fail(const Scene& scene, int threads = 0);
 
 /// render(), or a Failure of input.
-Image draw(const World& world, int threads = 0, const std::string& isa = {});
+Image render_or_fail(const World& world, int threads = 0, const std::string& isa = {});
 
 /// Where an option's PNG goes. Throws Failure of usage if its name promises another format, else as
 /// OutputFile does.
