@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// What the door tells of a scene.
+// A scene as JSON, for the API.
 #include "wasm/request.h"
 
 namespace glint::wasm {

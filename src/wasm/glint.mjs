@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The door from JavaScript's side (door.h is the other), for browsers and node alike; glint.d.mts says what everything
+// The API in JavaScript (api.h is its C side), for browsers and node alike; glint.d.mts says what everything
 // takes and gives. One instance has one thread: a page that wants more makes one in each of its workers.
 
 /** The few functions of wasi_snapshot_preview1 that wasi-libc links; glint itself reaches no file and no clock. */

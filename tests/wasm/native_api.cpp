@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// The browser's door compiled for this machine, for the tests to compare. A request comes from standard
+// The browser's API compiled for this machine, for the tests to compare. A request comes from standard
 // input:
-//   native_door render X Y WIDTH HEIGHT    writes the rectangle's floats to standard output
-//   native_door explain X Y                the pixel's explanation
-//   native_door info, native_door convert  what glint_info and glint_convert say
+//   native_api render X Y WIDTH HEIGHT    writes the rectangle's floats to standard output
+//   native_api explain X Y                the pixel's explanation
+//   native_api info, native_api convert  what glint_info and glint_convert say
 #include <cstdio>
 #include <cstdlib>
 #include <iostream>
 #include <iterator>
 #include <string>
 
-#include "wasm/door.h"
+#include "wasm/api.h"
 
 namespace {
 

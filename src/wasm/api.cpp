@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "wasm/door.h"
+#include "wasm/api.h"
 
 #include <cstdlib>
 #include <optional>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The browser build in node: the same bytes as the native build, tiles that make the whole, and bad input.
-// GLINT_WASM: glint.wasm; GLINT_PACKAGE: the npm package; GLINT_NATIVE_DOOR: native_door of a native build; GLINT_SCENES: the
+// GLINT_WASM: glint.wasm; GLINT_PACKAGE: the npm package; GLINT_NATIVE_API: native_api of a native build; GLINT_SCENES: the
 // folder scenes/.
 import assert from 'node:assert/strict';
 import {execFileSync} from 'node:child_process';
@@ -32,9 +32,9 @@ function open(...args) {
     return {scene, report};
 }
 
-/** What the same door says natively. */
+/** What the same API answers natively. */
 function native(body, ...what) {
-    return execFileSync(process.env.GLINT_NATIVE_DOOR, what.map(String), {input: JSON.stringify(body), maxBuffer: 1 << 28});
+    return execFileSync(process.env.GLINT_NATIVE_API, what.map(String), {input: JSON.stringify(body), maxBuffer: 1 << 28});
 }
 
 function nativeFloats(body, x, y, width, height) {
