@@ -7,4 +7,4 @@ import './camera.mjs';
 import './inspector.mjs';
 import './sharing.mjs';
 import './access.mjs';
-import './strain.mjs';
+import './stress.mjs';

@@ -3,14 +3,14 @@ import {render} from 'preact';
 
 import {startPool} from './engine/start';
 import {openFirst} from './store/scene';
-import {failure, machinery, state} from './store/state';
+import {failure, services, state} from './store/state';
 import {App} from './ui/App';
 import {connectViews} from './ui/pictures';
 
 render(<App />, document.getElementById('app')!);
 try {
-    machinery.pool = await startPool();
-    connectViews(machinery.pool);
+    services.pool = await startPool();
+    connectViews(services.pool);
     await openFirst();
 } catch (error) {
     failure.value = `The engine could not be started: ${error instanceof Error ? error.message : String(error)}`;

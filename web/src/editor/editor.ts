@@ -10,24 +10,24 @@ import {EditorView, drawSelection, highlightActiveLine, highlightActiveLineGutte
 import type {SceneText} from 'glint-wasm';
 
 import type {Edit} from '../text/edit';
-import {Drift} from './drift';
+import {PlaceTracker} from './place_tracker';
 import {languageOf} from './language';
 
 /** What belongs to a scene beside its text, and is undone with it. */
-export interface Beside {
+export interface DocumentState {
     name: string;
     scene: string | undefined;
     overrides: Record<string, string>;
     /** What the text may include. */
     includes: SceneText[];
 }
-const besideChanged = StateEffect.define<Beside>();
+const documentStateChanged = StateEffect.define<DocumentState>();
 
 export interface EditorEvents {
-    /** `beside`: it changes as well. */
-    changed(text: string, beside: Beside | null, canUndo: boolean, canRedo: boolean): void;
+    /** `documentState`: it changes as well. */
+    changed(text: string, documentState: DocumentState | null, canUndo: boolean, canRedo: boolean): void;
     /** What is beside the text now. */
-    beside(): Beside;
+    documentState(): DocumentState;
 }
 
 const theme = EditorView.theme({
@@ -60,7 +60,7 @@ const theme = EditorView.theme({
 export class Editor {
     readonly #view: EditorView;
     readonly #language = new Compartment();
-    readonly #drift = new Drift();
+    readonly #places = new PlaceTracker();
 
     constructor(host: HTMLElement, private readonly events: EditorEvents) {
         const root = host.shadowRoot ?? host.attachShadow({mode: 'open'});
@@ -79,41 +79,41 @@ export class Editor {
                 this.#language.of(languageOf(name)),
                 EditorView.contentAttributes.of({'aria-label': 'Scene text', spellcheck: 'false', autocapitalize: 'off'}),
                 invertedEffects.of((transaction) =>
-                    transaction.effects.some((one) => one.is(besideChanged)) ? [besideChanged.of(this.events.beside())] : []),
+                    transaction.effects.some((one) => one.is(documentStateChanged)) ? [documentStateChanged.of(this.events.documentState())] : []),
                 EditorView.updateListener.of((update) => {
-                    if (update.docChanged) this.#drift.changed(update.changes.desc, update.state.doc);
-                    const beside = update.transactions.flatMap((one) => one.effects).findLast((one) => one.is(besideChanged))?.value;
-                    if (update.docChanged || beside) this.#tell(beside ?? null);
+                    if (update.docChanged) this.#places.changed(update.changes.desc, update.state.doc);
+                    const documentState = update.transactions.flatMap((one) => one.effects).findLast((one) => one.is(documentStateChanged))?.value;
+                    if (update.docChanged || documentState) this.#tell(documentState ?? null);
                 }),
             ],
         });
     }
 
-    #tell(beside: Beside | null) {
+    #tell(documentState: DocumentState | null) {
         const {state} = this.#view;
-        this.events.changed(state.doc.toString(), beside, undoDepth(state) > 0, redoDepth(state) > 0);
+        this.events.changed(state.doc.toString(), documentState, undoDepth(state) > 0, redoDepth(state) > 0);
     }
 
     /** The first scene: there is nothing to undo. */
     begin(text: string, name: string) {
         this.#view.setState(this.#state(text, name));
-        this.#drift.restart(this.#view.state.doc);
+        this.#places.restart(this.#view.state.doc);
         this.#tell(null);
     }
 
     /** Of the text, for wasRead(). */
     get version() {
-        return this.#drift.version;
+        return this.#places.version;
     }
 
     /** A scene was read from a version of the text; offsetOf() takes its places. */
     wasRead(version: number) {
-        this.#drift.read(version);
+        this.#places.read(version);
     }
 
     /** The offset of the scene's line and column in the text as it is now; null if that was deleted. */
     offsetOf(line: number, column: number): number | null {
-        return this.#drift.now(line, column);
+        return this.#places.now(line, column);
     }
 
     /** Edits of a control. Those that follow each other quickly are undone together, which the history does without a userEvent. */
@@ -122,12 +122,12 @@ export class Editor {
     }
 
     /** Changes what is beside the text, and all of the text if it is given. `again`: undone together with the last change. */
-    setBeside(beside: Beside, text?: string, again = false) {
-        const all = {from: 0, to: this.#view.state.doc.length}, {name} = this.events.beside();
+    setDocumentState(documentState: DocumentState, text?: string, again = false) {
+        const all = {from: 0, to: this.#view.state.doc.length}, {name} = this.events.documentState();
         this.#view.dispatch({
             ...(text === undefined ? {} : {changes: {...all, insert: text}}),
-            effects: [besideChanged.of(beside), ...(beside.name === name ? [] : [EditorView.scrollIntoView(0)])],
-            ...(beside.name === name ? {} : {selection: {anchor: 0}}),
+            effects: [documentStateChanged.of(documentState), ...(documentState.name === name ? [] : [EditorView.scrollIntoView(0)])],
+            ...(documentState.name === name ? {} : {selection: {anchor: 0}}),
             // A whole text is undone alone.
             annotations: [Transaction.addToHistory.of(!again), ...(text === undefined ? [] : [isolateHistory.of('full')])],
         });

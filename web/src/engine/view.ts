@@ -6,7 +6,7 @@ import {type Pool, Stopped} from './pool';
 import type {Opened, Rect, Tile} from './protocol';
 
 /** What a view is to show. */
-export interface Subject {
+export interface ViewContent {
     request: OpenRequest;
     /** Changes to what the scene says, e.g. another camera. */
     prepare: PrepareRequest;
@@ -23,8 +23,8 @@ export interface Progress {
 }
 
 export interface ViewEvents {
-    /** A subject was read; its scene may have errors. */
-    opened(opened: Opened, subject: Subject): void;
+    /** Its content was read; its scene may have errors. */
+    opened(opened: Opened, content: ViewContent): void;
     /** A picture of this size begins. */
     sized(width: number, height: number): void;
     /** Pixels for a rectangle of the picture, which may have to be stretched to it. */
@@ -39,7 +39,7 @@ export interface ViewEvents {
 const frameTime = 35;
 const tileTime = 12;
 /** Pixels of the largest picture that the page draws; larger ones are drawn smaller. */
-const mostPixels = 4096 * 4096;
+const maxPixels = 4096 * 4096;
 
 interface Level {
     width: number;
@@ -54,18 +54,18 @@ function setting(info: SceneInfo, name: string): string {
     return info.settings.find((one) => one.name === name)?.value ?? '';
 }
 
-/** Of all views: the workers know by its key which subject they have open. */
+/** Of all views: the workers know by its key which content they have open. */
 let lastKey = 0;
 
 export class View {
     /** What is shown, for questions about it; set once it is open. */
-    current: {subject: Subject; key: number; info: SceneInfo; prepare: PrepareRequest} | null = null;
-    #pending: Subject | null = null;
+    current: {content: ViewContent; key: number; info: SceneInfo; prepare: PrepareRequest} | null = null;
+    #pending: ViewContent | null = null;
     #key = 0;
     #busy = false;
     #since = 0;
     #shownAt = -Infinity;
-    /** How many subjects have followed each other quickly. */
+    /** How many contents have followed each other quickly. */
     #quick = 0;
     #coarseShown = false;
     #sampleTime = 0.001;
@@ -77,11 +77,11 @@ export class View {
         return this.#busy || this.#pending !== null;
     }
 
-    show(subject: Subject) {
+    show(content: ViewContent) {
         const now = performance.now();
         this.#quick = now - this.#shownAt < 500 ? this.#quick + 1 : 0;
         this.#shownAt = now;
-        this.#pending = subject;
+        this.#pending = content;
         if (!this.#busy) {
             void this.#work();
         } else if (this.#coarseShown || now - this.#since > 300) {
@@ -99,13 +99,13 @@ export class View {
     async #work() {
         this.#busy = true;
         while (this.#pending) {
-            const subject = this.#pending;
+            const content = this.#pending;
             this.#pending = null;
             const key = this.#key = ++lastKey;
             this.#since = performance.now();
             this.#coarseShown = false;
             try {
-                await this.#draw(subject, key);
+                await this.#render(content, key);
             } catch (error) {
                 const stopped = error instanceof Stopped && error.message === '';
                 this.pool.cancel(this.name, key);
@@ -115,33 +115,33 @@ export class View {
         this.#busy = false;
     }
 
-    async #draw(subject: Subject, key: number) {
+    async #render(content: ViewContent, key: number) {
         const affordable = this.#affordable();  // the same for what is expected and for what is found
-        // Something is dragged: then subjects are alike, and what the next one takes is expected.
-        const expected = this.#quick >= 2 && this.current ? this.#levels(subject, this.current.info, affordable)[0]! : null;
-        const opening = (expected && !expected.final && await this.#openDrawing(subject, key, expected)) || await this.#open(subject, key);
-        this.events.opened(opening.opened, subject);
+        // Something is dragged: then contents are alike, and what the next one takes is expected.
+        const expected = this.#quick >= 2 && this.current ? this.#levels(content, this.current.info, affordable)[0]! : null;
+        const opening = (expected && !expected.final && await this.#openAndRender(content, key, expected)) || await this.#open(content, key);
+        this.events.opened(opening.opened, content);
         const {info} = opening.opened;
         if (!info) return;
-        let levels = this.#levels(subject, info, affordable);
+        let levels = this.#levels(content, info, affordable);
         const last = levels.at(-1)!;
-        this.current = {subject, key, info, prepare: last.prepare};
+        this.current = {content, key, info, prepare: last.prepare};
         this.events.sized(last.width, last.height);
         if (expected && opening.picture && isSameLevel(expected, levels[0]!)) {
             this.events.painted(opening.picture, {x: 0, y: 0, width: last.width, height: last.height}, true);
             this.#coarseShown = true;
             levels.shift();
         } else if (levels.length > 1) {
-            await this.#probe(subject, key, info, last);
-            levels = this.#levels(subject, info, this.#affordable());
+            await this.#probe(content, key, info, last);
+            levels = this.#levels(content, info, this.#affordable());
         }
         const samplesOf = (level: Level) => level.width * level.height * level.samples;
         const all = levels.reduce((sum, level) => sum + samplesOf(level), 0);
         let before = 0;
         for (const level of levels) {
             if (this.#pending && this.#coarseShown) return;
-            const drawnBefore = before;
-            await this.#drawLevel(subject, key, level, last, (share) => (drawnBefore + share * samplesOf(level)) / all);
+            const renderedBefore = before;
+            await this.#renderLevel(content, key, level, last, (share) => (renderedBefore + share * samplesOf(level)) / all);
             before += samplesOf(level);
             this.#coarseShown = true;
         }
@@ -153,13 +153,13 @@ export class View {
     }
 
     /** Draws a few samples to see how long they take; they are shown if that was long. */
-    async #probe(subject: Subject, key: number, info: SceneInfo, last: Level) {
+    async #probe(content: ViewContent, key: number, info: SceneInfo, last: Level) {
         const start = performance.now();
-        const level = this.#levels(subject, info, this.#affordable() / 16)[0]!;
+        const level = this.#levels(content, info, this.#affordable() / 16)[0]!;
         const picture = new ImageData(level.width, level.height);
         let spent = 0;
         await Promise.all(tiles(level.width, level.height, 32).map(async (rect) => {
-            const job = {view: this.name, key, request: subject.request, prepare: level.prepare};
+            const job = {view: this.name, key, request: content.request, prepare: level.prepare};
             const tile = await this.pool.run({...job, task: {what: 'tile', rect}});
             place(tile, rect, picture);
             spent += tile.milliseconds;
@@ -170,23 +170,23 @@ export class View {
         this.#coarseShown = true;
     }
 
-    async #open(subject: Subject, key: number): Promise<Opening> {
-        const job = {view: this.name, key, request: subject.request, prepare: {}};
+    async #open(content: ViewContent, key: number): Promise<Opening> {
+        const job = {view: this.name, key, request: content.request, prepare: {}};
         return {opened: await this.pool.run({...job, task: {what: 'open'}}, true), picture: null};
     }
 
     /** Opens the scene and draws its first, coarse picture at once, if its size is that of the scene before. */
-    async #openDrawing(subject: Subject, key: number, level: Level): Promise<Opening | null> {
-        const job = {view: this.name, key, request: subject.request, prepare: level.prepare};
+    async #openAndRender(content: ViewContent, key: number, level: Level): Promise<Opening | null> {
+        const job = {view: this.name, key, request: content.request, prepare: level.prepare};
         const rects = strips(level.width, level.height, this.pool.size);
         const first = this.pool.run({...job, task: {what: 'open', rect: rects[0]!}}, true);
         const others = rects.slice(1).map((rect) => this.pool.run({...job, task: {what: 'tile', rect}}, true));
-        const drawn = await Promise.allSettled([first, ...others]);
-        const stopped = drawn.find((one) => one.status === 'rejected' && one.reason instanceof Stopped);
+        const rendered = await Promise.allSettled([first, ...others]);
+        const stopped = rendered.find((one) => one.status === 'rejected' && one.reason instanceof Stopped);
         if (stopped?.status === 'rejected') throw stopped.reason;
-        if (drawn[0]!.status === 'rejected') return null;  // it is not as the one before: from the beginning, then
-        const opened = drawn[0]!.value as Opened;
-        const tiles = [opened.tile, ...drawn.slice(1).map((one) => (one.status === 'fulfilled' ? (one.value as Tile) : null))];
+        if (rendered[0]!.status === 'rejected') return null;  // it is not as the one before: from the beginning, then
+        const opened = rendered[0]!.value as Opened;
+        const tiles = [opened.tile, ...rendered.slice(1).map((one) => (one.status === 'fulfilled' ? (one.value as Tile) : null))];
         if (tiles.includes(null)) return {opened, picture: null};
         const picture = new ImageData(level.width, level.height);
         tiles.forEach((tile, i) => {
@@ -202,17 +202,17 @@ export class View {
         if (area >= 256) this.#sampleTime += 0.15 * (measured - this.#sampleTime);
     }
 
-    #levels(subject: Subject, info: SceneInfo, affordable: number): Level[] {
-        const asked = subject.prepare.settings?.['size']?.split('x').map(Number) ?? [info.width, info.height];
+    #levels(content: ViewContent, info: SceneInfo, affordable: number): Level[] {
+        const asked = content.prepare.settings?.['size']?.split('x').map(Number) ?? [info.width, info.height];
         const [wholeWidth, wholeHeight] = asked as [number, number];
-        const shrink = Math.min(1, Math.sqrt(mostPixels / (wholeWidth * wholeHeight)));
-        const n = Number(subject.prepare.settings?.['aa'] ?? setting(info, 'aa'));
+        const shrink = Math.min(1, Math.sqrt(maxPixels / (wholeWidth * wholeHeight)));
+        const n = Number(content.prepare.settings?.['aa'] ?? setting(info, 'aa'));
         const level = (scale: number, aa: number): Level => {
             const width = Math.max(1, Math.round(wholeWidth * scale)), height = Math.max(1, Math.round(wholeHeight * scale));
-            const settings: Record<string, string> = {...subject.prepare.settings};
+            const settings: Record<string, string> = {...content.prepare.settings};
             if (scale !== 1 || aa !== n) settings['size'] = `${width}x${height}`;
             if (aa !== n) settings['aa'] = String(aa);
-            return {width, height, samples: aa * aa, prepare: {...subject.prepare, settings}, final: false};
+            return {width, height, samples: aa * aa, prepare: {...content.prepare, settings}, final: false};
         };
         const full = {...level(shrink, n), final: true};
         // At one world unit a pixel, fewer pixels would show less of the scene.
@@ -226,7 +226,7 @@ export class View {
         return [...levels, full];
     }
 
-    async #drawLevel(subject: Subject, key: number, level: Level, last: Level, fractionAt: (share: number) => number) {
+    async #renderLevel(content: ViewContent, key: number, level: Level, last: Level, fractionAt: (share: number) => number) {
         const start = performance.now();
         const pixels = Math.max(16, tileTime / (this.#sampleTime * level.samples));
         const perWorker = (level.width * level.height) / (2 * this.pool.size);
@@ -249,7 +249,7 @@ export class View {
             this.events.progress(progress());
         };
         await Promise.all(tiles(level.width, level.height, step).map(async (rect) => {
-            const job = {view: this.name, key, request: subject.request, prepare: level.prepare};
+            const job = {view: this.name, key, request: content.request, prepare: level.prepare};
             take(rect, await this.pool.run({...job, task: {what: 'tile', rect}}));
         }));
         if (whole) this.events.painted(whole, {x: 0, y: 0, width: last.width, height: last.height}, true);

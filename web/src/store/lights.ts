@@ -4,7 +4,7 @@ import type {Vec3} from 'glint-wasm';
 
 import type {LightText} from '../text/edit';
 import {isHere, offsetOf} from './places';
-import {format, info, machinery, text} from './state';
+import {format, info, services, text} from './state';
 
 /** How bright those lights were that are off. */
 const lightsOff = new Map<number, number>();
@@ -24,7 +24,7 @@ export function setLight(index: number, change: {intensity?: number; place?: Vec
     const light = lightText(index);
     if (!light) return;
     const edits = change.intensity !== undefined ? light.setIntensity(change.intensity) : light.setPlace(change.place!);
-    if (edits) machinery.editor?.apply(edits);
+    if (edits) services.editor?.apply(edits);
 }
 
 export function switchLight(index: number, on: boolean) {

@@ -4,7 +4,7 @@ import {batch} from '@preact/signals';
 import type {Explanation} from 'glint-wasm';
 
 import {
-    type Side, comparison, difference, hovered, machinery, pinned, pinnedIn, pixel, selected, settingIn, size, split, tab,
+    type Side, comparison, difference, hovered, services, pinned, pinnedIn, pixel, selected, settingIn, size, split, tab,
 } from './state';
 
 let asking = false;
@@ -17,13 +17,13 @@ function sideAt([x]: readonly [number, number]): Side {
 }
 
 async function ask(at: readonly [number, number], side: Side): Promise<Explanation | null> {
-    const current = machinery[side]?.current;
-    if (!current || !machinery.pool) return null;
-    const {subject, key, prepare} = current;
+    const current = services[side]?.current;
+    if (!current || !services.pool) return null;
+    const {content, key, prepare} = current;
     try {
-        const told = await machinery.pool.run(
-            {view: side, key, request: subject.request, prepare, task: {what: 'explain', x: at[0], y: at[1]}}, true);
-        return told && !told.error ? told : null;
+        const explanation = await services.pool.run(
+            {view: side, key, request: content.request, prepare, task: {what: 'explain', x: at[0], y: at[1]}}, true);
+        return explanation && !explanation.error ? explanation : null;
     } catch {
         return null;
     }
@@ -39,13 +39,13 @@ export async function hover(at: [number, number] | null) {
     while (wanted) {
         const next: [number, number] = wanted;
         wanted = null;
-        const told = await ask(next, sideAt(next));
-        if (pixel.value) hovered.value = told;
+        const explanation = await ask(next, sideAt(next));
+        if (pixel.value) hovered.value = explanation;
     }
     asking = false;
 }
 
-const isPhong = (side: Side) => settingIn(machinery[side]?.current?.info, 'shading')?.value === 'phong';
+const isPhong = (side: Side) => settingIn(services[side]?.current?.info, 'shading')?.value === 'phong';
 
 export async function pin(at: [number, number] | null) {
     if (!at) {
@@ -53,12 +53,12 @@ export async function pin(at: [number, number] | null) {
         return;
     }
     const side = sideAt(at);
-    const told = await ask(at, side);
-    if (!told) return;
+    const explanation = await ask(at, side);
+    if (!explanation) return;
     batch(() => {
-        pinned.value = told;
+        pinned.value = explanation;
         pinnedIn.value = {side, isPhong: isPhong(side)};
-        selected.value = {ray: 0, light: strongestLight(told, 0)};
+        selected.value = {ray: 0, light: strongestLight(explanation, 0)};
         tab.value = 'inspect';
     });
 }
@@ -67,18 +67,18 @@ export async function pin(at: [number, number] | null) {
 export async function explainAgain(side: Side) {
     if (pixel.value && sideAt(pixel.value) === side) void hover(pixel.value);
     const at = pinned.value?.pixel;
-    const facts = machinery[side]?.current?.info;
+    const facts = services[side]?.current?.info;
     if (!at || !facts || pinnedIn.value.side !== side) return;
-    const told = at[0] < facts.width && at[1] < facts.height ? await ask(at, side) : null;
+    const explanation = at[0] < facts.width && at[1] < facts.height ? await ask(at, side) : null;
     if (!pinned.value) return;
     batch(() => {
-        pinned.value = told;
+        pinned.value = explanation;
         pinnedIn.value = {side, isPhong: isPhong(side)};
-        if (told && selected.value.ray >= told.rays.length) selected.value = {ray: 0, light: strongestLight(told, 0)};
+        if (explanation && selected.value.ray >= explanation.rays.length) selected.value = {ray: 0, light: strongestLight(explanation, 0)};
     });
 }
 
-export function strongestLight(told: Explanation, ray: number): number {
-    const sums = told.rays[ray]?.hit?.lights.map((light) => [...light.diffuse, ...light.specular].reduce((a, b) => a + b, 0));
+export function strongestLight(explanation: Explanation, ray: number): number {
+    const sums = explanation.rays[ray]?.hit?.lights.map((light) => [...light.diffuse, ...light.specular].reduce((a, b) => a + b, 0));
     return sums && sums.length > 0 ? sums.indexOf(Math.max(...sums)) : 0;
 }

@@ -4,21 +4,21 @@
 import type {Place} from 'glint-wasm';
 
 import {spanOf} from '../text/places';
-import {fileName, machinery, notice, tab, text} from './state';
+import {fileName, services, notice, tab, text} from './state';
 
 /** True if a place is in the text that is edited here, and not in one that it includes. */
 export const isHere = (place: Place) => place.file === fileName.value;
 
 /** The offset of a place of the scene in the text as it is now; null if it has been deleted. */
 export function offsetOf(place: {line: number; column: number}): number | null {
-    return machinery.editor?.offsetOf(place.line, place.column) ?? null;
+    return services.editor?.offsetOf(place.line, place.column) ?? null;
 }
 
 function select(from: number) {
     const end = text.value.indexOf('\n', from);
     if (matchMedia('(max-width: 1099px)').matches) tab.value = 'text';
     // After the editor's panel is shown.
-    requestAnimationFrame(() => machinery.editor?.reveal(from, end < 0 ? text.value.length : end));
+    requestAnimationFrame(() => services.editor?.reveal(from, end < 0 ? text.value.length : end));
 }
 
 function isElsewhere(file: string | undefined, line: number): boolean {

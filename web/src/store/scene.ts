@@ -3,13 +3,13 @@
 import {batch} from '@preact/signals';
 import type {OpenRequest, SceneText} from 'glint-wasm';
 
-import type {Beside} from '../editor/editor';
+import type {DocumentState} from '../editor/editor';
 import {gallery, parts} from '../gallery';
 import {type Shared, fromFragment, toFragment} from '../share';
 import {extensions, formatOf} from '../text/formats';
 import {forgetLights} from './lights';
 import {
-    type Comparison, besideNow, comparison, comparisonFailure, fileName, history, hovered, includes, machinery as page, notice,
+    type Comparison, currentDocumentState, comparison, comparisonFailure, fileName, history, hovered, includes, services as page, notice,
     overrides, pinned, pinnedIn, pixel, sceneName, state, text,
 } from './state';
 
@@ -41,22 +41,22 @@ export function setComparison(compare: Comparison | null) {
     draw();
 }
 
-function take(beside: Beside) {
-    fileName.value = beside.name;
-    sceneName.value = beside.scene;
-    overrides.value = beside.overrides;
-    includes.value = beside.includes;
+function take(documentState: DocumentState) {
+    fileName.value = documentState.name;
+    sceneName.value = documentState.scene;
+    overrides.value = documentState.overrides;
+    includes.value = documentState.includes;
 }
 
 /** The editor's text changed, by hand or by a control. */
-export function textChanged(now: string, beside: Beside | null, canUndo: boolean, canRedo: boolean) {
+export function textChanged(now: string, documentState: DocumentState | null, canUndo: boolean, canRedo: boolean) {
     history.value = {canUndo, canRedo};
-    if (now === text.value && !beside) return;
-    const renamed = beside !== null && beside.name !== fileName.value;
+    if (now === text.value && !documentState) return;
+    const renamed = documentState !== null && documentState.name !== fileName.value;
     batch(() => {
         notice.value = '';
         text.value = now;
-        if (beside) take(beside);
+        if (documentState) take(documentState);
         if (renamed) forgetLights();
     });
     if (renamed) queueMicrotask(() => page.editor?.setName(fileName.value));
@@ -65,7 +65,7 @@ export function textChanged(now: string, beside: Beside | null, canUndo: boolean
 
 /** Chooses one of several scenes in the text. */
 export function chooseScene(name: string) {
-    page.editor?.setBeside({...besideNow(), scene: name});
+    page.editor?.setDocumentState({...currentDocumentState(), scene: name});
 }
 
 export interface SceneToOpen {
@@ -79,7 +79,7 @@ export interface SceneToOpen {
 
 /** Opens a scene in the place of the one before, which undo brings back. */
 export function openScene(scene: SceneToOpen) {
-    const beside: Beside = {
+    const documentState: DocumentState = {
         name: scene.name, scene: scene.scene, overrides: scene.overrides ?? {}, includes: scene.includes ?? parts,
     };
     batch(() => {
@@ -90,10 +90,10 @@ export function openScene(scene: SceneToOpen) {
         pixel.value = null;
     });
     if (fileName.value !== '') {
-        page.editor?.setBeside(beside, scene.text);
+        page.editor?.setDocumentState(documentState, scene.text);
         return;
     }
-    take(beside);
+    take(documentState);
     text.value = scene.text;
     page.editor?.begin(scene.text, scene.name);
     draw();
@@ -144,6 +144,6 @@ export async function convertToGlint() {
         return;
     }
     const name = fileName.value.replace(/\.\w+$/, '') + '.glint';
-    page.editor?.setBeside({...besideNow(), name, scene: undefined, overrides: {}}, converted);
+    page.editor?.setDocumentState({...currentDocumentState(), name, scene: undefined, overrides: {}}, converted);
     notice.value = `The scene is now ${name.split('/').at(-1)}; undo brings its old text back.`;
 }

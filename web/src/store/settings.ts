@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Settings: in the text where its format can say them, else beside it.
-import {besideNow, format, machinery, overrides, settingOf, text} from './state';
+import {currentDocumentState, format, services, overrides, settingOf, text} from './state';
 
 let lastOverride = {name: '', time: 0};
 
 function setOverrides(now: Record<string, string>, again = false) {
-    machinery.editor?.setBeside({...besideNow(), overrides: now}, undefined, again);
+    services.editor?.setDocumentState({...currentDocumentState(), overrides: now}, undefined, again);
 }
 
 function without(record: Record<string, string>, key: string) {
@@ -18,7 +18,7 @@ export function setSetting(name: string, value: string) {
     const edits = format.value?.setting(text.value, name, value, setting?.is_convention ?? false);
     if (edits) {
         if (name in overrides.value) setOverrides(without(overrides.value, name));
-        machinery.editor?.apply(edits);
+        services.editor?.apply(edits);
         return;
     }
     // Dragging a slider is one change.

@@ -4,7 +4,7 @@
 import {computed, signal} from '@preact/signals';
 import type {Diagnostic, Explanation, SceneInfo, SceneText, Setting} from 'glint-wasm';
 
-import type {Beside, Editor} from '../editor/editor';
+import type {DocumentState, Editor} from '../editor/editor';
 import type {Pool} from '../engine/pool';
 import type {Progress, View} from '../engine/view';
 import {formatOf} from '../text/formats';
@@ -49,9 +49,9 @@ export const tab = signal<'text' | 'controls' | 'inspect' | 'compare'>('controls
 export const format = computed(() => formatOf(fileName.value));
 
 /** What is not a part of the page's state: made once, when it starts. */
-export const machinery: {editor?: Editor; pool?: Pool; first?: View; second?: View} = {};
+export const services: {editor?: Editor; pool?: Pool; first?: View; second?: View} = {};
 
-export const besideNow = (): Beside => ({
+export const currentDocumentState = (): DocumentState => ({
     name: fileName.value, scene: sceneName.value, overrides: overrides.value, includes: includes.value,
 });
 

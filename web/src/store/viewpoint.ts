@@ -4,7 +4,7 @@ import type {CameraInfo} from 'glint-wasm';
 
 import {type Move, moved} from '../camera';
 import {isHere, offsetOf} from './places';
-import {format, info, machinery, notice, text} from './state';
+import {format, info, services, notice, text} from './state';
 
 /** Where a move has put the camera, until the scene is read again. */
 let aimed: {text: string; camera: CameraInfo} | null = null;
@@ -31,6 +31,6 @@ export function moveCamera(from: CameraInfo, distance: number, ...moves: Move[])
         notice.value = 'This text does not say where its camera is; as .glint it would.';
         return;
     }
-    machinery.editor?.apply(edits);
+    services.editor?.apply(edits);
     aimed = {text: text.value, camera};
 }

@@ -3,7 +3,7 @@ import {useEffect} from 'preact/hooks';
 
 import {savePicture} from '../files';
 import {openFiles} from '../store/scene';
-import {machinery, notice, pinned, tab} from '../store/state';
+import {services, notice, pinned, tab} from '../store/state';
 import {canvases} from './pictures';
 import {Compare} from './Compare';
 import {Controls} from './Controls';
@@ -35,9 +35,9 @@ function useKeys() {
             if (command && event.key.toLowerCase() === 'z') {
                 event.preventDefault();
                 if (event.shiftKey) {
-                    machinery.editor?.redo();
+                    services.editor?.redo();
                 } else {
-                    machinery.editor?.undo();
+                    services.editor?.undo();
                 }
             } else if (event.key === 's' && !command && !event.altKey) {
                 savePicture(canvases.first);

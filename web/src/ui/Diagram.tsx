@@ -8,9 +8,9 @@ import {itemName, lightName} from './words';
 
 const degrees = (a: Vec3, b: Vec3) => (Math.acos(Math.max(-1, Math.min(1, dot(a, b)))) * 180) / Math.PI;
 
-export function Diagram({told}: {told: Explanation}) {
+export function Diagram({explanation}: {explanation: Explanation}) {
     const {ray, light} = selected.value;
-    const hit = told.rays[ray]?.hit;
+    const hit = explanation.rays[ray]?.hit;
     const terms = hit?.lights[light];
     if (!hit || !terms) return null;
     const n = unit(hit.normal), l = unit(terms.to_light), v = unit(hit.to_eye);

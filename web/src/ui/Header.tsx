@@ -5,7 +5,7 @@ import {useRef} from 'preact/hooks';
 import {savePicture, saveScene} from '../files';
 import {gallery} from '../gallery';
 import {link, openFiles, openScene} from '../store/scene';
-import {fileName, history, machinery, notice, sceneName, text} from '../store/state';
+import {fileName, history, services, notice, sceneName, text} from '../store/state';
 import {canvases} from './pictures';
 
 const families: [string, string][] = [
@@ -96,9 +96,9 @@ export function Header() {
             <span class="file-name" title={fileName.value}>{fileName.value.split('/').at(-1)}{sceneName.value ? `: ${sceneName.value}` : ''}</span>
             <div class="group" role="group" aria-label="History">
                 <button class="quiet" aria-label="Undo" title="Undo (Ctrl+Z)" disabled={!history.value.canUndo}
-                        onClick={() => machinery.editor?.undo()}>↶</button>
+                        onClick={() => services.editor?.undo()}>↶</button>
                 <button class="quiet" aria-label="Redo" title="Redo (Ctrl+Shift+Z)" disabled={!history.value.canRedo}
-                        onClick={() => machinery.editor?.redo()}>↷</button>
+                        onClick={() => services.editor?.redo()}>↷</button>
             </div>
             <div class="spacer" />
             <div class="group" role="group" aria-label="Save">

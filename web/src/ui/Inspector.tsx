@@ -9,9 +9,9 @@ import {Diagram} from './Diagram';
 import {TopView} from './TopView';
 import {css, hex, highlights, isBlack, itemName, layerNames, lightName, reasons, short, shortColor, shortVector} from './words';
 
-function Sum({told}: {told: Explanation}) {
-    const layers = layerNames.filter((name) => !isBlack(told.layers[name]));
-    const most = Math.max(1, ...told.value, ...[0, 1, 2].map((c) => layers.reduce((sum, name) => sum + Math.max(0, told.layers[name][c]!), 0)));
+function Sum({explanation}: {explanation: Explanation}) {
+    const layers = layerNames.filter((name) => !isBlack(explanation.layers[name]));
+    const most = Math.max(1, ...explanation.value, ...[0, 1, 2].map((c) => layers.reduce((sum, name) => sum + Math.max(0, explanation.layers[name][c]!), 0)));
     return (
         <section class="sum" aria-label="What adds up to the colour">
             {(['red', 'green', 'blue'] as const).map((channel, c) => (
@@ -19,11 +19,11 @@ function Sum({told}: {told: Explanation}) {
                     <span>{channel}</span>
                     <div class="bar">
                         {layers.map((name) => (
-                            <span key={name} class={`part ${name}`} style={{width: `${(100 * Math.max(0, told.layers[name][c]!)) / most}%`}}
-                                  title={`${name} ${short(told.layers[name][c])}`} />
+                            <span key={name} class={`part ${name}`} style={{width: `${(100 * Math.max(0, explanation.layers[name][c]!)) / most}%`}}
+                                  title={`${name} ${short(explanation.layers[name][c])}`} />
                         ))}
                     </div>
-                    <span class="mono">{short(told.value[c])}</span>
+                    <span class="mono">{short(explanation.value[c])}</span>
                 </div>
             ))}
             <table class="layers">
@@ -32,13 +32,13 @@ function Sum({told}: {told: Explanation}) {
                     {layers.map((name) => (
                         <tr key={name}>
                             <th scope="row"><span class={`key ${name}`} aria-hidden="true" />{name}</th>
-                            {told.layers[name].map((value, c) => <td key={c}>{short(value)}</td>)}
+                            {explanation.layers[name].map((value, c) => <td key={c}>{short(value)}</td>)}
                         </tr>
                     ))}
                 </tbody>
                 <tfoot>
-                    <tr data-sum><th scope="row">sum</th>{told.value.map((value, c) => <td key={c}>{short(value)}</td>)}</tr>
-                    <tr><th scope="row">× 255</th>{told.bytes.map((value, c) => <td key={c}>{value}</td>)}</tr>
+                    <tr data-sum><th scope="row">sum</th>{explanation.value.map((value, c) => <td key={c}>{short(value)}</td>)}</tr>
+                    <tr><th scope="row">× 255</th>{explanation.bytes.map((value, c) => <td key={c}>{value}</td>)}</tr>
                 </tfoot>
             </table>
         </section>
@@ -100,8 +100,8 @@ function sumWords(hit: ExplainedHit): string {
     return `weight × ${hit.local_share === 1 ? '' : 'own share × '}${sum}`;
 }
 
-function Ray({told, number, depth}: {told: Explanation; number: number; depth: number}) {
-    const ray = told.rays[number]!;
+function Ray({explanation, number, depth}: {explanation: Explanation; number: number; depth: number}) {
+    const ray = explanation.rays[number]!;
     const {hit} = ray;
     const added = hit ? ([0, 1, 2].map((c) => hit.parts.ambient[c]! + hit.parts.diffuse[c]! + hit.parts.specular[c]!) as Vec3) : ray.background!;
     return (
@@ -118,7 +118,7 @@ function Ray({told, number, depth}: {told: Explanation; number: number; depth: n
                     <Term name="object" place={hit.shape} formula={`t = ${short(ray.t)}`} value={itemName(hit.shape)} />
                     <Term name="P" place={hit.shape} value={shortVector(hit.point)} />
                     <Term name="N" place={hit.shape} formula={`${hit.side} side${hit.normal_turned ? ', turned' : ''}`} value={shortVector(hit.normal)} />
-                    <Term name="weight" place={ray.parent === null ? null : told.rays[ray.parent]!.hit?.material} formula="of this ray in the pixel" value={shortColor(ray.weight)} />
+                    <Term name="weight" place={ray.parent === null ? null : explanation.rays[ray.parent]!.hit?.material} formula="of this ray in the pixel" value={shortColor(ray.weight)} />
                     {hit.local_share !== 1 && <Term name="own share" place={hit.material} formula="1 − mirror − glass" value={short(hit.local_share)} />}
                     <Term name="ambient" place={hit.material} formula="k_a I_a" value={shortColor(hit.ambient)} />
                     {hit.lights.map((terms, i) => <Light key={i} terms={terms} hit={hit} ray={number} index={i} />)}
@@ -127,7 +127,7 @@ function Ray({told, number, depth}: {told: Explanation; number: number; depth: n
                     {(['reflected', 'transmitted'] as const).map((side) => {
                         const branch = hit[side];
                         if (branch.state === 'none') return null;
-                        if (branch.ray !== undefined) return <Ray key={side} told={told} number={branch.ray} depth={depth + 1} />;
+                        if (branch.ray !== undefined) return <Ray key={side} explanation={explanation} number={branch.ray} depth={depth + 1} />;
                         return <p class="why" key={side}>{side === 'reflected' ? 'Mirror ray' : 'Ray through glass'} {branchWords[branch.state]}.</p>;
                     })}
                 </>
@@ -137,8 +137,8 @@ function Ray({told, number, depth}: {told: Explanation; number: number; depth: n
 }
 
 export function Inspector() {
-    const told = pinned.value;
-    if (!told) {
+    const explanation = pinned.value;
+    if (!explanation) {
         return (
             <div class="empty">
                 <p><b>Click a pixel</b> of the picture to take it apart.</p>
@@ -147,31 +147,31 @@ export function Inspector() {
         );
     }
     const compare = comparison.value, {side} = pinnedIn.value;
-    const roots = told.rays.map((ray, i) => ({ray, i})).filter(({ray}) => ray.parent === null);
+    const roots = explanation.rays.map((ray, i) => ({ray, i})).filter(({ray}) => ray.parent === null);
     return (
-        <div class="inspector" data-pixel={told.pixel.join(',')}>
+        <div class="inspector" data-pixel={explanation.pixel.join(',')}>
             <div class="pixel-head">
-                <span class="swatch large" style={{background: hex(told.bytes)}} aria-hidden="true" />
-                <h2>Pixel ({told.pixel.join(', ')})</h2>
-                <span class="mono">{told.bytes.join(' ')}</span>
+                <span class="swatch large" style={{background: hex(explanation.bytes)}} aria-hidden="true" />
+                <h2>Pixel ({explanation.pixel.join(', ')})</h2>
+                <span class="mono">{explanation.bytes.join(' ')}</span>
                 <button class="quiet" aria-label="Unpin the pixel" onClick={() => {
                     pinned.value = null;
                 }}>✕</button>
             </div>
             {compare && <p class="note">In the {side === 'first' ? 'left' : 'right'} picture: {compare.key} = {side === 'first' ? compare.a : compare.b}.</p>}
-            <Sum told={told} />
-            <Diagram told={told} />
+            <Sum explanation={explanation} />
+            <Diagram explanation={explanation} />
             <section class="tree" aria-label="Rays">
                 <h3>Rays</h3>
                 {roots.slice(0, 64).map(({ray, i}) => (
                     <div key={i}>
-                        {told.samples > 1 && <p class="note">Sample {ray.sample[0] + 1}, {ray.sample[1] + 1} of {told.samples} × {told.samples}</p>}
-                        <Ray told={told} number={i} depth={0} />
+                        {explanation.samples > 1 && <p class="note">Sample {ray.sample[0] + 1}, {ray.sample[1] + 1} of {explanation.samples} × {explanation.samples}</p>}
+                        <Ray explanation={explanation} number={i} depth={0} />
                     </div>
                 ))}
                 {roots.length > 64 && <p class="note">And {roots.length - 64} more samples.</p>}
             </section>
-            <TopView told={told} />
+            <TopView explanation={explanation} />
         </div>
     );
 }

@@ -12,15 +12,15 @@ export interface Segment {
 }
 
 /** How long a ray that leaves the scene is drawn. */
-const reachOf = (told: Explanation) =>
-    2 * Math.max(1, ...told.rays.filter((ray) => ray.hit && ray.t).map((ray) => ray.t! * Math.hypot(...ray.direction)));
+const reachOf = (explanation: Explanation) =>
+    2 * Math.max(1, ...explanation.rays.filter((ray) => ray.hit && ray.t).map((ray) => ray.t! * Math.hypot(...ray.direction)));
 
 /** All lines of an explanation; of a pixel with many samples, those of the middle one. */
-export function segments(told: Explanation): Segment[] {
-    const middle = Math.floor(told.samples / 2);
-    const reach = reachOf(told);
+export function segments(explanation: Explanation): Segment[] {
+    const middle = Math.floor(explanation.samples / 2);
+    const reach = reachOf(explanation);
     const list: Segment[] = [];
-    for (const ray of told.rays.slice(0, 2000)) {
+    for (const ray of explanation.rays.slice(0, 2000)) {
         if (ray.sample[0] !== middle || ray.sample[1] !== middle) continue;
         const step = reach / Math.hypot(...ray.direction);
         list.push({from: ray.origin, to: ray.hit?.point ?? add(ray.origin, ray.direction, step), kind: ray.kind});
@@ -37,12 +37,12 @@ export function segments(told: Explanation): Segment[] {
     return list;
 }
 
-export function Lines({told, camera, width, height, withCamera}: {
-    told: Explanation; camera: CameraInfo; width: number; height: number; withCamera: boolean;
+export function Lines({explanation, camera, width, height, withCamera}: {
+    explanation: Explanation; camera: CameraInfo; width: number; height: number; withCamera: boolean;
 }) {
     return (
         <svg class="rays" viewBox={`0 0 ${width} ${height}`} preserveAspectRatio="none" aria-hidden="true">
-            {segments(told).map(({from, to, kind}, i) => {
+            {segments(explanation).map(({from, to, kind}, i) => {
                 if (kind === 'camera' && !withCamera) return null;
                 const line = projectLine(camera, width, height, from, to);
                 if (!line || line.some((c) => Math.abs(c) > 1e6)) return null;
@@ -53,15 +53,15 @@ export function Lines({told, camera, width, height, withCamera}: {
 }
 
 export function RayLines() {
-    const told = pinned.value, facts = info.value;
-    if (!told || !facts) return null;
+    const explanation = pinned.value, facts = info.value;
+    if (!explanation || !facts) return null;
     const {width, height} = size.value;
     return (
         <>
-            <Lines told={told} camera={facts.camera} width={width} height={height} withCamera={false} />
+            <Lines explanation={explanation} camera={facts.camera} width={width} height={height} withCamera={false} />
             <svg class="rays" viewBox={`0 0 ${width} ${height}`} preserveAspectRatio="none" aria-hidden="true">
-                <circle class="pin-back" cx={told.pixel[0] + 0.5} cy={told.pixel[1] + 0.5} r={width / 110} vector-effect="non-scaling-stroke" />
-                <circle class="pin" cx={told.pixel[0] + 0.5} cy={told.pixel[1] + 0.5} r={width / 110} vector-effect="non-scaling-stroke" />
+                <circle class="pin-back" cx={explanation.pixel[0] + 0.5} cy={explanation.pixel[1] + 0.5} r={width / 110} vector-effect="non-scaling-stroke" />
+                <circle class="pin" cx={explanation.pixel[0] + 0.5} cy={explanation.pixel[1] + 0.5} r={width / 110} vector-effect="non-scaling-stroke" />
             </svg>
         </>
     );

@@ -57,14 +57,14 @@ function CameraButtons() {
 }
 
 function PixelLine() {
-    const told = hovered.value ?? pinned.value;
-    if (!told) return <p class="pixel-line" aria-live="polite">Point at the picture; click a pixel to take it apart; drag to turn the camera, with Shift to shift it.</p>;
-    const hit = told.rays[0]?.hit;
+    const explanation = hovered.value ?? pinned.value;
+    if (!explanation) return <p class="pixel-line" aria-live="polite">Point at the picture; click a pixel to take it apart; drag to turn the camera, with Shift to shift it.</p>;
+    const hit = explanation.rays[0]?.hit;
     return (
         <p class="pixel-line" aria-live="polite">
-            <span class="mono">({told.pixel.join(', ')})</span>
-            <span class="swatch" style={{background: hex(told.bytes)}} aria-hidden="true" />
-            <span class="mono">{told.bytes.join(' ')}</span>
+            <span class="mono">({explanation.pixel.join(', ')})</span>
+            <span class="swatch" style={{background: hex(explanation.bytes)}} aria-hidden="true" />
+            <span class="mono">{explanation.bytes.join(' ')}</span>
             {hit ? <>
                 <button class="link" onClick={() => reveal(hit.shape)}>{itemName(hit.shape)}</button>
                 <span class="mono faint">({hit.point.map((c) => Number(c.toPrecision(4))).join(', ')})</span>
@@ -99,17 +99,17 @@ function Status() {
 }
 
 export function Stage() {
-    const room = useRef<HTMLDivElement>(null);
+    const area = useRef<HTMLDivElement>(null);
     const frame = useRef<HTMLDivElement>(null);
     const box = useSignal({width: 600, height: 600});
     useLayoutEffect(() => {
         const measure = () => {
-            const {clientWidth, clientHeight} = room.current!;
+            const {clientWidth, clientHeight} = area.current!;
             box.value = {width: Math.max(64, clientWidth), height: Math.max(64, clientHeight)};
         };
         measure();
         const observer = new ResizeObserver(measure);
-        observer.observe(room.current!);
+        observer.observe(area.current!);
         return () => observer.disconnect();
     }, []);
     useWheel(frame);
@@ -120,7 +120,7 @@ export function Stage() {
     const percent = (n: number, of: number) => `${(100 * n) / of}%`;
     return (
         <section class="stage" aria-label="Picture">
-            <div class="room" ref={room}>
+            <div class="stage-area" ref={area}>
                 <div
                     ref={frame} class={`frame${shown.enlarged ? ' enlarged' : ''}`} tabIndex={0} role="application"
                     aria-label="Picture. Arrow keys point at a pixel, Enter takes it apart, S saves."

@@ -5,7 +5,7 @@ import {useLayoutEffect, useRef} from 'preact/hooks';
 import {Editor} from '../editor/editor';
 import {revealMistake} from '../store/places';
 import {chooseScene, convertToGlint, textChanged} from '../store/scene';
-import {besideNow, diagnostics, failure, fileName, format, machinery, sceneName, text} from '../store/state';
+import {currentDocumentState, diagnostics, failure, fileName, format, services, sceneName, text} from '../store/state';
 import {spanOf} from '../text/places';
 import {Choice} from './fields';
 
@@ -15,8 +15,8 @@ export function TextPane() {
     const host = useRef<HTMLDivElement>(null);
     // Before the first scene is opened.
     useLayoutEffect(() => {
-        const editor = new Editor(host.current!, {changed: textChanged, beside: besideNow});
-        machinery.editor = editor;
+        const editor = new Editor(host.current!, {changed: textChanged, documentState: currentDocumentState});
+        services.editor = editor;
         return effect(() => {
             const here = diagnostics.value.filter((one) => one.line > 0 && one.file === fileName.value);
             const now = text.peek();

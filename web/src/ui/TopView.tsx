@@ -6,32 +6,32 @@ import {useEffect, useRef} from 'preact/hooks';
 
 import {add, overview, overviewCamera} from '../camera';
 import {View} from '../engine/view';
-import {info, machinery, text} from '../store/state';
+import {info, services, text} from '../store/state';
 import {Lines, segments} from './RayLines';
 
 const width = 320, height = 240;
 
 /** What the view is to hold: where the pixel's rays begin, end and are lit from. */
-function pointsOf(told: Explanation): Vec3[] {
-    const rays = segments(told).filter((one) => one.kind !== 'dark' && one.kind !== 'light');
-    const hits = told.rays.flatMap((ray) => (ray.hit ? [ray.hit.point] : []));
+function pointsOf(explanation: Explanation): Vec3[] {
+    const rays = segments(explanation).filter((one) => one.kind !== 'dark' && one.kind !== 'light');
+    const hits = explanation.rays.flatMap((ray) => (ray.hit ? [ray.hit.point] : []));
     const ends = hits.length > 0 ? hits : rays.map((one) => one.to);
-    const reach = Math.max(...ends.map((p) => Math.hypot(...add(p, told.rays[0]!.origin, -1))));
+    const reach = Math.max(...ends.map((p) => Math.hypot(...add(p, explanation.rays[0]!.origin, -1))));
     const lights = (info.value?.lights ?? []).flatMap((light) =>
         light.position && Math.hypot(...add(light.position, ends[0]!, -1)) < 2 * reach ? [light.position] : []);
-    return [told.rays[0]!.origin, ...ends, ...lights];
+    return [explanation.rays[0]!.origin, ...ends, ...lights];
 }
 
-export function TopView({told}: {told: Explanation}) {
+export function TopView({explanation}: {explanation: Explanation}) {
     const canvas = useRef<HTMLCanvasElement>(null);
     const view = useRef<View | null>(null);
     const yaw = useSignal(0), tilt = useSignal(0.35);
     const camera = info.value!.camera;
-    const seen = overview(pointsOf(told), camera, yaw.value, tilt.value, width / height);
+    const seen = overview(pointsOf(explanation), camera, yaw.value, tilt.value, width / height);
     const key = JSON.stringify(seen);
     useEffect(() => {
         const context = canvas.current!.getContext('2d', {alpha: false})!;
-        view.current = new View(machinery.pool!, 'top', {
+        view.current = new View(services.pool!, 'top', {
             opened: () => {},
             sized: () => {},
             painted: (tile, to, stretched) => {
@@ -50,16 +50,16 @@ export function TopView({told}: {told: Explanation}) {
         return () => view.current?.stop();
     }, []);
     useEffect(() => {
-        const current = machinery.first?.current;
+        const current = services.first?.current;
         if (!current) return;
         view.current?.show({
-            request: current.subject.request,
+            request: current.content.request,
             prepare: {
                 settings: {size: `${width}x${height}`, shading: 'diffuse', shadows: 'false', reflections: '0', aa: '2', pixel_sample: 'center', camera_t_min: '0', ray_direction: 'unit'},
                 camera: seen,
             },
         });
-    }, [key, text.value, told]);
+    }, [key, text.value, explanation]);
     const turn = (dx: number, dy: number) => {
         yaw.value += dx;
         tilt.value = Math.max(0, Math.min(1.5, tilt.value + dy));
@@ -82,7 +82,7 @@ export function TopView({told}: {told: Explanation}) {
                 }}
             >
                 <canvas ref={canvas} width={width} height={height} />
-                <Lines told={told} camera={overviewCamera(seen)} width={width} height={height} withCamera />
+                <Lines explanation={explanation} camera={overviewCamera(seen)} width={width} height={height} withCamera />
             </div>
             <p class="legend">
                 <span class="ray-key camera" /> camera <span class="ray-key mirror" /> mirror <span class="ray-key transmitted" /> glass

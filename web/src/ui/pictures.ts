@@ -4,9 +4,9 @@ import {batch, signal} from '@preact/signals';
 
 import type {Pool} from '../engine/pool';
 import type {Opened, Rect} from '../engine/protocol';
-import {type Subject, View, type ViewEvents} from '../engine/view';
+import {type ViewContent, View, type ViewEvents} from '../engine/view';
 import {explainAgain} from '../store/pixels';
-import {comparison, comparisonFailure, diagnostics, failure, info, machinery, progress, size, state} from '../store/state';
+import {comparison, comparisonFailure, diagnostics, failure, info, services, progress, size, state} from '../store/state';
 
 export const canvases = {first: document.createElement('canvas'), second: document.createElement('canvas')};
 /** Counts the second picture's completions, for the difference. */
@@ -41,8 +41,8 @@ function painter(canvas: HTMLCanvasElement, resized?: (width: number, height: nu
     };
 }
 
-function opened({report, info: facts}: Opened, {version}: Subject) {
-    if (facts && version !== undefined) machinery.editor?.wasRead(version);
+function opened({report, info: facts}: Opened, {version}: ViewContent) {
+    if (facts && version !== undefined) services.editor?.wasRead(version);
     batch(() => {
         failure.value = facts ? '' : (report.error ?? '');
         diagnostics.value = report.diagnostics;
@@ -95,6 +95,6 @@ export function connectViews(pool: Pool) {
             if (comparison.value) comparisonFailure.value = why;
         },
     };
-    machinery.first = new View(pool, 'first', first);
-    machinery.second = new View(pool, 'second', second);
+    services.first = new View(pool, 'first', first);
+    services.second = new View(pool, 'second', second);
 }

@@ -9,7 +9,7 @@ interface Version {
     text: Text;
 }
 
-export class Drift {
+export class PlaceTracker {
     /** Of the text now; each change makes a new one. */
     version = 0;
     /** What places are of, and how it came to what is now. */
