@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Every number and index of a scene, checked once, so that no later room has to.
+// Every number and index of a scene, checked once, so that no later module has to.
 #include <fmt/format.h>
 
 #include <optional>

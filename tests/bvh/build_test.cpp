@@ -9,7 +9,7 @@
 #include "bvh/bvh.h"
 #include "geometry/random_values.h"
 
-namespace glint::testing {
+namespace glint::test {
 namespace {
 
 // Classes with leaves of several sizes and prices.
@@ -244,4 +244,4 @@ TEST(Bvh, CrossedBarsDoNotShareALeaf) {
 }
 
 }  // namespace
-}  // namespace glint::testing
+}  // namespace glint::test

@@ -2,7 +2,7 @@
 // Mistakes of the camera, planted, and what is none.
 #include "check/check_text.h"
 
-namespace glint {
+namespace glint::test {
 namespace {
 
 TEST(CheckCamera, ACleanSceneHasNoFinding) { EXPECT_EQ(ids_of(k_clean), ""); }
@@ -110,4 +110,4 @@ TEST(CheckCamera, SkewedFrame) {
 }
 
 }  // namespace
-}  // namespace glint
+}  // namespace glint::test

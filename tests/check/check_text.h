@@ -8,7 +8,7 @@
 #include "formats/load_text.h"
 #include "glint/check.h"
 
-namespace glint {
+namespace glint::test {
 
 inline CheckResult check_loaded(const Scene& scene, std::span<const SceneText> texts = {}) {
     CheckOptions options;
@@ -62,4 +62,4 @@ sphere "left" { center = (-1.5, 1, 0)  radius = 1  color = (0.8, 0.3, 0.2)  ambi
 box { min = (0.5, 0, -0.5)  max = (1.5, 1, 0.5)  color = (0.2, 0.3, 0.8)  ambient = 1  diffuse = 0.9 }
 )";
 
-}  // namespace glint
+}  // namespace glint::test

@@ -4,7 +4,7 @@
 
 #include "check/check_text.h"
 
-namespace glint {
+namespace glint::test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -52,4 +52,4 @@ TEST(CheckGallery, AsTheSourcesDrawIt) {
 }
 
 }  // namespace
-}  // namespace glint
+}  // namespace glint::test

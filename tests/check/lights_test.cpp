@@ -2,7 +2,7 @@
 // Mistakes of lights, planted, and what is none.
 #include "check/check_text.h"
 
-namespace glint {
+namespace glint::test {
 namespace {
 
 TEST(CheckLights, InsideAClosedShape) {
@@ -172,4 +172,4 @@ TEST(CheckLights, ManyLightsEachOfThemLooked) {
 }
 
 }  // namespace
-}  // namespace glint
+}  // namespace glint::test

@@ -6,7 +6,7 @@
 
 #include "check/check_text.h"
 
-namespace glint {
+namespace glint::test {
 namespace {
 
 TEST(CheckList, DocsNameEveryKind) {
@@ -69,4 +69,4 @@ TEST(CheckList, TheFindingsDoNotDependOnThreads) {
 }
 
 }  // namespace
-}  // namespace glint
+}  // namespace glint::test

@@ -2,7 +2,7 @@
 // Mistakes of materials, planted, and what is none.
 #include "check/check_text.h"
 
-namespace glint {
+namespace glint::test {
 namespace {
 
 TEST(CheckMaterials, Unused) {
@@ -39,4 +39,4 @@ TEST(CheckMaterials, ShininessOfZero) {
 }
 
 }  // namespace
-}  // namespace glint
+}  // namespace glint::test

@@ -2,7 +2,7 @@
 // Normals and vectors, planted, and what is no mistake.
 #include "check/check_text.h"
 
-namespace glint {
+namespace glint::test {
 namespace {
 
 const std::string k_pov =
@@ -90,4 +90,4 @@ TEST(CheckVectors, DirectionsThatAreNotNormalised) {
 }
 
 }  // namespace
-}  // namespace glint
+}  // namespace glint::test

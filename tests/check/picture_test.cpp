@@ -2,7 +2,7 @@
 // What a small picture shows, planted, and what is no mistake.
 #include "check/check_text.h"
 
-namespace glint {
+namespace glint::test {
 namespace {
 
 TEST(CheckPicture, Black) {
@@ -127,4 +127,4 @@ TEST(CheckPicture, OneMirrorNeedsOneReflection) {
 }
 
 }  // namespace
-}  // namespace glint
+}  // namespace glint::test

@@ -4,7 +4,7 @@
 
 #include "check/check_text.h"
 
-namespace glint {
+namespace glint::test {
 namespace {
 
 double seconds_of_check(const Scene& scene) {
@@ -53,4 +53,4 @@ TEST(CheckScale, ThousandsInOnePlane) {
 }
 
 }  // namespace
-}  // namespace glint
+}  // namespace glint::test

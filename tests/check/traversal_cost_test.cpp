@@ -4,7 +4,7 @@
 #include "check/visible_hits.h"
 #include "gallery/scene_file.h"
 
-namespace glint {
+namespace glint::test {
 namespace {
 
 // Shells around the camera, by a ball that is hidden behind the first of them.
@@ -65,4 +65,4 @@ TEST(CheckCost, TheGalleryIsLookedAtWhole) {
 }
 
 }  // namespace
-}  // namespace glint
+}  // namespace glint::test

@@ -2,7 +2,7 @@
 // Shapes that nobody sees, and shapes in one place: planted, and what is no mistake.
 #include "check/check_text.h"
 
-namespace glint {
+namespace glint::test {
 namespace {
 
 TEST(CheckShapes, OutsideTheView) {
@@ -149,4 +149,4 @@ triangle { vertices = ((-1, -1, 0), (1, 1, 0), (-1, 1, 0))  color = (0, 1, 0) }
 }
 
 }  // namespace
-}  // namespace glint
+}  // namespace glint::test

@@ -9,7 +9,7 @@
 #include "gallery/scene_file.h"
 #include "glint/explain.h"
 
-namespace glint {
+namespace glint::test {
 namespace {
 
 using Numbers = std::array<double, 8>;
@@ -84,4 +84,4 @@ INSTANTIATE_TEST_SUITE_P(Rules, VisibleHitsTest,
                                          "fresnel=schlick offset=normal epsilon=0.001"));
 
 }  // namespace
-}  // namespace glint
+}  // namespace glint::test

@@ -82,7 +82,7 @@ inline Image draw_text(const std::string& text) { return as_file(draw(read_scene
 
 /// A ball behind every lamp as seen from the origin, so large that it takes the light of a part of the
 /// picture if shadow rays do not end at the lamp.
-inline std::string with_balls_behind_lamps(std::string text) {
+inline std::string with_balls_behind_lights(std::string text) {
     const std::regex lamp("type = point  position = \\(([^,]*), ([^,]*), ([^)]*)\\)");
     std::string balls;
     for (std::sregex_iterator it(text.begin(), text.end(), lamp), end; it != end; ++it) {
@@ -114,7 +114,7 @@ inline TestScene test_scene(const std::string& name) {
     text = replaced(text, "background = \\([^)]*\\)", "background = (0.25, 0.35, 0.5)");
     text = replaced(text, "(type = point[^}]*)\\}", "$1 attenuation = (1, 0.02, 0.0003) }");
     text = with_key(text, "mirror_miss", "background");
-    return {name, with_balls_behind_lamps(text)};
+    return {name, with_balls_behind_lights(text)};
 }
 
 inline const std::vector<TestScene>& test_scenes() {

@@ -11,7 +11,7 @@
 #include "base/text.h"
 #include "glint/load.h"
 
-namespace glint {
+namespace glint::test {
 
 inline LoadResult load_text(std::string_view text, std::string name, LoadOptions options = {},
                             Sources* sources = nullptr) {
@@ -78,4 +78,4 @@ inline std::string what_is_wrong(const LoadResult& result, std::string_view text
     return {};
 }
 
-}  // namespace glint
+}  // namespace glint::test

@@ -8,7 +8,7 @@
 
 #include "formats/load_text.h"
 
-namespace glint {
+namespace glint::test {
 
 struct BadText {
     const char* name;  ///< of the test
@@ -53,4 +53,4 @@ inline void expect_messages(const BadText& mistake, const char* file) {
 
 inline std::string test_name(const testing::TestParamInfo<BadText>& param) { return param.param.name; }
 
-}  // namespace glint
+}  // namespace glint::test

@@ -6,7 +6,7 @@
 
 #include "glint/load.h"
 
-namespace glint {
+namespace glint::test {
 
 /// What a text may include: a part of itself, under any name. At most 200 bytes, as it may do so often.
 class FuzzSources : public Sources {
@@ -37,4 +37,4 @@ inline std::string fuzz_load(std::string_view text, std::string format) {
     return {};
 }
 
-}  // namespace glint
+}  // namespace glint::test

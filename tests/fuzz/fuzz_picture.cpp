@@ -6,7 +6,7 @@
 #include <cstdlib>
 
 extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t size) {
-    const std::string wrong = glint::fuzz_decode({data, size});
+    const std::string wrong = glint::test::fuzz_decode({data, size});
     if (wrong.empty()) return 0;
     std::fprintf(stderr, "%s\n", wrong.c_str());
     std::abort();

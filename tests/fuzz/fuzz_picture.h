@@ -7,7 +7,7 @@
 
 #include "glint/image.h"
 
-namespace glint {
+namespace glint::test {
 
 /// Decodes the bytes, as a picture of few pixels; an empty string, or what is wrong with the answer.
 inline std::string fuzz_decode(std::span<const std::uint8_t> bytes) {
@@ -32,4 +32,4 @@ inline std::string fuzz_decode(std::span<const std::uint8_t> bytes) {
                                                                           : "other bytes came back";
 }
 
-}  // namespace glint
+}  // namespace glint::test

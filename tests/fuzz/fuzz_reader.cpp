@@ -7,7 +7,7 @@
 
 extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t size) {
     const std::string wrong =
-        glint::fuzz_load({reinterpret_cast<const char*>(data), size}, GLINT_FUZZED_FORMAT);
+        glint::test::fuzz_load({reinterpret_cast<const char*>(data), size}, GLINT_FUZZED_FORMAT);
     if (wrong.empty()) return 0;
     std::fprintf(stderr, "%s\n", wrong.c_str());
     std::abort();

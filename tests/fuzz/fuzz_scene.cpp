@@ -7,8 +7,9 @@
 #include <cstdlib>
 
 extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t size) {
-    const glint::NamedText named = glint::split_format({reinterpret_cast<const char*>(data), size});
-    const std::string wrong = glint::GLINT_FUZZED(named.text, named.format);
+    const glint::test::NamedText named =
+        glint::test::split_format({reinterpret_cast<const char*>(data), size});
+    const std::string wrong = glint::test::GLINT_FUZZED(named.text, named.format);
     if (wrong.empty()) return 0;
     std::fprintf(stderr, "%s\n", wrong.c_str());
     std::abort();

@@ -6,10 +6,10 @@
 #include <string>
 #include <string_view>
 
-#include "formats/drawn.h"
+#include "formats/scene_fingerprint.h"
 #include "glint/glint.h"
 
-namespace glint {
+namespace glint::test {
 
 /// A format's name in the first line, and a text of that format after it.
 struct NamedText {
@@ -78,4 +78,4 @@ inline std::string fuzz_render(std::string_view text, std::string format) {
     return fuzz_explain(*loaded.scene, *prepared.world, *result.image);
 }
 
-}  // namespace glint
+}  // namespace glint::test

@@ -12,7 +12,7 @@
 #include "glint/glint.h"
 #include "image/golden.h"
 
-namespace glint {
+namespace glint::test {
 namespace {
 
 struct GalleryPicture {
@@ -136,4 +136,4 @@ TEST(GalleryList, NamesEveryScene) {
 }
 
 }  // namespace
-}  // namespace glint
+}  // namespace glint::test

@@ -58,7 +58,7 @@ HWY_EXPORT(filter_spheres);
 HWY_EXPORT(filter_triangles);
 HWY_EXPORT(filter_cylinders);
 HWY_EXPORT(filter_cones);
-namespace testing {
+namespace test {
 namespace {
 
 namespace plain = HWY_NAMESPACE;
@@ -313,6 +313,6 @@ TEST(SphereFilter, RejectsMostOfWhatMisses) {
 }
 
 }  // namespace
-}  // namespace testing
+}  // namespace test
 }  // namespace glint
 #endif

@@ -7,7 +7,7 @@
 
 #include "geometry/shape_cases.h"
 
-namespace glint::testing {
+namespace glint::test {
 namespace {
 
 constexpr double k_epsilon = 0x1p-53;
@@ -273,4 +273,4 @@ TEST(PlaneHits, WithinThePlaneThereAreNone) {
 }
 
 }  // namespace
-}  // namespace glint::testing
+}  // namespace glint::test

@@ -7,7 +7,7 @@
 #include "math/transform.h"
 #include "math/ulp.h"
 
-namespace glint::testing {
+namespace glint::test {
 
 inline int below(Random& random, int n) {
     return static_cast<int>(random.bits() % static_cast<std::uint64_t>(n));
@@ -47,4 +47,4 @@ inline Vec3 axis_direction(Random& random) {
     return {v[0], v[1], v[2]};
 }
 
-}  // namespace glint::testing
+}  // namespace glint::test

@@ -7,7 +7,7 @@
 
 #include "geometry/shape_cases.h"
 
-namespace glint::testing {
+namespace glint::test {
 namespace {
 
 using Point = plain::SurfacePoint<double>;
@@ -121,4 +121,4 @@ TYPED_TEST(Reintersect, NeverUnderGlintsConvention) {
 }
 
 }  // namespace
-}  // namespace glint::testing
+}  // namespace glint::test

@@ -8,7 +8,7 @@
 #include "geometry/kinds-inl.h"
 #include "geometry/random_values.h"
 
-namespace glint::testing {
+namespace glint::test {
 
 namespace plain = HWY_NAMESPACE;
 using Long = long double;
@@ -268,4 +268,4 @@ struct EllipsoidCase {
     }
 };
 
-}  // namespace glint::testing
+}  // namespace glint::test

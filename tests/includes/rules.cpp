@@ -6,7 +6,7 @@
 #include <regex>
 #include <sstream>
 
-namespace glint::includes {
+namespace glint::test {
 namespace {
 
 using Names = std::set<std::string_view>;
@@ -46,11 +46,12 @@ std::optional<std::string> check_public(const Include& include) {
     return "a public header includes only the standard library and glint/, not " + quoted(include.name);
 }
 
-std::optional<std::string> check_library(std::string_view path, const Room& room, const Include& include) {
+std::optional<std::string> check_library(std::string_view path, const Module& module,
+                                         const Include& include) {
     const std::string_view name = include.name;
-    const bool is_face = room.name == "cli" || room.name == "wasm";
+    const bool is_face = module.name == "cli" || module.name == "wasm";
     if (is_standard(name)) {
-        if (room.in_browser && k_not_in_browser.contains(name))
+        if (module.in_browser && k_not_in_browser.contains(name))
             return quoted(name) + " does not exist in the browser build";
         if (!is_face && k_printing.contains(name))
             return "the library never prints, but includes " + quoted(name);
@@ -59,14 +60,14 @@ std::optional<std::string> check_library(std::string_view path, const Room& room
     // The files that put the kernels of every instruction set together.
     if (path.starts_with("src/trace/") && path.ends_with("kernels.cpp") && name == "hwy/foreach_target.h")
         return std::nullopt;
-    if (starts_with_any(name, room.libraries)) return std::nullopt;
-    return std::string(room.name) + " may not include " + quoted(name);
+    if (starts_with_any(name, module.libraries)) return std::nullopt;
+    return std::string(module.name) + " may not include " + quoted(name);
 }
 
 }  // namespace
 
-const std::vector<Room>& rooms() {
-    static const std::vector<Room> list = {
+const std::vector<Module>& modules() {
+    static const std::vector<Module> list = {
         {"base", {}, {"oneapi/tbb/", "fmt/", "immintrin.h", "sys/mman.h"}},
         {"math", {"base"}, {}},
         {"simd", {"base", "math"}, {"hwy/", "cpuid.h"}},
@@ -118,15 +119,16 @@ std::vector<Include> find_includes(std::string_view text) {
 std::optional<std::string> check_include(std::string_view path, const Include& include) {
     if (path.starts_with("include/")) return check_public(include);
     const std::string_view inside = path.substr(std::string_view("src/").size());
-    const std::string_view room_name = inside.substr(0, inside.find('/'));
-    const auto room =
-        std::find_if(rooms().begin(), rooms().end(), [&](const Room& r) { return r.name == room_name; });
-    if (room == rooms().end())
-        return "no room is called " + std::string(room_name) + ": give it a line in tests/includes/rules.cpp";
-    if (!include.quoted) return check_library(path, *room, include);
+    const std::string_view module_name = inside.substr(0, inside.find('/'));
+    const auto module = std::find_if(modules().begin(), modules().end(),
+                                     [&](const Module& r) { return r.name == module_name; });
+    if (module == modules().end())
+        return "no module is called " + std::string(module_name) +
+               ": give it a line in tests/includes/rules.cpp";
+    if (!include.quoted) return check_library(path, *module, include);
     const std::string_view target = std::string_view(include.name).substr(0, include.name.find('/'));
-    if (target == "glint" || target == room_name || room->sees.contains(target)) return std::nullopt;
-    return std::string(room_name) + " may not see \"" + include.name + "\"";
+    if (target == "glint" || target == module_name || module->sees.contains(target)) return std::nullopt;
+    return std::string(module_name) + " may not see \"" + include.name + "\"";
 }
 
 std::vector<std::string> find_libm_calls(std::string_view text) {
@@ -164,4 +166,4 @@ std::vector<std::string> find_types(std::string_view text) {
     return found;
 }
 
-}  // namespace glint::includes
+}  // namespace glint::test

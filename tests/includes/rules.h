@@ -1,23 +1,23 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// Which room may include what: the arrows of docs/architecture.md, as data.
+// Which module may include what: the arrows of docs/architecture.md, as data.
 #include <optional>
 #include <set>
 #include <string>
 #include <string_view>
 #include <vector>
 
-namespace glint::includes {
+namespace glint::test {
 
-struct Room {
+struct Module {
     std::string_view name;
-    std::set<std::string_view> sees;       ///< other rooms of src/
+    std::set<std::string_view> sees;       ///< other modules of src/
     std::set<std::string_view> libraries;  ///< what a third-party or system include may begin with
     bool in_browser = true;                ///< compiled for WebAssembly too
 };
 
-/// The rooms of src/.
-const std::vector<Room>& rooms();
+/// The modules of src/.
+const std::vector<Module>& modules();
 
 /// One #include of a file, as written.
 struct Include {
@@ -41,4 +41,4 @@ std::vector<std::string> find_libm_calls(std::string_view text);
 /// project's is.
 std::vector<std::string> find_types(std::string_view text);
 
-}  // namespace glint::includes
+}  // namespace glint::test

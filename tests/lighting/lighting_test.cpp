@@ -8,7 +8,7 @@
 #include "geometry/random_values.h"
 #include "lighting/phong-inl.h"
 
-namespace glint::testing {
+namespace glint::test {
 namespace {
 
 namespace plain = HWY_NAMESPACE;
@@ -161,4 +161,4 @@ TEST(Lighting, DoubleAgreesWithLongDouble) {
 }
 
 }  // namespace
-}  // namespace glint::testing
+}  // namespace glint::test

@@ -9,7 +9,7 @@
 
 #include "glint/glint.h"
 
-namespace glint {
+namespace glint::test {
 namespace {
 
 /// What a ray meets: the local colours c_i and mirror coefficients a_i of its surfaces in order.
@@ -110,4 +110,4 @@ TEST(MirrorSum, is_what_the_renderer_draws) {
 }
 
 }  // namespace
-}  // namespace glint
+}  // namespace glint::test

@@ -115,7 +115,7 @@ double plain(int which, double x, double y) {
 
 TEST(ElementaryLanes, have_the_bits_of_plain_numbers) {
     constexpr std::size_t k_count = 100000;
-    testing::Random random(20);
+    test::Random random(20);
     int tested = 0;
     for (int which = 0; which < 9; ++which) {
         std::vector<double> x(k_count), y(k_count), out(k_count);

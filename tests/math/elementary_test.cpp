@@ -12,12 +12,12 @@
 
 #include "math/ulp.h"
 
-namespace glint {
+namespace glint::test {
 namespace {
 
-using testing::Random;
-using testing::ulps;
-using testing::WorstError;
+using test::Random;
+using test::ulps;
+using test::WorstError;
 
 constexpr double k_inf = std::numeric_limits<double>::infinity();
 constexpr double k_pi = 3.14159265358979323846;
@@ -319,4 +319,4 @@ TEST(Elementary, has_the_same_bits_everywhere) {
 }
 
 }  // namespace
-}  // namespace glint
+}  // namespace glint::test

@@ -8,10 +8,10 @@
 
 #include "math/ulp.h"
 
-namespace glint {
+namespace glint::test {
 namespace {
 
-using testing::Random;
+using test::Random;
 
 Vec3 random_vector(Random& random, double size) {
     const double x = random.uniform(-size, size), y = random.uniform(-size, size);
@@ -111,4 +111,4 @@ TEST(Affine, normals_stay_perpendicular_and_on_their_side) {
 }
 
 }  // namespace
-}  // namespace glint
+}  // namespace glint::test

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdint>
 
-namespace glint::testing {
+namespace glint::test {
 
 /// |got - exact| in ulps of the double nearest to exact; exact is not 0 and its double is normal.
 inline double ulps(double got, long double exact) {
@@ -42,4 +42,4 @@ class Random {
     std::uint64_t state_;
 };
 
-}  // namespace glint::testing
+}  // namespace glint::test

@@ -4,7 +4,7 @@
 
 #include "trace/pictures.h"
 
-namespace glint::testing {
+namespace glint::test {
 namespace {
 
 Material shiny() {
@@ -255,4 +255,4 @@ TEST(ClosedForm, AMirroringMapKeepsTheFrontOfFlatShapes) {
 }
 
 }  // namespace
-}  // namespace glint::testing
+}  // namespace glint::test

@@ -5,7 +5,7 @@
 #include "trace/hit_rule.h"
 #include "trace/pictures.h"
 
-namespace glint::testing {
+namespace glint::test {
 namespace {
 
 constexpr double k_step = 1e-6;  // how far rays leave a surface here
@@ -354,4 +354,4 @@ TEST(Glass, RaysThatDoubleAtEverySurfaceAreLimited) {
 }
 
 }  // namespace
-}  // namespace glint::testing
+}  // namespace glint::test

@@ -8,7 +8,7 @@
 #include "trace/hit_rule.h"
 #include "trace/worlds.h"
 
-namespace glint::testing {
+namespace glint::test {
 namespace {
 
 /// Every instruction set and packet gives the bits of the brute force. Returns how many rays hit.
@@ -170,4 +170,4 @@ TEST(HitExtremes, NegativeEmptyAndUndefinedRanges) {
 }
 
 }  // namespace
-}  // namespace glint::testing
+}  // namespace glint::test

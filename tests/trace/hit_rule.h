@@ -12,7 +12,7 @@
 #include "world/primitive_box.h"
 #include "world/world.h"
 
-namespace glint::testing {
+namespace glint::test {
 
 namespace plain = HWY_NAMESPACE;
 
@@ -101,4 +101,4 @@ inline Hits brute_hits(const World& world, const Rays& rays) {
     return hits;
 }
 
-}  // namespace glint::testing
+}  // namespace glint::test

@@ -8,7 +8,7 @@
 
 #include "trace/worlds.h"
 
-namespace glint::testing {
+namespace glint::test {
 namespace {
 
 constexpr int k_packet_sizes[] = {1, 2, 3, 8, 17, 64};
@@ -334,4 +334,4 @@ TEST(HitRule, BadRaysHitNothingAndLeaveTheOthersAlone) {
 }
 
 }  // namespace
-}  // namespace glint::testing
+}  // namespace glint::test

@@ -13,7 +13,7 @@
 #include <immintrin.h>
 #endif
 
-namespace glint::testing {
+namespace glint::test {
 namespace {
 
 // Every kind of shape, mirrors, glass, several lights, shadows, three samples a side.
@@ -305,4 +305,4 @@ TEST(Render, CountsRaysAsTracedByHand) {
 }
 
 }  // namespace
-}  // namespace glint::testing
+}  // namespace glint::test

@@ -9,7 +9,7 @@
 // The address sanitizer keeps what is freed.
 #if defined(__linux__) && !defined(__SANITIZE_ADDRESS__)
 
-namespace glint {
+namespace glint::test {
 namespace {
 
 double resident_megabytes() {
@@ -44,6 +44,6 @@ INSTANTIATE_TEST_SUITE_P(Threads, Memory, testing::Values(2, 8, 16),
                          [](const auto& threads) { return "Of" + std::to_string(threads.param); });
 
 }  // namespace
-}  // namespace glint
+}  // namespace glint::test
 
 #endif

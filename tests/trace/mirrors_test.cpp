@@ -5,7 +5,7 @@
 #include "trace/hit_rule.h"
 #include "trace/pictures.h"
 
-namespace glint::testing {
+namespace glint::test {
 namespace {
 
 // The recursion as CGFS and RT2 have it, over ambient light alone.
@@ -190,4 +190,4 @@ TEST(Mirrors, OtherShadingModesLookNoFurther) {
 }
 
 }  // namespace
-}  // namespace glint::testing
+}  // namespace glint::test

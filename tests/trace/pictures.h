@@ -9,7 +9,7 @@
 
 #include "trace/worlds.h"
 
-namespace glint::testing {
+namespace glint::test {
 
 inline Image render_world(const World& world, const RenderOptions& options = {}) {
     RenderResult result = render(world, options);
@@ -110,4 +110,4 @@ inline Light ambient_light(Color color) {
     return light;
 }
 
-}  // namespace glint::testing
+}  // namespace glint::test

@@ -3,7 +3,7 @@
 #include "trace/hit_rule.h"
 #include "trace/worlds.h"
 
-namespace glint::testing {
+namespace glint::test {
 namespace {
 
 TEST(RayQueries, AreTheHitRule) {
@@ -81,4 +81,4 @@ TEST(RayQueries, GlassOccludesByTheConventions) {
 }
 
 }  // namespace
-}  // namespace glint::testing
+}  // namespace glint::test

@@ -8,7 +8,7 @@
 #include "bvh/rays.h"
 #include "trace/kernels.h"
 
-namespace glint::testing {
+namespace glint::test {
 
 class Rays {
   public:
@@ -61,4 +61,4 @@ inline std::vector<std::uint8_t> any_hits(const Kernels& kernels, const World& w
     return occluded;
 }
 
-}  // namespace glint::testing
+}  // namespace glint::test

@@ -7,7 +7,7 @@
 #include "trace/pictures.h"
 #include "trace/rays.h"
 
-namespace glint::testing {
+namespace glint::test {
 namespace {
 
 /// Columns with the padding that is promised, and no more.
@@ -102,4 +102,4 @@ TEST(Scratch, AnEarlierPictureOfMoreMaterialsLeavesNothingBehind) {
 }
 
 }  // namespace
-}  // namespace glint::testing
+}  // namespace glint::test

@@ -4,7 +4,7 @@
 
 #include "trace/pictures.h"
 
-namespace glint::testing {
+namespace glint::test {
 namespace {
 
 // One pixel, looking along `view` at P = (0, 0, 0) on the plane y = 0; with a light; and a small disc across
@@ -280,4 +280,4 @@ TEST(Shadows, ALightInTheSurfaceItself) {
 }
 
 }  // namespace
-}  // namespace glint::testing
+}  // namespace glint::test

@@ -8,7 +8,7 @@
 #include "math/transform.h"
 #include "world/world.h"
 
-namespace glint::testing {
+namespace glint::test {
 
 inline std::optional<World> make_world(const Scene& scene, int threads = 1) {
     WorldResult prepared = prepare(scene, {.threads = threads});
@@ -107,4 +107,4 @@ inline void add_flake(Scene& scene, Vec3 center, double radius, Vec3 from, int d
     }
 }
 
-}  // namespace glint::testing
+}  // namespace glint::test

@@ -4,7 +4,7 @@
 #include "trace/worlds.h"
 #include "world/same_pictures.h"
 
-namespace glint::testing {
+namespace glint::test {
 namespace {
 
 World made(const WorldResult& result) {
@@ -266,4 +266,4 @@ TEST(ChangeWorld, PreparingTellsOfItsProgressAndCanBeCancelled) {
 }
 
 }  // namespace
-}  // namespace glint::testing
+}  // namespace glint::test

@@ -7,7 +7,7 @@
 #include "world/edit_index.h"
 #include "world/same_pictures.h"
 
-namespace glint::testing {
+namespace glint::test {
 namespace {
 
 World prepared(const Scene& scene) { return *make_world(scene); }
@@ -387,4 +387,4 @@ TEST(EditShapes, ARebuildCanBeCancelled) {
 }
 
 }  // namespace
-}  // namespace glint::testing
+}  // namespace glint::test

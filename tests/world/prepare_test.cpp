@@ -8,7 +8,7 @@
 #include "trace/hit_rule.h"
 #include "trace/worlds.h"
 
-namespace glint::testing {
+namespace glint::test {
 namespace {
 
 TEST(Prepare, EveryShapeHasItsSlots) {
@@ -290,4 +290,4 @@ TEST(Prepare, TheCameraByItsDefinition) {
 }
 
 }  // namespace
-}  // namespace glint::testing
+}  // namespace glint::test

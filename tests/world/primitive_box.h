@@ -6,7 +6,7 @@
 #include "math/aabb.h"
 #include "world/world.h"
 
-namespace glint::testing {
+namespace glint::test {
 
 inline Aabb primitive_box(const PackedGeometry& world, std::uint32_t slot) {
     Aabb box;
@@ -23,4 +23,4 @@ inline Aabb primitive_box(const PackedGeometry& world, std::uint32_t slot) {
     return padded_box({lo[0], lo[1], lo[2]}, {hi[0], hi[1], hi[2]});
 }
 
-}  // namespace glint::testing
+}  // namespace glint::test

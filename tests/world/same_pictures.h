@@ -8,7 +8,7 @@
 #include "glint/render.h"
 #include "world/world.h"
 
-namespace glint::testing {
+namespace glint::test {
 
 inline bool same_bits(const std::vector<float>& a, const std::vector<float>& b) {
     return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(float)) == 0;
@@ -32,4 +32,4 @@ inline ::testing::AssertionResult draw_the_same(const World& a, const World& b, 
     return ::testing::AssertionSuccess();
 }
 
-}  // namespace glint::testing
+}  // namespace glint::test

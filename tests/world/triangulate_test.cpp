@@ -9,7 +9,7 @@
 
 #include "geometry/random_values.h"
 
-namespace glint::testing {
+namespace glint::test {
 namespace {
 
 Vec3 area_of(const Triangle& t) {
@@ -125,4 +125,4 @@ TEST(Triangulate, BadPolygonsEnd) {
 }
 
 }  // namespace
-}  // namespace glint::testing
+}  // namespace glint::test

@@ -9,7 +9,7 @@
 #include <random>
 #include <vector>
 
-namespace glint {
+namespace glint::test {
 namespace {
 
 constexpr Dialect k_all{true, true, true, true};
@@ -160,4 +160,4 @@ TEST(Tokenizer, TokensCoverEveryByteThatIsNotBlank) {
 }
 
 }  // namespace
-}  // namespace glint
+}  // namespace glint::test

@@ -32,15 +32,15 @@ class Corpus : public testing::TestWithParam<std::string> {};
 TEST_P(Corpus, EveryTextHasAnAnswer) {
     EXPECT_GE(for_each_text(GetParam(),
                             [](const std::string& text, const std::string& path) {
-                                EXPECT_EQ(glint::fuzz_load(text, GetParam()), "") << path;
+                                EXPECT_EQ(glint::test::fuzz_load(text, GetParam()), "") << path;
                             }),
               10);
 }
 
 TEST_P(Corpus, EverySceneIsWrittenAndDrawn) {
     for_each_text(GetParam(), [](const std::string& text, const std::string& path) {
-        EXPECT_EQ(glint::fuzz_convert(text, GetParam()), "") << path;
-        EXPECT_EQ(glint::fuzz_render(text, GetParam()), "") << path;
+        EXPECT_EQ(glint::test::fuzz_convert(text, GetParam()), "") << path;
+        EXPECT_EQ(glint::test::fuzz_render(text, GetParam()), "") << path;
     });
 }
 
@@ -48,7 +48,7 @@ TEST(PictureCorpus, EveryFileHasAnAnswer) {
     EXPECT_GE(for_each_text("decode",
                             [](const std::string& bytes, const std::string& path) {
                                 const auto* data = reinterpret_cast<const std::uint8_t*>(bytes.data());
-                                EXPECT_EQ(glint::fuzz_decode({data, bytes.size()}), "") << path;
+                                EXPECT_EQ(glint::test::fuzz_decode({data, bytes.size()}), "") << path;
                             }),
               10);
 }

@@ -4,7 +4,7 @@
 
 #include "formats/mistakes.h"
 
-namespace glint {
+namespace glint::test {
 namespace {
 
 #define VIEW "v\nfrom 0 0 5\nat 0 0 0\nup 0 1 0\nangle 45\nhither 1\nresolution 20 10\n"
@@ -218,4 +218,4 @@ INSTANTIATE_TEST_SUITE_P(
     test_name);
 
 }  // namespace
-}  // namespace glint
+}  // namespace glint::test

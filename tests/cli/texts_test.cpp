@@ -7,7 +7,8 @@
 #include "cli/progress.h"
 #include "cli/text.h"
 
-namespace glint::cli {
+namespace glint::test {
+using namespace cli;
 namespace {
 
 TEST(Texts, Sizes) {
@@ -127,4 +128,4 @@ TEST(Texts, ForeignFlags) {
 }
 
 }  // namespace
-}  // namespace glint::cli
+}  // namespace glint::test

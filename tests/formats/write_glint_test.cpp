@@ -5,7 +5,7 @@
 #include "formats/load_text.h"
 #include "glint/glint.h"
 
-namespace glint {
+namespace glint::test {
 namespace {
 
 // The scene of a text, as text.
@@ -259,4 +259,4 @@ TEST(WriteGlint, OfAWrongSceneNothing) {
 }
 
 }  // namespace
-}  // namespace glint
+}  // namespace glint::test

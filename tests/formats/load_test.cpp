@@ -4,7 +4,7 @@
 
 #include "formats/load_text.h"
 
-namespace glint {
+namespace glint::test {
 namespace {
 
 constexpr std::string_view k_text =
@@ -155,4 +155,4 @@ TEST(Load, MessagesAreInTheOrderOfTheTexts) {
 }
 
 }  // namespace
-}  // namespace glint
+}  // namespace glint::test

@@ -14,7 +14,7 @@
 #include "image/foreign_files.h"
 #include "image/pictures.h"
 
-namespace glint {
+namespace glint::test {
 namespace {
 
 using test::Bytes;
@@ -226,4 +226,4 @@ TEST(Decode, BombsAreAnswered) {
 }
 
 }  // namespace
-}  // namespace glint
+}  // namespace glint::test

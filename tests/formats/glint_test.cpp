@@ -5,7 +5,7 @@
 #include "formats/load_text.h"
 #include "math/transform.h"
 
-namespace glint {
+namespace glint::test {
 namespace {
 
 constexpr std::string_view k_camera = "camera { position = (0, 0, 5)  look_at = (0, 0, 0) }\n";
@@ -417,4 +417,4 @@ TEST(GlintInclude, AFileWithMaterialsMayBeIncludedTwice) {
 }
 
 }  // namespace
-}  // namespace glint
+}  // namespace glint::test

@@ -12,7 +12,7 @@
 #include "image/memory_input.h"
 #include "image/pictures.h"
 
-namespace glint {
+namespace glint::test {
 namespace {
 
 TEST(Exr, ReadsBackEqual) {
@@ -51,4 +51,4 @@ TEST(Exr, HasTheSameBytesForAnyThreads) {
 }
 
 }  // namespace
-}  // namespace glint
+}  // namespace glint::test

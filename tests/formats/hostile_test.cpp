@@ -6,7 +6,7 @@
 
 #include "formats/load_text.h"
 
-namespace glint {
+namespace glint::test {
 namespace {
 
 const char* const k_gallery[] = {
@@ -209,4 +209,4 @@ TEST(Hostile, TerminalsAreSafeFromTheText) {
 }
 
 }  // namespace
-}  // namespace glint
+}  // namespace glint::test

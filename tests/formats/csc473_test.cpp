@@ -5,7 +5,7 @@
 #include "formats/mistakes.h"
 #include "math/transform.h"
 
-namespace glint {
+namespace glint::test {
 namespace {
 
 #define CAMERA "camera { location <1, 2, 14> up <0, 1, 0> right <1.5, 0, 0> look_at <1, 2, 3> }\n"
@@ -298,4 +298,4 @@ INSTANTIATE_TEST_SUITE_P(
     test_name);
 
 }  // namespace
-}  // namespace glint
+}  // namespace glint::test

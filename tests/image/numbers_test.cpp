@@ -9,7 +9,7 @@
 #include "glint/image.h"
 #include "image/quantize.h"
 
-namespace glint {
+namespace glint::test {
 namespace {
 
 constexpr float k_inf = std::numeric_limits<float>::infinity();
@@ -84,4 +84,4 @@ TEST(Srgb, NeverFalls) {
 }
 
 }  // namespace
-}  // namespace glint
+}  // namespace glint::test

@@ -2,7 +2,7 @@
 // What is said of mistakes in glint's own language.
 #include "formats/mistakes.h"
 
-namespace glint {
+namespace glint::test {
 namespace {
 
 class GlintMistakes : public testing::TestWithParam<BadText> {};
@@ -157,4 +157,4 @@ INSTANTIATE_TEST_SUITE_P(
     test_name);
 
 }  // namespace
-}  // namespace glint
+}  // namespace glint::test

@@ -2,7 +2,7 @@
 // What is said of mistakes in the books' formats.
 #include "formats/mistakes.h"
 
-namespace glint {
+namespace glint::test {
 namespace {
 
 class CgfsMistakes : public testing::TestWithParam<BadText> {};
@@ -294,4 +294,4 @@ TEST(Messages, MistakesOfTheWholeSceneShowTheirLine) {
 }
 
 }  // namespace
-}  // namespace glint
+}  // namespace glint::test

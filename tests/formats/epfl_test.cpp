@@ -2,7 +2,7 @@
 // RT2's scenes, field by field, as JSON and as JavaScript.
 #include "formats/load_text.h"
 
-namespace glint {
+namespace glint::test {
 namespace {
 
 constexpr std::string_view k_json = R"({
@@ -197,4 +197,4 @@ TEST(Epfl, SeveralTextsAreOneScene) {
 }
 
 }  // namespace
-}  // namespace glint
+}  // namespace glint::test

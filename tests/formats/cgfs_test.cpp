@@ -2,7 +2,7 @@
 // .cgfs, field by field.
 #include "formats/load_text.h"
 
-namespace glint {
+namespace glint::test {
 namespace {
 
 Scene scene_of(std::string_view text, std::size_t warnings = 0) {
@@ -153,4 +153,4 @@ TEST(Cgfs, AListingWithoutLightsIsASceneWithAWarning) {
 }
 
 }  // namespace
-}  // namespace glint
+}  // namespace glint::test

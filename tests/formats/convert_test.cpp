@@ -5,12 +5,12 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "formats/drawn.h"
 #include "formats/load_text.h"
 #include "formats/random_scene.h"
+#include "formats/scene_fingerprint.h"
 #include "glint/glint.h"
 
-namespace glint {
+namespace glint::test {
 namespace {
 
 std::string errors_of(const LoadResult& result) {
@@ -148,4 +148,4 @@ TEST(Convert, RandomScenes) {
 }
 
 }  // namespace
-}  // namespace glint
+}  // namespace glint::test

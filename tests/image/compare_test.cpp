@@ -10,7 +10,7 @@
 #include "image/contact_sheet.h"
 #include "image/pictures.h"
 
-namespace glint {
+namespace glint::test {
 namespace {
 
 Image flat(std::int32_t width, std::int32_t height, float value) {
@@ -257,4 +257,4 @@ TEST(ContactSheet, ALongTableGoesOnBesideItself) {
 }
 
 }  // namespace
-}  // namespace glint
+}  // namespace glint::test

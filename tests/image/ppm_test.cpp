@@ -4,7 +4,7 @@
 #include "image/pictures.h"
 #include "image/quantize.h"
 
-namespace glint {
+namespace glint::test {
 namespace {
 
 TEST(Ppm, IsAHeaderAndTheSamples) {
@@ -31,4 +31,4 @@ TEST(Ppm, SixteenBitsAreBigEndian) {
 }
 
 }  // namespace
-}  // namespace glint
+}  // namespace glint::test

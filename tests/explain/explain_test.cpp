@@ -13,7 +13,7 @@
 #include "trace/kernels.h"
 #include "world/world.h"
 
-namespace glint {
+namespace glint::test {
 namespace {
 
 // As the film has it: the mean, as a float.
@@ -275,4 +275,4 @@ TEST(Explain, WhatCannotBeExplained) {
 }
 
 }  // namespace
-}  // namespace glint
+}  // namespace glint::test

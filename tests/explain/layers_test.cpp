@@ -9,7 +9,7 @@
 
 #include "gallery/scene_file.h"
 
-namespace glint {
+namespace glint::test {
 namespace {
 
 std::vector<Layer> all_layers() {
@@ -117,4 +117,4 @@ TEST(Layers, AskedForWrongly) {
 }
 
 }  // namespace
-}  // namespace glint
+}  // namespace glint::test

@@ -7,7 +7,7 @@
 #include "gallery/scene_file.h"
 #include "glint/explain.h"
 
-namespace glint {
+namespace glint::test {
 namespace {
 
 using nlohmann::json;
@@ -88,4 +88,4 @@ TEST(ExplainSchema, HoldsOverTheGallery) {
 }
 
 }  // namespace
-}  // namespace glint
+}  // namespace glint::test

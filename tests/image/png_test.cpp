@@ -6,7 +6,7 @@
 #include "image/quantize.h"
 #include "image/read_png.h"
 
-namespace glint {
+namespace glint::test {
 namespace {
 
 using test::make_picture;
@@ -69,4 +69,4 @@ TEST(Encode, SrgbPicturesSaySo) {
 }
 
 }  // namespace
-}  // namespace glint
+}  // namespace glint::test

@@ -8,7 +8,7 @@
 
 #include "glint/scene.h"
 
-namespace glint {
+namespace glint::test {
 namespace {
 
 constexpr double k_nan = std::numeric_limits<double>::quiet_NaN();
@@ -217,4 +217,4 @@ TEST(Scene, ShapesHaveTheirWords) {
 }
 
 }  // namespace
-}  // namespace glint
+}  // namespace glint::test

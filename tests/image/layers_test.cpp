@@ -14,7 +14,7 @@
 #include "image/memory_input.h"
 #include "image/pictures.h"
 
-namespace glint {
+namespace glint::test {
 namespace {
 
 LayerImage make_layer(Layer layer, int width, int height) {
@@ -76,4 +76,4 @@ TEST(Layers, CanBeLookedAt) {
 }
 
 }  // namespace
-}  // namespace glint
+}  // namespace glint::test

@@ -10,12 +10,12 @@
 
 namespace glint::test {
 
-class Drawn {
+class SceneFingerprint {
   public:
-    static std::string text(const Scene& scene) { return Drawn(scene).run(); }
+    static std::string text(const Scene& scene) { return SceneFingerprint(scene).run(); }
 
   private:
-    explicit Drawn(const Scene& scene) : s_(scene) {}
+    explicit SceneFingerprint(const Scene& scene) : s_(scene) {}
 
     void line(std::string_view what) {
         out_ += '\n';
@@ -115,7 +115,7 @@ class Drawn {
 
 /// The first line in which the texts of two scenes differ, or an empty string.
 inline std::string first_difference(const Scene& a, const Scene& b) {
-    const std::string ta = Drawn::text(a), tb = Drawn::text(b);
+    const std::string ta = SceneFingerprint::text(a), tb = SceneFingerprint::text(b);
     if (ta == tb) return {};
     std::size_t at = 0;
     while (at < ta.size() && at < tb.size() && ta[at] == tb[at]) ++at;

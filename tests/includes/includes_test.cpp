@@ -10,7 +10,7 @@
 
 #include "includes/rules.h"
 
-namespace glint::includes {
+namespace glint::test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -138,4 +138,4 @@ TEST(TypeRules, FindWhatOtherFilesSee) {
 }
 
 }  // namespace
-}  // namespace glint::includes
+}  // namespace glint::test

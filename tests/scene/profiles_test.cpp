@@ -8,7 +8,7 @@
 
 #include "glint/scene.h"
 
-namespace glint {
+namespace glint::test {
 namespace {
 
 // docs/conventions.md has a table `| key | cgfs | epfl | ... |` with a row a key.
@@ -177,4 +177,4 @@ TEST(Profiles, OneThatDoesNotExistChangesNothing) {
 }
 
 }  // namespace
-}  // namespace glint
+}  // namespace glint::test

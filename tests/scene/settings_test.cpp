@@ -4,7 +4,7 @@
 
 #include "glint/scene.h"
 
-namespace glint {
+namespace glint::test {
 namespace {
 
 std::string set(Scene& scene, std::string_view key, std::string_view value) {
@@ -165,4 +165,4 @@ TEST(Settings, AKeyThatDoesNotExistChangesNothing) {
 }
 
 }  // namespace
-}  // namespace glint
+}  // namespace glint::test
