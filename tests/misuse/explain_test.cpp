@@ -181,9 +181,9 @@ TEST(Misuse, OfSampleValues) {
 }
 
 TEST(Misuse, OfReasons) {
-    EXPECT_EQ(word(beyond<LightReason>()), "unknown");
-    EXPECT_EQ(word(beyond<HighlightReason>()), "unknown");
-    EXPECT_EQ(word(beyond<BranchState>()), "unknown");
+    EXPECT_EQ(to_string(beyond<LightReason>()), "unknown");
+    EXPECT_EQ(to_string(beyond<HighlightReason>()), "unknown");
+    EXPECT_EQ(to_string(beyond<BranchState>()), "unknown");
     LightTerms terms;
     EXPECT_EQ(reason(terms), LightReason::in_surface);
     terms.distance = terms.attenuation = terms.n_l = terms.s = k_nan;

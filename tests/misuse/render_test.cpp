@@ -82,8 +82,8 @@ TEST(Misuse, OfADefaultOrMovedFromWorld) {
     // NOLINTNEXTLINE(bugprone-use-after-move): that is what is tested
     for (const World& empty : {World{}, world}) {
         EXPECT_EQ(render(empty).image.value().width, RenderSettings{}.width);
-        EXPECT_EQ(memory(empty).packed, 0u);
-        EXPECT_GT(bounds(empty).min.x, bounds(empty).max.x);
+        EXPECT_EQ(memory_usage(empty).packed, 0u);
+        EXPECT_GT(scene_bounds(empty).min.x, scene_bounds(empty).max.x);
         const Ray ray{{0, 0, 5}, {0, 0, -1}};
         EXPECT_EQ(nearest_hits(empty, {&ray, 1}).hits.at(0).shape, k_none);
         EXPECT_EQ(occluded(empty, {&ray, 1}).occluded.at(0), 0);

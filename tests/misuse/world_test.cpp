@@ -126,7 +126,7 @@ TEST(Misuse, OfEditShapes) {
     for (Shape& shape : bare.shapes) shape.material = k_none;
     EXPECT_EQ(edit_shapes(empty, bare, {}).edit, ShapeEdit::rebuilt);
     EXPECT_FALSE(has_errors(edit_shapes(empty, Scene{}, {}).diagnostics));
-    EXPECT_EQ(memory(empty).packed, 0u);
+    EXPECT_EQ(memory_usage(empty).packed, 0u);
     // An explanation of what the scene no longer is.
     EXPECT_NE(explain(scene, empty, 3, 4).error, "");
 }
