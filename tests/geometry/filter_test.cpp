@@ -63,7 +63,7 @@ namespace {
 
 namespace plain = HWY_NAMESPACE;
 
-#if defined(__OPTIMIZE__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+#if defined(__OPTIMIZE__) && !defined(GLINT_SANITIZED)
 constexpr int k_blocks = 10000;
 #else
 constexpr int k_blocks = 500;

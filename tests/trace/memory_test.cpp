@@ -6,8 +6,8 @@
 
 #include "glint/render.h"
 
-// The address sanitizer keeps what is freed.
-#if defined(__linux__) && !defined(__SANITIZE_ADDRESS__)
+// Sanitizers keep what is freed.
+#if defined(__linux__) && !defined(GLINT_SANITIZED)
 
 namespace glint::test {
 namespace {
