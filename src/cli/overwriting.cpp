@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -50,6 +51,18 @@ Noted& noted() {
                                        output.option, output.path));
 }
 
+// Throws Failure of usage if the file has been read, or another option writes it.
+void add_output(Output output) {
+    auto& [inputs, outputs, standard_output] = noted();
+    for (const Output& other : outputs) {
+        if (other.file ? other.file == output.file : other.whole == output.whole)
+            throw Failure(k_usage, fmt::format("{} and {} are one file, '{}': choose another for one of them",
+                                               other.option, output.option, output.path));
+    }
+    if (output.file && std::find(inputs.begin(), inputs.end(), *output.file) != inputs.end()) refuse(output);
+    outputs.push_back(std::move(output));
+}
+
 }  // namespace
 
 void note_output(const std::string& option, const std::string& path) {
@@ -61,14 +74,7 @@ void note_output(const std::string& option, const std::string& path) {
     }
     std::error_code error;
     output.whole = fs::weakly_canonical(fs::absolute(path, error), error);
-    auto& [inputs, outputs, standard_output] = noted();
-    for (const Output& other : outputs) {
-        if (other.file ? other.file == output.file : other.whole == output.whole)
-            throw Failure(k_usage, fmt::format("{} and {} are one file, '{}': choose another for one of them",
-                                               other.option, option, path));
-    }
-    if (output.file && std::find(inputs.begin(), inputs.end(), *output.file) != inputs.end()) refuse(output);
-    outputs.push_back(std::move(output));
+    add_output(std::move(output));
 }
 
 void note_standard_output(const std::string& option) {
@@ -76,6 +82,9 @@ void note_standard_output(const std::string& option) {
     if (!taken.empty())
         throw Failure(k_usage, fmt::format("{} and {} cannot both go to standard output", taken, option));
     taken = option;
+    struct stat about {};  // a shell may have sent it to a file
+    if (::fstat(STDOUT_FILENO, &about) != 0) return;
+    if (const auto file = identity(about)) add_output({option, "standard output", file, {}});
 }
 
 void note_input(int descriptor) {

@@ -2,6 +2,7 @@
 // An output never overwrites an input or another output, whatever the command.
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <map>
 
 #include "cli/process.h"
@@ -117,6 +118,22 @@ TEST_F(Overwriting, OfOlderFilesAndOfNothingIsAllowed) {
         const Finished r = run(folder, arguments, with_input(k_scene));
         EXPECT_EQ(r.code, 0) << r.err;
     }
+}
+
+// A shell may send standard output to a file that is read, or that another option writes.
+TEST_F(Overwriting, OfRedirectedStandardOutputIsRefused) {
+    const auto shell = [&](const std::string& line) {
+        const std::string command = "cd '" + folder.path() + "' && " GLINT_COMMAND " " + line;
+        return WEXITSTATUS(std::system(command.c_str()));
+    };
+    const auto before = files();
+    EXPECT_EQ(shell("render s.cgfs -s 20x10 -q -o - >> s.cgfs 2> /dev/null"), 2);
+    EXPECT_EQ(shell("convert s.cgfs -o - >> s.cgfs 2> /dev/null"), 2);
+    EXPECT_EQ(files(), before);
+    EXPECT_EQ(shell("render s.cgfs -s 20x10 -q -o - --stats both > both 2> /dev/null"), 2);
+    EXPECT_EQ(folder.read("both"), "");
+    EXPECT_EQ(shell("render s.cgfs -s 20x10 -q -o - --stats stats > picture"), 0);
+    EXPECT_GT(folder.read("picture").size(), 100u);
 }
 
 }  // namespace
