@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Words of glint's own that the field has better ones for: retired in code, comments and documents.
 #include <string_view>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Retired words (retired_words.h) come back neither in code nor in comments and documents.
 #include <gtest/gtest.h>
 
