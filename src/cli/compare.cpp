@@ -122,7 +122,7 @@ int compare_command(CompareArguments& arguments) {
 
 Run add_compare(CLI::App& app) {
     CLI::App& command =
-        *app.add_subcommand("compare", "Hold a picture against a reference and say why they differ");
+        *app.add_subcommand("compare", "Compare a picture with a reference and say why they differ");
     const auto arguments = std::make_shared<CompareArguments>();
     CompareArguments& a = *arguments;
     command

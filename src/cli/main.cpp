@@ -19,14 +19,14 @@ namespace glint::cli {
 namespace {
 
 constexpr auto k_short_help =
-    R"(glint draws classically lit scenes: Phong and Blinn-Phong, hard shadows, mirrors, glass.
+    R"(glint renders scenes with Phong and Blinn-Phong lighting, hard shadows, mirrors and glass.
 
   glint render SCENE...       draw a scene to a picture
   glint info SCENE            say what a scene holds
   glint convert SCENE OUT     write it in glint's own language
   glint check SCENE           name its likely mistakes
   glint explain SCENE -p X,Y  say why a pixel has its colour
-  glint compare A.png B.png   hold a picture against a reference: where and why they differ
+  glint compare A.png B.png   compare a picture with a reference: where and why they differ
   glint --help                all commands
 
 Example: glint render castle.json -o castle.png
@@ -39,7 +39,7 @@ int print_usage_error(const std::string& command, const std::string& message) {
 }
 
 int run(const std::vector<std::string>& arguments) {
-    CLI::App app("glint draws classically lit scenes: Phong and Blinn-Phong, hard shadows, mirrors, glass.",
+    CLI::App app("glint renders scenes with Phong and Blinn-Phong lighting, hard shadows, mirrors and glass.",
                  "glint");
     app.set_version_flag("-V,--version", k_version, "Print the version and end");
     std::string footer = "Every command answers --help.\n\nExit codes:\n";

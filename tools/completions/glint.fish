@@ -7,7 +7,7 @@ complete -c glint -n __fish_use_subcommand -a info -d 'Say what a scene holds an
 complete -c glint -n __fish_use_subcommand -a convert -d 'Write a scene of any format in glint\'s own language: the same picture, to the bit'
 complete -c glint -n __fish_use_subcommand -a check -d 'Name a scene\'s likely mistakes, each with its line and remedy'
 complete -c glint -n __fish_use_subcommand -a explain -d 'Say why a pixel has its colour'
-complete -c glint -n __fish_use_subcommand -a compare -d 'Hold a picture against a reference and say why they differ'
+complete -c glint -n __fish_use_subcommand -a compare -d 'Compare a picture with a reference and say why they differ'
 complete -c glint -n __fish_use_subcommand -a versus -d 'Draw a scene by two conventions, and explain the pixel that differs most'
 complete -c glint -n __fish_use_subcommand -a grade -d 'Hold every picture of a folder against a reference, or a rubric\'s parts'
 complete -c glint -n __fish_use_subcommand -a completion -d 'Print a completion script for the shell'

@@ -8,7 +8,7 @@ _glint() {
             'convert:Write a scene of any format in glint'\''s own language\: the same picture, to the bit'
             'check:Name a scene'\''s likely mistakes, each with its line and remedy'
             'explain:Say why a pixel has its colour'
-            'compare:Hold a picture against a reference and say why they differ'
+            'compare:Compare a picture with a reference and say why they differ'
             'versus:Draw a scene by two conventions, and explain the pixel that differs most'
             'grade:Hold every picture of a folder against a reference, or a rubric'\''s parts'
             'completion:Print a completion script for the shell'
