@@ -16,7 +16,7 @@ HWY_BEFORE_NAMESPACE();
 namespace glint {
 namespace HWY_NAMESPACE {
 
-/// What of the conventions the lighting equation depends on.
+/// The conventions that the lighting equation depends on.
 struct LightingRules {
     Shading shading = Shading::blinn_phong;
     bool specular_gate = true;  // the highlight needs N·L > 0
@@ -47,20 +47,18 @@ HWY_INLINE Cosines<T> cosines(Triple<T> normal, Triple<T> l, Triple<T> v, const 
     return {n_l, T(0)};
 }
 
-/// What multiplies k_d I_l,d and k_s I_l,s of a visible light, attenuation aside: N·L and S^n.
-template <class T> struct Terms { T diffuse, specular; };
-
 /// Where the specular term may be other than 0.
 template <class T> HWY_INLINE auto has_highlight(const Cosines<T>& c, const LightingRules& rules) {
     const auto positive = rules.clamp_cosines ? c.s > T(0) : c.s > T(0) || c.s < T(0);
     return rules.specular_gate ? positive && (c.n_l > T(0)) : positive;
 }
 
+/// What multiplies k_d I_l,d of a visible light, without the attenuation.
 template <class T> HWY_INLINE T diffuse_term(T n_l, const LightingRules& rules) {
     return rules.clamp_cosines ? max(n_l, T(0)) : n_l;
 }
 
-/// S^n where there is a highlight.
+/// S^n, which multiplies k_s I_l,s of a visible light where there is a highlight.
 template <class T> HWY_INLINE T highlight_power(T s, T shininess, const LightingRules& rules) {
     // Without normalisation S may be large: keep the film finite.
     const T power = min(pow(abs(s), shininess), T(1e30));
@@ -69,13 +67,6 @@ template <class T> HWY_INLINE T highlight_power(T s, T shininess, const Lighting
     const T half = shininess * T(0.5);
     const auto whole = round_to_integer(shininess) == shininess, even = round_to_integer(half) == half;
     return select(s < T(0), select(whole, select(even, power, -power), T(0)), power);
-}
-
-template <class T> HWY_INLINE Terms<T> terms(const Cosines<T>& c, T shininess, const LightingRules& rules) {
-    const T diffuse = diffuse_term(c.n_l, rules);
-    const auto highlight = has_highlight(c, rules);
-    if (rules.shading == Shading::diffuse || !any(highlight)) return {diffuse, T(0)};
-    return {diffuse, select(highlight, highlight_power(c.s, shininess, rules), T(0))};
 }
 
 /// f_att = min(1 / (c0 + c1 d + c2 d^2), 1) (LIGHT-12).

@@ -30,6 +30,16 @@ LightingRules rules(Shading shading, bool gate = true, bool clamp = true, bool n
     return {shading, gate, clamp, normalize};
 }
 
+struct Terms {
+    double diffuse, specular;
+};
+
+/// What multiplies k_d I_l,d and k_s I_l,s of one visible light.
+Terms terms(const plain::Cosines<double>& c, double shininess, const LightingRules& rule) {
+    const bool highlight = plain::has_highlight(c, rule);
+    return {plain::diffuse_term(c.n_l, rule), highlight ? plain::highlight_power(c.s, shininess, rule) : 0};
+}
+
 TEST(Lighting, MirroredIsTheReflection) {
     Random random(61);
     for (int i = 0; i < 10000; ++i) {
@@ -53,7 +63,7 @@ TEST(Lighting, PhongAndBlinnPhongAsWritten) {
             for (const bool gate : {true, false}) {
                 const auto rule = rules(shading, gate);
                 const auto c = plain::cosines(triple(n), triple(l), triple(v), rule);
-                const auto t = plain::terms(c, shininess, rule);
+                const auto t = terms(c, shininess, rule);
                 const double s = shading == Shading::phong ? r_v : n_h;
                 EXPECT_NEAR(t.diffuse, std::max(0.0, n_l), 1e-15);
                 const bool shines = shading != Shading::diffuse && s > 0 && (!gate || n_l > 0);
@@ -69,10 +79,10 @@ TEST(Lighting, PhongAndBlinnPhongAsWritten) {
 
 TEST(Lighting, GatesAndClamps) {
     const auto specular = [](double n_l, double s, double n, LightingRules r) {
-        return plain::terms(plain::Cosines<double>{n_l, s}, n, r).specular;
+        return terms(plain::Cosines<double>{n_l, s}, n, r).specular;
     };
     const auto diffuse = [](double n_l, LightingRules r) {
-        return plain::terms(plain::Cosines<double>{n_l, 0}, 1.0, r).diffuse;
+        return terms(plain::Cosines<double>{n_l, 0}, 1.0, r).diffuse;
     };
     const auto gated = rules(Shading::phong), open = rules(Shading::phong, false);
     EXPECT_EQ(specular(-0.1, 0.5, 1, gated), 0);
@@ -90,7 +100,7 @@ TEST(Lighting, GatesAndClamps) {
 TEST(Lighting, PowersOfNegativeCosinesWithoutClamps) {
     const auto free = rules(Shading::phong, false, false), gated = rules(Shading::phong, true, false);
     const auto specular = [](double n_l, double s, double n, LightingRules r) {
-        return plain::terms(plain::Cosines<double>{n_l, s}, n, r).specular;
+        return terms(plain::Cosines<double>{n_l, s}, n, r).specular;
     };
     EXPECT_EQ(specular(0.5, -0.5, 1, free), -0.5);
     EXPECT_EQ(specular(0.5, -0.5, 2, free), 0.25);
@@ -117,13 +127,13 @@ TEST(Lighting, WithoutNormalisationTheFilmStaysFinite) {
         2 * 40.0 * 2 - 40 * 2);
     for (const double s : {42.0, -42.0}) {
         for (const double n : {500.0, 501.0, 500.5}) {
-            const auto t = plain::terms(plain::Cosines<double>{40, s}, n, fault);
+            const auto t = terms(plain::Cosines<double>{40, s}, n, fault);
             EXPECT_TRUE(std::fabs(t.specular) <= 1e30) << s << "^" << n << " = " << t.specular;
         }
     }
     // Nor does a direction that does not exist make light.
     const double nan = std::numeric_limits<double>::quiet_NaN();
-    EXPECT_EQ(plain::terms(plain::Cosines<double>{0.5, nan}, 10.0, fault).specular, 0);
+    EXPECT_EQ(terms(plain::Cosines<double>{0.5, nan}, 10.0, fault).specular, 0);
 }
 
 TEST(Lighting, LightFromStraightBehindHasNoHighlight) {
