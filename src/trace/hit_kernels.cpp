@@ -5,4 +5,4 @@
 #define HWY_TARGET_INCLUDE "trace/hit_kernels.cpp"
 #include <hwy/foreach_target.h>  // must come before what follows
 
-#include "trace/hit-inl.h"
+#include "trace/hit_kernels-inl.h"

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// What rays hit (the rule is in trace/shape_tests-inl.h): which rays walk the hierarchy together.
-#if defined(GLINT_TRACE_HIT_INL_H_) == defined(HWY_TARGET_TOGGLE)
-#ifdef GLINT_TRACE_HIT_INL_H_
-#undef GLINT_TRACE_HIT_INL_H_
+// What rays hit (the rule is in trace/hit_rule-inl.h): which rays walk the hierarchy together.
+#if defined(GLINT_TRACE_HIT_KERNELS_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef GLINT_TRACE_HIT_KERNELS_INL_H_
+#undef GLINT_TRACE_HIT_KERNELS_INL_H_
 #else
-#define GLINT_TRACE_HIT_INL_H_
+#define GLINT_TRACE_HIT_KERNELS_INL_H_
 #endif
 
 #include "bvh/traverse-inl.h"
 #include "trace/hit_declarations-inl.h"
-#include "trace/shape_tests-inl.h"
+#include "trace/hit_rule-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace glint {

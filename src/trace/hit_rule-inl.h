@@ -4,11 +4,11 @@
 //   the hierarchy's slab expression; t is clamped into that interval and must lie in (t_min, t_max); nearest
 //   is the least (t, index in the scene).
 // Nothing in it depends on how rays are grouped or on the tree.
-#if defined(GLINT_TRACE_SHAPE_TESTS_INL_H_) == defined(HWY_TARGET_TOGGLE)
-#ifdef GLINT_TRACE_SHAPE_TESTS_INL_H_
-#undef GLINT_TRACE_SHAPE_TESTS_INL_H_
+#if defined(GLINT_TRACE_HIT_RULE_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef GLINT_TRACE_HIT_RULE_INL_H_
+#undef GLINT_TRACE_HIT_RULE_INL_H_
 #else
-#define GLINT_TRACE_SHAPE_TESTS_INL_H_
+#define GLINT_TRACE_HIT_RULE_INL_H_
 #endif
 
 #include "trace/hit_result-inl.h"
