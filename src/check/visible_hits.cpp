@@ -8,6 +8,7 @@
 #include "math/transform.h"
 #include "trace/camera_rays-inl.h"
 #include "trace/secondary_rays-inl.h"
+#include "trace/shadow_rays-inl.h"
 #include "world/primitives.h"
 
 namespace glint {

@@ -53,7 +53,7 @@ HWY_INLINE double viewport_y(const RenderSettings& settings, PixelSample where, 
 
 /// PreparedCamera::ray_through() for a vector of pixels at a time, what a column and a row of them share
 /// once.
-inline void make_camera_rays(const WorldParts& world, const TileJob& job, int i, int j, RayQueue& rays) {
+inline void make_camera_rays(const WorldParts& world, const TileJob& job, int i, int j, RayBatch& rays) {
     const PreparedCamera& camera = world.camera;
     const PixelSample where = world.conventions.pixel_sample;
     const bool orthographic = camera.projection == Projection::orthographic;
@@ -61,9 +61,7 @@ inline void make_camera_rays(const WorldParts& world, const TileJob& job, int i,
     const int count = job.width * job.height;
     rays.start_uniform(count, camera.position, world.conventions.camera_t_min, k_infinity);
     if (orthographic) rays.reserve(count);  // what they share is written over
-    double* o[3] = {rays.column(k_ray_origin), rays.column(k_ray_origin + 1), rays.column(k_ray_origin + 2)};
-    double* d[3] = {rays.column(k_ray_direction), rays.column(k_ray_direction + 1),
-                    rays.column(k_ray_direction + 2)};
+    const RayFields<double*> to = rays.end();
 
     alignas(k_ray_alignment) double column_offset[3][k_tile_side];  // by column of the tile
     for (int x = 0; x < k_tile_side; x += lane_count<double>()) {
@@ -79,15 +77,16 @@ inline void make_camera_rays(const WorldParts& world, const TileJob& job, int i,
             const Triple<Doubles> across = load_triple(column_offset, x + c) + lanes_of(row_offset[y]);
             Triple<Doubles> direction = lanes_of(camera.forward);
             if (orthographic) {
-                store_triple(lanes_of(camera.position) + across, o, first + c);
+                store_triple(lanes_of(camera.position) + across, to.origin, first + c);
             } else {
                 direction = direction + across;
             }
             if (unit) direction = normalize(direction);
-            store_triple(direction, d, first + c);
+            store_triple(direction, to.direction, first + c);
         }
     });
-    rays.grow(count);
+    rays.generation = 0;
+    rays.count = count;
     rays.end_group();
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The light of a tile's hits: for each light the cosines, the shadow rays of those it may reach, and the
-// terms of those it does.
+// The light of the surfaces, for one light at a time: which surfaces it may light, and the diffuse and
+// specular terms of those that it does.
 #if defined(GLINT_TRACE_DIRECT_LIGHTING_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLINT_TRACE_DIRECT_LIGHTING_INL_H_
 #undef GLINT_TRACE_DIRECT_LIGHTING_INL_H_
@@ -8,13 +8,10 @@
 #define GLINT_TRACE_DIRECT_LIGHTING_INL_H_
 #endif
 
-#include <bit>
-#include <cstring>
-
 #include "lighting/phong-inl.h"
 #include "trace/material-inl.h"
-#include "trace/secondary_rays-inl.h"
-#include "trace/tile.h"
+#include "trace/shadow_rays-inl.h"
+#include "trace/surface-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace glint {
@@ -25,18 +22,13 @@ HWY_INLINE LightingRules lighting_rules(const WorldParts& world) {
     return {world.settings.shading, c.specular_gate, c.clamp_cosines, c.normalize};
 }
 
-HWY_INLINE SurfacePoint<Doubles> surface_at(const TileScratch& s, int h) {
-    return {load_triple(s.point, h), load_triple(s.normal, h), load_triple(s.incoming, h),
-            load(s.magnitude.data() + h)};
-}
-
 /// Whether the light is as strong at any distance: c0 <= 1 alone gives exactly 1.
 HWY_INLINE bool has_no_attenuation(const Light& light) {
     const Attenuation& a = light.attenuation;
     return light.kind == LightKind::directional || (a.c0 <= 1 && a.c1 == 0 && a.c2 == 0);
 }
 
-/// A light as a vector of hits sees it.
+/// A light as a vector of surfaces sees it.
 struct LightLanes {
     Triple<Doubles> to_light;
     Doubles distance;  // its length
@@ -45,25 +37,25 @@ struct LightLanes {
     LaneMask<double> lit;  // it may add something there
 };
 HWY_INLINE LightLanes light_at(const WorldParts& world, const Light& light, const LightingRules& rules,
-                               const TileScratch& s, int i) {
+                               const SurfaceBatch& surfaces, int i) {
     const Doubles zero(0);
     const auto adds = [&](Triple<Doubles> a, Triple<Doubles> b)
                           HWY_ATTR { return !(a.x * b.x == zero && a.y * b.y == zero && a.z * b.z == zero); };
     const bool is_point = light.kind == LightKind::point;
     const Triple<Doubles> to_light =
-        is_point ? lanes_of(light.position) - load_triple(s.point, i) : lanes_of(light.to_light);
+        is_point ? lanes_of(light.position) - load_triple(surfaces.point, i) : lanes_of(light.to_light);
     const Doubles distance = length(to_light);
     const Triple<Doubles> l = rules.normalize ? to_light / distance : to_light;
-    const auto c = cosines(load_triple(s.normal, i), l, load_triple(s.to_eye, i), rules);
+    const auto c = cosines(load_triple(surfaces.normal, i), l, load_triple(surfaces.to_eye, i), rules);
     // A light in the surface itself has no direction.
-    auto lit = first_lanes<double>(s.hits - i) && distance > zero;
+    auto lit = first_lanes<double>(surfaces.count - i) && distance > zero;
     Doubles f_att(1);
     if (!has_no_attenuation(light)) {
         const Attenuation& a = light.attenuation;
         f_att = attenuation(Doubles(a.c0), Doubles(a.c1), Doubles(a.c2), distance);
         lit = lit && f_att > zero;
     }
-    const MaterialLanes material(world, s.material.data() + i);
+    const MaterialLanes material(world, surfaces.material.data() + i);
     const auto faces = rules.clamp_cosines ? c.n_l > zero : !(c.n_l == zero);
     lit = lit &&
           ((faces && adds(material.color(k_diffuse), lanes_of(light.color))) ||
@@ -71,85 +63,67 @@ HWY_INLINE LightLanes light_at(const WorldParts& world, const Light& light, cons
     return {to_light, distance, f_att, c, lit};
 }
 
-/// Writes shadow rays number `at`... of the set lanes.
-HWY_INLINE void store_shadow_rays(const WorldParts& world, const Light& light,
-                                  const SurfacePoint<Doubles>& surface, Triple<Doubles> to_light,
-                                  LaneMask<double> set, TileScratch& s, int at) {
-    const ShadowRay<Doubles> ray = shadow_ray(surface, light, to_light, world.conventions);
-    if (comes_from_light(light, world.conventions)) {
-        store_triple(ray.origin, s.shadow, at);  // of all lanes the same
-    } else {
-        compress_triple(ray.origin, set, s.shadow, at);
-    }
-    compress_triple(ray.direction, set, s.shadow + 3, at);
-    compress_store(ray.t_min, set, s.shadow[6].data() + at);
-    store(Doubles(ray.t_max), s.shadow[7].data() + at);
+/// The bits of the vector of surfaces that begins at i.
+HWY_INLINE std::uint8_t lit_bits(const LightSampleBatch& samples, int i) {
+    return samples.lit[static_cast<std::size_t>(i / lane_count<double>())];
 }
 
-/// The first half of a light: cosines, attenuation, who may be lit, and their shadow rays. Returns how many
-/// of those.
-inline int make_shadow_rays(const WorldParts& world, const Light& light, TileScratch& s) {
+/// Begins the sums over the lights.
+inline void clear_radiance(const SurfaceBatch& surfaces, RadianceBatch& radiance) {
+    for (int c = 0; c < 3; ++c) {
+        std::fill_n(radiance.diffuse[c].begin(), surfaces.count, 0.0);
+        std::fill_n(radiance.specular[c].begin(), surfaces.count, 0.0);
+    }
+}
+
+/// Samples a light at all surfaces: its cosines and attenuation, which surfaces it may light, and their
+/// shadow rays, if the settings want shadows.
+inline void sample_light(const WorldParts& world, const Light& light, const SurfaceBatch& surfaces,
+                         LightSampleBatch& samples, ShadowRayBatch& shadow_rays) {
     const LightingRules rules = lighting_rules(world);
     const bool constant = has_no_attenuation(light);
     int rays = 0;
-    for (int i = 0; i < s.hits; i += lane_count<double>()) {
-        const LightLanes at = light_at(world, light, rules, s, i);
-        s.lit[static_cast<std::size_t>(i / lane_count<double>())] =
+    for (int i = 0; i < surfaces.count; i += lane_count<double>()) {
+        const LightLanes at = light_at(world, light, rules, surfaces, i);
+        samples.lit[static_cast<std::size_t>(i / lane_count<double>())] =
             static_cast<std::uint8_t>(to_bits(at.lit));
         if (!any(at.lit)) continue;
-        if (!constant) store(at.attenuation, s.attenuation.data() + i);
-        store(at.cosines.n_l, s.n_l.data() + i);
-        store(at.cosines.s, s.s.data() + i);
+        if (!constant) store(at.attenuation, samples.attenuation.data() + i);
+        store(at.cosines.n_l, samples.n_l.data() + i);
+        store(at.cosines.s, samples.s.data() + i);
         if (!world.settings.shadows) continue;
-        store_shadow_rays(world, light, surface_at(s, i), at.to_light, at.lit, s, rays);
+        store_shadow_rays(light, surface_at(surfaces, i), at.to_light, world.conventions, at.lit, shadow_rays,
+                          rays);
         rays += count(at.lit);
     }
-    return rays;
+    shadow_rays.count = rays;
 }
 
-/// Takes from the lit hits those whose shadow ray is occluded.
-inline void apply_occlusion(TileScratch& s) {
-    const std::uint8_t* occluded = s.occluded.data();
-    for (int i = 0; i < s.hits; i += lane_count<double>()) {
-        std::uint8_t& lit = s.lit[static_cast<std::size_t>(i / lane_count<double>())];
-        const int rays = std::popcount(lit);
-        if (rays == 0) continue;
-        std::uint64_t flags = 0;  // of all rays of the vector, in the order of memory
-        std::memcpy(&flags, occluded, sizeof(flags));
-        if (flags << (64 - 8 * rays) == 0) {
-            occluded += rays;
-            continue;
-        }
-        std::uint32_t dark = 0;
-        for (std::uint32_t bits = lit; bits != 0; bits &= bits - 1) {
-            dark |= bits & (0 - bits) & (0u - *occluded++);  // no branch: shadows are not foreseen
-        }
-        lit = static_cast<std::uint8_t>(lit & ~dark);
-    }
+/// Which surfaces of a vector have a highlight to be computed.
+HWY_INLINE LaneMask<double> highlights_at(const LightSampleBatch& samples, const LightingRules& rules,
+                                          int i) {
+    const Cosines<Doubles> cosines{load(samples.n_l.data() + i), load(samples.s.data() + i)};
+    return from_bits<double>(lit_bits(samples, i)) && has_highlight(cosines, rules);
 }
 
-/// Which hits of a vector have a highlight to be computed.
-HWY_INLINE LaneMask<double> highlights(const TileScratch& s, const LightingRules& rules, int i) {
-    const auto lit = from_bits<double>(s.lit[static_cast<std::size_t>(i / lane_count<double>())]);
-    return lit && has_highlight(Cosines<Doubles>{load(s.n_l.data() + i), load(s.s.data() + i)}, rules);
-}
-
-/// S^n of the highlights that are lit, one after the other: few of a vector's hits are, and it costs more
-/// than all else.
-inline void compute_powers(const WorldParts& world, const LightingRules& rules, TileScratch& s) {
+/// Computes S^n of the surfaces that are lit and have a highlight. They are compacted first: few surfaces of
+/// a vector have one, and the power costs more than all other terms.
+inline void compute_highlights(const WorldParts& world, const SurfaceBatch& surfaces,
+                               const LightSampleBatch& samples, HighlightBatch& highlights) {
+    const LightingRules rules = lighting_rules(world);
     int powers = 0;
-    for (int i = 0; i < s.hits; i += lane_count<double>()) {
-        if (s.lit[static_cast<std::size_t>(i / lane_count<double>())] == 0) continue;
-        const auto bright = highlights(s, rules, i);
+    for (int i = 0; i < surfaces.count; i += lane_count<double>()) {
+        if (lit_bits(samples, i) == 0) continue;
+        const auto bright = highlights_at(samples, rules, i);
         if (!any(bright)) continue;
-        const MaterialLanes material(world, s.material.data() + i);
-        compress_store(load(s.s.data() + i), bright, s.power.data() + powers);
-        compress_store(material.value(k_shininess), bright, s.shininess.data() + powers);
+        const MaterialLanes material(world, surfaces.material.data() + i);
+        compress_store(load(samples.s.data() + i), bright, highlights.power.data() + powers);
+        compress_store(material.value(k_shininess), bright, highlights.shininess.data() + powers);
         powers += count(bright);
     }
     for (int i = 0; i < powers; i += lane_count<double>()) {
-        double* at = s.power.data() + i;
-        store(highlight_power(load(at), load(s.shininess.data() + i), rules), at);
+        double* at = highlights.power.data() + i;
+        store(highlight_power(load(at), load(highlights.shininess.data() + i), rules), at);
     }
 }
 
@@ -158,29 +132,31 @@ HWY_INLINE Triple<Doubles> contribution(Triple<Doubles> k, Color light, Doubles 
     return (k * lanes_of(light) * term) * attenuation;
 }
 
-/// The second half: adds the terms of the hits that are still lit.
-inline void add_terms(const WorldParts& world, const Light& light, TileScratch& s) {
+/// Adds the light's terms to the surfaces that are lit.
+inline void add_light(const WorldParts& world, const Light& light, const SurfaceBatch& surfaces,
+                      const LightSampleBatch& samples, const HighlightBatch& highlights,
+                      RadianceBatch& radiance) {
     const LightingRules rules = lighting_rules(world);
     const bool constant = has_no_attenuation(light);
-    compute_powers(world, rules, s);
-    const double* power = s.power.data();
-    for (int i = 0; i < s.hits; i += lane_count<double>()) {
-        const std::uint32_t bits = s.lit[static_cast<std::size_t>(i / lane_count<double>())];
+    const double* power = highlights.power.data();
+    for (int i = 0; i < surfaces.count; i += lane_count<double>()) {
+        const std::uint32_t bits = lit_bits(samples, i);
         if (bits == 0) continue;
         const auto lit = from_bits<double>(bits);
-        const MaterialLanes material(world, s.material.data() + i);
-        const Doubles f_att = constant ? Doubles(1) : load(s.attenuation.data() + i);
-        const auto add = [&](TileScratch::Column* to, Triple<Doubles> more) HWY_ATTR {
+        const MaterialLanes material(world, surfaces.material.data() + i);
+        const Doubles f_att = constant ? Doubles(1) : load(samples.attenuation.data() + i);
+        const auto add = [&](BatchColumn<double>* to, Triple<Doubles> more) HWY_ATTR {
             const Triple<Doubles> sum = load_triple(to, i);
             store_triple(select_triple(lit, sum + more, sum), to, i);
         };
-        add(s.diffuse, contribution(material.color(k_diffuse), light.color,
-                                    diffuse_term(load(s.n_l.data() + i), rules), f_att));
-        const auto bright = highlights(s, rules, i);
+        add(radiance.diffuse, contribution(material.color(k_diffuse), light.color,
+                                           diffuse_term(load(samples.n_l.data() + i), rules), f_att));
+        const auto bright = highlights_at(samples, rules, i);
         if (!any(bright)) continue;
         const Doubles specular = expand_load(power, bright);
         power += count(bright);
-        add(s.specular, contribution(material.color(k_specular), light.specular_color, specular, f_att));
+        add(radiance.specular,
+            contribution(material.color(k_specular), light.specular_color, specular, f_att));
     }
 }
 

@@ -8,7 +8,7 @@
 #endif
 
 #include "trace/camera_rays-inl.h"
-#include "trace/material-inl.h"
+#include "trace/ray_weights-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace glint {
@@ -53,41 +53,42 @@ HWY_INLINE Color miss_color(const WorldParts& world) {
     return world.settings.shading == Shading::normals ? Color{0, 0, 1} : world.background;
 }
 
-/// Adds what rays [from, to) of the stream see where they hit nothing.
-inline void add_misses(const WorldParts& world, TileScratch& s, int first, int from, int to, int generation) {
-    const bool camera = generation == 0;
+/// Adds what some rays of the stream see where they hit nothing.
+inline void add_misses(const WorldParts& world, const RayBatch& rays, const HitBatch& hits, RayRange range,
+                       Film& film) {
+    const bool camera = rays.generation == 0;
     if (!camera && world.conventions.mirror_miss == MissRule::black) return;
-    const Triple<Doubles> first_hits = lanes_of(miss_color(world));
-    const double* weights[3] = {s.rays.column(k_ray_weight) + first, s.rays.column(k_ray_weight + 1) + first,
-                                s.rays.column(k_ray_weight + 2) + first};
-    for (int i = from; i < to; i += lane_count<double>()) {
-        const auto missed = !(load(s.t.data() + i) < Doubles(k_infinity)) && first_lanes<double>(to - i);
+    const Triple<Doubles> color = lanes_of(miss_color(world));
+    for (int i = range.begin; i < range.end; i += lane_count<double>()) {
+        const auto missed =
+            !(load(hits.t.data() + i) < Doubles(k_infinity)) && first_lanes<double>(range.end - i);
         if (!any(missed)) continue;
+        const int ray = hits.first + i;
         if (camera) {
             alignas(k_ray_alignment) double pixels[lane_count<double>()];
-            store(Doubles(static_cast<double>(first + i)) + iota(), pixels);
-            s.film.touch(Layer::background);
-            PixelLanes(pixels, missed).add(s.film, Layer::background, first_hits);
+            store(Doubles(static_cast<double>(ray)) + iota(), pixels);
+            film.touch(Layer::background);
+            PixelLanes(pixels, missed).add(film, Layer::background, color);
         } else {
-            const PixelLanes pixels(s.rays.column(k_ray_target) + first + i, missed);
-            pixels.add(s.film, Layer::reflection, load_triple(weights, i) * first_hits);
+            const PixelLanes pixels(rays.target.data() + ray, missed);
+            pixels.add(film, Layer::reflection, load_triple(rays.weight, ray) * color);
         }
     }
 }
 
-/// What a vector of hits shows where shading looks no further.
-HWY_INLINE Triple<Doubles> unlit_color(const WorldParts& world, const TileScratch& s, int h) {
+/// The colours of a vector of surfaces in shading modes without light.
+HWY_INLINE Triple<Doubles> unlit_color(const WorldParts& world, const SurfaceBatch& surfaces, int h) {
     if (world.settings.shading == Shading::normals)
-        return (load_triple(s.normal, h) + lanes_of(Vec3{1, 1, 1})) * Doubles(0.5);
-    return MaterialLanes(world, s.material.data() + h).color(k_color);
+        return (load_triple(surfaces.normal, h) + lanes_of(Vec3{1, 1, 1})) * Doubles(0.5);
+    return MaterialLanes(world, surfaces.material.data() + h).color(k_color);
 }
 
-/// Adds the surfaces of hits to their pixels: shading modes that look no further.
-inline void add_unlit(const WorldParts& world, TileScratch& s) {
-    s.film.touch(Layer::ambient);
-    for (int h = 0; h < s.hits; h += lane_count<double>()) {
-        PixelLanes(s.target.data() + h, first_lanes<double>(s.hits - h))
-            .add(s.film, Layer::ambient, unlit_color(world, s, h));
+/// Adds the colours of surfaces to their pixels, in shading modes without light.
+inline void add_unlit(const WorldParts& world, const SurfaceBatch& surfaces, Film& film) {
+    film.touch(Layer::ambient);
+    for (int h = 0; h < surfaces.count; h += lane_count<double>()) {
+        PixelLanes(surfaces.target.data() + h, first_lanes<double>(surfaces.count - h))
+            .add(film, Layer::ambient, unlit_color(world, surfaces, h));
     }
 }
 
@@ -96,35 +97,50 @@ HWY_INLINE Triple<Doubles> ambient_of(const WorldParts& world, const MaterialLan
     return material.color(k_ambient) * lanes_of(world.ambient);
 }
 
-/// The light of a vector of hits as their pixels get it, weighted.
+/// The light of a vector of surfaces as their pixels get it, weighted.
 struct HitLight {
     Triple<Doubles> ambient, diffuse, specular;
 };
-HWY_INLINE HitLight light_of(const WorldParts& world, const TileScratch& s, const MaterialLanes& material,
-                             int h, int generation) {
-    const Triple<Doubles> weight = load_triple(s.weight, h) * local_share(world, material, generation);
-    return {weight * ambient_of(world, material), weight * load_triple(s.diffuse, h),
-            weight * load_triple(s.specular, h)};
+HWY_INLINE HitLight light_of(const WorldParts& world, const SurfaceBatch& surfaces,
+                             const RadianceBatch& radiance, const MaterialLanes& material, int h) {
+    const Triple<Doubles> weight =
+        load_triple(surfaces.weight, h) * local_share(world, material, surfaces.generation);
+    return {weight * ambient_of(world, material), weight * load_triple(radiance.diffuse, h),
+            weight * load_triple(radiance.specular, h)};
 }
 
-/// Adds the light of hits [from, to) to their pixels.
-inline void add_hits(const WorldParts& world, TileScratch& s, int from, int to, int generation) {
-    if (from == to) return;
-    const bool camera = generation == 0;
+/// Adds the light of surfaces [begin, end) to their pixels.
+inline void add_hits(const WorldParts& world, const SurfaceBatch& surfaces, const RadianceBatch& radiance,
+                     int begin, int end, Film& film) {
+    if (begin == end) return;
+    const bool camera = surfaces.generation == 0;
     if (camera) {
-        for (const Layer layer : {Layer::ambient, Layer::diffuse, Layer::specular}) s.film.touch(layer);
+        for (const Layer layer : {Layer::ambient, Layer::diffuse, Layer::specular}) film.touch(layer);
     }
-    for (int h = from; h < to; h += lane_count<double>()) {
-        const MaterialLanes material(world, s.material.data() + h);
-        const HitLight light = light_of(world, s, material, h, generation);
-        const PixelLanes pixels(s.target.data() + h, first_lanes<double>(to - h));
+    for (int h = begin; h < end; h += lane_count<double>()) {
+        const MaterialLanes material(world, surfaces.material.data() + h);
+        const HitLight light = light_of(world, surfaces, radiance, material, h);
+        const PixelLanes pixels(surfaces.target.data() + h, first_lanes<double>(end - h));
         if (camera) {
-            pixels.add(s.film, Layer::ambient, light.ambient);
-            pixels.add(s.film, Layer::diffuse, light.diffuse);
-            pixels.add(s.film, Layer::specular, light.specular);
+            pixels.add(film, Layer::ambient, light.ambient);
+            pixels.add(film, Layer::diffuse, light.diffuse);
+            pixels.add(film, Layer::specular, light.specular);
         } else {
-            pixels.add(s.film, Layer::reflection, light.ambient, light.diffuse, light.specular);
+            pixels.add(film, Layer::reflection, light.ambient, light.diffuse, light.specular);
         }
+    }
+}
+
+/// Adds the light of a batch of rays to their pixels, group by group: a pixel's light is added up in a fixed
+/// order.
+inline void add_to_film(const WorldParts& world, const RayBatch& rays, const HitBatch& hits, int first_ray,
+                        const SurfaceBatch& surfaces, const RadianceBatch& radiance, Film& film) {
+    SurfaceBatch::GroupEnd begin{first_ray, 0};
+    for (int i = 0; i < surfaces.groups; ++i) {
+        const SurfaceBatch::GroupEnd end = surfaces.group_end[static_cast<std::size_t>(i)];
+        add_misses(world, rays, hits, {begin.rays, end.rays}, film);
+        add_hits(world, surfaces, radiance, begin.hits, end.hits, film);
+        begin = end;
     }
 }
 
@@ -169,9 +185,9 @@ inline void resolve(const WorldParts& world, const TileJob& job, const Film& fil
 /// A tile whose rays all hit nothing: the fold of one sum.
 inline void fill_background(const WorldParts& world, const TileJob& job) {
     const int samples = world.settings.samples * world.settings.samples;
-    const Triple<Doubles> first_hits = lanes_of(miss_color(world));
+    const Triple<Doubles> color = lanes_of(miss_color(world));
     Triple<Doubles> sum = lanes_of(Vec3{});
-    for (int i = 0; i < samples; ++i) sum = sum + first_hits;
+    for (int i = 0; i < samples; ++i) sum = sum + color;
     if (samples > 1) sum = sum / Doubles(static_cast<double>(samples));
     NarrowFloats r, g, b;
     r.add(film_value(sum.x));

@@ -8,8 +8,8 @@
 #endif
 
 #include "bvh/traverse-inl.h"
-#include "trace/hit_declarations-inl.h"
 #include "trace/hit_rule-inl.h"
+#include "trace/intersect-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace glint {

@@ -7,6 +7,7 @@
 #define GLINT_TRACE_LAYERS_INL_H_
 #endif
 
+#include "trace/direct_lighting-inl.h"
 #include "trace/film-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -24,42 +25,53 @@ inline void clear_first_hits(FirstHits& first_hits) {
     clear(first_hits.depth, k_infinity);
 }
 
-/// Notes the surfaces of camera rays [from, to) of the stream: after compute_surfaces.
-inline void store_first_hits(const WorldParts& world, TileScratch& s, int first, int from, int to) {
-    FirstHits& first_hits = s.first_hits;
+/// Stores the surfaces of some camera rays, by pixel, if this is the middle sample.
+inline void store_first_hits(const WorldParts& world, const RayBatch& rays, const HitBatch& hits,
+                             RayRange range, const SurfaceBatch& surfaces, FirstHits& first_hits) {
     if (!first_hits.is_middle) return;
     std::size_t h = 0;
-    for (int i = from; i < to; ++i) {
-        const double t = s.t[static_cast<std::size_t>(i)];
+    for (int i = range.begin; i < range.end; ++i) {
+        const double t = hits.t[static_cast<std::size_t>(i)];
         if (!(t < k_infinity)) continue;
-        const auto p = static_cast<std::size_t>(first + i);
-        const auto direction = [&](int c) { return s.rays.column(k_ray_direction + c)[p]; };
-        const double* material = world.material(s.material[h]);
+        const auto p = static_cast<std::size_t>(hits.first + i);
+        const auto& d = rays.direction;
+        const double* material = world.material(surfaces.material[h]);
         for (int c = 0; c < 3; ++c) {
-            first_hits.normal[c][p] = s.normal[c][h];
-            first_hits.position[c][p] = s.point[c][h];
+            first_hits.normal[c][p] = surfaces.normal[c][h];
+            first_hits.position[c][p] = surfaces.point[c][h];
             first_hits.albedo[c][p] = material[k_diffuse + c];
         }
-        first_hits.depth[p] = t * length(Triple<double>{direction(0), direction(1), direction(2)});
-        first_hits.object[p] = static_cast<double>(world.geometry->shape_index[s.hit_slot[h]]) + 1;
-        first_hits.material[p] = static_cast<double>(s.material[h]) + 1;
+        first_hits.depth[p] = t * length(Triple<double>{d[0][p], d[1][p], d[2][p]});
+        first_hits.object[p] = static_cast<double>(world.geometry->shape_index[surfaces.slot[h]]) + 1;
+        first_hits.material[p] = static_cast<double>(surfaces.material[h]) + 1;
         ++h;
     }
 }
 
-/// Counts the lights that may add something at the camera rays' hits: before their shadows are taken, and
-/// those that still do after.
-inline void count_lit(const TileScratch& s, std::vector<double>& counts, double by) {
-    for (int h = 0; h < s.hits; ++h) {
-        const std::uint32_t lit = s.lit[static_cast<std::size_t>(h / lane_count<double>())];
+/// Adds `by` to the counts of the pixels, for each of their surfaces that the light may light.
+inline void count_lit(const SurfaceBatch& surfaces, const LightSampleBatch& samples,
+                      std::vector<double>& counts, double by) {
+    for (int h = 0; h < surfaces.count; ++h) {
+        const std::uint32_t lit = lit_bits(samples, h);
         if ((lit >> (h % lane_count<double>()) & 1) != 0)
-            counts[static_cast<std::size_t>(s.target[static_cast<std::size_t>(h)])] += by;
+            counts[static_cast<std::size_t>(surfaces.target[static_cast<std::size_t>(h)])] += by;
     }
+}
+/// For the layer `shadow`: the lights that send a shadow ray to a surface of a camera ray. Before
+/// apply_occlusion all count as blocked; after it those that are not are taken away again.
+inline void count_asked(const SurfaceBatch& surfaces, const LightSampleBatch& samples,
+                        FirstHits& first_hits) {
+    count_lit(surfaces, samples, first_hits.asked, 1);
+    count_lit(surfaces, samples, first_hits.blocked, 1);
+}
+inline void count_unblocked(const SurfaceBatch& surfaces, const LightSampleBatch& samples,
+                            FirstHits& first_hits) {
+    count_lit(surfaces, samples, first_hits.blocked, -1);
 }
 
 /// Value c of a layer at a pixel of the tile.
-inline float layer_value(const TileScratch& s, Layer layer, int c, std::size_t p, double samples) {
-    const FirstHits& first_hits = s.first_hits;
+inline float layer_value(const Film& film, const FirstHits& first_hits, Layer layer, int c, std::size_t p,
+                         double samples) {
     switch (layer) {
         case Layer::normal:
             return static_cast<float>(first_hits.normal[c][p]);
@@ -79,14 +91,15 @@ inline float layer_value(const TileScratch& s, Layer layer, int c, std::size_t p
         default:
             break;
     }
-    if (!s.film.touched[static_cast<std::size_t>(layer)]) return 0;
+    if (!film.touched[static_cast<std::size_t>(layer)]) return 0;
     // As resolve does.
-    const double sum = s.film.of(layer, c)[p];
+    const double sum = film.of(layer, c)[p];
     return static_cast<float>(film_value(samples > 1 ? sum / samples : sum));
 }
 
 /// Writes the layers of the tile: beside resolve.
-inline void write_layers(const WorldParts& world, const TileJob& job, const TileScratch& s) {
+inline void write_layers(const WorldParts& world, const TileJob& job, const Film& film,
+                         const FirstHits& first_hits) {
     const double samples = static_cast<double>(world.settings.samples) * world.settings.samples;
     for (const LayerInfo& info : layer_infos()) {
         float* const to = job.layers->of(info.layer);
@@ -98,7 +111,8 @@ inline void write_layers(const WorldParts& world, const TileJob& job, const Tile
                                   static_cast<std::size_t>(x));
             for (int p = first; p < first + width; ++p) {
                 for (int c = 0; c < channels; ++c)
-                    *at++ = layer_value(s, info.layer, c, static_cast<std::size_t>(p), samples);
+                    *at++ =
+                        layer_value(film, first_hits, info.layer, c, static_cast<std::size_t>(p), samples);
             }
         });
     }

@@ -31,15 +31,6 @@ struct MaterialLanes {
     HWY_INLINE Triple<Doubles> color(int k) const { return {value(k), value(k + 1), value(k + 2)}; }
 };
 
-/// What the surface's own light counts for. a: mirror, f: transmission. blend: (1-f)(1-a); add: 1. At the
-/// last generation the limit may keep it whole.
-HWY_INLINE Doubles local_share(const WorldParts& world, const MaterialLanes& material, int generation) {
-    const Conventions& rules = world.conventions;
-    const bool at_limit = generation >= world.settings.reflections;
-    if (rules.mirror == MirrorRule::add || (at_limit && rules.limit == LimitRule::keep)) return Doubles(1);
-    return (Doubles(1) - material.value(k_transmission)) * (Doubles(1) - material.value(k_mirror));
-}
-
 }  // namespace HWY_NAMESPACE
 }  // namespace glint
 HWY_AFTER_NAMESPACE();

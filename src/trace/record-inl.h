@@ -37,38 +37,37 @@ struct Numbers {
 };
 
 /// Calls visit(h, k): lane k of the vector of hits that begins at h.
-template <class Visit> inline void for_each_hit(const TileScratch& s, const Visit& visit) {
-    for (int h = 0; h < s.hits; h += lane_count<double>()) {
-        visit(h, number::min(lane_count<double>(), s.hits - h));
+template <class Visit> inline void for_each_hit(const SurfaceBatch& surfaces, const Visit& visit) {
+    for (int h = 0; h < surfaces.count; h += lane_count<double>()) {
+        visit(h, number::min(lane_count<double>(), surfaces.count - h));
     }
 }
 
 /// A hit's surface.
-inline ExplainedHit recorded_hit(const WorldParts& world, const TileScratch& s, std::size_t h) {
+inline ExplainedHit recorded_hit(const WorldParts& world, const SurfaceBatch& surfaces, std::size_t h) {
     const auto i = static_cast<int>(h);
     ExplainedHit hit;
-    hit.shape = world.geometry->shape_index[s.hit_slot[h]];
-    hit.material = s.material[h];
-    hit.point = vec3_at(s.point, i);
-    hit.normal = vec3_at(s.normal, i);
-    hit.to_eye = vec3_at(s.to_eye, i);
-    hit.behind = s.behind[h] > 0;
-    hit.turned = hit.behind && world.flips_normal(s.hit_slot[h]);
-    hit.weight = color_at(s.weight, i);
+    hit.shape = world.geometry->shape_index[surfaces.slot[h]];
+    hit.material = surfaces.material[h];
+    hit.point = vec3_at(surfaces.point, i);
+    hit.normal = vec3_at(surfaces.normal, i);
+    hit.to_eye = vec3_at(surfaces.to_eye, i);
+    hit.behind = surfaces.behind[h] > 0;
+    hit.turned = hit.behind && world.flips_normal(surfaces.slot[h]);
+    hit.weight = color_at(surfaces.weight, i);
     return hit;
 }
 
-/// Rays [from, to) of the stream and what they hit: after compute_surfaces and absorb.
-inline void record_rays(const WorldParts& world, TileScratch& s, int first, int from, int to,
-                        int generation) {
-    TileRecord& record = *s.record;
+/// Some rays of the stream and what they hit: after compute_surfaces and apply_beer_law.
+inline void record_rays(const WorldParts& world, const RayBatch& rays, const HitBatch& hits, RayRange range,
+                        const SurfaceBatch& surfaces, TileRecord& record) {
     record.batch.clear();
-    const bool camera = generation == 0;
-    for (int i = from; i < to; ++i) {
-        const auto at = [&](int column) { return s.rays.column(column)[first + i]; };
+    const bool camera = rays.generation == 0;
+    for (int i = range.begin; i < range.end; ++i) {
+        const int number = hits.first + i;
         ExplainedRay ray;
         ray.sample = record.sample;
-        ray.generation = generation;
+        ray.generation = rays.generation;
         if (!camera) {
             const TileRecord::SpawnedRay& spawned = record.spawned[record.arrived++];
             ray.parent = spawned.ray;
@@ -76,14 +75,13 @@ inline void record_rays(const WorldParts& world, TileScratch& s, int first, int 
             ExplainedHit& hit = *record.rays[static_cast<std::size_t>(spawned.ray)].hit;
             (ray.transmitted ? hit.transmitted : hit.reflected).ray = static_cast<int>(record.rays.size());
         }
-        ray.origin = {at(k_ray_origin), at(k_ray_origin + 1), at(k_ray_origin + 2)};
-        ray.direction = {at(k_ray_direction), at(k_ray_direction + 1), at(k_ray_direction + 2)};
-        ray.t_min = at(k_ray_t_min);
-        ray.t = s.t[static_cast<std::size_t>(i)];
-        ray.weight =
-            camera ? Color{1, 1, 1} : Color{at(k_ray_weight), at(k_ray_weight + 1), at(k_ray_weight + 2)};
+        ray.origin = vec3_at(rays.origin, number);
+        ray.direction = vec3_at(rays.direction, number);
+        ray.t_min = rays.t_min[static_cast<std::size_t>(number)];
+        ray.t = hits.t[static_cast<std::size_t>(i)];
+        ray.weight = camera ? Color{1, 1, 1} : color_at(rays.weight, number);
         if (ray.t < k_infinity) {
-            ray.hit = recorded_hit(world, s, record.batch.size());
+            ray.hit = recorded_hit(world, surfaces, record.batch.size());
             record.batch.push_back(record.rays.size());
         } else if (camera || world.conventions.mirror_miss != MissRule::black) {
             ray.background = ray.weight * miss_color(world);
@@ -93,23 +91,25 @@ inline void record_rays(const WorldParts& world, TileScratch& s, int first, int 
 }
 
 /// What shading modes that look no further show: after add_unlit.
-inline void record_unlit(const WorldParts& world, TileScratch& s) {
-    for_each_hit(s, [&](int h, int lanes) HWY_ATTR {
-        const TripleNumbers shown(unlit_color(world, s, h));
+inline void record_unlit(const WorldParts& world, const SurfaceBatch& surfaces, TileRecord& record) {
+    for_each_hit(surfaces, [&](int h, int lanes) HWY_ATTR {
+        const TripleNumbers shown(unlit_color(world, surfaces, h));
         for (int k = 0; k < lanes; ++k) {
-            ExplainedHit& hit = s.record->hit(h + k);
+            ExplainedHit& hit = record.hit(h + k);
             hit.ambient = hit.parts[0] = shown.color(k);
         }
     });
 }
 
 /// One light: after its terms were added.
-inline void record_light(const WorldParts& world, const Light& light, TileScratch& s) {
+inline void record_light(const WorldParts& world, const Light& light, const SurfaceBatch& surfaces,
+                         const LightSampleBatch& samples, const ShadowRayBatch& shadow_rays,
+                         TileRecord& record) {
     const LightingRules rules = lighting_rules(world);
     int rays = 0;
-    for_each_hit(s, [&](int h, int lanes) HWY_ATTR {
-        const MaterialLanes material(world, s.material.data() + h);
-        const LightLanes at = light_at(world, light, rules, s, h);
+    for_each_hit(surfaces, [&](int h, int lanes) HWY_ATTR {
+        const MaterialLanes material(world, surfaces.material.data() + h);
+        const LightLanes at = light_at(world, light, rules, surfaces, h);
         const auto bright = has_highlight(at.cosines, rules);
         const Doubles power =
             select(bright, highlight_power(at.cosines.s, material.value(k_shininess), rules), Doubles(0));
@@ -119,8 +119,7 @@ inline void record_light(const WorldParts& world, const Light& light, TileScratc
             specular(contribution(material.color(k_specular), light.specular_color, power, at.attenuation));
         const Numbers distance(at.distance), f_att(at.attenuation), n_l(at.cosines.n_l), cosine(at.cosines.s),
             powers(power);
-        const std::uint32_t may_add = to_bits(at.lit),
-                            lit = s.lit[static_cast<std::size_t>(h / lane_count<double>())];
+        const std::uint32_t may_add = to_bits(at.lit), lit = lit_bits(samples, h);
         for (int k = 0; k < lanes; ++k) {
             LightTerms r;
             r.light = static_cast<std::uint32_t>(&light - world.lights->data());
@@ -134,17 +133,17 @@ inline void record_light(const WorldParts& world, const Light& light, TileScratc
             r.blocked = r.may_add && (lit >> k & 1) == 0;
             if (r.may_add && world.settings.shadows) {
                 r.has_ray = true;
-                r.origin = vec3_at(s.shadow, rays);
-                r.direction = vec3_at(s.shadow + 3, rays);
-                r.t_min = s.shadow[6][static_cast<std::size_t>(rays)];
-                r.t_max = s.shadow[7][static_cast<std::size_t>(rays)];
+                r.origin = vec3_at(shadow_rays.origin, rays);
+                r.direction = vec3_at(shadow_rays.direction, rays);
+                r.t_min = shadow_rays.t_min[static_cast<std::size_t>(rays)];
+                r.t_max = shadow_rays.t_max[static_cast<std::size_t>(rays)];
                 ++rays;
             }
             if (r.may_add && !r.blocked) {
                 r.diffuse = diffuse.color(k);
                 r.specular = specular.color(k);
             }
-            s.record->hit(h + k).lights.push_back(r);
+            record.hit(h + k).lights.push_back(r);
         }
     });
 }
@@ -155,7 +154,7 @@ struct SecondaryMasks {
 };
 
 /// What left a vector of hits: as it is queued.
-inline void record_secondary_rays(TileScratch& s, int h, const SecondaryMasks& masks,
+inline void record_secondary_rays(TileRecord& record, int h, const SecondaryMasks& masks,
                                   const Triple<Doubles>& reflected, const Triple<Doubles>& transmitted,
                                   Doubles fresnel, double min_weight) {
     const TripleNumbers weights[2] = {TripleNumbers(reflected), TripleNumbers(transmitted)};
@@ -165,7 +164,7 @@ inline void record_secondary_rays(TileScratch& s, int h, const SecondaryMasks& m
     for (int k = 0; k < lane_count<double>(); ++k) {
         if ((has[0] >> k & 1) == 0) continue;
         const int number = h + k;
-        ExplainedHit& hit = s.record->hit(number);
+        ExplainedHit& hit = record.hit(number);
         hit.fresnel = (has[1] >> k & 1) != 0 ? f[k] : 0;
         Branch* branches[2] = {&hit.reflected, &hit.transmitted};
         for (int side = 0; side < 2; ++side) {
@@ -178,36 +177,37 @@ inline void record_secondary_rays(TileScratch& s, int h, const SecondaryMasks& m
                                                                 : BranchState::faint,
                                weight, -1};
             if (went)
-                s.record->spawned.push_back(
-                    {static_cast<int>(s.record->batch[static_cast<std::size_t>(number)]), side == 1});
+                record.spawned.push_back(
+                    {static_cast<int>(record.batch[static_cast<std::size_t>(number)]), side == 1});
         }
     }
 }
 
 /// At the last generation nothing leaves.
-inline void record_limit(const WorldParts& world, TileScratch& s) {
-    for (int h = 0; h < s.hits; ++h) {
-        ExplainedHit& hit = s.record->hit(h);
+inline void record_limit(const WorldParts& world, const SurfaceBatch& surfaces, TileRecord& record) {
+    for (int h = 0; h < surfaces.count; ++h) {
+        ExplainedHit& hit = record.hit(h);
         const double* material = world.material(hit.material);
         if (material[k_mirror] > 0) hit.reflected.state = BranchState::limit;
         if (material[k_transmission] > 0) hit.transmitted.state = BranchState::limit;
     }
 }
 
-/// What the hits add to their pixel: after add_hits.
-inline void record_sums(const WorldParts& world, TileScratch& s, int generation) {
-    for_each_hit(s, [&](int h, int lanes) HWY_ATTR {
-        const MaterialLanes material(world, s.material.data() + h);
-        const HitLight light = light_of(world, s, material, h, generation);
+/// What the hits add to their pixel: after add_to_film.
+inline void record_sums(const WorldParts& world, const SurfaceBatch& surfaces, const RadianceBatch& radiance,
+                        TileRecord& record) {
+    for_each_hit(surfaces, [&](int h, int lanes) HWY_ATTR {
+        const MaterialLanes material(world, surfaces.material.data() + h);
+        const HitLight light = light_of(world, surfaces, radiance, material, h);
         const TripleNumbers ambient(ambient_of(world, material)),
             parts[3] = {TripleNumbers(light.ambient), TripleNumbers(light.diffuse),
                         TripleNumbers(light.specular)};
-        const Numbers share(local_share(world, material, generation));
+        const Numbers share(local_share(world, material, surfaces.generation));
         for (int k = 0; k < lanes; ++k) {
-            ExplainedHit& hit = s.record->hit(h + k);
+            ExplainedHit& hit = record.hit(h + k);
             hit.ambient = ambient.color(k);
-            hit.diffuse = color_at(s.diffuse, h + k);
-            hit.specular = color_at(s.specular, h + k);
+            hit.diffuse = color_at(radiance.diffuse, h + k);
+            hit.specular = color_at(radiance.specular, h + k);
             hit.local_share = share[k];
             for (int part = 0; part < 3; ++part) hit.parts[part] = parts[part].color(k);
         }

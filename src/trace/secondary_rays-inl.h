@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The rays that leave a hit: to a light, mirrored, and through glass; where they start and where they go.
+// Mirror rays and rays through glass: where they start and where they go.
 #if defined(GLINT_TRACE_SECONDARY_RAYS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLINT_TRACE_SECONDARY_RAYS_INL_H_
 #undef GLINT_TRACE_SECONDARY_RAYS_INL_H_
@@ -10,7 +10,6 @@
 #include "geometry/ray_offset-inl.h"
 #include "glint/scene.h"
 #include "lighting/glass-inl.h"
-#include "lighting/light.h"
 #include "lighting/phong-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -46,26 +45,6 @@ HWY_INLINE RefractedRay<T> refracted_ray(const SurfacePoint<T>& s, M from_inside
     if (rules.fresnel == Fresnel::schlick)
         fresnel = schlick(-dot(facing, s.incoming) / length(s.incoming), ior);
     return {refraction.direction, select(refraction.total, one, fresnel)};
-}
-
-/// A ray from a surface to a light; a point light's is traced from the light to the surface, so that a
-/// light's rays share their origin.
-template <class T> struct ShadowRay {
-    Triple<T> origin, direction;
-    T t_min;
-    double t_max;
-};
-/// to_light: the whole way to a point light, of any length for others.
-template <class T>
-HWY_INLINE ShadowRay<T> shadow_ray(const SurfacePoint<T>& s, const Light& light, Triple<T> to_light,
-                                   const Conventions& rules) {
-    const Triple<T> start = offset_ray_origin(s, to_light, rules.offset, rules.epsilon);
-    if (!comes_from_light(light, rules))
-        return {start, to_light, T(offset_t_min(rules.offset, rules.epsilon)), k_infinity};
-    const Triple<T> from{T(light.position.x), T(light.position.y), T(light.position.z)}, way = start - from;
-    // Its distance is compared with the light's from P itself: it sees epsilon past the light.
-    const T least = rules.offset == Offset::direction ? T(-rules.epsilon) / length(way) : T(0);
-    return {from, way, least, rules.offset == Offset::ray ? 1 - rules.epsilon : 1.0};
 }
 
 }  // namespace HWY_NAMESPACE

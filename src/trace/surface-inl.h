@@ -9,54 +9,57 @@
 #endif
 
 #include "geometry/kinds-inl.h"
-#include "trace/tile.h"
+#include "geometry/ray_offset-inl.h"
+#include "trace/batches.h"
 #include "world/world.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace glint {
 namespace HWY_NAMESPACE {
 
-/// Takes the hits among rays [i, end) of the stream, at most a vector of them.
-HWY_INLINE void append_hits(const WorldParts& world, TileScratch& s, int first, int i, int end, bool camera) {
-    const Doubles t = load(s.t.data() + i);
+/// Appends the hits among entries [i, end) of the HitBatch, at most a vector of them.
+HWY_INLINE void append_hits(const WorldParts& world, const RayBatch& rays, const HitBatch& hits, int i,
+                            int end, SurfaceBatch& surfaces) {
+    const Doubles t = load(hits.t.data() + i);
     const auto hit =
         t < Doubles(k_infinity) && first_lanes<double>(end - i);  // a ray that misses keeps its t_max
     const int count_here = count(hit);
     if (count_here == 0) return;
-    const auto from = [&](int column) HWY_ATTR { return load(s.rays.column(column) + first + i); };
-    const Triple<Doubles> origin{from(k_ray_origin), from(k_ray_origin + 1), from(k_ray_origin + 2)},
-        direction{from(k_ray_direction), from(k_ray_direction + 1), from(k_ray_direction + 2)};
+    const bool camera = rays.generation == 0;
+    const int ray = hits.first + i, h = surfaces.count;
+    const Triple<Doubles> origin = load_triple(rays.origin, ray),
+                          direction = load_triple(rays.direction, ray);
     const Triple<Doubles> point = origin + direction * t;
-    const int h = s.hits;
-    compress_triple(point, hit, s.point, h);
-    compress_triple(direction, hit, s.incoming, h);
-    compress_store(max_abs(origin) + max_abs(point), hit, s.magnitude.data() + h);
-    compress_store(s.slot.data() + i, hit, s.hit_slot.data() + h);
+    compress_triple(point, hit, surfaces.point, h);
+    compress_triple(direction, hit, surfaces.incoming, h);
+    compress_store(max_abs(origin) + max_abs(point), hit, surfaces.magnitude.data() + h);
+    compress_store(hits.slot.data() + i, hit, surfaces.slot.data() + h);
     if (camera) {
-        store_triple(lanes_of(Vec3{1, 1, 1}), s.weight, h);
-        compress_store(Doubles(static_cast<double>(first + i)) + iota(), hit, s.target.data() + h);
+        store_triple(lanes_of(Vec3{1, 1, 1}), surfaces.weight, h);
+        compress_store(Doubles(static_cast<double>(ray)) + iota(), hit, surfaces.target.data() + h);
     } else {
-        for (int c = 0; c < 3; ++c) compress_store(from(k_ray_weight + c), hit, s.weight[c].data() + h);
-        compress_store(from(k_ray_target), hit, s.target.data() + h);
+        compress_triple(load_triple(rays.weight, ray), hit, surfaces.weight, h);
+        compress_store(load(rays.target.data() + ray), hit, surfaces.target.data() + h);
     }
     if (world.conventions.beer > 0) {
-        compress_store(t, hit, s.hit_t.data() + h);
-        const Doubles medium = camera ? Doubles(static_cast<double>(k_none)) : from(k_ray_medium);
-        compress_store(medium, hit, s.medium.data() + h);
+        compress_store(t, hit, surfaces.hit_t.data() + h);
+        const Doubles medium = camera ? Doubles(static_cast<double>(k_none)) : load(rays.medium.data() + ray);
+        compress_store(medium, hit, surfaces.medium.data() + h);
     }
-    s.hits += count_here;
+    surfaces.count += count_here;
 }
 
-/// Takes the hits of rays [from, to) of the stream that begins with ray `first`, group by group.
-inline void collect_hits(const WorldParts& world, TileScratch& s, int first, int from, int to,
-                         int generation) {
-    s.hits = s.groups = 0;
-    std::size_t group = s.rays.group_of(first + from);
-    for (int i = from; i < to; ++group) {
-        const int end = number::min(s.rays.group_end(group) - first, to);
-        for (; i < end; i += lane_count<double>()) append_hits(world, s, first, i, end, generation == 0);
+/// Copies the hits of some rays of the stream without gaps, group by group.
+inline void collect_hits(const WorldParts& world, const RayBatch& rays, const HitBatch& hits, RayRange range,
+                         SurfaceBatch& surfaces) {
+    surfaces.generation = rays.generation;
+    surfaces.count = surfaces.groups = 0;
+    std::size_t group = rays.group_of(hits.first + range.begin);
+    for (int i = range.begin; i < range.end; ++group) {
+        const int end = number::min(rays.group_end(group) - hits.first, range.end);
+        for (; i < end; i += lane_count<double>()) append_hits(world, rays, hits, i, end, surfaces);
         i = end;
-        s.group_end[static_cast<std::size_t>(s.groups++)] = {end, s.hits};
+        surfaces.group_end[static_cast<std::size_t>(surfaces.groups++)] = {end, surfaces.count};
     }
 }
 
@@ -108,15 +111,17 @@ HWY_INLINE double max_coordinate(const PackedGeometry& geometry, std::uint32_t s
     return reach;
 }
 
-/// Fills the columns of the hits from what collect_hits took.
-inline void compute_surfaces(const WorldParts& world, TileScratch& s, int generation) {
-    if (s.hits == 0) return;
+/// Computes the other columns of the hits that collect_hits copied: material, normal, direction to the eye.
+inline void compute_surfaces(const WorldParts& world, SurfaceBatch& surfaces) {
+    const int count = surfaces.count;
+    if (count == 0) return;
     // Lanes past the last hit are computed with, though nothing of them is kept.
-    std::fill_n(s.hit_slot.begin() + s.hits, k_ray_padding, s.hit_slot[static_cast<std::size_t>(s.hits - 1)]);
-    const bool eye_apart = world.camera.has_lighting_eye && generation == 0;
-    for (int h = 0; h < s.hits; h += lane_count<double>()) {
-        const std::uint32_t* slots = s.hit_slot.data() + h;
-        std::uint32_t* materials = s.material.data() + h;
+    const auto last = static_cast<std::size_t>(count - 1);
+    std::fill_n(surfaces.slot.begin() + count, k_ray_padding, surfaces.slot[last]);
+    const bool eye_apart = world.camera.has_lighting_eye && surfaces.generation == 0;
+    for (int h = 0; h < count; h += lane_count<double>()) {
+        const std::uint32_t* slots = surfaces.slot.data() + h;
+        std::uint32_t* materials = surfaces.material.data() + h;
         const bool same = all_same(slots);
         alignas(k_ray_alignment) double reach[lane_count<double>()];
         std::uint32_t flips = 0;
@@ -129,21 +134,27 @@ inline void compute_surfaces(const WorldParts& world, TileScratch& s, int genera
             std::fill_n(materials + 1, lane_count<double>() - 1, materials[0]);
             flips = flips != 0 ? (1u << lane_count<double>()) - 1 : 0;
         }
-        const Triple<Doubles> point = load_triple(s.point, h), d = load_triple(s.incoming, h);
+        const Triple<Doubles> point = load_triple(surfaces.point, h), d = load_triple(surfaces.incoming, h);
         const Triple<Doubles> normal = normals_at(*world.geometry, slots, same, point);
         const auto behind = dot(normal, d) > Doubles(0);
         const auto flipped = behind && from_bits<double>(flips);
-        store_triple(select_triple(flipped, -normal, normal), s.normal, h);
-        store(select(behind, Doubles(1), Doubles(0)), s.behind.data() + h);
+        store_triple(select_triple(flipped, -normal, normal), surfaces.normal, h);
+        store(select(behind, Doubles(1), Doubles(0)), surfaces.behind.data() + h);
 
         Triple<Doubles> eye = eye_apart ? lanes_of(world.camera.lighting_eye) - point : -d;
         if (world.conventions.normalize) eye = normalize(eye);
-        store_triple(eye, s.to_eye, h);
-        store(load(s.magnitude.data() + h) + (same ? Doubles(reach[0]) : load(reach)),
-              s.magnitude.data() + h);
+        store_triple(eye, surfaces.to_eye, h);
+        double* const magnitude = surfaces.magnitude.data() + h;
+        store(load(magnitude) + (same ? Doubles(reach[0]) : load(reach)), magnitude);
     }
     // A group of hits begins anywhere: its last vector may reach past those above.
-    std::fill_n(s.material.begin() + s.hits, k_ray_padding, s.material[static_cast<std::size_t>(s.hits - 1)]);
+    std::fill_n(surfaces.material.begin() + count, k_ray_padding, surfaces.material[last]);
+}
+
+/// The surface points of a vector of hits, as the formulas of lighting and of ray origins take them.
+HWY_INLINE SurfacePoint<Doubles> surface_at(const SurfaceBatch& surfaces, int h) {
+    return {load_triple(surfaces.point, h), load_triple(surfaces.normal, h),
+            load_triple(surfaces.incoming, h), load(surfaces.magnitude.data() + h)};
 }
 
 }  // namespace HWY_NAMESPACE

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+// The stages that intersect rays with the shapes: nearest hits, and the occlusion of shadow rays. The kernels
+// are compiled in a file of their own (hit_kernels.cpp).
+#if defined(GLINT_TRACE_INTERSECT_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef GLINT_TRACE_INTERSECT_INL_H_
+#undef GLINT_TRACE_INTERSECT_INL_H_
+#else
+#define GLINT_TRACE_INTERSECT_INL_H_
+#endif
+
+#include "simd/lanes-inl.h"
+#include "trace/batches.h"
+#include "world/world.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace glint {
+namespace HWY_NAMESPACE {
+
+/// See Kernels::nearest_hit and Kernels::any_hit (trace/kernels.h).
+void nearest_hit(const WorldParts& world, const RaySpan& rays, int count, int packet, double* t,
+                 std::uint32_t* slot);
+void any_hit(const WorldParts& world, const RaySpan& rays, int count, int packet, std::uint8_t* occluded);
+
+/// Finds the nearest hits of a stream: of the rays from number `first` on, at most k_stream_size.
+inline void intersect(const WorldParts& world, const RayBatch& rays, int first, HitBatch& hits) {
+    hits.first = first;
+    hits.count = number::min(k_stream_size, rays.count - first);
+    nearest_hit(world, rays.span(first), hits.count, k_packet_size, hits.t.data(), hits.slot.data());
+}
+
+/// Finds out which shadow rays are occluded.
+inline void intersect_shadow(const WorldParts& world, ShadowRayBatch& shadow_rays) {
+    any_hit(world, shadow_rays.span(), shadow_rays.count, k_packet_size, shadow_rays.occluded.data());
+}
+
+/// Whether all rays of the stream miss.
+inline bool all_missed(const HitBatch& hits) {
+    for (int i = 0; i < hits.count; i += lane_count<double>()) {
+        const auto hit = load(hits.t.data() + i) < Doubles(k_infinity);
+        if (any(hit && first_lanes<double>(hits.count - i))) return false;
+    }
+    return true;
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace glint
+HWY_AFTER_NAMESPACE();
+
+#endif

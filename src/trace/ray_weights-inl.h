@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: Apache-2.0
+// The weights of rays: what the light of a surface, of its mirror ray and of its glass ray counts for in the
+// pixel (docs/lighting.md unrolls the recursion into a sum).
+#if defined(GLINT_TRACE_RAY_WEIGHTS_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef GLINT_TRACE_RAY_WEIGHTS_INL_H_
+#undef GLINT_TRACE_RAY_WEIGHTS_INL_H_
+#else
+#define GLINT_TRACE_RAY_WEIGHTS_INL_H_
+#endif
+
+#include "trace/batches.h"
+#include "trace/material-inl.h"
+#include "trace/secondary_rays-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace glint {
+namespace HWY_NAMESPACE {
+
+/// What the surface's own light counts for. a: mirror, f: transmission. blend: (1-f)(1-a); add: 1. At the
+/// last generation the limit may keep it whole.
+HWY_INLINE Doubles local_share(const WorldParts& world, const MaterialLanes& material, int generation) {
+    const Conventions& rules = world.conventions;
+    const bool at_limit = generation >= world.settings.reflections;
+    if (rules.mirror == MirrorRule::add || (at_limit && rules.limit == LimitRule::keep)) return Doubles(1);
+    return (Doubles(1) - material.value(k_transmission)) * (Doubles(1) - material.value(k_mirror));
+}
+
+/// The two rays that leave a hit, as far as there are any. F is what glass reflects.
+///   reflected: tint ((1-f) a + f F) with blend, tint (a + f F) with add; transmitted: tint f (1-F).
+struct SecondaryWeights {
+    Triple<Doubles> reflected, transmitted;  // weights
+    Triple<Doubles> refracted_direction;     // direction of the transmitted ray
+    Doubles fresnel;                         // F
+};
+HWY_INLINE SecondaryWeights secondary_weights(const WorldParts& world, const MaterialLanes& material,
+                                              const SurfacePoint<Doubles>& surface, LaneMask<double> glass,
+                                              LaneMask<double> from_inside, Triple<Doubles> weight) {
+    const Conventions& rules = world.conventions;
+    const Doubles a = material.value(k_mirror), f = material.value(k_transmission), one(1);
+    SecondaryWeights b{weight, weight, weight, Doubles(0)};
+    Doubles mirror = rules.mirror == MirrorRule::blend ? (one - f) * a : a;
+    if (any(glass)) {  // otherwise nothing is asked of the transmitted ray
+        const Doubles ior = material.value(k_ior);
+        const RefractedRay<Doubles> ray = refracted_ray(surface, from_inside, ior, rules);
+        const Doubles fresnel = ray.fresnel;
+        b.refracted_direction = ray.direction;
+        b.fresnel = fresnel;
+        mirror = select(glass, mirror + f * fresnel, mirror);
+        b.transmitted = weight * select(glass, f * (one - fresnel), Doubles(0));
+        // Without Beer's law the way through glass is tinted once, where it begins.
+        if (!(rules.beer > 0)) {
+            const Triple<Doubles> tinted = b.transmitted * material.color(k_transmission_tint);
+            b.transmitted = select_triple(from_inside, b.transmitted, tinted);
+        }
+    }
+    b.reflected = weight * mirror * material.color(k_mirror_tint);
+    return b;
+}
+
+/// Beer's law: multiplies the weights of rays that came through glass by what is left of their light. A ray
+/// went through the glass whose inner side it hits; otherwise through that which it entered. A ray that
+/// misses has left through an open surface; its way in the glass is not known.
+inline void apply_beer_law(const WorldParts& world, SurfaceBatch& surfaces) {
+    const double k = world.conventions.beer;
+    if (!(k > 0)) return;
+    const auto value = [&](std::uint32_t material, int which) { return world.material(material)[which]; };
+    for (int i = 0; i < surfaces.count; ++i) {
+        const auto h = static_cast<std::size_t>(i);
+        const std::uint32_t material = surfaces.material[h];
+        const bool from_inside = surfaces.behind[h] > 0 && value(material, k_transmission) > 0;
+        const std::uint32_t medium = from_inside ? material : static_cast<std::uint32_t>(surfaces.medium[h]);
+        if (medium == k_none) continue;
+        const auto& d = surfaces.incoming;
+        const double way = surfaces.hit_t[h] * length(Triple<double>{d[0][h], d[1][h], d[2][h]});
+        for (int c = 0; c < 3; ++c)
+            surfaces.weight[c][h] *= beer(value(medium, k_transmission_tint + c), k, way);
+    }
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace glint
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0
+// Shadow rays: where they start and end, and what an occluded one does to the light.
+#if defined(GLINT_TRACE_SHADOW_RAYS_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef GLINT_TRACE_SHADOW_RAYS_INL_H_
+#undef GLINT_TRACE_SHADOW_RAYS_INL_H_
+#else
+#define GLINT_TRACE_SHADOW_RAYS_INL_H_
+#endif
+
+#include <bit>
+#include <cstring>
+
+#include "geometry/ray_offset-inl.h"
+#include "glint/scene.h"
+#include "lighting/light.h"
+#include "trace/batches.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace glint {
+namespace HWY_NAMESPACE {
+
+/// A ray from a surface to a light; a point light's is traced from the light to the surface, so that a
+/// light's rays share their origin.
+template <class T> struct ShadowRay {
+    Triple<T> origin, direction;
+    T t_min;
+    double t_max;
+};
+/// to_light: the whole way to a point light, of any length for others.
+template <class T>
+HWY_INLINE ShadowRay<T> shadow_ray(const SurfacePoint<T>& s, const Light& light, Triple<T> to_light,
+                                   const Conventions& rules) {
+    const Triple<T> start = offset_ray_origin(s, to_light, rules.offset, rules.epsilon);
+    if (!comes_from_light(light, rules))
+        return {start, to_light, T(offset_t_min(rules.offset, rules.epsilon)), k_infinity};
+    const Triple<T> from{T(light.position.x), T(light.position.y), T(light.position.z)}, way = start - from;
+    // Its distance is compared with the light's from P itself: it sees epsilon past the light.
+    const T least = rules.offset == Offset::direction ? T(-rules.epsilon) / length(way) : T(0);
+    return {from, way, least, rules.offset == Offset::ray ? 1 - rules.epsilon : 1.0};
+}
+
+/// Writes the shadow rays of the set lanes, from number `at` on.
+HWY_INLINE void store_shadow_rays(const Light& light, const SurfacePoint<Doubles>& surface,
+                                  Triple<Doubles> to_light, const Conventions& rules, LaneMask<double> set,
+                                  ShadowRayBatch& to, int at) {
+    const ShadowRay<Doubles> ray = shadow_ray(surface, light, to_light, rules);
+    if (comes_from_light(light, rules)) {
+        store_triple(ray.origin, to.origin, at);  // of all lanes the same
+    } else {
+        compress_triple(ray.origin, set, to.origin, at);
+    }
+    compress_triple(ray.direction, set, to.direction, at);
+    compress_store(ray.t_min, set, to.t_min.data() + at);
+    store(Doubles(ray.t_max), to.t_max.data() + at);
+}
+
+/// Clears the lit bits of the surfaces whose shadow ray is occluded. surfaces: how many there are.
+inline void apply_occlusion(const ShadowRayBatch& shadow_rays, int surfaces, LightSampleBatch& samples) {
+    const std::uint8_t* occluded = shadow_rays.occluded.data();
+    for (int i = 0; i < surfaces; i += lane_count<double>()) {
+        std::uint8_t& lit = samples.lit[static_cast<std::size_t>(i / lane_count<double>())];
+        const int rays = std::popcount(lit);
+        if (rays == 0) continue;
+        std::uint64_t flags = 0;  // of all rays of the vector, in the order of memory
+        std::memcpy(&flags, occluded, sizeof(flags));
+        if (flags << (64 - 8 * rays) == 0) {
+            occluded += rays;
+            continue;
+        }
+        std::uint32_t dark = 0;
+        for (std::uint32_t bits = lit; bits != 0; bits &= bits - 1) {
+            dark |= bits & (0 - bits) & (0u - *occluded++);  // without a branch, which would be mispredicted
+        }
+        lit = static_cast<std::uint8_t>(lit & ~dark);
+    }
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace glint
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: Apache-2.0
+// The stages of a tile: docs/architecture.md lists what each reads and writes, as its signature says.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <regex>
+#include <set>
+#include <sstream>
+#include <string>
+
+namespace glint::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string read_project_file(const std::string& path) {
+    std::ifstream in(fs::path(GLINT_PROJECT_DIR) / path);
+    std::ostringstream text;
+    text << in.rdbuf();
+    return text.str();
+}
+
+struct Stage {
+    std::string file;
+    std::set<std::string> reads, writes;
+    friend bool operator==(const Stage&, const Stage&) = default;
+};
+using Stages = std::map<std::string, Stage>;
+
+std::ostream& operator<<(std::ostream& out, const Stage& stage) {
+    out << stage.file << " reads";
+    for (const std::string& batch : stage.reads) out << ' ' << batch;
+    out << ", writes";
+    for (const std::string& batch : stage.writes) out << ' ' << batch;
+    return out;
+}
+
+// What a stage may read or write.
+const char* const k_batch = R"(\b(\w+Batch|Film|FirstHits|TileJob)\b)";
+
+std::set<std::string> find_batches(const std::string& text, const std::string& pattern) {
+    const std::regex batch(pattern);
+    std::set<std::string> found;
+    for (std::sregex_iterator i(text.begin(), text.end(), batch), end; i != end; ++i) found.insert((*i)[1]);
+    return found;
+}
+
+// The table of the document.
+Stages listed_stages(const std::string& document) {
+    static const std::regex row(R"(\| `(\w+)` \| `([\w-]+\.h)` \|([^|\n]*)\|([^|\n]*)\|)");
+    Stages stages;
+    for (std::sregex_iterator i(document.begin(), document.end(), row), end; i != end; ++i)
+        stages[(*i)[1]] = {(*i)[2], find_batches((*i)[3], k_batch), find_batches((*i)[4], k_batch)};
+    return stages;
+}
+
+// The functions of a file that have batches as arguments.
+void find_stages(const std::string& file, const std::string& text, Stages& stages) {
+    static const std::regex signature(R"(\ninline void (\w+)\(([^)]*)\) \{)");
+    for (std::sregex_iterator i(text.begin(), text.end(), signature), end; i != end; ++i) {
+        const std::string arguments = (*i)[2];
+        const std::string all = std::string(k_batch) + "&", constant = "const " + all;
+        Stage stage{file, find_batches(arguments, constant), find_batches(arguments, all)};
+        for (const std::string& batch : stage.reads) stage.writes.erase(batch);
+        if (!stage.reads.empty() || !stage.writes.empty()) stages[(*i)[1]] = stage;
+    }
+}
+
+Stages declared_stages() {
+    Stages stages;
+    for (const fs::directory_entry& entry :
+         fs::directory_iterator(fs::path(GLINT_PROJECT_DIR) / "src/trace")) {
+        const std::string name = entry.path().filename().string();
+        if (name.ends_with("-inl.h")) find_stages(name, read_project_file("src/trace/" + name), stages);
+    }
+    return stages;
+}
+
+TEST(Stages, AreListedWithWhatTheyReadAndWrite) {
+    const Stages listed = listed_stages(read_project_file("docs/architecture.md"));
+    const Stages declared = declared_stages();
+    EXPECT_GE(listed.size(), 10u);
+    for (const auto& [name, stage] : listed) {
+        ASSERT_TRUE(declared.contains(name)) << name << " is listed, but no function of src/trace";
+        EXPECT_EQ(stage, declared.at(name)) << name;
+    }
+}
+
+TEST(Stages, AreAllListed) {
+    const std::string document = read_project_file("docs/architecture.md");
+    const std::string tile = read_project_file("src/trace/tile-inl.h");
+    const Stages declared = declared_stages();
+    static const std::regex call(R"(\b(\w+)\()");
+    std::size_t found = 0;
+    for (std::sregex_iterator i(tile.begin(), tile.end(), call), end; i != end; ++i) {
+        const std::string name = (*i)[1];
+        const bool is_other = name.starts_with("record_") || name.starts_with("clear_");
+        if (is_other || !declared.contains(name)) continue;
+        ++found;
+        EXPECT_NE(document.find('`' + name + '`'), std::string::npos)
+            << name << " is called in tile-inl.h, but is not in docs/architecture.md";
+    }
+    EXPECT_GE(found, 10u);
+}
+
+TEST(Stages, AreReadFromSignatures) {
+    Stages stages;
+    find_stages("a-inl.h",
+                "\ninline void mix(const WorldParts& world, const RayBatch& a,\n  HitBatch& b) {\n}\n",
+                stages);
+    EXPECT_EQ(stages, (Stages{{"mix", {"a-inl.h", {"RayBatch"}, {"HitBatch"}}}}));
+    EXPECT_EQ(listed_stages("| `mix` | `a-inl.h` | RayBatch | HitBatch |\n"), stages);
+}
+
+}  // namespace
+}  // namespace glint::test
