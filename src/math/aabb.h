@@ -5,6 +5,8 @@
 
 #include "glint/vec.h"
 #include "math/number.h"
+#define GLINT_NUMBER_NAMESPACE number
+#include "math/padding_templates-inl.h"
 
 namespace glint {
 
@@ -30,15 +32,12 @@ struct Aabb {
     }
 };
 
-/// The box in single precision of a box in double, padded by what rounding may move a shape's surface: a
-/// formula's error is relative to the magnitudes it computes with, so both sides are padded by the larger
-/// one's.
+/// The box in single precision of a box in double, with its padding.
 inline Aabb padded_box(Vec3 lo, Vec3 hi) {
     const double low[3] = {lo.x, lo.y, lo.z}, high[3] = {hi.x, hi.y, hi.z};
     Aabb box;
     for (int a = 0; a < 3; ++a) {
-        const double magnitude = number::max(number::abs(low[a]), number::abs(high[a]));
-        const double pad = magnitude * 0x1p-23 + 1e-30;  // two to four units in the last place of a float
+        const double pad = number::box_padding(low[a], high[a]);
         box.lo[a] = static_cast<float>(low[a] - pad);
         box.hi[a] = static_cast<float>(high[a] + pad);
     }

@@ -11,12 +11,14 @@
 #include "world/world.h"
 
 HWY_BEFORE_NAMESPACE();
+#define GLINT_NUMBER_NAMESPACE HWY_NAMESPACE
+#include "math/padding_templates-inl.h"
 namespace glint {
 namespace HWY_NAMESPACE {
 
-/// The same as padded_box (math/aabb.h), lane by lane: the sides of one axis.
+/// padded_box (math/aabb.h) lane by lane: the sides of one axis.
 HWY_INLINE void pad_sides(Doubles lo, Doubles hi, float* lower, float* upper) {
-    const Doubles pad = max(abs(lo), abs(hi)) * Doubles(0x1p-23) + Doubles(1e-30);
+    const Doubles pad = box_padding(lo, hi);
     store_narrow(lo - pad, lower);
     store_narrow(hi + pad, upper);
 }

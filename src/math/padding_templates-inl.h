@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+// The padding of boxes, as a template over the kind of number. No include guard and no fixed namespace, as in
+// math/elementary_templates-inl.h: a file opens it where the names of math/number.h are known.
+#ifndef GLINT_NUMBER_NAMESPACE
+#error "define GLINT_NUMBER_NAMESPACE to the namespace that the function is wanted in"
+#endif
+
+#include "math/number.h"
+
+namespace glint {
+namespace GLINT_NUMBER_NAMESPACE {
+
+/// How far the sides lo and hi of a box are moved outwards along an axis: two to four units in the last place
+/// of a float, by which rounding may move a shape's surface. A formula's error is relative to the magnitudes
+/// it computes with, so both sides are padded by the larger one's.
+template <class T> GLINT_INLINE T box_padding(T lo, T hi) {
+    return max(abs(lo), abs(hi)) * T(0x1p-23) + T(1e-30);
+}
+
+}  // namespace GLINT_NUMBER_NAMESPACE
+}  // namespace glint
+
+#undef GLINT_NUMBER_NAMESPACE
