@@ -7,6 +7,8 @@
 #include "check/checks.h"
 #include "math/extent.h"
 #include "math/number.h"
+#include "trace/camera_rays-inl.h"
+#include "world/camera_projection.h"
 
 namespace glint {
 namespace {
@@ -31,12 +33,7 @@ void mark_shadows(const CheckContext& context, const VisibleHits& visible, std::
 class Frame {
   public:
     Frame(const PreparedCamera& camera, const RenderSettings& settings)
-        : camera_(camera), width_(settings.width), height_(settings.height) {
-        const double volume = dot(cross(camera.right, camera.up), camera.forward);
-        to_x_ = cross(camera.up, camera.forward) / volume;
-        to_y_ = cross(camera.forward, camera.right) / volume;
-        to_depth_ = cross(camera.right, camera.up) / volume;
-    }
+        : camera_(camera), projection_(camera), width_(settings.width), height_(settings.height) {}
 
     enum class Place : std::uint8_t { not_drawn, outside, tiny, inside };
     Place place_of(const Bounds& box) const {
@@ -46,8 +43,7 @@ class Frame {
         for (int corner = 0; corner < 8; ++corner) {
             const Vec3 p{corner & 1 ? box.max.x : box.min.x, corner & 2 ? box.max.y : box.min.y,
                          corner & 4 ? box.max.z : box.min.z};
-            const Vec3 way = p - camera_.position;
-            const double x = dot(way, to_x_), y = dot(way, to_y_), depth = dot(way, to_depth_);
+            const auto [x, y, depth] = projection_.coordinates(p);
             const bool flat = camera_.projection == Projection::orthographic;
             const double half = flat ? 0.5 : depth / 2;
             out[0] += depth <= 0;
@@ -65,7 +61,7 @@ class Frame {
     /// Whether any of the picture's rays could meet the plane, were there nothing else.
     bool may_see(Vec3 point, Vec3 normal) const {
         for (int i = 0; i < 25; ++i) {
-            const Ray ray = camera_.ray_through(i % 5 * 0.25 - 0.5, i / 5 * 0.25 - 0.5);
+            const auto ray = HWY_NAMESPACE::viewport_ray(camera_, i % 5 * 0.25 - 0.5, i / 5 * 0.25 - 0.5);
             if (dot(point - ray.origin, normal) / dot(ray.direction, normal) > 0) return true;
         }
         return false;
@@ -73,8 +69,8 @@ class Frame {
 
   private:
     const PreparedCamera& camera_;
+    CameraProjection projection_;
     double width_, height_;
-    Vec3 to_x_, to_y_, to_depth_;
 };
 
 struct Unseen {

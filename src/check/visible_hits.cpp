@@ -105,10 +105,10 @@ RayList camera_rays(const WorldParts& world, SmallSize size, double x, double y)
     for (std::int32_t row = 0; row < size.height; ++row) {
         const double up = viewport_y(settings, where, row + y, 0);
         for (std::int32_t column = 0; column < size.width; ++column) {
-            glint::Ray ray = camera.ray_through(viewport_x(settings, where, column + x, 0), up);
-            if (world.conventions.ray_direction == RayDirection::unit)
-                ray.direction = glint::normalize(ray.direction);
-            rays.add(ray.origin, ray.direction, world.conventions.camera_t_min);
+            const auto ray = viewport_ray(camera, viewport_x(settings, where, column + x, 0), up);
+            const bool unit = world.conventions.ray_direction == RayDirection::unit;
+            rays.add(ray.origin, unit ? glint::normalize(ray.direction) : ray.direction,
+                     world.conventions.camera_t_min);
         }
     }
     return rays;

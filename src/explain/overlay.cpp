@@ -8,6 +8,7 @@
 #include "explain/references.h"
 #include "glint/explain.h"
 #include "math/transform.h"
+#include "world/camera_projection.h"
 #include "world/world.h"
 
 namespace glint {
@@ -17,32 +18,29 @@ struct ScreenPoint {
     double x = 0, y = 0;  // in pixels from the picture's top-left corner
 };
 
-// Where a point of the world is in the picture: position + z (forward + right sx + up sy).
+// Where a point of the world is in the picture.
 class View {
   public:
     explicit View(const WorldParts& world)
-        : camera_(world.camera), width_(world.settings.width), height_(world.settings.height) {
-        const Vec3 r = camera_.right, u = camera_.up, f = camera_.forward;
-        const double volume = dot(cross(r, u), f);
-        across_ = cross(u, f) / volume;
-        upwards_ = cross(f, r) / volume;
-        onwards_ = cross(r, u) / volume;
-    }
+        : is_perspective_(world.camera.projection == Projection::perspective),
+          projection_(world.camera),
+          width_(world.settings.width),
+          height_(world.settings.height) {}
 
     // How far along the camera's forward: what is not in front of a perspective camera has no place.
-    double depth(Vec3 p) const { return dot(p - camera_.position, onwards_); }
-    bool is_perspective() const { return camera_.projection == Projection::perspective; }
+    double depth(Vec3 p) const { return projection_.coordinates(p).depth; }
+    bool is_perspective() const { return is_perspective_; }
 
     ScreenPoint project(Vec3 p) const {
-        const Vec3 way = p - camera_.position;
-        const double scale = is_perspective() ? 1 / depth(p) : 1;
-        return {(dot(way, across_) * scale + 0.5) * width_, (0.5 - dot(way, upwards_) * scale) * height_};
+        const auto [x, y, depth] = projection_.coordinates(p);
+        const double scale = is_perspective() ? 1 / depth : 1;
+        return {(x * scale + 0.5) * width_, (0.5 - y * scale) * height_};
     }
 
   private:
-    PreparedCamera camera_;
+    bool is_perspective_;
+    CameraProjection projection_;
     double width_, height_;
-    Vec3 across_, upwards_, onwards_;
 };
 
 constexpr double k_farthest = 1e15;  // pixels from the picture: beyond, a double has no fractions

@@ -51,8 +51,22 @@ HWY_INLINE double viewport_y(const RenderSettings& settings, PixelSample where, 
            settings.height;
 }
 
-/// PreparedCamera::ray_through() for a vector of pixels at a time, what a column and a row of them share
-/// once.
+/// The ray through a point of the viewport. V: Vec3, or Triple of lanes. across: from the middle of the
+/// viewport to the point, right sx + up sy, with sx and sy from -1/2 to 1/2 across the picture and upwards.
+template <class V> struct ViewportRay { V origin, direction; };
+template <class V>
+HWY_INLINE ViewportRay<V> viewport_ray(Projection projection, const V& position, const V& forward,
+                                       const V& across) {
+    if (projection == Projection::orthographic) return {position + across, forward};
+    return {position, forward + across};
+}
+inline ViewportRay<Vec3> viewport_ray(const PreparedCamera& camera, double sx, double sy) {
+    return viewport_ray(camera.projection, camera.position, camera.forward,
+                        camera.right * sx + camera.up * sy);
+}
+
+/// The first stage: one ray for each pixel of the tile, through sample (i, j) of its samples. What a column
+/// or a row of pixels shares is computed once.
 inline void make_camera_rays(const WorldParts& world, const TileJob& job, int i, int j, RayBatch& rays) {
     const PreparedCamera& camera = world.camera;
     const PixelSample where = world.conventions.pixel_sample;
@@ -75,14 +89,10 @@ inline void make_camera_rays(const WorldParts& world, const TileJob& job, int i,
     for_each_row(job, [&](int x, int y, int first, int width) HWY_ATTR {
         for (int c = 0; c < width; c += lane_count<double>()) {
             const Triple<Doubles> across = load_triple(column_offset, x + c) + lanes_of(row_offset[y]);
-            Triple<Doubles> direction = lanes_of(camera.forward);
-            if (orthographic) {
-                store_triple(lanes_of(camera.position) + across, to.origin, first + c);
-            } else {
-                direction = direction + across;
-            }
-            if (unit) direction = normalize(direction);
-            store_triple(direction, to.direction, first + c);
+            const auto ray =
+                viewport_ray(camera.projection, lanes_of(camera.position), lanes_of(camera.forward), across);
+            if (orthographic) store_triple(ray.origin, to.origin, first + c);
+            store_triple(unit ? normalize(ray.direction) : ray.direction, to.direction, first + c);
         }
     });
     rays.generation = 0;

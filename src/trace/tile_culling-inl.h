@@ -8,6 +8,7 @@
 #endif
 
 #include "simd/vec3-inl.h"
+#include "trace/camera_rays-inl.h"
 #include "trace/tile.h"
 #include "world/world.h"
 
@@ -22,13 +23,16 @@ struct TileFrustum {
     bool exists = false;
 };
 
-/// A frustum around the rays of a tile, wider by a pixel on each side than any PixelSample.
+/// A frustum around the rays of a tile, wider than they are by a pixel on each side.
 inline TileFrustum tile_frustum(const WorldParts& world, const TileJob& job) {
     const PreparedCamera& camera = world.camera;
-    const double w = world.settings.width, h = world.settings.height;
-    const double x[2] = {(job.x - 1) / w - 0.5, (job.x + job.width + 1) / w - 0.5};
-    const double y[2] = {0.5 - (job.y - 1) / h, 0.5 - (job.y + job.height + 1) / h};
-    const auto corner = [&](int i, int j) { return camera.ray_through(x[i], y[j]).direction; };
+    const double left = job.x - 1.0, top = job.y - 1.0;
+    const auto corner = [&](int i, int j) {
+        const PixelSample where = world.conventions.pixel_sample;
+        const double x = viewport_x(world.settings, where, left + i * (job.width + 2.0), 0);
+        const double y = viewport_y(world.settings, where, top + j * (job.height + 2.0), 0);
+        return viewport_ray(camera, x, y).direction;
+    };
     const Vec3 corners[4] = {corner(0, 0), corner(1, 0), corner(1, 1), corner(0, 1)};
     const Vec3 middle = corners[0] + corners[1] + corners[2] + corners[3];
     TileFrustum frustum;

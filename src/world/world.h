@@ -25,20 +25,12 @@ enum MaterialValue : int {
     k_material_values = 22,
 };
 
-/// The camera as a pixel's ray needs it.
+/// The camera as viewport_ray (trace/camera_rays-inl.h) needs it.
 struct PreparedCamera {
     Projection projection = Projection::perspective;
     Vec3 position, right, up, forward;
     bool has_lighting_eye = false;
     Vec3 lighting_eye;
-
-    /// The ray through a point of the viewport, sx and sy from -1/2 to 1/2 across the picture and upwards:
-    /// its direction is forward + right sx + up sy, or its origin is position + right sx + up sy.
-    Ray ray_through(double sx, double sy) const {
-        const Vec3 across = right * sx + up * sy;
-        if (projection == Projection::orthographic) return {position + across, forward};
-        return {position, forward + across};
-    }
 };
 
 struct WorldParts {

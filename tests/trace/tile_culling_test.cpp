@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+// The frustum of a tile contains its camera rays, wherever in their pixels they pass.
+#include "trace/tile_culling-inl.h"
+
+#include <gtest/gtest.h>
+
+#include "math/transform.h"
+#include "world/prepare_camera.h"
+
+namespace glint::test {
+namespace {
+
+namespace plain = HWY_NAMESPACE;
+
+WorldParts view(PixelSample where, int samples) {
+    WorldParts world;
+    world.settings.width = 101;  // odd: the middle of `whole` is half a pixel away from that of the others
+    world.settings.height = 67;
+    world.settings.samples = samples;
+    world.conventions.pixel_sample = where;
+    Camera camera;
+    camera.position = {1, 2, 3};
+    camera.look_at = {-2, 1, -5};
+    world.camera = prepare_camera(camera, world.settings);
+    return world;
+}
+
+// The cosine between a plane and the ray that is nearest to it or beyond it; below 0: all are inside.
+double greatest_cosine(const WorldParts& world, const TileJob& job) {
+    const plain::TileFrustum frustum = plain::tile_frustum(world, job);
+    EXPECT_TRUE(frustum.exists);
+    double greatest = -1;
+    for (int j = 0; j < world.settings.samples; ++j) {
+        for (int i = 0; i < world.settings.samples; ++i) {
+            RayBatch rays;
+            plain::make_camera_rays(world, job, i, j, rays);
+            for (std::size_t r = 0; r < static_cast<std::size_t>(rays.count); ++r) {
+                const Vec3 d{rays.direction[0][r], rays.direction[1][r], rays.direction[2][r]};
+                for (const Vec3& n : frustum.outward)
+                    greatest = std::max(greatest, dot(n, d) / (length(n) * length(d)));
+            }
+        }
+    }
+    return greatest;
+}
+
+TEST(TileCulling, FrustumContainsTheRaysByAPixel) {
+    for (const PixelSample where : {PixelSample::center, PixelSample::corner, PixelSample::whole}) {
+        for (const int samples : {1, 3}) {
+            const WorldParts world = view(where, samples);
+            const double pixel = length(world.camera.right) / world.settings.width;
+            for (const auto& [x, y] : {std::pair{0, 0}, std::pair{32, 32}, std::pair{96, 64}}) {
+                TileJob job;
+                job.x = x;
+                job.y = y;
+                job.width = std::min(k_tile_side, world.settings.width - x);
+                job.height = std::min(k_tile_side, world.settings.height - y);
+                // A pixel at the picture's edge is seen under a smaller angle than in its middle.
+                EXPECT_LT(greatest_cosine(world, job), -0.5 * pixel)
+                    << static_cast<int>(where) << ' ' << samples << ' ' << x << ',' << y;
+            }
+        }
+    }
+}
+
+}  // namespace
+}  // namespace glint::test
