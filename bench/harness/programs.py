@@ -33,16 +33,17 @@ def found(pattern, output, program):
 
 
 class Glint:
-    """glint itself, with the best instruction set or a given one."""
+    """glint itself, with the best instruction set or a given one; or another build of it."""
     format = 'nff'
 
-    def __init__(self, isa=None, threads=None):
-        self.isa, self.threads = isa, threads
-        self.name = f'glint {isa}' if isa else f'glint, {threads} threads' if threads else 'glint'
+    def __init__(self, isa=None, threads=None, before=None):
+        self.isa, self.threads, self.before = isa, threads, before
+        self.name = ('before' if before else f'glint {isa}' if isa else f'glint, {threads} threads' if threads
+                     else 'glint')
 
     def run(self, scene, o):
         stats = os.path.join(o.out, 'stats.json')
-        command = [os.path.join(o.out, 'glint'), 'render', '-q', scene, '-s', f'{o.size}x{o.size}',
+        command = [self.before or os.path.join(o.out, 'glint'), 'render', '-q', scene, '-s', f'{o.size}x{o.size}',
                    '--reflections', '5', '-t', str(self.threads or o.threads), '--stats', stats, '-o', os.path.join(o.out, 'a.png')]
         _, process, memory = measure(command + (['--isa', self.isa] if self.isa else []))
         with open(stats) as file:
