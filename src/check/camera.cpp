@@ -5,6 +5,7 @@
 #include "check/checks.h"
 #include "math/number.h"
 #include "math/transform.h"
+#include "world/primitive_bounds-inl.h"
 
 namespace glint {
 namespace {
@@ -26,9 +27,10 @@ bool is_enclosure(const WorldParts& world, std::uint32_t shape) {
     std::uint32_t own = 0;
     while (own < world.geometry->bounded && world.geometry->shape_index[own] != shape) ++own;
     if (own == world.geometry->bounded) return false;
-    const Bounds enclosure = to_bounds(primitive_bounds(*world.geometry, own));
+    const Bounds enclosure = to_bounds(HWY_NAMESPACE::primitive_bounds(*world.geometry, own));
     for (std::uint32_t slot = 0; slot < world.geometry->bounded; ++slot)
-        if (slot != own && contains(enclosure, to_bounds(primitive_bounds(*world.geometry, slot))))
+        if (slot != own &&
+            contains(enclosure, to_bounds(HWY_NAMESPACE::primitive_bounds(*world.geometry, slot))))
             return true;
     for (std::uint32_t slot = world.geometry->bounded; slot < world.geometry->count; ++slot) {
         const ShapeClass& planes = world.geometry->class_of(slot);

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "check/visible_hits.h"
+#include "world/primitive_bounds-inl.h"
 
 namespace glint {
 namespace {
@@ -36,7 +37,7 @@ double shapes_per_ray(const WorldParts& world, int threads) {
     const std::uint32_t step = world.geometry->bounded / k_max_boxes + 1;
     std::uint64_t met = 0;
     for (std::uint32_t slot = 0; slot < world.geometry->bounded; slot += step) {
-        const Bounds box = to_bounds(primitive_bounds(*world.geometry, slot));
+        const Bounds box = to_bounds(HWY_NAMESPACE::primitive_bounds(*world.geometry, slot));
         for (std::size_t i = 0; i < rays.size(); ++i)
             met += meets(box, rays.origin(i), rays.direction(i), hits.t[i]);
     }

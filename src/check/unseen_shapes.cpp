@@ -9,6 +9,7 @@
 #include "math/number.h"
 #include "trace/camera_rays-inl.h"
 #include "world/camera_projection.h"
+#include "world/primitive_bounds-inl.h"
 
 namespace glint {
 namespace {
@@ -86,7 +87,8 @@ Unseen find_unseen(const WorldParts& world, const std::vector<bool>& seen) {
     for (std::uint32_t slot = 0; slot < world.geometry->count; ++slot) {
         Place& place = places[world.geometry->shape_index[slot]];
         if (slot < world.geometry->bounded) {
-            place = std::max(place, frame.place_of(to_bounds(primitive_bounds(*world.geometry, slot))));
+            place = std::max(
+                place, frame.place_of(to_bounds(HWY_NAMESPACE::primitive_bounds(*world.geometry, slot))));
         } else {
             const ShapeClass& planes = world.geometry->class_of(slot);
             const auto value = [&](int k) { return planes.column(k)[slot - planes.first]; };
@@ -125,7 +127,7 @@ std::string enclosure(const CheckContext& context, const WorldParts& world,
         std::uint32_t slot = 0;
         while (slot < world.geometry->bounded && world.geometry->shape_index[slot] != list[i]) ++slot;
         if (slot == world.geometry->bounded) continue;
-        const Bounds box = to_bounds(primitive_bounds(*world.geometry, slot));
+        const Bounds box = to_bounds(HWY_NAMESPACE::primitive_bounds(*world.geometry, slot));
         for (const std::uint32_t around : shapes_around(context, (box.min + box.max) * 0.5)) {
             if (around == list[i]) continue;
             return fmt::format("; the middle of {} is inside {}", context.shape(list[i]),

@@ -9,6 +9,7 @@
 #include "trace/camera_rays-inl.h"
 #include "trace/secondary_rays-inl.h"
 #include "trace/shadow_rays-inl.h"
+#include "world/primitive_bounds-inl.h"
 #include "world/primitives.h"
 
 namespace glint {

@@ -9,7 +9,6 @@
 
 #include "geometry/ray-inl.h"
 #include "glint/shapes.h"
-#include "math/extent.h"
 #include "math/transform.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -37,11 +36,12 @@ struct TriangleGeometry {
     }
     static bool is_open(const Triangle&) { return true; }
     static void bounds(const Triangle& triangle, Vec3& lo, Vec3& hi) {
-        Extent extent;
-        for (const Vec3& v : triangle.vertices) extent.add(v);
-        lo = extent.lo, hi = extent.hi;
+        double p[k_values];
+        pack(triangle, p);
+        const auto box = packed_bounds(p);
+        lo = {box.lo.x, box.lo.y, box.lo.z}, hi = {box.hi.x, box.hi.y, box.hi.z};
     }
-    /// The same, from the packed values: a triangle's box is not worth its memory.
+    /// The same, from the packed values: a triangle's box is computed when needed, which saves its memory.
     template <class T> struct PackedBounds { Triple<T> lo, hi; };
     template <class T> static HWY_INLINE PackedBounds<T> packed_bounds(const T* p) {
         const auto least = [&](int k) HWY_ATTR { return min(min(p[k], p[k + 3]), p[k + 6]); };

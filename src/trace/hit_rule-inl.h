@@ -13,8 +13,8 @@
 
 #include "trace/hit_result-inl.h"
 #include "trace/packet_filters-inl.h"
-#include "trace/primitive_bounds-inl.h"
 #include "trace/sheared_rays-inl.h"
+#include "world/primitive_bounds-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace glint {

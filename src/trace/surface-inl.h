@@ -11,6 +11,7 @@
 #include "geometry/kinds-inl.h"
 #include "geometry/ray_offset-inl.h"
 #include "trace/batches.h"
+#include "world/primitive_bounds-inl.h"
 #include "world/world.h"
 
 HWY_BEFORE_NAMESPACE();

@@ -10,6 +10,7 @@
 #include "world/edit_index.h"
 #include "world/failure.h"
 #include "world/pack_shapes.h"
+#include "world/primitive_bounds-inl.h"
 #include "world/world.h"
 
 namespace glint {
@@ -100,7 +101,7 @@ class ShapeEditor {
     }
 
     void write_few(PackedGeometry& geometry, std::vector<std::uint32_t>& rows) const {
-        const auto box = [&](std::uint32_t slot) { return primitive_bounds(geometry, slot); };
+        const auto box = [&](std::uint32_t slot) { return HWY_NAMESPACE::primitive_bounds(geometry, slot); };
         for (const Primitive& p : primitives_.list()) {
             const std::uint32_t slot = slot_of(geometry, p);
             write(p, slot, geometry, rows);
@@ -133,7 +134,7 @@ class ShapeEditor {
             write(primitive, static_cast<std::uint32_t>(slot), geometry, rows);
         });
         refit_all(
-            geometry.bvh, [&](std::uint32_t slot) { return primitive_bounds(geometry, slot); },
+            geometry.bvh, [&](std::uint32_t slot) { return HWY_NAMESPACE::primitive_bounds(geometry, slot); },
             options_.threads);
         geometry.cost = find_cost(geometry.bvh);
     }

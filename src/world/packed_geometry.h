@@ -8,7 +8,6 @@
 
 #include "bvh/refit.h"
 #include "glint/shapes.h"
-#include "math/extent.h"
 
 namespace glint {
 
@@ -59,22 +58,6 @@ struct PackedGeometry {
         return c;
     }
 };
-
-/// The padded box of a bounded slot's shape, by the hit rule: stored, or a triangle's computed.
-inline Aabb primitive_bounds(const PackedGeometry& geometry, std::uint32_t slot) {
-    if (slot < geometry.boxed) {
-        Aabb box;
-        for (int a = 0; a < 3; ++a)
-            box.lo[a] = geometry.box_lo[a][slot], box.hi[a] = geometry.box_hi[a][slot];
-        return box;
-    }
-    const ShapeClass& triangles = geometry.class_of(slot);  // their first values are the vertices
-    const std::uint32_t item = slot - triangles.first;
-    const auto at = [&](int k) { return triangles.column(k)[item]; };
-    Extent extent;
-    for (int k = 0; k < 9; k += 3) extent.add({at(k), at(k + 1), at(k + 2)});
-    return padded_box(extent.lo, extent.hi);
-}
 
 /// The unit normal of a slot's shape at a point of it.
 Vec3 primitive_normal(const PackedGeometry& geometry, std::uint32_t slot, Vec3 point);

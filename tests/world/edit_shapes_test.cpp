@@ -5,6 +5,7 @@
 
 #include "trace/worlds.h"
 #include "world/edit_index.h"
+#include "world/primitive_bounds-inl.h"
 #include "world/same_pictures.h"
 
 namespace glint::test {
@@ -146,7 +147,7 @@ TEST(EditShapes, ARefittedHierarchyHoldsItsBoxes) {
         for (const std::uint32_t shape : changed) move(scene, shape, point_in_cube(random, 0.3));
         if (edit(world, scene, changed) != ShapeEdit::refitted) continue;
         const PackedGeometry& geometry = *world.parts().geometry;
-        const auto box = [&](std::uint32_t slot) { return primitive_bounds(geometry, slot); };
+        const auto box = [&](std::uint32_t slot) { return HWY_NAMESPACE::primitive_bounds(geometry, slot); };
         Bvh all = geometry.bvh;
         refit_all(all, box, 1);
         for (std::size_t n = 0; n < all.nodes.size(); ++n) {

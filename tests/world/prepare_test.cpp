@@ -7,6 +7,7 @@
 
 #include "trace/hit_rule.h"
 #include "trace/worlds.h"
+#include "world/primitive_bounds-inl.h"
 
 namespace glint::test {
 namespace {
@@ -86,7 +87,8 @@ TEST(Prepare, BoundsOfAPrimitiveAreThoseThatRaysAreTestedAgainst) {
     const PackedGeometry& geometry = *world->parts().geometry;
     int computed = 0;
     for (std::uint32_t slot = 0; slot < geometry.bounded; ++slot) {
-        const Aabb box = primitive_box(geometry, slot), bounds = primitive_bounds(geometry, slot);
+        const Aabb box = primitive_box(geometry, slot),
+                   bounds = HWY_NAMESPACE::primitive_bounds(geometry, slot);
         for (int a = 0; a < 3; ++a) {
             EXPECT_EQ(bounds.lo[a], box.lo[a]) << slot;
             EXPECT_EQ(bounds.hi[a], box.hi[a]) << slot;

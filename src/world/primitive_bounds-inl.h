@@ -1,20 +1,36 @@
 // SPDX-License-Identifier: Apache-2.0
-// The padded boxes of a vector of shapes: stored, or computed from the shapes' values.
-#if defined(GLINT_TRACE_PRIMITIVE_BOUNDS_INL_H_) == defined(HWY_TARGET_TOGGLE)
-#ifdef GLINT_TRACE_PRIMITIVE_BOUNDS_INL_H_
-#undef GLINT_TRACE_PRIMITIVE_BOUNDS_INL_H_
+// The padded boxes of packed shapes, by the hit rule: stored, or computed from the values of triangles.
+#if defined(GLINT_WORLD_PRIMITIVE_BOUNDS_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef GLINT_WORLD_PRIMITIVE_BOUNDS_INL_H_
+#undef GLINT_WORLD_PRIMITIVE_BOUNDS_INL_H_
 #else
-#define GLINT_TRACE_PRIMITIVE_BOUNDS_INL_H_
+#define GLINT_WORLD_PRIMITIVE_BOUNDS_INL_H_
 #endif
 
 #include "geometry/kinds-inl.h"
-#include "world/world.h"
+#include "math/aabb.h"
+#include "world/packed_geometry.h"
 
 HWY_BEFORE_NAMESPACE();
 #define GLINT_NUMBER_NAMESPACE HWY_NAMESPACE
 #include "math/padding_templates-inl.h"
 namespace glint {
 namespace HWY_NAMESPACE {
+
+/// The padded box of a bounded slot's shape.
+inline Aabb primitive_bounds(const PackedGeometry& geometry, std::uint32_t slot) {
+    if (slot < geometry.boxed) {
+        Aabb box;
+        for (int a = 0; a < 3; ++a)
+            box.lo[a] = geometry.box_lo[a][slot], box.hi[a] = geometry.box_hi[a][slot];
+        return box;
+    }
+    const ShapeClass& triangles = geometry.class_of(slot);
+    double p[9];  // their first values are the vertices
+    for (int k = 0; k < 9; ++k) p[k] = triangles.column(k)[slot - triangles.first];
+    const auto [lo, hi] = TriangleGeometry::packed_bounds(p);
+    return padded_box({lo.x, lo.y, lo.z}, {hi.x, hi.y, hi.z});
+}
 
 /// padded_box (math/aabb.h) lane by lane: the sides of one axis.
 HWY_INLINE void pad_sides(Doubles lo, Doubles hi, float* lower, float* upper) {
