@@ -12,8 +12,10 @@ namespace {
 constexpr std::size_t k_max_quoted = 40;  // bytes
 constexpr std::size_t k_max_word = 32;    // a longer word is no misspelling of ours
 constexpr std::size_t k_max_candidates = 1000;
+constexpr std::size_t k_min_beginning = 3;  // letters from which a longer word can be guessed
 
-// Optimal string alignment distance: insertions, deletions, changes, swaps of neighbours.
+// Optimal string alignment distance: insertions, deletions, changes, swaps of neighbours; f for ph is one
+// change, as in "fong".
 std::size_t distance(std::string_view a, std::string_view b) {
     using Row = std::array<std::size_t, k_max_word + 1>;
     Row before{}, above{}, row{};
@@ -25,6 +27,12 @@ std::size_t distance(std::string_view a, std::string_view b) {
             row[j] = std::min({above[j] + 1, row[j - 1] + 1, change});
             if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1]) {
                 row[j] = std::min(row[j], before[j - 2] + 1);
+            }
+            if (j > 1 && a[i - 1] == 'f' && b.substr(j - 2, 2) == "ph") {
+                row[j] = std::min(row[j], above[j - 2] + 1);
+            }
+            if (i > 1 && a.substr(i - 2, 2) == "ph" && b[j - 1] == 'f') {
+                row[j] = std::min(row[j], before[j - 1] + 1);
             }
         }
         before = above;
@@ -86,6 +94,12 @@ std::string_view nearest_word(std::string_view word, std::span<const std::string
             best = candidate;
             best_distance = d;
         }
+    }
+    if (!best.empty() || word.size() < k_min_beginning) return best;
+    for (const auto candidate : candidates.first(std::min(candidates.size(), k_max_candidates))) {
+        if (!candidate.starts_with(word)) continue;
+        if (!best.empty()) return {};
+        best = candidate;
     }
     return best;
 }

@@ -11,7 +11,8 @@ namespace glint {
 std::string quoted(std::string_view text);
 
 /// The candidate that `word` is most likely a misspelling of, or an empty view: at most a third of the
-/// letters differ (a swap of neighbours counts as one). Looks at the first 1000 candidates.
+/// letters differ (a swap of neighbours counts as one, and so does f for ph); else the only candidate that
+/// begins with `word`, of at least three letters. Looks at the first 1000 candidates.
 std::string_view nearest_word(std::string_view word, std::span<const std::string_view> candidates);
 
 /// "; did you mean `radius`?", or an empty string if there is no near word.

@@ -30,6 +30,14 @@ TEST(Usage, NamesWhatWasMeant) {
         {{"render", "a.cgfs", "--width", "64"}, "so: glint render a.cgfs --size 64xH"},
         {{"render", "-i", "a.cgfs", "--spp", "9"}, "so: glint render a.cgfs --aa 3"},
         {{"check", "a.cgfs", "--jobs", "2"}, "so: glint check a.cgfs --threads 2"},
+        {{"render", "a.cgfs", "--shading", "fong"}, "found 'fong'; did you mean `phong`?"},
+        {{"render", "a.cgfs", "--shading", "blin-fong"}, "did you mean `blinn-phong`?"},
+        {{"render", "a.cgfs", "--shading", "blinn"}, "did you mean `blinn-phong`?"},
+        {{"versus", "a.cgfs", "--a", "shading=fong"}, "did you mean `phong`?"},
+        {{"render", "a.cgfs", "--convention", "facing=opne"}, "did you mean `open`?"},
+        {{"render", "a.cgfs", "--transfer", "sgrb"}, "did you mean `srgb`?"},
+        {{"explain", "a.cgfs", "-p", "1,1", "--as", "jsno"}, "did you mean `json`?"},
+        {{"completion", "bsh"}, "did you mean `bash`?"},
     };
     for (const auto& [arguments, message] : cases) {
         const Finished r = run(folder, arguments);
