@@ -14,18 +14,29 @@ namespace {
 
 // What the answer is made of, flag by flag.
 struct Answer {
-    std::string lines;                 // "+A: glint says --aa 3"
-    std::vector<std::string> command;  // glint's own arguments
-    std::string size_flags, width, height;
+    std::string_view name;  // of the command
+    const HasOption& has_option;
+    std::string lines{};                 // "+A: glint says --aa 3"
+    std::vector<std::string> command{};  // glint's own arguments
+    std::string size_flags{}, width{}, height{};
 
     void add_line(std::string_view flag, std::string_view what) {
         lines += fmt::format("{}: {}\n", flag, what);
     }
+    // False, and a line that says so, if the command has no such option.
+    bool can_use(std::string_view flag, const std::string& ours) {
+        const std::string option = ours.substr(0, ours.find(' '));
+        if (!option.starts_with("--") || has_option(option)) return true;
+        add_line(flag, fmt::format("`glint {}` has no {}; leave it out", name, option));
+        return false;
+    }
     void use(std::string_view flag, const std::string& ours) {
+        if (!can_use(flag, ours)) return;
         add_line(flag, "glint says " + ours);
         command.push_back(ours);
     }
     void dimension(const std::string& flag, std::string& which, std::string value) {
+        if (!can_use(flag, "--size")) return;
         size_flags += (size_flags.empty() ? "" : " ") + flag;
         which = std::move(value);
     }
@@ -217,6 +228,28 @@ void answer_known(const ForeignFlag& known, std::span<const std::string> values,
     }
 }
 
+// A flag of the table, and its values: words that follow it, or the end of its own word.
+struct FoundFlag {
+    const ForeignFlag* flag = nullptr;
+    std::string own_value;  // of --width=640 and -j4
+};
+
+FoundFlag find_flag(const std::string& argument) {
+    const auto named = [](std::string_view word) -> const ForeignFlag* {
+        const auto* at = std::find_if(std::begin(k_flags), std::end(k_flags),
+                                      [&](const ForeignFlag& f) { return f.flag == word; });
+        return at == std::end(k_flags) ? nullptr : at;
+    };
+    const std::size_t equals = argument.starts_with("--") ? argument.find('=') : std::string::npos;
+    if (equals != std::string::npos)
+        return {named(std::string_view(argument).substr(0, equals)), argument.substr(equals + 1)};
+    if (argument.size() > 2 && is_number(std::string_view(argument).substr(2)))
+        return {named(std::string_view(argument).substr(0, 2)), argument.substr(2)};
+    return {named(argument), {}};
+}
+
+bool is_sentence(const ForeignFlag& flag) { return flag.value == Value::none && !flag.ours.starts_with('-'); }
+
 bool is_povray(const std::string& argument) {
     if (argument.size() < 2) return false;
     if (argument[0] == '+') return std::isalpha(static_cast<unsigned char>(argument[1])) != 0;
@@ -226,30 +259,29 @@ bool is_povray(const std::string& argument) {
 }  // namespace
 
 std::optional<std::string> answer_foreign_flags(std::span<const std::string> arguments,
-                                                std::string_view command) {
-    Answer answer;
+                                                std::string_view command, const HasOption& has_option) {
+    const bool renders = has_option("--size");
+    if (!renders && !has_option("SCENE")) return std::nullopt;
+    Answer answer{command, has_option};
     bool any = false;
-    for (std::size_t i = command.empty() ? 0 : 1; i < arguments.size() && arguments[i] != "--"; ++i) {
+    for (std::size_t i = 0; i < arguments.size() && arguments[i] != "--"; ++i) {
         const std::string& argument = arguments[i];
-        // --width=640 as --width 640
-        const std::size_t equals = argument.starts_with("--") ? argument.find('=') : std::string::npos;
-        const std::string word = argument.substr(0, equals);
-        const auto* known = std::find_if(std::begin(k_flags), std::end(k_flags),
-                                         [&](const ForeignFlag& f) { return f.flag == word; });
-        if (is_povray(argument)) {
+        const auto [known, own_value] = find_flag(argument);
+        // The sentences are about pictures.
+        const bool is_known = known != nullptr && (renders || !is_sentence(*known));
+        if (renders && is_povray(argument)) {
             answer_povray(argument, answer);
-            any = true;
-        } else if (known != std::end(k_flags) && equals != std::string::npos) {
-            answer_known(*known, std::array{argument.substr(equals + 1)}, answer);
-            any = true;
-        } else if (known != std::end(k_flags)) {
+        } else if (is_known && !own_value.empty()) {
+            answer_known(*known, std::array{own_value}, answer);
+        } else if (is_known) {
             const std::size_t count = std::min<std::size_t>(known->values, arguments.size() - i - 1);
             answer_known(*known, arguments.subspan(i + 1, count), answer);
             i += count;
-            any = true;
         } else {
             answer.command.push_back(argument);
+            continue;
         }
+        any = true;
     }
     if (!any) return std::nullopt;
     if (!answer.size_flags.empty()) {
@@ -257,8 +289,8 @@ std::optional<std::string> answer_foreign_flags(std::span<const std::string> arg
         answer.lines.insert(0, fmt::format("{}: glint says {}\n", answer.size_flags, size));
         answer.command.push_back(size);
     }
-    return fmt::format("{}so: glint {} {}", answer.lines, command.empty() ? "render" : command,
-                       fmt::join(answer.command, " "));
+    if (answer.command.empty()) answer.command.emplace_back("SCENE");
+    return fmt::format("{}so: glint {} {}", answer.lines, command, fmt::join(answer.command, " "));
 }
 
 }  // namespace glint::cli

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <exception>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -39,6 +40,8 @@ int print_usage_error(const std::string& command, const std::string& message) {
 }
 
 int run(const std::vector<std::string>& arguments) {
+    // Alone, other programs' -v is their version; beside other words it is --verbose.
+    if (arguments == std::vector<std::string>{"-v"}) return run({"--version"});
     CLI::App app("glint renders scenes with Phong and Blinn-Phong lighting, hard shadows, mirrors and glass.",
                  "glint");
     app.set_version_flag("-V,--version", k_version, "Print the version and end");
@@ -77,14 +80,21 @@ int run(const std::vector<std::string>& arguments) {
                                        [&](const Command& c) { return c.name == word; });
     const std::string name = command == std::end(commands) ? "" : command->name;
     const CLI::App& parsed = name.empty() ? app : *find_command(app, name);
-    // Other programs draw pictures; POV-Ray's -V is --quiet.
-    const bool draws = name.empty() ? word != "-V" : parsed.get_option_no_throw("--size") != nullptr;
-    if (const auto answer = draws ? answer_foreign_flags(arguments, name) : std::nullopt) {
-        print_error("{}\n", *answer);
-        return k_usage;
+    if (!name.empty() || word != "-V") {  // POV-Ray's -V is --quiet
+        const std::string renderer = name.empty() ? "render" : name;
+        const CLI::App& asked = *find_command(app, renderer);
+        const auto answer = answer_foreign_flags(
+            std::span(arguments).subspan(name.empty() ? 0 : 1), renderer,
+            [&](const std::string& option) { return asked.get_option_no_throw(option) != nullptr; });
+        if (answer) {
+            print_error("{}\n", *answer);
+            return k_usage;
+        }
     }
-    if (name.empty() && (word == "-" || !word.starts_with('-')))
-        return print_usage_error("", command_message(app, arguments));
+    if (name.empty()) {
+        const std::string message = command_message(app, arguments);
+        if (!message.empty()) return print_usage_error("", message);
+    }
     try {
         app.parse(
             std::vector<std::string>(arguments.rbegin(), arguments.rend()));  // it takes them from the end

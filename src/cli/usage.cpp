@@ -18,22 +18,28 @@ namespace {
 
 using Options = std::vector<const CLI::Option*>;
 
-// "'--siz' (did you mean `--size`?)"
-std::string unknown_argument(const std::string& argument, std::span<const std::string_view> names) {
-    const std::string word = argument.substr(0, argument.find('='));
-    const std::string_view near = word.starts_with("--") ? nearest_word(word, names) : std::string_view();
-    return glint::quoted(argument) + (near.empty() ? "" : fmt::format(" (did you mean `{}`?)", near));
-}
+// "--size" of "--size=9x9".
+std::string option_word(const std::string& argument) { return argument.substr(0, argument.find('=')); }
 
-std::string unknown_arguments(const CLI::App& command, const std::vector<std::string>& unknown) {
+// The long option of `command` that an unknown one resembles, or an empty text.
+std::string nearest_option(const CLI::App& command, const std::string& argument) {
+    if (!argument.starts_with("--")) return {};
     std::vector<std::string> names;
     for (const CLI::Option* option : command.get_options()) {
         for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
     }
     const std::vector<std::string_view> views(names.begin(), names.end());
+    return std::string(nearest_word(option_word(argument), views));
+}
+
+std::string unknown_arguments(const CLI::App& command, const std::vector<std::string>& unknown) {
     std::vector<std::string> texts;
     texts.reserve(unknown.size());
-    for (const std::string& argument : unknown) texts.push_back(unknown_argument(argument, views));
+    for (const std::string& argument : unknown) {
+        const std::string near = nearest_option(command, argument);
+        texts.push_back(glint::quoted(argument) +
+                        (near.empty() ? "" : fmt::format(" (did you mean `{}`?)", near)));
+    }
     const bool are_options = std::all_of(unknown.begin(), unknown.end(), [](const std::string& argument) {
         return argument.starts_with('-');
     });
@@ -58,6 +64,38 @@ const CLI::Option* option_of(const Options& options, std::string_view message) {
         if (message.starts_with(name) && (rest.starts_with(':') || rest.starts_with(' '))) return option;
     }
     return nullptr;
+}
+
+// The command line that an option in front of all words was meant for: that of the command which follows, or
+// of the first that has the option.
+std::string option_message(const CLI::App& app, std::span<const std::string> arguments) {
+    const std::string& first = arguments.front();
+    const std::string word = option_word(first);
+    if (app.get_option_no_throw(word) != nullptr || !nearest_option(app, first).empty()) return {};
+    std::vector<std::string> rest(arguments.begin() + 1, arguments.end());
+    std::vector<const CLI::App*> commands = shown_commands(app);
+    const auto named = std::find_if(rest.begin(), rest.end(), [&](const std::string& argument) {
+        const CLI::App* command = find_command(app, argument);
+        return command != nullptr && !command->get_group().empty();
+    });
+    if (named != rest.end()) {
+        commands = {find_command(app, *named)};
+        rest.erase(named);
+    }
+    const auto proposal = [&](const CLI::App& command, const std::string& option) {
+        rest.insert(rest.begin(), option + first.substr(word.size()));
+        return fmt::format("did you mean 'glint {} {}'?", command.get_name(), fmt::join(rest, " "));
+    };
+    for (const CLI::App* command : commands) {
+        if (command->get_option_no_throw(word) != nullptr)
+            return fmt::format("{} belongs after a command; {}", glint::quoted(word),
+                               proposal(*command, word));
+    }
+    for (const CLI::App* command : commands) {
+        if (const std::string near = nearest_option(*command, first); !near.empty())
+            return fmt::format("unknown option {}; {}", glint::quoted(word), proposal(*command, near));
+    }
+    return {};
 }
 
 }  // namespace
@@ -87,6 +125,7 @@ std::string usage_message(const CLI::App& command, const CLI::ParseError& error)
 
 std::string command_message(const CLI::App& app, std::span<const std::string> arguments) {
     const std::string& word = arguments.front();
+    if (word != "-" && word.starts_with('-')) return option_message(app, arguments);
     const std::string ending = extension(word);
     bool is_scene = word == "-" || ::access(word.c_str(), F_OK) == 0;
     for (const FormatInfo& format : formats()) {

@@ -11,7 +11,8 @@ namespace glint::cli {
 /// arguments come first, in their order: a missing one may be a misspelled one.
 std::string usage_message(const CLI::App& command, const CLI::ParseError& error);
 
-/// What is wrong with `glint WORD ...` where WORD is no command of `app`.
+/// What is wrong with `glint WORD ...` where WORD is no command of `app`; empty if WORD is an option of
+/// `glint` itself, or a word with a dash that resembles no option.
 std::string command_message(const CLI::App& app, std::span<const std::string> arguments);
 
 }  // namespace glint::cli

@@ -98,7 +98,10 @@ TEST(Texts, HalfBlocks) {
 TEST(Texts, ForeignFlags) {
     const auto answer = [](const std::vector<std::string>& arguments) {
         const bool named = arguments.front() == "render" || arguments.front() == "check";
-        return answer_foreign_flags(arguments, named ? arguments.front() : "").value_or("");
+        const std::span<const std::string> all(arguments);
+        return answer_foreign_flags(all.subspan(named ? 1 : 0), named ? arguments.front() : "render",
+                                    [](const std::string&) { return true; })
+            .value_or("");
     };
     EXPECT_EQ(answer({"render", "a.cgfs", "-o", "a.png", "-s", "64x64", "-t", "2", "--aa", "3"}), "");
     EXPECT_EQ(answer({"render", "a.cgfs", "-"}), "");

@@ -30,6 +30,15 @@ TEST(Usage, NamesWhatWasMeant) {
         {{"render", "a.cgfs", "--width", "64"}, "so: glint render a.cgfs --size 64xH"},
         {{"render", "-i", "a.cgfs", "--spp", "9"}, "so: glint render a.cgfs --aa 3"},
         {{"check", "a.cgfs", "--jobs", "2"}, "so: glint check a.cgfs --threads 2"},
+        {{"render", "a.cgfs", "-j4"}, "so: glint render a.cgfs --threads 4"},
+        {{"info", "-i", "a.cgfs"}, "so: glint info a.cgfs"},
+        {{"convert", "--input", "a.cgfs", "b.glint"}, "so: glint convert a.cgfs b.glint"},
+        {{"explain", "a.cgfs", "-p", "1,1", "--jobs", "2"},
+         "--jobs 2: `glint explain` has no --threads; leave it out\nso: glint explain a.cgfs -p 1,1\n"},
+        {{"info", "a.cgfs", "--width", "9"},
+         "`glint info` has no --size; leave it out\nso: glint info a.cgfs\n"},
+        {{"--verbose"}, "so: glint render SCENE\n"},
+        {{"-v", "a.cgfs"}, "so: glint render a.cgfs\n"},
         {{"render", "a.cgfs", "--shading", "fong"}, "found 'fong'; did you mean `phong`?"},
         {{"render", "a.cgfs", "--shading", "blin-fong"}, "did you mean `blinn-phong`?"},
         {{"render", "a.cgfs", "--shading", "blinn"}, "did you mean `blinn-phong`?"},
@@ -38,6 +47,16 @@ TEST(Usage, NamesWhatWasMeant) {
         {{"render", "a.cgfs", "--transfer", "sgrb"}, "did you mean `srgb`?"},
         {{"explain", "a.cgfs", "-p", "1,1", "--as", "jsno"}, "did you mean `json`?"},
         {{"completion", "bsh"}, "did you mean `bash`?"},
+        // The options of commands, in front of all words.
+        {{"--siz"}, "glint: unknown option '--siz'; did you mean 'glint render --size'?\n"},
+        {{"--siz", "9x9", "a.cgfs"}, "did you mean 'glint render --size 9x9 a.cgfs'?"},
+        {{"--siz=9x9", "a.cgfs"}, "unknown option '--siz'; did you mean 'glint render --size=9x9 a.cgfs'?"},
+        {{"--shading", "phong"},
+         "'--shading' belongs after a command; did you mean 'glint render --shading phong'?"},
+        {{"-s", "9x9", "a.cgfs"}, "did you mean 'glint render -s 9x9 a.cgfs'?"},
+        {{"--pixle", "1,2", "a.cgfs"}, "did you mean 'glint explain --pixel 1,2 a.cgfs'?"},
+        {{"--strct", "check", "a.cgfs"}, "did you mean 'glint check --strict a.cgfs'?"},
+        {{"--verison"}, "unknown option '--verison' (did you mean `--version`?)"},
     };
     for (const auto& [arguments, message] : cases) {
         const Finished r = run(folder, arguments);
@@ -84,7 +103,7 @@ TEST(Usage, HelpAndVersionInEverySpelling) {
     const Folder folder;
     const std::string version = run(folder, {"--version"}).out;
     EXPECT_EQ(version, "glint " GLINT_VERSION "\n");
-    for (const char* spelling : {"-V", "version"}) {
+    for (const char* spelling : {"-V", "-v", "version"}) {
         const Finished r = run(folder, {spelling});
         EXPECT_EQ(r.code, 0);
         EXPECT_EQ(r.out, version) << spelling;
