@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "cli/failure.h"
+#include "cli/overwriting.h"
 #include "cli/render_or_fail.h"
 #include "cli/submissions.h"
 
@@ -15,18 +16,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// With links followed, as far as the path exists.
-fs::path whole(const std::string& path) {
-    std::error_code error;
-    const fs::path absolute = fs::absolute(path, error);
-    fs::path found = fs::weakly_canonical(absolute, error);
-    return error ? absolute.lexically_normal() : found;
-}
-
 // Where list_pictures looks: in the folder and in its folders.
 bool is_handed_in(const std::string& path, const std::string& folder) {
-    const fs::path in = whole(path).parent_path();
-    return is_picture_name(path) && (in == whole(folder) || in.parent_path() == whole(folder));
+    const fs::path in = followed(path).parent_path(), where = followed(folder);
+    return is_picture_name(path) && (in == where || in.parent_path() == where);
 }
 
 }  // namespace

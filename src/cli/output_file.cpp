@@ -7,9 +7,7 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <cstdlib>
 #include <cstring>
-#include <memory>
 #include <random>
 #include <utility>
 
@@ -52,13 +50,11 @@ OutputFile::OutputFile(const std::string& option, std::string path) : path_(std:
     }
     direct_ = standard_output_ || (exists && !S_ISREG(about.st_mode));
     if (direct_) return;
-    if (exists) {
-        // The file that a link names is replaced, not the link.
-        const std::unique_ptr<char, decltype(&std::free)> real(::realpath(path_.c_str(), nullptr),
-                                                               &std::free);
-        if (real) target_ = real.get();
-        if (::access(target_.c_str(), W_OK) != 0) fail(path_, errno);
-    }
+    if (!exists && errno == ELOOP) fail(path_, errno);
+    // The file that a link names is replaced or made, not the link.
+    struct stat link {};
+    if (exists || (::lstat(path_.c_str(), &link) == 0 && S_ISLNK(link.st_mode))) target_ = followed(path_);
+    if (exists && ::access(target_.c_str(), W_OK) != 0) fail(path_, errno);
     const std::string folder = folder_of(target_);
     if (::stat(folder.c_str(), &about) != 0) {
         if (errno != ENOENT) fail(path_, errno);

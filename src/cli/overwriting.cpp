@@ -32,7 +32,7 @@ std::optional<Identity> identity(const struct stat& about) {
 struct Output {
     std::string option, path;
     std::optional<Identity> file;  // of a regular file that is there already
-    fs::path whole;                // with links followed, as far as the path exists
+    fs::path whole;                // with links followed
 };
 
 // Of the process: what a command reads and writes is spread over its options, its scene's includes and more.
@@ -65,6 +65,19 @@ void add_output(Output output) {
 
 }  // namespace
 
+fs::path followed(const std::string& path) {
+    constexpr int most_links = 40;  // as the kernel: more are a circle
+    std::error_code error;
+    fs::path at = fs::absolute(path, error);
+    for (int i = 0; i < most_links && fs::is_symlink(fs::symlink_status(at, error)); ++i) {
+        const fs::path target = fs::read_symlink(at, error);
+        if (error) break;
+        at = at.parent_path() / target;
+    }
+    fs::path found = fs::weakly_canonical(at, error);
+    return error ? at.lexically_normal() : found;
+}
+
 void note_output(const std::string& option, const std::string& path) {
     Output output{option, path, {}, {}};
     struct stat about {};
@@ -72,8 +85,7 @@ void note_output(const std::string& option, const std::string& path) {
         output.file = identity(about);
         if (!output.file) return;
     }
-    std::error_code error;
-    output.whole = fs::weakly_canonical(fs::absolute(path, error), error);
+    output.whole = followed(path);
     add_output(std::move(output));
 }
 

@@ -2,9 +2,13 @@
 #pragma once
 // No command writes over a file that it reads, or twice to one file. All files pass here when they are
 // opened.
+#include <filesystem>
 #include <string>
 
 namespace glint::cli {
+
+/// The absolute path of what `path` names: with symbolic links followed, also one that names no file yet.
+std::filesystem::path followed(const std::string& path);
 
 /// Takes note of a file that will be written. Throws Failure of usage if it has been read, or is written by
 /// another option too. `option` names it in messages: "--stats".

@@ -76,6 +76,27 @@ TEST(Outputs, AnOldFileKeepsItsModeAndItsLinks) {
     EXPECT_EQ(about.st_mode & 0777, 0640u);
 }
 
+// A link that names no file yet: the file is made, and the link is kept.
+TEST(Outputs, ALinkWithoutAFileGetsOne) {
+    const Folder folder;
+    folder.write("a.cgfs", k_scene);
+    std::filesystem::create_directory(folder.path("elsewhere"));
+    std::filesystem::create_symlink("elsewhere/real.png", folder.path("link.png"));
+    std::filesystem::create_symlink("nowhere/real.png", folder.path("lost.png"));
+    ASSERT_EQ(run(folder, {"render", "a.cgfs", "-s", "10x10", "-o", "link.png"}).code, 0);
+    EXPECT_TRUE(std::filesystem::is_symlink(folder.path("link.png")));
+    EXPECT_TRUE(std::filesystem::is_regular_file(folder.path("elsewhere/real.png")));
+    const Finished lost = run(folder, {"render", "a.cgfs", "-s", "10x10", "-o", "lost.png"});
+    EXPECT_EQ(lost.code, 1);
+    EXPECT_TRUE(contains(lost.err, "there is no folder")) << lost.err;
+    EXPECT_TRUE(std::filesystem::is_symlink(folder.path("lost.png")));
+    std::filesystem::create_symlink("circle.png", folder.path("circle.png"));
+    const Finished circle = run(folder, {"render", "a.cgfs", "-s", "10x10", "-o", "circle.png"});
+    EXPECT_EQ(circle.code, 1);
+    EXPECT_TRUE(contains(circle.err, "cannot write 'circle.png': Too many levels")) << circle.err;
+    EXPECT_TRUE(std::filesystem::is_symlink(folder.path("circle.png")));
+}
+
 TEST(Outputs, ANamedPipeIsWrittenDirectly) {
     const Folder folder;
     folder.write("a.cgfs", k_scene);

@@ -29,6 +29,12 @@ class Overwriting : public testing::Test {
         folder.write("one.rubric", "all 10 *.png\n");
         std::filesystem::create_symlink("s.cgfs", folder.path("soft.json"));
         std::filesystem::create_hard_link(folder.path("s.cgfs"), folder.path("hard.json"));
+        std::filesystem::create_hard_link(folder.path("s.cgfs"), folder.path("hard.png"));
+        const std::pair<const char*, const char*> links[] = {{"new.png", "to_new"},
+                                                             {"new.png", "to_new.png"},
+                                                             {"in/../to_new", "to_to_new.png"},
+                                                             {"in/new.png", "into.png"}};
+        for (const auto& [target, link] : links) std::filesystem::create_symlink(target, folder.path(link));
     }
 
     std::map<std::string, std::string> files() const {
@@ -52,6 +58,7 @@ TEST_F(Overwriting, IsRefusedBeforeTheWork) {
         {{"render", "s.cgfs", "--stats", "in/../s.cgfs"}, read},
         {{"render", "s.cgfs", "--stats", "soft.json"}, "--stats 'soft.json' " + read},
         {{"render", "s.cgfs", "--stats", "hard.json"}, "--stats 'hard.json' " + read},
+        {{"render", "s.cgfs", "-o", "hard.png"}, "--output 'hard.png' " + read},
         {{"render", "soft.json", "--format", "cgfs", "--stats", "hard.json"}, read},
         {{"render", "s.cgfs", "--stats", "s.png"}, "--output and --stats are one file, 's.png'"},
         {{"render", "s.cgfs", "-o", "new.png", "--stats", "./new.png"}, one},
@@ -74,7 +81,14 @@ TEST_F(Overwriting, IsRefusedBeforeTheWork) {
         {{"grade", "in", "--scene", "whole.glint", "--csv", "part.glint"}, "--csv 'part.glint' " + read},
         {{"grade", "in", "--scene", "s.cgfs", "--rubric", "one.rubric", "--json", "one.rubric"}, read},
         {{"grade", "in", "--reference", "a.png", "--csv", "t", "--json", "in/../t"}, one},
-        {{"grade", "in", "--reference", "a.png", "--csv", "-", "--json", "-"}, "cannot both"}};
+        {{"grade", "in", "--reference", "a.png", "--csv", "-", "--json", "-"}, "cannot both"},
+        // Links that name no file yet.
+        {{"render", "s.cgfs", "-o", "new.png", "--stats", "to_new"},
+         "--output and --stats are one file, 'to_new'"},
+        {{"render", "s.cgfs", "-o", "to_new.png", "--stats", "to_new"}, one},
+        {{"render", "s.cgfs", "-o", "to_to_new.png", "--stats", "in/../new.png"}, one},
+        {{"grade", "in", "--reference", "a.png", "--csv", "new.png", "--json", "to_new"}, one},
+        {{"grade", "in", "--reference", "a.png", "--sheet", "into.png"}, "in 'in', where the next run"}};
     for (const auto& [arguments, message] : cases) {
         const Finished r = run(folder, arguments);
         EXPECT_EQ(r.code, message == "no such file" ? 1 : 2) << message << r.err;
