@@ -1,0 +1,114 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The glint command: where it is, what it says, and a run of it that can be watched and stopped. Pure Python."""
+import os
+import re
+import shutil
+import subprocess
+import threading
+
+NOT_FOUND = ("The glint command was not found. Build it (make build) and set its path in Edit > Preferences > Add-ons > "
+             "glint, or put it into PATH, or set the environment variable GLINT")
+_ESCAPE = re.compile(r"\x1b\[[0-9;]*[A-Za-z]")
+_PERCENT = re.compile(r"(\d{1,3})%")
+
+
+def find(preference=""):
+    """The path of glint: the preference, else PATH, else $GLINT. None if there is none that can be run."""
+    if preference:
+        path = os.path.expanduser(preference)
+        return path if os.path.isfile(path) and os.access(path, os.X_OK) else None
+    found = shutil.which("glint")
+    if found:
+        return found
+    path = os.environ.get("GLINT", "")
+    return path if path and os.path.isfile(path) and os.access(path, os.X_OK) else None
+
+
+def version(path):
+    """What `glint --version` prints, on one line. Raises OSError if it cannot be run or is not glint."""
+    try:
+        run = subprocess.run([path, "--version"], capture_output=True, text=True, timeout=10, check=False)
+    except subprocess.TimeoutExpired:
+        raise OSError(f"{path} --version did not end within 10 s") from None
+    line = run.stdout.strip().splitlines()[0] if run.stdout.strip() else ""
+    if run.returncode or "glint" not in line:
+        raise OSError(f"{path} is not glint: it answered '{line or run.stderr.strip()[:80]}'")
+    return line
+
+
+class Run:
+    """One run of glint. Messages are read by a thread, so that a full pipe stops nothing."""
+
+    def __init__(self, arguments):
+        self.progress = 0.0  # 0 to 1
+        self._messages = []
+        self._reading, writing = _terminal()
+        environment = dict(os.environ, TERM="xterm", COLUMNS="80", NO_COLOR="1")
+        try:
+            # pylint: disable=consider-using-with
+            self._process = subprocess.Popen(arguments, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
+                                             stderr=writing, env=environment)
+        except OSError:
+            os.close(self._reading)
+            raise
+        finally:
+            os.close(writing)
+        self._thread = threading.Thread(target=self._read, daemon=True)
+        self._thread.start()
+
+    def _read(self):
+        rest = b""
+        while True:
+            try:
+                data = os.read(self._reading, 65536)
+            except OSError:  # a terminal's other end is closed
+                data = b""
+            *lines, rest = re.split(rb"[\r\n]+", rest + data)
+            for line in lines if data else [*lines, rest]:
+                self._take(_ESCAPE.sub("", line.decode("utf-8", "replace")).strip())
+            if not data:
+                break
+        os.close(self._reading)
+
+    def _take(self, line):
+        if line.startswith(("[", "glint:")) and _PERCENT.search(line):
+            self.progress = min(1.0, int(_PERCENT.search(line)[1]) / 100)
+        elif line:
+            self._messages.append(line)
+
+    def poll(self, seconds):
+        """Waits at most so long; the exit code, or None while it runs."""
+        try:
+            return self._process.wait(seconds)
+        except subprocess.TimeoutExpired:
+            return None
+
+    def stop(self):
+        """Ends the run, by force if it does not listen."""
+        self._process.terminate()
+        try:
+            self._process.wait(5)
+        except subprocess.TimeoutExpired:
+            self._process.kill()
+            self._process.wait()
+        self._thread.join(5)
+
+    def messages(self):
+        """All lines it printed except progress; call it when the run has ended."""
+        self._thread.join(5)
+        return list(self._messages)
+
+
+def _terminal():
+    """(reading end, writing end) of a pseudo-terminal, for which glint shows its progress often; of a pipe elsewhere."""
+    try:
+        return os.openpty()
+    except (AttributeError, OSError):
+        return os.pipe()
+
+
+def diagnostics(messages):
+    """(errors, warnings) among glint's lines, without the excerpts below them."""
+    errors = [m for m in messages if re.search(r"(^|: )error: ", m)]
+    warnings = [m for m in messages if re.search(r"(^|: )warning: ", m)]
+    return errors, warnings

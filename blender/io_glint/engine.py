@@ -1,0 +1,103 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The render engine "glint": F12 and animations by the glint command."""
+import os
+import tempfile
+
+import bpy
+
+from . import command, exr, passes
+from .export import camera
+from .export.files import write_text
+from .export.report import Report
+from .export.scene import glint_text
+from .preferences import glint_path
+
+POLL = 0.02  # seconds
+
+
+class RenderFailed(Exception):
+    """The text is for the user."""
+
+
+class GlintRenderEngine(bpy.types.RenderEngine):
+    bl_idname = "GLINT"
+    bl_label = "glint"
+    bl_use_preview = False
+    bl_use_postprocess = True
+    bl_use_eevee_viewport = True
+
+    def __init__(self, *args, **kwargs):
+        super().__init__(*args, **kwargs)  # needed from 4.4
+
+    def update_render_passes(self, scene=None, renderlayer=None):
+        self.register_pass(scene, renderlayer, "Combined", 4, "RGBA", "COLOR")
+        for layer in passes.wanted(renderlayer):
+            name, channels, _, kind = passes.PASSES[layer]
+            self.register_pass(scene, renderlayer, name, len(channels), channels, kind)
+
+    def render(self, depsgraph):
+        if self.is_preview:
+            return
+        report = Report()
+        try:
+            with tempfile.TemporaryDirectory(prefix="glint-") as folder:
+                self._render(depsgraph, folder, report)
+        except (RenderFailed, camera.CameraError, OSError, exr.ExrError) as error:
+            self.error_set(f"glint: {error}")
+        for warning in report.warnings:
+            self.report({"WARNING"}, f"glint: {warning}")
+
+    def _render(self, depsgraph, folder, report):
+        path = glint_path()
+        if path is None:
+            raise RenderFailed(command.NOT_FOUND)
+        self.update_stats("", "glint: writing the scene")
+        scene = depsgraph.scene_eval
+        text = glint_text(depsgraph, scene.glint.options(), report, bpy.data.materials.get)
+        file = os.path.join(folder, "scene.glint")
+        write_text(file, text)
+        layers = passes.wanted(depsgraph.view_layer_eval)
+        crop = camera.border(scene.render)
+        combined = os.path.join(folder, "picture.exr")
+        more = ["--crop", "{}x{}+{}+{}".format(*crop)] if crop else []
+        if not self._run([path, "render", file, "-o", combined, *more], report):
+            return
+        parts = []
+        if layers:
+            # A second run, because Blender reads only plain files: the picture itself comes from those.
+            file_of_layers = os.path.join(folder, "layers.exr")
+            if not self._run([path, "render", file, "-o", file_of_layers, "--aov", ",".join(layers), *more], Report()):
+                return
+            parts = exr.read(file_of_layers)
+        width, height = crop[:2] if crop else camera.picture_size(scene.render)
+        result = self.begin_result(0, 0, width, height, layer=depsgraph.view_layer_eval.name)
+        result.layers[0].load_from_file(combined)
+        for part in parts:
+            if part.name in passes.PASSES:
+                target = result.layers[0].passes.get(passes.PASSES[part.name][0])
+                if target is not None:
+                    target.rect.foreach_set(passes.pixels(part, part.name))
+        self.end_result(result)
+
+    def _run(self, arguments, report):
+        """Runs glint to its end; false if the user stopped it."""
+        try:
+            run = command.Run(arguments)
+        except OSError as error:
+            raise RenderFailed(f"{arguments[0]} cannot be run: {error}") from None
+        while (code := run.poll(POLL)) is None:
+            if self.test_break():
+                run.stop()
+                return False
+            self.update_progress(run.progress)
+            self.update_stats("", f"glint: {100 * run.progress:.0f}%")
+        errors, warnings = command.diagnostics(run.messages())
+        for warning in warnings:
+            report.warn("glint", warning)
+        if code:
+            raise RenderFailed(errors[0] if errors else f"glint ended with exit code {code}: "
+                               + " ".join(run.messages()[-3:]))
+        return True
+
+
+classes = (GlintRenderEngine,)

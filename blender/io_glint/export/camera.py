@@ -1,0 +1,111 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Blender's camera, by Camera.view_frame: sensor fit, pixel aspect, shift and scale are already in it."""
+import math
+import struct
+from dataclasses import dataclass
+
+from .text import block, number, vector
+
+
+class CameraError(Exception):
+    """There is no camera that glint could take; the text says why."""
+
+
+@dataclass
+class View:
+    """World space. corners: top left, top right and bottom left of the picture, in camera space."""
+
+    name: str
+    position: tuple
+    right: tuple  # the camera's axes, of unit length
+    up: tuple
+    forward: tuple
+    is_perspective: bool
+    left: float  # the edges of the frame: at depth 1 if perspective, else in world units
+    right_edge: float
+    bottom: float
+    top: float
+    size: tuple  # the whole picture, in pixels
+
+    @property
+    def fov_x(self):
+        """Degrees across the width of the frame, as if it were not shifted."""
+        return math.degrees(2 * math.atan((self.right_edge - self.left) / 2))
+
+    @property
+    def is_centred(self):
+        """Whether the frame is around the view direction, and its pixels are square."""
+        width, height = self.right_edge - self.left, self.top - self.bottom
+        w, h = self.size
+        return (abs(self.left + self.right_edge) < 1e-6 * width and abs(self.bottom + self.top) < 1e-6 * height
+                and abs(width / w * h / height - 1) < 1e-6)
+
+
+def picture_size(render):
+    """The whole picture in pixels, as Blender rounds it."""
+    return (max(1, render.resolution_x * render.resolution_percentage // 100),
+            max(1, render.resolution_y * render.resolution_percentage // 100))
+
+
+def _single(x):
+    return struct.unpack("f", struct.pack("f", x))[0]
+
+
+def border(render):
+    """(width, height, x, y) of a border render, from the top left, as Blender rounds it; None for the whole picture."""
+    if not render.use_border:
+        return None
+    w, h = picture_size(render)
+    x0, x1 = (int(_single(v * w)) for v in (render.border_min_x, render.border_max_x))
+    y0, y1 = (int(_single(v * h)) for v in (render.border_min_y, render.border_max_y))
+    if (x0, y0, x1, y1) == (0, 0, w, h) or x1 <= x0 or y1 <= y0:
+        return None
+    return x1 - x0, y1 - y0, x0, h - y1
+
+
+def read(camera, scene, report):
+    """The View of a camera object. Raises CameraError if there is none, or its projection is not glint's."""
+    if camera is None:
+        raise CameraError("the scene has no camera: add one (Add > Camera), or make one active (Ctrl+Numpad 0)")
+    item = f"camera '{camera.name}'"
+    if camera.type != "CAMERA":
+        raise CameraError(f"the scene's camera '{camera.name}' is not a camera but of type {camera.type}")
+    data = camera.data
+    if data.type not in ("PERSP", "ORTHO"):
+        raise CameraError(f"{item} is of type {data.type}: glint has perspective and orthographic cameras")
+    if data.dof.use_dof:
+        report.warn(item, "depth of field is ignored: everything is sharp")
+    matrix = camera.matrix_world.normalized()
+    axes = matrix.to_3x3()
+    top_right, bottom_right, _, top_left = (tuple(v) for v in data.view_frame(scene=scene))
+    perspective = data.type == "PERSP"
+    depth = -top_right[2] if perspective else 1.0
+    if not all(math.isfinite(v) for row in matrix for v in row):
+        raise CameraError(f"{item} has a transform with numbers that are not finite")
+    return View(camera.name, tuple(matrix.translation), tuple(axes.col[0]), tuple(axes.col[1]),
+                tuple(-v for v in axes.col[2]), perspective, top_left[0] / depth, top_right[0] / depth,
+                bottom_right[1] / depth, top_right[1] / depth, picture_size(scene.render))
+
+
+def _sum(*terms):
+    return tuple(sum(factor * v[i] for factor, v in terms) for i in range(3))
+
+
+def camera_block(view):
+    """camera { }: look_at and an angle or a width where they say it all, else the frame."""
+    width, height = view.right_edge - view.left, view.top - view.bottom
+    x, y = (view.left + view.right_edge) / 2, (view.bottom + view.top) / 2
+    position, entries = view.position, []
+    if not view.is_perspective:
+        entries.append(("projection", "orthographic"))
+        position = _sum((1, position), (x, view.right), (y, view.up))
+    entries.append(("position", vector(position)))
+    square = abs(width / view.size[0] * view.size[1] / height - 1) < 1e-6
+    if view.is_centred or (square and not view.is_perspective):
+        entries += [("look_at", vector(_sum((1, position), (10, view.forward)))), ("up", vector(view.up)),
+                    ("fov_x", number(view.fov_x)) if view.is_perspective else ("width", number(width))]
+    else:
+        shift = ((x, view.right), (y, view.up)) if view.is_perspective else ()
+        entries += [("right", vector(_sum((width, view.right)))), ("up", vector(_sum((height, view.up)))),
+                    ("forward", vector(_sum((1, view.forward), *shift)))]
+    return block("camera", None, entries)

@@ -1,0 +1,77 @@
+# SPDX-License-Identifier: Apache-2.0
+"""glint's material keys as entries of a .glint file, and the properties glint_... that replace them."""
+from . import phong
+
+PREFIX = "glint_"
+COLORS = ("color", "ambient_color", "diffuse_color", "specular_color", "mirror_color", "transmission_color")
+NUMBERS = {  # least, greatest, default
+    "ambient": (0.0, 1e6, 0.1),
+    "diffuse": (0.0, 1e6, 0.8),
+    "specular": (0.0, 1.0, 0.3),
+    "shininess": (0.0, 1e9, 32.0),
+    "mirror": (0.0, 1.0, 0.2),
+    "transmission": (0.0, 1.0, 0.5),
+    "ior": (1e-3, 1e3, 1.5),
+}
+NAMES = ("color", "ambient", "diffuse", "specular", "shininess", "mirror", "transmission", "ior",
+         "ambient_color", "diffuse_color", "specular_color", "mirror_color", "transmission_color")
+
+
+def of_phong(material, world):
+    """The keys of a Phong material under a world of that radiance: a dictionary in the order of NAMES."""
+    keys = {
+        "color": material.color,
+        "ambient_color": phong.ambient(material, world),
+        "diffuse_color": material.diffuse,
+        "specular_color": material.specular,
+        "shininess": material.shininess,
+    }
+    if material.mirror:
+        keys["mirror"], keys["mirror_color"] = material.mirror, material.mirror_color
+    if material.transmission:
+        keys["transmission"], keys["ior"] = material.transmission, material.ior
+        keys["transmission_color"] = material.transmission_color
+    return keys
+
+
+def of_course(material):
+    """The keys of a material of RT2's list: coefficients of its colour."""
+    return {key: value for key, value in material.items() if key != "name"}
+
+
+def replaced(keys, properties, report, item):
+    """keys, with the values that properties (glint_color, ...) give. Values that glint refuses are reported and left out."""
+    given = {}
+    for name in NAMES:
+        value = properties.get(PREFIX + name)
+        if value is not None:
+            value = _checked(name, value)
+            if value is None:
+                report.warn(item, f"the property {PREFIX}{name} has a value that glint does not take; it is ignored")
+            else:
+                given[name] = value
+    out = dict(keys)
+    for name in ("ambient", "diffuse", "specular"):
+        if name in given:
+            out.pop(name + "_color", None)
+        if name + "_color" in given:
+            out.pop(name, None)
+    out.update(given)
+    return {name: out[name] for name in NAMES if name in out}
+
+
+def _checked(name, value):
+    try:
+        if name in COLORS:
+            color = tuple(float(v) for v in value)[:3]
+            least = 0.0 if name.startswith(("mirror", "transmission")) else -1e6
+            return color if len(color) == 3 and all(least <= c <= 1e6 for c in color) else None
+        least, greatest, _ = NUMBERS[name]
+        return float(value) if least <= float(value) <= greatest else None
+    except (TypeError, ValueError):
+        return None
+
+
+def has_ambient(keys):
+    """Whether k_a is not 0: then the scene needs its ambient light."""
+    return any(keys.get("ambient_color", ())) or bool(keys.get("ambient"))

@@ -1,0 +1,195 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Meshes as triangles: Blender's arrays in, text out. Arrays are read with foreach_get, and without numpy."""
+import math
+from array import array
+from itertools import chain
+
+from .shapes import Outline, face_normal
+from .text import vector
+
+MAX_COORDINATE = 1e12
+FLAT = 1e-6  # 1 - cosine, below which a corner's normal is the face's
+
+
+def _read(collection, attribute, kind, width):
+    values = array(kind, bytes(array(kind).itemsize * width * len(collection)))
+    if values:
+        collection.foreach_get(attribute, values)
+    return values
+
+
+def _triples(values):
+    return list(zip(values[0::3], values[1::3], values[2::3]))
+
+
+class MeshData:
+    """One evaluated mesh in its own space. Reads what is asked for, once."""
+
+    def __init__(self, mesh):
+        if hasattr(mesh, "calc_normals_split"):  # to 4.0
+            mesh.calc_normals_split()
+        mesh.calc_loop_triangles()
+        self.vertices = _triples(_read(mesh.vertices, "co", "f", 3))
+        triangles = mesh.loop_triangles
+        self.corners = _triples(_read(triangles, "vertices", "i", 3))
+        self.loops = _triples(_read(triangles, "loops", "i", 3))
+        self.areas = _read(triangles, "area", "f", 1)
+        self.face_normals = _triples(_read(triangles, "normal", "f", 3))
+        self.slots = _read(triangles, "material_index", "i", 1)
+        if hasattr(mesh, "corner_normals"):  # from 4.1
+            self.normals = _triples(_read(mesh.corner_normals, "vector", "f", 3))
+        else:
+            self.normals = _triples(_read(mesh.loops, "normal", "f", 3))
+        self._smooth = _read(mesh.polygons, "use_smooth", "b", 1)
+        self._starts = _read(mesh.polygons, "loop_start", "i", 1)
+        self._totals = _read(mesh.polygons, "loop_total", "i", 1)
+        self._loop_vertices = _read(mesh.loops, "vertex_index", "i", 1)
+        flat = list(chain.from_iterable(self.vertices))
+        self.is_finite = not flat or (math.isfinite(sum(flat)) and max(map(abs, flat)) <= MAX_COORDINATE)
+
+    def __len__(self):
+        return len(self.corners)
+
+    def used_slots(self):
+        return set(self.slots)
+
+    def outline(self):
+        """What the recognition of shapes looks at; vertices without faces are left out."""
+        at, faces = self._loop_vertices, []
+        for start, total in zip(self._starts, self._totals):
+            faces.append(tuple(at[start:start + total]))
+        used = set(at)
+        vertices = self.vertices
+        if len(used) != len(vertices):
+            order = {v: i for i, v in enumerate(sorted(used))}
+            vertices = [vertices[v] for v in order]
+            faces = [tuple(order[v] for v in face) for face in faces]
+        return Outline(vertices, faces, self._shared_normals())
+
+    def _shared_normals(self):
+        """For each face: smooth, and its corners have the normal of the smooth corners at the same vertices."""
+        first, out = {}, []
+        for start, total, smooth in zip(self._starts, self._totals, self._smooth):
+            if smooth:
+                for loop in range(start, start + total):
+                    v, n = self._loop_vertices[loop], self.normals[loop]
+                    m = first.setdefault(v, n)
+                    if m is not n and n[0] * m[0] + n[1] * m[1] + n[2] * m[2] < 0.999:
+                        smooth = False
+                        break
+            out.append(bool(smooth))
+        return out
+
+
+def _apply(matrix, points):
+    (a, b, c, d), (e, f, g, h), (i, j, k, l) = (tuple(row) for row in matrix[:3])
+    return [(a * x + b * y + c * z + d, e * x + f * y + g * z + h, i * x + j * y + k * z + l) for x, y, z in points]
+
+
+def cofactors(m):
+    """(the transposed inverse times the determinant, the determinant) of the 3x3 part: what normals are mapped by."""
+    (a, b, c), (d, e, f), (g, h, i) = (tuple(row)[:3] for row in m[:3])
+    rows = ((e * i - f * h, f * g - d * i, d * h - e * g),
+            (c * h - b * i, a * i - c * g, b * g - a * h),
+            (b * f - c * e, c * d - a * f, a * e - b * d))
+    return rows, a * rows[0][0] + b * rows[0][1] + c * rows[0][2]
+
+
+class _Normals:
+    """Texts of world-space normals by their value in the object's space."""
+
+    def __init__(self, matrix):
+        self._rows, det = cofactors(matrix)
+        self._sign = -1.0 if det < 0 else 1.0
+        self._texts = {}
+
+    def text(self, n):
+        """None if the normal has no direction."""
+        found = self._texts.get(n)
+        if found is None:
+            x, y, z = (self._sign * (r[0] * n[0] + r[1] * n[1] + r[2] * n[2]) for r in self._rows)
+            length = math.sqrt(x * x + y * y + z * z)
+            ok = length > 0 and math.isfinite(length)
+            found = "(%.6g,%.6g,%.6g)" % (x / length, y / length, z / length) if ok else ""
+            self._texts[n] = found
+        return found
+
+
+def triangle_lines(data, matrix):
+    """(lines by slot, number of triangles left out): the mesh under a 4x4 world matrix as `triangle` blocks.
+
+    Triangles without area and those with coordinates that glint cannot take are left out. Where the map mirrors, corners
+    are reversed, so that fronts stay outside. `normals` are written only where they differ from the face's."""
+    world = _apply(matrix, data.vertices)
+    texts = ["(%.8g,%.8g,%.8g)" % p for p in world]
+    normals = _Normals(matrix)
+    _, det = cofactors(matrix)
+    mirrors = det < 0
+    careful = not data.is_finite or det == 0 or not all(abs(c) <= MAX_COORDINATE for p in world for c in p)
+    lines, dropped = {}, 0
+    corner_normals, normal_text = data.normals, normals.text
+    for (a, b, c), (la, lb, lc), area, face, slot in zip(data.corners, data.loops, data.areas, data.face_normals,
+                                                         data.slots):
+        if not area > 0 and not careful:
+            continue
+        if careful:
+            points = world[a], world[b], world[c]
+            if not all(abs(x) <= MAX_COORDINATE for p in points for x in p):  # false for NaN
+                dropped += 1
+                continue
+            if not any(face_normal(points)):
+                continue
+        na, nb, nc = corner_normals[la], corner_normals[lb], corner_normals[lc]
+        line = None
+        if det != 0 and not (na == nb == nc and na[0] * face[0] + na[1] * face[1] + na[2] * face[2] > 1 - FLAT):
+            ta, tb, tc = normal_text(na), normal_text(nb), normal_text(nc)
+            if ta and tb and tc:
+                if mirrors:
+                    line = f"triangle{{vertices=({texts[c]},{texts[b]},{texts[a]}) normals=({tc},{tb},{ta})}}"
+                else:
+                    line = f"triangle{{vertices=({texts[a]},{texts[b]},{texts[c]}) normals=({ta},{tb},{tc})}}"
+        if line is None:
+            line = (f"triangle{{vertices=({texts[c]},{texts[b]},{texts[a]})}}" if mirrors
+                    else f"triangle{{vertices=({texts[a]},{texts[b]},{texts[c]})}}")
+        found = lines.get(slot)
+        if found is None:
+            lines[slot] = found = []
+        found.append(line)
+    return lines, dropped
+
+
+def polygon_vertices(data, matrix):
+    """The world-space corners of a mesh that is a single flat face without smooth normals; None if it is not one."""
+    outline_faces = data._totals
+    if len(outline_faces) != 1 or not data.is_finite or outline_faces[0] < 4 or outline_faces[0] > 64:
+        return None
+    loops = range(data._starts[0], data._starts[0] + data._totals[0])
+    local = [data.vertices[data._loop_vertices[i]] for i in loops]
+    normal = face_normal(local)
+    length = math.sqrt(sum(c * c for c in normal))
+    if not length > 0:
+        return None
+    size = max(math.dist(p, local[0]) for p in local)
+    if any(abs(sum((x - o) * c for x, o, c in zip(p, local[0], normal))) > 1e-6 * size * length for p in local):
+        return None
+    if any(sum(x * c for x, c in zip(data.normals[i], normal)) < (1 - FLAT) * length for i in loops):
+        return None
+    if not _is_convex(local, normal):
+        return None
+    _, det = cofactors(matrix)
+    world = _apply(matrix, local)
+    if det == 0 or not all(abs(c) <= MAX_COORDINATE for p in world for c in p):
+        return None
+    return [vector(p) for p in (reversed(world) if det < 0 else world)]
+
+
+def _is_convex(points, normal):
+    n = len(points)
+    for i in range(n):
+        a, b, c = points[i - 1], points[i], points[(i + 1) % n]
+        u, v = tuple(y - x for x, y in zip(a, b)), tuple(y - x for x, y in zip(b, c))
+        turn = ((u[1] * v[2] - u[2] * v[1]) * normal[0] + (u[2] * v[0] - u[0] * v[2]) * normal[1]
+                + (u[0] * v[1] - u[1] * v[0]) * normal[2])
+        if not turn > 0:
+            return False
+    return True

@@ -1,0 +1,176 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Shader nodes read by their type and by their sockets' names (3.4's first, 4.x's second)."""
+import array
+
+from . import phong
+
+MEAN_SAMPLES = 65536
+MAX_DEPTH = 32
+
+
+def surface_node(tree, outputs=("CYCLES", "ALL", "EEVEE")):
+    """The node linked to the surface of the material's (or world's, or light's) active output; None without one."""
+    output = None
+    for target in outputs:
+        output = output or tree.get_output_node(target)
+    socket = output.inputs.get("Surface") if output else None
+    return _source(socket)
+
+
+def _source(socket):
+    """The node that a socket is linked to; reroutes and muted links are seen through."""
+    for _ in range(MAX_DEPTH):
+        if socket is None or not socket.is_linked or socket.links[0].is_muted:
+            return None
+        node = socket.links[0].from_node
+        if node.type != "REROUTE":
+            return node
+        socket = node.inputs[0]
+    return None
+
+
+def _socket(node, *names):
+    for name in names:
+        socket = node.inputs.get(name)
+        if socket is not None:
+            return socket
+    return None
+
+
+class NodeReader:
+    """Reads the nodes of one item; what it cannot follow goes to the report."""
+
+    def __init__(self, report, item):
+        self.report, self.item = report, item
+
+    def value(self, node, default, *names):
+        """A number or a colour (three floats) of the first of these sockets."""
+        socket = _socket(node, *names)
+        if socket is None:
+            return default
+        plain = _plain(socket.default_value)
+        source = _source(socket)
+        if source is None:
+            return plain
+        if source.type == "RGB":
+            return _fit(_plain(source.outputs[0].default_value), plain)
+        if source.type == "VALUE":
+            return _fit(source.outputs[0].default_value, plain)
+        if source.type in ("TEX_IMAGE", "TEX_ENVIRONMENT"):
+            mean = mean_color(source.image)
+            if mean is not None:
+                self.report.warn(self.item, f"the image at '{socket.name}' is exported as its mean colour")
+                return _fit(mean, plain)
+        self.report.warn(self.item, f"the {source.bl_label} node at '{socket.name}' cannot be exported; "
+                                    "the socket's own value is used")
+        return plain
+
+    def material(self, node, depth=0):
+        """The node as Phong; None if it cannot be said."""
+        convert = _CONVERTERS.get(node.type) if node is not None and depth < MAX_DEPTH else None
+        if convert is None:
+            return None
+        return convert(self, node, depth)
+
+    def emission(self, node):
+        """(colour, strength) of an Emission or Background node."""
+        return self.value(node, phong.WHITE, "Color"), self.value(node, 1.0, "Strength")
+
+
+def _plain(value):
+    return tuple(value)[:3] if hasattr(value, "__len__") else float(value)
+
+
+def _fit(value, like):
+    """A colour where a colour is wanted, a number (the mean, as Blender converts) where a number is."""
+    if isinstance(like, tuple):
+        return value if isinstance(value, tuple) else (float(value),) * 3
+    return 0.2126 * value[0] + 0.7152 * value[1] + 0.0722 * value[2] if isinstance(value, tuple) else float(value)
+
+
+def _linear(c):
+    return c / 12.92 if c <= 0.04045 else ((c + 0.055) / 1.055) ** 2.4
+
+
+def mean_color(image):
+    """The mean linear colour of an image, from evenly spaced pixels; None if it has none."""
+    if image is None or not image.has_data and not image.size[0]:
+        return None
+    count = image.size[0] * image.size[1]
+    if not count or not image.channels:
+        return None
+    pixels = array.array("f", bytes(4 * len(image.pixels)))
+    if not pixels:
+        return None
+    image.pixels.foreach_get(pixels)
+    step, n = max(1, count // MEAN_SAMPLES), image.channels
+    mean = []
+    for channel in range(min(n, 3)):
+        values = pixels[channel::n * step]
+        if not image.is_float and image.colorspace_settings.name == "sRGB":
+            values = [_linear(v) for v in values]
+        mean.append(sum(values) / len(values))
+    return tuple(mean) if len(mean) == 3 else (mean[0],) * 3
+
+
+def _principled(r, node, _):
+    emission = phong.BLACK
+    strength = r.value(node, 1.0, "Emission Strength")
+    if strength:
+        color = r.value(node, phong.BLACK, "Emission", "Emission Color")
+        emission = tuple(c * strength for c in color)
+    material = phong.principled(
+        r.value(node, (0.8,) * 3, "Base Color"), r.value(node, 0.0, "Metallic"), r.value(node, 0.5, "Roughness"),
+        r.value(node, 0.5, "Specular", "Specular IOR Level"),
+        r.value(node, 0.0, "Transmission", "Transmission Weight"), r.value(node, 1.45, "IOR"), emission)
+    return phong.with_alpha(material, r.value(node, 1.0, "Alpha"))
+
+
+def _diffuse(r, node, _):
+    return phong.diffuse(r.value(node, (0.8,) * 3, "Color"))
+
+
+def _glossy(r, node, _):
+    roughness = 0.0 if getattr(node, "distribution", "") == "SHARP" else r.value(node, 0.5, "Roughness")
+    return phong.glossy(r.value(node, (0.8,) * 3, "Color"), roughness)
+
+
+def _glass(r, node, _):
+    return phong.glass(r.value(node, phong.WHITE, "Color"), r.value(node, 1.45, "IOR"))
+
+
+def _transparent(r, node, _):
+    return phong.transparent(r.value(node, phong.WHITE, "Color"))
+
+
+def _emission(r, node, _):
+    return phong.emission(*r.emission(node))
+
+
+def _part(r, socket, depth):
+    """A shader socket: nothing linked is black; None if it cannot be said."""
+    node = _source(socket)
+    return phong.Phong(color=phong.BLACK) if node is None else r.material(node, depth + 1)
+
+
+def _mix(r, node, depth):
+    a, b = (_part(r, socket, depth) for socket in list(node.inputs)[1:3])
+    return None if a is None or b is None else phong.mix(a, b, r.value(node, 0.5, "Fac", "Factor"))
+
+
+def _add(r, node, depth):
+    a, b = (_part(r, socket, depth) for socket in list(node.inputs)[:2])
+    return None if a is None or b is None else phong.add(a, b)
+
+
+_CONVERTERS = {
+    "BSDF_PRINCIPLED": _principled,
+    "BSDF_DIFFUSE": _diffuse,
+    "BSDF_GLOSSY": _glossy,
+    "BSDF_ANISOTROPIC": _glossy,
+    "BSDF_GLASS": _glass,
+    "BSDF_TRANSPARENT": _transparent,
+    "EMISSION": _emission,
+    "MIX_SHADER": _mix,
+    "ADD_SHADER": _add,
+}

@@ -1,0 +1,17 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What an export is asked for; plain values, filled from the scene's settings (properties.py) or by tests."""
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True)
+class Options:
+    shading: str = "blinn-phong"
+    facing: str = "all"
+    fresnel: str = "schlick"
+    glass_shadow: str = "none"
+    reflections: int = -1  # -1: Cycles' bounces, at most 12
+    aa: int = 3
+    light_scale: float = 1.0
+    recognise: bool = True  # AUTO shapes; else all are meshes
+    collection: str = ""  # RT2: its name; empty: scene_custom if there is one, else everything
+    light_color: str = "color"  # RT2: color (the course's rule) or classical

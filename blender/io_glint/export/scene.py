@@ -1,0 +1,154 @@
+# SPDX-License-Identifier: Apache-2.0
+"""A depsgraph as the text of a .glint scene."""
+from . import camera, light, material, mesh, shapes, text, walk, world
+
+MAX_REFLECTIONS = 12
+
+
+def shape_setting(ob):
+    """The object's glint_shape: AUTO or one of shapes.KINDS, from the panel's property or a plain text property."""
+    value = ob.get("glint_shape")
+    if not isinstance(value, str):
+        value = getattr(ob, "glint_shape", "AUTO")
+    value = value.upper()
+    return value if value in shapes.KINDS else "AUTO"
+
+
+def shape_of(ob, data, report, item, recognise=True, any_shading=False):
+    """(Shape, its 3x4 matrix or None) or None: what the object is exported as, if not as triangles."""
+    kind = shape_setting(ob)
+    if kind == "MESH" or not data.is_finite or not len(data):
+        return None
+    if kind != "AUTO":
+        measured = shapes.measure(kind, data.outline())
+        if measured is None:
+            report.warn(item, f"its mesh has no extent as a {kind.lower()}; it is exported as triangles")
+        return (measured, None) if measured else None
+    if not recognise or len(data.used_slots()) > 1:
+        return None
+    return shapes.recognise(data.outline(), any_shading)
+
+
+class SceneText:
+    """Writes one depsgraph. meshes: read once for each evaluated mesh, however often it is instanced."""
+
+    def __init__(self, depsgraph, options, report, find_material):
+        self.depsgraph, self.options, self.report = depsgraph, options, report
+        self.scene = depsgraph.scene_eval if hasattr(depsgraph, "scene_eval") else depsgraph.scene
+        self.view = camera.read(_evaluated(depsgraph.scene.camera, depsgraph), self.scene, report)
+        self.background = world.radiance(self.scene.world, report)
+        self.table = material.MaterialTable(report, self.background, find_material, options.shading)
+        self.focus = tuple(p + 10 * f for p, f in zip(self.view.position, self.view.forward))
+        self._meshes, self._lights, self._chunks = {}, [], []
+
+    def text(self):
+        for item in walk.items(self.depsgraph, self.report):
+            if item.ob.type == "LIGHT":
+                block = light.light_text(item.ob, item.matrix, self.options.light_scale, self.focus, self.report)
+                if block:
+                    self._lights.append(block)
+            else:
+                self._add_object(item)
+        report_render_settings(self.scene, self.report)
+        if self.table.has_ambient:
+            self._lights.insert(0, light.ambient_block())
+        parts = [*self._head(), *self._lights, "", *self.table.blocks(), "", *self._chunks]
+        return "\n".join(parts) + "\n"
+
+    def _head(self):
+        options, (width, height) = self.options, self.view.size
+        yield text.comment(f"{self.scene.name}, frame {self.scene.frame_current}: exported from Blender")
+        for warning in self.report.warnings:
+            yield text.comment(warning)
+        yield (f"conventions {{ facing = {options.facing}  fresnel = {options.fresnel}  "
+               f"glass_shadow = {options.glass_shadow} }}")
+        yield (f"render {{ size = {width} x {height}  shading = {options.shading}  "
+               f"reflections = {self._reflections()}  aa = {options.aa} }}")
+        yield f"background = {text.vector(self.background)}"
+        yield camera.camera_block(self.view)
+
+    def _reflections(self):
+        if self.options.reflections >= 0:
+            return self.options.reflections
+        cycles = getattr(self.scene, "cycles", None)
+        return min(MAX_REFLECTIONS, getattr(cycles, "max_bounces", MAX_REFLECTIONS))
+
+    def _data(self, item):
+        """The item's MeshData; None without a surface."""
+        ob = item.ob
+        if ob.type != "MESH" or ob.data is None:
+            return read_mesh(ob)
+        key = ob.data.as_pointer()
+        if key not in self._meshes:
+            self._meshes[key] = read_mesh(ob)
+        return self._meshes[key]
+
+    def _add_object(self, item):
+        data = self._data(item)
+        if data is None:
+            return
+        rows = [tuple(row) for row in item.matrix][:3]
+        if not all(abs(v) <= mesh.MAX_COORDINATE for row in rows for v in row):
+            self.report.warn(item.described, "left out: its transform has numbers that glint does not take")
+            return
+        names = material.slot_names(self.table, item.ob, item.holder, item.described)
+        recognise = self.options.recognise and not walk.deforms(item.ob)
+        has_inverse = mesh.cofactors(rows)[1] != 0
+        found = shape_of(item.ob, data, self.report, item.described, recognise) if has_inverse else None
+        if found:
+            shape, inner = found
+            used = next(iter(data.used_slots()), 0)
+            name = names[min(max(used, 0), len(names) - 1)]
+            full = shapes.compose(rows, inner) if inner else rows
+            self._chunks.append(shapes.shape_block(shape, item.name, text.string(name), full))
+            return
+        self._add_mesh(item, data, rows, names)
+
+    def _add_mesh(self, item, data, rows, names):
+        corners = mesh.polygon_vertices(data, rows)
+        if corners:
+            name = names[min(max(data.slots[0], 0), len(names) - 1)]
+            self._chunks.append(text.block("polygon", item.name, [("vertices", f"({', '.join(corners)})"),
+                                                                  ("material", text.string(name))]))
+            return
+        lines, dropped = mesh.triangle_lines(data, rows)
+        if dropped:
+            self.report.warn(item.described, f"{dropped} triangles are left out: their coordinates are not finite or "
+                                             "beyond 1e12")
+        by_name = {}
+        for slot, some in sorted(lines.items()):
+            by_name.setdefault(names[min(max(slot, 0), len(names) - 1)], []).extend(some)
+        for name, some in by_name.items():
+            self._chunks.append(f"group {text.string(item.name)} {{ material = {text.string(name)}")
+            self._chunks.append("\n".join(some))
+            self._chunks.append("}")
+
+
+def read_mesh(ob):
+    try:
+        evaluated = ob.to_mesh()
+    except RuntimeError:
+        return None
+    try:
+        return mesh.MeshData(evaluated) if evaluated is not None and len(evaluated.polygons) else None
+    finally:
+        ob.to_mesh_clear()
+
+
+def _evaluated(ob, depsgraph):
+    return ob.evaluated_get(depsgraph) if ob is not None else None
+
+
+def report_render_settings(scene, report):
+    item, render = f"scene '{scene.name}'", scene.render
+    if render.use_motion_blur:
+        report.warn(item, "motion blur is ignored")
+    if render.film_transparent:
+        report.warn(item, "the transparent film is ignored: the background is opaque")
+    if render.use_freestyle:
+        report.warn(item, "Freestyle lines are ignored")
+
+
+def glint_text(depsgraph, options, report, find_material):
+    """The scene's text. Raises camera.CameraError without a camera that glint could take."""
+    return SceneText(depsgraph, options, report, find_material).text()

@@ -1,0 +1,93 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Exports of the context's scene into files: one, or one for each frame."""
+import os
+import shlex
+
+import bpy
+
+from .evaluate import with_depsgraph
+from .export import camera
+from .export.files import write_text
+from .export.report import Report
+from .export.rt2 import rt2_text
+from .export.scene import glint_text
+
+COURSE_COLLECTION = "scene_custom"
+
+
+def collection_of(scene, wanted):
+    """The collection that an RT2 export is of; None: everything. Raises ValueError for an unknown name."""
+    known = {c.name: c for c in scene.collection.children_recursive}
+    if wanted:
+        if wanted not in known:
+            raise ValueError(f"the scene has no collection '{wanted}'")
+        return known[wanted]
+    return known.get(COURSE_COLLECTION)
+
+
+def export_text(context, options, evaluation, as_rt2, report):
+    """The scene's text. Raises CameraError, ValueError or RuntimeError, whose text is for the user."""
+    scene = context.scene
+    collection = collection_of(scene, options.collection) if as_rt2 else None
+    chosen = scene.camera
+    if chosen is None and as_rt2:
+        members = collection.all_objects if collection else scene.objects
+        scene.camera = next((ob for ob in members if ob.type == "CAMERA"), None)
+    try:
+        if scene.camera is None:
+            camera.read(None, scene, report)
+        crop = camera.border(scene.render)
+        if crop:
+            report.warn(f"scene '{scene.name}'", "a scene's text has no render region; its part is --crop {}x{}+{}+{}"
+                        .format(*crop))
+        if as_rt2:
+            return with_depsgraph(context, evaluation, lambda depsgraph: rt2_text(
+                depsgraph, options, report, bpy.data.materials.get, collection))
+        return with_depsgraph(context, evaluation, lambda depsgraph: glint_text(
+            depsgraph, options, report, bpy.data.materials.get))
+    finally:
+        if scene.camera != chosen:
+            scene.camera = chosen
+
+
+def export_file(context, path, options, evaluation="RENDER", as_rt2=False):
+    """Writes one file and returns the Report."""
+    report = Report()
+    write_text(path, export_text(context, options, evaluation, as_rt2, report))
+    return report
+
+
+def frame_path(path, frame):
+    """NAME.0001.glint for NAME.glint."""
+    base, extension = os.path.splitext(path)
+    return f"{base}.{frame:04d}{extension}"
+
+
+def export_animation(context, path, options, evaluation="RENDER", as_rt2=False):
+    """Writes NAME.0001.glint, ... for the scene's frames and NAME.sh, which renders them. Returns (Report, the paths)."""
+    scene, report, paths = context.scene, Report(), []
+    frame, subframe = scene.frame_current, scene.frame_subframe
+    frames = range(scene.frame_start, scene.frame_end + 1, max(1, scene.frame_step))
+    try:
+        for f in frames:
+            scene.frame_set(f)
+            paths.append(frame_path(path, f))
+            write_text(paths[-1], export_text(context, options, evaluation, as_rt2, report))
+    finally:
+        scene.frame_set(frame, subframe=subframe)
+    script = os.path.splitext(path)[0] + ".sh"
+    write_text(script, render_script(scene, paths))
+    os.chmod(script, 0o755)
+    return report, paths
+
+
+def render_script(scene, paths):
+    """A shell script that renders the files beside it, with GLINT or glint."""
+    crop = camera.border(scene.render)
+    more = " --crop {}x{}+{}+{}".format(*crop) if crop else ""
+    lines = ["#!/bin/sh", "# Renders every frame. GLINT: the command, if it is not in PATH.", "set -e", 'cd "$(dirname "$0")"']
+    for path in paths:
+        name = os.path.basename(path)
+        picture = os.path.splitext(name)[0] + ".png"
+        lines.append(f'"${{GLINT:-glint}}" render ./{shlex.quote(name)} --transfer srgb{more} -o {shlex.quote(picture)} "$@"')
+    return "\n".join(lines) + "\n"

@@ -1,0 +1,107 @@
+# SPDX-License-Identifier: Apache-2.0
+"""File > Export > glint (.glint) and > RT2 (.json)."""
+import os
+
+import bpy
+from bpy.props import BoolProperty, EnumProperty, StringProperty
+from bpy_extras.io_utils import ExportHelper
+
+from .export.camera import CameraError
+from .export_files import export_animation, export_file
+
+EVALUATIONS = (
+    ("RENDER", "As rendered", "Modifiers and visibility as in a render; replaces the Render Result"),
+    ("VIEWPORT", "As in the viewport", "Modifiers and visibility as in the viewport"),
+)
+
+
+class _Export(ExportHelper):
+    """What both operators do: exports, and reports each warning."""
+
+    bl_options = {"PRESET"}
+    check_extension = None  # a path is taken as it is given
+
+    evaluation: EnumProperty(name="Evaluate", items=EVALUATIONS, default="RENDER")
+    animation: BoolProperty(name="Animation", default=False,
+                            description="One file for each frame, NAME.0001.glint, and a script that renders them")
+
+    def export(self, context, options, as_rt2):
+        path = bpy.path.abspath(self.filepath)
+        if not os.path.splitext(path)[1]:
+            path += self.filename_ext
+        if context.mode != "OBJECT" and context.object is not None:
+            context.object.update_from_editmode()
+        arguments = (context, path, options, self.evaluation, as_rt2)
+        try:
+            if self.animation:
+                report, paths = export_animation(*arguments)
+                done = f"{len(paths)} frames, {paths[0]} and so on" if paths else "no frames"
+            else:
+                report, done = export_file(*arguments), path
+        except (CameraError, ValueError, RuntimeError, OSError) as error:
+            self.report({"ERROR"}, str(error))
+            return {"CANCELLED"}
+        for warning in report.warnings:
+            self.report({"WARNING"}, warning)
+        self.report({"INFO"}, f"Exported {done}")
+        return {"FINISHED"}
+
+
+class EXPORT_SCENE_OT_glint(bpy.types.Operator, _Export):
+    bl_idname = "export_scene.glint"
+    bl_label = "Export glint"
+    bl_description = "Write the scene as glint's own language, or as RT2's JSON"
+
+    filename_ext = ".glint"
+    filter_glob: StringProperty(default="*.glint;*.json", options={"HIDDEN"})
+    format: EnumProperty(name="Format", default="AUTO", items=(
+        ("AUTO", "By extension", ".json: RT2; else glint's own language"),
+        ("GLINT", "glint", "glint's own language"),
+        ("RT2", "RT2", "The JSON of RT2's homework")))
+
+    def execute(self, context):
+        as_rt2 = self.format == "RT2" or (self.format == "AUTO" and self.filepath.lower().endswith(".json"))
+        return self.export(context, context.scene.glint.options(), as_rt2)
+
+    def draw(self, context):
+        layout = self.layout
+        layout.use_property_split = True
+        for name in ("format", "evaluation", "animation"):
+            layout.prop(self, name)
+        settings = context.scene.glint
+        for name in ("shading", "reflections", "aa", "light_scale", "facing", "fresnel", "glass_shadow", "recognise"):
+            layout.prop(settings, name)
+
+
+class EXPORT_SCENE_OT_rt2(bpy.types.Operator, _Export):
+    bl_idname = "export_scene.rt2"
+    bl_label = "Export RT2"
+    bl_description = "Write the scene as the JSON of RT2's homework"
+
+    filename_ext = ".json"
+    filter_glob: StringProperty(default="*.json", options={"HIDDEN"})
+    collection: StringProperty(name="Collection", default="",
+                               description="What is exported; empty: scene_custom if there is one, else everything")
+    light_color: EnumProperty(name="Light", default="color", items=(
+        ("color", "Colour", "The lamp's colour, as the course's script writes it"),
+        ("classical", "Intensity", "The lamp's intensity at the camera's target")))
+
+    def execute(self, context):
+        options = context.scene.glint.options(collection=self.collection, light_color=self.light_color)
+        return self.export(context, options, True)
+
+
+def _menu(self, _context):
+    self.layout.operator(EXPORT_SCENE_OT_glint.bl_idname, text="glint (.glint)")
+    self.layout.operator(EXPORT_SCENE_OT_rt2.bl_idname, text="RT2 (.json)")
+
+
+classes = (EXPORT_SCENE_OT_glint, EXPORT_SCENE_OT_rt2)
+
+
+def register():
+    bpy.types.TOPBAR_MT_file_export.append(_menu)
+
+
+def unregister():
+    bpy.types.TOPBAR_MT_file_export.remove(_menu)

@@ -1,0 +1,50 @@
+# SPDX-License-Identifier: Apache-2.0
+"""glint's layers as Blender's render passes: pure tables and arrays."""
+from array import array
+
+# layer of glint: (name of Blender's pass, its channels, the layer's channels, kind)
+PASSES = {
+    "depth": ("Depth", "Z", ("Z",), "VALUE"),
+    "normal": ("Normal", "XYZ", ("X", "Y", "Z"), "VECTOR"),
+    "position": ("Position", "XYZ", ("X", "Y", "Z"), "VECTOR"),
+    "object": ("IndexOB", "X", ("I",), "VALUE"),
+    "material": ("IndexMA", "X", ("I",), "VALUE"),
+    "albedo": ("DiffCol", "RGB", ("R", "G", "B"), "COLOR"),
+    "background": ("Env", "RGB", ("R", "G", "B"), "COLOR"),
+    "ambient": ("glint ambient", "RGB", ("R", "G", "B"), "COLOR"),
+    "diffuse": ("glint diffuse", "RGB", ("R", "G", "B"), "COLOR"),
+    "specular": ("glint specular", "RGB", ("R", "G", "B"), "COLOR"),
+    "reflection": ("glint reflection", "RGB", ("R", "G", "B"), "COLOR"),
+    "transmission": ("glint transmission", "RGB", ("R", "G", "B"), "COLOR"),
+    "shadow": ("glint shadow", "X", ("Y",), "VALUE"),
+}
+# The check boxes of Blender's own passes; the others are glint's, in view_layer.glint.
+BUILT_IN = {"depth": "use_pass_z", "normal": "use_pass_normal", "position": "use_pass_position",
+            "object": "use_pass_object_index", "material": "use_pass_material_index",
+            "albedo": "use_pass_diffuse_color", "background": "use_pass_environment"}
+OWN = tuple(layer for layer in PASSES if layer not in BUILT_IN)
+FAR = 1e10  # Blender's depth where nothing is hit
+
+
+def wanted(view_layer):
+    """The layers that a view layer asks for, in glint's names."""
+    own = getattr(view_layer, "glint", None)
+    return [layer for layer in PASSES
+            if getattr(view_layer, BUILT_IN.get(layer, ""), False) or getattr(own, layer, False)]
+
+
+def pixels(part, layer):
+    """A part as the floats of a Blender pass: rows from the bottom, channels beside each other."""
+    names = PASSES[layer][2]
+    out = array("f", bytes(4 * len(names) * part.width * part.height))
+    for c, name in enumerate(names):
+        column = part.channels[name]
+        if layer == "depth":
+            column = array("f", [min(v, FAR) for v in column])
+        elif column.typecode != "f":
+            column = array("f", column)
+        flipped = array("f")
+        for row in range(part.height - 1, -1, -1):
+            flipped.extend(column[row * part.width:(row + 1) * part.width])
+        out[c::len(names)] = flipped
+    return out

@@ -1,0 +1,48 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The add-on's preferences: where the glint command is."""
+import bpy
+from bpy.props import StringProperty
+
+from . import command
+
+
+def glint_path():
+    """The command's path, or None."""
+    addon = bpy.context.preferences.addons.get(__package__)
+    return command.find(bpy.path.abspath(addon.preferences.glint_path) if addon else "")
+
+
+class GlintPreferences(bpy.types.AddonPreferences):
+    bl_idname = __package__
+
+    glint_path: StringProperty(name="glint", subtype="FILE_PATH",
+                               description="The glint command; empty: the one in PATH, else in the variable GLINT")
+
+    def draw(self, _context):
+        self.layout.prop(self, "glint_path")
+        path = glint_path()
+        row = self.layout.row()
+        row.label(text=f"Used: {path}" if path else "There is no glint here: set its path, or put it into PATH",
+                  icon="CHECKMARK" if path else "ERROR")
+        row.operator("glint.find")
+
+
+class GLINT_OT_find(bpy.types.Operator):
+    bl_idname = "glint.find"
+    bl_label = "Find glint"
+    bl_description = "Look for the glint command and show its version"
+
+    def execute(self, _context):
+        path = glint_path()
+        if path is None:
+            self.report({"ERROR"}, command.NOT_FOUND)
+            return {"CANCELLED"}
+        try:
+            self.report({"INFO"}, f"{command.version(path)}: {path}")
+        except OSError as error:
+            self.report({"ERROR"}, str(error))
+            return {"CANCELLED"}
+        return {"FINISHED"}
+
+
+classes = (GlintPreferences, GLINT_OT_find)

@@ -1,0 +1,63 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Settings that are kept in the .blend: the scene's conventions and an object's glint_shape."""
+import bpy
+from bpy.props import BoolProperty, EnumProperty, FloatProperty, IntProperty, PointerProperty
+
+from .export.options import Options
+
+SHAPE_ITEMS = (
+    ("AUTO", "Auto", "A sphere, cylinder, cone, disc or box if the mesh is one; else triangles"),
+    ("MESH", "Mesh", "Triangles, always"),
+    ("SPHERE", "Sphere", "A sphere around the mesh"),
+    ("CYLINDER", "Cylinder", "A cylinder around the mesh, along the object's z axis"),
+    ("CONE", "Cone", "A cone around the mesh, along the object's z axis"),
+    ("PLANE", "Plane (infinite)", "The infinite plane in which the mesh lies"),
+    ("DISC", "Disc", "A disc around the mesh, across the object's z axis"),
+    ("BOX", "Box", "The mesh's bounding box in the object's space"),
+)
+
+
+class GlintSceneSettings(bpy.types.PropertyGroup):
+    """scene.glint"""
+
+    shading: EnumProperty(name="Shading", items=(
+        ("blinn-phong", "Blinn-Phong", "Highlights by N.H"),
+        ("phong", "Phong", "Highlights by R.V; exponents of shader nodes are divided by 4"),
+        ("diffuse", "Diffuse", "No highlights"),
+        ("color", "Color", "The surfaces' colours alone"),
+        ("normals", "Normals", "0.5 (N + 1)")), default=Options.shading)
+    facing: EnumProperty(name="Turned normals", items=(
+        ("all", "All", "Both sides of every surface are lit, as in Blender"),
+        ("open", "Open surfaces", "Both sides of planes and open cylinders"),
+        ("none", "None", "Fronts alone")), default=Options.facing)
+    fresnel: EnumProperty(name="Fresnel", items=(
+        ("schlick", "Schlick", "Glass reflects more at grazing angles"),
+        ("none", "None", "Glass transmits the same share at every angle")), default=Options.fresnel)
+    glass_shadow: EnumProperty(name="Shadow of glass", items=(
+        ("none", "None", "Light passes through glass"),
+        ("opaque", "Opaque", "Glass blocks light")), default=Options.glass_shadow)
+    reflections: IntProperty(name="Reflections", default=Options.reflections, min=-1, max=1000,
+                             description="Most generations of mirror and glass rays; -1: Cycles' bounces, at most 12")
+    aa: IntProperty(name="Samples", default=Options.aa, min=1, max=64,
+                    description="n: n x n regular samples for each pixel")
+    light_scale: FloatProperty(name="Light scale", default=Options.light_scale, min=0.0, soft_max=10.0,
+                               description="All lights are multiplied by this")
+    recognise: BoolProperty(name="Recognise shapes", default=Options.recognise,
+                            description="Export smooth balls, tubes and boxes as glint's own shapes")
+
+    def options(self, **more):
+        names = ("shading", "facing", "fresnel", "glass_shadow", "reflections", "aa", "light_scale", "recognise")
+        return Options(**{name: getattr(self, name) for name in names}, **more)
+
+
+def register():
+    bpy.utils.register_class(GlintSceneSettings)
+    bpy.types.Scene.glint = PointerProperty(type=GlintSceneSettings)
+    bpy.types.Object.glint_shape = EnumProperty(name="glint shape", items=SHAPE_ITEMS, default="AUTO",
+                                                description="What the object is exported to glint as")
+
+
+def unregister():
+    del bpy.types.Object.glint_shape
+    del bpy.types.Scene.glint
+    bpy.utils.unregister_class(GlintSceneSettings)
