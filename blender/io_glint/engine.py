@@ -43,7 +43,8 @@ class GlintRenderEngine(bpy.types.RenderEngine):
             with tempfile.TemporaryDirectory(prefix="glint-") as folder:
                 self._render(depsgraph, folder, report)
         except (RenderFailed, camera.CameraError, OSError, exr.ExrError) as error:
-            self.error_set(f"glint: {error}")
+            self.error_set(f"glint: {error}")  # stops an animation
+            self.report({"ERROR"}, f"glint: {error}")
         for warning in report.warnings:
             self.report({"WARNING"}, f"glint: {warning}")
 
@@ -62,22 +63,23 @@ class GlintRenderEngine(bpy.types.RenderEngine):
         more = ["--crop", "{}x{}+{}+{}".format(*crop)] if crop else []
         if not self._run([path, "render", file, "-o", combined, *more], report):
             return
-        parts = []
+        found = {}
         if layers:
-            # A second run, because Blender reads only plain files: the picture itself comes from those.
-            file_of_layers = os.path.join(folder, "layers.exr")
-            if not self._run([path, "render", file, "-o", file_of_layers, "--aov", ",".join(layers), *more], Report()):
+            # A second run: Blender reads the picture from a plain file only, and layers are parts of one.
+            parts = os.path.join(folder, "layers.exr")
+            if not self._run([path, "render", file, "-o", parts, "--aov", ",".join(layers), *more], Report()):
                 return
-            parts = exr.read(file_of_layers)
+            found = {part.name: passes.pixels(part, part.name) for part in exr.read(parts) if part.name in passes.PASSES}
         width, height = crop[:2] if crop else camera.picture_size(scene.render)
         result = self.begin_result(0, 0, width, height, layer=depsgraph.view_layer_eval.name)
-        result.layers[0].load_from_file(combined)
-        for part in parts:
-            if part.name in passes.PASSES:
-                target = result.layers[0].passes.get(passes.PASSES[part.name][0])
+        try:  # Blender crashes if a result is not ended
+            result.layers[0].load_from_file(combined)
+            for layer, pixels in found.items():
+                target = result.layers[0].passes.get(passes.PASSES[layer][0])
                 if target is not None:
-                    target.rect.foreach_set(passes.pixels(part, part.name))
-        self.end_result(result)
+                    target.rect = pixels
+        finally:
+            self.end_result(result)
 
     def _run(self, arguments, report):
         """Runs glint to its end; false if the user stopped it."""
@@ -85,12 +87,15 @@ class GlintRenderEngine(bpy.types.RenderEngine):
             run = command.Run(arguments)
         except OSError as error:
             raise RenderFailed(f"{arguments[0]} cannot be run: {error}") from None
+        shown = None
         while (code := run.poll(POLL)) is None:
             if self.test_break():
                 run.stop()
                 return False
-            self.update_progress(run.progress)
-            self.update_stats("", f"glint: {100 * run.progress:.0f}%")
+            if run.progress != shown:
+                shown = run.progress
+                self.update_progress(shown)
+                self.update_stats("", f"glint: {100 * shown:.0f}%")
         errors, warnings = command.diagnostics(run.messages())
         for warning in warnings:
             report.warn("glint", warning)

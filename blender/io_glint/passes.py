@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""glint's layers as Blender's render passes: pure tables and arrays."""
-from array import array
+"""glint's layers as Blender's render passes: pure tables and lists."""
 
 # layer of glint: (name of Blender's pass, its channels, the layer's channels, kind)
 PASSES = {
@@ -34,17 +33,14 @@ def wanted(view_layer):
 
 
 def pixels(part, layer):
-    """A part as the floats of a Blender pass: rows from the bottom, channels beside each other."""
-    names = PASSES[layer][2]
-    out = array("f", bytes(4 * len(names) * part.width * part.height))
-    for c, name in enumerate(names):
+    """A part as Blender's pass.rect takes it: for each pixel its channels, rows from the bottom."""
+    columns = []
+    for name in PASSES[layer][2]:
         column = part.channels[name]
         if layer == "depth":
-            column = array("f", [min(v, FAR) for v in column])
-        elif column.typecode != "f":
-            column = array("f", column)
-        flipped = array("f")
+            column = [min(v, FAR) for v in column]
+        flipped = []
         for row in range(part.height - 1, -1, -1):
             flipped.extend(column[row * part.width:(row + 1) * part.width])
-        out[c::len(names)] = flipped
-    return out
+        columns.append(flipped)
+    return list(zip(*columns))

@@ -95,24 +95,25 @@ def cofactors(m):
     return rows, a * rows[0][0] + b * rows[0][1] + c * rows[0][2]
 
 
-class _Normals:
-    """Texts of world-space normals by their value in the object's space."""
+class _Normals(dict):
+    """Texts of world-space normals by their value in the object's space; empty for one without a direction."""
 
     def __init__(self, matrix):
+        super().__init__()
         self._rows, det = cofactors(matrix)
         self._sign = -1.0 if det < 0 else 1.0
-        self._texts = {}
 
-    def text(self, n):
-        """None if the normal has no direction."""
-        found = self._texts.get(n)
-        if found is None:
-            x, y, z = (self._sign * (r[0] * n[0] + r[1] * n[1] + r[2] * n[2]) for r in self._rows)
-            length = math.sqrt(x * x + y * y + z * z)
-            ok = length > 0 and math.isfinite(length)
-            found = "(%.6g,%.6g,%.6g)" % (x / length, y / length, z / length) if ok else ""
-            self._texts[n] = found
-        return found
+    def __missing__(self, n):
+        x, y, z = n
+        (a, b, c), (d, e, f), (g, h, i) = self._rows
+        nx, ny, nz = a * x + b * y + c * z, d * x + e * y + f * z, g * x + h * y + i * z
+        length = math.sqrt(nx * nx + ny * ny + nz * nz)
+        text = ""
+        if length > 0 and math.isfinite(length):
+            scale = self._sign / length
+            text = "(%.6g,%.6g,%.6g)" % (nx * scale, ny * scale, nz * scale)
+        self[n] = text
+        return text
 
 
 def triangle_lines(data, matrix):
@@ -121,13 +122,13 @@ def triangle_lines(data, matrix):
     Triangles without area and those with coordinates that glint cannot take are left out. Where the map mirrors, corners
     are reversed, so that fronts stay outside. `normals` are written only where they differ from the face's."""
     world = _apply(matrix, data.vertices)
-    texts = ["(%.8g,%.8g,%.8g)" % p for p in world]
+    texts = ["(%.7g,%.7g,%.7g)" % p for p in world]
     normals = _Normals(matrix)
     _, det = cofactors(matrix)
     mirrors = det < 0
-    careful = not data.is_finite or det == 0 or not all(abs(c) <= MAX_COORDINATE for p in world for c in p)
+    careful = not data.is_finite or det == 0 or max(map(abs, chain.from_iterable(world)), default=0) > MAX_COORDINATE
     lines, dropped = {}, 0
-    corner_normals, normal_text = data.normals, normals.text
+    corner_normals = data.normals
     for (a, b, c), (la, lb, lc), area, face, slot in zip(data.corners, data.loops, data.areas, data.face_normals,
                                                          data.slots):
         if not area > 0 and not careful:
@@ -142,7 +143,7 @@ def triangle_lines(data, matrix):
         na, nb, nc = corner_normals[la], corner_normals[lb], corner_normals[lc]
         line = None
         if det != 0 and not (na == nb == nc and na[0] * face[0] + na[1] * face[1] + na[2] * face[2] > 1 - FLAT):
-            ta, tb, tc = normal_text(na), normal_text(nb), normal_text(nc)
+            ta, tb, tc = normals[na], normals[nb], normals[nc]
             if ta and tb and tc:
                 if mirrors:
                     line = f"triangle{{vertices=({texts[c]},{texts[b]},{texts[a]}) normals=({tc},{tb},{ta})}}"

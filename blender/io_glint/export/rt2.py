@@ -9,6 +9,7 @@ from .material import MaterialTable
 from .scene import read_mesh, report_render_settings, shape_of, shape_setting
 
 DIGITS = 6
+FOV_DIGITS = 4  # Blender's angle, made from the lens, has no more
 SUN_DISTANCE = 1e4
 TARGET_DISTANCE = 10
 
@@ -178,7 +179,7 @@ class RT2Scene:
         elif not view.is_centred:
             self.report.warn(item, "RT2 has no shifted pictures and no oblong pixels: these are ignored")
         return {"position": _rounded(view.position), "up": _rounded(view.up), "target": _rounded(self.target),
-                "fov": _rounded(fov)}
+                "fov": round(fov, FOV_DIGITS)}
 
     def _add_light(self, item, place):
         data, described = item.ob.data, light.describe(item.ob)

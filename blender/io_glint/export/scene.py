@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """A depsgraph as the text of a .glint scene."""
+import gc
+
 from . import camera, light, material, mesh, shapes, text, walk, world
 
 MAX_REFLECTIONS = 12
@@ -151,4 +153,10 @@ def report_render_settings(scene, report):
 
 def glint_text(depsgraph, options, report, find_material):
     """The scene's text. Raises camera.CameraError without a camera that glint could take."""
-    return SceneText(depsgraph, options, report, find_material).text()
+    collecting = gc.isenabled()
+    gc.disable()  # millions of tuples without cycles: collections would take as long as the export
+    try:
+        return SceneText(depsgraph, options, report, find_material).text()
+    finally:
+        if collecting:
+            gc.enable()

@@ -3,8 +3,8 @@
 
 
 def number(x):
-    """The shortest text with 9 digits, which every single-precision number survives."""
-    text = f"{x:.9g}"
+    """The shortest text with 7 digits: as much as single precision holds."""
+    text = f"{x:.7g}"
     return "0" if text == "-0" else text
 
 

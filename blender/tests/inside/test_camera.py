@@ -1,0 +1,74 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Cameras: rays through pixels are Blender's, whatever the projection, the sensor and the picture."""
+import bpy
+from support import SceneTest
+
+
+class Camera(SceneTest):
+    def setUp(self):
+        super().setUp()
+        self.lamp()
+        self.add("plane", size=14)
+        self.add("monkey", location=(0, 0, 1), scale=(1.4, 1.4, 1.4))
+        self.add("cube", location=(-2, 1, 1), rotation=(0.3, 0.2, 0.5))
+
+    def test_sensor_fits(self):
+        for fit in ("AUTO", "HORIZONTAL", "VERTICAL"):
+            for size in ((96, 64), (64, 96)):
+                with self.subTest(fit=fit, size=size):
+                    self.camera(sensor_fit=fit, sensor_width=36, sensor_height=20, lens=28)
+                    self.scene.render.resolution_x, self.scene.render.resolution_y = size
+                    self.check_hits()
+
+    def test_shift(self):
+        self.camera(shift_x=0.2, shift_y=-0.13)
+        self.check_hits()
+        self.assertIn("forward =", self.export())
+
+    def test_pixel_aspect_and_percentage(self):
+        self.camera()
+        render = self.scene.render
+        render.pixel_aspect_x, render.pixel_aspect_y, render.resolution_percentage = 1.0, 1.6, 73
+        self.check_hits(step=3)
+        self.assertIn("size = 70 x 46", self.export())
+
+    def test_orthographic(self):
+        self.camera(type="ORTHO", ortho_scale=7)
+        self.check_hits()
+        self.scene.camera.data.shift_x = 0.15
+        self.check_hits()
+        self.scene.render.pixel_aspect_x = 1.5
+        self.check_hits()
+
+    def test_scale_and_parents_of_the_camera(self):
+        camera = self.camera()
+        parent = self.link(bpy.data.objects.new("rig", None))
+        parent.scale, parent.rotation_euler = (2, 2, 2), (0, 0, 0.4)
+        camera.parent = parent
+        camera.location = camera.location / 2
+        camera.scale = (3, 3, 3)
+        self.check_hits()
+
+    def test_no_camera(self):
+        self.scene.camera = None
+        for operator in (bpy.ops.export_scene.glint, bpy.ops.export_scene.rt2):
+            with self.assertRaisesRegex(RuntimeError, "no camera"):
+                operator(filepath=self.path("none.glint"))
+
+    def test_what_is_no_camera_or_not_glints(self):
+        self.scene.camera = self.add("cube", name="not one")
+        with self.assertRaisesRegex(RuntimeError, "'not one' is not a camera"):
+            self.export()
+        self.camera(type="PANO")
+        with self.assertRaisesRegex(RuntimeError, "PANO"):
+            self.export()
+
+    def test_what_is_ignored_is_named(self):
+        camera = self.camera().data
+        camera.dof.use_dof = True
+        render = self.scene.render
+        render.use_motion_blur = render.film_transparent = render.use_border = True
+        render.border_min_x, render.border_max_x, render.border_min_y, render.border_max_y = 0.25, 0.5, 0.25, 0.75
+        self.export()
+        for word in ("depth of field", "motion blur", "transparent film", "--crop 24x32+24+16"):
+            self.assertEqual(sum(word in w for w in self.warnings), 1, self.warnings)

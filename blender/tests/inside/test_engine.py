@@ -1,0 +1,128 @@
+# SPDX-License-Identifier: Apache-2.0
+"""F12: the picture of the engine is glint's, also of a border, of every frame, and layer by layer."""
+import os
+import stat
+
+import bpy
+from io_glint import exr
+from support import SceneTest
+
+
+class Engine(SceneTest):
+    def setUp(self):
+        super().setUp()
+        self.camera()
+        self.lamp()
+        self.world((0.1, 0.1, 0.2))
+        self.add("monkey", material=self.material())
+        self.add("plane", size=10, location=(0, 0, -1))
+        self.scene.render.engine = "GLINT"
+        settings = self.scene.render.image_settings
+        settings.file_format, settings.color_depth, settings.exr_codec, settings.color_mode = "OPEN_EXR", "32", "ZIP", "RGB"
+
+    def picture(self, name="f12"):
+        """F12's picture as glint.exr.Part."""
+        self.scene.render.filepath = self.path(f"{name}.exr")
+        bpy.ops.render.render(write_still=True)
+        return exr.read(self.scene.render.filepath)[0]
+
+    def beauty(self, *more):
+        self.export()
+        out = self.path("own.exr")
+        self.glint("render", self.path("scene.glint"), "-o", out, "-q", *more)
+        return exr.read(out)[0]
+
+    def assert_same(self, a, b):
+        self.assertEqual((a.width, a.height), (b.width, b.height))
+        for channel in "RGB":
+            self.assertEqual(a.channels[channel], b.channels[channel])
+
+    def test_f12_is_glints_picture(self):
+        self.assert_same(self.picture(), self.beauty())
+
+    def test_border_and_percentage(self):
+        render = self.scene.render
+        render.resolution_percentage = 150
+        render.use_border = render.use_crop_to_border = True
+        render.border_min_x, render.border_max_x, render.border_min_y, render.border_max_y = 0.1, 0.7, 0.3, 0.9
+        part = self.picture()
+        self.assert_same(part, self.beauty("--crop", f"{part.width}x{part.height}+14+{96 - 86}"))
+        render.use_crop_to_border = False
+        whole = self.picture("whole")
+        self.assertEqual((whole.width, whole.height), (144, 96))
+        self.assertEqual(whole.channels["R"][0], 0)
+        self.assertEqual(whole.channels["R"][10 * 144 + 14], part.channels["R"][0])
+
+    def test_passes(self):
+        layer = bpy.context.view_layer
+        layer.use_pass_z = layer.use_pass_normal = layer.glint.shadow = True
+        layer.update_render_passes()
+        self.scene.render.image_settings.file_format = "OPEN_EXR_MULTILAYER"
+        picture = self.picture("passes")
+        self.export()
+        own = self.layers("depth", "normal", "shadow", more=())
+        prefix = f"{layer.name}."
+        names = {name.removeprefix(prefix) for name in picture.channels}
+        self.assertLessEqual({"Depth.Z", "Normal.X", "glint shadow.X"}, names)
+        for theirs, part, ours in (("Depth.Z", "depth", "Z"), ("Normal.X", "normal", "X"), ("Normal.Z", "normal", "Z")):
+            a, b = picture.channels[prefix + theirs], own[part].channels[ours]
+            self.assertEqual([v for v in a], [min(v, 1e10) for v in b], theirs)
+
+    def test_an_animation_of_24_frames(self):
+        ball = self.add("ico_sphere", name="ball", subdivisions=2)
+        self.scene.frame_start, self.scene.frame_end = 1, 24
+        for frame, x in ((1, -2), (24, 2)):
+            ball.location.x = x
+            ball.keyframe_insert("location", frame=frame)
+        self.scene.render.image_settings.file_format = "PNG"
+        self.scene.render.image_settings.color_depth = "8"
+        self.scene.render.filepath = self.path("frame_")
+        bpy.ops.render.render(animation=True)
+        files = [self.path(f"frame_{f:04d}.png") for f in range(1, 25)]
+        contents = {open(file, "rb").read() for file in files}
+        self.assertEqual(len(contents), 24)
+
+    def fake(self, script):
+        path = self.path("fake")
+        with open(path, "w", encoding="utf-8") as file:
+            file.write("#!/bin/sh\n" + script)
+        os.chmod(path, stat.S_IRWXU)
+        preferences = bpy.context.preferences.addons["io_glint"].preferences
+        preferences.glint_path = path
+        self.addCleanup(setattr, preferences, "glint_path", "")
+        return path
+
+    def test_without_glint_there_is_a_clear_message(self):
+        preferences = bpy.context.preferences.addons["io_glint"].preferences
+        preferences.glint_path = "/nowhere/glint"
+        self.addCleanup(setattr, preferences, "glint_path", "")
+        with self.assertRaisesRegex(RuntimeError, "The glint command was not found"):
+            bpy.ops.render.render()
+        with self.assertRaisesRegex(RuntimeError, "The glint command was not found"):
+            bpy.ops.glint.find()
+
+    def test_an_error_of_glint_is_passed_on(self):
+        self.fake('echo "scene.glint:3:4: error: expected a number" >&2\nexit 2\n')
+        with self.assertRaisesRegex(RuntimeError, "expected a number"):
+            bpy.ops.render.render()
+
+    def test_a_flood_of_messages_blocks_nothing(self):
+        real = os.environ["GLINT"]
+        self.fake(f'i=0; while [ $i -lt 5000 ]; do echo "line $i of a flood of messages that fills the pipe" >&2; i=$((i+1)); done\n'
+                  f'exec "{real}" "$@"\n')
+        self.assert_same(self.picture(), self.beauty())
+
+    def test_find_glint(self):
+        self.assertEqual(bpy.ops.glint.find(), {"FINISHED"})
+
+    def test_no_camera(self):
+        self.scene.camera = None
+        with self.assertRaises(RuntimeError):
+            bpy.ops.render.render()
+
+    def test_the_empty_scene(self):
+        for ob in list(self.scene.objects):
+            if ob.type != "CAMERA":
+                bpy.data.objects.remove(ob)
+        part = self.picture()
+        self.assertAlmostEqual(part.channels["B"][0], 0.2, places=6)

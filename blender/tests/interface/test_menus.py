@@ -1,0 +1,45 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Export and F12 with the interface open; the panels can be drawn."""
+import os
+import tempfile
+import unittest
+
+import bpy
+
+
+class Interface(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory(prefix="glint-test-")
+        self.addCleanup(folder.cleanup)
+        self.folder = folder.name
+        self.window = bpy.context.window_manager.windows[0]
+        area = next(a for a in self.window.screen.areas if a.type == "VIEW_3D")
+        region = next(r for r in area.regions if r.type == "WINDOW")
+        self.override = {"window": self.window, "area": area, "region": region}
+        bpy.context.scene.render.resolution_x, bpy.context.scene.render.resolution_y = 96, 64
+
+    def test_export_and_f12(self):
+        with bpy.context.temp_override(**self.override):
+            self.assertFalse(bpy.app.background)
+            for operator, name in ((bpy.ops.export_scene.glint, "a.glint"), (bpy.ops.export_scene.rt2, "a.json")):
+                path = os.path.join(self.folder, name)
+                self.assertEqual(operator(filepath=path), {"FINISHED"})
+                self.assertGreater(os.path.getsize(path), 100)
+            scene = bpy.context.scene
+            scene.render.engine = "GLINT"
+            scene.render.filepath = os.path.join(self.folder, "f12.png")
+            bpy.ops.render.render(write_still=True)
+            self.assertGreater(os.path.getsize(scene.render.filepath), 100)
+
+    def test_panels_are_drawn(self):
+        bpy.context.scene.render.engine = "GLINT"
+        area = next(a for a in self.window.screen.areas if a.type == "PROPERTIES")
+        for context in ("RENDER", "VIEW_LAYER", "OBJECT", "MATERIAL", "DATA", "WORLD"):
+            with self.subTest(context=context), bpy.context.temp_override(window=self.window, area=area):
+                area.spaces[0].context = context
+                area.tag_redraw()
+                self.assertEqual(bpy.ops.wm.redraw_timer(type="DRAW_WIN_SWAP", iterations=1), {"FINISHED"})
+
+    def test_menus_have_the_exports(self):
+        self.assertIn("EXPORT_SCENE_OT_glint", dir(bpy.types))
+        self.assertIn("EXPORT_SCENE_OT_rt2", dir(bpy.types))

@@ -1,0 +1,70 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""All tests of the add-on: blender/tests/run.py [PATTERN]. Those of the pure parts run in this Python; the others inside
+`blender -b` and, for the interface, under xvfb, with folders of their own for Blender's settings and add-ons. Without
+blender these are skipped. GLINT: the glint command; default build/release/glint. The last line is ctest's."""
+import json
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+
+HERE = pathlib.Path(__file__).resolve().parent
+ROOT = HERE.parent.parent
+sys.path[:0] = [str(HERE.parent), str(HERE)]
+
+import counting  # noqa: E402  pylint: disable=wrong-import-position
+
+
+def run_plain(pattern):
+    return counting.run(unittest.defaultTestLoader.discover(HERE / "plain", pattern=f"test_*{pattern}*.py",
+                                                            top_level_dir=HERE / "plain"))
+
+
+def run_in_blender(command, script, pattern, environment):
+    """Runs a script in Blender that writes its counts to $GLINT_TEST_COUNTS."""
+    with tempfile.TemporaryDirectory(prefix="glint-blender-") as folder:
+        counts = os.path.join(folder, "counts.json")
+        environment = dict(environment, BLENDER_USER_SCRIPTS=f"{folder}/scripts", BLENDER_USER_CONFIG=f"{folder}/config",
+                           GLINT_TEST_COUNTS=counts, GLINT_TEST_PATTERN=pattern, GLINT_TEST_FOLDER=folder)
+        os.makedirs(f"{folder}/scripts/addons")
+        try:
+            run = subprocess.run([*command, "--factory-startup", "--python-exit-code", "3", "--python", str(HERE / script)],
+                                 env=environment, timeout=900, check=False)
+        except subprocess.TimeoutExpired:
+            print(f"{script}: not finished within 15 minutes")
+            return counting.Counts(1, 1, 0)
+        try:
+            result = counting.Counts(*json.loads(pathlib.Path(counts).read_text(encoding="utf-8")))
+        except (OSError, ValueError):
+            print(f"{script}: Blender ended with {run.returncode} before the tests did")
+            return counting.Counts(1, 1, 0)
+        return result
+
+
+def main():
+    pattern = sys.argv[1] if len(sys.argv) > 1 else ""
+    total = run_plain(pattern)
+    environment = dict(os.environ)
+    environment["GLINT"] = environment.get("GLINT") or str(ROOT / "build/release/glint")
+    blender, xvfb = shutil.which("blender"), shutil.which("xvfb-run")
+    for wanted, name, command, script in (
+            (blender, "blender", ["blender", "-b"], "run_inside.py"),
+            (blender and xvfb, "xvfb-run and blender", ["xvfb-run", "-a", "blender", "--window-geometry", "0", "0", "1280", "800"],
+             "run_interface.py")):
+        if wanted:
+            total += run_in_blender(command, script, pattern, environment)
+        else:
+            print(f"{script}: {name}: not installed (Skipped)")
+    passed = total.run - total.failed
+    if total.skipped:
+        print(f"{total.skipped} tests (Skipped)")
+    print(f"{100 * passed // max(total.run, 1)}% tests passed, {total.failed} tests failed out of {total.run}")
+    return 1 if total.failed or not total.run else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
