@@ -3,7 +3,7 @@
 PREFIX ?= /usr/local
 glint = build/release/glint
 
-.PHONY: help deps demo test test-all test-aarch64 build install release web playground tidy fuzz bench format generated clean
+.PHONY: help deps demo test test-all test-aarch64 test-blender blender build install release web playground tidy fuzz bench format generated clean
 
 help:
 	@echo 'make demo     installs what is missing, builds glint, renders castle.png and explains one of its pixels'
@@ -15,6 +15,7 @@ help:
 	@echo 'make playground  builds the web page (make web: to web/dist) and serves it on this machine'
 	@echo 'make bench    installs POV-Ray, Tachyon and Embree and measures glint beside them (docs/performance.md)'
 	@echo 'make test-aarch64  cross-compiles for 64-bit ARM and runs tests under qemu'
+	@echo 'make test-blender  installs Blender (571 MB) and tests the add-on for it (docs/blender.md); make blender builds its zip'
 	@echo 'make release  writes the files of a release to build/release-files (tools/make-release)'
 	@echo 'make tidy     runs clang-tidy; make format, clang-format; make fuzz, the fuzzers'
 	@echo 'make generated writes the manual pages and completions that the command prints'
@@ -42,6 +43,15 @@ test-all:
 test-aarch64:
 	@tools/install-dependencies aarch64
 	@tools/run-tests aarch64
+
+# The add-on, in Blender itself.
+test-blender:
+	@tools/install-dependencies blender
+	@tools/run-tests blender
+
+# The add-on's zip.
+blender:
+	@python3 blender/package.py
 
 deps:
 	@tools/install-dependencies command

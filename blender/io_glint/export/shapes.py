@@ -96,6 +96,11 @@ def _volume(vertices, faces):
     return total / 6
 
 
+def _snapped(point, size):
+    """The point with 0 for coordinates that are rounding errors of a mesh of that size."""
+    return tuple(0.0 if abs(c) < 1e-6 * size else c for c in point)
+
+
 def sphere(outline, any_shading=False):
     """A ball of smooth faces. any_shading: flat faces too."""
     vertices = outline.vertices
@@ -107,7 +112,7 @@ def sphere(outline, any_shading=False):
         return None
     if abs(_volume([_sub(v, centre) for v in vertices], outline.faces)) < MIN_FILL * 4 / 3 * math.pi * radius**3:
         return None
-    return Shape("sphere", (("center", centre), ("radius", radius)))
+    return Shape("sphere", (("center", _snapped(centre, radius)), ("radius", radius)))
 
 
 def box(outline):
@@ -186,7 +191,8 @@ def disc(outline):
     if ring is None:
         return None
     normal = face_normal([vertices[v] for v in faces[0]])
-    return Shape("disc", (("center", ring[0]), ("normal", _unit(normal)), ("radius", ring[1])))
+    return Shape("disc", (("center", _snapped(ring[0], ring[1])), ("normal", _snapped(_unit(normal), 1)),
+                          ("radius", ring[1])))
 
 
 def tube(outline, any_shading=False):
@@ -227,7 +233,8 @@ def tube(outline, any_shading=False):
     caps = [bool(c) for c, r in ((caps_low, r0), (caps_high, r1)) if r > 0]
     if len(set(caps)) != 1:  # closed at one end only: glint's caps are both or none
         return None
-    common = (("from", from_), ("to", to))
+    size = max(r0, r1)
+    common = (("from", _snapped(from_, size)), ("to", _snapped(to, size)))
     if abs(r0 - r1) <= CLOSE * max(r0, r1):
         return Shape("cylinder", (*common, ("radius", r0), ("caps", caps[0])))
     return Shape("cone", (*common, ("radius", (r0, r1)), ("caps", caps[0])))
