@@ -59,17 +59,19 @@ class GlintRenderEngine(bpy.types.RenderEngine):
         write_text(file, text)
         layers = passes.wanted(depsgraph.view_layer_eval)
         crop = camera.border(scene.render)
-        combined = os.path.join(folder, "picture.exr")
-        more = ["--crop", "{}x{}+{}+{}".format(*crop)] if crop else []
-        if not self._run([path, "render", file, "-o", combined, *more], report):
+        combined = picture = os.path.join(folder, "picture.exr")
+        arguments = [path, "render", file, "-o", picture]
+        if crop:
+            arguments += ["--crop", "{}x{}+{}+{}".format(*crop)]
+        if layers:
+            arguments += ["--aov", ",".join(layers)]
+        if not self._run(arguments, report):
             return
         found = {}
         if layers:
-            # A second run: Blender reads the picture from a plain file only, and layers are parts of one.
-            parts = os.path.join(folder, "layers.exr")
-            if not self._run([path, "render", file, "-o", parts, "--aov", ",".join(layers), *more], Report()):
-                return
-            found = {part.name: passes.pixels(part, part.name) for part in exr.read(parts) if part.name in passes.PASSES}
+            combined = os.path.join(folder, "combined.exr")
+            exr.write_first_part(picture, combined)  # Blender loads plain files only
+            found = {part.name: passes.pixels(part, part.name) for part in exr.read(picture, layers)}
         width, height = crop[:2] if crop else camera.picture_size(scene.render)
         result = self.begin_result(0, 0, width, height, layer=depsgraph.view_layer_eval.name)
         try:  # Blender crashes if a result is not ended

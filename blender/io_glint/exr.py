@@ -10,6 +10,7 @@ from itertools import accumulate
 _MULTIPART = 0x1000
 _LINES = {0: 1, 2: 1, 3: 16}  # by compression: none, ZIPS, ZIP
 _KINDS = {0: "I", 2: "f"}
+_MINUS_128 = bytes((v - 128) & 255 for v in range(256))
 
 
 class ExrError(ValueError):
@@ -56,25 +57,26 @@ def _unzip(data, size):
     if len(data) == size:
         return data  # stored as it is, because ZIP did not make it smaller
     raw = zlib.decompress(data)
-    # The predictor: each byte is the difference to the one before, plus 128.
-    plain = bytes([v & 255 for v in accumulate(raw, lambda a, b: a + b - 128)])
+    # The predictor: each byte but the first is the difference to the one before, plus 128.
+    differences = raw[:1] + raw[1:].translate(_MINUS_128)
+    plain = bytes(map((255).__and__, accumulate(differences)))
     half = (len(plain) + 1) // 2
     out = bytearray(len(plain))
     out[0::2], out[1::2] = plain[:half], plain[half:]
     return bytes(out)
 
 
-def read(path):
-    """The file's parts. Raises OSError or ExrError."""
+def read(path, names=None):
+    """The file's parts; names: only these. Raises OSError or ExrError."""
     with open(path, "rb") as file:
         data = file.read()
     try:
-        return _read(data)
+        return _read(data, names)
     except (IndexError, struct.error, zlib.error, KeyError, ValueError) as error:
         raise ExrError(f"{path}: {error}") from None
 
 
-def _read(data):
+def _read(data, names):
     magic, version = struct.unpack_from("<ii", data, 0)
     if magic != 20000630:
         raise ExrError("not an OpenEXR file")
@@ -87,20 +89,64 @@ def _read(data):
         if not data[at]:
             at += 1
             break
-    parts, blocks = [], []
+    parts = []
     for attributes in headers:
         x0, y0, x1, y1 = struct.unpack("<4i", attributes["dataWindow"])
         width, height = x1 - x0 + 1, y1 - y0 + 1
         channels = _channel_list(attributes["channels"])
         name = attributes.get("name", b"").decode("latin-1")
-        parts.append(Part(name, width, height, {n: array(kind, bytes(4 * width * height)) for n, kind in channels}))
         lines = _LINES[attributes["compression"][0]]
-        blocks.append((y0, lines, channels, attributes["compression"][0], -(-height // lines)))
-    for part, (y0, lines, channels, compression, count) in zip(parts, blocks):
-        for offset in struct.unpack_from(f"<{count}q", data, at):
-            _read_block(data, offset + (4 if version & _MULTIPART else 0), part, y0, lines, channels, compression)
+        count = -(-height // lines)
+        offsets = struct.unpack_from(f"<{count}q", data, at)
         at += 8 * count
+        if names is not None and name not in names:
+            continue
+        part = Part(name, width, height, {n: array(kind, bytes(4 * width * height)) for n, kind in channels})
+        for offset in offsets:
+            _read_block(data, offset + (4 if version & _MULTIPART else 0), part, y0, lines, channels,
+                        attributes["compression"][0])
+        parts.append(part)
     return parts
+
+
+def write_first_part(path, out):
+    """Copies the first part of a file of several, the picture, into a plain file. Raises OSError or ExrError."""
+    with open(path, "rb") as file:
+        data = file.read()
+    try:
+        plain = _first_part(data)
+    except (IndexError, struct.error, KeyError, ValueError) as error:
+        raise ExrError(f"{path}: {error}") from None
+    with open(out, "wb") as file:
+        file.write(plain)
+
+
+def _first_part(data):
+    magic, version = struct.unpack_from("<ii", data, 0)
+    if magic != 20000630 or not version & _MULTIPART:
+        raise ValueError("no OpenEXR file of several parts")
+    header, at = b"", 8
+    while data[at]:
+        begin = at
+        name, at = _text(data, at)
+        _, at = _text(data, at)
+        at += 4 + struct.unpack_from("<i", data, at)[0]
+        if name == "chunkCount":
+            (count,) = struct.unpack_from("<i", data, at - 4)
+        if name not in ("name", "type", "chunkCount"):
+            header += data[begin:at]
+    at += 1
+    while data[at]:
+        _, at = _header(data, at)
+    blocks, offsets = [], []
+    position = 8 + len(header) + 1 + 8 * count
+    for offset in struct.unpack_from(f"<{count}q", data, at + 1):
+        size = 8 + struct.unpack_from("<i", data, offset + 8)[0]
+        blocks.append(data[offset + 4:offset + 4 + size])
+        offsets.append(position)
+        position += size
+    return struct.pack("<ii", magic, version & ~_MULTIPART) + header + b"\0" + struct.pack(
+        f"<{count}q", *offsets) + b"".join(blocks)
 
 
 def _read_block(data, at, part, y0, lines, channels, compression):

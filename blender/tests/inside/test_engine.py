@@ -60,13 +60,16 @@ class Engine(SceneTest):
         self.scene.render.image_settings.file_format = "OPEN_EXR_MULTILAYER"
         picture = self.picture("passes")
         self.export()
-        own = self.layers("depth", "normal", "shadow", more=())
+        own = self.layers("depth", "normal", "shadow")
         prefix = f"{layer.name}."
         names = {name.removeprefix(prefix) for name in picture.channels}
         self.assertLessEqual({"Depth.Z", "Normal.X", "glint shadow.X"}, names)
         for theirs, part, ours in (("Depth.Z", "depth", "Z"), ("Normal.X", "normal", "X"), ("Normal.Z", "normal", "Z")):
             a, b = picture.channels[prefix + theirs], own[part].channels[ours]
-            self.assertEqual([v for v in a], [min(v, 1e10) for v in b], theirs)
+            self.assertEqual(list(a), [min(v, 1e10) for v in b], theirs)
+        beauty = self.beauty()
+        for channel in "RGB":
+            self.assertEqual(picture.channels[f"{prefix}Combined.{channel}"], beauty.channels[channel])
 
     def test_an_animation_of_24_frames(self):
         ball = self.add("ico_sphere", name="ball", subdivisions=2)
