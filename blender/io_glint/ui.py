@@ -6,10 +6,11 @@ from bpy.props import BoolProperty, StringProperty
 from .export import keys
 from .passes import OWN
 
-EXCLUDED = {"VIEWLAYER_PT_filter", "VIEWLAYER_PT_layer_passes", "RENDER_PT_freestyle", "RENDER_PT_simplify_greasepencil"}
+# Panels of what glint has not, or has a panel of its own for.
+EXCLUDED = {"DATA_PT_light", "VIEWLAYER_PT_filter", "VIEWLAYER_PT_layer_passes", "RENDER_PT_gpencil", "RENDER_PT_post_processing"}
 # Panels that Blender offers to Eevee and Cycles, but whose settings the exporter reads.
 SHARED = {"EEVEE_MATERIAL_PT_context_material", "EEVEE_MATERIAL_PT_surface", "EEVEE_WORLD_PT_surface", "DATA_PT_EEVEE_light",
-          "DATA_PT_EEVEE_light_distance", "WORLD_PT_context_world"}
+          "WORLD_PT_context_world"}
 
 
 class _Panel:
@@ -44,7 +45,7 @@ class OBJECT_PT_glint(_Panel, bpy.types.Panel):
 
 
 class MATERIAL_PT_glint(_Panel, bpy.types.Panel):
-    bl_label, bl_context, bl_options = "glint", "material", {"DEFAULT_CLOSED"}
+    bl_label, bl_context = "glint", "material"
 
     @classmethod
     def poll(cls, context):
@@ -130,9 +131,10 @@ class VIEWLAYER_PT_glint_passes(_Panel, bpy.types.Panel):
 def _compatible_panels():
     for panel in bpy.types.Panel.__subclasses__():
         engines = getattr(panel, "COMPAT_ENGINES", None)
-        if engines is None or panel.__name__ in EXCLUDED:
+        name = panel.__name__.removeprefix("NODE_")  # the same panel in the node editor shares the set
+        if engines is None or name in EXCLUDED or "freestyle" in name:
             continue
-        if "BLENDER_RENDER" in engines or panel.__name__ in SHARED:
+        if "BLENDER_RENDER" in engines or name in SHARED:
             yield panel
 
 

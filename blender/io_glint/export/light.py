@@ -77,6 +77,8 @@ def light_text(ob, matrix, scale, focus, report):
         return None
     if not getattr(data, "use_shadow", True):
         report.warn(item, "it has no shadows in Blender; in glint every light has")
+    if any(getattr(data, f"{part}_factor", 1.0) != 1.0 for part in ("diffuse", "specular")):
+        report.warn(item, "its diffuse and specular factors are ignored, as in Cycles")
     light = tuple(c * scale for c in classical(data.type, color, energy))
     if max(abs(c) for c in light) > MAX_PRODUCT:
         report.warn(item, "left out: it is brighter than glint takes (1e6)")
