@@ -42,7 +42,7 @@ class GlintRenderEngine(bpy.types.RenderEngine):
         try:
             with tempfile.TemporaryDirectory(prefix="glint-") as folder:
                 self._render(depsgraph, folder, report)
-        except (RenderFailed, camera.CameraError, OSError, exr.ExrError) as error:
+        except (RenderFailed, camera.CameraError, OSError, exr.ExrError, RuntimeError) as error:
             self.error_set(f"glint: {error}")  # stops an animation
             self.report({"ERROR"}, f"glint: {error}")
         for warning in report.warnings:
@@ -83,6 +83,10 @@ class GlintRenderEngine(bpy.types.RenderEngine):
         finally:
             self.end_result(result)
 
+    def _is_stopped(self):
+        """Whether the user pressed Esc."""
+        return self.test_break()
+
     def _run(self, arguments, report):
         """Runs glint to its end; false if the user stopped it."""
         try:
@@ -91,7 +95,7 @@ class GlintRenderEngine(bpy.types.RenderEngine):
             raise RenderFailed(f"{arguments[0]} cannot be run: {error}") from None
         shown = None
         while (code := run.poll(POLL)) is None:
-            if self.test_break():
+            if self._is_stopped():
                 run.stop()
                 return False
             if run.progress != shown:

@@ -26,6 +26,23 @@ class View:
     bottom: float
     top: float
     size: tuple  # the whole picture, in pixels
+    clip: tuple = (0.0, math.inf)  # Blender shows nothing nearer and nothing farther
+
+    def depth(self, point):
+        return sum((p - o) * f for p, o, f in zip(point, self.position, self.forward))
+
+    def clips(self, points):
+        """Whether one of these points is in the picture, but cut off by Blender's clipping."""
+        near, far = self.clip
+        for point in points:
+            depth = self.depth(point)
+            if near <= depth <= far or not depth > 0:
+                continue
+            scale = depth if self.is_perspective else 1.0
+            x, y = (sum((p - o) * a for p, o, a in zip(point, self.position, axis)) / scale for axis in (self.right, self.up))
+            if self.left <= x <= self.right_edge and self.bottom <= y <= self.top:
+                return True
+        return False
 
     @property
     def fov_x(self):
@@ -84,7 +101,8 @@ def read(camera, scene, report):
         raise CameraError(f"{item} has a transform with numbers that are not finite")
     return View(camera.name, tuple(matrix.translation), tuple(axes.col[0]), tuple(axes.col[1]),
                 tuple(-v for v in axes.col[2]), perspective, top_left[0] / depth, top_right[0] / depth,
-                bottom_right[1] / depth, top_right[1] / depth, picture_size(scene.render))
+                bottom_right[1] / depth, top_right[1] / depth, picture_size(scene.render),
+                (data.clip_start, data.clip_end))
 
 
 def _sum(*terms):

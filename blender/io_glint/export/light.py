@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Blender's lamps as glint's lights: the classic intensity I_l of k_d (N.L) I_l, measured against Cycles."""
+"""Blender's lights as glint's: the classic intensity I_l of k_d (N.L) I_l, measured against Cycles."""
 import math
 
 from . import nodes
@@ -15,7 +15,7 @@ def describe(ob):
 
 
 def power(data, report, item):
-    """(colour, energy): the lamp's, times its Emission node if it has nodes."""
+    """(colour, energy): the light's, times its Emission node if it has nodes."""
     color, energy = tuple(data.color), data.energy
     if hasattr(data, "exposure"):  # from 4.5
         energy *= 2.0 ** data.exposure
@@ -63,7 +63,7 @@ def ambient_block(radiance=(1.0, 1.0, 1.0)):
 
 
 def light_text(ob, matrix, scale, focus, report):
-    """The block of a lamp under a world matrix; None, with a report, for what glint has not.
+    """The block of a light under a world matrix; None, with a report, for what glint has not.
 
     scale: what all powers are multiplied by. focus: a point of interest, by which a radius is called large."""
     data, item = ob.data, describe(ob)
@@ -75,7 +75,7 @@ def light_text(ob, matrix, scale, focus, report):
     if data.type in ("SPOT", "AREA"):
         report.warn(item, f"left out: glint has no {data.type.lower()} lights")
         return None
-    if not getattr(data, "use_shadow", True):
+    if not getattr(data, "use_shadow", True) or not getattr(getattr(data, "cycles", None), "cast_shadow", True):
         report.warn(item, "it has no shadows in Blender; in glint every light has")
     if any(getattr(data, f"{part}_factor", 1.0) != 1.0 for part in ("diffuse", "specular")):
         report.warn(item, "its diffuse and specular factors are ignored, as in Cycles")

@@ -2,9 +2,9 @@
 """Meshes as triangles: Blender's arrays in, text out. Arrays are read with foreach_get, and without numpy."""
 import math
 from array import array
-from itertools import chain
+from itertools import chain, product
 
-from .shapes import Outline, face_normal
+from .shapes import Outline, bounds, face_normal
 from .text import vector
 
 MAX_COORDINATE = 1e12
@@ -44,6 +44,7 @@ class MeshData:
         self._starts = _read(mesh.polygons, "loop_start", "i", 1)
         self._totals = _read(mesh.polygons, "loop_total", "i", 1)
         self._loop_vertices = _read(mesh.loops, "vertex_index", "i", 1)
+        self._box = None
         flat = list(chain.from_iterable(self.vertices))
         self.is_finite = not flat or (math.isfinite(sum(flat)) and max(map(abs, flat)) <= MAX_COORDINATE)
 
@@ -52,6 +53,12 @@ class MeshData:
 
     def used_slots(self):
         return set(self.slots)
+
+    def corners_of_bounds(self):
+        """The eight corners of the box around the vertices."""
+        if self._box is None:
+            self._box = list(product(*zip(*bounds(self.vertices))))
+        return self._box
 
     def outline(self):
         """What the recognition of shapes looks at; vertices without faces are left out."""
@@ -81,7 +88,7 @@ class MeshData:
         return out
 
 
-def _apply(matrix, points):
+def transformed(matrix, points):
     (a, b, c, d), (e, f, g, h), (i, j, k, l) = (tuple(row) for row in matrix[:3])
     return [(a * x + b * y + c * z + d, e * x + f * y + g * z + h, i * x + j * y + k * z + l) for x, y, z in points]
 
@@ -121,7 +128,7 @@ def triangle_lines(data, matrix):
 
     Triangles without area and those with coordinates that glint cannot take are left out. Where the map mirrors, corners
     are reversed, so that fronts stay outside. `normals` are written only where they differ from the face's."""
-    world = _apply(matrix, data.vertices)
+    world = transformed(matrix, data.vertices)
     texts = ["(%.7g,%.7g,%.7g)" % p for p in world]
     normals = _Normals(matrix)
     _, det = cofactors(matrix)
@@ -178,7 +185,7 @@ def polygon_vertices(data, matrix):
     if not _is_convex(local, normal):
         return None
     _, det = cofactors(matrix)
-    world = _apply(matrix, local)
+    world = transformed(matrix, local)
     if det == 0 or not all(abs(c) <= MAX_COORDINATE for p in world for c in p):
         return None
     return [vector(p) for p in (reversed(world) if det < 0 else world)]

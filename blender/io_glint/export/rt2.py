@@ -228,7 +228,8 @@ class RT2Scene:
                 self.report.warn(item.described, "RT2's cylinders are open: its caps are left out")
             return result
         if setting == "AUTO":
-            flat = shapes.quad(data.outline())
+            outline = data.outline()
+            flat = shapes.flat_extent(outline) if [len(face) for face in outline.faces] == [4] else None
             if flat:
                 return world_shape(shapes.Shape("plane", (("point", flat[0]), ("normal", flat[1]))), rows)
         return None

@@ -93,6 +93,8 @@ class SceneText:
         if not all(abs(v) <= mesh.MAX_COORDINATE for row in rows for v in row):
             self.report.warn(item.described, "left out: its transform has numbers that glint does not take")
             return
+        if self._is_clipped(data, rows):
+            self.report.warn(item.described, "a part that the camera's clipping cuts off in Blender is visible in glint")
         names = material.slot_names(self.table, item.ob, item.holder, item.described)
         recognise = self.options.recognise and not walk.deforms(item.ob)
         has_inverse = mesh.cofactors(rows)[1] != 0
@@ -105,6 +107,15 @@ class SceneText:
             self._chunks.append(shapes.shape_block(shape, item.name, text.string(name), full))
             return
         self._add_mesh(item, data, rows, names)
+
+    def _is_clipped(self, data, rows):
+        if not data.is_finite:
+            return False
+        near, far = self.view.clip
+        depths = [self.view.depth(p) for p in mesh.transformed(rows, data.corners_of_bounds())]
+        if near <= min(depths) and max(depths) <= far:
+            return False
+        return self.view.clips(mesh.transformed(rows, data.vertices))
 
     def _add_mesh(self, item, data, rows, names):
         corners = mesh.polygon_vertices(data, rows)

@@ -283,8 +283,8 @@ def recognise(outline, any_shading=False):
     return None
 
 
-def quad(outline):
-    """(centre, unit normal) of a mesh that is one flat face, or flat faces all in one plane; None if not."""
+def flat_extent(outline):
+    """(centre, unit normal) of a mesh whose faces are all in one plane; None if they are not."""
     vertices, faces = outline.vertices, outline.faces
     if not faces or len(vertices) < 3:
         return None
@@ -310,7 +310,7 @@ def measure(kind, outline):
     around = max(math.hypot(v[0] - centre[0], v[1] - centre[1]) for v in outline.vertices)
     bottom, top = (centre[0], centre[1], low[2]), (centre[0], centre[1], high[2])
     if kind == "PLANE":
-        flat = quad(outline)
+        flat = flat_extent(outline)
         return Shape("plane", (("point", flat[0] if flat else centre),
                                ("normal", flat[1] if flat else (0.0, 0.0, 1.0))))
     if kind == "SPHERE":

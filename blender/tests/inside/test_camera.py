@@ -72,3 +72,12 @@ class Camera(SceneTest):
         self.export()
         for word in ("depth of field", "motion blur", "transparent film", "--crop 24x32+24+16"):
             self.assertEqual(sum(word in w for w in self.warnings), 1, self.warnings)
+
+    def test_clipping_is_named(self):
+        self.camera(clip_start=0.1, clip_end=100)
+        self.export()
+        self.assertEqual(self.warnings, [])
+        for clip in ({"clip_start": 8.5, "clip_end": 100}, {"clip_start": 0.1, "clip_end": 8.5}):
+            self.camera(**clip)
+            self.export()
+            self.assertEqual(sum("'Suzanne'" in w and "clipping" in w for w in self.warnings), 1, self.warnings)

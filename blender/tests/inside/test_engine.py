@@ -2,6 +2,7 @@
 """F12: the picture of the engine is glint's, also of a border, of every frame, and layer by layer."""
 import os
 import stat
+import time
 
 import bpy
 from io_glint import exr
@@ -109,11 +110,28 @@ class Engine(SceneTest):
         with self.assertRaisesRegex(RuntimeError, "expected a number"):
             bpy.ops.render.render()
 
+    def test_success_without_a_picture_is_an_error(self):
+        self.fake("exit 0\n")
+        with self.assertRaisesRegex(RuntimeError, "picture.exr"):
+            bpy.ops.render.render()
+
     def test_a_flood_of_messages_blocks_nothing(self):
         real = os.environ["GLINT"]
         self.fake(f'i=0; while [ $i -lt 5000 ]; do echo "line $i of a flood of messages that fills the pipe" >&2; i=$((i+1)); done\n'
                   f'exec "{real}" "$@"\n')
         self.assert_same(self.picture(), self.beauty())
+
+    def test_the_user_stops_it(self):
+        from io_glint import engine
+        self.fake(f'echo $$ > {self.path("pid")}\nexec sleep 60\n')
+        is_stopped = engine.GlintRenderEngine._is_stopped
+        engine.GlintRenderEngine._is_stopped = lambda _: os.path.exists(self.path("pid"))
+        self.addCleanup(setattr, engine.GlintRenderEngine, "_is_stopped", is_stopped)
+        start = time.monotonic()
+        bpy.ops.render.render()
+        self.assertLess(time.monotonic() - start, 20)
+        with open(self.path("pid"), encoding="utf-8") as file, self.assertRaises(ProcessLookupError):
+            os.kill(int(file.read()), 0)
 
     def test_find_glint(self):
         self.assertEqual(bpy.ops.glint.find(), {"FINISHED"})

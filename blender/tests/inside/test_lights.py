@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Lamps: as bright as in Cycles over a Lambert surface; what glint has not is named."""
+"""Lights: as bright as in Cycles over a Lambert surface; what glint has not is named."""
 import math
 
 import bpy

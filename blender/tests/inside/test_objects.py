@@ -78,6 +78,36 @@ class Hits(SceneTest):
         emitter.show_instancer_for_render = False
         self.assertNotIn('polygon "Plane"', self.export())
 
+    def test_particles_that_are_objects(self):
+        cube = self.add("cube", name="leaf", scale=(0.1, 0.1, 0.1), location=(0, 0, -9))
+        plane = self.add("plane", name="field", size=4)
+        bpy.ops.object.particle_system_add()
+        settings = plane.particle_systems[0].settings
+        settings.count, settings.frame_start, settings.frame_end, settings.lifetime = 20, 1, 1, 100
+        settings.physics_type, settings.render_type, settings.instance_object = "NO", "OBJECT", cube
+        settings.particle_size = 1
+        self.scene.frame_set(2)
+        self.assertEqual(self.export().count('box "field/leaf"'), 20)
+
+    def test_geometry_nodes(self):
+        group = bpy.data.node_groups.new("Scatter", "GeometryNodeTree")
+        group.inputs.new("NodeSocketGeometry", "Geometry")
+        group.outputs.new("NodeSocketGeometry", "Geometry")
+        nodes, links = group.nodes, group.links
+        start, end = nodes.new("NodeGroupInput"), nodes.new("NodeGroupOutput")
+        points, cube = nodes.new("GeometryNodeInstanceOnPoints"), nodes.new("GeometryNodeMeshCube")
+        paint = nodes.new("GeometryNodeSetMaterial")
+        paint.inputs["Material"].default_value = self.material("scattered")
+        links.new(start.outputs[0], points.inputs["Points"])
+        links.new(cube.outputs["Mesh"], paint.inputs["Geometry"])
+        links.new(paint.outputs[0], points.inputs["Instance"])
+        links.new(points.outputs[0], end.inputs[0])
+        plane = self.add("plane", name="field", size=3)
+        plane.modifiers.new("Nodes", "NODES").node_group = group
+        text = self.export()
+        self.assertEqual(text.count('material = "scattered"'), 4)
+        self.assertNotIn("polygon", text)
+
     def test_curves_and_texts_once(self):
         curve = bpy.data.curves.new("Path", "CURVE")
         curve.dimensions, curve.bevel_depth = "3D", 0.2

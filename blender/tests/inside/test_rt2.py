@@ -150,6 +150,13 @@ class RT2(SceneTest):
         self.assertTrue(any("'Low sphere'" in w for w in self.report_of()))
         self.assert_close(self.export_rt2()["spheres"][-1]["radius"], 1.0)
 
+    def test_a_flat_text_is_no_plane(self):
+        self.course_scene()
+        curve = bpy.data.curves.new("Text", "FONT")
+        curve.body = "flat"
+        self.into(self.link(bpy.data.objects.new("Text", curve)))
+        self.assertEqual(len(self.export_rt2()["planes"]), 1)
+
     def test_classical_light(self):
         self.course_scene()
         lamp = bpy.data.objects["Light"]
