@@ -85,9 +85,11 @@ def render_script(scene, paths):
     """A shell script that renders the files beside it, with GLINT or glint."""
     crop = camera.border(scene.render)
     more = " --crop {}x{}+{}+{}".format(*crop) if crop else ""
-    lines = ["#!/bin/sh", "# Renders every frame. GLINT: the command, if it is not in PATH.", "set -e", 'cd "$(dirname "$0")"']
+    lines = ["#!/bin/sh", "# Renders every frame. GLINT: the command, if it is not in PATH.", "set -e",
+             'cd "$(dirname "$0")"']
     for path in paths:
         name = os.path.basename(path)
         picture = os.path.splitext(name)[0] + ".png"
-        lines.append(f'"${{GLINT:-glint}}" render ./{shlex.quote(name)} --transfer srgb{more} -o {shlex.quote(picture)} "$@"')
+        lines.append(f'"${{GLINT:-glint}}" render ./{shlex.quote(name)} --transfer srgb{more} '
+                     f'-o {shlex.quote(picture)} "$@"')
     return "\n".join(lines) + "\n"

@@ -4,13 +4,14 @@ import bpy
 from bpy.props import BoolProperty, StringProperty
 
 from .export import keys
-from .passes import OWN
+from .passes import BUILT_IN, OWN
 
 # Panels of what glint has not, or has a panel of its own for.
-EXCLUDED = {"DATA_PT_light", "VIEWLAYER_PT_filter", "VIEWLAYER_PT_layer_passes", "RENDER_PT_gpencil", "RENDER_PT_post_processing"}
+EXCLUDED = {"DATA_PT_light", "VIEWLAYER_PT_filter", "VIEWLAYER_PT_layer_passes", "RENDER_PT_gpencil",
+            "RENDER_PT_post_processing"}
 # Panels that Blender offers to Eevee and Cycles, but whose settings the exporter reads.
-SHARED = {"EEVEE_MATERIAL_PT_context_material", "EEVEE_MATERIAL_PT_surface", "EEVEE_WORLD_PT_surface", "DATA_PT_EEVEE_light",
-          "WORLD_PT_context_world"}
+SHARED = {"EEVEE_MATERIAL_PT_context_material", "EEVEE_MATERIAL_PT_surface", "EEVEE_WORLD_PT_surface",
+          "DATA_PT_EEVEE_light", "WORLD_PT_context_world"}
 
 
 class _Panel:
@@ -102,13 +103,18 @@ def add_key(material, name):
         material.id_properties_ui(key).update(min=least, max=greatest, default=start)
 
 
+def _update_passes(_settings, context):
+    context.view_layer.update_render_passes()
+
+
 class GlintLayerSettings(bpy.types.PropertyGroup):
     """view_layer.glint: glint's own passes."""
 
+    __annotations__ = {}
+
 
 for _layer in OWN:
-    GlintLayerSettings.__annotations__ = getattr(GlintLayerSettings, "__annotations__", {}) | {
-        _layer: BoolProperty(name=_layer.capitalize(), update=lambda self, context: context.view_layer.update_render_passes())}
+    GlintLayerSettings.__annotations__[_layer] = BoolProperty(name=_layer.capitalize(), update=_update_passes)
 
 
 class VIEWLAYER_PT_glint_passes(_Panel, bpy.types.Panel):
@@ -119,7 +125,6 @@ class VIEWLAYER_PT_glint_passes(_Panel, bpy.types.Panel):
         return context.engine in cls.COMPAT_ENGINES
 
     def draw(self, context):
-        from .passes import BUILT_IN
         layout, layer = self.layout, context.view_layer
         layout.use_property_split = True
         for name in BUILT_IN.values():

@@ -5,6 +5,7 @@ import struct
 from dataclasses import dataclass
 
 from .text import block, number, vector
+from .vectors import dot, sub
 
 
 class CameraError(Exception):
@@ -29,7 +30,7 @@ class View:
     clip: tuple = (0.0, math.inf)  # Blender shows nothing nearer and nothing farther
 
     def depth(self, point):
-        return sum((p - o) * f for p, o, f in zip(point, self.position, self.forward))
+        return dot(sub(point, self.position), self.forward)
 
     def clips(self, points):
         """Whether one of these points is in the picture, but cut off by Blender's clipping."""
@@ -39,7 +40,7 @@ class View:
             if near <= depth <= far or not depth > 0:
                 continue
             scale = depth if self.is_perspective else 1.0
-            x, y = (sum((p - o) * a for p, o, a in zip(point, self.position, axis)) / scale for axis in (self.right, self.up))
+            x, y = (dot(sub(point, self.position), axis) / scale for axis in (self.right, self.up))
             if self.left <= x <= self.right_edge and self.bottom <= y <= self.top:
                 return True
         return False

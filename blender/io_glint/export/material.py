@@ -41,7 +41,8 @@ class MaterialTable:
             return self._add((NO_MATERIAL, None), NO_MATERIAL,
                              lambda: keys.of_phong(phong.diffuse((0.8,) * 3), self.world))
         library = material.original.library
-        return self._add((material.name, library.filepath if library else None), material.name, lambda: self._of_blender(material))
+        key = (material.name, library.filepath if library else None)
+        return self._add(key, material.name, lambda: self._of_blender(material))
 
     def of_property(self, name, item):
         """RT2's property `material`: a name of the course's list, or of a Blender material. None if it is neither."""
@@ -96,3 +97,8 @@ def slot_names(table, ob, property_holder, item):
             if name is not None:
                 return [name]
     return [table.of_slot(None)]
+
+
+def name_of(names, slot):
+    """The material of a face, of those of slot_names(); faces of slots that are not there have the last one, as in Blender."""
+    return names[min(max(slot, 0), len(names) - 1)]

@@ -6,8 +6,10 @@ from itertools import chain, product
 
 from .shapes import Outline, bounds, face_normal
 from .text import vector
+from .vectors import cross, dot, sub
 
 MAX_COORDINATE = 1e12
+MAX_CORNERS = 64  # of a face that is written as one polygon
 FLAT = 1e-6  # 1 - cosine, below which a corner's normal is the face's
 
 
@@ -41,9 +43,9 @@ class MeshData:
         else:
             self.normals = _triples(_read(mesh.loops, "normal", "f", 3))
         self._smooth = _read(mesh.polygons, "use_smooth", "b", 1)
-        self._starts = _read(mesh.polygons, "loop_start", "i", 1)
-        self._totals = _read(mesh.polygons, "loop_total", "i", 1)
-        self._loop_vertices = _read(mesh.loops, "vertex_index", "i", 1)
+        self.starts = _read(mesh.polygons, "loop_start", "i", 1)
+        self.totals = _read(mesh.polygons, "loop_total", "i", 1)
+        self.loop_vertices = _read(mesh.loops, "vertex_index", "i", 1)
         self._box = None
         flat = list(chain.from_iterable(self.vertices))
         self.is_finite = not flat or (math.isfinite(sum(flat)) and max(map(abs, flat)) <= MAX_COORDINATE)
@@ -62,8 +64,8 @@ class MeshData:
 
     def outline(self):
         """What the recognition of shapes looks at; vertices without faces are left out."""
-        at, faces = self._loop_vertices, []
-        for start, total in zip(self._starts, self._totals):
+        at, faces = self.loop_vertices, []
+        for start, total in zip(self.starts, self.totals):
             faces.append(tuple(at[start:start + total]))
         used = set(at)
         vertices = self.vertices
@@ -76,12 +78,12 @@ class MeshData:
     def _shared_normals(self):
         """For each face: smooth, and its corners have the normal of the smooth corners at the same vertices."""
         first, out = {}, []
-        for start, total, smooth in zip(self._starts, self._totals, self._smooth):
+        for start, total, smooth in zip(self.starts, self.totals, self._smooth):
             if smooth:
                 for loop in range(start, start + total):
-                    v, n = self._loop_vertices[loop], self.normals[loop]
+                    v, n = self.loop_vertices[loop], self.normals[loop]
                     m = first.setdefault(v, n)
-                    if m is not n and n[0] * m[0] + n[1] * m[1] + n[2] * m[2] < 0.999:
+                    if m is not n and dot(n, m) < 0.999:
                         smooth = False
                         break
             out.append(bool(smooth))
@@ -168,19 +170,18 @@ def triangle_lines(data, matrix):
 
 def polygon_vertices(data, matrix):
     """The world-space corners of a mesh that is a single flat face without smooth normals; None if it is not one."""
-    outline_faces = data._totals
-    if len(outline_faces) != 1 or not data.is_finite or outline_faces[0] < 4 or outline_faces[0] > 64:
+    if len(data.totals) != 1 or not data.is_finite or not 4 <= data.totals[0] <= MAX_CORNERS:
         return None
-    loops = range(data._starts[0], data._starts[0] + data._totals[0])
-    local = [data.vertices[data._loop_vertices[i]] for i in loops]
+    loops = range(data.starts[0], data.starts[0] + data.totals[0])
+    local = [data.vertices[data.loop_vertices[i]] for i in loops]
     normal = face_normal(local)
     length = math.sqrt(sum(c * c for c in normal))
     if not length > 0:
         return None
     size = max(math.dist(p, local[0]) for p in local)
-    if any(abs(sum((x - o) * c for x, o, c in zip(p, local[0], normal))) > 1e-6 * size * length for p in local):
+    if any(abs(dot(sub(p, local[0]), normal)) > 1e-6 * size * length for p in local):
         return None
-    if any(sum(x * c for x, c in zip(data.normals[i], normal)) < (1 - FLAT) * length for i in loops):
+    if any(dot(data.normals[i], normal) < (1 - FLAT) * length for i in loops):
         return None
     if not _is_convex(local, normal):
         return None
@@ -194,10 +195,7 @@ def polygon_vertices(data, matrix):
 def _is_convex(points, normal):
     n = len(points)
     for i in range(n):
-        a, b, c = points[i - 1], points[i], points[(i + 1) % n]
-        u, v = tuple(y - x for x, y in zip(a, b)), tuple(y - x for x, y in zip(b, c))
-        turn = ((u[1] * v[2] - u[2] * v[1]) * normal[0] + (u[2] * v[0] - u[0] * v[2]) * normal[1]
-                + (u[0] * v[1] - u[1] * v[0]) * normal[2])
-        if not turn > 0:
+        u, v = sub(points[i], points[i - 1]), sub(points[(i + 1) % n], points[i])
+        if not dot(cross(u, v), normal) > 0:
             return False
     return True

@@ -4,9 +4,11 @@ assumes, and reported where RT2 has no words."""
 import json
 import math
 
-from . import camera, light, mesh, rt2_material, shapes, walk, world
+from . import camera, light, measure, mesh, rt2_material, shapes, walk, world
 from .material import MaterialTable
 from .scene import read_mesh, report_render_settings, shape_of, shape_setting
+from .shape_text import compose
+from .vectors import cross, unit
 
 DIGITS = 6
 FOV_DIGITS = 4  # Blender's angle, made from the lens, has no more
@@ -75,8 +77,8 @@ def _radius_across(rows, local_axis, axis, radius):
     """The radius of a circle across the axis after the map; None if it becomes an ellipse or leans."""
     least = min(range(3), key=lambda i: abs(local_axis[i]))
     helper = tuple(float(i == least) for i in range(3))
-    u = _unit(_cross(local_axis, helper))
-    v = _unit(_cross(local_axis, u))
+    u = unit(cross(local_axis, helper))
+    v = unit(cross(local_axis, u))
     u, v = _direction(rows, u), _direction(rows, v)
     lu, lv, la = math.hypot(*u), math.hypot(*v), math.hypot(*axis)
     dots = (sum(a * b for a, b in zip(u, v)) / (lu * lv or 1), sum(a * b for a, b in zip(u, axis)) / (lu * la or 1),
@@ -84,15 +86,6 @@ def _radius_across(rows, local_axis, axis, radius):
     if abs(lu - lv) > 1e-4 * max(lu, lv) or any(abs(d) > 1e-4 for d in dots):
         return None
     return radius * (lu + lv) / 2
-
-
-def _cross(a, b):
-    return (a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0])
-
-
-def _unit(a):
-    n = math.hypot(*a) or 1.0
-    return tuple(v / n for v in a)
 
 
 def by_course_rule(word, matrix):
@@ -185,7 +178,7 @@ class RT2Scene:
         data, described = item.ob.data, light.describe(item.ob)
         position, color = tuple(item.matrix.translation), tuple(data.color)
         if data.type == "SUN":
-            to_light = _unit(tuple(item.matrix.to_3x3().col[2]))
+            to_light = unit(tuple(item.matrix.to_3x3().col[2]))
             position = tuple(t + SUN_DISTANCE * v for t, v in zip(self.target, to_light))
             self.report.warn(described, "RT2 has point lights only: the sun is exported as one far away")
         elif data.type != "POINT":
@@ -223,13 +216,13 @@ class RT2Scene:
         found = shape_of(item.ob, data, self.report, item.described, any_shading=True)
         if found:
             shape, inner = found
-            result = world_shape(shape, shapes.compose(rows, inner) if inner else rows)
+            result = world_shape(shape, compose(rows, inner) if inner else rows)
             if result and result[0] == "cylinders" and shape.get("caps"):
                 self.report.warn(item.described, "RT2's cylinders are open: its caps are left out")
             return result
         if setting == "AUTO":
             outline = data.outline()
-            flat = shapes.flat_extent(outline) if [len(face) for face in outline.faces] == [4] else None
+            flat = measure.flat_extent(outline) if [len(face) for face in outline.faces] == [4] else None
             if flat:
                 return world_shape(shapes.Shape("plane", (("point", flat[0]), ("normal", flat[1]))), rows)
         return None
@@ -237,7 +230,7 @@ class RT2Scene:
     def _by_name(self, item, data, word):
         """The naming rule, for a mesh that is not quite the shape; its size is measured if it can be."""
         rows = [tuple(row) for row in item.matrix][:3]
-        measured = shapes.measure(word.upper(), data.outline()) if data and data.is_finite else None
+        measured = measure.measure(word.upper(), data.outline()) if data and data.is_finite else None
         found = world_shape(measured, rows) if measured and mesh.cofactors(rows)[1] != 0 else None
         self.report.warn(item.described, f"its mesh is no {word}, as its name says; it is exported as one"
                          + ("" if found else " by the course's rule, which reads its scale alone"))

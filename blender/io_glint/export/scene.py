@@ -2,7 +2,7 @@
 """A depsgraph as the text of a .glint scene."""
 import gc
 
-from . import camera, light, material, mesh, shapes, text, walk, world
+from . import camera, light, material, measure, mesh, shape_text, shapes, text, walk, world
 
 MAX_REFLECTIONS = 12
 
@@ -22,7 +22,7 @@ def shape_of(ob, data, report, item, recognise=True, any_shading=False):
     if kind == "MESH" or not data.is_finite or not len(data):
         return None
     if kind != "AUTO":
-        measured = shapes.measure(kind, data.outline())
+        measured = measure.measure(kind, data.outline())
         if measured is None:
             report.warn(item, f"its mesh has no extent as a {kind.lower()}; it is exported as triangles")
         return (measured, None) if measured else None
@@ -101,10 +101,9 @@ class SceneText:
         found = shape_of(item.ob, data, self.report, item.described, recognise) if has_inverse else None
         if found:
             shape, inner = found
-            used = next(iter(data.used_slots()), 0)
-            name = names[min(max(used, 0), len(names) - 1)]
-            full = shapes.compose(rows, inner) if inner else rows
-            self._chunks.append(shapes.shape_block(shape, item.name, text.string(name), full))
+            name = material.name_of(names, data.slots[0])
+            full = shape_text.compose(rows, inner) if inner else rows
+            self._chunks.append(shape_text.shape_block(shape, item.name, text.string(name), full))
             return
         self._add_mesh(item, data, rows, names)
 
@@ -120,7 +119,7 @@ class SceneText:
     def _add_mesh(self, item, data, rows, names):
         corners = mesh.polygon_vertices(data, rows)
         if corners:
-            name = names[min(max(data.slots[0], 0), len(names) - 1)]
+            name = material.name_of(names, data.slots[0])
             self._chunks.append(text.block("polygon", item.name, [("vertices", f"({', '.join(corners)})"),
                                                                   ("material", text.string(name))]))
             return
@@ -130,7 +129,7 @@ class SceneText:
                                              "beyond 1e12")
         by_name = {}
         for slot, some in sorted(lines.items()):
-            by_name.setdefault(names[min(max(slot, 0), len(names) - 1)], []).extend(some)
+            by_name.setdefault(material.name_of(names, slot), []).extend(some)
         for name, some in by_name.items():
             self._chunks.append(f"group {text.string(item.name)} {{ material = {text.string(name)}")
             self._chunks.append("\n".join(some))

@@ -1,13 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
 """Recognises glint's shapes in a mesh, in the object's own space. Pure: lists of numbers in, a Shape out.
 
-AUTO (recognise) says a shape only if the mesh is one as nearly as its corners allow; measure() takes the user's word for
-the kind and measures the mesh.
+AUTO (recognise) says a shape only if the mesh is one as nearly as its corners allow.
 """
 import math
 from dataclasses import dataclass
 
-from .text import block, matrix as matrix_text, number, vector
+from .vectors import add, cross, dot, length, sub, unit
 
 MIN_SPHERE_VERTICES = 42
 MIN_SIDES = 24
@@ -37,38 +36,13 @@ class Outline:
     smooth: list
 
 
-def _sub(a, b):
-    return (a[0] - b[0], a[1] - b[1], a[2] - b[2])
-
-
-def _add(a, b, f=1.0):
-    return (a[0] + f * b[0], a[1] + f * b[1], a[2] + f * b[2])
-
-
-def _dot(a, b):
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-
-
-def _cross(a, b):
-    return (a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0])
-
-
-def _length(a):
-    return math.sqrt(_dot(a, a))
-
-
-def _unit(a):
-    n = _length(a)
-    return (a[0] / n, a[1] / n, a[2] / n) if n else (0.0, 0.0, 1.0)
-
-
 def bounds(vertices):
     """(lower corner, upper corner)."""
     columns = list(zip(*vertices))
     return tuple(min(c) for c in columns), tuple(max(c) for c in columns)
 
 
-def _centre(vertices):
+def centre_of_bounds(vertices):
     low, high = bounds(vertices)
     return tuple((a + b) / 2 for a, b in zip(low, high))
 
@@ -83,7 +57,7 @@ def face_normal(points):
     total = (0.0, 0.0, 0.0)
     origin = points[0]
     for a, b in zip(points[1:], points[2:]):
-        total = _add(total, _cross(_sub(a, origin), _sub(b, origin)))
+        total = add(total, cross(sub(a, origin), sub(b, origin)))
     return total
 
 
@@ -92,7 +66,7 @@ def _volume(vertices, faces):
     for face in faces:
         a = vertices[face[0]]
         for i in range(1, len(face) - 1):
-            total += _dot(a, _cross(vertices[face[i]], vertices[face[i + 1]]))
+            total += dot(a, cross(vertices[face[i]], vertices[face[i + 1]]))
     return total / 6
 
 
@@ -106,11 +80,11 @@ def sphere(outline, any_shading=False):
     vertices = outline.vertices
     if len(vertices) < MIN_SPHERE_VERTICES or not (any_shading or all(outline.smooth)):
         return None
-    centre = _centre(vertices)
+    centre = centre_of_bounds(vertices)
     radius = math.dist(vertices[0], centre)
     if not radius > 0 or any(abs(math.dist(v, centre) - radius) > CLOSE * radius for v in vertices):
         return None
-    if abs(_volume([_sub(v, centre) for v in vertices], outline.faces)) < MIN_FILL * 4 / 3 * math.pi * radius**3:
+    if abs(_volume([sub(v, centre) for v in vertices], outline.faces)) < MIN_FILL * 4 / 3 * math.pi * radius**3:
         return None
     return Shape("sphere", (("center", _snapped(centre, radius)), ("radius", radius)))
 
@@ -135,15 +109,15 @@ def box(outline):
     if len(near) != 3:
         return None
     origin = vertices[corner]
-    edges = [_sub(vertices[v], origin) for v in sorted(near)]
-    size = max(_length(e) for e in edges)
-    if min(_length(e) for e in edges) <= CLOSE * size:
+    edges = [sub(vertices[v], origin) for v in sorted(near)]
+    size = max(length(e) for e in edges)
+    if min(length(e) for e in edges) <= CLOSE * size:
         return None
-    wanted = [_add(_add(_add(origin, edges[0], i), edges[1], j), edges[2], k)
+    wanted = [add(add(add(origin, edges[0], i), edges[1], j), edges[2], k)
               for i in (0, 1) for j in (0, 1) for k in (0, 1)]
     if any(min(math.dist(w, v) for v in vertices) > CLOSE * size for w in wanted):
         return None
-    if any(abs(_dot(a, b)) > CLOSE * _length(a) * _length(b) for a, b in
+    if any(abs(dot(a, b)) > CLOSE * length(a) * length(b) for a, b in
            ((edges[0], edges[1]), (edges[1], edges[2]), (edges[0], edges[2]))):
         return None
     if all(sum(abs(c) > CLOSE * size for c in e) == 1 for e in edges):
@@ -158,17 +132,17 @@ def _ring(points):
     if len(points) < MIN_SIDES:
         return None
     centre = _mean(points)
-    first = _sub(points[0], centre)
-    radius = _length(first)
+    first = sub(points[0], centre)
+    radius = length(first)
     if not radius > 0 or any(abs(math.dist(p, centre) - radius) > CLOSE * radius for p in points):
         return None
     # The point nearest to a right angle with the first one.
-    other = min(points, key=lambda p: abs(_dot(_sub(p, centre), first)))
-    normal = _unit(_cross(first, _sub(other, centre)))
-    if any(abs(_dot(_sub(p, centre), normal)) > CLOSE * radius for p in points):
+    other = min(points, key=lambda p: abs(dot(sub(p, centre), first)))
+    normal = unit(cross(first, sub(other, centre)))
+    if any(abs(dot(sub(p, centre), normal)) > CLOSE * radius for p in points):
         return None
-    u, v = _unit(first), _cross(normal, _unit(first))
-    angles = sorted(math.atan2(_dot(_sub(p, centre), v), _dot(_sub(p, centre), u)) for p in points)
+    u, v = unit(first), cross(normal, unit(first))
+    angles = sorted(math.atan2(dot(sub(p, centre), v), dot(sub(p, centre), u)) for p in points)
     step = 2 * math.pi / len(points)
     if any(abs(b - a - step) > 0.01 * step for a, b in zip(angles, angles[1:])):
         return None
@@ -191,7 +165,7 @@ def disc(outline):
     if ring is None:
         return None
     normal = face_normal([vertices[v] for v in faces[0]])
-    return Shape("disc", (("center", _snapped(ring[0], ring[1])), ("normal", _snapped(_unit(normal), 1)),
+    return Shape("disc", (("center", _snapped(ring[0], ring[1])), ("normal", _snapped(unit(normal), 1)),
                           ("radius", ring[1])))
 
 
@@ -216,19 +190,19 @@ def tube(outline, any_shading=False):
             caps_high += 1
     rings = []
     for indices, centre in ((low, low_centre), (high, high_centre)):
-        points = [vertices[i] for i in indices if math.dist(vertices[i], centre) > CLOSE * _length(axis)]
+        points = [vertices[i] for i in indices if math.dist(vertices[i], centre) > CLOSE * length(axis)]
         if not points:
             rings.append((centre, 0.0, 0))
             continue
         ring = _ring(points)
-        if ring is None or _length(_cross(ring[2], _unit(axis))) > 1e-3:
+        if ring is None or length(cross(ring[2], unit(axis))) > 1e-3:
             return None
         rings.append((ring[0], ring[1], len(points)))
     (from_, r0, n0), (to, r1, n1) = rings
     n = max(n0, n1)
     if sides not in (n, 2 * n) or (n0 and n1 and n0 != n1):
         return None
-    if _length(_cross(_unit(_sub(to, from_)), _unit(axis))) > 1e-3:
+    if length(cross(unit(sub(to, from_)), unit(axis))) > 1e-3:
         return None
     caps = [bool(c) for c, r in ((caps_low, r0), (caps_high, r1)) if r > 0]
     if len(set(caps)) != 1:  # closed at one end only: glint's caps are both or none
@@ -254,8 +228,8 @@ def _rings_along_axis(vertices):
         second = [i for i, v in enumerate(vertices) if high[k] - v[k] <= CLOSE * size]
         if len(first) + len(second) != len(vertices) or max(len(first), len(second)) < MIN_SIDES:
             continue
-        middle = [_centre([vertices[i] for i in part]) for part in (first, second)]
-        return (first, middle[0]), (second, middle[1]), _sub(middle[1], middle[0])
+        middle = [centre_of_bounds([vertices[i] for i in part]) for part in (first, second)]
+        return (first, middle[0]), (second, middle[1]), sub(middle[1], middle[0])
     return None
 
 
@@ -281,73 +255,3 @@ def recognise(outline, any_shading=False):
         if found:
             return found, None
     return None
-
-
-def flat_extent(outline):
-    """(centre, unit normal) of a mesh whose faces are all in one plane; None if they are not."""
-    vertices, faces = outline.vertices, outline.faces
-    if not faces or len(vertices) < 3:
-        return None
-    normal = (0.0, 0.0, 0.0)
-    for face in faces:
-        normal = _add(normal, face_normal([vertices[v] for v in face]))
-    centre = _centre(vertices)
-    size = max(math.dist(v, centre) for v in vertices)
-    if _length(normal) <= 1e-12 * size * size:
-        return None
-    normal = _unit(normal)
-    if any(abs(_dot(_sub(v, centre), normal)) > CLOSE * size for v in vertices):
-        return None
-    return centre, normal
-
-
-def measure(kind, outline):
-    """The Shape of a kind that the user named, from the mesh's extent: axis along z. None if the mesh has no such extent."""
-    if not outline.vertices:
-        return None
-    low, high = bounds(outline.vertices)
-    centre = tuple((a + b) / 2 for a, b in zip(low, high))
-    around = max(math.hypot(v[0] - centre[0], v[1] - centre[1]) for v in outline.vertices)
-    bottom, top = (centre[0], centre[1], low[2]), (centre[0], centre[1], high[2])
-    if kind == "PLANE":
-        flat = flat_extent(outline)
-        return Shape("plane", (("point", flat[0] if flat else centre),
-                               ("normal", flat[1] if flat else (0.0, 0.0, 1.0))))
-    if kind == "SPHERE":
-        radius = max(math.dist(v, centre) for v in outline.vertices)
-        return Shape("sphere", (("center", centre), ("radius", radius))) if radius > 0 else None
-    if kind == "BOX":
-        return Shape("box", (("min", low), ("max", high)))
-    if around <= 0:
-        return None
-    if kind == "DISC":
-        return Shape("disc", (("center", centre), ("normal", (0.0, 0.0, 1.0)), ("radius", around)))
-    if high[2] <= low[2]:
-        return None
-    caps = any(all(abs(outline.vertices[v][2] - z) <= CLOSE * (high[2] - low[2]) for v in face)
-               for face in outline.faces for z in (low[2], high[2]))
-    if kind == "CYLINDER":
-        return Shape("cylinder", (("from", bottom), ("to", top), ("radius", around), ("caps", caps)))
-    radii = tuple(max((math.hypot(v[0] - centre[0], v[1] - centre[1]) for v in outline.vertices
-                       if abs(v[2] - z) <= CLOSE * (high[2] - low[2])), default=0.0) for z in (low[2], high[2]))
-    if max(radii) <= 0:
-        return None
-    return Shape("cone", (("from", bottom), ("to", top), ("radius", radii), ("caps", caps)))
-
-
-def compose(a, b):
-    """The 3x4 matrix of a after b."""
-    full = (*b[:3], (0.0, 0.0, 0.0, 1.0))
-    return tuple(tuple(sum(row[k] * full[k][j] for k in range(4)) for j in range(4)) for row in a[:3])
-
-
-def _value(v):
-    if isinstance(v, bool):
-        return "true" if v else "false"
-    return vector(v) if isinstance(v, tuple) else number(v)
-
-
-def shape_block(shape, name, material, world, indent=""):
-    """A block of the .glint language: the shape under a 3x4 matrix."""
-    entries = [(key, _value(value)) for key, value in shape.entries]
-    return block(shape.word, name, [*entries, ("material", material), ("matrix", matrix_text(world))], indent)

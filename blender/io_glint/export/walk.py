@@ -45,7 +45,7 @@ def deforms(ob):
 
 
 def items(depsgraph, report):
-    """Yields the Items of all lights and of everything with a surface that the camera sees; reports what glint cannot show."""
+    """Yields the Items of all lights and of all surfaces that the camera sees; reports what glint cannot show."""
     have_mesh = _own_meshes(depsgraph)
     for inst in depsgraph.object_instances:
         if not inst.show_self:

@@ -3,7 +3,7 @@
 import math
 import unittest
 
-from io_glint.export import shapes
+from io_glint.export import measure, shapes
 from io_glint.export.shapes import Outline
 
 
@@ -140,17 +140,17 @@ class Recognise(unittest.TestCase):
 class Measure(unittest.TestCase):
     def test_every_kind_of_a_cube(self):
         cube = box(((2.0, 0, 0), (0, 2.0, 0), (0, 0, 2.0)), (-1.0, -1.0, -1.0))
-        self.assertAlmostEqual(shapes.measure("SPHERE", cube).get("radius"), math.sqrt(3))
-        self.assertAlmostEqual(shapes.measure("CYLINDER", cube).get("radius"), math.sqrt(2))
-        self.assertEqual(shapes.measure("BOX", cube).get("max"), (1, 1, 1))
-        self.assertEqual(shapes.measure("CONE", cube).word, "cone")
-        self.assertEqual(shapes.measure("PLANE", cube).get("normal"), (0, 0, 1))
+        self.assertAlmostEqual(measure.measure("SPHERE", cube).get("radius"), math.sqrt(3))
+        self.assertAlmostEqual(measure.measure("CYLINDER", cube).get("radius"), math.sqrt(2))
+        self.assertEqual(measure.measure("BOX", cube).get("max"), (1, 1, 1))
+        self.assertEqual(measure.measure("CONE", cube).word, "cone")
+        self.assertEqual(measure.measure("PLANE", cube).get("normal"), (0, 0, 1))
 
     def test_what_has_no_extent(self):
         for kind in ("SPHERE", "CYLINDER", "CONE", "DISC"):
-            self.assertIsNone(shapes.measure(kind, Outline([(1.0, 1.0, 1.0)], [], [])))
-            self.assertIsNone(shapes.measure(kind, Outline([], [], [])))
+            self.assertIsNone(measure.measure(kind, Outline([(1.0, 1.0, 1.0)], [], [])))
+            self.assertIsNone(measure.measure(kind, Outline([], [], [])))
 
     def test_a_plane_by_its_faces(self):
         quad = Outline([(0.0, 0, 0), (0.0, 1, 0), (0.0, 1, 1), (0.0, 0, 1)], [(0, 1, 2, 3)], [False])
-        self.assertEqual(shapes.measure("PLANE", quad).get("normal"), (1, 0, 0))
+        self.assertEqual(measure.measure("PLANE", quad).get("normal"), (1, 0, 0))
