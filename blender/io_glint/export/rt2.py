@@ -140,10 +140,8 @@ class RT2Scene:
 
     def json(self):
         seen = set()
-        for item in walk.items(self.depsgraph, self.report):
+        for item in walk.items(self.depsgraph, self.report, lambda item: self._place(item) is not None):
             place = self._place(item)
-            if place is None:
-                continue
             seen.update(ob.original.as_pointer() for ob in (item.ob, item.holder) if ob is not None)
             if not all(abs(v) <= mesh.MAX_COORDINATE for row in item.matrix for v in row):
                 self.report.warn(item.described, "left out: its transform has numbers that glint does not take")

@@ -44,24 +44,27 @@ def deforms(ob):
     return any(m.type in DEFORMING and (m.show_render or m.show_viewport) for m in original.modifiers)
 
 
-def items(depsgraph, report):
-    """Yields the Items of all lights and of all surfaces that the camera sees; reports what glint cannot show."""
+def items(depsgraph, report, wanted=lambda item: True):
+    """Yields the Items of all lights and of all surfaces that the camera sees; reports what glint cannot show.
+
+    wanted: whether an Item is asked for; the others are neither yielded nor reported."""
     have_mesh = _own_meshes(depsgraph)
     for inst in depsgraph.object_instances:
-        if not inst.show_self:
-            _report_hair(inst.object, report)
-            continue
         ob = inst.object
         if ob.type in UNSEEN or (ob.type in GEOMETRY[1:] and ob.original.as_pointer() in have_mesh):
             continue
         item = Item(ob, inst.matrix_world.copy(), inst.parent if inst.is_instance else None)
+        if not wanted(item):
+            continue
+        _report_hair(ob, report)
+        if not inst.show_self:
+            continue
         if ob.type == "LIGHT":
             yield item
             continue
         if ob.type not in GEOMETRY:
             report.warn(item.described, f"left out: glint has nothing for objects of type {ob.type}")
             continue
-        _report_hair(ob, report)
         reason = _not_for_the_camera(ob, depsgraph)
         if reason:
             report.warn(item.described, f"left out: {reason}")

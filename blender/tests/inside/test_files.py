@@ -107,7 +107,7 @@ class Files(SceneTest):
         with self.assertRaises(RuntimeError):
             bpy.ops.export_scene.glint(filepath="/nowhere/at/all.glint")
         self.assertEqual((render.engine, render.use_compositing, render.use_border), ("BLENDER_WORKBENCH", True, True))
-        self.assertIsNone(bpy.types.RenderEngine.bl_rna_get_subclass_py("Capture"))
+        self.assertIsNone(bpy.types.RenderEngine.bl_rna_get_subclass_py("GLINT_EXPORT"))
 
     def test_a_failed_export_keeps_the_older_file(self):
         self.add("cube")
@@ -139,12 +139,12 @@ class Files(SceneTest):
             with self.subTest(smooth=smooth):
                 ball = self.add("ico_sphere", name="large", subdivisions=8, smooth=smooth)
                 ball.glint_shape = "MESH"
-                start = time.perf_counter()
+                start, cpu = time.perf_counter(), time.process_time()
                 bpy.ops.export_scene.glint(filepath=self.path("large.glint"))
-                seconds = time.perf_counter() - start
+                seconds, cpu = time.perf_counter() - start, time.process_time() - cpu
                 with open(self.path("large.glint"), encoding="utf-8") as file:
                     text = file.read()
-                print(f"\n327,680 triangles, smooth {smooth}: {seconds:.2f} s, {len(text) / 1e6:.1f} MB")
+                print(f"\n327,680 triangles, smooth {smooth}: {seconds:.2f} s ({cpu:.2f} s of the processor), {len(text) / 1e6:.1f} MB")
                 self.assertEqual(text.count("triangle{"), 327680)
-                self.assertLess(seconds, 8)
+                self.assertLess(cpu, 8)
                 bpy.data.objects.remove(ball)

@@ -98,7 +98,9 @@ class RT2(SceneTest):
     def test_only_the_collection_is_exported(self):
         self.course_scene()
         self.add("uv_sphere", name="outside")
+        self.add("cube", name="invisible outside").visible_camera = False
         self.assertEqual(len(self.export_rt2()["spheres"]), 2)
+        self.assertEqual(self.report_of(), [])
         other = bpy.data.collections.new("other")
         self.scene.collection.children.link(other)
         self.assertEqual(self.export_rt2(collection="other")["spheres"], [])
