@@ -4,7 +4,7 @@ import math
 from array import array
 from itertools import chain, product
 
-from .shapes import Outline, bounds, face_normal
+from .shapes import Outline, bounds, face_normal, recognise
 from .text import vector
 from .vectors import cross, dot, sub
 
@@ -46,7 +46,8 @@ class MeshData:
         self.starts = _read(mesh.polygons, "loop_start", "i", 1)
         self.totals = _read(mesh.polygons, "loop_total", "i", 1)
         self.loop_vertices = _read(mesh.loops, "vertex_index", "i", 1)
-        self._box = None
+        self._box = self._outline = None
+        self._recognised = {}
         flat = list(chain.from_iterable(self.vertices))
         self.is_finite = not flat or (math.isfinite(sum(flat)) and max(map(abs, flat)) <= MAX_COORDINATE)
 
@@ -64,6 +65,17 @@ class MeshData:
 
     def outline(self):
         """What the recognition of shapes looks at; vertices without faces are left out."""
+        if self._outline is None:
+            self._outline = self._make_outline()
+        return self._outline
+
+    def recognise(self, any_shading=False):
+        """shapes.recognise() of the mesh, once for all its instances."""
+        if any_shading not in self._recognised:
+            self._recognised[any_shading] = recognise(self.outline(), any_shading)
+        return self._recognised[any_shading]
+
+    def _make_outline(self):
         at, faces = self.loop_vertices, []
         for start, total in zip(self.starts, self.totals):
             faces.append(tuple(at[start:start + total]))
@@ -88,6 +100,33 @@ class MeshData:
                         break
             out.append(bool(smooth))
         return out
+
+
+class MeshCache:
+    """The MeshData of evaluated objects, read once for each mesh, however often it is instanced."""
+
+    def __init__(self):
+        self._found = {}
+
+    def of(self, ob):
+        """None for an object without faces."""
+        if ob.type != "MESH" or ob.data is None:
+            return _read_object(ob)
+        key = ob.data.as_pointer()
+        if key not in self._found:
+            self._found[key] = _read_object(ob)
+        return self._found[key]
+
+
+def _read_object(ob):
+    try:
+        evaluated = ob.to_mesh()
+    except RuntimeError:  # a curve that has no surface, for example
+        return None
+    try:
+        return MeshData(evaluated) if evaluated is not None and len(evaluated.polygons) else None
+    finally:
+        ob.to_mesh_clear()
 
 
 def transformed(matrix, points):

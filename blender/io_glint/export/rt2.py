@@ -6,7 +6,7 @@ import math
 
 from . import camera, light, measure, mesh, rt2_material, shapes, walk, world
 from .material import MaterialTable
-from .scene import read_mesh, report_render_settings, shape_of, shape_setting
+from .scene import report_render_settings, shape_of, shape_setting
 from .shape_text import compose
 from .vectors import cross, unit
 
@@ -119,6 +119,7 @@ class RT2Scene:
         self.target = tuple(p + TARGET_DISTANCE * f for p, f in zip(self.view.position, self.view.forward))
         table = MaterialTable(report, world.radiance(self.scene.world, report), find_material)
         self.materials = rt2_material.Materials(table, report)
+        self.meshes = mesh.MeshCache()
         self.found = {"lights": [], "spheres": [], "planes": [], "cylinders": []}
 
     def _camera(self):
@@ -192,7 +193,7 @@ class RT2Scene:
         self.found["lights"].append((place, {"position": _rounded(position), "color": _rounded(color)}))
 
     def _add_object(self, item, place):
-        data = read_mesh(item.ob)
+        data = self.meshes.of(item.ob)
         holder_name = item.holder.name if item.holder is not None else item.ob.name
         word = type_by_name(holder_name) or type_by_name(item.ob.name)
         found = self._by_geometry(item, data) if data else None

@@ -28,11 +28,11 @@ def shape_of(ob, data, report, item, recognise=True, any_shading=False):
         return (measured, None) if measured else None
     if not recognise or len(data.used_slots()) > 1:
         return None
-    return shapes.recognise(data.outline(), any_shading)
+    return data.recognise(any_shading)
 
 
 class SceneText:
-    """Writes one depsgraph. meshes: read once for each evaluated mesh, however often it is instanced."""
+    """Writes one depsgraph."""
 
     def __init__(self, depsgraph, options, report, find_material):
         self.depsgraph, self.options, self.report = depsgraph, options, report
@@ -41,7 +41,7 @@ class SceneText:
         self.background = world.radiance(self.scene.world, report)
         self.table = material.MaterialTable(report, self.background, find_material, options.shading)
         self.focus = tuple(p + 10 * f for p, f in zip(self.view.position, self.view.forward))
-        self._meshes, self._lights, self._chunks = {}, [], []
+        self._meshes, self._lights, self._chunks = mesh.MeshCache(), [], []
 
     def text(self):
         for item in walk.items(self.depsgraph, self.report):
@@ -75,18 +75,8 @@ class SceneText:
         cycles = getattr(self.scene, "cycles", None)
         return min(MAX_REFLECTIONS, getattr(cycles, "max_bounces", MAX_REFLECTIONS))
 
-    def _data(self, item):
-        """The item's MeshData; None without a surface."""
-        ob = item.ob
-        if ob.type != "MESH" or ob.data is None:
-            return read_mesh(ob)
-        key = ob.data.as_pointer()
-        if key not in self._meshes:
-            self._meshes[key] = read_mesh(ob)
-        return self._meshes[key]
-
     def _add_object(self, item):
-        data = self._data(item)
+        data = self._meshes.of(item.ob)
         if data is None:
             return
         rows = [tuple(row) for row in item.matrix][:3]
@@ -134,17 +124,6 @@ class SceneText:
             self._chunks.append(f"group {text.string(item.name)} {{ material = {text.string(name)}")
             self._chunks.append("\n".join(some))
             self._chunks.append("}")
-
-
-def read_mesh(ob):
-    try:
-        evaluated = ob.to_mesh()
-    except RuntimeError:
-        return None
-    try:
-        return mesh.MeshData(evaluated) if evaluated is not None and len(evaluated.polygons) else None
-    finally:
-        ob.to_mesh_clear()
 
 
 def _evaluated(ob, depsgraph):
