@@ -46,7 +46,7 @@ class GlintRenderEngine(bpy.types.RenderEngine):
             self.error_set(f"glint: {error}")  # stops an animation
             self.report({"ERROR"}, f"glint: {error}")
         for warning in report.warnings:
-            self.report({"WARNING"}, f"glint: {warning}")
+            self.report({"WARNING"}, warning if warning.startswith("glint: ") else f"glint: {warning}")
 
     def _render(self, depsgraph, folder, report):
         path = glint_path()
@@ -104,7 +104,7 @@ class GlintRenderEngine(bpy.types.RenderEngine):
                 self.update_stats("", f"glint: {100 * shown:.0f}%")
         errors, warnings = command.diagnostics(run.messages())
         for warning in warnings:
-            report.warn("glint", warning)
+            report.warn("glint", warning.rpartition("warning: ")[2])
         if code:
             raise RenderFailed(errors[0] if errors else f"glint ended with exit code {code}: "
                                + " ".join(run.messages()[-3:]))

@@ -98,8 +98,11 @@ def read(camera, scene, report):
     top_right, bottom_right, _, top_left = (tuple(v) for v in data.view_frame(scene=scene))
     perspective = data.type == "PERSP"
     depth = -top_right[2] if perspective else 1.0
-    if not all(math.isfinite(v) for row in matrix for v in row):
-        raise CameraError(f"{item} has a transform with numbers that are not finite")
+    width, height = top_right[0] - top_left[0], top_right[1] - bottom_right[1]
+    if not all(math.isfinite(v) for v in (*(x for row in matrix for x in row), width, height, depth)):
+        raise CameraError(f"{item} has numbers that are not finite")
+    if not all(axis.length > 0 for axis in axes.col) or not width > 0 or not height > 0 or not depth > 0:
+        raise CameraError(f"{item} has no extent: check its scale and its width")
     return View(camera.name, tuple(matrix.translation), tuple(axes.col[0]), tuple(axes.col[1]),
                 tuple(-v for v in axes.col[2]), perspective, top_left[0] / depth, top_right[0] / depth,
                 bottom_right[1] / depth, top_right[1] / depth, picture_size(scene.render),

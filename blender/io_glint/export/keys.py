@@ -3,6 +3,7 @@
 from . import phong
 
 PREFIX = "glint_"
+MAX_CHANNEL = 1e6
 COLORS = ("color", "ambient_color", "diffuse_color", "specular_color", "mirror_color", "transmission_color")
 NUMBERS = {  # least, greatest, default
     "ambient": (0.0, 1e6, 0.1),
@@ -39,6 +40,30 @@ def of_course(material):
     return {key: value for key, value in material.items() if key != "name"}
 
 
+def bounded(keys, report, item):
+    """keys with every number within what glint takes; what had to be changed is reported."""
+    out = {name: _bounded_color(name, value) if name in COLORS else _bounded(value, *NUMBERS[name][:2])
+           for name, value in keys.items()}
+    for name, value in keys.items():
+        if out[name] != value:
+            report.warn(item, f"its {name.replace('_', ' ')} is beyond what glint takes; it is cut off")
+    return out
+
+
+def bounded_color(color, report, item):
+    """A colour within what glint takes."""
+    return bounded({"color": color}, report, item)["color"]
+
+
+def _bounded(value, least, greatest):
+    return min(max(value, least), greatest) if value == value else least  # NaN is unlike itself
+
+
+def _bounded_color(name, color):
+    least = 0.0 if name.startswith(("mirror", "transmission")) else -MAX_CHANNEL
+    return tuple(_bounded(c, least, MAX_CHANNEL) if c == c else 0.0 for c in color)
+
+
 def replaced(keys, properties, report, item):
     """keys, with the values that properties (glint_color, ...) give. Values that glint refuses are reported and left out."""
     given = {}
@@ -64,8 +89,7 @@ def _checked(name, value):
     try:
         if name in COLORS:
             color = tuple(float(v) for v in value)[:3]
-            least = 0.0 if name.startswith(("mirror", "transmission")) else -1e6
-            return color if len(color) == 3 and all(least <= c <= 1e6 for c in color) else None
+            return color if len(color) == 3 and color == _bounded_color(name, color) else None
         least, greatest, _ = NUMBERS[name]
         return float(value) if least <= float(value) <= greatest else None
     except (TypeError, ValueError):

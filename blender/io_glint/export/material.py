@@ -62,6 +62,7 @@ class MaterialTable:
         made = keys.of_phong(phong_of(material, self.report), self.world)
         if self.shading == "phong":  # R.V falls off four times as fast as N.H
             made["shininess"] = made["shininess"] / 4
+        made = keys.bounded(made, self.report, describe(material))
         return keys.replaced(made, material, self.report, describe(material))
 
     def _add(self, key, wanted, make):

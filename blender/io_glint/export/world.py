@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """The world's radiance: glint's background and, times k_d, its ambient term."""
-from . import nodes
+from . import keys, nodes
 from .phong import BLACK
 
 
@@ -16,6 +16,6 @@ def radiance(world, report):
         return BLACK
     if node.type in ("BACKGROUND", "EMISSION"):
         color, strength = nodes.NodeReader(report, item).emission(node)
-        return tuple(c * strength for c in color)
+        return keys.bounded_color(tuple(c * strength for c in color), report, item)
     report.warn(item, f"its shader ({node.bl_label}) cannot be exported; its viewport colour is used")
     return tuple(world.color)

@@ -63,6 +63,16 @@ class Camera(SceneTest):
         with self.assertRaisesRegex(RuntimeError, "PANO"):
             self.export()
 
+    def test_without_extent_or_finite_numbers(self):
+        for scale, location, settings, words in (((0, 0, 0), (0, 0, 9), {}, "no extent"),
+                                                 ((1, 1, 1), (0, 0, float("nan")), {}, "not finite"),
+                                                 ((1, 1, 1), (0, 0, 9), {"type": "ORTHO", "ortho_scale": 0.0}, "no extent")):
+            camera = self.camera(**settings)
+            camera.scale, camera.location = scale, location
+            for export in (self.export, self.export_rt2):
+                with self.assertRaisesRegex(RuntimeError, words):
+                    export()
+
     def test_what_is_ignored_is_named(self):
         camera = self.camera().data
         camera.dof.use_dof = True

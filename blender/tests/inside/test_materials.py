@@ -140,6 +140,15 @@ class Materials(SceneTest):
         self.assertIn('material "grass" { color = (0.1, 0.7, 0.01)  ambient = 0.2', text)
         self.assertEqual(sum("'no such'" in w for w in self.warnings), 1)
 
+    def test_numbers_beyond_glints_ranges_are_cut_off(self):
+        self.add("cube", material=self.material("nan", (float("nan"), -1, 5), Emission_Strength=1e9, IOR=0.0, Transmission=1.0))
+        self.add("cube", name="b", material=self.shader("ShaderNodeEmission", "bright", Color=(1, 1, 1), Strength=1e9))
+        self.world((1e9, 0, float("inf")))
+        self.export()
+        for name in ("material 'nan'", "material 'bright'", "world 'World'"):
+            self.assertTrue(any(name in w for w in self.warnings), (name, self.warnings))
+        self.glint("render", self.path("scene.glint"), "-o", self.path("a.png"))
+
     def test_all_node_types_are_accepted_by_glint(self):
         for node in ("Diffuse", "Glossy", "Glass", "Transparent", "Principled"):
             self.add("cube", name=node, material=self.shader(f"ShaderNodeBsdf{node}", node))

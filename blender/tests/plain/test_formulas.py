@@ -67,6 +67,14 @@ class Keys(unittest.TestCase):
         self.assertNotIn("ambient_color", out)
         self.assertEqual(len(report.warnings), 1)
 
+    def test_bounded(self):
+        report = Report()
+        nan = float("nan")
+        out = keys.bounded({"color": (nan, -1e9, 5.0), "mirror_color": (-1.0, 0.5, 1.0), "ior": 0.0, "shininess": nan,
+                            "mirror": 0.5}, report, "material 'm'")
+        self.assertEqual(out, {"color": (0, -1e6, 5), "mirror_color": (0, 0.5, 1), "ior": 1e-3, "shininess": 0, "mirror": 0.5})
+        self.assertEqual(len(report.warnings), 4)
+
     def test_a_report_says_things_once(self):
         report = Report()
         for _ in range(3):
