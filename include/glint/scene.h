@@ -43,9 +43,16 @@ struct Camera {
     double width = 2;                  ///< orthographic: world units across the picture's width
     std::optional<CameraFrame> frame;  ///< when set, replaces look_at, up, fov and width
     std::optional<Vec3> lighting_eye;  ///< V points here instead of along -D (LIGHT)
+
+    // Which fields count.
+    constexpr bool has_target() const { return !frame; }  ///< look_at and up
+    constexpr bool has_fov() const { return !frame && projection == Projection::perspective; }
+    constexpr bool has_width() const { return !frame && projection == Projection::orthographic; }
 };
 
+/// A new kind comes last (docs/adding_a_light.md).
 enum class LightKind : std::uint8_t { ambient, point, directional };
+inline constexpr int k_light_kinds = 3;
 
 struct Attenuation {
     double c0 = 1, c1 = 0, c2 = 0;  ///< f_att = min(1 / (c0 + c1 d + c2 d^2), 1), d the distance (LIGHT-12)
@@ -59,6 +66,50 @@ struct Light {
     Color color{1, 1, 1};           ///< I_a of an ambient light, else I_l,d: intensity included
     Color specular_color{1, 1, 1};  ///< I_l,s; ambient lights have none
     Attenuation attenuation{};      ///< point lights
+
+    // What the kind decides: nobody else asks for `kind`. A compiler warns about a kind that a switch lacks.
+
+    /// Adds k_a I_a to every surface alike: it has no direction, and casts no shadow.
+    constexpr bool is_ambient() const {
+        switch (kind) {
+            case LightKind::ambient:
+                return true;
+            case LightKind::point:
+            case LightKind::directional:
+                return false;
+        }
+        return false;
+    }
+    /// Is at `position`, at a distance from what it lights. Else it is infinitely far away.
+    constexpr bool has_position() const {
+        switch (kind) {
+            case LightKind::point:
+                return true;
+            case LightKind::ambient:
+            case LightKind::directional:
+                return false;
+        }
+        return false;
+    }
+    /// Lies in the direction `to_light` from every point.
+    constexpr bool has_direction() const {
+        switch (kind) {
+            case LightKind::directional:
+                return true;
+            case LightKind::ambient:
+            case LightKind::point:
+                return false;
+        }
+        return false;
+    }
+    constexpr bool has_specular_color() const { return !is_ambient(); }
+    constexpr bool has_attenuation() const { return has_position(); }
+    /// Whether f_att is below 1 anywhere: c0 <= 1 alone gives exactly 1 at any distance.
+    constexpr bool falls_off() const {
+        return has_attenuation() && (attenuation.c0 > 1 || attenuation.c1 != 0 || attenuation.c2 != 0);
+    }
+    /// The way from a point to the light, of any length: to where it is, or towards it. Not for ambient ones.
+    constexpr Vec3 way_from(Vec3 point) const { return has_position() ? position - point : to_light; }
 };
 
 struct Material {
@@ -149,8 +200,9 @@ template <class T> std::uint32_t Scene::add(const T& shape, std::uint32_t materi
     return static_cast<std::uint32_t>(shapes.size() - 1);
 }
 
-/// The word of a kind in scene files and messages: "sphere".
+/// The word of a kind in scene files and messages: "sphere", "point".
 GLINT_API std::string_view to_string(ShapeKind kind);
+GLINT_API std::string_view to_string(LightKind kind);
 
 /// Checks every number and index of the scene; prepare() needs a scene without errors. Warnings name what is
 /// likely a mistake (no lights: the picture will be black). Messages have the place of the item where it is

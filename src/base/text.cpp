@@ -111,4 +111,17 @@ std::string did_you_mean(std::string_view word, std::span<const std::string_view
     return shown ? fmt::format("; did you mean `{}`?", near) : std::string();
 }
 
+std::string one_of(std::span<const std::string_view> words) {
+    std::string text;
+    for (std::size_t i = 0; i < words.size(); ++i)
+        text += fmt::format("{}`{}`", i == 0 ? "" : i + 1 < words.size() ? ", " : " or ", words[i]);
+    return text;
+}
+
+std::string with_article(std::string_view word) {
+    const bool has_vowel =
+        !word.empty() && std::string_view("aeiou").find(word.front()) != std::string_view::npos;
+    return fmt::format("{} {}", has_vowel ? "an" : "a", word);
+}
+
 }  // namespace glint

@@ -18,6 +18,12 @@ std::string_view nearest_word(std::string_view word, std::span<const std::string
 /// "; did you mean `radius`?", or an empty string if there is no near word.
 std::string did_you_mean(std::string_view word, std::span<const std::string_view> candidates);
 
+/// "`a`, `b` or `c`".
+std::string one_of(std::span<const std::string_view> words);
+
+/// "a point", "an ambient": by the first letter.
+std::string with_article(std::string_view word);
+
 /// Length in bytes of the well-formed UTF-8 character that `text` begins with; 0 if it begins with none.
 std::size_t utf8_length(std::string_view text);
 

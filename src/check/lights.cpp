@@ -84,7 +84,7 @@ Blockage find_blockage(const CheckContext& context, const VisibleHits& visible, 
         found.reflecting += reflects(world, material, light) ? 1 : 0;
     if (!world.settings.shadows) return found;
     const HitList hits = nearest_occluders(world, shadows.rays, context.threads());
-    const bool may_pass = light.kind == LightKind::point && !shadows.from_light;
+    const bool may_pass = light.has_position() && !shadows.from_light;
     std::unordered_map<std::uint32_t, Count> counts;
     for (std::size_t i = 0; i < hits.slot.size(); ++i) {
         if (hits.slot[i] == k_none || !reflects(world, shadows.material[i], light)) continue;
@@ -105,7 +105,7 @@ Blockage find_blockage(const CheckContext& context, const VisibleHits& visible, 
 // The closed shape that keeps a light to itself, or k_none: the light is in it and what is seen is not.
 std::uint32_t case_of(const CheckContext& context, const Light& light, const Blockage& b) {
     const Scene& scene = context.scene();
-    if (light.kind != LightKind::point || !context.world().settings.shadows || b.beyond) return k_none;
+    if (!light.has_position() || !context.world().settings.shadows || b.beyond) return k_none;
     std::vector<std::uint32_t> around_camera;
     if (b.facing == 0) around_camera = shapes_around(context, scene.camera.position);
     for (const std::uint32_t shape : shapes_around(context, light.position)) {
@@ -140,9 +140,8 @@ void report_dark(CheckContext& context, const VisibleHits& visible, std::uint32_
             "light-behind-everything", place,
             fmt::format("{} is behind every surface that the camera sees: N.L <= 0 at all of {} points", name,
                         b.points),
-            light.kind == LightKind::point
-                ? "move the light to the side of the surfaces that the camera sees"
-                : "turn the direction around: it goes from the surface towards the light");
+            light.has_position() ? "move the light to the side of the surfaces that the camera sees"
+                                 : "turn the direction around: it goes from the surface towards the light");
     }
     // The picture without the light is of other rays: one of many may get past an edge.
     if (b.blocker == k_none || 2 * b.blocked < b.reflecting) {
@@ -168,16 +167,11 @@ void report_dark(CheckContext& context, const VisibleHits& visible, std::uint32_
         plane ? "move the light to the other side of the plane" : "move the light, or the shape before it");
 }
 
-bool is_attenuated(const Light& light) {
-    const Attenuation& a = light.attenuation;
-    return light.kind == LightKind::point && (a.c0 > 1 || a.c1 > 0 || a.c2 > 0);
-}
-
 // Colours and intensities that can hardly be meant. True if the light has none.
 bool check_color(CheckContext& context, std::uint32_t index) {
     const Light& light = context.scene().lights[index];
     const SourcePlace place = context.scene().light_texts.place(index);
-    if (is_black(light.color) && (light.kind == LightKind::ambient || is_black(light.specular_color))) {
+    if (is_black(light.color) && (!light.has_specular_color() || is_black(light.specular_color))) {
         context.report("light-without-color", place,
                        fmt::format("{} is black: it adds nothing", context.light(index)),
                        "give it a colour or an intensity, or leave it out");
@@ -189,7 +183,7 @@ bool check_color(CheckContext& context, std::uint32_t index) {
                                    context.light(index), light.color.r, light.color.g, light.color.b),
                        "give it a colour and an intensity of 0 or more");
     }
-    if (brightest(light.color) > k_max_intensity && !is_attenuated(light)) {
+    if (brightest(light.color) > k_max_intensity && !light.falls_off()) {
         context.report(
             "light-color-255", place,
             fmt::format(
@@ -224,7 +218,7 @@ void report_weak(CheckContext& context, Effects& effects, std::span<const std::u
     if (effect >= k_half_byte) return;
     const Scene& scene = context.scene();
     bool attenuated = true;
-    for (const std::uint32_t index : weak) attenuated = attenuated && is_attenuated(scene.lights[index]);
+    for (const std::uint32_t index : weak) attenuated = attenuated && scene.lights[index].falls_off();
     std::string what = context.light(weak[0]) + " adds";
     if (weak.size() > 1) {
         what = fmt::format("{} lights (", weak.size());
@@ -246,7 +240,7 @@ void check_lights(CheckContext& context, const VisibleHits& visible) {
     std::vector<std::uint32_t> lights, weak;
     for (std::uint32_t i = 0; i < scene.lights.size(); ++i) {
         if (check_color(context, i)) continue;
-        if (scene.lights[i].kind != LightKind::ambient)
+        if (!scene.lights[i].is_ambient())
             lights.push_back(i);
         else if (shading != Shading::diffuse)
             check_ambient(context, i);

@@ -45,7 +45,7 @@ void check_light_directions(CheckContext& context) {
     if (scene.conventions.normalize) return;
     for (std::uint32_t i = 0; i < scene.lights.size(); ++i) {
         const Light& light = scene.lights[i];
-        if (light.kind != LightKind::directional || is_unit(light.to_light)) continue;
+        if (!light.has_direction() || is_unit(light.to_light)) continue;
         context.report(
             "direction-not-unit", scene.light_texts.place(i),
             fmt::format("the direction {} of {} has the length {:.4g}, and normalize = false leaves it so: "

@@ -137,7 +137,7 @@ ShadowRays shadow_rays(const WorldParts& world, const VisibleHits& visible, cons
         const std::size_t step = g.hits.size() / most + 1;
         for (std::size_t i = 0; i < g.hits.size(); i += step) {
             const SurfaceHit& h = g.hits[i];
-            const Vec3 to_light = light.kind == LightKind::point ? light.position - h.point : light.to_light;
+            const Vec3 to_light = light.way_from(h.point);
             ++found.points;
             if (!(glint::dot(h.normal, to_light) > 0)) continue;
             found.material.push_back(h.material);

@@ -175,7 +175,7 @@ class Tree {
         }
         if (!(terms.distance > 0)) return;
         std::string how = fmt::format("L {}", vec(terms.to_light * (1 / terms.distance)));
-        if (light.kind == LightKind::point) how += fmt::format(", distance {}", number(terms.distance));
+        if (light.has_position()) how += fmt::format(", distance {}", number(terms.distance));
         if (terms.attenuation != 1) how += fmt::format(", attenuation {}", number(terms.attenuation));
         line(depth + 1,
              fmt::format("{}; N·L = {}; {}", how, number(terms.n_l), highlight_text(scene_, hit, terms)));
@@ -217,7 +217,7 @@ std::string hint(const LightTerms& terms, const ExplainedHit& hit, const Scene& 
     const Blocker& blocker = *terms.blocker;
     if (blocker.shape == hit.shape && blocker.distance < 1e-3 * terms.distance)
         return "the surface shadows itself right at P: see the convention 'epsilon'\n";
-    if (scene.lights[terms.light].kind == LightKind::point && blocker.distance > terms.distance)
+    if (scene.lights[terms.light].has_position() && blocker.distance > terms.distance)
         return fmt::format(
             "that is beyond the light, {} from P: see the convention 'shadow_stops_at_light'\n",
             number(terms.distance));
@@ -282,9 +282,8 @@ std::string shape_text(const Scene& scene, std::uint32_t shape) {
 }
 
 std::string light_text(const Scene& scene, std::uint32_t light) {
-    constexpr const char* kinds[] = {"ambient light", "point light", "directional light"};
     return item_text(scene, scene.light_texts, light,
-                     kinds[static_cast<std::size_t>(scene.lights[light].kind)]);
+                     fmt::format("{} light", to_string(scene.lights[light].kind)));
 }
 
 std::string explanation_text(const Explanation& e, const Scene& scene, const ExplainStyle& style) {
@@ -312,7 +311,7 @@ std::string why_not_text(const Explanation& e, const Scene& scene, std::uint32_t
                            e.y);
     if (scene.settings.shading == Shading::color || scene.settings.shading == Shading::normals)
         return fmt::format("{} was not asked: this shading has no lights\n", name);
-    if (scene.lights[light].kind == LightKind::ambient) {
+    if (scene.lights[light].is_ambient()) {
         const Material& m = material_of(*ray.hit, scene);
         const Color part = m.ambient * scene.lights[light].color;
         return fmt::format("{} is ambient: it reaches everything, and adds k_a {} times {}: {}\n", name,

@@ -97,9 +97,7 @@ constexpr SceneFault k_lighting[] = {
      },
      "The ambient term is added once for every light: move it out of the loop over lights."},
     {"light-direction-reversed",
-     [](const Scene& s) {
-         return any_light(s, [](const Light& l) { return l.kind == LightKind::directional; });
-     },
+     [](const Scene& s) { return any_light(s, [](const Light& l) { return l.has_direction(); }); },
      [](Scene& s) { for_each_light(s, [](Light& l) { l.to_light = -l.to_light; }); },
      "A directional light shines the wrong way: the direction in the file points to the light, and L is that "
      "direction, not its opposite (or the reverse, by the file's own rule)."},

@@ -26,7 +26,7 @@ std::span<const SceneFault> tracing_faults();
 
 // ---- What rows ask of a scene, and do to it ----
 
-inline bool is_ambient(const Light& light) { return light.kind == LightKind::ambient; }
+inline bool is_ambient(const Light& light) { return light.is_ambient(); }
 inline bool is_zero(const Color& c) { return c == Color{0, 0, 0}; }
 
 template <class Test> bool any_light(const Scene& s, Test&& test) {

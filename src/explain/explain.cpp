@@ -41,7 +41,7 @@ std::optional<Blocker> find_blocker(const WorldParts& world, const LightTerms& t
 std::vector<std::uint32_t> scene_lights(const Scene& scene) {
     std::vector<std::uint32_t> numbers;
     for (std::size_t i = 0; i < scene.lights.size(); ++i) {
-        if (scene.lights[i].kind != LightKind::ambient) numbers.push_back(static_cast<std::uint32_t>(i));
+        if (!scene.lights[i].is_ambient()) numbers.push_back(static_cast<std::uint32_t>(i));
     }
     return numbers;
 }

@@ -128,7 +128,7 @@ double far_away(const World& world, Vec3 from) {
 void draw_lights(Pen& pen, const ExplainedHit& hit, const Scene& scene, const World& world) {
     for (const LightTerms& terms : hit.lights) {
         if (!terms.may_add) continue;
-        const Vec3 end = scene.lights[terms.light].kind == LightKind::point
+        const Vec3 end = scene.lights[terms.light].has_position()
                              ? hit.point + terms.to_light
                              : hit.point + normalize(terms.to_light) * far_away(world, hit.point);
         if (!terms.blocked) {

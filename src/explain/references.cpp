@@ -37,7 +37,7 @@ std::string world_fault(const Scene& scene, const WorldParts& world) {
         return differ("materials", scene.materials.size(), world.scene_materials());
     std::vector<LightKind> kinds;
     for (const Light& light : scene.lights) {
-        if (light.kind != LightKind::ambient) kinds.push_back(light.kind);
+        if (!light.is_ambient()) kinds.push_back(light.kind);
     }
     if (kinds.size() != world.lights->size())
         return differ("lights that are not ambient", kinds.size(), world.lights->size());

@@ -172,8 +172,8 @@ class CgfsReader {
             }
         });
         if (!whole || !p_.check_required(set, word)) return;
-        const bool wants_position = light.kind == LightKind::point;
-        const bool wants_direction = light.kind == LightKind::directional;
+        const bool wants_position = light.has_position();
+        const bool wants_direction = light.has_direction();
         if (wants_position && !set.has(k_position)) p_.error(word, "expected `position` in the point light");
         if (wants_direction && !set.has(k_direction))
             p_.error(word, "expected `direction` in the directional light");
@@ -183,9 +183,7 @@ class CgfsReader {
         const auto warn_unused = [&](int field, bool wanted, const Token& key) {
             if (set.has(field) && !wanted) {
                 p_.warn(key, fmt::format("glint ignores the {} of {} light", p_.describe(key),
-                                         wants_position    ? "a point"
-                                         : wants_direction ? "a directional"
-                                                           : "an ambient"));
+                                         with_article(to_string(light.kind))));
             }
         };
         warn_unused(k_position, wants_position, position_key);
@@ -196,10 +194,12 @@ class CgfsReader {
     }
 
     bool read_light_type(LightKind& kind) {
-        static constexpr std::string_view words[] = {"ambient", "point", "directional"};
+        static constexpr LightKind kinds[] = {LightKind::ambient, LightKind::point, LightKind::directional};
+        std::string_view words[std::size(kinds)];
+        for (std::size_t i = 0; i < std::size(kinds); ++i) words[i] = to_string(kinds[i]);
         int index = 0;
-        if (!p_.choice(words, "`ambient`, `point` or `directional`", index)) return false;
-        kind = static_cast<LightKind>(index);
+        if (!p_.choice(words, one_of(words), index)) return false;
+        kind = kinds[index];
         return true;
     }
 

@@ -141,8 +141,7 @@ void keep_lights(Scene& scene, std::string_view which) {
     const int count =
         which == "ambient" ? 0 : light_count(which).value_or(static_cast<int>(scene.lights.size()));
     int seen = 0;
-    std::erase_if(scene.lights,
-                  [&](const Light& light) { return light.kind != LightKind::ambient && seen++ >= count; });
+    std::erase_if(scene.lights, [&](const Light& light) { return !light.is_ambient() && seen++ >= count; });
 }
 
 }  // namespace

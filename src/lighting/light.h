@@ -7,7 +7,7 @@ namespace glint {
 
 /// Whether shadow rays are traced from the light to the surface, so that all of a light's share their origin.
 inline bool comes_from_light(const Light& light, const Conventions& conventions) {
-    return light.kind == LightKind::point && conventions.shadow_stops_at_light;
+    return light.has_position() && conventions.shadow_stops_at_light;
 }
 
 }  // namespace glint

@@ -23,4 +23,16 @@ std::string_view to_string(ShapeKind kind) {
     return "unknown shape";
 }
 
+std::string_view to_string(LightKind kind) {
+    switch (kind) {
+        case LightKind::ambient:
+            return "ambient";
+        case LightKind::point:
+            return "point";
+        case LightKind::directional:
+            return "directional";
+    }
+    return "unknown light";
+}
+
 }  // namespace glint

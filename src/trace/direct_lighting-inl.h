@@ -22,11 +22,8 @@ HWY_INLINE LightingRules lighting_rules(const WorldParts& world) {
     return {world.settings.shading, c.specular_gate, c.clamp_cosines, c.normalize};
 }
 
-/// Whether the light is as strong at any distance: c0 <= 1 alone gives exactly 1.
-HWY_INLINE bool has_no_attenuation(const Light& light) {
-    const Attenuation& a = light.attenuation;
-    return light.kind == LightKind::directional || (a.c0 <= 1 && a.c1 == 0 && a.c2 == 0);
-}
+/// Whether the light is as strong at any distance.
+HWY_INLINE bool has_no_attenuation(const Light& light) { return !light.falls_off(); }
 
 /// A light as a vector of surfaces sees it.
 struct LightLanes {
@@ -41,9 +38,9 @@ HWY_INLINE LightLanes light_at(const WorldParts& world, const Light& light, cons
     const Doubles zero(0);
     const auto adds = [&](Triple<Doubles> a, Triple<Doubles> b)
                           HWY_ATTR { return !(a.x * b.x == zero && a.y * b.y == zero && a.z * b.z == zero); };
-    const bool is_point = light.kind == LightKind::point;
-    const Triple<Doubles> to_light =
-        is_point ? lanes_of(light.position) - load_triple(surfaces.point, i) : lanes_of(light.to_light);
+    const Triple<Doubles> to_light = light.has_position()
+                                         ? lanes_of(light.position) - load_triple(surfaces.point, i)
+                                         : lanes_of(light.to_light);
     const Doubles distance = length(to_light);
     const Triple<Doubles> l = rules.normalize ? to_light / distance : to_light;
     const auto c = cosines(load_triple(surfaces.normal, i), l, load_triple(surfaces.to_eye, i), rules);

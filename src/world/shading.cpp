@@ -28,14 +28,14 @@ std::vector<double> pack_materials(std::span<const Material> materials) {
 PreparedLights prepare_lights(std::span<const Light> lights) {
     PreparedLights prepared;
     for (const Light& light : lights) {
-        if (light.kind == LightKind::ambient) {
+        if (light.is_ambient()) {
             prepared.ambient = prepared.ambient + light.color;
             continue;
         }
         prepared.lights.push_back(light);
         Vec3& to_light = prepared.lights.back().to_light;
         // Squares of shorter ones vanish.
-        if (light.kind == LightKind::directional && length(to_light) < k_min_direction)
+        if (light.has_direction() && length(to_light) < k_min_direction)
             to_light = normalize(to_light) * k_min_direction;
     }
     return prepared;

@@ -80,7 +80,7 @@ void check_light(const Scene& scene, const World& world, const ExplainedHit& hit
     EXPECT_EQ(terms.blocked, terms.blocker.has_value());
     if (!terms.blocked) return;
     const bool from_light =
-        scene.lights[terms.light].kind == LightKind::point && scene.conventions.shadow_stops_at_light;
+        scene.lights[terms.light].has_position() && scene.conventions.shadow_stops_at_light;
     const double t = from_light ? last_t(world, terms) : first_t(world, terms);
     ASSERT_GE(t, 0) << "the shadow ray of a blocked light meets nothing";
     const double distance = length(terms.origin + terms.direction * t - hit.point);

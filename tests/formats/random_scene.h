@@ -107,7 +107,7 @@ class RandomScene {
     }
     void make_light(Scene& s) {
         Light l;
-        l.kind = static_cast<LightKind>(pick(3));
+        l.kind = static_cast<LightKind>(pick(k_light_kinds));
         l.position = point();
         l.to_light = direction();
         l.color = color();

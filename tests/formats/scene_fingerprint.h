@@ -86,11 +86,10 @@ class SceneFingerprint {
         line("light " + std::to_string(static_cast<int>(l.kind)));
         out_ += s_.light_texts.name(i);
         add(l.color);
-        if (l.kind != LightKind::ambient) add(l.specular_color);
-        if (l.kind == LightKind::directional) add(l.to_light);
-        if (l.kind != LightKind::point) return;
-        add(l.position);
-        add(Vec3{l.attenuation.c0, l.attenuation.c1, l.attenuation.c2});
+        if (l.has_specular_color()) add(l.specular_color);
+        if (l.has_direction()) add(l.to_light);
+        if (l.has_position()) add(l.position);
+        if (l.has_attenuation()) add(Vec3{l.attenuation.c0, l.attenuation.c1, l.attenuation.c2});
     }
 
     void add_shape(std::uint32_t i) {

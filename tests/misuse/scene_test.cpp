@@ -189,6 +189,25 @@ TEST(Misuse, OfWriteGlint) {
     EXPECT_NE(write_glint(Scene{}), "");
 }
 
+TEST(Misuse, OfLights) {
+    EXPECT_EQ(to_string(beyond<LightKind>()), "unknown light");
+    const Light odd{
+        .kind = beyond<LightKind>(), .position = {k_nan, 0, 0}, .attenuation = {k_nan, k_nan, k_nan}};
+    EXPECT_FALSE(odd.is_ambient() || odd.has_position() || odd.has_direction() || odd.has_attenuation() ||
+                 odd.falls_off());
+    EXPECT_TRUE(odd.has_specular_color());  // as of all that are not ambient
+    EXPECT_EQ(odd.way_from({k_nan, k_nan, k_nan}), odd.to_light);
+}
+
+TEST(Misuse, OfCameras) {
+    Camera odd;
+    odd.projection = beyond<Projection>();
+    EXPECT_TRUE(odd.has_target());
+    EXPECT_FALSE(odd.has_fov() || odd.has_width());
+    odd.frame = CameraFrame{};
+    EXPECT_FALSE(odd.has_target());
+}
+
 TEST(Misuse, OfVectors) {
     const Vec3 odd{k_nan, k_infinity, 0};
     EXPECT_NE(dot(odd, odd), 0);

@@ -18,12 +18,12 @@ Material shiny() {
 
 // The full model of one light at a point, gated and clamped, nothing in the way.
 Layers lit(const Material& m, Color ambient, const Light& light, Vec3 p, Vec3 n, Vec3 v, bool phong) {
-    const Vec3 to_light = light.kind == LightKind::point ? light.position - p : light.to_light;
+    const Vec3 to_light = light.way_from(p);
     const double d = std::sqrt(dot(to_light, to_light));
     const Vec3 l = to_light / d, r = n * (2 * dot(n, l)) - l, h = l + v;
     const double n_l = dot(n, l), s = phong ? dot(r, v) : dot(n, h) / std::sqrt(dot(h, h));
     const Attenuation& a = light.attenuation;
-    const double f = light.kind == LightKind::point ? std::min(1 / (a.c0 + a.c1 * d + a.c2 * d * d), 1.0) : 1;
+    const double f = light.has_attenuation() ? std::min(1 / (a.c0 + a.c1 * d + a.c2 * d * d), 1.0) : 1;
     Layers layers;
     layers.ambient = m.ambient * ambient;
     if (n_l > 0) layers.diffuse = m.diffuse * light.color * (f * n_l);

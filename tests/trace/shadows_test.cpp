@@ -30,7 +30,7 @@ struct Spot {
     }
     // The blocker is at this part of the way to the light's position (or along to_light).
     bool is_lit_past(double part) const {
-        const Vec3 way = light.kind == LightKind::point ? light.position : light.to_light;
+        const Vec3 way = light.has_position() ? light.position : light.to_light;
         return is_lit(way * part, way);
     }
 };
@@ -184,7 +184,7 @@ TEST(Shadows, AcneWithoutEpsilonAndNoneWithIt) {
                 const Vec3 d = world->parts().camera.forward + world->parts().camera.right * sx +
                                world->parts().camera.up * sy;
                 const Vec3 p = scene.camera.position + d * (-scene.camera.position.y / d.y);
-                const Vec3 to_light = light.kind == LightKind::point ? light.position - p : light.to_light;
+                const Vec3 to_light = light.way_from(p);
                 const Vec3 l = normalize(to_light), q = Vec3{0, 1, 0} - p;
                 const Vec3 f = q - l * dot(q, l);
                 EXPECT_LT(dot(f, f), 1 + 1e-6) << "a dark pixel at (" << x << ", " << y << ")";
