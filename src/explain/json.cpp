@@ -8,6 +8,7 @@
 #include "base/catch_exceptions.h"
 #include "explain/references.h"
 #include "glint/explain.h"
+#include "scene/material_fields.h"
 
 namespace glint {
 namespace {
@@ -41,21 +42,14 @@ Json material_json(const Scene& scene, const ExplainedHit& hit) {
     Json item = Json::object();
     if (hit.material != k_none) add_item(item, scene, scene.material_texts, hit.material);
     const Material& m = material_of(hit, scene);
-    item["ambient"] = to_json(m.ambient);
-    item["diffuse"] = to_json(m.diffuse);
-    item["specular"] = to_json(m.specular);
-    item["shininess"] = m.shininess;
-    item["mirror"] = m.mirror;
-    item["mirror_tint"] = to_json(m.mirror_tint);
-    item["transmission"] = m.transmission;
-    item["transmission_tint"] = to_json(m.transmission_tint);
-    item["ior"] = m.ior;
+    for (const ItemField<Material>& field : k_material_fields)
+        item[std::string(field.name)] = field_json<Json>(field, m);
     return item;
 }
 
 Json light_json(const Scene& scene, std::uint32_t index) {
     const Light& light = scene.lights[index];
-    Json item = {{"kind", light.kind == LightKind::point ? "point" : "directional"}};
+    Json item = {{"kind", to_string(light.kind)}, {"has_position", light.has_position()}};
     add_item(item, scene, scene.light_texts, index);
     item["color"] = to_json(light.color);
     item["specular_color"] = to_json(light.specular_color);

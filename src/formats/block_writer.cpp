@@ -52,6 +52,8 @@ void append(std::string& out, Color c) {
     if (bytes.size() < out.size() - start) out.replace(start, std::string::npos, bytes);
 }
 
+void append(std::string& out, const Attenuation& a) { append(out, Vec3{a.c0, a.c1, a.c2}); }
+
 void append_quoted(std::string& out, std::string_view text) {
     out += '"';
     for (const char c : text) {

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "glint/vec.h"
+#include "scene/fields.h"
 
 namespace glint {
 
@@ -18,6 +18,8 @@ void append(std::string& out, double number);
 void append(std::string& out, Vec3 v);
 /// (r, g, b), or rgb255(r, g, b) where that is shorter and the same.
 void append(std::string& out, Color c);
+/// (c0, c1, c2)
+void append(std::string& out, const Attenuation& a);
 /// "text" with the escapes that the tokenizer reads.
 void append_quoted(std::string& out, std::string_view text);
 /// The name as a bare word if it is one, else quoted.
@@ -66,5 +68,10 @@ class BlockWriter {
     std::string head_, line_, after_;
     std::vector<Break> breaks_;
 };
+
+/// Writes the key and the value of a field, unless the value is absent.
+template <class Item> void write_field(BlockWriter& block, const ItemField<Item>& field, const Item& item) {
+    visit_field(field, item, [&](const auto&, const auto& value) { append(block.key(field.key), value); });
+}
 
 }  // namespace glint

@@ -99,7 +99,7 @@ class GlintReader {
             return t_.blocks.skip_block();
         }
         const Token name = *t_.blocks.label();
-        FieldSet set("material", k_material_fields, material_hints());
+        FieldSet set("material", k_material_keys, material_hints());
         MaterialKeys keys;
         if (t_.blocks.fields(set, word,
                              [&](int field, const Token&) { return read_material_key(t_, field, keys); }))

@@ -6,7 +6,7 @@
 namespace glint {
 namespace {
 
-constexpr int k_first_transform = 1 + static_cast<int>(std::size(k_material_fields));
+constexpr int k_first_transform = 1 + static_cast<int>(k_material_keys.size());
 enum { k_translate = k_first_transform, k_rotate, k_scale, k_matrix };
 static_assert(std::size(k_item_fields) == k_matrix + 1);
 

@@ -16,11 +16,13 @@ inline constexpr Field k_transform_fields[] = {
 /// The keys that shapes and groups have in common: `material`, a material's own, and the transforms, which
 /// are applied in the order written.
 inline constexpr auto k_item_fields = [] {
-    std::array<Field, 1 + std::size(k_material_fields) + std::size(k_transform_fields)> all{{{"material"}}};
-    const auto next = std::copy(std::begin(k_material_fields), std::end(k_material_fields), all.begin() + 1);
+    std::array<Field, 1 + k_material_keys.size() + std::size(k_transform_fields)> all{{{"material"}}};
+    const auto next = std::copy(k_material_keys.begin(), k_material_keys.end(), all.begin() + 1);
     std::copy(std::begin(k_transform_fields), std::end(k_transform_fields), next);
     return all;
 }();
+// Beside at most eight of a shape's own.
+static_assert(k_item_fields.size() + 8 <= k_max_keys);
 
 struct GlintItem {
     std::uint32_t material = k_none;  ///< the one that is named

@@ -3,14 +3,10 @@
 
 #include <fmt/format.h>
 
-#include <array>
-#include <bit>
 #include <cstdint>
 
 namespace glint {
 namespace {
-
-using Keys = MaterialKeys;
 
 constexpr SpellingHint k_hints[] = {{"reflective", "`mirror`"},
                                     {"reflection", "`mirror`"},
@@ -34,8 +30,6 @@ constexpr SpellingHint k_hints[] = {{"reflective", "`mirror`"},
                                     {"albedo", "`color`"},
                                     {"rgb", "`color`"}};
 
-constexpr Range k_coefficient{0, 1e6, false, false, "a coefficient from 0 to 1e6"};
-
 bool read_specular(GlintText& t, double& value) {
     const Token at = t.p.token();
     if (at.kind == TokenKind::number && at.number > 1) {
@@ -48,62 +42,44 @@ bool read_specular(GlintText& t, double& value) {
     return t.p.number(value, k_fraction);
 }
 
-Color channel(const Keys& k, int absolute, Color value, int coefficient, double factor, Color otherwise) {
-    if (k.has(absolute)) return value;
-    return k.has(Keys::k_color) || k.has(coefficient) ? k.color * factor : otherwise;
+constexpr std::size_t k_color = material_field(&Material::color);
+
+void copy_field(std::size_t field, const Material& from, Material& to) {
+    std::visit([&](const auto& member) { to.*member.at = from.*member.at; }, k_material_fields[field].member);
 }
 
 // What the keys do not say is the default material's.
-Material made_of(const Keys& k) {
+Material made_of(const MaterialKeys& k) {
     Material m;
-    m.ambient = channel(k, Keys::k_ambient_color, k.ambient_color, Keys::k_ambient, k.ambient, m.ambient);
-    m.diffuse = channel(k, Keys::k_diffuse_color, k.diffuse_color, Keys::k_diffuse, k.diffuse, m.diffuse);
-    m.specular =
-        channel(k, Keys::k_specular_color, k.specular_color, Keys::k_specular, k.specular, m.specular);
-    if (k.has(Keys::k_color)) m.color = k.color;
-    if (k.has(Keys::k_shininess)) m.shininess = k.shininess;
-    if (k.has(Keys::k_mirror)) m.mirror = k.mirror;
-    if (k.has(Keys::k_mirror_color)) m.mirror_tint = k.mirror_color;
-    if (k.has(Keys::k_transmission)) m.transmission = k.transmission;
-    if (k.has(Keys::k_transmission_color)) m.transmission_tint = k.transmission_color;
-    if (k.has(Keys::k_ior)) m.ior = k.ior;
+    for (std::size_t i = 0; i < k_coefficients; ++i) {
+        if (k.has_field(k_color) || k.has(i))
+            m.*k_material_coefficients[i].field = k.fields.color * k.coefficients[i];
+    }
+    for (std::size_t i = 0; i < std::size(k_material_fields); ++i) {
+        if (k.has_field(i)) copy_field(i, k.fields, m);
+    }
     return m;
 }
 
 // The keys that say all of a material, such as another format made.
-Keys all_of(const Material& m) {
-    Keys k;
-    k.given = (1u << (Keys::k_ior + 1)) - 1;
-    k.given &= ~(1u << Keys::k_ambient | 1u << Keys::k_diffuse | 1u << Keys::k_specular);
-    k.color = m.color;
-    k.ambient_color = m.ambient, k.diffuse_color = m.diffuse, k.specular_color = m.specular;
-    k.shininess = m.shininess;
-    k.mirror = m.mirror, k.mirror_color = m.mirror_tint;
-    k.transmission = m.transmission, k.transmission_color = m.transmission_tint, k.ior = m.ior;
+MaterialKeys all_of(const Material& m) {
+    MaterialKeys k;
+    for (std::size_t i = 0; i < std::size(k_material_fields); ++i)
+        k.given |= std::uint64_t{1} << (k_coefficients + i);
+    k.fields = m;
     return k;
 }
 
 // The keys of `over` in place of those of `k`; a coefficient replaces the absolute value too.
-Keys changed_keys(Keys k, const Keys& over) {
-    const auto take = [&](int key, auto Keys::*member) {
-        if (over.has(key)) k.*member = over.*member;
-    };
-    take(Keys::k_color, &Keys::color);
-    take(Keys::k_ambient, &Keys::ambient);
-    take(Keys::k_diffuse, &Keys::diffuse);
-    take(Keys::k_specular, &Keys::specular);
-    take(Keys::k_ambient_color, &Keys::ambient_color);
-    take(Keys::k_diffuse_color, &Keys::diffuse_color);
-    take(Keys::k_specular_color, &Keys::specular_color);
-    take(Keys::k_shininess, &Keys::shininess);
-    take(Keys::k_mirror, &Keys::mirror);
-    take(Keys::k_mirror_color, &Keys::mirror_color);
-    take(Keys::k_transmission, &Keys::transmission);
-    take(Keys::k_transmission_color, &Keys::transmission_color);
-    take(Keys::k_ior, &Keys::ior);
-    if (over.has(Keys::k_ambient)) k.given &= ~(1u << Keys::k_ambient_color);
-    if (over.has(Keys::k_diffuse)) k.given &= ~(1u << Keys::k_diffuse_color);
-    if (over.has(Keys::k_specular)) k.given &= ~(1u << Keys::k_specular_color);
+MaterialKeys changed_keys(MaterialKeys k, const MaterialKeys& over) {
+    for (std::size_t i = 0; i < std::size(k_material_fields); ++i) {
+        if (over.has_field(i)) copy_field(i, over.fields, k.fields);
+    }
+    for (std::size_t i = 0; i < k_coefficients; ++i) {
+        if (!over.has(i)) continue;
+        k.coefficients[i] = over.coefficients[i];
+        k.given &= ~(std::uint64_t{1} << (k_coefficients + material_field(k_material_coefficients[i].field)));
+    }
     k.given |= over.given;
     return k;
 }
@@ -113,40 +89,16 @@ Keys changed_keys(Keys k, const Keys& over) {
 std::span<const SpellingHint> material_hints() { return k_hints; }
 
 bool read_material_key(GlintText& t, int key, MaterialKeys& keys) {
-    keys.given |= 1u << key;
-    switch (key) {
-        case Keys::k_color:
-            return read_color(t, keys.color, k_channel, ColorUse::surface);
-        case Keys::k_ambient:
-            return t.p.number(keys.ambient, k_coefficient);
-        case Keys::k_diffuse:
-            return t.p.number(keys.diffuse, k_coefficient);
-        case Keys::k_specular:
-            return read_specular(t, keys.specular);
-        case Keys::k_ambient_color:
-            return read_color(t, keys.ambient_color, k_channel, ColorUse::coefficient);
-        case Keys::k_diffuse_color:
-            return read_color(t, keys.diffuse_color, k_channel, ColorUse::coefficient);
-        case Keys::k_specular_color:
-            return read_color(t, keys.specular_color, k_channel, ColorUse::coefficient);
-        case Keys::k_shininess:
-            return t.p.number(keys.shininess, k_exponent);
-        case Keys::k_mirror:
-            return t.p.number(keys.mirror, k_fraction);
-        case Keys::k_mirror_color:
-            return read_color(t, keys.mirror_color, k_tint, ColorUse::surface);
-        case Keys::k_transmission:
-            return t.p.number(keys.transmission, k_fraction);
-        case Keys::k_transmission_color:
-            return read_color(t, keys.transmission_color, k_tint, ColorUse::surface);
-        default:
-            return t.p.number(keys.ior, k_index_of_refraction);
-    }
+    keys.given |= std::uint64_t{1} << key;
+    if (key >= k_coefficients) return read_field(t, k_material_fields[key - k_coefficients], keys.fields);
+    const MaterialCoefficient& coefficient = k_material_coefficients[key];
+    double& value = keys.coefficients[static_cast<std::size_t>(key)];
+    return coefficient.field == &Material::specular ? read_specular(t, value)
+                                                    : t.p.number(value, coefficient.range);
 }
 
 bool GlintMaterials::Less::operator()(std::uint32_t a, std::uint32_t b) const {
-    using Bits = std::array<std::uint64_t, sizeof(Material) / sizeof(double)>;  // any order will do
-    return std::bit_cast<Bits>((*materials)[a]) < std::bit_cast<Bits>((*materials)[b]);
+    return less_bits((*materials)[a], (*materials)[b]);
 }
 
 GlintMaterials& GlintMaterials::of(LoadState& reading) {
@@ -162,7 +114,7 @@ std::uint32_t GlintMaterials::add(const GlintText& t, const Token& at, const Mat
 }
 
 void GlintMaterials::keep_origin(std::uint32_t index, const MaterialKeys& keys) {
-    origins_.insert_or_assign(index, Origin{keys.given, keys.ambient, keys.diffuse, keys.specular});
+    origins_.insert_or_assign(index, Origin{keys.given, keys.coefficients});
 }
 
 MaterialKeys GlintMaterials::keys_of(std::uint32_t index) const {
@@ -170,9 +122,7 @@ MaterialKeys GlintMaterials::keys_of(std::uint32_t index) const {
     MaterialKeys keys = all_of(scene_.materials[index]);
     if (const auto at = origins_.find(index); at != origins_.end()) {
         keys.given = at->second.given;
-        keys.ambient = at->second.ambient;
-        keys.diffuse = at->second.diffuse;
-        keys.specular = at->second.specular;
+        keys.coefficients = at->second.coefficients;
     }
     return keys;
 }

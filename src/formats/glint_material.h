@@ -1,54 +1,41 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The materials of glint's own language: by name, in place, and from one another.
+#include <array>
+#include <iterator>
 #include <map>
 #include <set>
 #include <unordered_map>
 #include <vector>
 
 #include "formats/glint_text.h"
+#include "scene/material_fields.h"
 
 namespace glint {
 
+/// The keys of a material: first the coefficients, then the fields.
+inline constexpr int k_coefficients = static_cast<int>(std::size(k_material_coefficients));
+inline constexpr auto k_material_keys = [] {
+    std::array<Field, k_coefficients + std::size(k_material_fields)> keys{};
+    auto* key = keys.data();
+    for (const MaterialCoefficient& c : k_material_coefficients) *key++ = {c.key};
+    for (const ItemField<Material>& f : k_material_fields) *key++ = {f.key};
+    return keys;
+}();
+
 /// What a text says of a surface: the keys given, and nothing of the others.
 struct MaterialKeys {
-    enum Key : int {
-        k_color,
-        k_ambient,
-        k_diffuse,
-        k_specular,
-        k_ambient_color,
-        k_diffuse_color,
-        k_specular_color,
-        k_shininess,
-        k_mirror,
-        k_mirror_color,
-        k_transmission,
-        k_transmission_color,
-        k_ior
-    };
-    std::uint32_t given = 0;  ///< a bit a key
-    Color color{0.8, 0.8, 0.8}, ambient_color, diffuse_color, specular_color, mirror_color,
-        transmission_color;
-    double ambient = 0.1, diffuse = 0.8, specular = 0, shininess = 0, mirror = 0, transmission = 0, ior = 1;
+    std::uint64_t given = 0;  ///< a bit a key
+    Material fields;
+    std::array<double, k_coefficients> coefficients = [] {
+        std::array<double, k_coefficients> usual{};
+        for (int i = 0; i < k_coefficients; ++i) usual[i] = k_material_coefficients[i].usual;
+        return usual;
+    }();
 
-    bool has(int key) const { return (given >> key & 1u) != 0; }
+    bool has(std::size_t key) const { return (given >> key & 1u) != 0; }
+    bool has_field(std::size_t field) const { return has(k_coefficients + field); }
 };
-
-/// The keys of a material, in the order of MaterialKeys::Key.
-inline constexpr Field k_material_fields[] = {{"color"},
-                                              {"ambient"},
-                                              {"diffuse"},
-                                              {"specular"},
-                                              {"ambient_color"},
-                                              {"diffuse_color"},
-                                              {"specular_color"},
-                                              {"shininess"},
-                                              {"mirror"},
-                                              {"mirror_color"},
-                                              {"transmission"},
-                                              {"transmission_color"},
-                                              {"ior"}};
 
 /// What people of other languages write.
 std::span<const SpellingHint> material_hints();
@@ -94,8 +81,8 @@ class GlintMaterials {
 
     /// What a Material does not say of the keys it was made of. There may be millions of materials.
     struct Origin {
-        std::uint32_t given = 0;
-        double ambient = 0, diffuse = 0, specular = 0;
+        std::uint64_t given = 0;
+        std::array<double, k_coefficients> coefficients{};
     };
 
     explicit GlintMaterials(Scene& scene) : scene_(scene), unnamed_(Less{&scene.materials}) {}

@@ -4,6 +4,7 @@
 // values.
 #include "formats/block_reader.h"
 #include "formats/load_state.h"
+#include "scene/fields.h"
 
 namespace glint {
 
@@ -20,9 +21,6 @@ struct GlintText {
     BlockReader blocks;
 };
 
-/// What a colour is for: where a channel above which a warning asks whether the numbers are bytes.
-enum class ColorUse : std::uint8_t { surface, coefficient, light };
-
 /// (r, g, b), rgb255(r, g, b), "#rrggbb" or "#rgb".
 bool read_color(GlintText& t, Color& color, const Range& range, ColorUse use);
 
@@ -31,6 +29,24 @@ inline bool read_point(GlintText& t, Vec3& point) { return t.p.point(point, k_co
 
 /// (x, y, z) other than (0, 0, 0).
 bool read_direction(GlintText& t, Vec3& direction);
+
+/// Reads a value by its type. False before what is none.
+struct ValueReader {
+    GlintText& t;
+    bool operator()(const NumberType& type, double& value) const { return t.p.number(value, type.range); }
+    bool operator()(PointType, Vec3& point) const { return read_point(t, point); }
+    bool operator()(PointType, std::optional<Vec3>& point) const { return read_point(t, point.emplace()); }
+    bool operator()(DirectionType, Vec3& direction) const { return read_direction(t, direction); }
+    bool operator()(const ColorType& type, Color& color) const {
+        return read_color(t, color, type.range, type.use);
+    }
+    bool operator()(AttenuationType, Attenuation& attenuation) const;
+};
+
+/// Reads the value of a field. False before what is none.
+template <class Item> bool read_field(GlintText& t, const ItemField<Item>& field, Item& item) {
+    return visit_field(field, item, ValueReader{t});
+}
 
 /// true or false.
 bool read_bool(GlintText& t, bool& value);

@@ -99,6 +99,13 @@ bool read_direction(GlintText& t, Vec3& direction) {
     return true;
 }
 
+bool ValueReader::operator()(AttenuationType, Attenuation& attenuation) const {
+    double c[3] = {};
+    if (!t.p.triple(c, k_attenuation, '(', ')')) return false;
+    attenuation = {c[0], c[1], c[2]};
+    return true;
+}
+
 bool read_bool(GlintText& t, bool& value) {
     static constexpr std::string_view words[] = {"false", "true"};
     int index = 0;

@@ -210,7 +210,7 @@ int Parser::field(FieldSet& set, const Token& key, std::string_view key_name) {
 
 void Parser::report_unknown(const FieldSet& set, const Token& key, std::string_view key_name) {
     const auto fields = set.fields();
-    std::array<std::string_view, 32> names;
+    std::array<std::string_view, k_max_keys> names;
     for (std::size_t i = 0; i < fields.size(); ++i) names[i] = fields[i].name;
     const auto known = std::span(names).first(fields.size());
     if (!set.is_strict()) return warn_ignored(key_name, key, set.what(), known);

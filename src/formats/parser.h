@@ -29,7 +29,9 @@ struct SpellingHint {
     std::string_view name, instead;
 };
 
-/// The keys of one block: which its reader knows, and which it has met. At most 32.
+inline constexpr std::size_t k_max_keys = 64;
+
+/// The keys of one block: which its reader knows, and which it has met. At most k_max_keys.
 class FieldSet {
   public:
     /// what: as messages call the block, "sphere". Unknown keys are ignored, with a warning.
@@ -42,13 +44,13 @@ class FieldSet {
     std::span<const SpellingHint> hints() const { return hints_; }
     bool is_strict() const { return is_strict_; }
     bool has(int index) const { return (met_ >> index & 1u) != 0; }
-    void add(int index) { met_ |= 1u << index; }
+    void add(int index) { met_ |= std::uint64_t{1} << index; }
 
   private:
     std::string_view what_;
     std::span<const Field> fields_;
     std::span<const SpellingHint> hints_;
-    std::uint32_t met_ = 0;
+    std::uint64_t met_ = 0;
     bool is_strict_ = false;
 };
 

@@ -4,30 +4,19 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <cmath>
 #include <functional>
 #include <optional>
 #include <set>
 
+#include "scene/material_fields.h"
+
 namespace glint {
 namespace {
 
-// All that a material is, as bits.
-std::array<std::uint64_t, 22> bits_of(const Material& m) {
-    std::array<std::uint64_t, 22> bits{};
-    std::size_t n = 0;
-    for (const Color& c : {m.color, m.ambient, m.diffuse, m.specular, m.mirror_tint, m.transmission_tint}) {
-        for (const double x : {c.r, c.g, c.b}) bits[n++] = std::bit_cast<std::uint64_t>(x);
-    }
-    for (const double x : {m.shininess, m.mirror, m.transmission, m.ior})
-        bits[n++] = std::bit_cast<std::uint64_t>(x);
-    return bits;
-}
-
 // c with c * color == k, bit for bit; the one with the fewest decimals.
-std::optional<double> coefficient(Color color, Color k) {
+std::optional<double> find_coefficient(Color color, Color k) {
     const auto gives_k = [&](double c) { return c >= 0 && c <= 1 && same_bits(color * c, k); };
     if (gives_k(0)) return 0;
     const double quotient = color.r != 0 ? k.r / color.r : color.g != 0 ? k.g / color.g : k.b / color.b;
@@ -45,28 +34,26 @@ std::optional<double> coefficient(Color color, Color k) {
     return std::nullopt;
 }
 
-void write_term(BlockWriter& block, Color color, Color k, std::string_view word) {
+void write_term(BlockWriter& block, Color color, Color k, const MaterialCoefficient& coefficient,
+                std::string_view absolute_key) {
     std::string absolute, relative;
     append(absolute, k);
-    const auto c = coefficient(color, k);
+    const auto c = find_coefficient(color, k);
     if (c) append(relative, *c);
     // Many digits are no number that anyone chose.
     if (c && relative.size() <= absolute.size()) {
-        block.key(word) += relative;
+        block.key(coefficient.key) += relative;
     } else {
-        block.key(fmt::format("{}_color", word)) += absolute;
+        block.key(absolute_key) += absolute;
     }
 }
 
 }  // namespace
 
-bool same_bits(const Material& a, const Material& b) { return bits_of(a) == bits_of(b); }
-
-bool same_bits(double a, double b) {
-    return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
+bool same_bits(const Material& a, const Material& b) {
+    return std::all_of(std::begin(k_material_fields), std::end(k_material_fields),
+                       [&](const ItemField<Material>& field) { return same_bits(field, a, b); });
 }
-bool same_bits(Vec3 a, Vec3 b) { return same_bits(a.x, b.x) && same_bits(a.y, b.y) && same_bits(a.z, b.z); }
-bool same_bits(Color a, Color b) { return same_bits(a.r, b.r) && same_bits(a.g, b.g) && same_bits(a.b, b.b); }
 
 MaterialPlan::MaterialPlan(const Scene& scene) {
     merge_unnamed(scene);
@@ -86,12 +73,11 @@ void MaterialPlan::merge_unnamed(const Scene& scene) {
         if (scene.material_texts.name(i).empty()) unnamed.push_back(i);
     }
     std::stable_sort(unnamed.begin(), unnamed.end(), [&](std::uint32_t a, std::uint32_t b) {
-        return bits_of(scene.materials[a]) < bits_of(scene.materials[b]);
+        return less_bits(scene.materials[a], scene.materials[b]);
     });
     for (std::size_t i = 1; i < unnamed.size(); ++i) {
         const std::uint32_t before = unnamed[i - 1], after = unnamed[i];
-        if (bits_of(scene.materials[before]) == bits_of(scene.materials[after]))
-            written_[after] = written_[before];
+        if (same_bits(scene.materials[before], scene.materials[after])) written_[after] = written_[before];
     }
 }
 
@@ -128,19 +114,13 @@ std::string_view MaterialPlan::name(std::uint32_t material) const {
 
 void write_material_keys(BlockWriter& block, const Material& m) {
     const Material usual;
-    append(block.key("color"), m.color);
-    write_term(block, m.color, m.ambient, "ambient");
-    write_term(block, m.color, m.diffuse, "diffuse");
-    write_term(block, m.color, m.specular, "specular");
-    const auto write = [&](std::string_view key, const auto& value, const auto& default_value) {
-        if (!same_bits(value, default_value)) append(block.key(key), value);
-    };
-    write("shininess", m.shininess, usual.shininess);
-    write("mirror", m.mirror, usual.mirror);
-    write("mirror_color", m.mirror_tint, usual.mirror_tint);
-    write("transmission", m.transmission, usual.transmission);
-    write("transmission_color", m.transmission_tint, usual.transmission_tint);
-    write("ior", m.ior, usual.ior);
+    for (const ItemField<Material>& field : k_material_fields) {
+        if (const MaterialCoefficient* coefficient = coefficient_of(field)) {
+            write_term(block, m.color, m.*coefficient->field, *coefficient, field.key);
+        } else if (is_field_of(field, &Material::color) || !same_bits(field, m, usual)) {
+            write_field(block, field, m);
+        }
+    }
 }
 
 }  // namespace glint

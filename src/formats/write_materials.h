@@ -36,9 +36,6 @@ class MaterialPlan {
 void write_material_keys(BlockWriter& block, const Material& material);
 
 /// True if the two have the same bits.
-bool same_bits(double a, double b);
-bool same_bits(Vec3 a, Vec3 b);
-bool same_bits(Color a, Color b);
 bool same_bits(const Material& a, const Material& b);
 
 }  // namespace glint

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+// The fields of lights, materials and cameras: one row each, in light_fields.h, material_fields.h and
+// camera_fields.h. The reader and the writer of .glint, validate(), `glint info`, the JSON of explanations,
+// the page's controls and the tables of docs/formats/glint.md go by these rows.
+#include <array>
+#include <bit>
+#include <compare>
+#include <concepts>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+#include <type_traits>
+#include <variant>
+
+#include "glint/scene.h"
+#include "scene/ranges.h"
+
+namespace glint {
+
+/// What a colour is for: where a channel above which a warning asks whether the numbers are bytes.
+enum class ColorUse : std::uint8_t { surface, coefficient, light };
+
+// The types of fields. A visitor of fields has a function for each, or it does not compile.
+
+struct NumberType {
+    static constexpr std::string_view word = "number";
+    Range range;
+};
+struct PointType {
+    static constexpr std::string_view word = "point";
+};
+/// Any length but 0.
+struct DirectionType {
+    static constexpr std::string_view word = "direction";
+};
+struct ColorType {
+    static constexpr std::string_view word = "color";
+    Range range;  ///< of each channel
+    ColorUse use;
+};
+/// Each coefficient in k_attenuation, and one of them above 0.
+struct AttenuationType {
+    static constexpr std::string_view word = "attenuation";
+};
+
+/// Where an item has a value, and of what type it is.
+template <class Item, class Value, class Type> struct FieldMember {
+    Value Item::*at;
+    Type type;
+};
+/// What the fields of an Item may be. An item with further types has a specialisation beside its fields.
+template <class Item> struct FieldMembers {
+    using Any = std::variant<FieldMember<Item, double, NumberType>, FieldMember<Item, Vec3, PointType>,
+                             FieldMember<Item, Vec3, DirectionType>, FieldMember<Item, Color, ColorType>>;
+};
+
+/// A field of an Item (Light, Material, Camera, CameraFrame). Its default is that of Item{}.
+template <class Item> struct ItemField {
+    std::string_view key;    ///< in .glint: "mirror_color"
+    std::string_view name;   ///< in C++ and JSON: "mirror_tint"
+    std::string_view label;  ///< in messages and on the page: "mirror tint"
+    typename FieldMembers<Item>::Any member;
+    std::string_view description;  ///< one line for the documentation: meaning and unit
+
+    bool (Item::*applies)() const = nullptr;  ///< whether the item uses the value; nullptr: always
+    bool required = false;                    ///< where it applies, .glint must give it
+    std::string_view other_key = {};          ///< a second key in .glint
+    std::string_view phrase = {};             ///< before the value in `glint info`: "at"; empty: the label
+    std::string_view otherwise = {};  ///< what .glint takes for a field that is not given; empty: the default
+};
+
+template <class Item> constexpr auto number_field(double Item::*at, const Range& range) {
+    return FieldMember<Item, double, NumberType>{at, {range}};
+}
+template <class Item, class Point> constexpr auto point_field(Point Item::*at) {
+    return FieldMember<Item, Point, PointType>{at, {}};
+}
+template <class Item> constexpr auto direction_field(Vec3 Item::*at) {
+    return FieldMember<Item, Vec3, DirectionType>{at, {}};
+}
+template <class Item> constexpr auto color_field(Color Item::*at, const Range& range, ColorUse use) {
+    return FieldMember<Item, Color, ColorType>{at, {range, use}};
+}
+template <class Item> constexpr auto attenuation_field(Attenuation Item::*at) {
+    return FieldMember<Item, Attenuation, AttenuationType>{at, {}};
+}
+
+/// Calls visit(type, value) with the item's value, and returns what it returns.
+template <class Item, class Visit>
+constexpr decltype(auto) visit_field(const ItemField<Item>& field, Item& item, Visit&& visit) {
+    return std::visit(
+        [&](const auto& member) -> decltype(auto) { return visit(member.type, item.*member.at); },
+        field.member);
+}
+/// The same without the right to change it: visit() is not called for a value that is absent.
+template <class Item, class Visit>
+constexpr void visit_field(const ItemField<Item>& field, const Item& item, Visit&& visit) {
+    std::visit(
+        [&](const auto& member) {
+            const auto& value = item.*member.at;
+            if constexpr (requires { value.has_value(); }) {
+                if (value) visit(member.type, *value);
+            } else {
+                visit(member.type, value);
+            }
+        },
+        field.member);
+}
+
+template <class Item> constexpr bool applies(const ItemField<Item>& field, const Item& item) {
+    return field.applies == nullptr || (item.*field.applies)();
+}
+
+/// Whether it is the field of this member, as in is_field_of(row, &Light::color).
+template <class Item, class Value>
+constexpr bool is_field_of(const ItemField<Item>& field, Value Item::*member) {
+    return std::visit(
+        [&](const auto& row) {
+            if constexpr (std::same_as<std::remove_cvref_t<decltype(row.at)>, Value Item::*>) {
+                return row.at == member;
+            } else {
+                return false;
+            }
+        },
+        field.member);
+}
+
+constexpr std::array<double, 1> numbers_of(double x) { return {x}; }
+constexpr std::array<double, 3> numbers_of(const Vec3& v) { return {v.x, v.y, v.z}; }
+constexpr std::array<double, 3> numbers_of(const Color& c) { return {c.r, c.g, c.b}; }
+constexpr std::array<double, 3> numbers_of(const Attenuation& a) { return {a.c0, a.c1, a.c2}; }
+
+/// True if two values have the same bits.
+template <class Value> constexpr bool same_bits(const Value& a, const Value& b) {
+    using Bits = std::array<std::uint64_t, numbers_of(Value{}).size()>;
+    return std::bit_cast<Bits>(numbers_of(a)) == std::bit_cast<Bits>(numbers_of(b));
+}
+
+/// Calls visit with the bits of each number of a field.
+template <class Item, class Visit>
+constexpr void visit_bits(const ItemField<Item>& field, const Item& item, Visit&& visit) {
+    visit_field(field, item, [&](const auto&, const auto& value) {
+        for (const double x : numbers_of(value)) visit(std::bit_cast<std::uint64_t>(x));
+    });
+}
+
+/// The order of the field's bits in two items.
+template <class Item>
+constexpr std::strong_ordering compare_bits(const ItemField<Item>& field, const Item& a, const Item& b) {
+    std::array<std::uint64_t, 3> of_a{}, of_b{};
+    std::size_t n = 0, m = 0;
+    visit_bits(field, a, [&](std::uint64_t bits) { of_a[n++] = bits; });
+    visit_bits(field, b, [&](std::uint64_t bits) { of_b[m++] = bits; });
+    if (n != m) return n <=> m;
+    if (of_a == of_b) return std::strong_ordering::equal;
+    return of_a < of_b ? std::strong_ordering::less : std::strong_ordering::greater;
+}
+/// True if the field has the same bits in both items.
+template <class Item> constexpr bool same_bits(const ItemField<Item>& field, const Item& a, const Item& b) {
+    return compare_bits(field, a, b) == 0;
+}
+
+/// The value as a number, or as a list of numbers; null if it is absent. Json: the JSON library's, which this
+/// module does not include.
+template <class Json, class Item> Json field_json(const ItemField<Item>& field, const Item& item) {
+    Json json;
+    visit_field(field, item, [&](const auto&, const auto& value) {
+        if constexpr (std::same_as<std::remove_cvref_t<decltype(value)>, double>) {
+            json = value;
+        } else {
+            json = numbers_of(value);
+        }
+    });
+    return json;
+}
+
+}  // namespace glint

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include "scene/fields.h"
+
+namespace glint {
+
+/// In the order in which they are written.
+inline constexpr ItemField<Material> k_material_fields[] = {
+    {"color", "color", "color", color_field(&Material::color, k_channel, ColorUse::surface),
+     "the surface's color"},
+    {.key = "ambient_color",
+     .name = "ambient",
+     .label = "ambient",
+     .member = color_field(&Material::ambient, k_channel, ColorUse::coefficient),
+     .description = "k_a itself",
+     .otherwise = "ambient * color"},
+    {.key = "diffuse_color",
+     .name = "diffuse",
+     .label = "diffuse",
+     .member = color_field(&Material::diffuse, k_channel, ColorUse::coefficient),
+     .description = "k_d itself",
+     .otherwise = "diffuse * color"},
+    {.key = "specular_color",
+     .name = "specular",
+     .label = "specular",
+     .member = color_field(&Material::specular, k_channel, ColorUse::coefficient),
+     .description = "k_s itself: white gives white highlights on colored plastic",
+     .otherwise = "specular * color"},
+    {"shininess", "shininess", "shininess", number_field(&Material::shininess, k_exponent),
+     "the exponent n of the highlight"},
+    {"mirror", "mirror", "mirror", number_field(&Material::mirror, k_fraction),
+     "a, the part of the light that is reflected"},
+    {"mirror_color", "mirror_tint", "mirror tint",
+     color_field(&Material::mirror_tint, k_tint, ColorUse::surface), "the tint of what the mirror shows"},
+    {"transmission", "transmission", "transmission", number_field(&Material::transmission, k_fraction),
+     "the part of the light that is transmitted"},
+    {"transmission_color", "transmission_tint", "transmission tint",
+     color_field(&Material::transmission_tint, k_tint, ColorUse::surface), "the tint of what is transmitted"},
+    {"ior", "ior", "index of refraction", number_field(&Material::ior, k_index_of_refraction),
+     "the index of refraction"},
+};
+
+/// A key of .glint that gives a field as a factor of the color.
+struct MaterialCoefficient {
+    std::string_view key;
+    Color Material::*field;
+    double usual;  ///< what it is if only the color is given
+    Range range;
+    std::string_view description;
+};
+inline constexpr Range k_coefficient{0, 1e6, false, false, "a coefficient from 0 to 1e6"};
+inline constexpr MaterialCoefficient k_material_coefficients[] = {
+    {"ambient", &Material::ambient, 0.1, k_coefficient, "k_a = ambient * color"},
+    {"diffuse", &Material::diffuse, 0.8, k_coefficient, "k_d = diffuse * color"},
+    {"specular", &Material::specular, 0, k_fraction, "k_s = specular * color, as in CGFS and RT2"},
+};
+
+/// The number of a member's row.
+template <class Value> constexpr std::size_t material_field(Value Material::*member) {
+    std::size_t i = 0;
+    while (!is_field_of(k_material_fields[i], member)) ++i;
+    return i;
+}
+
+/// The coefficient that gives a field, or nullptr.
+constexpr const MaterialCoefficient* coefficient_of(const ItemField<Material>& field) {
+    for (const MaterialCoefficient& c : k_material_coefficients) {
+        if (is_field_of(field, c.field)) return &c;
+    }
+    return nullptr;
+}
+
+/// Some order of all materials; of two with the same bits, neither is less.
+inline bool less_bits(const Material& a, const Material& b) {
+    for (const ItemField<Material>& field : k_material_fields) {
+        if (const auto order = compare_bits(field, a, b); order != 0) return order < 0;
+    }
+    return false;
+}
+
+}  // namespace glint
