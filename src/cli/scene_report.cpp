@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/text.h"
+#include "scene/light_fields.h"
 
 namespace glint::cli {
 namespace {
@@ -25,19 +26,14 @@ std::string color(Color c) {
 Json vec_json(Vec3 v) { return {v.x, v.y, v.z}; }
 Json color_json(Color c) { return {c.r, c.g, c.b}; }
 
-std::string_view word(LightKind kind) {
-    constexpr std::array<std::string_view, 3> words = {"ambient", "point", "directional"};
-    return words[static_cast<std::size_t>(kind)];
-}
-
 std::array<std::size_t, k_shape_kinds> shape_counts(const Scene& scene) {
     std::array<std::size_t, k_shape_kinds> counts{};
     for (const Shape& shape : scene.shapes) ++counts[static_cast<std::size_t>(shape.kind)];
     return counts;
 }
 
-std::array<std::size_t, 3> light_counts(const Scene& scene) {
-    std::array<std::size_t, 3> counts{};
+std::array<std::size_t, k_light_kinds> light_counts(const Scene& scene) {
+    std::array<std::size_t, k_light_kinds> counts{};
     for (const Light& light : scene.lights) ++counts[static_cast<std::size_t>(light.kind)];
     return counts;
 }
@@ -49,19 +45,22 @@ std::string place_text(const Scene& scene, SourcePlace place) {
 
 bool is_bounded(const Bounds& box) { return box.min.x <= box.max.x; }
 
+// A value in six digits.
+std::string text_of(double x) { return fmt::format("{:.6g}", x); }
+std::string text_of(const auto& value) { return fmt::format("({:.6g})", fmt::join(numbers_of(value), ", ")); }
+
 // What a light's kind needs beyond its colour.
 std::string light_details(const Light& light) {
     std::string text;
-    if (light.kind == LightKind::point) {
-        text = "at " + vec(light.position);
-        if (!(light.attenuation == Attenuation{})) {
-            text += fmt::format("  attenuation ({:.6g}, {:.6g}, {:.6g})", light.attenuation.c0,
-                                light.attenuation.c1, light.attenuation.c2);
-        }
-    } else if (light.kind == LightKind::directional) {
-        text = "towards " + vec(light.to_light);
+    for (const ItemField<Light>& field : k_light_fields) {
+        const bool is_shown = field.required || !same_bits(field, light, Light{});
+        if (is_light_color(field) || !is_shown || !applies(field, light)) continue;
+        visit_field(field, light, [&](const auto&, const auto& value) {
+            text += fmt::format("{}{} {}", text.empty() ? "" : "  ",
+                                field.phrase.empty() ? field.label : field.phrase, text_of(value));
+        });
     }
-    if (light.kind != LightKind::ambient && !(light.specular_color == light.color)) {
+    if (light.has_specular_color() && !(light.specular_color == light.color)) {
         text += "  specular " + color(light.specular_color);
     }
     return text;
@@ -138,13 +137,13 @@ std::string text_report(const SceneReport& report) {
     fmt::format_to(out, "background  {}\n", color(scene.background));
     fmt::format_to(out, "lights      {}\n",
                    counts_text(light_counts(scene), [](std::size_t n, std::size_t kind) {
-                       return fmt::format("{} {}", n, word(static_cast<LightKind>(kind)));
+                       return fmt::format("{} {}", n, to_string(static_cast<LightKind>(kind)));
                    }));
     for (std::size_t i = 0; i < scene.lights.size() && i < k_max_listed; ++i) {
         const Light& light = scene.lights[i];
         const auto index = static_cast<std::uint32_t>(i);
         std::string line =
-            fmt::format("  {:11} {:10} {}", word(light.kind), color(light.color), light_details(light));
+            fmt::format("  {:11} {:10} {}", to_string(light.kind), color(light.color), light_details(light));
         if (!scene.light_texts.name(index).empty())
             line += fmt::format("  \"{}\"", scene.light_texts.name(index));
         const std::string place = place_text(scene, scene.light_texts.place(index));
@@ -204,13 +203,12 @@ std::string json_report(const SceneReport& report) {
     json["lights"] = Json::array();
     for (std::uint32_t i = 0; i < scene.lights.size(); ++i) {
         const Light& light = scene.lights[i];
-        Json item = {{"kind", word(light.kind)}, {"color", color_json(light.color)}};
-        if (light.kind == LightKind::point) {
-            item["position"] = vec_json(light.position);
-            item["attenuation"] = {light.attenuation.c0, light.attenuation.c1, light.attenuation.c2};
+        Json item = {{"kind", to_string(light.kind)}, {"color", color_json(light.color)}};
+        for (const ItemField<Light>& field : k_light_fields) {
+            if (!is_light_color(field) && applies(field, light))
+                item[std::string(field.name)] = field_json<Json>(field, light);
         }
-        if (light.kind == LightKind::directional) item["to_light"] = vec_json(light.to_light);
-        if (light.kind != LightKind::ambient) item["specular_color"] = color_json(light.specular_color);
+        if (light.has_specular_color()) item["specular_color"] = color_json(light.specular_color);
         if (!scene.light_texts.name(i).empty()) item["name"] = scene.light_texts.name(i);
         const std::string place = place_text(scene, scene.light_texts.place(i));
         if (!place.empty()) item["place"] = place;

@@ -2,25 +2,18 @@
 // camera { } of glint's own language.
 #include <fmt/format.h>
 
-#include "formats/glint_text.h"
+#include "formats/field_keys.h"
+#include "scene/camera_fields.h"
 
 namespace glint {
 namespace {
 
-enum {
-    k_projection,
-    k_position,
-    k_look_at,
-    k_up,
-    k_fov_x,
-    k_fov_y,
-    k_width,
-    k_lighting_eye,
-    k_right,
-    k_forward
-};
-constexpr Field k_fields[] = {{"projection"}, {"position"}, {"look_at"},      {"up"},    {"fov_x"},
-                              {"fov_y"},      {"width"},    {"lighting_eye"}, {"right"}, {"forward"}};
+// The keys: three that are no fields of the camera, then those of the fields.
+enum { k_projection, k_right, k_forward };
+const FieldKeys<Camera>& camera_keys() {
+    static const FieldKeys<Camera> keys({{"projection"}, {"right"}, {"forward"}}, k_camera_fields);
+    return keys;
+}
 
 constexpr std::string_view k_fov =
     "`fov_x` (across the picture's width) or `fov_y` (across its height), in degrees";
@@ -44,22 +37,26 @@ constexpr SpellingHint k_hints[] = {{"fov", k_fov},
 
 // What does not go together. Each mistake is named at the block.
 void check(GlintText& t, const FieldSet& set, const Token& word, const Camera& camera) {
+    const FieldKeys<Camera>& keys = camera_keys();
+    const int look_at = keys.key_of(&Camera::look_at), up = keys.key_of(&Camera::up),
+              fov_x = keys.key_of(&Camera::fov_degrees), fov_y = fov_x + 1,
+              width = keys.key_of(&Camera::width);
     const bool is_flat = camera.projection == Projection::orthographic;
     if (set.has(k_right) || set.has(k_forward)) {
-        if (!set.has(k_right) || !set.has(k_up) || !set.has(k_forward))
+        if (!set.has(k_right) || !set.has(up) || !set.has(k_forward))
             t.p.error(word, "expected `right`, `up` and `forward`, all three or none of them");
-        for (const int field : {k_look_at, k_fov_x, k_fov_y, k_width}) {
-            if (!set.has(field)) continue;
+        for (const int key : {look_at, fov_x, fov_y, width}) {
+            if (!set.has(key)) continue;
             t.p.error(word,
                       fmt::format("expected no `{}` beside `right`, `up` and `forward`, which say it already",
-                                  k_fields[field].name));
+                                  set.fields()[static_cast<std::size_t>(key)].name));
         }
         return;
     }
-    if (set.has(k_fov_x) && set.has(k_fov_y)) t.p.error(word, "expected `fov_x` or `fov_y`, found both");
-    if (is_flat && (set.has(k_fov_x) || set.has(k_fov_y)))
+    if (set.has(fov_x) && set.has(fov_y)) t.p.error(word, "expected `fov_x` or `fov_y`, found both");
+    if (is_flat && (set.has(fov_x) || set.has(fov_y)))
         t.p.error(word, "an orthographic camera has no field of view: write `width`");
-    if (!is_flat && set.has(k_width))
+    if (!is_flat && set.has(width))
         t.p.error(word,
                   "a perspective camera has no `width`: write `fov_x` or `fov_y`, or "
                   "`projection = orthographic`");
@@ -68,36 +65,27 @@ void check(GlintText& t, const FieldSet& set, const Token& word, const Camera& c
 }  // namespace
 
 void read_glint_camera(GlintText& t, const Token& word) {
-    FieldSet set("camera", k_fields, k_hints);
+    const FieldKeys<Camera>& keys = camera_keys();
+    const int fov_x = keys.key_of(&Camera::fov_degrees), fov_y = fov_x + 1;
+    FieldSet set("camera", keys.all(), k_hints);
     Camera camera;
     CameraFrame frame;
-    const bool whole = t.blocks.fields(set, word, [&](int field, const Token&) {
-        switch (field) {
+    const bool whole = t.blocks.fields(set, word, [&](int key, const Token&) {
+        switch (key) {
             case k_projection: {
                 static constexpr std::string_view words[] = {"perspective", "orthographic"};
                 int index = 0;
-                if (!t.p.choice(words, "`perspective` or `orthographic`", index)) return false;
+                if (!t.p.choice(words, one_of(words), index)) return false;
                 camera.projection = static_cast<Projection>(index);
                 return true;
             }
-            case k_position:
-                return read_point(t, camera.position);
-            case k_look_at:
-                return read_point(t, camera.look_at);
-            case k_up:
-                return read_direction(t, camera.up);
-            case k_fov_x:
-            case k_fov_y:
-                camera.fov_axis = field == k_fov_x ? FovAxis::x : FovAxis::y;
-                return t.p.number(camera.fov_degrees, k_angle);
-            case k_width:
-                return t.p.number(camera.width, k_length);
-            case k_lighting_eye:
-                return read_point(t, camera.lighting_eye.emplace());
             case k_right:
                 return read_direction(t, frame.right);
-            default:
+            case k_forward:
                 return read_direction(t, frame.forward);
+            default:
+                if (key == fov_x || key == fov_y) camera.fov_axis = key == fov_x ? FovAxis::x : FovAxis::y;
+                return read_field(t, *keys.field(key), camera);
         }
     });
     if (!whole) return;

@@ -12,6 +12,8 @@
 #include "formats/write_shapes.h"
 #include "glint/version.h"
 #include "glint/write.h"
+#include "scene/camera_fields.h"
+#include "scene/light_fields.h"
 
 namespace glint {
 namespace {
@@ -109,21 +111,16 @@ class GlintWriter {
         out_ += '\n';
         block_.begin("camera");
         if (c.projection == Projection::orthographic) block_.key("projection") += "orthographic";
-        append(block_.key("position"), c.position);
-        if (c.frame) {
-            append(block_.key("right"), c.frame->right);
-            append(block_.key("up"), c.frame->up);
-            append(block_.key("forward"), c.frame->forward);
-        } else {
-            append(block_.key("look_at"), c.look_at);
-            append(block_.key("up"), c.up);
-            if (c.projection == Projection::orthographic) {
-                append(block_.key("width"), c.width);
+        for (const ItemField<Camera>& field : k_camera_fields) {
+            if (!applies(field, c)) continue;
+            if (is_field_of(field, &Camera::fov_degrees)) {
+                append(block_.key(c.fov_axis == FovAxis::x ? field.key : field.other_key), c.fov_degrees);
             } else {
-                append(block_.key(c.fov_axis == FovAxis::x ? "fov_x" : "fov_y"), c.fov_degrees);
+                write_field(block_, field, c);
             }
+            if (!c.frame || !is_field_of(field, &Camera::position)) continue;
+            for (const ItemField<CameraFrame>& axis : k_frame_fields) write_field(block_, axis, *c.frame);
         }
-        if (c.lighting_eye) append(block_.key("lighting_eye"), *c.lighting_eye);
         end(ItemKind::camera, 0);
     }
 
@@ -137,21 +134,22 @@ class GlintWriter {
     }
 
     void write_keys(const Light& l) {
-        static constexpr std::string_view kinds[] = {"ambient", "point", "directional"};
-        block_.key("type") += kinds[static_cast<std::size_t>(l.kind)];
-        if (l.kind == LightKind::point) append(block_.key("position"), l.position);
-        if (l.kind == LightKind::directional) append(block_.key("to_light"), l.to_light);
-        const bool one_color = l.kind == LightKind::ambient || same_bits(l.color, l.specular_color);
+        block_.key("type") += to_string(l.kind);
+        const auto write_fields = [&](bool required) {
+            for (const ItemField<Light>& field : k_light_fields) {
+                if (is_light_color(field) || field.required != required || !applies(field, l)) continue;
+                if (required || !same_bits(field, l, Light{})) write_field(block_, field, l);
+            }
+        };
+        write_fields(true);
+        const bool one_color = !l.has_specular_color() || same_bits(l.color, l.specular_color);
         if (one_color && same_bits(l.color, Color{l.color.r, l.color.r, l.color.r})) {
             append(block_.key("intensity"), l.color.r);
         } else {
             append(block_.key("color"), l.color);
             if (!one_color) append(block_.key("specular_color"), l.specular_color);
         }
-        const Attenuation& a = l.attenuation;
-        const bool attenuates = !same_bits(Vec3{a.c0, a.c1, a.c2}, Vec3{1, 0, 0});
-        if (l.kind == LightKind::point && attenuates)
-            append(block_.key("attenuation"), Vec3{a.c0, a.c1, a.c2});
+        write_fields(false);
     }
 
     void write_materials() {

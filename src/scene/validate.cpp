@@ -6,6 +6,9 @@
 
 #include "base/text.h"
 #include "math/number.h"
+#include "scene/camera_fields.h"
+#include "scene/light_fields.h"
+#include "scene/material_fields.h"
 #include "scene/mistakes.h"
 #include "scene/parallel.h"
 #include "scene/ranges.h"
@@ -125,18 +128,10 @@ class Validator {
         if (c.projection > Projection::orthographic || c.fov_axis > FovAxis::y) {
             error(place, "the camera: no such projection or fov axis");
         }
-        check_point(c.position, place, of, "position");
-        if (c.lighting_eye) check_point(*c.lighting_eye, place, of, "lighting eye");
+        check_fields<Camera>(k_camera_fields, c, place, of);
         if (c.frame) {
             check_frame(*c.frame, place);
             return;
-        }
-        check_point(c.look_at, place, of, "target");
-        check_direction(c.up, place, of, "up");
-        if (c.projection == Projection::perspective) {
-            check(k_angle, c.fov_degrees, place, of, "field of view");
-        } else {
-            check(k_length, c.width, place, of, "width");
         }
         const Vec3 forward = c.look_at - c.position;
         if (is_zero(forward)) {
@@ -148,9 +143,7 @@ class Validator {
     }
 
     void check_frame(const CameraFrame& frame, SourcePlace place) {
-        check_direction(frame.right, place, "the camera", "right");
-        check_direction(frame.up, place, "the camera", "up");
-        check_direction(frame.forward, place, "the camera", "forward");
+        check_fields<CameraFrame>(k_frame_fields, frame, place, "the camera");
         if (is_zero(frame.right) || is_zero(frame.up) || is_zero(frame.forward)) return;
         const Vec3 normal = cross(unit_or_zero(frame.right), unit_or_zero(frame.up));
         const double volume = dot(normal, unit_or_zero(frame.forward));
@@ -160,38 +153,46 @@ class Validator {
         }
     }
 
+    // What the values of fields may be, by type.
+    struct ValueCheck {
+        Validator& validator;
+        SourcePlace place;
+        std::string_view of, label;
+        void operator()(const NumberType& type, double x) const {
+            validator.check(type.range, x, place, of, label);
+        }
+        void operator()(PointType, Vec3 p) const { validator.check_point(p, place, of, label); }
+        void operator()(DirectionType, Vec3 d) const { validator.check_direction(d, place, of, label); }
+        void operator()(const ColorType& type, Color c) const {
+            validator.check_color(type.range, c, place, of, label);
+        }
+        void operator()(AttenuationType, const Attenuation& a) const {
+            for (const double c : numbers_of(a)) validator.check(k_attenuation, c, place, of, label);
+            if (a == Attenuation{0, 0, 0})
+                validator.error(place,
+                                fmt::format("{}: {}: expected one of its numbers to be > 0", of, label));
+        }
+    };
+
+    template <class Item>
+    void check_fields(std::span<const ItemField<Item>> fields, const Item& item, SourcePlace place,
+                      std::string_view of) {
+        for (const ItemField<Item>& field : fields) {
+            if (applies(field, item)) visit_field(field, item, ValueCheck{*this, place, of, field.label});
+        }
+    }
+
     void check_light(std::uint32_t i) {
         const Light& l = scene_.lights[i];
         const SourcePlace place = scene_.light_texts.place(i);
         const std::string of = item("light", i, scene_.light_texts.name(i));
-        if (l.kind > LightKind::directional) error(place, of + ": no such kind of light");
-        check_color(k_channel, l.color, place, of, "color");
-        if (l.kind == LightKind::ambient) return;
-        check_color(k_channel, l.specular_color, place, of, "specular color");
-        if (l.kind == LightKind::directional) {
-            check_direction(l.to_light, place, of, "direction");
-            return;
-        }
-        check_point(l.position, place, of, "position");
-        const Attenuation& a = l.attenuation;
-        for (const double c : {a.c0, a.c1, a.c2}) check(k_attenuation, c, place, of, "attenuation");
-        if (a == Attenuation{0, 0, 0})
-            error(place, of + ": attenuation: expected one of its numbers to be > 0");
+        if (static_cast<int>(l.kind) >= k_light_kinds) error(place, of + ": no such kind of light");
+        check_fields<Light>(k_light_fields, l, place, of);
     }
 
     void check_material(const Material& m, std::uint32_t i) {
-        const SourcePlace place = scene_.material_texts.place(i);
-        const std::string of = item("material", i, scene_.material_texts.name(i));
-        check_color(k_channel, m.color, place, of, "color");
-        check_color(k_channel, m.ambient, place, of, "ambient");
-        check_color(k_channel, m.diffuse, place, of, "diffuse");
-        check_color(k_channel, m.specular, place, of, "specular");
-        check(k_exponent, m.shininess, place, of, "shininess");
-        check(k_fraction, m.mirror, place, of, "mirror");
-        check_color(k_tint, m.mirror_tint, place, of, "mirror tint");
-        check(k_fraction, m.transmission, place, of, "transmission");
-        check(k_index_of_refraction, m.ior, place, of, "index of refraction");
-        check_color(k_tint, m.transmission_tint, place, of, "transmission tint");
+        check_fields<Material>(k_material_fields, m, scene_.material_texts.place(i),
+                               item("material", i, scene_.material_texts.name(i)));
     }
 
     // place: nothing where that of the first shape that it is for is to be looked up.
