@@ -72,11 +72,30 @@ template <auto Member, class C, class S> auto& field(C& conventions, S& settings
     }
 }
 
+// "center | corner | whole"
+template <const auto& Words> struct JoinedWords {
+    static constexpr std::string_view separator = " | ";
+    static constexpr auto letters = [] {
+        constexpr std::size_t size = [] {
+            std::size_t sum = (std::size(Words) - 1) * separator.size();
+            for (const std::string_view word : Words) sum += word.size();
+            return sum;
+        }();
+        std::array<char, size> all{};
+        char* to = all.data();
+        for (const std::string_view& word : Words) {
+            if (&word != std::data(Words)) to = std::copy(separator.begin(), separator.end(), to);
+            to = std::copy(word.begin(), word.end(), to);
+        }
+        return all;
+    }();
+    static constexpr std::string_view text{letters.data(), letters.size()};
+};
+
 template <auto Member, const auto& Words>
-constexpr Row word_row(std::string_view name, std::string_view values, std::string_view description,
-                       bool convention) {
+constexpr Row word_row(std::string_view name, std::string_view description, bool convention) {
     return {
-        {name, values, description, convention},
+        {name, JoinedWords<Words>::text, description, convention},
         [](Conventions& c, RenderSettings& s, const SettingKey& key, std::string_view text) -> std::string {
             auto& value = field<Member>(c, s);
             const auto* at = std::find(std::begin(Words), std::end(Words), text);
@@ -147,51 +166,55 @@ using C = Conventions;
 using S = RenderSettings;
 
 constexpr Row k_rows[] = {
-    word_row<&C::pixel_sample, k_pixel_samples>(
-        "pixel_sample", "center | corner | whole",
-        "where in its pixel a camera ray passes; whole: at whole units from the picture's middle", true),
+    word_row<&C::pixel_sample, k_pixel_samples>("pixel_sample",
+                                                "where in its pixel a camera ray passes; whole: at integer "
+                                                "coordinates, counted from the picture's centre",
+                                                true),
     word_row<&C::ray_direction, k_ray_directions>(
-        "ray_direction", "unit | viewport", "the length of a camera ray's direction, which scales its t",
-        true),
-    number_row<&C::camera_t_min, k_not_negative>("camera_t_min", "camera rays hit only at t above this"),
+        "ray_direction", "the length of a camera ray's direction, which scales its t", true),
+    number_row<&C::camera_t_min, k_not_negative>("camera_t_min",
+                                                 "camera rays have hits only at t above this"),
     bool_row<&C::specular_gate>("specular_gate", "the highlight needs N.L > 0", true),
     bool_row<&C::clamp_cosines>(
         "clamp_cosines", "negative cosines add nothing; false: a classic fault, and LIGHT's own code", true),
     bool_row<&C::normalize>("normalize", "L, V, R and H are normalised; false: a classic fault", true),
     word_row<&C::offset, k_offsets>(
-        "offset", "ray | normal | facing | direction | scale",
-        "what epsilon means for a ray that leaves a surface: its least t, or where it starts", true),
-    number_row<&C::epsilon, k_not_negative>("epsilon", "how far a ray leaves a surface; 0: a classic fault"),
+        "offset",
+        "what epsilon means for a ray that starts on a surface: its least t, or how its origin is moved",
+        true),
+    number_row<&C::epsilon, k_not_negative>("epsilon", "the size of the offset; 0: a classic fault"),
     bool_row<&C::shadow_stops_at_light>(
-        "shadow_stops_at_light", "only what is before the light casts shadows; false: a classic fault", true),
-    word_row<&C::mirror, k_mirrors>("mirror", "blend | add",
-                                    "blend: (1-a) local + a reflected; add: local + a reflected", true),
+        "shadow_stops_at_light",
+        "only occluders between the point and the light cast shadows; false: a classic fault", true),
+    word_row<&C::mirror, k_mirrors>("mirror", "blend: (1-a) local + a reflected; add: local + a reflected",
+                                    true),
     word_row<&C::limit, k_limits>(
-        "limit", "keep | drop",
-        "the last permitted surface gives its local colour whole, or as if its mirror saw black", true),
-    word_row<&C::mirror_miss, k_misses>("mirror_miss", "background | black",
+        "limit",
+        "the last permitted surface shows its local colour completely, or as if its mirror saw black", true),
+    word_row<&C::mirror_miss, k_misses>("mirror_miss",
                                         "what a mirror or glass ray that leaves the scene sees", true),
     word_row<&C::fresnel, k_fresnels>(
-        "fresnel", "none | schlick",
-        "how much glass reflects of what it would let through; schlick: by the angle", true),
+        "fresnel",
+        "how much of the light that glass would transmit is reflected; schlick: depends on the angle", true),
     number_row<&C::beer, k_not_negative>(
         "beer",
         "0: glass tints once, where a ray enters; else by Beer's law, exp(-beer (1 - tint) distance)"),
-    word_row<&C::glass_shadow, k_glass_shadows>("glass_shadow", "opaque | none",
-                                                "whether glass casts shadows", true),
-    number_row<&C::min_weight, k_fraction>("min_weight", "a ray that weighs less than this is not traced"),
+    word_row<&C::glass_shadow, k_glass_shadows>("glass_shadow", "whether glass casts shadows", true),
+    number_row<&C::min_weight, k_fraction>("min_weight", "a ray with a smaller weight is not traced"),
     word_row<&C::facing, k_facings>(
-        "facing", "none | open | all",
-        "which normals are turned to the incoming ray; open: those of surfaces that enclose nothing", true),
-    bool_row<&C::cones>("cones", "cones are drawn; CSC 473's own program reads them and draws none", true),
-    {{"size", "WIDTHxHEIGHT, each from 1 to 65536", "pixels of the picture", false}, parse_size, print_size},
-    word_row<&S::shading, k_shadings>("shading", "phong | blinn-phong | diffuse | color | normals",
-                                      "the lighting equation, or part of it", false),
-    bool_row<&S::shadows>("shadows", "lights can be blocked", false),
+        "facing",
+        "which normals are turned to the incoming ray; open: those of surfaces that enclose no volume", true),
+    bool_row<&C::cones>(
+        "cones", "cones are rendered; CSC 473's own program reads them and does not render them", true),
+    {{"size", "WIDTHxHEIGHT, each from 1 to 65536", "the size of the picture in pixels", false},
+     parse_size,
+     print_size},
+    word_row<&S::shading, k_shadings>("shading", "the lighting equation, or part of it", false),
+    bool_row<&S::shadows>("shadows", "whether objects cast shadows", false),
     whole_row<&S::reflections, 0, k_max_reflections>("reflections", "a whole number from 0 to 1000",
-                                                     "the most generations of mirror and glass rays"),
+                                                     "the greatest generation of mirror and glass rays"),
     whole_row<&S::samples, 1, k_max_samples>("aa", "a whole number from 1 to 64",
-                                             "n: n x n regular samples a pixel"),
+                                             "n: n x n regular samples for each pixel"),
 };
 constexpr std::size_t k_count = std::size(k_rows);
 
