@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "wasm/describe.h"
 
+#include "scene/camera_fields.h"
+#include "scene/light_fields.h"
 #include "world/prepare_camera.h"
 
 namespace glint::wasm {
@@ -21,16 +23,13 @@ Json camera_json(const Scene& scene) {
     const Camera& camera = scene.camera;
     Json json = {
         {"projection", camera.projection == Projection::perspective ? "perspective" : "orthographic"},
-        {"position", vec(camera.position)},
         {"place", place_json(scene, scene.camera_place)},
         {"has_frame", camera.frame.has_value()}};
-    if (!camera.frame) {
-        json["look_at"] = vec(camera.look_at);
-        json["up"] = vec(camera.up);
-        json["fov"] = camera.fov_degrees;
-        json["fov_axis"] = camera.fov_axis == FovAxis::x ? "x" : "y";
-        json["width"] = camera.width;
+    for (const ItemField<Camera>& field : k_camera_fields) {
+        if (!camera.frame || applies(field, camera))
+            json[std::string(field.name)] = field_json<Json>(field, camera);
     }
+    if (!camera.frame) json["fov_axis"] = camera.fov_axis == FovAxis::x ? "x" : "y";
     const PreparedCamera prepared = prepare_camera(camera, scene.settings);
     json["view"] = {
         {"right", vec(prepared.right)}, {"up", vec(prepared.up)}, {"forward", vec(prepared.forward)}};
@@ -39,14 +38,36 @@ Json camera_json(const Scene& scene) {
 
 Json light_json(const Scene& scene, std::uint32_t index) {
     const Light& light = scene.lights[index];
-    constexpr const char* words[] = {"ambient", "point", "directional"};
-    Json json = {{"kind", words[static_cast<std::size_t>(light.kind)]},
+    Json json = {{"kind", to_string(light.kind)},
                  {"name", scene.light_texts.name(index)},
-                 {"place", place_json(scene, scene.light_texts.place(index))},
-                 {"color", color(light.color)}};
-    if (light.kind == LightKind::point) json["position"] = vec(light.position);
-    if (light.kind == LightKind::directional) json["to_light"] = vec(light.to_light);
+                 {"place", place_json(scene, scene.light_texts.place(index))}};
+    for (const ItemField<Light>& field : k_light_fields) {
+        if (applies(field, light)) json[std::string(field.name)] = field_json<Json>(field, light);
+    }
     return json;
+}
+
+/// What a page needs for the controls of a kind of item.
+template <class Item> Json fields_json(std::span<const ItemField<Item>> fields) {
+    Json list = Json::array();
+    for (const ItemField<Item>& field : fields) {
+        Json keys = {field.key};
+        if (!field.other_key.empty()) keys.push_back(field.other_key);
+        Json json = {{"name", field.name},         {"keys", std::move(keys)},
+                     {"label", field.label},       {"description", field.description},
+                     {"required", field.required}, {"default", field_json<Json>(field, Item{})}};
+        std::visit(
+            [&](const auto& member) {
+                json["type"] = member.type.word;
+                if constexpr (requires { member.type.range; }) {
+                    json["min"] = member.type.range.min;
+                    json["max"] = member.type.range.max;
+                }
+            },
+            field.member);
+        list.push_back(std::move(json));
+    }
+    return list;
 }
 
 /// Every setting: its value, what the profile has, and who set it.
@@ -106,6 +127,7 @@ Json describe(const Scene& scene, const World& world) {
             {"background", color(scene.background)},
             {"camera", camera_json(scene)},
             {"lights", std::move(lights)},
+            {"light_fields", fields_json<Light>(k_light_fields)},
             {"settings", settings_json(scene)}};
 }
 

@@ -69,13 +69,35 @@ export interface Setting {
     place: Place | null;
 }
 
+/** A field of an item: what a page needs to show it and to change it in the text. */
+export interface FieldInfo {
+    /** In the item's JSON. */
+    name: string;
+    /** In .glint, the preferred one first. */
+    keys: string[];
+    label: string;
+    description: string;
+    type: 'number' | 'point' | 'direction' | 'color' | 'attenuation';
+    /** Of a number, or of each channel of a color. */
+    min?: number;
+    max?: number;
+    required: boolean;
+    /** Null: there is none. */
+    default: number | Vec3 | null;
+}
+
+export type LightKind = 'ambient' | 'point' | 'directional';
+
+/** Beside these, each of SceneInfo.light_fields that the kind has. */
 export interface LightInfo {
-    kind: 'ambient' | 'point' | 'directional';
+    kind: LightKind;
     name: string;
     place: Place | null;
     color: Vec3;
+    specular_color?: Vec3;
     position?: Vec3;
     to_light?: Vec3;
+    attenuation?: Vec3;
 }
 
 /** Pixel (i, j) of width x height is seen at s (forward + u right + v up), u = (i + 0.5) / width - 0.5, v from the top. */
@@ -96,6 +118,7 @@ export interface CameraInfo {
     fov?: number;
     fov_axis?: 'x' | 'y';
     width?: number;
+    lighting_eye?: Vec3 | null;
     view: View;
 }
 
@@ -112,6 +135,7 @@ export interface SceneInfo {
     background: Vec3;
     camera: CameraInfo;
     lights: LightInfo[];
+    light_fields: FieldInfo[];
     settings: Setting[];
 }
 
@@ -121,7 +145,7 @@ export interface NamedItem extends Partial<Place> {
 }
 
 export interface LightTerms {
-    light: NamedItem & {kind: 'point' | 'directional'; color: Vec3; specular_color: Vec3};
+    light: NamedItem & {kind: LightKind; has_position: boolean; color: Vec3; specular_color: Vec3};
     /** Why it adds something, or nothing. */
     reason: 'adds' | 'blocked' | 'behind' | 'no_color' | 'faded' | 'in_surface';
     highlight: 'adds' | 'none' | 'behind' | 'turned_away';

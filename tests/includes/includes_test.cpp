@@ -71,6 +71,19 @@ TEST(Types, HaveNamesOfTheirOwn) {
     EXPECT_TRUE(defined.contains("glint::World"));
 }
 
+// What depends on a light's kind is asked of the light, so that a new kind does not fall through somewhere.
+TEST(Lights, AreAskedForTheirPropertiesNotTheirKind) {
+    static const std::regex comparison(R"([!=]= *LightKind::|case LightKind::)");
+    int asked = 0;
+    for (const File& file : read_sources()) {
+        const bool answers = file.path == "include/glint/scene.h" || file.path == "src/scene/scene.cpp";
+        const bool compares = std::regex_search(file.text, comparison);
+        EXPECT_TRUE(answers || !compares) << file.path << " compares the kind of a light";
+        asked += answers && compares ? 1 : 0;
+    }
+    EXPECT_EQ(asked, 2);
+}
+
 // A function that docs/lighting.md names beside a file is in it: "`cosines`, `diffuse_term` in
 // lighting/phong-inl.h".
 TEST(Documents, NameFunctionsWhereTheyAre) {

@@ -106,6 +106,9 @@ test('the facts of a scene', () => {
     assert.deepEqual(info.lights.map((light) => light.kind), ['ambient', 'point', 'directional']);
     assert.deepEqual(info.lights[1].position, [2, 1, 0]);
     assert.deepEqual(info.lights[1].place, {file: 'cgfs/three_mirrors.cgfs', line: 12, column: 1});
+    assert.deepEqual(info.light_fields.map((field) => field.name), ['color', 'specular_color', 'position', 'to_light', 'attenuation']);
+    assert.deepEqual(info.light_fields[3].keys, ['to_light', 'direction']);
+    assert.deepEqual(info.lights.map((light) => info.light_fields.filter((field) => field.name in light).length), [1, 4, 3]);
     assert.deepEqual(info.camera.view, {right: [1, 0, 0], up: [0, 1, 0], forward: [0, 0, 1]});
     const shading = info.settings.find((setting) => setting.name === 'shading');
     assert.deepEqual([shading.value, shading.profile_value, shading.origin], ['blinn-phong', 'phong', 'command']);

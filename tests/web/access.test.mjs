@@ -140,7 +140,7 @@ test('at 360 pixels nothing is cut off, and every panel can be reached', () => w
 }, {width: 360, height: 740}));
 
 test('on a phone the picture stays in sight while its controls are used', () => withPage(async (page) => {
-    const slider = page.locator('[data-light="2"]').getByRole('slider', {name: 'Towards z'});
+    const slider = page.locator('[data-light="2"]').getByRole('slider', {name: 'Direction z'});
     await slider.evaluate((input) => input.scrollIntoView({block: 'end'}));
     assert.ok(await page.evaluate(() => scrollY) > 100);
     const box = await page.locator('.frame').boundingBox(), under = await slider.boundingBox();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The scene's lights as the text says them.
-import type {Vec3} from 'glint-wasm';
+import type {FieldInfo, LightInfo, Vec3} from 'glint-wasm';
 
 import type {LightText} from '../text/edit';
 import {isHere, offsetOf} from './places';
@@ -20,10 +20,18 @@ export function lightText(index: number): LightText | null {
     return offset === null ? null : (format.value?.light(text.value, offset) ?? null);
 }
 
-export function setLight(index: number, change: {intensity?: number; place?: Vec3}) {
+/** The value of a field, or undefined if the light's kind has none. */
+export function fieldValue(light: LightInfo, field: FieldInfo): number | Vec3 | undefined {
+    return (light as unknown as Record<string, number | Vec3 | undefined>)[field.name];
+}
+
+export function setIntensity(index: number, value: number) {
     const light = lightText(index);
-    if (!light) return;
-    const edits = change.intensity !== undefined ? light.setIntensity(change.intensity) : light.setPlace(change.place!);
+    if (light) services.editor?.apply(light.setIntensity(value));
+}
+
+export function setField(index: number, field: FieldInfo, value: number | Vec3) {
+    const edits = lightText(index)?.setField(field, value);
     if (edits) services.editor?.apply(edits);
 }
 
@@ -31,5 +39,5 @@ export function switchLight(index: number, on: boolean) {
     const light = lightText(index);
     if (!light) return;
     if (!on) lightsOff.set(index, light.intensity);
-    setLight(index, {intensity: on ? (lightsOff.get(index) ?? 1) : 0});
+    setIntensity(index, on ? (lightsOff.get(index) ?? 1) : 0);
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // .glint and .cgfs: blocks of `key = value`.
-import type {Vec3} from 'glint-wasm';
+import type {FieldInfo, Vec3} from 'glint-wasm';
 
 import {type Edit, type LightText, type SceneFormat, length, number} from './edit';
 
@@ -120,16 +120,19 @@ function blockAt(text: string, offset: number, word: string): Block | null {
     return parse(text, tokenize(text, offset, true)).blocks.find((block) => block.word === word && block.from === offset) ?? null;
 }
 
-function light(text: string, offset: number): LightText | null {
+/** `canAdd`: a field that the text does not say can be said in a new key. */
+function light(text: string, offset: number, canAdd: boolean): LightText | null {
     const block = blockAt(text, offset, 'light');
     if (!block) return null;
-    const said = (key: string) => block.entries.findLast((entry) => entry.key === key);
-    const intensity = said('intensity');
-    const place = said('position') ?? said('to_light') ?? said('direction');
+    const intensity = block.entries.findLast((entry) => entry.key === 'intensity');
+    const setField = (field: FieldInfo, value: number | Vec3) => {
+        const key = block.entries.findLast((entry) => field.keys.includes(entry.key))?.key ?? (canAdd ? field.keys[0]! : null);
+        return key === null ? null : set(text, block, key, typeof value === 'number' ? number(value) : vector(value));
+    };
     return {
         intensity: intensity ? Number(text.slice(intensity.from, intensity.to)) : 1,
         setIntensity: (value) => set(text, block, 'intensity', number(value)),
-        setPlace: (value) => (place ? [{from: place.from, to: place.to, insert: vector(value)}] : null),
+        setField,
     };
 }
 
@@ -156,7 +159,7 @@ export const glint: SceneFormat = {
         const at = top(text, ['glint', 'profile']);
         return [{from: at, to: at, insert: `${at > 0 && text[at - 1] !== '\n' ? '\n' : ''}${word} { ${key} = ${shown} }\n`}];
     },
-    light,
+    light: (text, offset) => light(text, offset, true),
     camera(text, offset, camera) {
         const block = offset === null ? null : blockAt(text, offset, 'camera');
         if (!block) return null;
@@ -188,7 +191,7 @@ function merged(edits: Edit[]): Edit[] {
 export const cgfs: SceneFormat = {
     name: '.cgfs',
     setting: () => null,
-    light,
+    light: (text, offset) => light(text, offset, false),
     camera(text, offset, camera) {
         const {right, up, forward} = camera.view;
         const axes = [right, up, forward].map((axis) => axis.map((c) => c / length(axis)));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Changing a value in a scene's text, and nothing else in it.
-import type {CameraInfo, Vec3} from 'glint-wasm';
+import type {CameraInfo, FieldInfo, Vec3} from 'glint-wasm';
 
 /** Replaces the text from `from` to `to`, in UTF-16 units as the editor counts. */
 export interface Edit {
@@ -14,8 +14,8 @@ export interface LightText {
     /** The factor of its colour, or the largest channel where a format has no factor. */
     intensity: number;
     setIntensity(value: number): Edit[];
-    /** Of a point light its position, else where it lies. Null if the text does not say it. */
-    setPlace(value: Vec3): Edit[] | null;
+    /** Null if the format cannot say the field, or not in this text. */
+    setField(field: FieldInfo, value: number | Vec3): Edit[] | null;
 }
 
 /** What a page may ask of a format's text. Null, or false: this format cannot say it. */
@@ -29,6 +29,11 @@ export interface SceneFormat {
     scenes?(text: string): string[];
     /** Moves the camera whose text begins at an offset; null as offset: there is none yet. */
     camera(text: string, offset: number | null, camera: CameraInfo): Edit[] | null;
+}
+
+/** The edits that set a light's position, where a format can say no other field. */
+export function ofPosition(set: (position: Vec3) => Edit[]): LightText['setField'] {
+    return (field, value) => (field.name === 'position' ? set(value as Vec3) : null);
 }
 
 /** A number for a scene: five digits, as short as they can be. */

@@ -2,7 +2,7 @@
 // .json and .js: the scenes of RT2, as JSON or as data of JavaScript.
 import type {Vec3} from 'glint-wasm';
 
-import {type Edit, type SceneFormat, number, withLargest} from './edit';
+import {type Edit, type SceneFormat, number, ofPosition, withLargest} from './edit';
 
 interface Value {
     from: number;
@@ -100,7 +100,7 @@ export const json: SceneFormat = {
         return {
             intensity: Math.max(...channels),
             setIntensity: (value) => [replaced(color, withLargest(channels, value))],
-            setPlace: (value) => [replaced(position, value)],
+            setField: ofPosition((value) => [replaced(position, value)]),
         };
     },
     camera(text, offset, camera) {

@@ -2,7 +2,7 @@
 // .nff: a line is a word and its numbers. .pov: vectors in angle brackets, in blocks.
 import type {Vec3} from 'glint-wasm';
 
-import {type Edit, type SceneFormat, length, number, withLargest} from './edit';
+import {type Edit, type SceneFormat, length, number, ofPosition, withLargest} from './edit';
 
 /** The first match of a pattern from an offset on, and where its first group stands. */
 function find(text: string, pattern: RegExp, offset: number, end = text.length): {from: number; to: number; found: string} | null {
@@ -33,7 +33,7 @@ export const nff: SceneFormat = {
         return {
             intensity: Math.max(...color),
             setIntensity: (value) => line(place, withLargest(color, value)),
-            setPlace: (value) => line(value, color),
+            setField: ofPosition((value) => line(value, color)),
         };
     },
     camera(text, offset, camera) {
@@ -71,7 +71,7 @@ export const pov: SceneFormat = {
         return {
             intensity: Math.max(...channels),
             setIntensity: (value) => [{from: color.from, to: color.to, insert: angled(withLargest(channels, value))}],
-            setPlace: (value) => [{from: place.from, to: place.to, insert: angled(value)}],
+            setField: ofPosition((value) => [{from: place.from, to: place.to, insert: angled(value)}]),
         };
     },
     camera(text, offset, camera) {

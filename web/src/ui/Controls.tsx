@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // The right side: everything of the scene that a page can set. Each control edits the text where its format can say it.
-import type {LightInfo, Setting, Vec3} from 'glint-wasm';
+import type {FieldInfo, LightInfo, Setting, Vec3} from 'glint-wasm';
 import {useSignal} from '@preact/signals';
 
-import {lightText, setLight, switchLight} from '../store/lights';
+import {fieldValue, lightText, setField, setIntensity, switchLight} from '../store/lights';
 import {isHere, reveal} from '../store/places';
 import {convertToGlint} from '../store/scene';
 import {dropOverride, setSetting} from '../store/settings';
@@ -65,15 +65,50 @@ function PictureControls() {
     );
 }
 
-const kinds: Record<LightInfo['kind'], string> = {ambient: 'Ambient', point: 'Point', directional: 'Directional'};
+const capital = (text: string) => text[0]!.toUpperCase() + text.slice(1);
+
+/** The names of a value's three numbers. */
+const parts: Partial<Record<FieldInfo['type'], string[]>> = {
+    point: ['x', 'y', 'z'], direction: ['x', 'y', 'z'], color: ['red', 'green', 'blue'], attenuation: ['c0', 'c1', 'c2'],
+};
+
+/** The controls of a field: places have sliders, other numbers are typed. */
+function Field({field, value, set}: {field: FieldInfo; value: number | Vec3; set: (value: number | Vec3) => void}) {
+    const label = capital(field.label);
+    const numbers = typeof value === 'number' ? [value] : value;
+    const hasSliders = field.type === 'point' || field.type === 'direction';
+    const reach = useSignal(0);
+    const needed = Math.max(5, ...numbers.map((c) => Math.abs(c) * 1.25));
+    if (hasSliders && needed > reach.value) reach.value = Number(needed.toPrecision(1)) >= needed ? Number(needed.toPrecision(1)) : Math.ceil(needed);
+    const setPart = (i: number, v: number) => set(typeof value === 'number' ? v : (value.map((c, k) => (k === i ? v : c)) as Vec3));
+    if (hasSliders) {
+        return (
+            <>
+                {numbers.map((c, i) => (
+                    <Slider key={i} label={`${label} ${parts[field.type]![i]}`} value={c} min={-reach.value} max={reach.value} step={reach.value / 200}
+                            set={(v) => setPart(i, v)} />
+                ))}
+            </>
+        );
+    }
+    return (
+        <fieldset class="row" title={field.description}>
+            <legend>{label}</legend>
+            {numbers.map((c, i) => (
+                <NumberField key={i} label={numbers.length === 1 ? label : `${label} ${parts[field.type]![i]}`} hidden value={c}
+                             {...(field.min === undefined ? {} : {min: field.min})} {...(field.max === undefined ? {} : {max: field.max})}
+                             set={(v) => setPart(i, v)} />
+            ))}
+        </fieldset>
+    );
+}
+
+/** The intensity stands for the colors. */
+const isColor = (field: FieldInfo) => field.name === 'color' || field.name === 'specular_color';
 
 function Light({light, index}: {light: LightInfo; index: number}) {
     const said = lightText(index);
-    const place = light.position ?? light.to_light;
-    const reach = useSignal(0);
-    const needed = place ? Math.max(5, ...place.map((c) => Math.abs(c) * 1.25)) : 0;
-    if (needed > reach.value) reach.value = Number(needed.toPrecision(1)) >= needed ? Number(needed.toPrecision(1)) : Math.ceil(needed);
-    const name = light.name || kinds[light.kind];
+    const name = light.name || capital(light.kind);
     const swatch = light.color.map((c) => Math.round(255 * Math.max(0, Math.min(1, c)))).join(' ');
     const brightest = Math.max(...light.color);
     return (
@@ -88,12 +123,12 @@ function Light({light, index}: {light: LightInfo; index: number}) {
             {said ? (
                 <>
                     <Slider label="Intensity" value={said.intensity} min={0} max={Math.max(2, Math.ceil(said.intensity))} step={0.01}
-                            set={(v) => setLight(index, {intensity: v})} />
-                    {place && (['x', 'y', 'z'] as const).map((axis, i) => (
-                        <Slider key={axis} label={`${light.kind === 'point' ? 'Position' : 'Towards'} ${axis}`} value={place[i]!} min={-reach.value}
-                                max={reach.value} step={reach.value / 200}
-                                set={(v) => setLight(index, {place: place.map((c, k) => (k === i ? v : c)) as Vec3})} />
-                    ))}
+                            set={(v) => setIntensity(index, v)} />
+                    {info.value!.light_fields.map((field) => {
+                        const value = isColor(field) ? undefined : fieldValue(light, field);
+                        if (value === undefined || !said.setField(field, value)) return null;
+                        return <Field key={field.name} field={field} value={value} set={(v) => setField(index, field, v)} />;
+                    })}
                 </>
             ) : (
                 <p class="note">{!light.place ? 'This format has it without saying so. As .glint it can be changed here.'

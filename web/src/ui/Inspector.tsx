@@ -72,8 +72,8 @@ function Light({terms, hit, ray, index}: {terms: LightTerms; hit: ExplainedHit; 
                 {terms.blocker && <> by {itemName(terms.blocker.shape)}</>}
             </summary>
             <Term name="the light" place={light} formula={light.kind} value={shortColor(light.color)} />
-            <Term name="L" place={light} formula={light.kind === 'point' ? 'P to the light' : 'towards the light'} value={shortVector(terms.to_light)} />
-            {light.kind === 'point' && <Term name="distance" place={light} value={short(terms.distance)} />}
+            <Term name="L" place={light} formula={light.has_position ? 'P to the light' : 'towards the light'} value={shortVector(terms.to_light)} />
+            {light.has_position && <Term name="distance" place={light} value={short(terms.distance)} />}
             {terms.attenuation !== 1 && <Term name="f_att" place={light} value={short(terms.attenuation)} />}
             <Term name="N·L" place={light} value={short(terms.n_l)} />
             <Term name={isPhong ? 'R·V' : 'N·H'} place={light} value={short(terms.s)} />
