@@ -172,12 +172,15 @@ export interface Branch {
 export interface ExplainedHit {
     shape: NamedItem & {kind: string};
     material: NamedItem & {
+        color: Vec3;
         ambient: Vec3;
         diffuse: Vec3;
         specular: Vec3;
         shininess: number;
         mirror: number;
+        mirror_tint: Vec3;
         transmission: number;
+        transmission_tint: Vec3;
         ior: number;
     };
     point: Vec3;
