@@ -11,6 +11,7 @@
 #include "glint/layers.h"
 #include "glint/load.h"
 #include "glint/render.h"
+#include "glint/result.h"
 #include "glint/scene.h"
 #include "glint/shapes.h"
 #include "glint/vec.h"
