@@ -48,9 +48,9 @@ void measure(const char* what, int times, const std::function<void(int)>& call) 
     std::exit(1);
 }
 
-glint::World made(glint::WorldResult result, const char* what) {
-    if (!result.world) fail(what);
-    return std::move(*result.world);
+glint::World made(glint::Result<glint::World> result, const char* what) {
+    if (!result) fail(what);
+    return *std::move(result);
 }
 
 }  // namespace
@@ -87,8 +87,8 @@ int main(int argc, char** argv) {
         world = made(glint::with_materials(world, scene.materials), "with_materials()");
     });
     const auto edit = [&](glint::World& edited, const std::vector<std::uint32_t>& changed) {
-        const glint::EditResult result = glint::edit_shapes(edited, scene, changed, options);
-        if (result.edit != glint::ShapeEdit::refitted) fail("edit_shapes()");
+        const auto result = glint::edit_shapes(edited, scene, changed, options);
+        if (!result || *result != glint::ShapeEdit::refitted) fail("edit_shapes()");
     };
     std::vector<std::uint32_t> one(1), many(1000), all(count);
     std::iota(all.begin(), all.end(), 0u);
@@ -101,7 +101,7 @@ int main(int argc, char** argv) {
                std::chrono::duration<double>(Clock::now() - start).count() * 1e6);
     measure("assign_material(), 1 shape", 1000, [&](int i) {
         one[0] = static_cast<std::uint32_t>(i + 1) * 997 % count;
-        if (!glint::assign_material(world, one, 3).empty()) fail("assign_material()");
+        if (!glint::assign_material(world, one, 3)) fail("assign_material()");
     });
     measure("edit_shapes(), 1 shape", 1000, [&](int i) {
         one[0] = static_cast<std::uint32_t>(i + 1) * 997 % count;

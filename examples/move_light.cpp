@@ -18,25 +18,25 @@ int main(int argc, char** argv) {
     for (int i = 0; i < 1000; ++i)
         scene.add(glint::Sphere{.center = {i % 10 - 4.5, i / 10 % 10 - 4.5, -(i / 100.0)}, .radius = 0.4}, 0);
     scene.lights.push_back({.position = {-9, 9, 9}});
-    const glint::WorldResult prepared = glint::prepare(scene);
-    if (!prepared.world) return 1;
+    const auto prepared = glint::prepare(scene);
+    if (!prepared) return 1;
 
     // What is changed is a copy that shares the shapes; the World it was made from stays as it is.
-    glint::World world = *prepared.world;
+    glint::World world = *prepared;
     const auto start = std::chrono::steady_clock::now();
     for (int i = 0; i < moves; ++i) {
         scene.lights[0].position.x = -9 + 18.0 * i / moves;
-        const glint::WorldResult moved = glint::with_lights(world, scene.lights);
-        if (!moved.world) return 1;  // moved.diagnostics say why
-        world = *moved.world;
+        const auto moved = glint::with_lights(world, scene.lights);
+        if (!moved) return 1;  // moved.message says why
+        world = *moved;
     }
     const std::chrono::duration<double, std::micro> time = std::chrono::steady_clock::now() - start;
     std::cout << moves << " moves of a light: " << time.count() / moves << " microseconds each\n";
 
     for (int i = 0; i < pictures; ++i) {
         scene.lights[0].position.x = -9 + 18.0 * i / pictures;
-        const glint::WorldResult moved = glint::with_lights(world, scene.lights);
-        const auto png = glint::encode(glint::render(moved.world.value()).image.value()).bytes;
+        const auto moved = glint::with_lights(world, scene.lights);
+        const auto png = glint::encode(glint::render(moved.value()).image.value()).bytes;
         std::ofstream file("move_light_" + std::to_string(i) + ".png", std::ios::binary);
         file.write(reinterpret_cast<const char*>(png.data()), static_cast<std::streamsize>(png.size()));
     }

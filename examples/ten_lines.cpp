@@ -11,8 +11,8 @@ int main() {
     scene.add(glint::Plane{.point = {0, -1, 0}});
     scene.lights.push_back({.position = {4, 5, 0}});
     const auto prepared = glint::prepare(scene);
-    if (!prepared.world) return 1;
-    const auto png = glint::encode(glint::render(*prepared.world).image.value()).bytes;
+    if (!prepared) return 1;
+    const auto png = glint::encode(glint::render(*prepared).image.value()).bytes;
     std::ofstream file("ten_lines.png", std::ios::binary);
     file.write(reinterpret_cast<const char*>(png.data()), static_cast<std::streamsize>(png.size()));
 }

@@ -27,7 +27,7 @@ constexpr int k_size = 512;
 // A scene and the rays of its frame, as columns of doubles too.
 struct Frame {
     std::string name;
-    std::optional<glint::World> world;
+    glint::Result<glint::World> world;
     std::unique_ptr<EmbreeScene> embree;
     FrameRays rays;
     std::vector<double> columns[k_ray_classes][8];
@@ -56,7 +56,7 @@ std::shared_ptr<const Frame> read(const std::string& path) {
     if (!file || !loaded.scene) return nullptr;
     auto frame = std::make_shared<Frame>();
     frame->name = path.substr(path.find_last_of('/') + 1);
-    frame->world = glint::prepare(*loaded.scene).world;
+    frame->world = glint::prepare(*loaded.scene);
     frame->embree = std::make_unique<EmbreeScene>(*loaded.scene, 1);
     frame->rays = frame_rays(*loaded.scene, *frame->embree, k_size, 5);
     for (int c = 0; c < k_ray_classes; ++c) widen(frame->rays.lists[c], frame->columns[c]);

@@ -28,12 +28,12 @@ void check_ring() {
     upright.m[2][1] = 1, upright.m[2][2] = 0;
     scene.transforms = {upright};
     scene.add(glint::Torus{radius, tube}, glint::k_none, 0);
-    const glint::WorldResult prepared = glint::prepare(scene);
-    if (!prepared.world) return expect(false, "no world", 0, 0);
+    const auto prepared = glint::prepare(scene);
+    if (!prepared) return expect(false, "no world", 0, 0);
     for (const std::string& isa : glint::isa_names()) {
         glint::RenderOptions options;
         options.isa = isa;
-        const glint::RenderResult result = glint::render(*prepared.world, options);
+        const glint::RenderResult result = glint::render(*prepared, options);
         if (!result.image) return expect(false, result.error.c_str(), 0, 0);
         for (int y = 0; y < size; ++y) {
             for (int x = 0; x < size; ++x) {

@@ -8,13 +8,11 @@
 #include <functional>
 #include <limits>
 #include <memory>
-#include <optional>
 #include <span>
-#include <string>
 #include <vector>
 
-#include "glint/diagnostic.h"
 #include "glint/export.h"
+#include "glint/result.h"
 #include "glint/scene.h"
 
 namespace glint {
@@ -47,50 +45,37 @@ struct PrepareOptions {
     const std::atomic<bool>* cancel = nullptr;  ///< looked at now and then
 };
 
-struct WorldResult {
-    std::optional<World> world;           ///< absent if there are errors, or it was cancelled
-    std::vector<Diagnostic> diagnostics;  ///< what is wrong, "out of memory" included; warnings of prepare()
-    bool cancelled = false;
-};
-
 /// Validates and prepares; what validate() says is in the diagnostics. Never throws.
-GLINT_API WorldResult prepare(const Scene& scene, const PrepareOptions& options = {});
+GLINT_API Result<World> prepare(const Scene& scene, const PrepareOptions& options = {});
 
 // The same World with another part. Each function validates what it is given and nothing else, shares all
 // other parts with `world`, and gives the very bits that prepare() gives of the scene so changed. Never
 // throw.
 
 /// Lights in the order of Scene::lights, ambient ones among them.
-GLINT_API WorldResult with_lights(const World& world, std::span<const Light> lights);
-GLINT_API WorldResult with_camera(const World& world, const Camera& camera);
-GLINT_API WorldResult with_background(const World& world, Color background);
+GLINT_API Result<World> with_lights(const World& world, std::span<const Light> lights);
+GLINT_API Result<World> with_camera(const World& world, const Camera& camera);
+GLINT_API Result<World> with_background(const World& world, Color background);
 /// Prepares the camera anew, since it depends on the picture's proportions. An error if `cones` differs and
 /// the scene has cones: they are in the geometry or not, so that takes prepare().
-GLINT_API WorldResult with_rules(const World& world, const Conventions& conventions,
-                                 const RenderSettings& settings);
+GLINT_API Result<World> with_rules(const World& world, const Conventions& conventions,
+                                   const RenderSettings& settings);
 /// In place of material `index` of the scene.
-GLINT_API WorldResult with_material(const World& world, std::uint32_t index, const Material& material);
+GLINT_API Result<World> with_material(const World& world, std::uint32_t index, const Material& material);
 /// In place of all of the scene's materials. As many, or it takes a pass over all shapes; at least as many as
 /// the shapes refer to.
-GLINT_API WorldResult with_materials(const World& world, std::span<const Material> materials);
+GLINT_API Result<World> with_materials(const World& world, std::span<const Material> materials);
 
 // Changes to shapes. They are made in place where `world` is the only World that has the geometry; where a
 // copy of it exists, the copy keeps the old geometry and `world` gets one of its own, which for a million
 // shapes takes milliseconds. With errors `world` stays as it is. Never throw.
 
 /// Gives shapes, by their index in Scene::shapes, a material, by its index in Scene::materials or k_none.
-/// Returns what is wrong, or nothing.
-GLINT_API std::vector<Diagnostic> assign_material(World& world, std::span<const std::uint32_t> shapes,
-                                                  std::uint32_t material);
+GLINT_API Status assign_material(World& world, std::span<const std::uint32_t> shapes, std::uint32_t material);
 
-/// What edit_shapes() did to the hierarchy. refitted: its nodes have new boxes. rebuilt: it was built anew.
+/// What edit_shapes() did to the hierarchy. none: no shape is given. refitted: its nodes have new boxes.
+/// rebuilt: it was built anew.
 enum class ShapeEdit : std::uint8_t { none, refitted, rebuilt };
-
-struct EditResult {
-    ShapeEdit edit = ShapeEdit::none;     ///< none: there are errors, it was cancelled, or no shape is given
-    std::vector<Diagnostic> diagnostics;  ///< errors in the shapes given, or of memory
-    bool cancelled = false;
-};
 
 /// Takes shapes from `scene` as they are now: parameters, transform and material. `changed` has their indices
 /// in Scene::shapes; the other shapes must be those that the World has, and nothing else of the scene is
@@ -99,8 +84,9 @@ struct EditResult {
 /// all taken from it; or if the expected cost of a ray (the surface-area heuristic's) is more than
 /// k_max_refit_cost times what it was when the hierarchy was built. Pictures are the same bits either way.
 /// The first edit of a World makes an index of its shapes.
-GLINT_API EditResult edit_shapes(World& world, const Scene& scene, std::span<const std::uint32_t> changed,
-                                 const PrepareOptions& options = {});
+GLINT_API Result<ShapeEdit> edit_shapes(World& world, const Scene& scene,
+                                        std::span<const std::uint32_t> changed,
+                                        const PrepareOptions& options = {});
 inline constexpr double k_max_refit_cost = 1.5;
 
 /// Points origin + t direction for t_min < t < t_max.
@@ -115,20 +101,14 @@ struct RayHit {
     Vec3 normal{0, 0, 0};  ///< the shape's own unit normal there, whatever the convention `facing` says
 };
 
-struct RayHits {
-    std::vector<RayHit> hits;  ///< by ray
-    std::string error;         ///< "out of memory"; empty if none
-};
-struct Occlusions {
-    std::vector<std::uint8_t> occluded;  ///< by ray: 1 or 0
-    std::string error;                   ///< "out of memory"; empty if none
-};
-
-/// What each ray hits first; of shapes hit at the same t, the first in the scene. A ray with a NaN in its
-/// origin or direction hits nothing. threads: 0 = one a processor. Never throws.
-GLINT_API RayHits nearest_hits(const World& world, std::span<const Ray> rays, int threads = 0);
-/// Whether anything that casts a shadow by the World's conventions is hit at all. Never throws.
-GLINT_API Occlusions occluded(const World& world, std::span<const Ray> rays, int threads = 0);
+/// What each ray hits first, by ray; of shapes hit at the same t, the first in the scene. A ray with a NaN in
+/// its origin or direction hits nothing. threads: 0 = one a processor. Never throws.
+GLINT_API Result<std::vector<RayHit>> nearest_hits(const World& world, std::span<const Ray> rays,
+                                                   int threads = 0);
+/// Whether anything that casts a shadow by the World's conventions is hit at all: 1 or 0 by ray. Never
+/// throws.
+GLINT_API Result<std::vector<std::uint8_t>> occluded(const World& world, std::span<const Ray> rays,
+                                                     int threads = 0);
 
 /// Bytes of a prepared World, by part.
 struct WorldMemory {

@@ -68,12 +68,12 @@ std::span<const CheckKind> check_kinds() { return k_kinds; }
 
 CheckResult check(const Scene& scene, const CheckOptions& options) {
     CheckResult result;
-    WorldResult prepared = prepare(scene, {.threads = options.threads});
+    Result<World> prepared = prepare(scene, {.threads = options.threads});
     result.diagnostics = std::move(prepared.diagnostics);
-    if (!prepared.world) return result;
+    if (!prepared) return result;
     result.error = catch_exceptions([&] {
         const DefaultFpEnvironment environment;
-        run_checks(scene, *prepared.world, options, result);
+        run_checks(scene, *prepared, options, result);
     });
     if (!result.error.empty()) result.findings.clear();
     return result;

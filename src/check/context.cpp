@@ -83,7 +83,7 @@ SmallSize CheckContext::affordable(std::int32_t longest) {
     return size;
 }
 
-Image CheckContext::render_small(const std::optional<World>& world, std::int32_t longest) {
+Image CheckContext::render_small(const Result<World>& world, std::int32_t longest) {
     if (!world) return {};
     RenderResult result = render_at(*world, affordable(longest));
     return result.image ? std::move(*result.image) : Image{};

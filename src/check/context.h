@@ -38,11 +38,11 @@ class CheckContext {
     /// finer one might not make.
     std::string coarse_grid(std::int32_t longest) const;
 
-    /// A picture of the scene, or of a World with other shading (none: an empty picture), one sample a pixel,
-    /// at most `longest` pixels a side; fewer where the scene's rays multiply, or its shapes lie in one
-    /// another. Of the same size for the same `longest`.
+    /// A picture of the scene, or of a World with other shading (a failed one: an empty picture), one sample
+    /// a pixel, at most `longest` pixels a side; fewer where the scene's rays multiply, or its shapes lie in
+    /// one another. Of the same size for the same `longest`.
     Image render_small(std::int32_t longest) { return render_small(prepared_, longest); }
-    Image render_small(const std::optional<World>& world, std::int32_t longest);
+    Image render_small(const Result<World>& world, std::int32_t longest);
 
     void report(std::string_view id, SourcePlace place, std::string message, std::string remedy);
     /// The findings by their places; where there are many of a kind, the first of them and their number.

@@ -49,7 +49,7 @@ class Effects {
 
   private:
     Image render_with(const std::vector<Light>& lights, std::int32_t longest) {
-        return context_.render_small(with_lights(context_.prepared(), lights).world, longest);
+        return context_.render_small(with_lights(context_.prepared(), lights), longest);
     }
 
     CheckContext& context_;

@@ -176,8 +176,7 @@ void check_epsilon(CheckContext& context, const VisibleHits& visible, const Imag
     const auto render_with = [&](double by) {
         Conventions conventions = scene.conventions;
         conventions.epsilon = by;
-        return context.render_small(with_rules(context.prepared(), conventions, scene.settings).world,
-                                    k_longest);
+        return context.render_small(with_rules(context.prepared(), conventions, scene.settings), k_longest);
     };
     const Image other = render_with(trusted);
     const double differs = share_that_differs(picture, other, k_visible);
@@ -213,8 +212,7 @@ void check_reflections(CheckContext& context, const Image& picture) {
     const auto render_with = [&](std::int32_t reflections) {
         RenderSettings settings = scene.settings;
         settings.reflections = reflections;
-        return context.render_small(with_rules(context.prepared(), scene.conventions, settings).world,
-                                    k_longest);
+        return context.render_small(with_rules(context.prepared(), scene.conventions, settings), k_longest);
     };
     if (now >= k_max_reflections) return;
     const double changed = share_that_differs(picture, render_with(now + 1), k_visible);

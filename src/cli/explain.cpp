@@ -114,15 +114,15 @@ int explain_command(ExplainArguments& arguments) {
     std::optional<std::uint32_t> light;
     if (!arguments.why_not.empty()) light = find_light(arguments.why_not, scene);
 
-    const WorldResult prepared = prepare(scene);
+    const Result<World> prepared = prepare(scene);
     add_warnings(loaded.warnings, prepared.diagnostics);
     print(loaded.warnings);
-    if (!prepared.world) throw Failure(k_bad_input, {});
+    if (!prepared) throw_failure(prepared);
     ExplainOptions options;
     options.isa = arguments.isa;
     // Text tells of one sample; JSON of all, unless one is asked for.
     if (arguments.form != "json" || !arguments.sample.empty()) options.sample = style.sample;
-    const Explanation explanation = explain(scene, *prepared.world, pixel.x, pixel.y, options);
+    const Explanation explanation = explain(scene, *prepared, pixel.x, pixel.y, options);
     if (!explanation.error.empty()) throw Failure(k_bad_input, explanation.error);
 
     if (light) {
@@ -137,14 +137,14 @@ int explain_command(ExplainArguments& arguments) {
         const int samples = scene.settings.samples;
         if (samples > 1 && samples <= k_max_listed) {
             options.sample = -1;
-            const Explanation all = explain(scene, *prepared.world, pixel.x, pixel.y, options);
+            const Explanation all = explain(scene, *prepared, pixel.x, pixel.y, options);
             if (all.error.empty()) fmt::print("{}", samples_text(all, scene, style));
         }
     }
     if (overlay) {
         check_memory(scene.settings.width, scene.settings.height);
-        Image picture = render_or_fail(*prepared.world, 0, arguments.isa);
-        draw_overlay(picture, explanation, scene, *prepared.world);
+        Image picture = render_or_fail(*prepared, 0, arguments.isa);
+        draw_overlay(picture, explanation, scene, *prepared);
         write_png(picture, *overlay, style.file);
     }
     return k_done;

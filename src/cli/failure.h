@@ -4,6 +4,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "glint/result.h"
+
 namespace glint::cli {
 
 inline constexpr int k_done = 0, k_bad_input = 1, k_usage = 2;
@@ -32,5 +34,10 @@ class Failure : public std::runtime_error {
   private:
     int code_;
 };
+
+/// Of a library call that failed, whose diagnostics are printed by the caller: they may say it all.
+[[noreturn]] inline void throw_failure(const Status& status) {
+    throw Failure(k_bad_input, has_errors(status.diagnostics) ? std::string() : status.message);
+}
 
 }  // namespace glint::cli

@@ -25,13 +25,13 @@ int info_command(const InfoArguments& arguments) {
     }
     if (arguments.scene.files.empty()) throw Failure(k_usage, "expected SCENE, or --isa");
     LoadedScene loaded = load_scene(arguments.scene);
-    const WorldResult prepared = prepare(loaded.scene);
+    const Result<World> prepared = prepare(loaded.scene);
     add_warnings(loaded.warnings, prepared.diagnostics);
-    if (!prepared.world) {
+    if (!prepared) {
         print(loaded.warnings);
-        throw Failure(k_bad_input, {});
+        throw_failure(prepared);
     }
-    const SceneReport report{loaded.scene, *prepared.world, loaded.warnings};
+    const SceneReport report{loaded.scene, *prepared, loaded.warnings};
     fmt::print("{}", arguments.json ? json_report(report) : text_report(report));
     return k_done;
 }

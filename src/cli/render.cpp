@@ -161,13 +161,13 @@ int render_command(RenderArguments& arguments) {
     check_memory(rendered.width, rendered.height, layers.bytes_a_pixel());
 
     auto stage = Clock::now();
-    const WorldResult prepared = prepare(loaded.scene, {.threads = arguments.threads});
+    const Result<World> prepared = prepare(loaded.scene, {.threads = arguments.threads});
     times.prepare = seconds_since(stage);
     add_warnings(loaded.warnings, prepared.diagnostics);
     const std::size_t warnings = count_warnings(loaded.warnings);
     const bool refused = arguments.strict && warnings > 0;
-    if (!arguments.quiet || !prepared.world || refused) print(loaded.warnings);
-    if (!prepared.world) throw Failure(k_bad_input, {});
+    if (!arguments.quiet || !prepared || refused) print(loaded.warnings);
+    if (!prepared) throw_failure(prepared);
     if (refused) fail_strict(warnings);
 
     stage = Clock::now();
@@ -178,7 +178,7 @@ int render_command(RenderArguments& arguments) {
         options.isa = arguments.isa;
         options.layers = layers.wanted();
         options.progress = [&](double fraction) { bar.update(fraction); };
-        result = render(*prepared.world, options);
+        result = render(*prepared, options);
     }
     times.trace = seconds_since(stage);
     if (!result.image) throw Failure(k_bad_input, result.error);

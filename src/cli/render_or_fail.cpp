@@ -11,10 +11,10 @@
 namespace glint::cli {
 
 World prepare_or_fail(const Scene& scene, int threads) {
-    WorldResult prepared = prepare(scene, {.threads = threads});
-    if (prepared.world) return std::move(*prepared.world);
+    Result<World> prepared = prepare(scene, {.threads = threads});
+    if (prepared) return *std::move(prepared);
     print(prepared.diagnostics);
-    throw Failure(k_bad_input, {});
+    throw_failure(prepared);
 }
 
 Image render_or_fail(const World& world, int threads, const std::string& isa) {

@@ -130,10 +130,9 @@ int vary_command(SceneOption& scene, const Variation& variation, int threads, bo
         ProgressBar bar(!quiet);
         for (const std::string& value : variation.values) {
             set_setting(loaded.scene, variation.key, value, {SettingOrigin::Kind::command, {}});
-            WorldResult changed = with_rules(prepared, loaded.scene.conventions, loaded.scene.settings);
+            Result<World> changed = with_rules(prepared, loaded.scene.conventions, loaded.scene.settings);
             // What rules alone cannot change, and what is wrong with a value, prepare() knows.
-            const World world =
-                changed.world ? std::move(*changed.world) : prepare_or_fail(loaded.scene, threads);
+            const World world = changed ? *std::move(changed) : prepare_or_fail(loaded.scene, threads);
             Image now = render_or_fail(world, threads);
             steps.push_back({value, {}});
             if (!before.rgb.empty()) {

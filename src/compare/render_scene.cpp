@@ -4,7 +4,7 @@
 namespace glint {
 namespace {
 
-RenderResult render(const std::optional<World>& world, int threads, const std::atomic<bool>* cancel) {
+RenderResult render(const Result<World>& world, int threads, const std::atomic<bool>* cancel) {
     if (!world) {
         RenderResult result;
         result.error = "the scene cannot be drawn";
@@ -16,19 +16,19 @@ RenderResult render(const std::optional<World>& world, int threads, const std::a
     return render(*world, options);
 }
 
-std::optional<World> with_shading(const World& world, const Scene& scene) {
-    std::optional<World> changed = with_lights(world, scene.lights).world;
-    if (changed) changed = with_materials(*changed, scene.materials).world;
-    if (changed) changed = with_background(*changed, scene.background).world;
-    if (changed) changed = with_camera(*changed, scene.camera).world;
-    if (changed) changed = with_rules(*changed, scene.conventions, scene.settings).world;
+Result<World> with_shading(const World& world, const Scene& scene) {
+    Result<World> changed = with_lights(world, scene.lights);
+    if (changed) changed = with_materials(*changed, scene.materials);
+    if (changed) changed = with_background(*changed, scene.background);
+    if (changed) changed = with_camera(*changed, scene.camera);
+    if (changed) changed = with_rules(*changed, scene.conventions, scene.settings);
     return changed;
 }
 
 }  // namespace
 
 RenderResult render_scene(const Scene& scene, int threads, const std::atomic<bool>* cancel) {
-    return render(prepare(scene, {.threads = threads}).world, threads, cancel);
+    return render(prepare(scene, {.threads = threads, .cancel = cancel}), threads, cancel);
 }
 
 RenderResult render_scene(const World& world, const Scene& shading, int threads,

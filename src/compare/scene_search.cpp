@@ -51,7 +51,7 @@ SceneSearch::SceneSearch(const Scene& scene, std::int32_t width, std::int32_t he
     scene_.settings.width = width;
     scene_.settings.height = height;
     name_default_material(scene_);
-    world_ = prepare(scene_, {.threads = options_.threads}).world;
+    world_ = prepare(scene_, {.threads = options_.threads});
     if (!world_) return;
     causes_ = scene_causes(scene_);
     drop_shapes(scene_);

@@ -39,7 +39,7 @@ class SceneSearch {
                        const RenderedScene& without) const;
 
     Scene scene_;  // without its shapes: causes leave them as they are
-    std::optional<World> world_;
+    Result<World> world_;
     const CauseOptions& options_;
     std::optional<RenderedScene> rendered_;
     std::vector<SceneCause> causes_;

@@ -2,8 +2,8 @@
 // What a World answers to rays of the user's own: by the kernels that draw pictures.
 #include <algorithm>
 
-#include "base/catch_exceptions.h"
 #include "base/parallel_for.h"
+#include "base/status.h"
 #include "glint/world.h"
 #include "trace/kernels.h"
 #include "world/world.h"
@@ -41,46 +41,42 @@ template <class Visit> void for_chunks(std::span<const Ray> rays, int threads, c
 
 }  // namespace
 
-RayHits nearest_hits(const World& world, std::span<const Ray> rays, int threads) {
-    RayHits result;
-    result.error = catch_exceptions([&] {
+Result<std::vector<RayHit>> nearest_hits(const World& world, std::span<const Ray> rays, int threads) {
+    return result_of([&]() -> Result<std::vector<RayHit>> {
         const WorldParts& parts = world.parts();
         const PackedGeometry& geometry = *parts.geometry;
         const Kernels& kernels = available_kernels().front();
-        result.hits.resize(rays.size());
+        std::vector<RayHit> hits(rays.size());
         for_chunks(rays, threads, [&](std::size_t first, std::span<const Ray> some) {
             const RayColumns columns(some);
             double t[k_chunk + k_ray_padding];
             std::uint32_t slot[k_chunk + k_ray_padding];
             kernels.nearest_hit(parts, columns.span(), static_cast<int>(some.size()), k_packet_size, t, slot);
             for (std::size_t i = 0; i < some.size(); ++i) {
-                RayHit& hit = result.hits[first + i];
+                RayHit& hit = hits[first + i];
                 hit.t = t[i];
                 if (slot[i] == k_none) continue;
                 hit.shape = geometry.shape_index[slot[i]];
                 hit.normal = primitive_normal(geometry, slot[i], some[i].origin + some[i].direction * t[i]);
             }
         });
+        return hits;
     });
-    if (!result.error.empty()) result.hits.clear();
-    return result;
 }
 
-Occlusions occluded(const World& world, std::span<const Ray> rays, int threads) {
-    Occlusions result;
-    result.error = catch_exceptions([&] {
+Result<std::vector<std::uint8_t>> occluded(const World& world, std::span<const Ray> rays, int threads) {
+    return result_of([&]() -> Result<std::vector<std::uint8_t>> {
         const Kernels& kernels = available_kernels().front();
-        result.occluded.resize(rays.size());
+        std::vector<std::uint8_t> occlusions(rays.size());
         for_chunks(rays, threads, [&](std::size_t first, std::span<const Ray> some) {
             const RayColumns columns(some);
             std::uint8_t flags[k_chunk + k_ray_padding];
             kernels.any_hit(world.parts(), columns.span(), static_cast<int>(some.size()), k_packet_size,
                             flags);
-            std::copy_n(flags, some.size(), result.occluded.begin() + static_cast<std::ptrdiff_t>(first));
+            std::copy_n(flags, some.size(), occlusions.begin() + static_cast<std::ptrdiff_t>(first));
         });
+        return occlusions;
     });
-    if (!result.error.empty()) result.occluded.clear();
-    return result;
 }
 
 }  // namespace glint

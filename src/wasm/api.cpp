@@ -63,7 +63,8 @@ GlintScene* glint_open(const char* request, std::uint32_t length) {
         scene->report["width"] = scene->settings.width;
         scene->report["height"] = scene->settings.height;
         // What prepare() says, load() has said: it validates too.
-        scene->world = glint::prepare(*scene->scene, {.threads = 1}).world;
+        if (glint::Result<glint::World> prepared = glint::prepare(*scene->scene, {.threads = 1}))
+            scene->world = *std::move(prepared);
         scene->report["ready"] = scene->world.has_value();
     }
     scene->write_report();
@@ -86,18 +87,18 @@ std::int32_t glint_prepare(GlintScene* scene, const char* request, std::uint32_t
         scene->fail(wrong);
         return 0;
     }
-    glint::WorldResult prepared;
+    glint::Result<glint::World> prepared;
     if (before) prepared = glint::with_camera(*before, scene->scene->camera);
-    if (prepared.world) {
-        prepared = glint::with_rules(*prepared.world, scene->scene->conventions, scene->scene->settings);
+    if (prepared) {
+        prepared = glint::with_rules(*prepared, scene->scene->conventions, scene->scene->settings);
     }
     // What these cannot change, and what is wrong where, prepare() knows.
-    if (!prepared.world) prepared = glint::prepare(*scene->scene, {.threads = 1});
-    scene->world = std::move(prepared.world);
-    if (!scene->world) {
-        scene->fail(prepared.diagnostics.empty() ? "out of memory" : prepared.diagnostics.front().message);
+    if (!prepared) prepared = glint::prepare(*scene->scene, {.threads = 1});
+    if (!prepared) {
+        scene->fail(prepared.message);
         return 0;
     }
+    scene->world = *std::move(prepared);
     return 1;
 }
 

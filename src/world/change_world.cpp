@@ -2,11 +2,10 @@
 // A World with other shading: what is not given is shared.
 #include <fmt/format.h>
 
-#include "base/catch_exceptions.h"
 #include "base/fp_environment.h"
+#include "base/status.h"
 #include "scene/mistakes.h"
 #include "world/edit_index.h"
-#include "world/failure.h"
 #include "world/prepare_camera.h"
 #include "world/shading.h"
 #include "world/world.h"
@@ -16,31 +15,27 @@ namespace {
 
 // The World after change(its parts), if there are no mistakes in what is given.
 template <class Change>
-WorldResult changed(const World& world, std::vector<Mistake> mistakes, const Change& change) {
-    WorldResult result;
-    result.diagnostics = to_diagnostics(std::move(mistakes), {});
-    if (has_errors(result.diagnostics)) return result;
+Result<World> changed(const World& world, std::vector<Mistake> mistakes, const Change& change) {
+    if (!mistakes.empty()) return invalid_scene(to_diagnostics(std::move(mistakes), {}));
     World copy = world;
     change(WorldAccess::own(copy));
-    result.world = std::move(copy);
-    return result;
+    return copy;
 }
 
 // body() makes the result.
-template <class Body> WorldResult guarded(const Body& body) {
-    WorldResult result;
-    const std::string failure = catch_exceptions([&] {
+template <class Body> Result<World> change_world(const Body& body) {
+    const auto run = [&]() -> Result<World> {
         const DefaultFpEnvironment environment;
-        result = body();
-    });
-    if (!failure.empty()) {
-        result.world.reset();
-        result.diagnostics.push_back(failure_diagnostic(failure + " while changing the World"));
-    }
-    return result;
+        return body();
+    };
+    return result_of(run, " while changing the World");
 }
 
-WorldResult error(std::string message) { return {{}, {failure_diagnostic(std::move(message))}, false}; }
+// Why there is no material of this index.
+Status no_material(std::uint32_t index, std::uint32_t count) {
+    return invalid_argument(
+        fmt::format("there is no material {}: the scene has {}", std::uint64_t{index} + 1, count));
+}
 
 // The first shape that refers to a material of the table beyond the first `materials` ones, the default one
 // apart; k_none if there is none.
@@ -64,8 +59,8 @@ void move_default_material(WorldParts& parts, std::size_t materials) {
 
 }  // namespace
 
-WorldResult with_lights(const World& world, std::span<const Light> lights) {
-    return guarded([&] {
+Result<World> with_lights(const World& world, std::span<const Light> lights) {
+    return change_world([&]() -> Result<World> {
         Scene given;
         given.lights.assign(lights.begin(), lights.end());
         return changed(world, find_mistakes(given, ScenePart::lights), [&](WorldParts& parts) {
@@ -76,8 +71,8 @@ WorldResult with_lights(const World& world, std::span<const Light> lights) {
     });
 }
 
-WorldResult with_camera(const World& world, const Camera& camera) {
-    return guarded([&] {
+Result<World> with_camera(const World& world, const Camera& camera) {
+    return change_world([&]() -> Result<World> {
         Scene given;
         given.camera = camera;
         return changed(world, find_mistakes(given, ScenePart::camera), [&](WorldParts& parts) {
@@ -87,8 +82,8 @@ WorldResult with_camera(const World& world, const Camera& camera) {
     });
 }
 
-WorldResult with_background(const World& world, Color background) {
-    return guarded([&] {
+Result<World> with_background(const World& world, Color background) {
+    return change_world([&]() -> Result<World> {
         Scene given;
         given.background = background;
         return changed(world, find_mistakes(given, ScenePart::background),
@@ -96,11 +91,11 @@ WorldResult with_background(const World& world, Color background) {
     });
 }
 
-WorldResult with_rules(const World& world, const Conventions& conventions, const RenderSettings& settings) {
-    return guarded([&] {
+Result<World> with_rules(const World& world, const Conventions& conventions, const RenderSettings& settings) {
+    return change_world([&]() -> Result<World> {
         const WorldParts& now = world.parts();
         if (conventions.cones != now.conventions.cones && now.geometry->has_cones)
-            return error("cones: a World has the scene's cones or not: prepare() the scene anew");
+            return invalid_argument("cones: a World has the scene's cones or not: prepare() the scene anew");
         Scene given;
         given.conventions = conventions;
         given.settings = settings;
@@ -112,26 +107,24 @@ WorldResult with_rules(const World& world, const Conventions& conventions, const
     });
 }
 
-WorldResult with_material(const World& world, std::uint32_t index, const Material& material) {
-    return guarded([&] {
+Result<World> with_material(const World& world, std::uint32_t index, const Material& material) {
+    return change_world([&]() -> Result<World> {
         const std::uint32_t count = world.parts().scene_materials();
-        if (index >= count)
-            return error(
-                fmt::format("there is no material {}: the scene has {}", std::uint64_t{index} + 1, count));
+        if (index >= count) return no_material(index, count);
         return changed(world, find_mistakes(material, index), [&](WorldParts& parts) {
             pack_material(material, parts.materials.own().data() + std::size_t{index} * k_material_values);
         });
     });
 }
 
-WorldResult with_materials(const World& world, std::span<const Material> materials) {
-    return guarded([&] {
+Result<World> with_materials(const World& world, std::span<const Material> materials) {
+    return change_world([&]() -> Result<World> {
         const WorldParts& now = world.parts();
         if (materials.size() < now.scene_materials()) {
             const std::uint32_t shape = first_shape_beyond(now, materials.size());
             if (shape != k_none)
-                return error(fmt::format("shape {} has a material that is not among the {} given",
-                                         std::uint64_t{shape} + 1, materials.size()));
+                return invalid_argument(fmt::format("shape {} has a material that is not among the {} given",
+                                                    std::uint64_t{shape} + 1, materials.size()));
         }
         Scene given;
         given.materials.assign(materials.begin(), materials.end());
@@ -142,24 +135,17 @@ WorldResult with_materials(const World& world, std::span<const Material> materia
     });
 }
 
-std::vector<Diagnostic> assign_material(World& world, std::span<const std::uint32_t> shapes,
-                                        std::uint32_t material) {
-    std::vector<Diagnostic> diagnostics;
-    const auto error = [&](std::string message) {
-        diagnostics.push_back(failure_diagnostic(std::move(message)));
-    };
-    const std::string failure = catch_exceptions([&] {
+Status assign_material(World& world, std::span<const std::uint32_t> shapes, std::uint32_t material) {
+    const auto body = [&]() -> Status {
         const WorldParts& now = world.parts();
         const std::uint32_t count = now.scene_materials();
-        if (material != k_none && material >= count)
-            return error(
-                fmt::format("there is no material {}: the scene has {}", std::uint64_t{material} + 1, count));
+        if (material != k_none && material >= count) return no_material(material, count);
         for (const std::uint32_t shape : shapes) {
             if (shape >= now.geometry->scene_shapes)
-                return error(fmt::format("there is no shape {}: the scene has {}", std::uint64_t{shape} + 1,
-                                         now.geometry->scene_shapes));
+                return invalid_argument(fmt::format("there is no shape {}: the scene has {}",
+                                                    std::uint64_t{shape} + 1, now.geometry->scene_shapes));
         }
-        if (shapes.empty()) return;
+        if (shapes.empty()) return {};
         std::vector<bool> wanted;  // where nothing says where a shape is
         if (!now.geometry->edit_index) {
             wanted.resize(now.geometry->scene_shapes);
@@ -172,13 +158,13 @@ std::vector<Diagnostic> assign_material(World& world, std::span<const std::uint3
         if (const auto& index = geometry.edit_index) {
             for (const std::uint32_t shape : shapes)
                 for (const std::uint32_t slot : index->slots_of(shape)) rows[slot] = row;
-            return;
+            return {};
         }
         for (std::uint32_t slot = 0; slot < geometry.count; ++slot)
             if (wanted[geometry.shape_index[slot]]) rows[slot] = row;
-    });
-    if (!failure.empty()) error(failure + " while assigning a material");
-    return diagnostics;
+        return {};
+    };
+    return result_of(body, " while assigning a material");
 }
 
 }  // namespace glint

@@ -2,13 +2,12 @@
 // Shapes of a World that change: in place if nobody shares the geometry.
 #include <algorithm>
 
-#include "base/catch_exceptions.h"
 #include "base/fp_environment.h"
 #include "base/huge_pages.h"
 #include "base/parallel_chunks.h"
+#include "base/status.h"
 #include "scene/mistakes.h"
 #include "world/edit_index.h"
-#include "world/failure.h"
 #include "world/pack_shapes.h"
 #include "world/primitive_bounds-inl.h"
 #include "world/world.h"
@@ -32,15 +31,16 @@ class ShapeEditor {
                 const PrepareOptions& options)
         : world_(world), scene_(scene), changed_(changed), options_(options), primitives_(scene) {}
 
-    void run(EditResult& result) {
+    // Sets `edit` as soon as it is done, so that what fails after it does not undo it.
+    Status run(ShapeEdit& edit) {
         const WorldParts& now = world_.parts();
         if (scene_.shapes.size() != now.geometry->scene_shapes) {
-            result.diagnostics = validate_all();
-            if (!has_errors(result.diagnostics)) rebuild(result);
-            return;
+            std::vector<Mistake> mistakes = find_mistakes_of_all();
+            return mistakes.empty() ? rebuild(edit) : refuse(std::move(mistakes));
         }
-        result.diagnostics = to_diagnostics(find_mistakes(scene_, changed_, now.scene_materials()), scene_);
-        if (has_errors(result.diagnostics) || changed_.empty()) return;
+        std::vector<Mistake> mistakes = find_mistakes(scene_, changed_, now.scene_materials());
+        if (!mistakes.empty()) return refuse(std::move(mistakes));
+        if (changed_.empty()) return {};
         for (const std::uint32_t shape : changed_) {
             if (now.conventions.cones || scene_.shapes[shape].kind != ShapeKind::cone) primitives_.add(shape);
         }
@@ -48,21 +48,26 @@ class ShapeEditor {
         WorldParts& parts = WorldAccess::own(world_);
         PackedGeometry& geometry = parts.geometry.own();
         need_edit_index(geometry);
-        if (!fits(geometry)) return rebuild(result);
+        if (!fits(geometry)) return rebuild(edit);
         std::vector<std::uint32_t>& rows = parts.slot_material.own();
         const bool many = primitives_.list().size() > geometry.count / k_many;
         many ? write_many(geometry, rows) : write_few(geometry, rows);
-        result.edit = ShapeEdit::refitted;
+        edit = ShapeEdit::refitted;
         const double built = geometry.edit_index->built_cost;
-        if (geometry.cost.expected() > k_max_refit_cost * built) rebuild(result);
+        if (geometry.cost.expected() > k_max_refit_cost * built) return rebuild(edit);
         if (options_.progress) options_.progress(1);
+        return {};
     }
 
   private:
-    std::vector<Diagnostic> validate_all() const {
+    std::vector<Mistake> find_mistakes_of_all() const {
         std::vector<std::uint32_t> all(scene_.shapes.size());
         for (std::uint32_t i = 0; i < all.size(); ++i) all[i] = i;
-        return to_diagnostics(find_mistakes(scene_, all, world_.parts().scene_materials()), scene_);
+        return find_mistakes(scene_, all, world_.parts().scene_materials());
+    }
+
+    Status refuse(std::vector<Mistake> mistakes) const {
+        return invalid_scene(to_diagnostics(std::move(mistakes), scene_));
     }
 
     static std::uint32_t slot_of(const PackedGeometry& geometry, const Primitive& p) {
@@ -156,17 +161,15 @@ class ShapeEditor {
         return rows;
     }
 
-    void rebuild(EditResult& result) {
+    Status rebuild(ShapeEdit& edit) {
         auto built = pack_shapes(scene_, world_.parts().conventions.cones, options_);
-        if (!built) {
-            result.cancelled = true;
-            return;
-        }
+        if (!built) return cancelled();
         std::vector<std::uint32_t> rows = keep_materials(*built);
         WorldParts& parts = WorldAccess::own(world_);
         parts.slot_material = std::move(rows);
         parts.geometry = std::move(*built);
-        result.edit = ShapeEdit::rebuilt;
+        edit = ShapeEdit::rebuilt;
+        return {};
     }
 
     World& world_;
@@ -178,17 +181,17 @@ class ShapeEditor {
 
 }  // namespace
 
-EditResult edit_shapes(World& world, const Scene& scene, std::span<const std::uint32_t> changed,
-                       const PrepareOptions& options) {
-    EditResult result;
-    const std::string failure = catch_exceptions([&] {
+Result<ShapeEdit> edit_shapes(World& world, const Scene& scene, std::span<const std::uint32_t> changed,
+                              const PrepareOptions& options) {
+    ShapeEdit edit = ShapeEdit::none;
+    const auto body = [&] {
         const DefaultFpEnvironment environment;
-        ShapeEditor(world, scene, changed, options).run(result);
-    });
+        return ShapeEditor(world, scene, changed, options).run(edit);
+    };
+    Status status = result_of(body, " while editing shapes");
     // Where only the rebuilding has failed, the refitted hierarchy draws the same.
-    if (!failure.empty() && result.edit == ShapeEdit::none)
-        result.diagnostics.push_back(failure_diagnostic(failure + " while editing shapes"));
-    return result;
+    if (!status.ok() && edit == ShapeEdit::none) return status;
+    return edit;
 }
 
 }  // namespace glint

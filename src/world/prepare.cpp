@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Scene -> World.
-#include "base/catch_exceptions.h"
 #include "base/fp_environment.h"
+#include "base/status.h"
 #include "scene/mistakes.h"
-#include "world/failure.h"
 #include "world/pack_shapes.h"
 #include "world/prepare_camera.h"
 #include "world/shading.h"
@@ -11,17 +10,13 @@
 
 namespace glint {
 
-WorldResult prepare(const Scene& scene, const PrepareOptions& options) {
-    WorldResult result;
-    const std::string failure = catch_exceptions([&] {
+Result<World> prepare(const Scene& scene, const PrepareOptions& options) {
+    const auto body = [&]() -> Result<World> {
         const DefaultFpEnvironment environment;
-        result.diagnostics = validate(scene);
-        if (has_errors(result.diagnostics)) return;
+        std::vector<Diagnostic> diagnostics = validate(scene);
+        if (has_errors(diagnostics)) return invalid_scene(std::move(diagnostics));
         auto geometry = pack_shapes(scene, scene.conventions.cones, options);
-        if (!geometry) {
-            result.cancelled = true;
-            return;
-        }
+        if (!geometry) return cancelled();
         WorldParts parts;
         parts.slot_material = find_slot_materials(scene, *geometry, scene.materials.size(), options.threads);
         parts.geometry = std::move(*geometry);
@@ -34,14 +29,11 @@ WorldResult prepare(const Scene& scene, const PrepareOptions& options) {
         parts.camera = prepare_camera(scene.camera, scene.settings);
         parts.conventions = scene.conventions;
         parts.settings = scene.settings;
-        result.world = WorldAccess::make(std::move(parts));
+        Result<World> result(WorldAccess::make(std::move(parts)), std::move(diagnostics));
         if (options.progress) options.progress(1);
-    });
-    if (!failure.empty()) {
-        result.world.reset();
-        result.diagnostics.push_back(failure_diagnostic(failure + " while preparing the scene"));
-    }
-    return result;
+        return result;
+    };
+    return result_of(body, " while preparing the scene");
 }
 
 }  // namespace glint

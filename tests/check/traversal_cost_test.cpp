@@ -24,10 +24,10 @@ struct Looked {
     std::string coarse;
 };
 Looked look(const Scene& scene) {
-    WorldResult prepared = prepare(scene);
-    EXPECT_TRUE(prepared.world);
+    Result<World> prepared = prepare(scene);
+    EXPECT_TRUE(prepared);
     const CheckOptions options;
-    CheckContext context(scene, *prepared.world, options);
+    CheckContext context(scene, *prepared, options);
     return {shapes_per_ray(context.world(), 0), context.grid(VisibleHits::k_longest),
             context.coarse_grid(VisibleHits::k_longest)};
 }

@@ -25,19 +25,19 @@ TEST_P(VisibleHitsTest, FollowsTheRaysOfThePicture) {
         const auto scene = test::load_file(GLINT_SOURCE_DIR + std::string(file),
                                            std::string("size=40x30 aa=1 ") + GetParam());
         ASSERT_TRUE(scene) << file;
-        WorldResult prepared = prepare(*scene);
-        ASSERT_TRUE(prepared.world);
+        Result<World> prepared = prepare(*scene);
+        ASSERT_TRUE(prepared);
         const CheckOptions options;
-        CheckContext context(*scene, *prepared.world, options);
+        CheckContext context(*scene, *prepared, options);
         const VisibleHits visible(context);
         ASSERT_EQ(visible.size.width, 40);
         ASSERT_GE(visible.generations.size(), 3u) << "a scene of glass";
 
         std::vector<std::vector<Numbers>> points(visible.generations.size());
-        std::vector<std::vector<Numbers>> shadows(prepared.world->parts().lights->size());
+        std::vector<std::vector<Numbers>> shadows(prepared->parts().lights->size());
         for (int y = 0; y < 30; ++y) {
             for (int x = 0; x < 40; ++x) {
-                for (const ExplainedRay& ray : explain(*scene, *prepared.world, x, y).rays) {
+                for (const ExplainedRay& ray : explain(*scene, *prepared, x, y).rays) {
                     const auto generation = static_cast<std::size_t>(ray.generation);
                     if (!ray.hit || generation >= points.size()) continue;
                     points[generation].push_back(numbers(ray.hit->point));
@@ -62,7 +62,7 @@ TEST_P(VisibleHitsTest, FollowsTheRaysOfThePicture) {
         // there.
         for (std::size_t l = 0; l < shadows.size(); ++l) {
             const ShadowRays rays =
-                shadow_rays(prepared.world->parts(), visible, (*prepared.world->parts().lights)[l], 1000000);
+                shadow_rays(prepared->parts(), visible, (*prepared->parts().lights)[l], 1000000);
             std::vector<Numbers> found;
             const RaySpan span = rays.rays.from(0);
             for (std::size_t i = 0; i < rays.rays.size(); ++i)

@@ -64,12 +64,12 @@ inline Scene read_scene(const std::string& text) {
 }
 
 inline Image draw(const Scene& scene) {
-    const WorldResult prepared = prepare(scene);
-    if (!prepared.world) {
+    const Result<World> prepared = prepare(scene);
+    if (!prepared) {
         ADD_FAILURE() << "not prepared";
         return {};
     }
-    return std::move(*render(*prepared.world).image);
+    return std::move(*render(*prepared).image);
 }
 
 /// What a file of 8 bits holds of it.

@@ -139,7 +139,7 @@ TEST(Explain, TenThousandPixelsAreThePicturesOwn) {
             // Small enough to be quick, and of sides that tiles do not like.
             scene->settings.height = 97 * scene->settings.height / scene->settings.width;
             scene->settings.width = 97;
-            const std::optional<World> world = prepare(*scene).world;
+            const Result<World> world = prepare(*scene);
             ASSERT_TRUE(world);
             const RenderResult whole = render(*world);
             ASSERT_TRUE(whole.image);
@@ -163,12 +163,12 @@ TEST(Explain, UnlitShadingsAndEveryInstructionSet) {
         auto scene = test::load_file(GLINT_PROJECT_DIR "/scenes/epfl/castle.json",
                                      std::string("size=64x64 ") + settings);
         ASSERT_TRUE(scene);
-        const std::optional<World> world = prepare(*scene).world;
+        const Result<World> world = prepare(*scene);
         const RenderResult whole = render(*world);
         for (int i = 0; i < 64; ++i) check_pixel(*scene, *world, *whole.image, i, (37 * i) % 64);
     }
     const auto scene = test::load_file(GLINT_PROJECT_DIR "/scenes/epfl/castle.json", "size=64x64");
-    const std::optional<World> world = prepare(*scene).world;
+    const Result<World> world = prepare(*scene);
     const std::string first = explanation_json(explain(*scene, *world, 30, 50), *scene);
     for (const std::string& isa : isa_names())
         EXPECT_EQ(explanation_json(explain(*scene, *world, 30, 50, {-1, isa}), *scene), first) << isa;
@@ -185,7 +185,7 @@ TEST(Explain, APlaneUnderOneLight) {
     scene.camera.position = {0, 1, 4};
     scene.camera.look_at = {0, 0, 0};
     scene.settings.width = scene.settings.height = 65;
-    const std::optional<World> world = prepare(scene).world;
+    const Result<World> world = prepare(scene);
     ASSERT_TRUE(world);
     const Explanation e = explain(scene, *world, 32, 32);
     ASSERT_EQ(e.rays.size(), 1u);
@@ -204,7 +204,7 @@ TEST(Explain, APlaneUnderOneLight) {
 
 TEST(Explain, OneSampleAlone) {
     const auto scene = test::load_file(GLINT_PROJECT_DIR "/scenes/glint/glass.glint", "size=64x42 aa=3");
-    const std::optional<World> world = prepare(*scene).world;
+    const Result<World> world = prepare(*scene);
     const Explanation all = explain(*scene, *world, 15, 20);
     std::size_t rays = 0;
     for (int sample = 0; sample < 9; ++sample) {
@@ -235,7 +235,7 @@ TEST(Explain, TooManyRaysAreToldASampleAtATime) {
     scene.settings.width = scene.settings.height = 9;
     scene.settings.reflections = 1000;
     scene.settings.samples = 8;
-    const std::optional<World> world = prepare(scene).world;
+    const Result<World> world = prepare(scene);
     ASSERT_TRUE(world);
     EXPECT_NE(explain(scene, *world, 4, 4).error.find("ask for one of its samples"), std::string::npos);
     const Explanation one = explain(scene, *world, 4, 4, {36, {}});
@@ -254,7 +254,7 @@ TEST(Explain, WhyThereIsNoHighlight) {
     scene.camera.look_at = {0, 0, 2};
     scene.settings.width = scene.settings.height = 9;
     scene.settings.shading = Shading::phong;
-    const std::optional<World> world = prepare(scene).world;
+    const Result<World> world = prepare(scene);
     const Explanation e = explain(scene, *world, 4, 4);
     ASSERT_TRUE(e.rays.at(0).hit);
     const ExplainedHit& hit = *e.rays[0].hit;
@@ -266,7 +266,7 @@ TEST(Explain, WhyThereIsNoHighlight) {
 
 TEST(Explain, WhatCannotBeExplained) {
     const auto scene = test::load_file(GLINT_PROJECT_DIR "/scenes/epfl/castle.json", "size=64x64");
-    const std::optional<World> world = prepare(*scene).world;
+    const Result<World> world = prepare(*scene);
     EXPECT_NE(explain(*scene, *world, 64, 0).error, "");
     EXPECT_NE(explain(*scene, *world, 0, -1).error, "");
     EXPECT_NE(explain(*scene, *world, 0, 0, {-1, "avx9"}).error, "");

@@ -36,7 +36,7 @@ TEST(Layers, LightAddsUpToThePicture) {
         ASSERT_TRUE(scene);
         scene->settings.height = 131 * scene->settings.height / scene->settings.width;
         scene->settings.width = 131;
-        const std::optional<World> world = prepare(*scene).world;
+        const Result<World> world = prepare(*scene);
         const RenderResult plain = render(*world), result = with_layers(*world);
         ASSERT_TRUE(plain.image && result.image);
         ASSERT_EQ(result.layers.size(), std::size_t{k_layers});
@@ -60,7 +60,7 @@ TEST(Layers, TellOfTheFirstSurface) {
     scene.lights.push_back({.position = {0, 0, 10}});
     scene.lights.push_back({.kind = LightKind::directional, .to_light = {1, 1, 0.3}});
     scene.settings.width = scene.settings.height = 33;
-    const std::optional<World> world = prepare(scene).world;
+    const Result<World> world = prepare(scene);
     ASSERT_TRUE(world);
     const RenderResult r = with_layers(*world);
     const std::size_t middle = 16 * 33 + 16, sky = 16;
@@ -88,7 +88,7 @@ TEST(Layers, TellOfTheFirstSurface) {
 TEST(Layers, AreTheSameInCropsAndOnEveryInstructionSet) {
     const auto scene = test::load_file(GLINT_PROJECT_DIR "/scenes/glint/still_life.glint", "size=90x70 aa=3");
     ASSERT_TRUE(scene);
-    const std::optional<World> world = prepare(*scene).world;
+    const Result<World> world = prepare(*scene);
     const RenderResult whole = with_layers(*world), part = with_layers(*world, Crop{40, 33, 21, 17});
     ASSERT_TRUE(whole.image && part.image);
     for (int l = 0; l < k_layers; ++l) {
@@ -108,7 +108,7 @@ TEST(Layers, AreTheSameInCropsAndOnEveryInstructionSet) {
 }
 
 TEST(Layers, AskedForWrongly) {
-    const std::optional<World> world = prepare(Scene{}).world;
+    const Result<World> world = prepare(Scene{});
     RenderOptions options;
     options.layers = {Layer::depth, Layer::depth};
     EXPECT_NE(render(*world, options).error, "");

@@ -72,7 +72,7 @@ TEST(ExplainSchema, HoldsOverTheGallery) {
     for (const std::string& path : test::scene_files(GLINT_PROJECT_DIR "/scenes")) {
         const auto scene = test::load_file(path, "size=40x40");
         ASSERT_TRUE(scene) << path;
-        const std::optional<World> world = prepare(*scene).world;
+        const Result<World> world = prepare(*scene);
         for (int i = -1; i < 40; i += 3) {
             const std::string text = explanation_json(explain(*scene, *world, i, (7 * i + 11) % 40), *scene);
             EXPECT_EQ(schema.fault(json::parse(text)), "") << path << " pixel " << i;

@@ -26,9 +26,9 @@ std::vector<float> small_picture(Scene scene) {
     scene.settings.height = 36;
     scene.settings.samples = 1;
     scene.settings.reflections = std::min(scene.settings.reflections, 4);
-    const WorldResult prepared = prepare(scene);
-    if (!prepared.world) return {};
-    RenderResult result = render(*prepared.world);
+    const Result<World> prepared = prepare(scene);
+    if (!prepared) return {};
+    RenderResult result = render(*prepared);
     return result.image ? std::move(result.image->rgb) : std::vector<float>();
 }
 

@@ -66,16 +66,16 @@ inline std::string fuzz_render(std::string_view text, std::string format) {
     settings.height = std::min(settings.height, 16);
     settings.samples = 1;
     settings.reflections = std::min(settings.reflections, 3);
-    const WorldResult prepared = prepare(*loaded.scene, {.threads = 1});
-    if (!prepared.world) return "a scene that load() takes and prepare() does not";
+    const Result<World> prepared = prepare(*loaded.scene, {.threads = 1});
+    if (!prepared) return "a scene that load() takes and prepare() does not";
     RenderOptions options;
     options.threads = 1;
-    const RenderResult result = render(*prepared.world, options);
+    const RenderResult result = render(*prepared, options);
     if (!result.image) return "no picture: " + result.error;
     for (const float channel : result.image->rgb) {
         if (std::isnan(channel)) return "a pixel that is not a number";
     }
-    return fuzz_explain(*loaded.scene, *prepared.world, *result.image);
+    return fuzz_explain(*loaded.scene, *prepared, *result.image);
 }
 
 }  // namespace glint::test

@@ -73,15 +73,15 @@ std::uint64_t hash(const Image& image) {
     return h;
 }
 
-std::optional<World> load_world(const GalleryPicture& p) {
+Result<World> load_world(const GalleryPicture& p) {
     const auto scene = test::load_file(std::string(GLINT_PROJECT_DIR "/scenes/") + p.scene, p.settings);
-    return scene ? prepare(*scene).world : std::nullopt;
+    return scene ? prepare(*scene) : Result<World>();
 }
 
 class Gallery : public testing::TestWithParam<GalleryPicture> {};
 
 TEST_P(Gallery, IsThePictureWeLookedAt) {
-    const std::optional<World> world = load_world(GetParam());
+    const Result<World> world = load_world(GetParam());
     ASSERT_TRUE(world);
     const RenderResult whole = render(*world);
     ASSERT_TRUE(whole.image) << whole.error;
@@ -91,7 +91,7 @@ TEST_P(Gallery, IsThePictureWeLookedAt) {
 }
 
 TEST_P(Gallery, HasTheSameBitsHoweverItIsDrawn) {
-    const std::optional<World> world = load_world(GetParam());
+    const Result<World> world = load_world(GetParam());
     ASSERT_TRUE(world);
     const RenderResult whole = render(*world);
     ASSERT_TRUE(whole.image);

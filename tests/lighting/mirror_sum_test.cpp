@@ -99,9 +99,9 @@ TEST(MirrorSum, is_what_the_renderer_draws) {
         scene.conventions.limit = limit;
         for (std::int32_t n = 0; n < 4; ++n) {
             scene.settings.reflections = n;
-            const WorldResult prepared = prepare(scene, {.threads = 1});
-            ASSERT_TRUE(prepared.world);
-            const RenderResult result = render(*prepared.world);
+            const Result<World> prepared = prepare(scene, {.threads = 1});
+            ASSERT_TRUE(prepared);
+            const RenderResult result = render(*prepared);
             ASSERT_TRUE(result.image) << result.error;
             EXPECT_EQ(result.image->rgb[0], sum_of(k_example, limit, static_cast<std::size_t>(n)))
                 << "limit " << static_cast<int>(limit) << ", " << n << " reflections";

@@ -38,9 +38,9 @@ inline Scene some_scene() {
 }
 
 inline World world_of(const Scene& scene) {
-    WorldResult prepared = prepare(scene);
-    EXPECT_TRUE(prepared.world);
-    return prepared.world.value_or(World{});
+    Result<World> prepared = prepare(scene);
+    EXPECT_TRUE(prepared) << prepared.message;
+    return prepared.value_or(World{});
 }
 
 inline Image picture(std::int32_t width, std::int32_t height, float value = 0.5f) {

@@ -51,15 +51,16 @@ TEST(Misuse, OfRender) {
 
 TEST(Misuse, OfPrepare) {
     for (const int threads : {-1, std::numeric_limits<int>::min(), std::numeric_limits<int>::max()})
-        EXPECT_TRUE(prepare(some_scene(), {.threads = threads}).world) << threads;
+        EXPECT_TRUE(prepare(some_scene(), {.threads = threads})) << threads;
     Scene invalid = some_scene();
     invalid.camera.look_at = invalid.camera.position;
-    const WorldResult prepared = prepare(invalid);
-    EXPECT_FALSE(prepared.world);
+    const Result<World> prepared = prepare(invalid);
+    EXPECT_FALSE(prepared);
     EXPECT_TRUE(has_errors(prepared.diagnostics));
     const std::atomic<bool> cancel{true};
-    const WorldResult cancelled = prepare(some_scene(), {.cancel = &cancel});
-    EXPECT_NE(cancelled.cancelled, cancelled.world.has_value());
+    const Result<World> cancelled = prepare(some_scene(), {.cancel = &cancel});
+    EXPECT_FALSE(cancelled);
+    EXPECT_EQ(cancelled.code, ErrorCode::cancelled);
 }
 
 TEST(Misuse, OfAWorldWithoutShapes) {
@@ -85,14 +86,14 @@ TEST(Misuse, OfADefaultOrMovedFromWorld) {
         EXPECT_EQ(memory_usage(empty).packed, 0u);
         EXPECT_GT(scene_bounds(empty).min.x, scene_bounds(empty).max.x);
         const Ray ray{{0, 0, 5}, {0, 0, -1}};
-        EXPECT_EQ(nearest_hits(empty, {&ray, 1}).hits.at(0).shape, k_none);
-        EXPECT_EQ(occluded(empty, {&ray, 1}).occluded.at(0), 0);
+        EXPECT_EQ(nearest_hits(empty, {&ray, 1}).value().at(0).shape, k_none);
+        EXPECT_EQ(occluded(empty, {&ray, 1}).value().at(0), 0);
         EXPECT_EQ(explain(Scene{}, empty, 3, 4).error, "");
         EXPECT_NE(explain(some_scene(), empty, 3, 4).error, "");
-        EXPECT_FALSE(with_material(empty, 0, Material{}).world);
-        EXPECT_TRUE(with_lights(empty, {}).world);
+        EXPECT_FALSE(with_material(empty, 0, Material{}));
+        EXPECT_TRUE(with_lights(empty, {}));
     }
-    EXPECT_FALSE(WorldResult{}.world);
+    EXPECT_FALSE(Result<World>{});
     EXPECT_FALSE(RenderResult{}.image);
 }
 

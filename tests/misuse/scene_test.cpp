@@ -14,8 +14,8 @@ void expect_refused(const Edit& edit, const char* what) {
     Scene scene = some_scene();
     edit(scene);
     EXPECT_TRUE(has_errors(validate(scene))) << what;
-    const WorldResult prepared = prepare(scene);
-    EXPECT_FALSE(prepared.world) << what;
+    const Result<World> prepared = prepare(scene);
+    EXPECT_FALSE(prepared) << what;
     EXPECT_TRUE(has_errors(prepared.diagnostics)) << what;
     EXPECT_EQ(write_glint(scene), "") << what;
     EXPECT_TRUE(check(scene).findings.empty()) << what;

@@ -38,7 +38,7 @@ TEST(Misuse, OfSettingsThatCodePutThere) {
     scene.settings.samples = -3;
     for (std::size_t key = 0; key < setting_keys().size(); ++key) get_setting(scene, key);
     EXPECT_TRUE(has_errors(validate(scene)));
-    EXPECT_FALSE(prepare(scene).world);
+    EXPECT_EQ(prepare(scene).code, ErrorCode::invalid_scene);
 }
 
 TEST(Misuse, OfProfiles) {

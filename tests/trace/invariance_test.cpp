@@ -150,10 +150,10 @@ TEST(Invariance, TheCallersFloatingPointState) {
          {0x1f80u | 0x8040u, 0x1f80u | 0x2000u, 0x1f80u | 0x4000u | 0x8000u, 0x1f80u | 0x6000u | 0x40u}) {
         for (const int threads : {1, 2}) {
             _mm_setcsr(state);
-            WorldResult prepared = prepare(scene, {.threads = threads});
+            Result<World> prepared = prepare(scene, {.threads = threads});
             RenderOptions options;
             options.threads = threads;
-            RenderResult result = prepared.world ? render(*prepared.world, options) : RenderResult{};
+            RenderResult result = prepared ? render(*prepared, options) : RenderResult{};
             const unsigned after = _mm_getcsr();
             _mm_setcsr(before);
             EXPECT_EQ(after & ~0x3fu, state)

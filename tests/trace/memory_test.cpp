@@ -26,11 +26,11 @@ TEST_P(Memory, DoesNotGrowWithEveryRender) {
     scene.lights.push_back({.position = {4, 5, 0}});
     scene.settings.width = scene.settings.height = 64;
     const auto prepared = prepare(scene);
-    ASSERT_TRUE(prepared.world);
+    ASSERT_TRUE(prepared);
     RenderOptions options;
     options.threads = GetParam();
     const auto render_some = [&](int pictures) {
-        for (int i = 0; i < pictures; ++i) ASSERT_TRUE(render(*prepared.world, options).image.has_value());
+        for (int i = 0; i < pictures; ++i) ASSERT_TRUE(render(*prepared, options).image.has_value());
     };
     render_some(200);
     const double before = resident_megabytes();

@@ -21,18 +21,15 @@ TEST(RayQueries, AreTheHitRule) {
     }
     const Hits expected = brute_hits(world, columns);
     for (const int threads : {1, 3}) {
-        const RayHits found = nearest_hits(world, rays, threads);
-        const Occlusions any = occluded(world, rays, threads);
-        EXPECT_EQ(found.error, "");
-        EXPECT_EQ(any.error, "");
-        ASSERT_EQ(found.hits.size(), rays.size());
-        ASSERT_EQ(any.occluded.size(), rays.size());
+        const std::vector<RayHit> found = nearest_hits(world, rays, threads).value();
+        const std::vector<std::uint8_t> any = occluded(world, rays, threads).value();
+        ASSERT_EQ(found.size(), rays.size());
+        ASSERT_EQ(any.size(), rays.size());
         for (std::size_t i = 0; i < rays.size(); ++i) {
             const std::uint32_t slot = expected.slot[i];
-            EXPECT_EQ(found.hits[i].t, expected.t[i]);
-            EXPECT_EQ(found.hits[i].shape,
-                      slot == k_none ? k_none : world.parts().geometry->shape_index[slot]);
-            EXPECT_EQ(any.occluded[i], slot == k_none ? 0 : 1);
+            EXPECT_EQ(found[i].t, expected.t[i]);
+            EXPECT_EQ(found[i].shape, slot == k_none ? k_none : world.parts().geometry->shape_index[slot]);
+            EXPECT_EQ(any[i], slot == k_none ? 0 : 1);
         }
     }
 }
@@ -49,18 +46,18 @@ TEST(RayQueries, GiveTheShapesOwnNormal) {
                         {{0, 0, -5}, {0, 0, -1}},
                         {{0, 9, 5}, {0, 0, -2}, 0, 7},
                         {{0, NAN, 5}, {0, 0, -2}}};
-    const RayHits found = nearest_hits(world, rays);
-    EXPECT_EQ(found.hits[0].t, 1.5);
-    EXPECT_EQ(found.hits[0].normal, (Vec3{0, 0, 1}));
-    EXPECT_EQ(found.hits[1].normal, (Vec3{0, 0, 1})) << "from inside";
-    EXPECT_EQ(found.hits[2].shape, 1u);
-    EXPECT_EQ(found.hits[2].normal, (Vec3{0, 0, 1}));
-    EXPECT_EQ(found.hits[3].shape, k_none);
-    EXPECT_EQ(found.hits[3].t, 7);
-    EXPECT_EQ(found.hits[4].shape, k_none);
-    EXPECT_TRUE(nearest_hits(world, {}).hits.empty());
-    EXPECT_TRUE(occluded(world, {}).occluded.empty());
-    EXPECT_EQ(nearest_hits(World(), rays).hits[0].shape, k_none);
+    const std::vector<RayHit> found = nearest_hits(world, rays).value();
+    EXPECT_EQ(found[0].t, 1.5);
+    EXPECT_EQ(found[0].normal, (Vec3{0, 0, 1}));
+    EXPECT_EQ(found[1].normal, (Vec3{0, 0, 1})) << "from inside";
+    EXPECT_EQ(found[2].shape, 1u);
+    EXPECT_EQ(found[2].normal, (Vec3{0, 0, 1}));
+    EXPECT_EQ(found[3].shape, k_none);
+    EXPECT_EQ(found[3].t, 7);
+    EXPECT_EQ(found[4].shape, k_none);
+    EXPECT_TRUE(nearest_hits(world, {}).value().empty());
+    EXPECT_TRUE(occluded(world, {}).value().empty());
+    EXPECT_EQ(nearest_hits(World(), rays).value()[0].shape, k_none);
 }
 
 TEST(RayQueries, GlassOccludesByTheConventions) {
@@ -70,14 +67,14 @@ TEST(RayQueries, GlassOccludesByTheConventions) {
     scene.add(Sphere{{0, 0, 0}, 1}, 0);
     const World world = *make_world(scene);
     const Ray ray[] = {{{0, 0, 5}, {0, 0, -1}}};
-    EXPECT_EQ(occluded(world, ray).occluded[0], 1);
+    EXPECT_EQ(occluded(world, ray).value()[0], 1);
     Conventions conventions;
     conventions.glass_shadow = GlassShadow::none;
-    const World without = *with_rules(world, conventions, {}).world;
-    EXPECT_EQ(occluded(without, ray).occluded[0], 0);
-    EXPECT_EQ(nearest_hits(without, ray).hits[0].shape, 0u);
+    const World without = *with_rules(world, conventions, {});
+    EXPECT_EQ(occluded(without, ray).value()[0], 0);
+    EXPECT_EQ(nearest_hits(without, ray).value()[0].shape, 0u);
     Material opaque;
-    EXPECT_EQ(occluded(*with_material(without, 0, opaque).world, ray).occluded[0], 1);
+    EXPECT_EQ(occluded(*with_material(without, 0, opaque), ray).value()[0], 1);
 }
 
 }  // namespace

@@ -11,11 +11,9 @@
 namespace glint::test {
 
 inline std::optional<World> make_world(const Scene& scene, int threads = 1) {
-    WorldResult prepared = prepare(scene, {.threads = threads});
-    for (const Diagnostic& d : prepared.diagnostics) {
-        if (d.severity == Severity::error) ADD_FAILURE() << to_string(d);
-    }
-    return std::move(prepared.world);
+    Result<World> prepared = prepare(scene, {.threads = threads});
+    EXPECT_TRUE(prepared) << to_string(prepared);
+    return prepared ? std::optional(*std::move(prepared)) : std::nullopt;
 }
 
 /// A rotation, an uneven scaling (sometimes a mirroring) and a translation.

@@ -7,18 +7,16 @@
 namespace glint::test {
 namespace {
 
-World made(const WorldResult& result) {
-    for (const Diagnostic& d : result.diagnostics)
-        if (d.severity == Severity::error) ADD_FAILURE() << to_string(d);
-    EXPECT_TRUE(result.world.has_value());
-    return result.world.value_or(World());
+World made(const Result<World>& result) {
+    EXPECT_TRUE(result.has_value()) << to_string(result);
+    return result.value_or(World());
 }
 
 World prepared(const Scene& scene) { return made(prepare(scene, {.threads = 1})); }
 
-std::string message(const WorldResult& result) {
-    EXPECT_FALSE(result.world.has_value());
-    return result.diagnostics.empty() ? "" : result.diagnostics.front().message;
+std::string message(const Result<World>& result) {
+    EXPECT_FALSE(result.has_value());
+    return result.message;
 }
 
 Material some_material() {
@@ -36,14 +34,14 @@ Material some_material() {
 struct Change {
     const char* name;
     void (*edit)(Scene&);
-    WorldResult (*apply)(const World&, const Scene& edited);
+    Result<World> (*apply)(const World&, const Scene& edited);
 };
 
-WorldResult apply_rules(const World& world, const Scene& s) {
+Result<World> apply_rules(const World& world, const Scene& s) {
     return with_rules(world, s.conventions, s.settings);
 }
-WorldResult apply_lights(const World& world, const Scene& s) { return with_lights(world, s.lights); }
-WorldResult apply_camera(const World& world, const Scene& s) { return with_camera(world, s.camera); }
+Result<World> apply_lights(const World& world, const Scene& s) { return with_lights(world, s.lights); }
+Result<World> apply_camera(const World& world, const Scene& s) { return with_camera(world, s.camera); }
 
 const Change k_changes[] = {
     {"lights",
@@ -114,11 +112,12 @@ const Change k_changes[] = {
          for (std::size_t i = 0; i < s.shapes.size(); i += 2)
              s.shapes[i].material = s.materials.empty() ? k_none : 0;
      },
-     [](const World& world, const Scene& s) {
-         WorldResult result{world, {}, false};
+     [](const World& world, const Scene& s) -> Result<World> {
+         World result = world;
          std::vector<std::uint32_t> shapes;
          for (std::uint32_t i = 0; i < s.shapes.size(); i += 2) shapes.push_back(i);
-         result.diagnostics = assign_material(*result.world, shapes, s.materials.empty() ? k_none : 0);
+         const Status assigned = assign_material(result, shapes, s.materials.empty() ? k_none : 0);
+         if (!assigned) return assigned;
          return result;
      }},
 };
@@ -199,8 +198,8 @@ TEST(ChangeWorld, SaysWhatIsWrong) {
               "shape 2 has a material that is not among the 1 given");
     World assigned = world;
     const std::uint32_t shapes[] = {0, 3};
-    EXPECT_EQ(assign_material(assigned, shapes, 0).at(0).message, "there is no shape 4: the scene has 3");
-    EXPECT_EQ(assign_material(assigned, {}, 2).at(0).message, "there is no material 3: the scene has 2");
+    EXPECT_EQ(assign_material(assigned, shapes, 0).message, "there is no shape 4: the scene has 3");
+    EXPECT_EQ(assign_material(assigned, {}, 2).message, "there is no material 3: the scene has 2");
     EXPECT_TRUE(draw_the_same(assigned, world));
 }
 
@@ -254,15 +253,15 @@ TEST(ChangeWorld, PreparingTellsOfItsProgressAndCanBeCancelled) {
         EXPECT_LE(done, 1);
         ++calls;
     };
-    EXPECT_TRUE(prepare(scene, options).world);
+    EXPECT_TRUE(prepare(scene, options));
     EXPECT_GE(calls, 3);
     options.progress = [&](double) { cancel = true; };
     options.cancel = &cancel;
-    const WorldResult result = prepare(scene, options);
-    EXPECT_FALSE(result.world);
-    EXPECT_TRUE(result.cancelled);
+    const Result<World> result = prepare(scene, options);
+    EXPECT_FALSE(result);
+    EXPECT_EQ(result.code, ErrorCode::cancelled);
     EXPECT_FALSE(has_errors(result.diagnostics));
-    EXPECT_FALSE(prepare(scene, options).world) << "cancelled before it began";
+    EXPECT_FALSE(prepare(scene, options)) << "cancelled before it began";
 }
 
 }  // namespace

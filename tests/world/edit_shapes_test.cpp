@@ -20,10 +20,10 @@ std::vector<std::uint32_t> all_of(const Scene& scene) {
 }
 
 ShapeEdit edit(World& world, const Scene& scene, std::span<const std::uint32_t> changed, int threads = 1) {
-    const EditResult result = edit_shapes(world, scene, changed, {.threads = threads});
-    for (const Diagnostic& d : result.diagnostics) ADD_FAILURE() << to_string(d);
-    EXPECT_FALSE(result.cancelled);
-    return result.edit;
+    const Result<ShapeEdit> result = edit_shapes(world, scene, changed, {.threads = threads});
+    EXPECT_TRUE(result.ok()) << to_string(result);
+    EXPECT_TRUE(result.diagnostics.empty());
+    return result.value_or(ShapeEdit::none);
 }
 ShapeEdit edit(World& world, const Scene& scene, std::initializer_list<std::uint32_t> changed) {
     return edit(world, scene, std::span(changed.begin(), changed.size()));
@@ -95,13 +95,13 @@ void move(Scene& scene, std::uint32_t index, Vec3 by) {
 void expect_same_hits(const World& a, const World& b, Random& random, double half) {
     std::vector<Ray> rays;
     for (int i = 0; i < 500; ++i) rays.push_back({point_in_cube(random, 1.5 * half), unit_direction(random)});
-    const RayHits of_a = nearest_hits(a, rays), of_b = nearest_hits(b, rays);
-    const Occlusions any_a = occluded(a, rays), any_b = occluded(b, rays);
+    const auto of_a = nearest_hits(a, rays).value(), of_b = nearest_hits(b, rays).value();
+    const auto any_a = occluded(a, rays).value(), any_b = occluded(b, rays).value();
     for (std::size_t i = 0; i < rays.size(); ++i) {
-        EXPECT_EQ(of_a.hits[i].shape, of_b.hits[i].shape);
-        EXPECT_EQ(of_a.hits[i].t, of_b.hits[i].t);
-        EXPECT_EQ(of_a.hits[i].normal, of_b.hits[i].normal);
-        EXPECT_EQ(any_a.occluded[i], any_b.occluded[i]);
+        EXPECT_EQ(of_a[i].shape, of_b[i].shape);
+        EXPECT_EQ(of_a[i].t, of_b[i].t);
+        EXPECT_EQ(of_a[i].normal, of_b[i].normal);
+        EXPECT_EQ(any_a[i], any_b[i]);
     }
 }
 
@@ -181,7 +181,7 @@ TEST(EditShapes, IsInPlaceUnlessACopyExists) {
     EXPECT_TRUE(draw_the_same(copy, prepared(old)));
     EXPECT_TRUE(draw_the_same(world, prepared(scene)));
     // Another World of the same geometry is a copy, too.
-    const World other = *with_background(world, {1, 0, 0}).world;
+    const World other = *with_background(world, {1, 0, 0});
     before = &*world.parts().geometry;
     move(scene, 7, {0.1, 0, 0});
     edit(world, scene, {7});
@@ -300,8 +300,8 @@ TEST(EditShapes, LeavesAWorldAsItIsWhereSomethingIsWrong) {
     World world = prepared(original);
     const PackedGeometry* before = &*world.parts().geometry;
     const auto expect_error = [&](const Scene& scene, std::uint32_t shape, const char* message) {
-        const EditResult result = edit_shapes(world, scene, {{0, shape}});
-        EXPECT_EQ(result.edit, ShapeEdit::none);
+        const Result<ShapeEdit> result = edit_shapes(world, scene, {{0, shape}});
+        EXPECT_EQ(result.code, ErrorCode::invalid_scene);
         ASSERT_FALSE(result.diagnostics.empty()) << message;
         EXPECT_NE(result.diagnostics[0].message.find(message), std::string::npos)
             << result.diagnostics[0].message;
@@ -328,7 +328,7 @@ TEST(EditShapes, LeavesAWorldAsItIsWhereSomethingIsWrong) {
     scene.add(Sphere{{0, 0, 0}, -1});
     expect_error(scene, 7, "radius");
     EXPECT_TRUE(draw_the_same(world, prepared(original)));
-    EXPECT_EQ(edit_shapes(world, original, {}).edit, ShapeEdit::none);
+    EXPECT_EQ(edit_shapes(world, original, {}).value(), ShapeEdit::none);
 }
 
 TEST(EditShapes, ShapesThatAreNotGivenKeepTheirMaterial) {
@@ -336,7 +336,7 @@ TEST(EditShapes, ShapesThatAreNotGivenKeepTheirMaterial) {
     Scene scene = lit(random_scene(random, 50), 10);
     World world = prepared(scene);
     const std::uint32_t shapes[] = {1, 2};
-    ASSERT_TRUE(assign_material(world, shapes, 1).empty());
+    ASSERT_TRUE(assign_material(world, shapes, 1));
     Scene expected = scene;
     expected.shapes[1].material = expected.shapes[2].material = 1;
     // The scene itself was never told; shape 2 is taken from it.
@@ -364,8 +364,8 @@ TEST(EditShapes, ACopyStaysWhatItIsWhileItIsDrawn) {
     const std::uint32_t shapes[] = {0, 1};
     for (int i = 0; i < 200; ++i) {
         scene.lights[0].position.x = i * 0.01;
-        world = with_lights(world, scene.lights).world.value();
-        EXPECT_TRUE(assign_material(world, shapes, static_cast<std::uint32_t>(i % 2)).empty());
+        world = with_lights(world, scene.lights).value();
+        EXPECT_TRUE(assign_material(world, shapes, static_cast<std::uint32_t>(i % 2)));
         for (const std::uint32_t shape : shapes) move(scene, shape, {0, 0.01, 0});
         edit(world, scene, shapes);
     }
@@ -380,10 +380,9 @@ TEST(EditShapes, ARebuildCanBeCancelled) {
     const World copy = world;
     const std::atomic<bool> cancel{true};
     scene.add(Sphere{});
-    const EditResult result =
+    const Result<ShapeEdit> result =
         edit_shapes(world, scene, {}, {.threads = 1, .progress = {}, .cancel = &cancel});
-    EXPECT_TRUE(result.cancelled);
-    EXPECT_EQ(result.edit, ShapeEdit::none);
+    EXPECT_EQ(result.code, ErrorCode::cancelled);
     EXPECT_TRUE(draw_the_same(world, copy));
 }
 

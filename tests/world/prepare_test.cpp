@@ -211,8 +211,8 @@ TEST(Prepare, MemoryByPart) {
 TEST(Prepare, AWorldOfASceneWithErrorsIsNone) {
     Scene scene;
     scene.add(Sphere{{0, 0, 0}, -1});
-    const WorldResult result = prepare(scene);
-    EXPECT_FALSE(result.world);
+    const Result<World> result = prepare(scene);
+    EXPECT_FALSE(result);
     EXPECT_TRUE(has_errors(result.diagnostics));
 }
 

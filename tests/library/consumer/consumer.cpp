@@ -34,21 +34,21 @@ void good_input() {
     if (!loaded.scene) return;
     expect(!glint::has_errors(glint::validate(*loaded.scene)), "the scene is valid");
     const auto prepared = glint::prepare(*loaded.scene);
-    expect(prepared.world.has_value(), "the scene is prepared");
-    if (!prepared.world) return;
-    expect(glint::memory_usage(*prepared.world).total() > 0, "a world takes memory");
-    expect(glint::scene_bounds(*prepared.world).max.z >= 4, "the bounds hold the sphere");
-    const auto rendered = glint::render(*prepared.world);
+    expect(prepared.has_value(), "the scene is prepared");
+    if (!prepared) return;
+    expect(glint::memory_usage(*prepared).total() > 0, "a world takes memory");
+    expect(glint::scene_bounds(*prepared).max.z >= 4, "the bounds hold the sphere");
+    const auto rendered = glint::render(*prepared);
     expect(rendered.image && rendered.image->width == 64 && rendered.image->rgb.size() == 64 * 48 * 3,
            "a picture");
     expect(rendered.rays.camera == 64 * 48, "one camera ray a pixel");
     for (const std::string& isa : glint::isa_names()) {
-        const auto other = glint::render(*prepared.world, {.threads = 1, .isa = isa});
+        const auto other = glint::render(*prepared, {.threads = 1, .isa = isa});
         expect(other.image && rendered.image && other.image->rgb == rendered.image->rgb,
                "the same bits for every isa");
     }
     const std::atomic<bool> cancel{true};
-    expect(glint::render(*prepared.world, {.cancel = &cancel}).cancelled, "a render can be cancelled");
+    expect(glint::render(*prepared, {.cancel = &cancel}).cancelled, "a render can be cancelled");
     for (const auto format : {glint::FileFormat::png, glint::FileFormat::ppm, glint::FileFormat::exr}) {
         const auto encoded = glint::encode(*rendered.image, {.format = format});
         expect(encoded.error.empty() && !encoded.bytes.empty(), "a picture is encoded");
@@ -72,7 +72,7 @@ void scene_in_code() {
         expect(glint::set_setting(scene, *key, "false", {}).empty() && !scene.conventions.specular_gate,
                "it is set");
     scene.add(glint::Sphere{.center = {0, 0, -3}, .radius = -1});
-    expect(!glint::prepare(scene).world, "a negative radius is an error");
+    expect(!glint::prepare(scene), "a negative radius is an error");
     expect(!glint::formats().empty() && !glint::profile_names().empty() && !glint::setting_keys().empty(),
            "lists");
 }
