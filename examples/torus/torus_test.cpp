@@ -33,14 +33,14 @@ void check_ring() {
     for (const std::string& isa : glint::isa_names()) {
         glint::RenderOptions options;
         options.isa = isa;
-        const glint::RenderResult result = glint::render(*prepared, options);
-        if (!result.image) return expect(false, result.error.c_str(), 0, 0);
+        const auto result = glint::render(*prepared, options);
+        if (!result) return expect(false, result.message.c_str(), 0, 0);
         for (int y = 0; y < size; ++y) {
             for (int x = 0; x < size; ++x) {
                 const double px = (x + 0.5 - size * 0.5) * width / size,
                              py = (size * 0.5 - y - 0.5) * width / size;
                 const double rho = std::sqrt(px * px + py * py), across = rho - radius;
-                const float* rgb = &result.image->rgb[3 * static_cast<std::size_t>(y * size + x)];
+                const float* rgb = &result->image.rgb[3 * static_cast<std::size_t>(y * size + x)];
                 const bool on = std::fabs(across) < tube;
                 if (std::fabs(std::fabs(across) - tube) < 1e-9) continue;
                 if (!on) {

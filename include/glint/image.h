@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Pictures: linear float RGB, and their encodings.
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -8,6 +9,7 @@
 #include <vector>
 
 #include "glint/export.h"
+#include "glint/vec.h"
 
 namespace glint {
 
@@ -21,6 +23,16 @@ struct Crop {
 struct Image {
     std::int32_t width = 0, height = 0;
     std::vector<float> rgb;
+
+    /// The pixel (x, y), counted from the top left. Black where the picture has no such pixel, or its numbers
+    /// do not reach so far.
+    Color pixel(std::int32_t x, std::int32_t y) const {
+        if (x < 0 || y < 0 || x >= width || y >= height) return {};
+        const std::size_t first =
+            3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x));
+        if (rgb.size() < 3 || first > rgb.size() - 3) return {};
+        return {rgb[first], rgb[first + 1], rgb[first + 2]};
+    }
 };
 
 enum class FileFormat : std::uint8_t { png, ppm, exr };

@@ -5,14 +5,14 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
-#include <string_view>
 #include <vector>
 
-#include "glint/diagnostic.h"
 #include "glint/export.h"
 #include "glint/image.h"
 #include "glint/layers.h"
+#include "glint/result.h"
 #include "glint/scene.h"
 #include "glint/world.h"
 
@@ -24,28 +24,40 @@ struct RayCounts {
     std::uint64_t total() const { return camera + shadow + mirror + transmitted; }
 };
 
+/// A rectangle of the picture whose pixels are final.
+struct FinishedTile {
+    Crop area;                   ///< in the whole picture, whatever the crop is
+    const float* rgb = nullptr;  ///< r, g, b of its top-left pixel, then those to the right of it
+    std::size_t row_floats = 0;  ///< from a pixel's r to that of the pixel below it
+};
+
 struct RenderOptions {
     int threads = 0;                 ///< 0 = one a processor
     std::string isa = {};            ///< one of isa_names(); empty: the best
     std::optional<Crop> crop = {};   ///< only this part of the picture; the Image has the crop's size
     std::vector<Layer> layers = {};  ///< what else is wanted, each once
-    /// Called from any thread, now and then, with the fraction done (0 to 1). Must not throw.
+    /// The caller's memory for the picture, 3 width height floats of the picture or of the crop: an error if
+    /// it has another size. It is written to until render() returns; after a failure some tiles are drawn.
+    std::optional<std::span<float>> pixels = {};
+    /// Called with the fraction done (0 to 1), which grows from call to call. Must not throw.
     std::function<void(double)> progress = {};
+    /// Called with each tile as soon as it is drawn, in any order; each pixel is in one tile. Must not throw.
+    std::function<void(const FinishedTile&)> on_tile = {};
     const std::atomic<bool>* cancel = nullptr;  ///< looked at between tiles
 };
+// progress and on_tile are called on the threads that render, one call at a time. The other threads go on,
+// and wait if they have something to report meanwhile.
 
-struct RenderResult {
-    std::optional<Image> image;      ///< absent if cancelled or an error
-    std::vector<LayerImage> layers;  ///< in the order of RenderOptions::layers; empty if there is no image
-    bool cancelled = false;
-    std::string error;  ///< "no such instruction set 'avx9'", "out of memory: ..."; empty if none
+struct Rendering {
+    Image image;                     ///< its size, and without numbers if RenderOptions::pixels has them
+    std::vector<LayerImage> layers;  ///< in the order of RenderOptions::layers
     RayCounts rays;
     std::string isa;  ///< what was used
     int threads = 0;
 };
 
-/// Draws the picture. The same bits for any threads, instruction set and crop. Never throws.
-GLINT_API RenderResult render(const World& world, const RenderOptions& options = {});
+/// Renders the picture. The same bits for any threads, instruction set and crop. Never throws.
+GLINT_API Result<Rendering> render(const World& world, const RenderOptions& options = {});
 
 /// The instruction sets this machine has and this build knows, best first. x86-64: "avx512", "avx2", "sse4",
 /// "scalar"; arm64: "neon", "scalar"; the browser build: "scalar".

@@ -59,7 +59,7 @@ std::string CheckContext::coarse_grid(std::int32_t longest) const {
 }
 
 // Of the whole view, whatever proportions so few pixels have: the camera stays that of the picture's size.
-RenderResult CheckContext::render_at(World world, SmallSize size) const {
+Result<Rendering> CheckContext::render_at(World world, SmallSize size) const {
     RenderSettings& settings = WorldAccess::own(world).settings;
     settings.width = size.width;
     settings.height = size.height;
@@ -73,8 +73,8 @@ RenderResult CheckContext::render_at(World world, SmallSize size) const {
 SmallSize CheckContext::affordable(std::int32_t longest) {
     if (rays_per_pixel_ == 0) {
         const SmallSize size = small_size(scene_.settings, k_probe);
-        const RenderResult probe = render_at(prepared_, size);
-        rays_per_pixel_ = static_cast<double>(probe.rays.total()) / size.width / size.height;
+        const Result<Rendering> probe = render_at(prepared_, size);
+        if (probe) rays_per_pixel_ = static_cast<double>(probe->rays.total()) / size.width / size.height;
     }
     SmallSize size = small_size(scene_.settings, longest);
     const double most = std::min(k_max_rays, k_max_tests / std::max(shapes_per_ray_, 1.0));
@@ -85,8 +85,8 @@ SmallSize CheckContext::affordable(std::int32_t longest) {
 
 Image CheckContext::render_small(const Result<World>& world, std::int32_t longest) {
     if (!world) return {};
-    RenderResult result = render_at(*world, affordable(longest));
-    return result.image ? std::move(*result.image) : Image{};
+    Result<Rendering> result = render_at(*world, affordable(longest));
+    return result ? std::move(result->image) : Image{};
 }
 
 void CheckContext::report(std::string_view id, SourcePlace place, std::string message, std::string remedy) {

@@ -61,7 +61,7 @@ class CheckContext {
 
   private:
     std::string line_of(SourcePlace place) const;
-    RenderResult render_at(World world, SmallSize size) const;
+    Result<Rendering> render_at(World world, SmallSize size) const;
     SmallSize affordable(std::int32_t longest);
 
     const Scene& scene_;

@@ -83,7 +83,7 @@ std::optional<Crop> crop_of(const RenderArguments& arguments, const RenderSettin
     return crop;
 }
 
-std::string stats_text(const RenderResult& result, const Times& times) {
+std::string stats_text(const Rendering& rendering, const Times& times) {
     rusage usage{};
     ::getrusage(RUSAGE_SELF, &usage);
     nlohmann::ordered_json stats = {
@@ -91,14 +91,14 @@ std::string stats_text(const RenderResult& result, const Times& times) {
         {"prepare_s", times.prepare},
         {"trace_s", times.trace},
         {"encode_s", times.encode},
-        {"threads", result.threads},
-        {"isa", result.isa},
+        {"threads", rendering.threads},
+        {"isa", rendering.isa},
         {"rays",
-         {{"camera", result.rays.camera},
-          {"shadow", result.rays.shadow},
-          {"mirror", result.rays.mirror},
-          {"transmitted", result.rays.transmitted},
-          {"cut", result.rays.cut}}},
+         {{"camera", rendering.rays.camera},
+          {"shadow", rendering.rays.shadow},
+          {"mirror", rendering.rays.mirror},
+          {"transmitted", rendering.rays.transmitted},
+          {"cut", rendering.rays.cut}}},
         {"peak_rss_bytes", std::uint64_t(usage.ru_maxrss) * 1024},
     };
     return stats.dump(2) + "\n";
@@ -171,7 +171,7 @@ int render_command(RenderArguments& arguments) {
     if (refused) fail_strict(warnings);
 
     stage = Clock::now();
-    RenderResult result;
+    Result<Rendering> result;
     {
         ProgressBar bar(!arguments.quiet);
         options.threads = arguments.threads;
@@ -181,34 +181,34 @@ int render_command(RenderArguments& arguments) {
         result = render(*prepared, options);
     }
     times.trace = seconds_since(stage);
-    if (!result.image) throw Failure(k_bad_input, result.error);
+    if (!result) throw_failure(result);
 
-    if (result.rays.cut > 0 && (!arguments.quiet || arguments.strict)) {
+    if (result->rays.cut > 0 && (!arguments.quiet || arguments.strict)) {
         print_error(
             "warning: {} mirror and glass rays were not traced: a sample of a pixel has at most {}; "
             "--reflections or min_weight leave out the faintest first\n",
-            with_commas(result.rays.cut), k_max_sample_rays);
+            with_commas(result->rays.cut), k_max_sample_rays);
         if (arguments.strict) fail_strict(1);
     }
 
     stage = Clock::now();
-    const EncodeResult encoded = encoding.format == FileFormat::exr && !result.layers.empty()
-                                     ? encode_layers(*result.image, result.layers)
-                                     : encode(*result.image, encoding);
+    const EncodeResult encoded = encoding.format == FileFormat::exr && !result->layers.empty()
+                                     ? encode_layers(result->image, result->layers)
+                                     : encode(result->image, encoding);
     times.encode = seconds_since(stage);
     if (!encoded.error.empty())
         throw Failure(k_bad_input, fmt::format("cannot encode the picture: {}", encoded.error));
     output.write(encoded.bytes);
-    layers.write(result.layers, encoding);
-    if (stats) stats->write(bytes_of(stats_text(result, times)));
+    layers.write(result->layers, encoding);
+    if (stats) stats->write(bytes_of(stats_text(*result, times)));
     if (arguments.show) {
-        fmt::print("{}", half_blocks(*result.image, terminal_columns(STDOUT_FILENO), encoding.transfer));
+        fmt::print("{}", half_blocks(result->image, terminal_columns(STDOUT_FILENO), encoding.transfer));
     }
     if (!arguments.quiet) {
         print_error("{}  {}x{}  {} rays  {:.3f} s  {:.1f} Mray/s  (whole {:.3f} s, {}, {}, {})\n", path,
-                    result.image->width, result.image->height, with_commas(result.rays.total()), times.trace,
-                    static_cast<double>(result.rays.total()) / times.trace / 1e6, seconds_since(start),
-                    counted(std::uint64_t(result.threads), "thread"), result.isa,
+                    result->image.width, result->image.height, with_commas(result->rays.total()), times.trace,
+                    static_cast<double>(result->rays.total()) / times.trace / 1e6, seconds_since(start),
+                    counted(std::uint64_t(result->threads), "thread"), result->isa,
                     counted(warnings, "warning"));
     }
     return k_done;

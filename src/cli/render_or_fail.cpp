@@ -21,9 +21,9 @@ Image render_or_fail(const World& world, int threads, const std::string& isa) {
     RenderOptions options;
     options.threads = threads;
     options.isa = isa;
-    RenderResult result = render(world, options);
-    if (!result.image) throw Failure(k_bad_input, result.error);
-    return std::move(*result.image);
+    Result<Rendering> result = render(world, options);
+    if (!result) throw_failure(result);
+    return std::move(result->image);
 }
 
 OutputFile png_output(const char* option, const std::string& path) {

@@ -4,12 +4,8 @@
 namespace glint {
 namespace {
 
-RenderResult render(const Result<World>& world, int threads, const std::atomic<bool>* cancel) {
-    if (!world) {
-        RenderResult result;
-        result.error = "the scene cannot be drawn";
-        return result;
-    }
+Result<Rendering> render(const Result<World>& world, int threads, const std::atomic<bool>* cancel) {
+    if (!world) return Status(world);
     RenderOptions options;
     options.threads = threads;
     options.cancel = cancel;
@@ -27,12 +23,12 @@ Result<World> with_shading(const World& world, const Scene& scene) {
 
 }  // namespace
 
-RenderResult render_scene(const Scene& scene, int threads, const std::atomic<bool>* cancel) {
+Result<Rendering> render_scene(const Scene& scene, int threads, const std::atomic<bool>* cancel) {
     return render(prepare(scene, {.threads = threads, .cancel = cancel}), threads, cancel);
 }
 
-RenderResult render_scene(const World& world, const Scene& shading, int threads,
-                          const std::atomic<bool>* cancel) {
+Result<Rendering> render_scene(const World& world, const Scene& shading, int threads,
+                               const std::atomic<bool>* cancel) {
     return render(with_shading(world, shading), threads, cancel);
 }
 

@@ -7,12 +7,12 @@
 
 namespace glint {
 
-/// prepare() and render(). Without an image and without an error it was cancelled.
-RenderResult render_scene(const Scene& scene, int threads, const std::atomic<bool>* cancel = nullptr);
+/// prepare() and render().
+Result<Rendering> render_scene(const Scene& scene, int threads, const std::atomic<bool>* cancel = nullptr);
 
 /// The same of a World with the scene's lights, materials, background, camera, conventions and settings in
 /// place of its own; the scene's shapes are not looked at.
-RenderResult render_scene(const World& world, const Scene& shading, int threads,
-                          const std::atomic<bool>* cancel = nullptr);
+Result<Rendering> render_scene(const World& world, const Scene& shading, int threads,
+                               const std::atomic<bool>* cancel = nullptr);
 
 }  // namespace glint

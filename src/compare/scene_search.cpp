@@ -64,9 +64,9 @@ bool SceneSearch::is_cancelled() const {
 }
 
 std::optional<RenderedScene> SceneSearch::render(const Scene& shading) const {
-    RenderResult result = render_scene(*world_, shading, options_.threads, options_.cancel);
-    if (!result.image) return std::nullopt;
-    RenderedScene rendered{std::move(*result.image), {}};
+    Result<Rendering> result = render_scene(*world_, shading, options_.threads, options_.cancel);
+    if (!result) return std::nullopt;
+    RenderedScene rendered{std::move(result->image), {}};
     rendered.bytes = to_bytes(rendered.image, options_.threads);
     return rendered;
 }

@@ -40,10 +40,10 @@ WantedPicture render_wanted(const Scene& scene, const RubricRow& row, int thread
     WantedPicture wanted;
     std::string failure = catch_exceptions([&] {
         wanted.scene = with_settings(scene, row.settings);
-        RenderResult rendered = render_scene(wanted.scene, threads);
-        wanted.error = rendered.error;
-        if (!rendered.image) return;
-        wanted.image = std::move(*rendered.image);
+        Result<Rendering> rendered = render_scene(wanted.scene, threads);
+        wanted.error = rendered.message;
+        if (!rendered) return;
+        wanted.image = std::move(rendered->image);
         wanted.bytes = to_bytes(wanted.image, threads);
         for (std::size_t i = 0; i < wanted.image.rgb.size(); ++i)
             wanted.image.rgb[i] = static_cast<float>(wanted.bytes.rgb[i]) / 255;
@@ -51,9 +51,9 @@ WantedPicture render_wanted(const Scene& scene, const RubricRow& row, int thread
         for (std::uint8_t& mark : wanted.counts) mark = mark == 0;
         if (row.without.empty()) return;
         rendered = render_scene(with_settings(wanted.scene, row.without), threads);
-        wanted.error = rendered.error;
-        if (!rendered.image) return;
-        const BytePicture without = to_bytes(*rendered.image, threads);
+        wanted.error = rendered.message;
+        if (!rendered) return;
+        const BytePicture without = to_bytes(rendered->image, threads);
         wanted.shows = wanted.counts;
         for (std::size_t i = 0; i < wanted.shows.size(); ++i) {
             if (is_right(&without.rgb[3 * i], &wanted.bytes.rgb[3 * i])) wanted.shows[i] = 0;

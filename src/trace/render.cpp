@@ -4,9 +4,10 @@
 #include <atomic>
 #include <memory>
 
-#include "base/catch_exceptions.h"
 #include "base/huge_pages.h"
+#include "base/one_at_a_time.h"
 #include "base/parallel_for.h"
+#include "base/status.h"
 #include "glint/render.h"
 #include "trace/kernels.h"
 
@@ -72,24 +73,65 @@ std::string layers_error(const std::vector<Layer>& layers) {
     return {};
 }
 
-void render_into(const WorldParts& world, const RenderOptions& options, const Kernels& kernels,
-                 const Crop& crop, RenderResult& result) {
-    Image image;
-    image.width = crop.width;
-    image.height = crop.height;
-    const std::size_t numbers =
-        3 * static_cast<std::size_t>(crop.width) * static_cast<std::size_t>(crop.height);
-    image.rgb.reserve(numbers);
-    advise_huge_pages(image.rgb.data(), numbers * sizeof(float));
-    prefault_pages(image.rgb.data(), numbers * sizeof(float), result.threads);
-    image.rgb.resize(numbers);
+std::size_t count_numbers(const Crop& crop) {
+    return 3 * static_cast<std::size_t>(crop.width) * static_cast<std::size_t>(crop.height);
+}
+
+std::vector<float> claim_pixels(std::size_t numbers, int threads) {
+    std::vector<float> rgb;
+    rgb.reserve(numbers);
+    advise_huge_pages(rgb.data(), numbers * sizeof(float));
+    prefault_pages(rgb.data(), numbers * sizeof(float), threads);
+    rgb.resize(numbers);
+    return rgb;
+}
+
+// Why the picture cannot go into the caller's memory, or nothing.
+std::string pixels_error(const RenderOptions& options, const Crop& crop) {
+    if (!options.pixels || options.pixels->size() == count_numbers(crop)) return {};
+    return "the memory for the picture has " + std::to_string(options.pixels->size()) +
+           " numbers, and a picture of " + std::to_string(crop.width) + "x" + std::to_string(crop.height) +
+           " has " + std::to_string(count_numbers(crop));
+}
+
+// The caller's callbacks.
+class Reporter {
+  public:
+    Reporter(const RenderOptions& options, std::size_t tiles)
+        : options_(options), tiles_(static_cast<double>(tiles)) {}
+
+    void report(const FinishedTile& tile) {
+        if (!options_.progress && !options_.on_tile) return;
+        calls_.run([&] {
+            if (options_.on_tile) options_.on_tile(tile);
+            if (options_.progress) options_.progress(++done_ / tiles_);
+        });
+    }
+
+  private:
+    const RenderOptions& options_;
+    OneAtATime calls_;
+    double done_ = 0;
+    const double tiles_;
+};
+
+Result<Rendering> render_picture(const WorldParts& world, const RenderOptions& options,
+                                 const Kernels& kernels, const Crop& crop) {
+    Rendering result;
+    result.isa = kernels.isa;
+    result.threads = thread_count(options.threads);
+    result.image.width = crop.width;
+    result.image.height = crop.height;
+    if (!options.pixels) result.image.rgb = claim_pixels(count_numbers(crop), result.threads);
+    float* const rgb = options.pixels ? options.pixels->data() : result.image.rgb.data();
 
     const int across = (crop.width + k_tile_side - 1) / k_tile_side,
               down = (crop.height + k_tile_side - 1) / k_tile_side;
     const auto tiles = static_cast<std::size_t>(across) * static_cast<std::size_t>(down);
-    std::vector<LayerImage> layers = empty_layers(options.layers, crop);
+    result.layers = empty_layers(options.layers, crop);
     AtomicCounts rays;
     std::atomic<std::size_t> done{0};
+    Reporter reporter(options, tiles);
     const auto cancelled = [&] {
         return options.cancel != nullptr && options.cancel->load(std::memory_order_relaxed);
     };
@@ -104,45 +146,36 @@ void render_into(const WorldParts& world, const RenderOptions& options, const Ke
         job.height = std::min(k_tile_side, crop.height - row);
         const std::size_t first = static_cast<std::size_t>(row) * static_cast<std::size_t>(crop.width) +
                                   static_cast<std::size_t>(column);
-        job.rgb = image.rgb.data() + 3 * first;
+        job.rgb = rgb + 3 * first;
         job.row_pixels = crop.width;
-        const LayerTargets targets = targets_at(layers, first);
-        if (!layers.empty()) job.layers = &targets;
+        const LayerTargets targets = targets_at(result.layers, first);
+        if (!result.layers.empty()) job.layers = &targets;
         TileScratch& scratch = thread_scratch();
         scratch.counts = {};
         kernels.render_tile(world, job, scratch);
         rays.add(scratch.counts);
-        const std::size_t now = ++done;
-        if (options.progress) options.progress(static_cast<double>(now) / static_cast<double>(tiles));
+        ++done;
+        reporter.report({{job.width, job.height, job.x, job.y}, job.rgb, 3 * std::size_t(crop.width)});
     });
+    if (done < tiles) return glint::cancelled();
     result.rays = rays.get();
-    if (done < tiles) {
-        result.cancelled = true;
-    } else {
-        result.image = std::move(image);
-        result.layers = std::move(layers);
-    }
+    return result;
 }
 
 }  // namespace
 
-RenderResult render(const World& rendered, const RenderOptions& options) {
-    const WorldParts& world = rendered.parts();
-    RenderResult result;
-    const Kernels* kernels = find_kernels(options.isa);
-    if (kernels == nullptr) {
-        result.error = no_kernels_error(options.isa);
-        return result;
-    }
-    const Crop crop = options.crop.value_or(Crop{world.settings.width, world.settings.height, 0, 0});
-    result.error = crop_error(crop, world.settings);
-    if (result.error.empty()) result.error = layers_error(options.layers);
-    if (!result.error.empty()) return result;
-    result.isa = kernels->isa;
-    result.threads = thread_count(options.threads);
-    result.error = catch_exceptions([&] { render_into(world, options, *kernels, crop, result); });
-    if (!result.error.empty()) result.image.reset();
-    return result;
+Result<Rendering> render(const World& rendered, const RenderOptions& options) {
+    return result_of([&]() -> Result<Rendering> {
+        const WorldParts& world = rendered.parts();
+        const Kernels* kernels = find_kernels(options.isa);
+        if (kernels == nullptr) return invalid_argument(no_kernels_error(options.isa));
+        const Crop crop = options.crop.value_or(Crop{world.settings.width, world.settings.height, 0, 0});
+        std::string wrong = crop_error(crop, world.settings);
+        if (wrong.empty()) wrong = layers_error(options.layers);
+        if (wrong.empty()) wrong = pixels_error(options, crop);
+        if (!wrong.empty()) return invalid_argument(std::move(wrong));
+        return render_picture(world, options, *kernels, crop);
+    });
 }
 
 std::vector<std::string> isa_names() {

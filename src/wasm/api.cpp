@@ -116,14 +116,14 @@ const float* glint_render(GlintScene* scene, std::int32_t x, std::int32_t y, std
     glint::RenderOptions options;
     options.threads = 1;
     options.crop = glint::Crop{width, height, x, y};
-    glint::RenderResult result = glint::render(*scene->world, options);
-    if (!result.image) {
+    glint::Result<glint::Rendering> result = glint::render(*scene->world, options);
+    if (!result) {
         scene->image = {};
-        scene->fail(result.error);
+        scene->fail(result.message);
         return nullptr;
     }
-    scene->image = std::move(*result.image);
-    scene->rays = result.rays;
+    scene->image = std::move(result->image);
+    scene->rays = result->rays;
     return scene->image.rgb.data();
 }
 

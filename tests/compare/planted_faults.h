@@ -69,7 +69,7 @@ inline Image draw(const Scene& scene) {
         ADD_FAILURE() << "not prepared";
         return {};
     }
-    return std::move(*render(*prepared).image);
+    return render(*prepared).value().image;
 }
 
 /// What a file of 8 bits holds of it.

@@ -141,12 +141,12 @@ TEST(Explain, TenThousandPixelsAreThePicturesOwn) {
             scene->settings.width = 97;
             const Result<World> world = prepare(*scene);
             ASSERT_TRUE(world);
-            const RenderResult whole = render(*world);
-            ASSERT_TRUE(whole.image);
+            const Result<Rendering> whole = render(*world);
+            ASSERT_TRUE(whole);
             for (int i = 0; i < each && !testing::Test::HasFatalFailure(); ++i) {
                 const int x = static_cast<int>(random() % 97u);
-                const int y = static_cast<int>(random() % static_cast<unsigned>(whole.image->height));
-                check_pixel(*scene, *world, *whole.image, x, y);
+                const int y = static_cast<int>(random() % static_cast<unsigned>(whole->image.height));
+                check_pixel(*scene, *world, whole->image, x, y);
                 ++pixels;
                 for (const ExplainedRay& ray : explain(*scene, *world, x, y).rays)
                     for (const LightTerms& terms : ray.hit ? ray.hit->lights : std::vector<LightTerms>())
@@ -164,8 +164,8 @@ TEST(Explain, UnlitShadingsAndEveryInstructionSet) {
                                      std::string("size=64x64 ") + settings);
         ASSERT_TRUE(scene);
         const Result<World> world = prepare(*scene);
-        const RenderResult whole = render(*world);
-        for (int i = 0; i < 64; ++i) check_pixel(*scene, *world, *whole.image, i, (37 * i) % 64);
+        const Result<Rendering> whole = render(*world);
+        for (int i = 0; i < 64; ++i) check_pixel(*scene, *world, whole->image, i, (37 * i) % 64);
     }
     const auto scene = test::load_file(GLINT_PROJECT_DIR "/scenes/epfl/castle.json", "size=64x64");
     const Result<World> world = prepare(*scene);

@@ -28,8 +28,8 @@ std::vector<float> small_picture(Scene scene) {
     scene.settings.reflections = std::min(scene.settings.reflections, 4);
     const Result<World> prepared = prepare(scene);
     if (!prepared) return {};
-    RenderResult result = render(*prepared);
-    return result.image ? std::move(result.image->rgb) : std::vector<float>();
+    Result<Rendering> result = render(*prepared);
+    return result ? std::move(result->image.rgb) : std::vector<float>();
 }
 
 bool same_bits(const std::vector<float>& a, const std::vector<float>& b) {

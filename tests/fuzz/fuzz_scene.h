@@ -70,12 +70,12 @@ inline std::string fuzz_render(std::string_view text, std::string format) {
     if (!prepared) return "a scene that load() takes and prepare() does not";
     RenderOptions options;
     options.threads = 1;
-    const RenderResult result = render(*prepared, options);
-    if (!result.image) return "no picture: " + result.error;
-    for (const float channel : result.image->rgb) {
+    const Result<Rendering> result = render(*prepared, options);
+    if (!result) return "no picture: " + result.message;
+    for (const float channel : result->image.rgb) {
         if (std::isnan(channel)) return "a pixel that is not a number";
     }
-    return fuzz_explain(*loaded.scene, *prepared, *result.image);
+    return fuzz_explain(*loaded.scene, *prepared, result->image);
 }
 
 }  // namespace glint::test

@@ -83,44 +83,44 @@ class Gallery : public testing::TestWithParam<GalleryPicture> {};
 TEST_P(Gallery, IsThePictureWeLookedAt) {
     const Result<World> world = load_world(GetParam());
     ASSERT_TRUE(world);
-    const RenderResult whole = render(*world);
-    ASSERT_TRUE(whole.image) << whole.error;
-    EXPECT_TRUE(test::matches_golden(*whole.image, std::string(GLINT_PROJECT_DIR "/tests/gallery/golden/") +
+    const Result<Rendering> whole = render(*world);
+    ASSERT_TRUE(whole) << whole.message;
+    EXPECT_TRUE(test::matches_golden(whole->image, std::string(GLINT_PROJECT_DIR "/tests/gallery/golden/") +
                                                        file_name(GetParam()) + ".png"));
-    EXPECT_EQ(hash(*whole.image), GetParam().float_bits) << "0x" << std::hex << hash(*whole.image);
+    EXPECT_EQ(hash(whole->image), GetParam().float_bits) << "0x" << std::hex << hash(whole->image);
 }
 
 TEST_P(Gallery, HasTheSameBitsHoweverItIsDrawn) {
     const Result<World> world = load_world(GetParam());
     ASSERT_TRUE(world);
-    const RenderResult whole = render(*world);
-    ASSERT_TRUE(whole.image);
+    const Result<Rendering> whole = render(*world);
+    ASSERT_TRUE(whole);
     int i = 0;
     for (const std::string& isa : isa_names()) {
         RenderOptions options;
         options.isa = isa;
         options.threads = std::array{1, 2, 7}[static_cast<std::size_t>(i++ % 3)];
-        const RenderResult again = render(*world, options);
-        ASSERT_TRUE(again.image);
-        EXPECT_EQ(hash(*again.image), hash(*whole.image)) << isa << ", " << options.threads << " threads";
-        EXPECT_EQ(again.rays.total(), whole.rays.total());
+        const Result<Rendering> again = render(*world, options);
+        ASSERT_TRUE(again);
+        EXPECT_EQ(hash(again->image), hash(whole->image)) << isa << ", " << options.threads << " threads";
+        EXPECT_EQ(again->rays.total(), whole->rays.total());
     }
-    Image joined{whole.image->width, whole.image->height, std::vector<float>(whole.image->rgb.size())};
+    Image joined{whole->image.width, whole->image.height, std::vector<float>(whole->image.rgb.size())};
     constexpr int step = 47;  // nothing that tiles or packets would like
     for (int y = 0; y < joined.height; y += step) {
         for (int x = 0; x < joined.width; x += step) {
             RenderOptions options;
             options.crop = Crop{std::min(step, joined.width - x), std::min(step, joined.height - y), x, y};
-            const RenderResult part = render(*world, options);
-            ASSERT_TRUE(part.image);
-            for (int row = 0; row < part.image->height; ++row) {
+            const Result<Rendering> part = render(*world, options);
+            ASSERT_TRUE(part);
+            for (int row = 0; row < part->image.height; ++row) {
                 std::memcpy(&joined.rgb[3 * static_cast<std::size_t>((y + row) * joined.width + x)],
-                            &part.image->rgb[3 * static_cast<std::size_t>(row * part.image->width)],
-                            3 * sizeof(float) * static_cast<std::size_t>(part.image->width));
+                            &part->image.rgb[3 * static_cast<std::size_t>(row * part->image.width)],
+                            3 * sizeof(float) * static_cast<std::size_t>(part->image.width));
             }
         }
     }
-    EXPECT_EQ(hash(joined), hash(*whole.image));
+    EXPECT_EQ(hash(joined), hash(whole->image));
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, Gallery, testing::ValuesIn(k_gallery),

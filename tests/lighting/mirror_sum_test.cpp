@@ -101,9 +101,9 @@ TEST(MirrorSum, is_what_the_renderer_draws) {
             scene.settings.reflections = n;
             const Result<World> prepared = prepare(scene, {.threads = 1});
             ASSERT_TRUE(prepared);
-            const RenderResult result = render(*prepared);
-            ASSERT_TRUE(result.image) << result.error;
-            EXPECT_EQ(result.image->rgb[0], sum_of(k_example, limit, static_cast<std::size_t>(n)))
+            const Result<Rendering> result = render(*prepared);
+            ASSERT_TRUE(result) << result.message;
+            EXPECT_EQ(result->image.rgb[0], sum_of(k_example, limit, static_cast<std::size_t>(n)))
                 << "limit " << static_cast<int>(limit) << ", " << n << " reflections";
         }
     }

@@ -59,7 +59,7 @@ TEST(Misuse, OfFindCauses) {
     EXPECT_EQ(find_causes(mixed, Image{}, nullptr).size(), 3u);
 
     Scene scene = some_scene();
-    Image dark = render(world_of(scene)).image.value();
+    Image dark = render(world_of(scene)).value().image;
     const Image right = dark;
     for (float& value : dark.rgb) value *= 0.5f;
     scene.shapes[0].index = 99;  // cannot be drawn

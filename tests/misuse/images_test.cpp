@@ -11,6 +11,19 @@ void expect_error(const EncodeResult& result, const char* what) {
     EXPECT_TRUE(result.bytes.empty()) << what;
 }
 
+TEST(Misuse, OfPixel) {
+    const Image good = picture(2, 3);
+    EXPECT_EQ(good.pixel(1, 2), (Color{0.5, 0.5, 0.5}));
+    for (const auto& [x, y] : {std::pair{2, 0}, {0, 3}, {-1, 1}, {1, -1}, {1000000, 1000000}})
+        EXPECT_EQ(good.pixel(x, y), Color{});
+    for (const std::int32_t odd : k_odd_sizes) EXPECT_EQ(good.pixel(odd, odd == 0 ? -1 : odd), Color{});
+    for (const Image& image : misfits()) {
+        for (const std::int32_t at : {0, 1, 3, -1, std::numeric_limits<std::int32_t>::max() - 1})
+            EXPECT_GE(image.pixel(at, at).r, 0);
+    }
+    EXPECT_EQ((Image{2, 2, std::vector<float>(11, 1)}.pixel(1, 1)), Color{}) << "one number is missing";
+}
+
 TEST(Misuse, OfEncode) {
     for (const FileFormat format : {FileFormat::png, FileFormat::ppm, FileFormat::exr}) {
         EncodeOptions options;

@@ -5,11 +5,10 @@
 namespace glint::misuse {
 namespace {
 
-void expect_error(const RenderResult& result, const char* what) {
-    EXPECT_NE(result.error, "") << what;
-    EXPECT_FALSE(result.image) << what;
-    EXPECT_TRUE(result.layers.empty()) << what;
-    EXPECT_FALSE(result.cancelled) << what;
+void expect_error(const Result<Rendering>& result, const char* what) {
+    EXPECT_NE(result.message, "") << what;
+    EXPECT_FALSE(result) << what;
+    EXPECT_EQ(result.code, ErrorCode::invalid_argument) << what;
 }
 
 TEST(Misuse, OfRender) {
@@ -38,14 +37,22 @@ TEST(Misuse, OfRender) {
     for (const int threads : {-1, std::numeric_limits<int>::min(), 1000, std::numeric_limits<int>::max()}) {
         options = {};
         options.threads = threads;
-        EXPECT_EQ(render(world, options).error, "") << threads;
+        EXPECT_TRUE(render(world, options)) << threads;
     }
+    std::vector<float> memory(3 * 16 * 12 + 1);
+    for (const std::size_t size : {std::size_t{0}, memory.size() - 2, memory.size()}) {
+        options = {};
+        options.pixels = std::span(memory).first(size);
+        expect_error(render(world, options), "pixels");
+    }
+    options.pixels = std::span<float>();
+    expect_error(render(world, options), "no pixels");
     const std::atomic<bool> cancel{true};
     options = {};
     options.cancel = &cancel;
-    const RenderResult cancelled = render(world, options);
-    EXPECT_TRUE(cancelled.cancelled);
-    EXPECT_FALSE(cancelled.image);
+    const Result<Rendering> cancelled = render(world, options);
+    EXPECT_EQ(cancelled.code, ErrorCode::cancelled);
+    EXPECT_FALSE(cancelled);
     EXPECT_FALSE(isa_names().empty());
 }
 
@@ -73,16 +80,16 @@ TEST(Misuse, OfAWorldWithoutShapes) {
     EXPECT_EQ(memory_usage(world).each(), 0);
     EXPECT_EQ(WorldMemory{}.total(), 0u);
     EXPECT_EQ(RayCounts{}.total(), 0u);
-    EXPECT_TRUE(render(world).image);
+    EXPECT_TRUE(render(world));
 }
 
 TEST(Misuse, OfADefaultOrMovedFromWorld) {
     World world = world_of(some_scene());
     const World elsewhere = std::move(world);
-    EXPECT_EQ(render(elsewhere).image.value().width, 16);
+    EXPECT_EQ(render(elsewhere).value().image.width, 16);
     // NOLINTNEXTLINE(bugprone-use-after-move): that is what is tested
     for (const World& empty : {World{}, world}) {
-        EXPECT_EQ(render(empty).image.value().width, RenderSettings{}.width);
+        EXPECT_EQ(render(empty).value().image.width, RenderSettings{}.width);
         EXPECT_EQ(memory_usage(empty).packed, 0u);
         EXPECT_GT(scene_bounds(empty).min.x, scene_bounds(empty).max.x);
         const Ray ray{{0, 0, 5}, {0, 0, -1}};
@@ -94,17 +101,16 @@ TEST(Misuse, OfADefaultOrMovedFromWorld) {
         EXPECT_TRUE(with_lights(empty, {}));
     }
     EXPECT_FALSE(Result<World>{});
-    EXPECT_FALSE(RenderResult{}.image);
 }
 
 // The World does not refer to the Scene.
 TEST(Misuse, OfASceneThatIsGone) {
     auto scene = std::make_unique<Scene>(some_scene());
     const World world = world_of(*scene);
-    const Image before = render(world).image.value();
+    const Image before = render(world).value().image;
     *scene = {};
     scene.reset();
-    EXPECT_EQ(render(world).image.value().rgb, before.rgb);
+    EXPECT_EQ(render(world).value().image.rgb, before.rgb);
 }
 
 }  // namespace

@@ -19,7 +19,7 @@ void expect_error(const Result<World>& result, const char* what) {
 TEST(Misuse, OfShading) {
     const Scene scene = some_scene();
     const World world = world_of(scene);
-    const Image before = render(world).image.value();
+    const Image before = render(world).value().image;
     for (const double odd : k_odd_numbers) {
         Light light;
         light.position.y = odd;
@@ -58,12 +58,12 @@ TEST(Misuse, OfShading) {
         expect_error(with_material(world, index, Material{}), "an index");
     expect_error(with_materials(world, {}), "too few materials");
     expect_error(with_materials(world, {scene.materials.data(), 1}), "a material too few");
-    EXPECT_EQ(render(world).image.value().rgb, before.rgb);
+    EXPECT_EQ(render(world).value().image.rgb, before.rgb);
 }
 
 TEST(Misuse, OfAssignMaterial) {
     World world = world_of(some_scene());
-    const Image before = render(world).image.value();
+    const Image before = render(world).value().image;
     const std::uint32_t first[] = {0};
     for (const std::uint32_t index : {2u, 1000000u, k_none - 1})
         EXPECT_EQ(assign_material(world, first, index).code, ErrorCode::invalid_argument) << index;
@@ -72,7 +72,7 @@ TEST(Misuse, OfAssignMaterial) {
         EXPECT_EQ(assign_material(world, shapes, 1).code, ErrorCode::invalid_argument) << shape;
     }
     EXPECT_TRUE(assign_material(world, {}, 1).ok());
-    EXPECT_EQ(render(world).image.value().rgb, before.rgb);
+    EXPECT_EQ(render(world).value().image.rgb, before.rgb);
     const std::uint32_t twice[] = {0, 0, 0};
     EXPECT_TRUE(assign_material(world, twice, k_none).ok());
     World empty;
@@ -82,7 +82,7 @@ TEST(Misuse, OfAssignMaterial) {
 TEST(Misuse, OfEditShapes) {
     const Scene scene = some_scene();
     World world = world_of(scene);
-    const Image before = render(world).image.value();
+    const Image before = render(world).value().image;
     const auto refused = [&](const std::function<void(Scene&)>& edit, std::vector<std::uint32_t> changed,
                              const char* what) {
         Scene edited = scene;
@@ -90,7 +90,7 @@ TEST(Misuse, OfEditShapes) {
         const Result<ShapeEdit> result = edit_shapes(world, edited, changed);
         EXPECT_EQ(result.code, ErrorCode::invalid_scene) << what;
         EXPECT_TRUE(has_errors(result.diagnostics)) << what;
-        EXPECT_EQ(render(world).image.value().rgb, before.rgb) << what;
+        EXPECT_EQ(render(world).value().image.rgb, before.rgb) << what;
     };
     const auto nothing = [](Scene&) {};
     for (const std::uint32_t shape : {4u, 1000000u, k_none}) refused(nothing, {1, shape}, "no such shape");
@@ -120,7 +120,7 @@ TEST(Misuse, OfEditShapes) {
     const std::uint32_t twice[] = {3, 1, 1, 2, 3};
     for (const int threads : {-1, std::numeric_limits<int>::min(), 2000}) {
         EXPECT_TRUE(edit_shapes(world, scene, twice, {.threads = threads}).ok());
-        EXPECT_EQ(render(world).image.value().rgb, before.rgb);
+        EXPECT_EQ(render(world).value().image.rgb, before.rgb);
     }
     // All shapes of a World that had none, and then none.
     World empty;

@@ -132,9 +132,9 @@ Scene glass_scene(Random& random) {
 
 void expect_recursion(const Scene& scene) {
     const std::optional<World> world = make_world(scene);
-    const RenderResult result = render(*world);
-    ASSERT_TRUE(result.image);
-    EXPECT_EQ(result.rays.transmitted > 0, scene.settings.reflections > 0);
+    const Result<Rendering> result = render(*world);
+    ASSERT_TRUE(result);
+    EXPECT_EQ(result->rays.transmitted > 0, scene.settings.reflections > 0);
     Recursion recursion(scene, *world);
     const PreparedCamera& camera = world->parts().camera;
     int wrong = 0;
@@ -145,7 +145,7 @@ void expect_recursion(const Scene& scene) {
             Vec3 d = camera.forward + (camera.right * sx + camera.up * sy);
             d = d / std::sqrt(dot(d, d));
             const Color want = recursion.seen(camera.position, d, nullptr, {1, 1, 1}, 0);
-            const Color got = pixel(*result.image, i, j);
+            const Color got = pixel(result->image, i, j);
             for (double Color::*c : {&Color::r, &Color::g, &Color::b}) {
                 wrong += !(std::fabs(want.*c - got.*c) <= 1e-6 * (1 + std::fabs(want.*c)));
             }
@@ -315,11 +315,11 @@ TEST(Glass, BeyondTheCriticalAngleAllIsReflected) {
         lamp.ambient = {1, 1, 1};
         scene.add(Plane{{0, 0, 0}, {0, 1, 0}}, add_material(scene, glass));
         scene.add(Plane{{0, -5, 0}, {0, 1, 0}}, add_material(scene, lamp));
-        const RenderResult result = render(*make_world(scene));
-        ASSERT_TRUE(result.image);
-        EXPECT_EQ(pixel(*result.image, 0, 0), degrees > 41.81 ? (Color{1, 1, 1}) : (Color{0, 0, 0}));
-        EXPECT_EQ(result.rays.mirror, degrees > 41.81 ? 1u : 0u);
-        EXPECT_EQ(result.rays.transmitted, degrees > 41.81 ? 0u : 1u);
+        const Result<Rendering> result = render(*make_world(scene));
+        ASSERT_TRUE(result);
+        EXPECT_EQ(pixel(result->image, 0, 0), degrees > 41.81 ? (Color{1, 1, 1}) : (Color{0, 0, 0}));
+        EXPECT_EQ(result->rays.mirror, degrees > 41.81 ? 1u : 0u);
+        EXPECT_EQ(result->rays.transmitted, degrees > 41.81 ? 0u : 1u);
     }
 }
 
@@ -346,11 +346,11 @@ TEST(Glass, RaysThatDoubleAtEverySurfaceAreLimited) {
     scene.settings.reflections = 1000;
     scene.conventions.mirror = MirrorRule::add;
     for (Material& m : scene.materials) m.mirror = m.transmission = 1;
-    const RenderResult result = render(*make_world(scene));
-    ASSERT_TRUE(result.image);
-    EXPECT_LE(result.rays.mirror + result.rays.transmitted, 256u * k_max_sample_rays);
-    EXPECT_GT(result.rays.cut, 0u) << "there was something to limit";
-    for (const float f : result.image->rgb) EXPECT_TRUE(f >= 0);
+    const Result<Rendering> result = render(*make_world(scene));
+    ASSERT_TRUE(result);
+    EXPECT_LE(result->rays.mirror + result->rays.transmitted, 256u * k_max_sample_rays);
+    EXPECT_GT(result->rays.cut, 0u) << "there was something to limit";
+    for (const float f : result->image.rgb) EXPECT_TRUE(f >= 0);
 }
 
 }  // namespace

@@ -30,7 +30,7 @@ TEST_P(Memory, DoesNotGrowWithEveryRender) {
     RenderOptions options;
     options.threads = GetParam();
     const auto render_some = [&](int pictures) {
-        for (int i = 0; i < pictures; ++i) ASSERT_TRUE(render(*prepared, options).image.has_value());
+        for (int i = 0; i < pictures; ++i) ASSERT_TRUE(render(*prepared, options).has_value());
     };
     render_some(200);
     const double before = resident_megabytes();

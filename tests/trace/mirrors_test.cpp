@@ -81,8 +81,8 @@ Scene hall_of_mirrors(Random& random, bool closed) {
 }
 
 void expect_recursion(Scene& scene, const std::optional<World>& world) {
-    RenderResult result = render(*world);
-    ASSERT_TRUE(result.image);
+    Result<Rendering> result = render(*world);
+    ASSERT_TRUE(result);
     const Vec3 forward = normalize(scene.camera.look_at - scene.camera.position);
     const Vec3 x = normalize(cross(forward, scene.camera.up)), y = cross(x, forward);
     Recursion recursion(scene, *world);
@@ -97,14 +97,14 @@ void expect_recursion(Scene& scene, const std::optional<World>& world) {
             Vec3 d = camera.forward + (camera.right * sx + camera.up * sy);
             d = d / std::sqrt(dot(d, d));
             const Color want = recursion.seen(camera.position, d, 0, {1, 1, 1}, 0),
-                        got = pixel(*result.image, i, j);
+                        got = pixel(result->image, i, j);
             for (double Color::*c : {&Color::r, &Color::g, &Color::b}) {
                 wrong += !(std::fabs(want.*c - got.*c) <= 3e-7 * (1 + std::fabs(want.*c)));
             }
         }
     }
     EXPECT_EQ(wrong, 0) << "channels of " << 3 * scene.settings.width * scene.settings.height;
-    EXPECT_EQ(result.rays.camera + result.rays.mirror, recursion.rays());
+    EXPECT_EQ(result->rays.camera + result->rays.mirror, recursion.rays());
 }
 
 TEST(Mirrors, TheSumIsTheRecursionByEveryRule) {
@@ -182,10 +182,10 @@ TEST(Mirrors, OtherShadingModesLookNoFurther) {
     Scene scene = hall_of_mirrors(random, true);
     for (const Shading shading : {Shading::color, Shading::normals}) {
         scene.settings.shading = shading;
-        const RenderResult result = render(*make_world(scene));
-        EXPECT_EQ(result.rays.mirror, 0u);
-        EXPECT_EQ(result.rays.shadow, 0u);
-        EXPECT_EQ(result.rays.camera, 24u * 20u);
+        const Result<Rendering> result = render(*make_world(scene));
+        EXPECT_EQ(result->rays.mirror, 0u);
+        EXPECT_EQ(result->rays.shadow, 0u);
+        EXPECT_EQ(result->rays.camera, 24u * 20u);
     }
 }
 

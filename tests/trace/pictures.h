@@ -12,22 +12,17 @@
 namespace glint::test {
 
 inline Image render_world(const World& world, const RenderOptions& options = {}) {
-    RenderResult result = render(world, options);
-    EXPECT_EQ(result.error, "");
-    EXPECT_TRUE(result.image.has_value());
-    return result.image.value_or(Image{});
+    Result<Rendering> result = render(world, options);
+    EXPECT_EQ(result.message, "");
+    EXPECT_TRUE(result.has_value());
+    return result ? std::move(result->image) : Image{};
 }
 inline Image render_scene(const Scene& scene) {
     const std::optional<World> world = make_world(scene);
     return world ? render_world(*world) : Image{};
 }
 
-inline Color pixel(const Image& image, int x, int y) {
-    const float* rgb =
-        image.rgb.data() + 3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) +
-                                static_cast<std::size_t>(x));
-    return {rgb[0], rgb[1], rgb[2]};
-}
+inline Color pixel(const Image& image, int x, int y) { return image.pixel(x, y); }
 
 /// How many floats apart; large if one is NaN.
 inline std::int64_t floats_apart(float a, float b) {

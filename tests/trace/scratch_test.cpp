@@ -95,9 +95,9 @@ TEST(Scratch, AnEarlierPictureOfMoreMaterialsLeavesNothingBehind) {
         }
         const std::optional<World> world = make_world(small);
         ASSERT_TRUE(world);
-        const RenderResult result = render(*world, options);  // once it read beyond the materials
-        ASSERT_TRUE(result.image);
-        EXPECT_GT(result.rays.transmitted, 100u);
+        const Result<Rendering> result = render(*world, options);  // once it read beyond the materials
+        ASSERT_TRUE(result);
+        EXPECT_GT(result->rays.transmitted, 100u);
     }
 }
 

@@ -357,8 +357,8 @@ TEST(EditShapes, ACopyStaysWhatItIsWhileItIsDrawn) {
     const World copy = world;
     std::thread drawing([copy, expected = render(copy)] {
         for (int i = 0; i < 20; ++i) {
-            const RenderResult again = render(copy, {.threads = 1});
-            EXPECT_TRUE(same_bits(again.image->rgb, expected.image->rgb));
+            const Result<Rendering> again = render(copy, {.threads = 1});
+            EXPECT_TRUE(same_bits(again->image.rgb, expected->image.rgb));
         }
     });
     const std::uint32_t shapes[] = {0, 1};

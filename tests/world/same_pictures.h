@@ -19,15 +19,15 @@ inline ::testing::AssertionResult draw_the_same(const World& a, const World& b, 
     RenderOptions options;
     options.threads = threads;
     for (const LayerInfo& info : layer_infos()) options.layers.push_back(info.layer);
-    const RenderResult of_a = render(a, options), of_b = render(b, options);
-    if (!of_a.image || !of_b.image) return ::testing::AssertionFailure() << of_a.error << of_b.error;
-    if (of_a.image->width != of_b.image->width || !same_bits(of_a.image->rgb, of_b.image->rgb))
+    const Result<Rendering> of_a = render(a, options), of_b = render(b, options);
+    if (!of_a || !of_b) return ::testing::AssertionFailure() << of_a.message << of_b.message;
+    if (of_a->image.width != of_b->image.width || !same_bits(of_a->image.rgb, of_b->image.rgb))
         return ::testing::AssertionFailure() << "the pictures differ";
     for (std::size_t l = 0; l < options.layers.size(); ++l) {
-        if (!same_bits(of_a.layers[l].values, of_b.layers[l].values))
+        if (!same_bits(of_a->layers[l].values, of_b->layers[l].values))
             return ::testing::AssertionFailure() << "layer " << layer_infos()[l].name << " differs";
     }
-    if (of_a.rays.total() != of_b.rays.total() || of_a.rays.shadow != of_b.rays.shadow)
+    if (of_a->rays.total() != of_b->rays.total() || of_a->rays.shadow != of_b->rays.shadow)
         return ::testing::AssertionFailure() << "the rays differ in number";
     return ::testing::AssertionSuccess();
 }
