@@ -36,7 +36,7 @@ int main(int argc, char** argv) {
     for (int i = 0; i < pictures; ++i) {
         scene.lights[0].position.x = -9 + 18.0 * i / pictures;
         const auto moved = glint::with_lights(world, scene.lights);
-        const auto png = glint::encode(glint::render(moved.value()).value().image).bytes;
+        const auto png = glint::encode(glint::render(moved.value()).value().image).value();
         std::ofstream file("move_light_" + std::to_string(i) + ".png", std::ios::binary);
         file.write(reinterpret_cast<const char*>(png.data()), static_cast<std::streamsize>(png.size()));
     }

@@ -12,7 +12,7 @@ int main() {
     scene.lights.push_back({.position = {4, 5, 0}});
     const auto prepared = glint::prepare(scene);
     if (!prepared) return 1;
-    const auto png = glint::encode(glint::render(*prepared).value().image).bytes;
+    const auto png = glint::encode(glint::render(*prepared).value().image).value();
     std::ofstream file("ten_lines.png", std::ios::binary);
     file.write(reinterpret_cast<const char*>(png.data()), static_cast<std::streamsize>(png.size()));
 }

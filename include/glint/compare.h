@@ -12,6 +12,7 @@
 
 #include "glint/export.h"
 #include "glint/image.h"
+#include "glint/result.h"
 #include "glint/scene.h"
 
 namespace glint {
@@ -45,7 +46,6 @@ struct LargestDifference {
 };
 
 struct PictureDifference {
-    std::string error;  ///< "the pictures have different sizes: ..."; empty if none
     PixelCounts all, edges, interiors;
     /// Pixels with a channel that is infinite or NaN in either picture. They are never equal, nor within any
     /// limit; the figures below take such a channel for 0.
@@ -59,12 +59,13 @@ struct PictureDifference {
     LargestDifference largest;
 };
 
-/// Holds picture a against the reference b. Never throws.
-GLINT_API PictureDifference compare(const Image& a, const Image& b, const CompareOptions& options = {});
+/// Holds picture a against the reference b. An error if their sizes differ. Never throws.
+GLINT_API Result<PictureDifference> compare(const Image& a, const Image& b,
+                                            const CompareOptions& options = {});
 
 /// |a - b| as a picture, every channel times `gain` (0: so that the largest becomes 1) and clamped to 1, and
-/// 1 where it is not finite. An Image without pixels if the sizes differ or memory runs out. Never throws.
-GLINT_API Image difference_image(const Image& a, const Image& b, double gain = 0);
+/// 1 where it is not finite. An error if the sizes differ. Never throws.
+GLINT_API Result<Image> difference_image(const Image& a, const Image& b, double gain = 0);
 
 // ---- Causes ----
 

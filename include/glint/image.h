@@ -3,12 +3,12 @@
 // Pictures: linear float RGB, and their encodings.
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "glint/export.h"
+#include "glint/result.h"
 #include "glint/vec.h"
 
 namespace glint {
@@ -47,16 +47,11 @@ struct EncodeOptions {
     int threads = 0;
 };
 
-struct EncodeResult {
-    std::vector<std::uint8_t> bytes;  ///< empty if there was an error
-    std::string error;
-};
-
-/// Clamps to [0, 1], scales by 255 (65535) and rounds half to even (docs/conventions.md); EXR
-/// keeps floats. The bytes do not depend on threads. An error if the image has not 1 to k_max_size pixels a
-/// side or its numbers do not fit its size, or the options name no format, number of bits or transfer that
-/// there is. Never throws.
-GLINT_API EncodeResult encode(const Image& image, const EncodeOptions& options = {});
+/// The bytes of the file. Clamps to [0, 1], scales by 255 (65535) and rounds half to even
+/// (docs/conventions.md); EXR keeps floats. The bytes do not depend on threads. An error if the image has not
+/// 1 to k_max_size pixels a side or its numbers do not fit its size, or the options name no format, number of
+/// bits or transfer that there is. Never throws.
+GLINT_API Result<std::vector<std::uint8_t>> encode(const Image& image, const EncodeOptions& options = {});
 
 /// The number that `encode` writes for a channel value: 0 to 255 with 8 bits, to 65535 with 16 (which any
 /// other number of bits counts as). 0 for NaN.
@@ -70,11 +65,10 @@ struct DecodeOptions {
     std::int64_t max_pixels = std::int64_t{1} << 26;
 };
 
-struct DecodeResult {
-    std::optional<Image> image;  ///< absent if there was an error
-    int bits = 8;       ///< of a channel in the file: 1 to 16, or 32 for floats (OpenEXR, also of 16 bits)
-    std::string note;   ///< what the numbers leave out, "its transparency is left out"; empty if nothing
-    std::string error;  ///< "no picture: ...", "the PNG file is cut off"
+struct DecodedImage {
+    Image image;
+    int bits = 8;      ///< of a channel in the file: 1 to 16, or 32 for floats (OpenEXR, also of 16 bits)
+    std::string note;  ///< what the numbers leave out, "its transparency is left out"; empty if nothing
 };
 
 /// The picture of a PNG, PPM or PGM (P2, P3, P5, P6), OpenEXR or JPEG file, told apart by its first bytes.
@@ -82,6 +76,6 @@ struct DecodeResult {
 /// gamma is decoded, and transparency is left out. So encode() makes the same bytes of what was read. Floats
 /// stay as they are, infinite ones and NaN, too (`note` says that there are some). Never throws; the memory
 /// is bounded by max_pixels.
-GLINT_API DecodeResult decode(std::span<const std::uint8_t> bytes, const DecodeOptions& options = {});
+GLINT_API Result<DecodedImage> decode(std::span<const std::uint8_t> bytes, const DecodeOptions& options = {});
 
 }  // namespace glint

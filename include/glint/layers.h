@@ -53,12 +53,13 @@ struct LayerImage {
 
 /// A layer as a picture to look at: light and albedo as they are; normals 0.5 (N + 1); depth from white
 /// (nearest) to dark (farthest), black where nothing is hit; position across the layer's own range; shadow as
-/// grey; objects and materials in colours of their own. An Image without pixels if the layer's channels or
-/// values do not fit its kind and size, or memory runs out. Never throws.
-GLINT_API Image viewable(const LayerImage& layer);
+/// grey; objects and materials in colours of their own. An error if the layer's channels or values do not fit
+/// its kind and size. Never throws.
+GLINT_API Result<Image> viewable(const LayerImage& layer);
 
 /// One OpenEXR file of several parts: `beauty` (the picture), then each layer under its name. Layers must
 /// have the picture's size, the channels and values that belong to it, and be there once. Never throws.
-GLINT_API EncodeResult encode_layers(const Image& picture, std::span<const LayerImage> layers);
+GLINT_API Result<std::vector<std::uint8_t>> encode_layers(const Image& picture,
+                                                          std::span<const LayerImage> layers);
 
 }  // namespace glint

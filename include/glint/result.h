@@ -47,7 +47,8 @@ struct Status {
 GLINT_API std::string to_string(const Status& status);
 
 /// A Status, and the value if the call succeeded. Access is that of std::optional: operators * and -> need a
-/// value; value() throws std::bad_optional_access if there is none.
+/// value; value() throws std::bad_optional_access if there is none. Of a Result that is a temporary, value()
+/// and operator * give the value itself, so that `for (... : call().value())` is safe.
 template <class T> struct [[nodiscard]] Result : Status {
     Result() : Status{ErrorCode::internal, {}, {}} {}
     Result(T value) : value_(std::move(value)) {}  // NOLINT: a value like any other
@@ -63,10 +64,10 @@ template <class T> struct [[nodiscard]] Result : Status {
 
     T& value() & { return value_.value(); }
     const T& value() const& { return value_.value(); }
-    T&& value() && { return std::move(value_).value(); }
+    T value() && { return std::move(value_).value(); }
     T& operator*() & { return *value_; }
     const T& operator*() const& { return *value_; }
-    T&& operator*() && { return *std::move(value_); }
+    T operator*() && { return *std::move(value_); }
     T* operator->() { return &*value_; }
     const T* operator->() const { return &*value_; }
     T value_or(T other) const& { return value_.value_or(std::move(other)); }

@@ -50,13 +50,13 @@ bool passes(const CompareArguments& arguments, const PictureDifference& d) {
 
 void write_difference(const OutputFile& file, const CompareArguments& arguments, const Image& a,
                       const Image& b, double largest) {
-    write_png(difference_image(a, b), file, {.threads = arguments.threads});
+    write_png(difference_image(a, b).value(), file, {.threads = arguments.threads});
     if (arguments.quiet) return;
     print_error("{}  |A - B|{}\n", arguments.diff,
                 largest > 0 ? fmt::format(" times {:.4g}", 255 / largest) : ", all black");
 }
 
-std::string note_text(const std::string& file, const DecodeResult& picture) {
+std::string note_text(const std::string& file, const DecodedImage& picture) {
     return picture.note.empty() ? "" : fmt::format("{}: {}\n", file, picture.note);
 }
 
@@ -81,24 +81,25 @@ int compare_command(CompareArguments& arguments) {
             throw Failure(k_usage, "--diff - needs --quiet: the report goes to standard output, too");
     }
     const std::optional<LoadedScene> scene = load_scene_option(arguments.scene, arguments.quiet);
-    const DecodeResult a = read_picture(arguments.files[0]), b = read_picture(arguments.files[1]);
+    const DecodedImage a = read_picture(arguments.files[0]), b = read_picture(arguments.files[1]);
     if (!arguments.quiet)
         print_error("{}{}", note_text(arguments.files[0], a), note_text(arguments.files[1], b));
 
     CompareReport report;
     report.a = arguments.files[0];
     report.b = arguments.files[1];
-    report.width = b.image->width;
-    report.height = b.image->height;
+    report.width = b.image.width;
+    report.height = b.image.height;
     CompareOptions options;
     options.threads = arguments.threads;
     options.within = arguments.within.value_or(options.within);
     options.as_floats = report.as_floats = a.bits > 8 && a.bits == b.bits;
     report.within = options.within;
-    report.difference = compare(*a.image, *b.image, options);
-    if (!report.difference.error.empty()) throw Failure(k_bad_input, report.difference.error);
+    const Result<PictureDifference> compared = compare(a.image, b.image, options);
+    if (!compared) throw_failure(compared);
+    report.difference = *compared;
     report.passes = passes(arguments, report.difference);
-    if (diff) write_difference(*diff, arguments, *a.image, *b.image, report.difference.largest.value);
+    if (diff) write_difference(*diff, arguments, a.image, b.image, report.difference.largest.value);
     if (arguments.quiet) return report.passes ? k_done : k_bad_input;
 
     if (report.difference.not_finite > 0) {
@@ -112,7 +113,7 @@ int compare_command(CompareArguments& arguments) {
         cause_options.threads = arguments.threads;
         cause_options.progress = [&](double fraction) { bar.update(fraction); };
         report.with_scene = scene.has_value();
-        report.causes = find_causes(*a.image, *b.image, scene ? &scene->scene : nullptr, cause_options);
+        report.causes = find_causes(a.image, b.image, scene ? &scene->scene : nullptr, cause_options);
     }
     fmt::print("{}", arguments.json ? json_report(report) : text_report(report));
     return report.passes ? k_done : k_bad_input;

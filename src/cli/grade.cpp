@@ -77,21 +77,21 @@ int grade_pictures(const GradeArguments& arguments, const Scene* scene, const Im
             entry.name = submissions[i].name;
             entry.path = submissions[i].path;
             entry.error = submissions[i].error;
-            DecodeResult read;
+            Result<DecodedImage> read;
             if (entry.error.empty()) {
                 read = try_picture(entry.path);
-                entry.error = read.image ? size_fault(*read.image, reference) : read.error;
+                entry.error = read ? size_fault(read->image, reference) : read.message;
             }
             sheet.set_number(i + 1, static_cast<int>(i + 1));
-            if (read.image && !entry.error.empty()) sheet.put(i + 1, *read.image);
+            if (read && !entry.error.empty()) sheet.put(i + 1, read->image);
             if (entry.error.empty()) {
                 CompareOptions options;
                 options.threads = arguments.threads;
-                entry.difference = compare(*read.image, reference, options);
-                entry.not_finite = count_not_finite(*read.image);
-                sheet.put(i + 1, *read.image, reference);
+                entry.difference = compare(read->image, reference, options).value();
+                entry.not_finite = count_not_finite(read->image);
+                sheet.put(i + 1, read->image, reference);
                 if (entry.not_finite == 0) {
-                    pictures.push_back(std::move(*read.image));
+                    pictures.push_back(std::move(read->image));
                     whose.push_back(i);
                 }
             }
@@ -146,21 +146,21 @@ class PartGrader {
             part.path = std::move(found.path);
             part.error = std::move(found.error);
             if (!part.error.empty()) continue;
-            DecodeResult read = try_picture(part.path);
-            if (!read.image) {
-                part.error = read.error;
+            Result<DecodedImage> read = try_picture(part.path);
+            if (!read) {
+                part.error = read.message;
                 continue;
             }
-            part.error = size_fault(*read.image, wanted_.image);
+            part.error = size_fault(read->image, wanted_.image);
             const std::size_t cell = (i + 1) * graded[i].parts.size() + k;
             if (!part.error.empty()) {
-                sheet.put(cell, *read.image);
+                sheet.put(cell, read->image);
                 continue;
             }
-            part.score = grade(*read.image, wanted_, row_.points, arguments_.threads);
-            sheet.put(cell, *read.image, wanted_.image);
+            part.score = grade(read->image, wanted_, row_.points, arguments_.threads);
+            sheet.put(cell, read->image, wanted_.image);
             if (part.score.points < row_.points && part.score.not_finite == 0) {
-                faulty.push_back(std::move(*read.image));
+                faulty.push_back(std::move(read->image));
                 whose.push_back(i);
             }
         }
@@ -217,7 +217,7 @@ int grade_command(GradeArguments& arguments) {
     if (!arguments.rubric.empty()) rows = load_rubric(arguments.rubric);
     std::optional<LoadedScene> loaded = load_scene_option(arguments.scene, arguments.quiet);
     Image reference;
-    if (!arguments.reference.empty()) reference = std::move(*read_picture(arguments.reference).image);
+    if (!arguments.reference.empty()) reference = read_picture(arguments.reference).image;
     if (loaded && !reference.rgb.empty()) {
         loaded->scene.settings.width = reference.width;
         loaded->scene.settings.height = reference.height;

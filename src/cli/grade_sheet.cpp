@@ -38,7 +38,7 @@ void GradeSheet::put(std::size_t cell, const Image& picture) {
 void GradeSheet::put(std::size_t cell, const Image& picture, const Image& wanted) {
     if (cells_.empty()) return;
     put(cell, picture);
-    cells_[cell].difference = scaled_down(difference_image(picture, wanted, k_gain), layout_.side);
+    cells_[cell].difference = scaled_down(difference_image(picture, wanted, k_gain).value(), layout_.side);
 }
 
 void GradeSheet::write(int threads) const {

@@ -82,10 +82,11 @@ void LayerFiles::write(const std::vector<LayerImage>& layers, const EncodeOption
         const bool is_light =
             static_cast<int>(layers[i].layer) < k_light_layers || layers[i].layer == Layer::albedo;
         if (!is_light) options.transfer = Transfer::none;
-        const EncodeResult encoded = encode(viewable(layers[i]), options);
-        if (!encoded.error.empty())
-            throw Failure(k_bad_input, fmt::format("cannot encode a layer: {}", encoded.error));
-        files_[i].write(encoded.bytes);
+        const Result<Image> picture = viewable(layers[i]);
+        if (!picture) throw Failure(k_bad_input, fmt::format("cannot show a layer: {}", picture.message));
+        const auto encoded = encode(*picture, options);
+        if (!encoded) throw Failure(k_bad_input, fmt::format("cannot encode a layer: {}", encoded.message));
+        files_[i].write(*encoded);
     }
 }
 

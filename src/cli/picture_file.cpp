@@ -8,18 +8,18 @@
 
 namespace glint::cli {
 
-DecodeResult try_picture(const std::string& path) {
-    DecodeResult result;
-    const auto file = InputFile::open(path, result.error, true);
-    if (!file) return result;
+Result<DecodedImage> try_picture(const std::string& path) {
+    std::string why;
+    const auto file = InputFile::open(path, why, true);
+    if (!file) return Status{ErrorCode::io, std::move(why), {}};
     const std::string_view bytes = file->text();
     return decode({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()});
 }
 
-DecodeResult read_picture(const std::string& path) {
-    DecodeResult result = try_picture(path);
-    if (!result.image) throw Failure(k_bad_input, fmt::format("{}: {}", path, result.error));
-    return result;
+DecodedImage read_picture(const std::string& path) {
+    Result<DecodedImage> result = try_picture(path);
+    if (!result) throw Failure(k_bad_input, fmt::format("{}: {}", path, result.message));
+    return *std::move(result);
 }
 
 }  // namespace glint::cli

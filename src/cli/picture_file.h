@@ -8,9 +8,9 @@
 namespace glint::cli {
 
 /// The picture of a file and what decode() says about it. Throws Failure: of input, if there is none.
-DecodeResult read_picture(const std::string& path);
+DecodedImage read_picture(const std::string& path);
 
-/// The same, with `error` set in place of a Failure: "no such file".
-DecodeResult try_picture(const std::string& path);
+/// The same, without a Failure: "no such file".
+Result<DecodedImage> try_picture(const std::string& path);
 
 }  // namespace glint::cli

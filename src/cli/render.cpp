@@ -192,13 +192,12 @@ int render_command(RenderArguments& arguments) {
     }
 
     stage = Clock::now();
-    const EncodeResult encoded = encoding.format == FileFormat::exr && !result->layers.empty()
-                                     ? encode_layers(result->image, result->layers)
-                                     : encode(result->image, encoding);
+    const auto encoded = encoding.format == FileFormat::exr && !result->layers.empty()
+                             ? encode_layers(result->image, result->layers)
+                             : encode(result->image, encoding);
     times.encode = seconds_since(stage);
-    if (!encoded.error.empty())
-        throw Failure(k_bad_input, fmt::format("cannot encode the picture: {}", encoded.error));
-    output.write(encoded.bytes);
+    if (!encoded) throw Failure(k_bad_input, fmt::format("cannot encode the picture: {}", encoded.message));
+    output.write(*encoded);
     layers.write(result->layers, encoding);
     if (stats) stats->write(bytes_of(stats_text(*result, times)));
     if (arguments.show) {

@@ -35,10 +35,9 @@ OutputFile png_output(const char* option, const std::string& path) {
 
 void write_png(const Image& picture, const OutputFile& output, EncodeOptions options) {
     options.format = FileFormat::png;
-    const EncodeResult encoded = encode(picture, options);
-    if (!encoded.error.empty())
-        throw Failure(k_bad_input, fmt::format("cannot encode the picture: {}", encoded.error));
-    output.write(encoded.bytes);
+    const auto encoded = encode(picture, options);
+    if (!encoded) throw Failure(k_bad_input, fmt::format("cannot encode the picture: {}", encoded.message));
+    output.write(*encoded);
 }
 
 }  // namespace glint::cli

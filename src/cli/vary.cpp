@@ -138,9 +138,9 @@ int vary_command(SceneOption& scene, const Variation& variation, int threads, bo
             if (!before.rgb.empty()) {
                 CompareOptions options;
                 options.threads = threads;
-                steps.back().from_before = compare(now, before, options);
-                if (!steps.back().from_before.error.empty())
-                    throw Failure(k_bad_input, steps.back().from_before.error);
+                const Result<PictureDifference> compared = compare(now, before, options);
+                if (!compared) throw_failure(compared);
+                steps.back().from_before = *compared;
             }
             before = std::move(now);
             bar.update(static_cast<double>(steps.size()) / static_cast<double>(variation.values.size()));

@@ -143,8 +143,9 @@ int versus_command(VersusArguments& arguments) {
     const Side a = render_side(arguments, arguments.a, "--a", size_of_scene(arguments));
     const Side b = render_side(arguments, arguments.b, "--b", a.loaded.scene.settings);
     print(a.loaded.warnings);
-    const PictureDifference difference = compare(a.image, b.image);
-    if (!difference.error.empty()) throw Failure(k_bad_input, difference.error);
+    const Result<PictureDifference> compared = compare(a.image, b.image);
+    if (!compared) throw_failure(compared);
+    const PictureDifference& difference = *compared;
     CompareReport report;
     report.a = a.name;
     report.b = b.name;
@@ -168,7 +169,8 @@ int versus_command(VersusArguments& arguments) {
             fmt::print("\nA: {}\n{}\nB: {}\n{}", a.name, explained(a, difference.largest, style), b.name,
                        explained(b, difference.largest, style));
     }
-    if (output) write_png(side_by_side(a.image, b.image, difference_image(a.image, b.image)), *output);
+    if (output)
+        write_png(side_by_side(a.image, b.image, difference_image(a.image, b.image).value()), *output);
     return k_done;
 }
 

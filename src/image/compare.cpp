@@ -6,9 +6,9 @@
 #include <cmath>
 #include <limits>
 
-#include "base/catch_exceptions.h"
 #include "base/fp_environment.h"
 #include "base/parallel_for.h"
+#include "base/status.h"
 #include "glint/compare.h"
 #include "image/levels.h"
 #include "image/quantize.h"
@@ -171,23 +171,21 @@ std::vector<std::uint8_t> find_edges(const Levels& levels, int threads) {
     return edges;
 }
 
-PictureDifference compare(const Image& a, const Image& b, const CompareOptions& options) {
-    PictureDifference result;
-    std::string error = catch_exceptions([&] {
+Result<PictureDifference> compare(const Image& a, const Image& b, const CompareOptions& options) {
+    return result_of([&]() -> Result<PictureDifference> {
         const DefaultFpEnvironment environment;
-        result.error = pair_fault(a, b);
-        if (result.error.empty()) result = measure(a, b, options);
+        std::string wrong = pair_fault(a, b);
+        if (!wrong.empty()) return invalid_argument(std::move(wrong));
+        return measure(a, b, options);
     });
-    if (!error.empty()) result.error = std::move(error);
-    return result;
 }
 
-Image difference_image(const Image& a, const Image& b, double gain) {
-    Image image;
-    const std::string error = catch_exceptions([&] {
+Result<Image> difference_image(const Image& a, const Image& b, double gain) {
+    return result_of([&]() -> Result<Image> {
         const DefaultFpEnvironment environment;
-        if (!pair_fault(a, b).empty()) return;
-        image = {b.width, b.height, std::vector<float>(b.rgb.size())};
+        std::string wrong = pair_fault(a, b);
+        if (!wrong.empty()) return invalid_argument(std::move(wrong));
+        Image image{b.width, b.height, std::vector<float>(b.rgb.size())};
         float largest = 0;
         for (std::size_t i = 0; i < b.rgb.size(); ++i) {
             image.rgb[i] = std::fabs(a.rgb[i] - b.rgb[i]);
@@ -198,8 +196,8 @@ Image difference_image(const Image& a, const Image& b, double gain) {
                              : largest > 0 ? std::min(1 / largest, std::numeric_limits<float>::max())
                                            : 1;
         for (float& value : image.rgb) value = is_finite(value) ? std::min(value * factor, 1.0f) : 1;
+        return image;
     });
-    return error.empty() ? image : Image{};
 }
 
 }  // namespace glint

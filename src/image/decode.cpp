@@ -6,8 +6,8 @@
 #include <string_view>
 #include <utility>
 
-#include "base/catch_exceptions.h"
 #include "base/fp_environment.h"
+#include "base/status.h"
 #include "image/decoders.h"
 
 namespace glint {
@@ -23,7 +23,7 @@ bool begins_with(ByteSpan bytes, std::string_view magic) {
     throw Undecodable(fmt::format("this build reads no {}", format));
 }
 
-DecodeResult decode_any(ByteSpan bytes, const DecodeOptions& options) {
+DecodedImage decode_any(ByteSpan bytes, const DecodeOptions& options) {
     if (begins_with(bytes, "\x89PNG")) {
 #if defined(GLINT_WITH_PNG)
         return decode_png(bytes, options);
@@ -64,16 +64,13 @@ void check_size(std::int64_t width, std::int64_t height, const DecodeOptions& op
     }
 }
 
-DecodeResult decode(std::span<const std::uint8_t> bytes, const DecodeOptions& options) {
-    DecodeResult result;
-    std::string error = catch_exceptions([&] {
+Result<DecodedImage> decode(std::span<const std::uint8_t> bytes, const DecodeOptions& options) {
+    auto result = result_of([&]() -> Result<DecodedImage> {
         const DefaultFpEnvironment environment;
-        result = decode_any(bytes, options);
+        return decode_any(bytes, options);
     });
-    if (!error.empty()) {
-        result = {};
-        result.error = std::move(error);
-    }
+    // The libraries throw where a file breaks its format.
+    if (result.code == ErrorCode::internal) result.code = ErrorCode::parse;
     return result;
 }
 

@@ -60,7 +60,7 @@ std::array<const char*, 3> channels_of(const Imf::ChannelList& list) {
 
 }  // namespace
 
-DecodeResult decode_exr(ByteSpan bytes, const DecodeOptions& options) {
+DecodedImage decode_exr(ByteSpan bytes, const DecodeOptions& options) {
     check_exr_header(bytes, options);
     MemoryStream stream(bytes);
     Imf::InputFile file(stream, 0);
@@ -97,7 +97,7 @@ DecodeResult decode_exr(ByteSpan bytes, const DecodeOptions& options) {
             }
         }
     }
-    DecodeResult result;
+    DecodedImage result;
     result.bits = 32;
     result.image = std::move(image);
     if (!all_finite) result.note = "some of its numbers are infinite or NaN";

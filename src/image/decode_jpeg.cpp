@@ -56,7 +56,7 @@ template <class Body> void guard_jumps(Jpeg& file, Body&& body) {
 
 }  // namespace
 
-DecodeResult decode_jpeg(ByteSpan bytes, const DecodeOptions& options) {
+DecodedImage decode_jpeg(ByteSpan bytes, const DecodeOptions& options) {
     Jpeg file;
     file.info.err = jpeg_std_error(&file.errors.manager);
     file.errors.manager.error_exit = on_error;
@@ -92,7 +92,7 @@ DecodeResult decode_jpeg(ByteSpan bytes, const DecodeOptions& options) {
         }
         jpeg_finish_decompress(&file.info);
     });
-    DecodeResult result;
+    DecodedImage result;
     result.note = "JPEG changes colours a little";
     result.image = std::move(image);
     return result;

@@ -79,7 +79,7 @@ bool take_row(const std::uint8_t* row, std::int32_t width, int bits, float* rgb)
 
 }  // namespace
 
-DecodeResult decode_png(ByteSpan bytes, const DecodeOptions& options) {
+DecodedImage decode_png(ByteSpan bytes, const DecodeOptions& options) {
     Reading reading{bytes, 0, {}, false};
     Png file;
     file.png = png_create_read_struct(PNG_LIBPNG_VER_STRING, &reading, on_error, on_warning);
@@ -119,7 +119,7 @@ DecodeResult decode_png(ByteSpan bytes, const DecodeOptions& options) {
         png_read_end(file.png, nullptr);
     });
 
-    DecodeResult result;
+    DecodedImage result;
     result.bits = file_bits;
     result.image = std::move(image);
     if (reading.has_holes) result.note = "its transparency is left out";

@@ -55,7 +55,7 @@ class Reader {
 
 }  // namespace
 
-DecodeResult decode_ppm(ByteSpan bytes, const DecodeOptions& options) {
+DecodedImage decode_ppm(ByteSpan bytes, const DecodeOptions& options) {
     const bool is_grey = bytes[1] == '2' || bytes[1] == '5', is_raw = bytes[1] >= '5';
     Reader in(bytes, 2);
     // One more than what is allowed, so that check_size() has the word.
@@ -71,7 +71,7 @@ DecodeResult decode_ppm(ByteSpan bytes, const DecodeOptions& options) {
     if (in.left() < (is_raw ? samples * bytes_each : 2 * samples - 1))
         throw Undecodable("the PPM file is cut off");
 
-    DecodeResult result;
+    DecodedImage result;
     result.bits = most < 256 ? 8 : 16;
     Image image{static_cast<std::int32_t>(width), static_cast<std::int32_t>(height), {}};
     image.rgb.resize(3 * pixels);

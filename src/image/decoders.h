@@ -23,9 +23,9 @@ class Undecodable : public std::runtime_error {
 /// Throws Undecodable if a picture of this size is not to be read.
 void check_size(std::int64_t width, std::int64_t height, const DecodeOptions& options);
 
-DecodeResult decode_png(ByteSpan bytes, const DecodeOptions& options);
-DecodeResult decode_ppm(ByteSpan bytes, const DecodeOptions& options);
-DecodeResult decode_exr(ByteSpan bytes, const DecodeOptions& options);
-DecodeResult decode_jpeg(ByteSpan bytes, const DecodeOptions& options);
+DecodedImage decode_png(ByteSpan bytes, const DecodeOptions& options);
+DecodedImage decode_ppm(ByteSpan bytes, const DecodeOptions& options);
+DecodedImage decode_exr(ByteSpan bytes, const DecodeOptions& options);
+DecodedImage decode_jpeg(ByteSpan bytes, const DecodeOptions& options);
 
 }  // namespace glint

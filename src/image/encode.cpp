@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <utility>
 
-#include "base/catch_exceptions.h"
+#include "base/status.h"
 #include "glint/image.h"
 #include "image/encoders.h"
 #include "image/layer_fault.h"
@@ -41,51 +41,47 @@ std::string layers_fault(const Image& picture, std::span<const LayerImage> layer
     return {};
 }
 
+Status not_built(const char* format) {
+    return invalid_argument("this build writes no " + std::string(format));
+}
+
 }  // namespace
 
-EncodeResult encode(const Image& image, const EncodeOptions& options) {
-    EncodeResult result;
-    std::string error = catch_exceptions([&] {
-        result.error = fault(image, options);
-        if (!result.error.empty()) return;
+Result<std::vector<std::uint8_t>> encode(const Image& image, const EncodeOptions& options) {
+    return result_of([&]() -> Result<std::vector<std::uint8_t>> {
+        std::string wrong = fault(image, options);
+        if (!wrong.empty()) return invalid_argument(std::move(wrong));
         switch (options.format) {
             case FileFormat::png:
 #if defined(GLINT_WITH_PNG)
-                result = encode_png(image, options);
+                return encode_png(image, options);
 #else
-                result.error = "this build writes no PNG";
+                return not_built("PNG");
 #endif
-                break;
             case FileFormat::ppm:
-                result = encode_ppm(image, options);
-                break;
+                return encode_ppm(image, options);
             case FileFormat::exr:
 #if defined(GLINT_WITH_EXR)
-                result = encode_exr(image);
+                return encode_exr(image);
 #else
-                result.error = "this build writes no OpenEXR";
-#endif
                 break;
+#endif
         }
+        return not_built("OpenEXR");
     });
-    if (!error.empty()) result = {{}, std::move(error)};
-    return result;
 }
 
-EncodeResult encode_layers(const Image& picture, std::span<const LayerImage> layers) {
-    EncodeResult result;
-    std::string error = catch_exceptions([&] {
-        result.error = fault(picture, {});
-        if (result.error.empty()) result.error = layers_fault(picture, layers);
-        if (!result.error.empty()) return;
+Result<std::vector<std::uint8_t>> encode_layers(const Image& picture, std::span<const LayerImage> layers) {
+    return result_of([&]() -> Result<std::vector<std::uint8_t>> {
+        std::string wrong = fault(picture, {});
+        if (wrong.empty()) wrong = layers_fault(picture, layers);
+        if (!wrong.empty()) return invalid_argument(std::move(wrong));
 #if defined(GLINT_WITH_EXR)
-        result = encode_exr_layers(picture, layers);
+        return encode_exr_layers(picture, layers);
 #else
-        result.error = "this build writes no OpenEXR";
+        return not_built("OpenEXR");
 #endif
     });
-    if (!error.empty()) result = {{}, std::move(error)};
-    return result;
 }
 
 }  // namespace glint

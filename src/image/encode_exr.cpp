@@ -64,19 +64,19 @@ Imf::FrameBuffer frame_of(const Part& part) {
 
 }  // namespace
 
-EncodeResult encode_exr(const Image& image) {
-    EncodeResult result;
+std::vector<std::uint8_t> encode_exr(const Image& image) {
+    std::vector<std::uint8_t> bytes;
     const Part part{"", "RGB", image.rgb.data(), image.width, image.height};
     {
-        MemoryStream stream(result.bytes);
+        MemoryStream stream(bytes);
         Imf::OutputFile file(stream, header_of(part), 0);
         file.setFrameBuffer(frame_of(part));
         file.writePixels(part.height);
     }  // the file's end writes its table of lines
-    return result;
+    return bytes;
 }
 
-EncodeResult encode_exr_layers(const Image& picture, std::span<const LayerImage> layers) {
+std::vector<std::uint8_t> encode_exr_layers(const Image& picture, std::span<const LayerImage> layers) {
     std::vector<Part> parts{{"beauty", "RGB", picture.rgb.data(), picture.width, picture.height}};
     for (const LayerImage& layer : layers) {
         const LayerInfo& info = layer_infos()[static_cast<std::size_t>(layer.layer)];
@@ -89,9 +89,9 @@ EncodeResult encode_exr_layers(const Image& picture, std::span<const LayerImage>
         headers.back().setName(part.name);
         headers.back().setType(Imf::SCANLINEIMAGE);
     }
-    EncodeResult result;
+    std::vector<std::uint8_t> bytes;
     {
-        MemoryStream stream(result.bytes);
+        MemoryStream stream(bytes);
         Imf::MultiPartOutputFile file(stream, headers.data(), static_cast<int>(headers.size()), false, 0);
         for (std::size_t i = 0; i < parts.size(); ++i) {
             Imf::OutputPart output(file, static_cast<int>(i));
@@ -99,7 +99,7 @@ EncodeResult encode_exr_layers(const Image& picture, std::span<const LayerImage>
             output.writePixels(parts[i].height);
         }
     }
-    return result;
+    return bytes;
 }
 
 }  // namespace glint

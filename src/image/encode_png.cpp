@@ -9,8 +9,8 @@
 #include <stdexcept>
 #include <string_view>
 
-#include "base/catch_exceptions.h"
 #include "base/parallel_for.h"
+#include "base/status.h"
 #include "image/encoders.h"
 #include "image/quantize.h"
 
@@ -51,7 +51,7 @@ struct Strip {
     Bytes chunk;  // a whole IDAT chunk
     uLong adler = 1;
     std::size_t length = 0;  // before compression
-    std::string error;
+    Status status;
 };
 
 // Rows [first, last) with the filter Sub: a pixel minus its left neighbour. Measured on ray-traced pictures
@@ -103,11 +103,11 @@ void compress_strip(const Bytes& data, bool is_first, bool is_last, Strip& strip
 
 }  // namespace
 
-EncodeResult encode_png(const Image& image, const EncodeOptions& options) {
+std::vector<std::uint8_t> encode_png(const Image& image, const EncodeOptions& options) {
     const std::int32_t count = (image.height + k_strip_rows - 1) / k_strip_rows;
     std::vector<Strip> strips(count);
     parallel_for(count, options.threads, [&](std::size_t i) {
-        strips[i].error = catch_exceptions([&] {
+        strips[i].status = status_of([&] {
             const auto first = static_cast<std::int32_t>(i) * k_strip_rows;
             const auto last = std::min(first + k_strip_rows, image.height);
             const bool is_last = last == image.height;
@@ -120,7 +120,7 @@ EncodeResult encode_png(const Image& image, const EncodeOptions& options) {
     uLong adler = 1;
     std::size_t total = 0;
     for (const Strip& strip : strips) {
-        if (!strip.error.empty()) return {{}, strip.error};
+        if (!strip.status.ok()) throw StatusError(strip.status);
         adler = adler32_combine(adler, strip.adler, static_cast<z_off_t>(strip.length));
         total += strip.chunk.size();
     }
@@ -129,23 +129,23 @@ EncodeResult encode_png(const Image& image, const EncodeOptions& options) {
     put32(last.data() + last.size() - 4 - k_chunk_tail, static_cast<std::uint32_t>(adler));
     seal_chunk(last, "IDAT");
 
-    EncodeResult result;
-    result.bytes.reserve(total + 100);
+    Bytes bytes;
+    bytes.reserve(total + 100);
     constexpr std::uint8_t signature[] = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
-    result.bytes.assign(std::begin(signature), std::end(signature));
+    bytes.assign(std::begin(signature), std::end(signature));
     Bytes header(13);  // width, height, bits, colour type 2 (RGB), deflate, filters by row, not interlaced
     put32(header.data(), static_cast<std::uint32_t>(image.width));
     put32(header.data() + 4, static_cast<std::uint32_t>(image.height));
     header[8] = static_cast<std::uint8_t>(options.bits);
     header[9] = 2;
-    append_chunk(result.bytes, "IHDR", header);
-    if (options.transfer == Transfer::srgb) append_chunk(result.bytes, "sRGB", {0});
+    append_chunk(bytes, "IHDR", header);
+    if (options.transfer == Transfer::srgb) append_chunk(bytes, "sRGB", {0});
     for (Strip& strip : strips) {
-        result.bytes.insert(result.bytes.end(), strip.chunk.begin(), strip.chunk.end());
+        bytes.insert(bytes.end(), strip.chunk.begin(), strip.chunk.end());
         Bytes().swap(strip.chunk);
     }
-    append_chunk(result.bytes, "IEND", {});
-    return result;
+    append_chunk(bytes, "IEND", {});
+    return bytes;
 }
 
 }  // namespace glint

@@ -10,19 +10,19 @@
 
 namespace glint {
 
-EncodeResult encode_ppm(const Image& image, const EncodeOptions& options) {
+std::vector<std::uint8_t> encode_ppm(const Image& image, const EncodeOptions& options) {
     const std::string header =
         fmt::format("P6\n{} {}\n{}\n", image.width, image.height, options.bits == 8 ? 255 : 65535);
     const std::size_t samples = std::size_t{3} * image.width;
     const std::size_t row_bytes = samples * (options.bits / 8);
-    EncodeResult result;
-    result.bytes.resize(header.size() + row_bytes * image.height);
-    std::copy(header.begin(), header.end(), result.bytes.begin());
+    std::vector<std::uint8_t> bytes;
+    bytes.resize(header.size() + row_bytes * image.height);
+    std::copy(header.begin(), header.end(), bytes.begin());
     parallel_for(image.height, options.threads, [&](std::size_t y) {
         quantize_row(&image.rgb[y * samples], samples, options.bits, options.transfer,
-                     &result.bytes[header.size() + y * row_bytes]);
+                     &bytes[header.size() + y * row_bytes]);
     });
-    return result;
+    return bytes;
 }
 
 }  // namespace glint

@@ -8,10 +8,10 @@
 
 namespace glint {
 
-EncodeResult encode_png(const Image& image, const EncodeOptions& options);
-EncodeResult encode_ppm(const Image& image, const EncodeOptions& options);
-EncodeResult encode_exr(const Image& image);
+std::vector<std::uint8_t> encode_png(const Image& image, const EncodeOptions& options);
+std::vector<std::uint8_t> encode_ppm(const Image& image, const EncodeOptions& options);
+std::vector<std::uint8_t> encode_exr(const Image& image);
 /// Of several parts; the layers have the picture's size.
-EncodeResult encode_exr_layers(const Image& picture, std::span<const LayerImage> layers);
+std::vector<std::uint8_t> encode_exr_layers(const Image& picture, std::span<const LayerImage> layers);
 
 }  // namespace glint

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "base/catch_exceptions.h"
+#include "base/status.h"
 #include "image/layer_fault.h"
 
 namespace glint {
@@ -74,12 +74,12 @@ Image picture_of(const LayerImage& layer) {
 
 }  // namespace
 
-Image viewable(const LayerImage& layer) {
-    Image image;
-    const std::string failure = catch_exceptions([&] {
-        if (layer_fault(layer).empty()) image = picture_of(layer);
+Result<Image> viewable(const LayerImage& layer) {
+    return result_of([&]() -> Result<Image> {
+        std::string wrong = layer_fault(layer);
+        if (!wrong.empty()) return invalid_argument(std::move(wrong));
+        return picture_of(layer);
     });
-    return failure.empty() ? image : Image{};
 }
 
 }  // namespace glint

@@ -162,7 +162,7 @@ TEST_F(Compare, WhatIsNotANumberIsNeverEqual) {
     const auto write = [&](const char* name, float value) {
         Image image{20, 12, std::vector<float>(720)};
         for (int c = 0; c < 3; ++c) image.rgb[c] = value;
-        const auto bytes = encode(image, {FileFormat::exr}).bytes;
+        const auto bytes = encode(image, {FileFormat::exr}).value();
         folder.write(name, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
     };
     write("black.exr", 0);

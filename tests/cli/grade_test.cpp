@@ -66,7 +66,7 @@ TEST_F(Grade, WhatIsNotANumberIsSaidFirst) {
     const auto write = [&](const char* name, float value, int count) {
         Image image{20, 12, std::vector<float>(720, 0.5f)};
         for (int i = 0; i < 3 * count; ++i) image.rgb[i] = value;
-        const auto bytes = encode(image, {FileFormat::exr}).bytes;
+        const auto bytes = encode(image, {FileFormat::exr}).value();
         folder.write(name, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
     };
     write("right.exr", 0.5f, 0);

@@ -62,7 +62,7 @@ Image mirrored(const Image& image) {
 }
 Image rotated(const Image& image) { return mirrored(upside_down(image)); }
 Image encoded(const Image& image) {
-    return as_file(*decode(encode(image, {FileFormat::ppm, 16, Transfer::srgb}).bytes).image);
+    return as_file(decode(encode(image, {FileFormat::ppm, 16, Transfer::srgb}).value()).value().image);
 }
 Image wrapped(const Image& image) {
     Image out = image;

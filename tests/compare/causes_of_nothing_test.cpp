@@ -222,7 +222,7 @@ TEST(CausesOfNothing, QuarterTurnsOfSquarePictures) {
     }
     const Image wide{4, 3, std::vector<float>(36)}, high{3, 4, std::vector<float>(36)};
     EXPECT_TRUE(has(find_causes(wide, high).error, "4x3 and 3x4; width and height are swapped"));
-    EXPECT_TRUE(has(compare(wide, high).error, "width and height are swapped"));
+    EXPECT_TRUE(has(compare(wide, high).message, "width and height are swapped"));
 }
 
 }  // namespace

@@ -74,8 +74,8 @@ inline Image draw(const Scene& scene) {
 
 /// What a file of 8 bits holds of it.
 inline Image as_file(const Image& image) {
-    const EncodeResult encoded = encode(image, {FileFormat::ppm});
-    return std::move(*decode(encoded.bytes).image);
+    const Result<std::vector<std::uint8_t>> encoded = encode(image, {FileFormat::ppm});
+    return decode(*encoded).value().image;
 }
 
 inline Image draw_text(const std::string& text) { return as_file(draw(read_scene(text))); }

@@ -13,23 +13,23 @@ namespace glint::test {
 inline std::string fuzz_decode(std::span<const std::uint8_t> bytes) {
     DecodeOptions options;
     options.max_pixels = 1 << 16;
-    const DecodeResult result = decode(bytes, options);
-    if (result.image.has_value() != result.error.empty())
-        return "a picture and an error, or neither: " + result.error;
-    if (!result.image) return {};
-    const Image& image = *result.image;
+    const Result<DecodedImage> result = decode(bytes, options);
+    if (result.has_value() != result.message.empty())
+        return "a picture and an error, or neither: " + result.message;
+    if (!result) return {};
+    const Image& image = result->image;
     if (std::int64_t{image.width} * image.height > options.max_pixels) return "a picture that is too large";
     for (const float value : image.rgb) {
-        if (!std::isfinite(value) && result.note.find("NaN") == std::string::npos)
+        if (!std::isfinite(value) && result->note.find("NaN") == std::string::npos)
             return "a number that is not finite, and no word of it";
     }
     // What was read is a picture that can be written, and of 8 bits the same bytes come back.
-    const EncodeResult written = encode(image, {FileFormat::ppm});
-    if (!written.error.empty()) return "not written: " + written.error;
-    const DecodeResult again = decode(written.bytes, options);
-    if (!again.image) return "not read again: " + again.error;
-    return encode(*again.image, {FileFormat::ppm}).bytes == written.bytes ? std::string()
-                                                                          : "other bytes came back";
+    const Result<std::vector<std::uint8_t>> written = encode(image, {FileFormat::ppm});
+    if (!written) return "not written: " + written.message;
+    const Result<DecodedImage> again = decode(*written, options);
+    if (!again) return "not read again: " + again.message;
+    return encode(again->image, {FileFormat::ppm}).value() == *written ? std::string()
+                                                                       : "other bytes came back";
 }
 
 }  // namespace glint::test

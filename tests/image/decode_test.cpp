@@ -26,18 +26,18 @@ Bytes bytes_of(const std::string& text) { return {text.begin(), text.end()}; }
 
 // The picture as bytes, 3 a pixel; the test fails if there is none.
 Bytes read_bytes_of(const Bytes& file) {
-    const DecodeResult result = decode(file);
-    EXPECT_EQ(result.error, "");
-    if (!result.image) return {};
+    const Result<DecodedImage> result = decode(file);
+    EXPECT_EQ(result.message, "");
+    if (!result) return {};
     Bytes bytes;
-    for (const float value : result.image->rgb) bytes.push_back(to_byte(value));
+    for (const float value : result->image.rgb) bytes.push_back(to_byte(value));
     return bytes;
 }
 
 std::string error_of(const Bytes& file, const DecodeOptions& options = {}) {
-    const DecodeResult result = decode(file, options);
-    EXPECT_FALSE(result.image.has_value());
-    return result.error;
+    const Result<DecodedImage> result = decode(file, options);
+    EXPECT_FALSE(result.has_value());
+    return result.message;
 }
 
 TEST(Decode, WhatIsWrittenComesBack) {
@@ -45,22 +45,22 @@ TEST(Decode, WhatIsWrittenComesBack) {
     for (const FileFormat format : {FileFormat::png, FileFormat::ppm}) {
         for (const int bits : {8, 16}) {
             const EncodeOptions options{format, bits};
-            const Bytes file = encode(image, options).bytes;
-            const DecodeResult read = decode(file);
-            ASSERT_TRUE(read.image.has_value()) << read.error;
-            EXPECT_EQ(read.bits, bits);
-            EXPECT_EQ(read.note, "");
-            EXPECT_EQ(read.image->width, 77);
-            EXPECT_EQ(read.image->height, 45);
-            EXPECT_EQ(encode(*read.image, options).bytes, file);
+            const Bytes file = encode(image, options).value();
+            const Result<DecodedImage> read = decode(file);
+            ASSERT_TRUE(read.has_value()) << read.message;
+            EXPECT_EQ(read->bits, bits);
+            EXPECT_EQ(read->note, "");
+            EXPECT_EQ(read->image.width, 77);
+            EXPECT_EQ(read->image.height, 45);
+            EXPECT_EQ(encode(read->image, options).value(), file);
         }
     }
     Image floats = image;
     floats.rgb[5] = 1e30f;
-    const DecodeResult exr = decode(encode(floats, {FileFormat::exr}).bytes);
-    ASSERT_TRUE(exr.image.has_value()) << exr.error;
-    EXPECT_EQ(exr.bits, 32);
-    EXPECT_EQ(exr.image->rgb, floats.rgb);
+    const Result<DecodedImage> exr = decode(encode(floats, {FileFormat::exr}).value());
+    ASSERT_TRUE(exr.has_value()) << exr.message;
+    EXPECT_EQ(exr->bits, 32);
+    EXPECT_EQ(exr->image.rgb, floats.rgb);
 }
 
 TEST(Decode, EveryKindOfPng) {
@@ -82,14 +82,14 @@ TEST(Decode, EveryKindOfPng) {
     EXPECT_EQ(read_bytes_of(make_png(17, rows, {PNG_COLOR_TYPE_RGB, 8, true})),
               read_bytes_of(make_png(17, rows, {PNG_COLOR_TYPE_RGB, 8, false})));
     const Bytes wide = make_png(1, {{0x12, 0x34, 0xff, 0xff, 0, 0}}, {PNG_COLOR_TYPE_RGB, 16});
-    EXPECT_EQ(decode(wide).image->rgb, (std::vector<float>{0x1234 / 65535.0f, 1, 0}));
+    EXPECT_EQ(decode(wide)->image.rgb, (std::vector<float>{0x1234 / 65535.0f, 1, 0}));
 }
 
 TEST(Decode, TransparencyIsLeftOutAndSaid) {
     const Bytes holes = make_png(2, {{10, 20, 30, 255, 40, 50, 60, 0}}, {PNG_COLOR_TYPE_RGB_ALPHA, 8});
     EXPECT_EQ(read_bytes_of(holes), (Bytes{10, 20, 30, 40, 50, 60}));
-    EXPECT_EQ(decode(holes).note, "its transparency is left out");
-    EXPECT_EQ(decode(make_png(1, {{10, 20, 30, 255}}, {PNG_COLOR_TYPE_RGB_ALPHA, 8})).note, "");
+    EXPECT_EQ(decode(holes)->note, "its transparency is left out");
+    EXPECT_EQ(decode(make_png(1, {{10, 20, 30, 255}}, {PNG_COLOR_TYPE_RGB_ALPHA, 8}))->note, "");
 }
 
 TEST(Decode, PpmAndPgmAsTextAndRaw) {
@@ -179,20 +179,21 @@ template <class T> Bytes make_exr(const std::vector<const char*>& names, const s
 TEST(Decode, OpenExrOfOthers) {
     const std::vector<half> halves = {half(0.5f),  half(2.0f), half(-1.0f),
                                       half(0.25f), half(0.0f), half(8.0f)};
-    const DecodeResult colors = decode(make_exr(std::vector<const char*>{"R", "G", "B"}, halves));
-    ASSERT_TRUE(colors.image.has_value()) << colors.error;
-    ASSERT_EQ(colors.image->width, 4);
-    ASSERT_EQ(colors.image->height, 3);
+    const Result<DecodedImage> colors = decode(make_exr(std::vector<const char*>{"R", "G", "B"}, halves));
+    ASSERT_TRUE(colors.has_value()) << colors.message;
+    ASSERT_EQ(colors->image.width, 4);
+    ASSERT_EQ(colors->image.height, 3);
     std::vector<float> expected(36);
     for (std::size_t i = 0; i < 6; ++i) expected[3 * 5 + i] = halves[i];
-    EXPECT_EQ(colors.image->rgb, expected);
+    EXPECT_EQ(colors->image.rgb, expected);
 
     const float nan = std::numeric_limits<float>::quiet_NaN();
-    const DecodeResult grey = decode(make_exr(std::vector<const char*>{"Y"}, std::vector<float>{0.5f, nan}));
-    ASSERT_TRUE(grey.image.has_value()) << grey.error;
-    EXPECT_EQ(grey.image->rgb[3 * 5 + 1], 0.5f);
-    EXPECT_TRUE(std::isnan(grey.image->rgb[3 * 6 + 1]));
-    EXPECT_NE(grey.note.find("NaN"), std::string::npos);
+    const Result<DecodedImage> grey =
+        decode(make_exr(std::vector<const char*>{"Y"}, std::vector<float>{0.5f, nan}));
+    ASSERT_TRUE(grey.has_value()) << grey.message;
+    EXPECT_EQ(grey->image.rgb[3 * 5 + 1], 0.5f);
+    EXPECT_TRUE(std::isnan(grey->image.rgb[3 * 6 + 1]));
+    EXPECT_NE(grey->note.find("NaN"), std::string::npos);
     EXPECT_NE(error_of(make_exr(std::vector<const char*>{"Z"}, std::vector<float>{1, 2})).find("no channels"),
               std::string::npos);
 }
@@ -200,11 +201,11 @@ TEST(Decode, OpenExrOfOthers) {
 TEST(Decode, EveryCutOffFileIsRefused) {
     const Image image = make_picture(9, 7);
     for (const FileFormat format : {FileFormat::png, FileFormat::ppm, FileFormat::exr}) {
-        const Bytes file = encode(image, {format}).bytes;
+        const Bytes file = encode(image, {format}).value();
         for (std::size_t size = 0; size < file.size(); ++size) {
-            const DecodeResult result = decode(std::span(file).first(size));
-            EXPECT_FALSE(result.image.has_value()) << size << " of " << file.size();
-            EXPECT_NE(result.error, "");
+            const Result<DecodedImage> result = decode(std::span(file).first(size));
+            EXPECT_FALSE(result.has_value()) << size << " of " << file.size();
+            EXPECT_NE(result.message, "");
         }
     }
 }
@@ -214,12 +215,12 @@ TEST(Decode, BombsAreAnswered) {
     EXPECT_NE(error_of(bytes_of("P6 65536 65536 255\n")).find("at most 67108864 in all"), std::string::npos);
     EXPECT_NE(error_of(bytes_of("P6 65537 1 255\n")).find("1 to 65536 a side"), std::string::npos);
     EXPECT_NE(error_of(bytes_of("P6 8000 8000 255\n")).find("cut off"), std::string::npos);
-    Bytes png = encode(make_picture(2, 2)).bytes;
+    Bytes png = encode(make_picture(2, 2)).value();
     for (int i = 16; i < 24; ++i) png[i] = i % 4 == 2 ? 0x1f : 0;  // 7936 x 7936, and the checksum is wrong
     EXPECT_NE(error_of(png), "");
     const Bytes honest = make_png(4000, std::vector<Bytes>(4000, Bytes(500)), {PNG_COLOR_TYPE_GRAY, 1});
     EXPECT_LT(honest.size(), 10000u);
-    EXPECT_TRUE(decode(honest).image.has_value());
+    EXPECT_TRUE(decode(honest));
     DecodeOptions small;
     small.max_pixels = 1000;
     EXPECT_NE(error_of(honest, small).find("at most 1000 in all"), std::string::npos);

@@ -21,9 +21,9 @@ TEST(Exr, ReadsBackEqual) {
         Image image = test::make_picture(width, height);
         image.rgb[0] = 1e30f;
         image.rgb[1] = -1e-40f;
-        const EncodeResult encoded = encode(image, {FileFormat::exr});
-        ASSERT_EQ(encoded.error, "");
-        test::MemoryInput stream(encoded.bytes);
+        const Result<std::vector<std::uint8_t>> encoded = encode(image, {FileFormat::exr});
+        ASSERT_EQ(encoded.message, "");
+        test::MemoryInput stream(*encoded);
         Imf::InputFile file(stream, 0);
         std::vector<float> read(image.rgb.size());
         Imf::FrameBuffer channels;
@@ -45,9 +45,9 @@ TEST(Exr, ReadsBackEqual) {
 
 TEST(Exr, HasTheSameBytesForAnyThreads) {
     const Image image = test::make_picture(100, 100);
-    const auto one = encode(image, {FileFormat::exr, 8, Transfer::none, 1}).bytes;
-    EXPECT_EQ(one, encode(image, {FileFormat::exr, 8, Transfer::none, 7}).bytes);
-    EXPECT_EQ(one, encode(image, {FileFormat::exr, 16, Transfer::srgb, 2}).bytes) << "always linear floats";
+    const auto one = encode(image, {FileFormat::exr, 8, Transfer::none, 1}).value();
+    EXPECT_EQ(one, encode(image, {FileFormat::exr, 8, Transfer::none, 7}).value());
+    EXPECT_EQ(one, encode(image, {FileFormat::exr, 16, Transfer::srgb, 2}).value()) << "always linear floats";
 }
 
 }  // namespace

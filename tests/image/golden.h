@@ -54,7 +54,7 @@ inline ::testing::AssertionResult compare(const Picture& golden, const Picture& 
     }
     if (largest <= limits.largest && differing <= limits.differing) return ::testing::AssertionSuccess();
     for (float& v : difference.rgb) v /= static_cast<float>(largest);
-    write_bytes(difference_path, encode(difference).bytes);
+    write_bytes(difference_path, encode(difference).value());
     return ::testing::AssertionFailure()
            << differing << " of " << pixels << " pixels differ (at most " << limits.differing
            << " may), the largest difference is " << largest << " (at most " << limits.largest << ") at x "
@@ -66,10 +66,10 @@ inline ::testing::AssertionResult compare(const Picture& golden, const Picture& 
 /// commit it).
 inline ::testing::AssertionResult matches_golden(const Image& image, const std::string& golden_path,
                                                  GoldenLimits limits = {}) {
-    const EncodeResult encoded = encode(image);
-    if (!encoded.error.empty()) return ::testing::AssertionFailure() << encoded.error;
+    const Result<std::vector<std::uint8_t>> encoded = encode(image);
+    if (!encoded) return ::testing::AssertionFailure() << encoded.message;
     if (std::getenv("GLINT_UPDATE_GOLDEN") != nullptr) {
-        write_bytes(golden_path, encoded.bytes);
+        write_bytes(golden_path, *encoded);
         return ::testing::AssertionSuccess();
     }
     if (!std::filesystem::exists(golden_path)) {
@@ -77,8 +77,8 @@ inline ::testing::AssertionResult matches_golden(const Image& image, const std::
     }
     const std::string stem = std::filesystem::path(golden_path).stem().string();
     const auto verdict =
-        compare(read_png(golden_path), decode_png(encoded.bytes), limits, stem + ".difference.png");
-    if (!verdict) write_bytes(stem + ".found.png", encoded.bytes);
+        compare(read_png(golden_path), decode_png(*encoded), limits, stem + ".difference.png");
+    if (!verdict) write_bytes(stem + ".found.png", *encoded);
     return verdict;
 }
 

@@ -10,12 +10,12 @@ namespace {
 std::string temporary(const std::string& name) { return ::testing::TempDir() + "glint_golden_" + name; }
 
 TEST(Golden, EqualPicturesPass) {
-    const Picture picture = decode_png(encode(make_picture(20, 10)).bytes);
+    const Picture picture = decode_png(encode(make_picture(20, 10)).value());
     EXPECT_TRUE(compare(picture, picture, {}, temporary("none.png")));
 }
 
 TEST(Golden, ASmallObjectThatIsMissingFails) {
-    const Picture golden = decode_png(encode(make_picture(200, 100)).bytes);
+    const Picture golden = decode_png(encode(make_picture(200, 100)).value());
     Picture found = golden;
     found.samples[3 * (50 * 200 + 7) + 1] ^= 0x80;
     const std::string path = temporary("one.png");
@@ -30,7 +30,7 @@ TEST(Golden, ASmallObjectThatIsMissingFails) {
 }
 
 TEST(Golden, ManySmallDifferencesFail) {
-    const Picture golden = decode_png(encode(make_picture(20, 10)).bytes);
+    const Picture golden = decode_png(encode(make_picture(20, 10)).value());
     Picture found = golden;
     for (auto& sample : found.samples) sample ^= 1;
     EXPECT_TRUE(compare(golden, found, {.largest = 1, .differing = 200}, temporary("many.png")));
@@ -39,8 +39,8 @@ TEST(Golden, ManySmallDifferencesFail) {
 }
 
 TEST(Golden, AnotherSizeFails) {
-    const Picture a = decode_png(encode(make_picture(20, 10)).bytes),
-                  b = decode_png(encode(make_picture(10, 20)).bytes);
+    const Picture a = decode_png(encode(make_picture(20, 10)).value()),
+                  b = decode_png(encode(make_picture(10, 20)).value());
     EXPECT_FALSE(compare(a, b, {.largest = 255, .differing = 1000}, temporary("none.png")));
 }
 
@@ -48,7 +48,7 @@ TEST(Golden, ReadsAndComparesAFile) {
     const Image image = make_picture(20, 10);
     const std::string path = temporary("file.png");
     EXPECT_FALSE(matches_golden(image, path)) << "there is no such file yet";
-    write_bytes(path, encode(image).bytes);
+    write_bytes(path, encode(image).value());
     EXPECT_TRUE(matches_golden(image, path));
     Image other = image;
     for (float& v : other.rgb) v = 1 - v;

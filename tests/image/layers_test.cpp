@@ -30,9 +30,9 @@ TEST(Layers, AreThePartsOfOneExrFile) {
     std::vector<LayerImage> layers{make_layer(Layer::normal, 31, 17), make_layer(Layer::depth, 31, 17),
                                    make_layer(Layer::object, 31, 17)};
     layers[1].values[5] = std::numeric_limits<float>::infinity();
-    const EncodeResult encoded = encode_layers(picture, layers);
-    ASSERT_EQ(encoded.error, "");
-    test::MemoryInput stream(encoded.bytes);
+    const Result<std::vector<std::uint8_t>> encoded = encode_layers(picture, layers);
+    ASSERT_EQ(encoded.message, "");
+    test::MemoryInput stream(*encoded);
     Imf::MultiPartInputFile file(stream, 0);
     ASSERT_EQ(file.parts(), 4);
     EXPECT_EQ(file.header(0).name(), "beauty");
@@ -57,20 +57,20 @@ TEST(Layers, AreThePartsOfOneExrFile) {
 
 TEST(Layers, OfAnotherSizeAreRefused) {
     const std::vector<LayerImage> layers{make_layer(Layer::depth, 30, 17)};
-    EXPECT_NE(encode_layers(test::make_picture(31, 17), layers).error, "");
-    EXPECT_NE(encode_layers(Image{}, {}).error, "");
+    EXPECT_NE(encode_layers(test::make_picture(31, 17), layers).message, "");
+    EXPECT_NE(encode_layers(Image{}, {}).message, "");
 }
 
 TEST(Layers, CanBeLookedAt) {
     LayerImage depth{Layer::depth, 3, 1, 1, {2, std::numeric_limits<float>::infinity(), 12}};
-    const Image far = viewable(depth);
+    const Image far = viewable(depth).value();
     EXPECT_FLOAT_EQ(far.rgb[0], 1);
     EXPECT_EQ(far.rgb[3], 0);
     EXPECT_FLOAT_EQ(far.rgb[6], 0.1f);
     const LayerImage normal{Layer::normal, 2, 1, 3, {0, 0, 1, 0, 0, 0}};
-    EXPECT_EQ(viewable(normal).rgb, (std::vector<float>{0.5f, 0.5f, 1, 0, 0, 0}));
+    EXPECT_EQ(viewable(normal).value().rgb, (std::vector<float>{0.5f, 0.5f, 1, 0, 0, 0}));
     const LayerImage object{Layer::object, 3, 1, 1, {0, 1, 2}};
-    const Image ids = viewable(object);
+    const Image ids = viewable(object).value();
     EXPECT_EQ(ids.rgb[0], 0);
     EXPECT_NE(ids.rgb[3], ids.rgb[6]);
 }

@@ -9,7 +9,7 @@ namespace {
 
 TEST(Ppm, IsAHeaderAndTheSamples) {
     const Image image = test::make_picture(7, 5);
-    const auto bytes = encode(image, {FileFormat::ppm}).bytes;
+    const auto bytes = encode(image, {FileFormat::ppm}).value();
     const std::string header = "P6\n7 5\n255\n";
     ASSERT_EQ(bytes.size(), header.size() + 7 * 5 * 3);
     EXPECT_EQ(std::string(bytes.begin(), bytes.begin() + static_cast<long>(header.size())), header);
@@ -19,7 +19,7 @@ TEST(Ppm, IsAHeaderAndTheSamples) {
 
 TEST(Ppm, SixteenBitsAreBigEndian) {
     const Image image = test::make_picture(7, 5);
-    const auto bytes = encode(image, {FileFormat::ppm, 16}).bytes;
+    const auto bytes = encode(image, {FileFormat::ppm, 16}).value();
     const std::string header = "P6\n7 5\n65535\n";
     ASSERT_EQ(bytes.size(), header.size() + 2 * 7 * 5 * 3);
     for (std::size_t i = 0; i < image.rgb.size(); ++i) {
@@ -27,7 +27,7 @@ TEST(Ppm, SixteenBitsAreBigEndian) {
         EXPECT_EQ(word, quantize(static_cast<double>(image.rgb[i]), 65535));
     }
     for (const int threads : {2, 7})
-        EXPECT_EQ(bytes, encode(image, {FileFormat::ppm, 16, Transfer::none, threads}).bytes);
+        EXPECT_EQ(bytes, encode(image, {FileFormat::ppm, 16, Transfer::none, threads}).value());
 }
 
 }  // namespace

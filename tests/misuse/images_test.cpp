@@ -5,10 +5,10 @@
 namespace glint::misuse {
 namespace {
 
-// Either bytes or an error.
-void expect_error(const EncodeResult& result, const char* what) {
-    EXPECT_NE(result.error, "") << what;
-    EXPECT_TRUE(result.bytes.empty()) << what;
+void expect_error(const Result<std::vector<std::uint8_t>>& result, const char* what) {
+    EXPECT_EQ(result.code, ErrorCode::invalid_argument) << what;
+    EXPECT_NE(result.message, "") << what;
+    EXPECT_FALSE(result) << what;
 }
 
 TEST(Misuse, OfPixel) {
@@ -36,7 +36,7 @@ TEST(Misuse, OfEncode) {
         odd.rgb[6] = std::numeric_limits<float>::quiet_NaN();
         odd.rgb[7] = std::numeric_limits<float>::infinity();
         options.threads = -7;
-        EXPECT_FALSE(encode(odd, options).bytes.empty());
+        EXPECT_FALSE(encode(odd, options).value().empty());
     }
     const Image good = picture(2, 2);
     EncodeOptions options;
@@ -68,9 +68,10 @@ TEST(Misuse, OfNumbers) {
 
 TEST(Misuse, OfDecode) {
     const auto refused = [](std::span<const std::uint8_t> bytes, const DecodeOptions& options = {}) {
-        const DecodeResult result = decode(bytes, options);
-        EXPECT_NE(result.error, "");
-        EXPECT_FALSE(result.image);
+        const Result<DecodedImage> result = decode(bytes, options);
+        EXPECT_EQ(result.code, ErrorCode::parse);
+        EXPECT_NE(result.message, "");
+        EXPECT_FALSE(result);
     };
     refused({});
     const std::uint8_t nothing[64] = {};
@@ -78,9 +79,9 @@ TEST(Misuse, OfDecode) {
     for (const FileFormat format : {FileFormat::png, FileFormat::ppm, FileFormat::exr}) {
         EncodeOptions options;
         options.format = format;
-        const std::vector<std::uint8_t> bytes = encode(picture(9, 7), options).bytes;
+        const std::vector<std::uint8_t> bytes = encode(picture(9, 7), options).value();
         ASSERT_FALSE(bytes.empty());
-        EXPECT_TRUE(decode(bytes).image);
+        EXPECT_TRUE(decode(bytes));
         for (const std::size_t cut : {std::size_t{3}, std::size_t{8}, bytes.size() / 2})
             refused(std::span(bytes).first(cut));
         for (const std::int64_t most :

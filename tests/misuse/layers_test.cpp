@@ -33,12 +33,15 @@ TEST(Misuse, OfViewable) {
     for (const LayerImage& layer : odd_layers()) {
         // Of the sizes of `wrong` channels one may be right.
         const auto number = static_cast<std::size_t>(layer.layer);
-        const Image image = viewable(layer);
+        const Result<Image> image = viewable(layer);
         const bool fits = number < layer_infos().size() && layer.width == 3 && layer.height == 2 &&
                           layer.channels == static_cast<int>(layer_infos()[number].channels.size()) &&
                           layer.values.size() == std::size_t{6} * static_cast<std::size_t>(layer.channels);
-        EXPECT_EQ(image.rgb.size(), fits ? 18u : 0u) << number << ' ' << layer.channels;
-        EXPECT_EQ(image.width, fits ? 3 : 0);
+        ASSERT_EQ(image.code, fits ? ErrorCode::none : ErrorCode::invalid_argument)
+            << number << ' ' << layer.channels;
+        if (!fits) continue;
+        EXPECT_EQ(image->rgb.size(), 18u);
+        EXPECT_EQ(image->width, 3);
     }
     // Values that no rendering writes.
     for (const LayerInfo& info : layer_infos()) {
@@ -46,23 +49,23 @@ TEST(Misuse, OfViewable) {
         LayerImage layer{info.layer, 5, 1, static_cast<int>(channels), {}};
         for (std::size_t i = 0; i < 5 * channels; ++i)
             layer.values.push_back(static_cast<float>(k_odd_numbers[i % 5] * (i % 2 == 0 ? 1 : 1e-265)));
-        EXPECT_EQ(viewable(layer).rgb.size(), 15u) << info.name;
+        EXPECT_EQ(viewable(layer).value().rgb.size(), 15u) << info.name;
     }
 }
 
 TEST(Misuse, OfEncodeLayers) {
     for (const LayerImage& layer : odd_layers()) {
-        if (!viewable(layer).rgb.empty()) continue;
-        const EncodeResult result = encode_layers(picture(3, 2), {&layer, 1});
-        EXPECT_NE(result.error, "");
-        EXPECT_TRUE(result.bytes.empty());
+        if (viewable(layer)) continue;
+        const Result<std::vector<std::uint8_t>> result = encode_layers(picture(3, 2), {&layer, 1});
+        EXPECT_EQ(result.code, ErrorCode::invalid_argument);
+        EXPECT_NE(result.message, "");
     }
-    for (const Image& image : misfits()) EXPECT_NE(encode_layers(image, {}).error, "");
+    for (const Image& image : misfits()) EXPECT_NE(encode_layers(image, {}).message, "");
     const LayerImage depth{Layer::depth, 3, 2, 1, std::vector<float>(6)};
     const LayerImage twice[] = {depth, depth};
-    EXPECT_NE(encode_layers(picture(3, 2), twice).error, "");
-    EXPECT_NE(encode_layers(picture(2, 3), {&depth, 1}).error, "");
-    EXPECT_EQ(encode_layers(picture(3, 2), {&depth, 1}).error, "");
+    EXPECT_NE(encode_layers(picture(3, 2), twice).message, "");
+    EXPECT_NE(encode_layers(picture(2, 3), {&depth, 1}).message, "");
+    EXPECT_EQ(encode_layers(picture(3, 2), {&depth, 1}).message, "");
 }
 
 TEST(Misuse, OfFindLayer) {
