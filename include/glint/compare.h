@@ -82,7 +82,6 @@ struct Cause {
 };
 
 struct CauseReport {
-    std::string error;  ///< different sizes, or no memory; empty if none
     /// The mean difference of the pictures in 255ths; their rims of one pixel count only if they alone
     /// differ.
     double difference = 0;
@@ -107,19 +106,20 @@ struct CauseOptions {
     bool as_floats = false;
     int threads = 0;
     /// Called now and then with the fraction done (0 to 1). Must not throw.
-    std::function<void(double)> progress;
-    const std::atomic<bool>* cancel = nullptr;  ///< looked at between renderings
+    std::function<void(double)> progress = {};
+    const std::atomic<bool>* cancel = nullptr;  ///< looked at between causes
 };
 
 /// What best explains how the picture `a` differs from the reference `b`. Without a scene only what can be
 /// seen in the pictures is tried (flipped, shifted, channels, gamma, scale); with the scene that draws b,
 /// also the faults of lighting and tracing, by rendering the scene with each. docs/compare.md lists them and
-/// says how they are ranked. Never throws.
-GLINT_API CauseReport find_causes(const Image& a, const Image& b, const Scene* scene = nullptr,
-                                  const CauseOptions& options = {});
+/// says how they are ranked. An error if the sizes differ, or the scene cannot be drawn. Never throws.
+GLINT_API Result<CauseReport> find_causes(const Image& a, const Image& b, const Scene* scene = nullptr,
+                                          const CauseOptions& options = {});
 
-/// The same for many pictures of one reference, drawing each alternative once. In the order of `pictures`.
-GLINT_API std::vector<CauseReport> find_causes(std::span<const Image> pictures, const Image& b,
-                                               const Scene* scene, const CauseOptions& options = {});
+/// The same for many pictures of one reference, drawing each alternative once. In the order of `pictures`,
+/// each with its own error.
+GLINT_API std::vector<Result<CauseReport>> find_causes(std::span<const Image> pictures, const Image& b,
+                                                       const Scene* scene, const CauseOptions& options = {});
 
 }  // namespace glint

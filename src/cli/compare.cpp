@@ -103,7 +103,7 @@ int compare_command(CompareArguments& arguments) {
     if (arguments.quiet) return report.passes ? k_done : k_bad_input;
 
     if (report.difference.not_finite > 0) {
-        report.causes.emplace().remark =
+        report.causes.emplace(CauseReport{})->remark =
             "Numbers that are infinite or NaN come of a division by 0, or of a vector without length that is "
             "made a unit vector. No other cause is looked for.";
     } else if (!arguments.no_causes && report.difference.all.equal != report.difference.all.pixels) {

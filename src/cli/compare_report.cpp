@@ -38,7 +38,7 @@ void add_others(std::string& text, const char* how, std::span<const Cause> cause
 
 // What there is to say where nothing explains enough.
 void add_nearest(std::string& text, const CompareReport& report) {
-    const CauseReport& causes = *report.causes;
+    const CauseReport& causes = **report.causes;
     if (causes.tried == 0) return;
     const std::string nearest = causes.nearest
                                     ? fmt::format("the nearest, {}, explains {}", causes.nearest->name,
@@ -51,12 +51,12 @@ void add_nearest(std::string& text, const CompareReport& report) {
 }
 
 void add_causes(std::string& text, const CompareReport& report) {
-    const CauseReport& causes = *report.causes;
     auto out = std::back_inserter(text);
-    if (!causes.error.empty()) {
-        fmt::format_to(out, "causes     {}\n", causes.error);
+    if (!*report.causes) {
+        fmt::format_to(out, "causes     {}\n", report.causes->message);
         return;
     }
+    const CauseReport& causes = **report.causes;
     if (causes.swapped) {
         fmt::format_to(out,
                        "The scene draws {}, and not {}: what follows explains the latter (A is yours, B the "
@@ -104,12 +104,13 @@ Json cause_json(const Cause& cause) {
             {"rendered", cause.rendered}};
 }
 
-Json causes_json(const CauseReport& report) {
+Json causes_json(const Result<CauseReport>& result) {
+    const CauseReport report = result.value_or(CauseReport{});
     Json json = {
         {"tried", report.tried}, {"swapped", report.swapped}, {"away_from_edges", report.away_from_edges}};
     json["scene_from_a"] = or_null(report.scene_from_a);
     json["scene_from_b"] = or_null(report.scene_from_b);
-    if (!report.error.empty()) json["error"] = report.error;
+    if (!result) json["error"] = result.message;
     json["remark"] = report.remark.empty() ? Json(nullptr) : Json(report.remark);
     json["nearest"] = report.nearest ? cause_json(*report.nearest) : Json(nullptr);
     json["causes"] = Json::array();

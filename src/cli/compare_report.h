@@ -15,7 +15,8 @@ struct CompareReport {
     double within = 0;  ///< CompareOptions::within
     bool as_floats = false;
     PictureDifference difference;
-    std::optional<CauseReport> causes;  ///< absent for pictures that do not differ, or if not asked for
+    std::optional<Result<CauseReport>>
+        causes;  ///< absent for pictures that do not differ, or if not asked for
     bool with_scene = false;
     bool passes = false;
     std::string reference = "the reference";  ///< what the text calls B

@@ -102,7 +102,11 @@ int grade_pictures(const GradeArguments& arguments, const Scene* scene, const Im
                 bar->update((static_cast<double>(first) + fraction * static_cast<double>(last - first)) /
                             static_cast<double>(count));
             }));
-        for (std::size_t i = 0; i < reports.size(); ++i) graded[whose[i]].causes = std::move(reports[i]);
+        for (std::size_t i = 0; i < reports.size(); ++i) {
+            GradedPicture& entry = graded[whose[i]];
+            entry.causes_error = reports[i].message;
+            if (reports[i]) entry.causes = *std::move(reports[i]);
+        }
     }
     bar.reset();  // its line is free again
     if (outputs.table) fmt::print("{}", text_table(graded));
@@ -167,8 +171,8 @@ class PartGrader {
         auto reports =
             find_causes(faulty, wanted_.image, &wanted_.scene, cause_options(arguments_.threads, {}));
         for (std::size_t i = 0; i < reports.size(); ++i) {
-            if (!reports[i].causes.empty())
-                graded[whose[i]].parts[k].cause = std::move(reports[i].causes.front());
+            if (reports[i] && !reports[i]->causes.empty())
+                graded[whose[i]].parts[k].cause = std::move(reports[i]->causes.front());
         }
     }
 

@@ -91,7 +91,7 @@ std::string verdict(const GradedPicture& p) {
     if (!p.error.empty()) return p.error;
     if (p.not_finite > 0) return not_finite_text(p.not_finite);
     if (p.difference.all.equal == p.difference.all.pixels) return "identical";
-    if (!p.causes.error.empty()) return p.causes.error;
+    if (!p.causes_error.empty()) return p.causes_error;
     if (!p.causes.causes.empty()) return cause_text(p.causes.causes.front());
     return p.causes.remark.empty() ? "no classic cause" : p.causes.remark;
 }
@@ -175,7 +175,7 @@ std::string csv_table(const std::vector<GradedPicture>& pictures) {
             const Cause& cause = p.causes.causes.front();
             cells.insert(cells.end(), {cause.name, fmt::format("{}", cause.explained), cause.explanation});
         }
-        cells.push_back(p.error.empty() ? p.causes.error : p.error);
+        cells.push_back(p.error.empty() ? p.causes_error : p.error);
         text += csv_line(cells);
     }
     return text;

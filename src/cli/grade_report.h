@@ -18,6 +18,7 @@ struct GradedPicture {
     std::uint64_t not_finite = 0;  ///< its pixels that are NaN or infinite; then no cause is looked for
     PictureDifference difference;
     CauseReport causes;
+    std::string causes_error;  ///< why there are none
 };
 
 std::string text_table(const std::vector<GradedPicture>& pictures);

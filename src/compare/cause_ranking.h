@@ -26,6 +26,7 @@ struct Search {
     const BytePicture* target = nullptr;  ///< what the causes are to make out of the reference
     Area area, sample;                    ///< all of the picture, and where causes are tried first
     CauseReport report;
+    Status status;   ///< why there is no report
     Distance whole;  ///< what there is to explain
     std::vector<CauseCandidate> found;
 
@@ -35,7 +36,7 @@ struct Search {
     std::optional<Cause> turn;
     double agreement_turned = 0;
 
-    bool is_open() const { return report.error.empty() && whole.all > 0; }
+    bool is_open() const { return status.ok() && whole.all > 0; }
     /// `made` is what the candidate makes of the reference.
     void judge(const BytePicture& made, CauseCandidate candidate) {
         candidate.left = distance(made, *target, area);

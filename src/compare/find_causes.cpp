@@ -5,10 +5,9 @@
 
 #include <algorithm>
 #include <memory>
-#include <stdexcept>
 
-#include "base/catch_exceptions.h"
 #include "base/fp_environment.h"
+#include "base/status.h"
 #include "compare/cause_ranking.h"
 #include "compare/float_difference.h"
 #include "compare/lines.h"
@@ -42,8 +41,10 @@ class CauseFinder {
 
     Search start(const Image& picture) const {
         Search search;
-        search.report.error = pair_fault(picture, reference_);
-        if (!search.report.error.empty()) return search;
+        if (std::string wrong = pair_fault(picture, reference_); !wrong.empty()) {
+            search.status = invalid_argument(std::move(wrong));
+            return search;
+        }
         const bool is_small = std::int64_t{reference_.width} * reference_.height < k_min_for_threads;
         search.area = {&edges_, all_rows(reference_.height), 1, is_small ? 1 : options_.threads};
         if (std::min(reference_.width, reference_.height) < 3) search.area.rim = 0;
@@ -88,6 +89,7 @@ class CauseFinder {
             step();
         }
         for (Search& search : searches) {
+            if (is_cancelled() && search.is_open()) search.status = cancelled();
             if (!search.is_open()) continue;
             if (search.sample.rows.size() < search.area.rows.size()) confirm(search);
             name_causes(search);
@@ -122,7 +124,9 @@ class CauseFinder {
         for (Search& search : searches) {
             if (!search.is_open()) continue;
             if (!rendered) {
-                search.report.error = "the scene cannot be drawn at the pictures' size";
+                search.status = is_cancelled() ? cancelled()
+                                               : failure(ErrorCode::invalid_scene,
+                                                         "the scene cannot be drawn at the pictures' size");
                 continue;
             }
             CauseReport& report = search.report;
@@ -207,27 +211,34 @@ class CauseFinder {
 
 }  // namespace
 
-std::vector<CauseReport> find_causes(std::span<const Image> pictures, const Image& b, const Scene* scene,
-                                     const CauseOptions& options) {
-    std::vector<CauseReport> reports;
-    const std::string error = catch_exceptions([&] {
+std::vector<Result<CauseReport>> find_causes(std::span<const Image> pictures, const Image& b,
+                                             const Scene* scene, const CauseOptions& options) {
+    std::vector<Result<CauseReport>> results(pictures.size());
+    const Status status = result_of([&]() -> Status {
         const DefaultFpEnvironment environment;
         if (b.width < 1 || b.height < 1 || b.rgb.size() != std::size_t{3} * b.width * b.height)
-            throw std::invalid_argument("the reference has no pixels, or their numbers do not fit its size");
+            return invalid_argument("the reference has no pixels, or their numbers do not fit its size");
         CauseFinder finder(b, scene, options);
         std::vector<Search> searches;
         for (const Image& picture : pictures) searches.push_back(finder.start(picture));
         finder.find(searches);
-        for (Search& search : searches) reports.push_back(std::move(search.report));
+        for (std::size_t i = 0; i < searches.size(); ++i) {
+            if (searches[i].status.ok()) {
+                results[i] = std::move(searches[i].report);
+            } else {
+                results[i] = std::move(searches[i].status);
+            }
+        }
+        return {};
     });
-    if (!error.empty()) {
-        reports.assign(pictures.size(), {});
-        for (CauseReport& report : reports) report.error = error;
+    if (!status.ok()) {
+        for (Result<CauseReport>& result : results) result = status;
     }
-    return reports;
+    return results;
 }
 
-CauseReport find_causes(const Image& a, const Image& b, const Scene* scene, const CauseOptions& options) {
+Result<CauseReport> find_causes(const Image& a, const Image& b, const Scene* scene,
+                                const CauseOptions& options) {
     return std::move(find_causes({&a, 1}, b, scene, options).front());
 }
 

@@ -27,7 +27,7 @@ TEST(CausesFitted, TheFactorOfAnExponent) {
         for (std::size_t i = 0; i < reports.size(); ++i) {
             ASSERT_EQ(first_cause(reports[i]), "exponent")
                 << scene.name << factors[i] << all_causes(reports[i]);
-            const Cause& best = reports[i].causes.front();
+            const Cause& best = reports[i]->causes.front();
             EXPECT_NEAR(factor_in(best.explanation) / factors[i], 1, 0.02)
                 << scene.name << factors[i] << best.explanation << best.explained;
         }
@@ -41,7 +41,7 @@ TEST(CausesFitted, TheFactorBesideTheOtherModel) {
                                            : replaced(scene.text, "shading = blinn-phong", "shading = phong");
         const Scene reference_scene = read_scene(scene.text);
         const CauseReport report =
-            find_causes(draw_text(with_exponents(other, 3)), draw_text(scene.text), &reference_scene);
+            find_causes(draw_text(with_exponents(other, 3)), draw_text(scene.text), &reference_scene).value();
         ASSERT_EQ(first_cause(report), "shading-model-and-exponent") << scene.name << all_causes(report);
         EXPECT_NEAR(factor_in(report.causes.front().explanation), 3, 0.05) << all_causes(report);
     }
@@ -54,11 +54,11 @@ TEST(CausesFitted, AFactorOfAllLightIsAboutThat) {
     const Image reference = draw_text(text);
     Image faulty = draw(reference_scene);
     for (float& v : faulty.rgb) v *= 0.6f;
-    const CauseReport alone = find_causes(as_file(faulty), reference);
+    const CauseReport alone = find_causes(as_file(faulty), reference).value();
     ASSERT_EQ(first_cause(alone), "light-intensity") << all_causes(alone);
     EXPECT_NE(alone.causes.front().explanation.find("Everything is about 0."), std::string::npos)
         << all_causes(alone);
-    const CauseReport by_scene = find_causes(as_file(faulty), reference, &reference_scene);
+    const CauseReport by_scene = find_causes(as_file(faulty), reference, &reference_scene).value();
     ASSERT_EQ(first_cause(by_scene), "light-intensity") << all_causes(by_scene);
     EXPECT_NE(by_scene.causes.front().explanation.find("Everything is 0.6"), std::string::npos)
         << all_causes(by_scene);

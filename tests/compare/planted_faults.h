@@ -136,11 +136,13 @@ inline std::span<const TestScene> scenes_to_test() {
 }
 
 /// The first cause's name, or "none"; after it all of the report.
-inline std::string first_cause(const CauseReport& report) {
-    return report.causes.empty() ? "none" + report.error : report.causes.front().name;
+inline std::string first_cause(const Result<CauseReport>& report) {
+    if (!report) return "none " + report.message;
+    return report->causes.empty() ? "none" : report->causes.front().name;
 }
-inline std::string all_causes(const CauseReport& report) {
-    std::string text = report.error + "\n";
+inline std::string all_causes(const Result<CauseReport>& result) {
+    std::string text = result.message + "\n";
+    const CauseReport report = result.value_or(CauseReport{});
     for (const Cause& cause : report.causes)
         text += cause.name + " " + std::to_string(cause.explained) + " " + cause.explanation + "\n";
     return text;

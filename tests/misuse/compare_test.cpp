@@ -44,17 +44,17 @@ TEST(Misuse, OfCompare) {
 TEST(Misuse, OfFindCauses) {
     const Image good = picture(16, 12);
     for (const Image& odd : misfits()) {
-        EXPECT_NE(find_causes(odd, good).error, "");
-        EXPECT_NE(find_causes(good, odd).error, "");
+        EXPECT_NE(find_causes(odd, good).message, "");
+        EXPECT_NE(find_causes(good, odd).message, "");
     }
-    EXPECT_NE(find_causes(picture(3, 16), good).error, "");
+    EXPECT_NE(find_causes(picture(3, 16), good).message, "");
     EXPECT_TRUE(find_causes(std::span<const Image>(), good, nullptr).empty());
     const std::vector<Image> mixed{good, picture(1, 1), {}};
     const auto reports = find_causes(mixed, good, nullptr);
     ASSERT_EQ(reports.size(), 3u);
-    EXPECT_EQ(reports[0].error, "");
-    EXPECT_NE(reports[1].error, "");
-    EXPECT_NE(reports[2].error, "");
+    EXPECT_EQ(reports[0].message, "");
+    EXPECT_NE(reports[1].message, "");
+    EXPECT_NE(reports[2].message, "");
     EXPECT_EQ(find_causes(mixed, Image{}, nullptr).size(), 3u);
 
     Scene scene = some_scene();
@@ -62,14 +62,14 @@ TEST(Misuse, OfFindCauses) {
     const Image right = dark;
     for (float& value : dark.rgb) value *= 0.5f;
     scene.shapes[0].index = 99;  // cannot be drawn
-    EXPECT_NE(find_causes(dark, right, &scene).error, "");
+    EXPECT_EQ(find_causes(dark, right, &scene).code, ErrorCode::invalid_scene);
     scene = some_scene();
     scene.settings.width = -1;  // the pictures' size is taken
     const std::atomic<bool> cancel{true};
     CauseOptions options;
     options.cancel = &cancel;
     options.threads = -1;
-    find_causes(dark, right, &scene, options);
+    EXPECT_EQ(find_causes(dark, right, &scene, options).code, ErrorCode::cancelled);
 
     Image odd = good;
     for (std::size_t i = 0; i < odd.rgb.size(); ++i)
@@ -77,9 +77,9 @@ TEST(Misuse, OfFindCauses) {
     for (const bool as_floats : {false, true}) {
         CauseOptions floats;
         floats.as_floats = as_floats;
-        const CauseReport report = find_causes(odd, good, nullptr, floats);
-        EXPECT_TRUE(report.error != "" || report.difference >= 0);
-        find_causes(good, odd, nullptr, floats);
+        const Result<CauseReport> report = find_causes(odd, good, nullptr, floats);
+        EXPECT_TRUE(!report || report->difference >= 0);
+        EXPECT_NE(find_causes(good, odd, nullptr, floats).code, ErrorCode::internal);
     }
 }
 
