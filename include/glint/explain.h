@@ -9,6 +9,7 @@
 #include "glint/export.h"
 #include "glint/layers.h"
 #include "glint/render.h"
+#include "glint/result.h"
 #include "glint/scene.h"
 
 namespace glint {
@@ -92,7 +93,6 @@ struct Explanation {
     float layers[k_light_layers][3] = {};
     float value[3] = {};  ///< linear, not clamped: the picture's own
     RayCounts counts;
-    std::string error;  ///< and then nothing else holds
 };
 
 inline constexpr std::size_t k_max_explained_rays = 100000;
@@ -101,14 +101,14 @@ struct ExplainOptions {
     /// The rays of this sample alone are written down, row n + column; -1: of all, if they are not more than
     /// k_max_explained_rays. Layers and value are always those of the pixel.
     int sample = -1;
-    std::string isa;  ///< one of isa_names(); empty: the best
+    std::string isa = {};  ///< one of isa_names(); empty: the best
 };
 
 /// Draws pixel (x, y), counted from the top left, by render()'s own kernels and writes down what they do. The
-/// world must be of this scene: if the scene has since got other numbers of shapes or materials or other
-/// lights, `error` says so. Never throws.
-GLINT_API Explanation explain(const Scene& scene, const World& world, std::int32_t x, std::int32_t y,
-                              const ExplainOptions& options = {});
+/// world must be of this scene: it is an error if the scene has since got other numbers of shapes or
+/// materials or other lights. Never throws.
+GLINT_API Result<Explanation> explain(const Scene& scene, const World& world, std::int32_t x, std::int32_t y,
+                                      const ExplainOptions& options = {});
 
 /// Why a light adds something, or nothing, at a hit.
 enum class LightReason : std::uint8_t {
@@ -148,20 +148,21 @@ GLINT_API std::optional<Layer> layer_of(const Explanation& explanation, std::siz
 
 /// Draws the pixel's rays over the picture (of the world's size): the camera ray's pixel with a white frame,
 /// mirror rays blue, rays through glass green, the way to each light that adds something yellow, and to each
-/// that is blocked red up to its blocker, dark from there. Every sample's rays are drawn. Returns an empty
-/// string, or why nothing is drawn: the picture has another size, the explanation has an error, or it or the
-/// world are not of this scene. Never throws.
-GLINT_API std::string draw_overlay(Image& picture, const Explanation& explanation, const Scene& scene,
-                                   const World& world);
+/// that is blocked red up to its blocker, dark from there. Every sample's rays are drawn. With an error
+/// nothing is drawn: the picture has another size, or the explanation or the world are not of this scene.
+/// Never throws.
+GLINT_API Status draw_overlay(Image& picture, const Explanation& explanation, const Scene& scene,
+                              const World& world);
 
 /// The value of each sample, row after row: linear, not rounded; their mean is the pixel's value but for
-/// roundings. The explanation must be of all samples; none if its rays are not of samples that it has.
-GLINT_API std::vector<Color> sample_values(const Explanation& explanation);
+/// roundings. The explanation must be of all samples. An error if its rays are not of samples that it has.
+/// Never throws.
+GLINT_API Result<std::vector<Color>> sample_values(const Explanation& explanation);
 
 /// The explanation as JSON (docs/explain.md has its schema): names and places from the scene, the file's
-/// numbers by its bits and transfer. If the explanation is not of this scene, or the bits are not 8 or 16,
-/// the JSON has an "error" that says so. Never throws.
-GLINT_API std::string explanation_json(const Explanation& explanation, const Scene& scene,
-                                       const EncodeOptions& file = {});
+/// numbers by its bits and transfer. An error if the explanation is not of this scene, or the bits are not 8
+/// or 16. Never throws.
+GLINT_API Result<std::string> explanation_json(const Explanation& explanation, const Scene& scene,
+                                               const EncodeOptions& file = {});
 
 }  // namespace glint

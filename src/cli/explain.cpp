@@ -122,13 +122,14 @@ int explain_command(ExplainArguments& arguments) {
     options.isa = arguments.isa;
     // Text tells of one sample; JSON of all, unless one is asked for.
     if (arguments.form != "json" || !arguments.sample.empty()) options.sample = style.sample;
-    const Explanation explanation = explain(scene, *prepared, pixel.x, pixel.y, options);
-    if (!explanation.error.empty()) throw Failure(k_bad_input, explanation.error);
+    const Result<Explanation> explained = explain(scene, *prepared, pixel.x, pixel.y, options);
+    if (!explained) throw_failure(explained);
+    const Explanation& explanation = *explained;
 
     if (light) {
         fmt::print("{}", why_not_text(explanation, scene, *light, style));
     } else if (arguments.form == "json") {
-        fmt::print("{}\n", explanation_json(explanation, scene, style.file));
+        fmt::print("{}\n", explanation_json(explanation, scene, style.file).value());
     } else if (arguments.form == "printrays") {
         const int row = arguments.origin == "bottom-left" ? scene.settings.height - 1 - pixel.y : pixel.y;
         fmt::print("{}", print_rays(explanation, scene, row, style));
@@ -137,14 +138,15 @@ int explain_command(ExplainArguments& arguments) {
         const int samples = scene.settings.samples;
         if (samples > 1 && samples <= k_max_listed) {
             options.sample = -1;
-            const Explanation all = explain(scene, *prepared, pixel.x, pixel.y, options);
-            if (all.error.empty()) fmt::print("{}", samples_text(all, scene, style));
+            const Result<Explanation> all = explain(scene, *prepared, pixel.x, pixel.y, options);
+            if (all) fmt::print("{}", samples_text(*all, scene, style));
         }
     }
     if (overlay) {
         check_memory(scene.settings.width, scene.settings.height);
         Image picture = render_or_fail(*prepared, 0, arguments.isa);
-        draw_overlay(picture, explanation, scene, *prepared);
+        const Status drawn = draw_overlay(picture, explanation, scene, *prepared);
+        if (!drawn) throw_failure(drawn);
         write_png(picture, *overlay, style.file);
     }
     return k_done;

@@ -10,7 +10,7 @@
 namespace glint::cli {
 
 std::string samples_text(const Explanation& e, const Scene& scene, const ExplainStyle& style) {
-    const std::vector<Color> values = sample_values(e);
+    const std::vector<Color> values = sample_values(e).value();
     std::vector<std::string> colors;
     std::size_t widest = 0;
     for (const Color& c : values) {

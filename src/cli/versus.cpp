@@ -122,12 +122,15 @@ std::string explained(const Side& side, const LargestDifference& pixel, ExplainS
     style.sample = n / 2 * n + n / 2;
     ExplainOptions options;
     options.sample = style.sample;
-    return explanation_text(explain(side.loaded.scene, side.world, pixel.x, pixel.y, options),
-                            side.loaded.scene, style);
+    const auto explanation = explain(side.loaded.scene, side.world, pixel.x, pixel.y, options);
+    if (!explanation) throw_failure(explanation);
+    return explanation_text(*explanation, side.loaded.scene, style);
 }
 
 std::string explained_json(const Side& side, const LargestDifference& pixel) {
-    return explanation_json(explain(side.loaded.scene, side.world, pixel.x, pixel.y), side.loaded.scene);
+    const auto explanation = explain(side.loaded.scene, side.world, pixel.x, pixel.y);
+    if (!explanation) throw_failure(explanation);
+    return explanation_json(*explanation, side.loaded.scene).value();
 }
 
 int versus_command(VersusArguments& arguments) {

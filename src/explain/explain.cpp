@@ -4,8 +4,8 @@
 
 #include <memory>
 
-#include "base/catch_exceptions.h"
 #include "base/fp_environment.h"
+#include "base/status.h"
 #include "explain/references.h"
 #include "lighting/light.h"
 #include "math/transform.h"
@@ -60,7 +60,7 @@ void complete(const Scene& scene, const WorldParts& world, Explanation& e) {
     }
 }
 
-void render_pixel(const WorldParts& world, const Kernels& kernels, int sample, Explanation& e) {
+Status render_pixel(const WorldParts& world, const Kernels& kernels, int sample, Explanation& e) {
     TileRecord record;
     record.only = sample;
     const auto scratch = std::make_unique<TileScratch>();
@@ -74,56 +74,56 @@ void render_pixel(const WorldParts& world, const Kernels& kernels, int sample, E
     for (std::size_t l = 0; l < k_light_layers; ++l) layers.data[l] = e.layers[l];
     job.layers = &layers;
     kernels.render_tile(world, job, *scratch);
-    if (record.is_full) {
-        e.error = "the pixel has more than " + std::to_string(k_max_explained_rays) +
-                  " rays: ask for one of its samples";
-        return;
-    }
+    if (record.is_full)
+        return invalid_argument("the pixel has more than " + std::to_string(k_max_explained_rays) +
+                                " rays: ask for one of its samples");
     e.rays = std::move(record.rays);
     e.counts = scratch->counts;
+    return {};
 }
 
 }  // namespace
 
-Explanation explain(const Scene& scene, const World& explained, std::int32_t x, std::int32_t y,
-                    const ExplainOptions& options) {
-    const WorldParts& world = explained.parts();
-    Explanation e;
-    e.x = x;
-    e.y = y;
-    e.samples = world.settings.samples;
-    const Kernels* kernels = find_kernels(options.isa);
-    if (kernels == nullptr) {
-        e.error = no_kernels_error(options.isa);
-    } else if (x < 0 || y < 0 || x >= world.settings.width || y >= world.settings.height) {
-        e.error = "pixel " + std::to_string(x) + "," + std::to_string(y) + " is not within the picture of " +
-                  std::to_string(world.settings.width) + "x" + std::to_string(world.settings.height);
-    } else if (options.sample < -1 || options.sample >= e.samples * e.samples) {
-        e.error = "a pixel has " + std::to_string(e.samples * e.samples) + " samples";
-    } else if (std::string fault = world_fault(scene, world); !fault.empty()) {
-        e.error = std::move(fault);
-    } else {
-        const std::string failure = catch_exceptions([&] {
-            const DefaultFpEnvironment environment;
-            render_pixel(world, *kernels, options.sample, e);
-            complete(scene, world, e);
-        });
-        if (!failure.empty()) e.error = failure;
-    }
-    return e;
+Result<Explanation> explain(const Scene& scene, const World& explained, std::int32_t x, std::int32_t y,
+                            const ExplainOptions& options) {
+    return result_of([&]() -> Result<Explanation> {
+        const DefaultFpEnvironment environment;
+        const WorldParts& world = explained.parts();
+        Explanation e;
+        e.x = x;
+        e.y = y;
+        e.samples = world.settings.samples;
+        const Kernels* kernels = find_kernels(options.isa);
+        if (kernels == nullptr) return invalid_argument(no_kernels_error(options.isa));
+        if (x < 0 || y < 0 || x >= world.settings.width || y >= world.settings.height)
+            return invalid_argument("pixel " + std::to_string(x) + "," + std::to_string(y) +
+                                    " is not within the picture of " + std::to_string(world.settings.width) +
+                                    "x" + std::to_string(world.settings.height));
+        if (options.sample < -1 || options.sample >= e.samples * e.samples)
+            return invalid_argument("a pixel has " + std::to_string(e.samples * e.samples) + " samples");
+        if (std::string fault = world_fault(scene, world); !fault.empty())
+            return invalid_argument(std::move(fault));
+        Status status = render_pixel(world, *kernels, options.sample, e);
+        if (!status.ok()) return status;
+        complete(scene, world, e);
+        return e;
+    });
 }
 
-std::vector<Color> sample_values(const Explanation& explanation) {
-    if (explanation.samples < 1 || explanation.samples > k_max_samples) return {};
-    std::vector<Color> values(static_cast<std::size_t>(explanation.samples) *
-                              static_cast<std::size_t>(explanation.samples));
-    for (const ExplainedRay& ray : explanation.rays) {
-        if (static_cast<std::size_t>(ray.sample) >= values.size()) return {};
-        Color& value = values[static_cast<std::size_t>(ray.sample)];
-        value =
-            value + (ray.hit ? ray.hit->parts[0] + ray.hit->parts[1] + ray.hit->parts[2] : ray.background);
-    }
-    return values;
+Result<std::vector<Color>> sample_values(const Explanation& explanation) {
+    return result_of([&]() -> Result<std::vector<Color>> {
+        const int n = explanation.samples;
+        if (n < 1 || n > k_max_samples) return invalid_argument("a pixel has no such number of samples");
+        std::vector<Color> values(static_cast<std::size_t>(n) * static_cast<std::size_t>(n));
+        for (const ExplainedRay& ray : explanation.rays) {
+            if (static_cast<std::size_t>(ray.sample) >= values.size())
+                return invalid_argument("a ray is of a sample that the pixel has not");
+            Color& value = values[static_cast<std::size_t>(ray.sample)];
+            value = value +
+                    (ray.hit ? ray.hit->parts[0] + ray.hit->parts[1] + ray.hit->parts[2] : ray.background);
+        }
+        return values;
+    });
 }
 
 std::optional<Layer> layer_of(const Explanation& explanation, std::size_t ray) {

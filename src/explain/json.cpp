@@ -5,7 +5,7 @@
 #define JSON_HAS_EXPERIMENTAL_FILESYSTEM 0
 #include <nlohmann/json.hpp>
 
-#include "base/catch_exceptions.h"
+#include "base/status.h"
 #include "explain/references.h"
 #include "glint/explain.h"
 #include "scene/material_fields.h"
@@ -140,29 +140,23 @@ Json ray_json(const Explanation& e, const Scene& scene, std::size_t number) {
 
 }  // namespace
 
-std::string explanation_json(const Explanation& e, const Scene& scene, const EncodeOptions& file) {
-    std::string text;
-    const std::string failure = catch_exceptions([&] {
+Result<std::string> explanation_json(const Explanation& e, const Scene& scene, const EncodeOptions& file) {
+    return result_of([&]() -> Result<std::string> {
+        if (file.bits != 8 && file.bits != 16) return invalid_argument("a channel has 8 or 16 bits");
+        if (std::string fault = explanation_fault(e, scene); !fault.empty())
+            return invalid_argument(std::move(fault));
         Json json = {{"pixel", {e.x, e.y}}, {"samples", e.samples}};
-        const std::string fault = !e.error.empty()                    ? e.error
-                                  : file.bits != 8 && file.bits != 16 ? "a channel has 8 or 16 bits"
-                                                                      : explanation_fault(e, scene);
-        if (!fault.empty()) {
-            json["error"] = fault;
-        } else {
-            json["value"] = to_json(e.value);
-            json["transfer"] = file.transfer == Transfer::srgb ? "srgb" : "none";
-            for (const float v : e.value)
-                json[file.bits == 8 ? "bytes" : "words"].push_back(to_number(v, file.bits, file.transfer));
-            for (int l = 0; l < k_light_layers; ++l)
-                json["layers"][std::string(layer_infos()[static_cast<std::size_t>(l)].name)] =
-                    to_json(e.layers[l]);
-            json["rays"] = Json::array();
-            for (std::size_t i = 0; i < e.rays.size(); ++i) json["rays"].push_back(ray_json(e, scene, i));
-        }
-        text = json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+        json["value"] = to_json(e.value);
+        json["transfer"] = file.transfer == Transfer::srgb ? "srgb" : "none";
+        for (const float v : e.value)
+            json[file.bits == 8 ? "bytes" : "words"].push_back(to_number(v, file.bits, file.transfer));
+        for (int l = 0; l < k_light_layers; ++l)
+            json["layers"][std::string(layer_infos()[static_cast<std::size_t>(l)].name)] =
+                to_json(e.layers[l]);
+        json["rays"] = Json::array();
+        for (std::size_t i = 0; i < e.rays.size(); ++i) json["rays"].push_back(ray_json(e, scene, i));
+        return json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
     });
-    return failure.empty() ? text : "{\"error\":\"out of memory\"}";
 }
 
 }  // namespace glint

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "base/catch_exceptions.h"
+#include "base/status.h"
 #include "explain/references.h"
 #include "glint/explain.h"
 #include "math/transform.h"
@@ -148,7 +148,6 @@ std::string overlay_fault(const Image& picture, const Explanation& e, const Scen
     if (picture.width != settings.width || picture.height != settings.height ||
         picture.rgb.size() != std::size_t{3} * picture.width * picture.height)
         return fmt::format("the picture is not of the world's size, {}x{}", settings.width, settings.height);
-    if (!e.error.empty()) return e.error;
     if (e.x < 0 || e.y < 0 || e.x >= picture.width || e.y >= picture.height)
         return fmt::format("pixel {},{} is not within the picture of {}x{}", e.x, e.y, picture.width,
                            picture.height);
@@ -173,14 +172,13 @@ void draw_rays(Image& picture, const Explanation& explanation, const Scene& scen
 
 }  // namespace
 
-std::string draw_overlay(Image& picture, const Explanation& explanation, const Scene& scene,
-                         const World& world) {
-    std::string fault;
-    std::string failure = catch_exceptions([&] {
-        fault = overlay_fault(picture, explanation, scene, world);
-        if (fault.empty()) draw_rays(picture, explanation, scene, world);
+Status draw_overlay(Image& picture, const Explanation& explanation, const Scene& scene, const World& world) {
+    return result_of([&]() -> Status {
+        std::string fault = overlay_fault(picture, explanation, scene, world);
+        if (!fault.empty()) return invalid_argument(std::move(fault));
+        draw_rays(picture, explanation, scene, world);
+        return {};
     });
-    return failure.empty() ? fault : failure;
 }
 
 }  // namespace glint

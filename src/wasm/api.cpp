@@ -145,10 +145,14 @@ double glint_rays(const GlintScene* scene) { return static_cast<double>(scene->r
 
 const char* glint_explain(GlintScene* scene, std::int32_t x, std::int32_t y) {
     scene->answer = "null";
-    if (scene->world) {
-        scene->answer =
-            glint::explanation_json(glint::explain(*scene->scene, *scene->world, x, y), *scene->scene);
-    }
+    if (!scene->world) return scene->answer.c_str();
+    const auto explanation = glint::explain(*scene->scene, *scene->world, x, y);
+    const auto text = explanation ? glint::explanation_json(*explanation, *scene->scene)
+                                  : glint::Result<std::string>(glint::Status(explanation));
+    scene->answer =
+        text ? *text
+             : GlintScene::to_text(
+                   {{"pixel", {x, y}}, {"samples", scene->scene->settings.samples}, {"error", text.message}});
     return scene->answer.c_str();
 }
 

@@ -37,7 +37,7 @@ TEST_P(VisibleHitsTest, FollowsTheRaysOfThePicture) {
         std::vector<std::vector<Numbers>> shadows(prepared->parts().lights->size());
         for (int y = 0; y < 30; ++y) {
             for (int x = 0; x < 40; ++x) {
-                for (const ExplainedRay& ray : explain(*scene, *prepared, x, y).rays) {
+                for (const ExplainedRay& ray : explain(*scene, *prepared, x, y).value().rays) {
                     const auto generation = static_cast<std::size_t>(ray.generation);
                     if (!ray.hit || generation >= points.size()) continue;
                     points[generation].push_back(numbers(ray.hit->point));

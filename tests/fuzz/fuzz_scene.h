@@ -45,12 +45,13 @@ inline std::string fuzz_convert(std::string_view text, std::string format) {
 inline std::string fuzz_explain(const Scene& scene, const World& world, const Image& image) {
     for (const int x : {0, image.width / 2, image.width - 1}) {
         const int y = x * (image.height - 1) / std::max(image.width - 1, 1);
-        const Explanation e = explain(scene, world, x, y);
-        if (!e.error.empty()) return "a pixel that is not explained: " + e.error;
+        const Result<Explanation> explained = explain(scene, world, x, y);
+        if (!explained) return "a pixel that is not explained: " + explained.message;
+        const Explanation& e = *explained;
         const float* drawn = &image.rgb[3 * static_cast<std::size_t>(y * image.width + x)];
         if (std::memcmp(e.value, drawn, sizeof(e.value)) != 0)
             return "a pixel that is explained to be another";
-        if (explanation_json(e, scene).size() < 100) return "an explanation without JSON";
+        if (explanation_json(e, scene).value_or({}).size() < 100) return "an explanation without JSON";
     }
     return {};
 }

@@ -95,8 +95,8 @@ TEST(Misuse, OfADefaultOrMovedFromWorld) {
         const Ray ray{{0, 0, 5}, {0, 0, -1}};
         EXPECT_EQ(nearest_hits(empty, {&ray, 1}).value().at(0).shape, k_none);
         EXPECT_EQ(occluded(empty, {&ray, 1}).value().at(0), 0);
-        EXPECT_EQ(explain(Scene{}, empty, 3, 4).error, "");
-        EXPECT_NE(explain(some_scene(), empty, 3, 4).error, "");
+        EXPECT_EQ(explain(Scene{}, empty, 3, 4).message, "");
+        EXPECT_NE(explain(some_scene(), empty, 3, 4).message, "");
         EXPECT_FALSE(with_material(empty, 0, Material{}));
         EXPECT_TRUE(with_lights(empty, {}));
     }

@@ -130,7 +130,7 @@ TEST(Misuse, OfEditShapes) {
     EXPECT_TRUE(edit_shapes(empty, Scene{}, {}).ok());
     EXPECT_EQ(memory_usage(empty).packed, 0u);
     // An explanation of what the scene no longer is.
-    EXPECT_NE(explain(scene, empty, 3, 4).error, "");
+    EXPECT_NE(explain(scene, empty, 3, 4).message, "");
 }
 
 TEST(Misuse, OfRays) {
