@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 // A scene's likely mistakes: what can be drawn, and is hardly what was meant. docs/checks.md explains each.
+#include <atomic>
+#include <functional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -9,6 +11,7 @@
 #include "glint/diagnostic.h"
 #include "glint/export.h"
 #include "glint/load.h"
+#include "glint/result.h"
 #include "glint/scene.h"
 
 namespace glint {
@@ -17,7 +20,10 @@ struct CheckOptions {
     int threads = 0;  ///< 0 = one a processor; the findings are the same
     /// The texts that the scene was read from, for the source lines in the findings; each under its name in
     /// Scene::files. They need not be all.
-    std::span<const SceneText> texts;
+    std::span<const SceneText> texts = {};
+    /// Called from any thread, now and then, with the fraction done (0 to 1). Must not throw.
+    std::function<void(double)> progress = {};
+    const std::atomic<bool>* cancel = nullptr;  ///< looked at now and then
 };
 
 /// One likely mistake.
@@ -27,16 +33,12 @@ struct Finding {
     std::string remedy;     ///< what to change
 };
 
-struct CheckResult {
-    std::vector<Finding> findings;        ///< in the order of the text; what has no place comes last
-    std::vector<Diagnostic> diagnostics;  ///< what validate() says; with an error nothing was checked
-    std::string error;                    ///< "out of memory"; empty if none
-};
-
 /// Looks for mistakes: traces the camera's rays, follows them into mirrors and glass, and draws small
-/// pictures, with and without what is under suspicion. The findings do not depend on threads or machine. The
-/// time is that of a few pictures, n log n in the number of shapes. Never throws.
-GLINT_API CheckResult check(const Scene& scene, const CheckOptions& options = {});
+/// pictures, with and without what is under suspicion. Findings are in the order of the text; what has no
+/// place comes last. They do not depend on threads or machine. The diagnostics are what validate() says; with
+/// an error among them nothing is checked. The time is that of a few pictures, n log n in the number of
+/// shapes. Never throws.
+GLINT_API Result<std::vector<Finding>> check(const Scene& scene, const CheckOptions& options = {});
 
 /// A kind of finding.
 struct CheckKind {

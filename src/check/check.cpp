@@ -4,8 +4,8 @@
 
 #include <fmt/format.h>
 
-#include "base/catch_exceptions.h"
 #include "base/fp_environment.h"
+#include "base/status.h"
 #include "check/checks.h"
 
 namespace glint {
@@ -48,35 +48,67 @@ constexpr CheckKind k_kinds[] = {
     {"reflections-too-few", "one reflection more changes much of the picture"},
 };
 
-void run_checks(const Scene& scene, const World& world, const CheckOptions& options, CheckResult& result) {
-    CheckContext context(scene, world, options);
-    const VisibleHits visible(context);
-    if (check_camera(context, visible)) {
-        check_lights(context, visible);
-        check_shapes(context, visible, check_coincident_shapes(context));
-        check_normals(context, visible);
-        check_picture(context, visible);
+constexpr double k_prepared = 0.2;  // of the progress
+
+// Does one step after the other, unless it is cancelled.
+class Steps {
+  public:
+    Steps(const CheckOptions& options, int count) : options_(options), count_(count) {}
+
+    template <class Step> void run(const Step& step) {
+        if (!is_cancelled()) step();
+        ++done_;
+        if (options_.progress && !is_cancelled())
+            options_.progress(k_prepared + (1 - k_prepared) * done_ / count_);
     }
-    check_vectors(context);
-    check_materials(context);
-    result.findings = context.take();
+    bool is_cancelled() const {
+        return options_.cancel != nullptr && options_.cancel->load(std::memory_order_relaxed);
+    }
+
+  private:
+    const CheckOptions& options_;
+    const int count_;
+    int done_ = 0;
+};
+
+Result<std::vector<Finding>> run_checks(const Scene& scene, const World& world, const CheckOptions& options) {
+    CheckContext context(scene, world, options);
+    Steps steps(options, 8);
+    std::optional<VisibleHits> visible;
+    steps.run([&] { visible.emplace(context); });
+    bool sees = false;
+    steps.run([&] { sees = check_camera(context, *visible); });
+    const auto run_if_seen = [&](const auto& step) {
+        steps.run([&] {
+            if (sees) step();
+        });
+    };
+    run_if_seen([&] { check_lights(context, *visible); });
+    run_if_seen([&] { check_shapes(context, *visible, check_coincident_shapes(context)); });
+    run_if_seen([&] { check_normals(context, *visible); });
+    run_if_seen([&] { check_picture(context, *visible); });
+    steps.run([&] { check_vectors(context); });
+    steps.run([&] { check_materials(context); });
+    if (steps.is_cancelled()) return cancelled();
+    return context.take();
 }
 
 }  // namespace
 
 std::span<const CheckKind> check_kinds() { return k_kinds; }
 
-CheckResult check(const Scene& scene, const CheckOptions& options) {
-    CheckResult result;
-    Result<World> prepared = prepare(scene, {.threads = options.threads});
-    result.diagnostics = std::move(prepared.diagnostics);
-    if (!prepared) return result;
-    result.error = catch_exceptions([&] {
+Result<std::vector<Finding>> check(const Scene& scene, const CheckOptions& options) {
+    return result_of([&]() -> Result<std::vector<Finding>> {
         const DefaultFpEnvironment environment;
-        run_checks(scene, *prepared, options, result);
+        PrepareOptions preparing{.threads = options.threads, .cancel = options.cancel};
+        if (options.progress)
+            preparing.progress = [&](double fraction) { options.progress(k_prepared * fraction); };
+        Result<World> prepared = prepare(scene, preparing);
+        if (!prepared) return Status(prepared);
+        Result<std::vector<Finding>> findings = run_checks(scene, *prepared, options);
+        findings.diagnostics = std::move(prepared.diagnostics);
+        return findings;
     });
-    if (!result.error.empty()) result.findings.clear();
-    return result;
 }
 
 std::string to_string(const Finding& finding) {

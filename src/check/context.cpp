@@ -66,6 +66,7 @@ Result<Rendering> CheckContext::render_at(World world, SmallSize size) const {
     settings.samples = 1;
     RenderOptions options;
     options.threads = options_.threads;
+    options.cancel = options_.cancel;
     return render(world, options);
 }
 

@@ -58,22 +58,22 @@ int check_command(CheckArguments& arguments) {
     CheckOptions options;
     options.threads = arguments.threads;
     options.texts = texts;
-    const CheckResult result = check(loaded.scene, options);
+    const Result<std::vector<Finding>> result = check(loaded.scene, options);
     add_warnings(loaded.warnings, result.diagnostics);
     print(loaded.warnings);
-    if (has_errors(result.diagnostics)) throw Failure(k_bad_input, {});
-    if (!result.error.empty()) throw Failure(k_bad_input, result.error);
+    if (!result) throw_failure(result);
+    const std::vector<Finding>& findings = *result;
     const std::size_t warnings = count_warnings(loaded.warnings);
     if (arguments.json) {
-        fmt::print("{}", json_text(loaded.warnings, result.findings));
+        fmt::print("{}", json_text(loaded.warnings, findings));
     } else {
-        for (const Finding& finding : result.findings) fmt::print("{}", to_string(finding));
-        const std::size_t mistakes = result.findings.size();
+        for (const Finding& finding : findings) fmt::print("{}", to_string(finding));
+        const std::size_t mistakes = findings.size();
         fmt::print("{}: {}{}\n", fmt::join(arguments.scene.files, " "),
                    mistakes == 0 ? "no likely mistakes found" : counted(mistakes, "likely mistake"),
                    warnings == 0 ? "" : ", " + counted(warnings, "warning"));
     }
-    const bool clean = result.findings.empty() && warnings == 0;
+    const bool clean = findings.empty() && warnings == 0;
     return arguments.strict && !clean ? k_bad_input : k_done;
 }
 

@@ -14,13 +14,12 @@ TEST(CheckCamera, InsideAShape) {
           "cylinder \"case\" { from = (0, 1, 8)  to = (0, 3, 8)  radius = 0.4 }",
           "cone \"case\" { from = (0, 1, 8)  to = (0, 3, 8)  radius = (1, 0) }",
           "sphere \"case\" { center = (0, 0, 0)  radius = 1  scale = 0.5  translate = (0, 2, 8) }"}) {
-        const CheckResult result = check_text(k_clean + shape);
-        ASSERT_FALSE(result.findings.empty()) << shape;
-        EXPECT_EQ(result.findings[0].id, "camera-inside-shape") << shape;
-        EXPECT_EQ(result.findings[0].diagnostic.line, 1u);
-        EXPECT_TRUE(has(result.findings[0].diagnostic.message, "'case' (line 7)"))
-            << result.findings[0].diagnostic.message;
-        EXPECT_TRUE(has(result.findings[0].diagnostic.source_line, "camera {"));
+        const std::vector<Finding> result = check_text(k_clean + shape);
+        ASSERT_FALSE(result.empty()) << shape;
+        EXPECT_EQ(result[0].id, "camera-inside-shape") << shape;
+        EXPECT_EQ(result[0].diagnostic.line, 1u);
+        EXPECT_TRUE(has(result[0].diagnostic.message, "'case' (line 7)")) << result[0].diagnostic.message;
+        EXPECT_TRUE(has(result[0].diagnostic.source_line, "camera {"));
     }
 }
 

@@ -10,21 +10,19 @@
 
 namespace glint::test {
 
-inline CheckResult check_loaded(const Scene& scene, std::span<const SceneText> texts = {}) {
+inline std::vector<Finding> check_loaded(const Scene& scene, std::span<const SceneText> texts = {}) {
     CheckOptions options;
     options.texts = texts;
-    const CheckResult result = check(scene, options);
-    EXPECT_EQ(result.error, "");
-    EXPECT_FALSE(has_errors(result.diagnostics));
-    for (const Finding& f : result.findings) {
+    const std::vector<Finding> findings = check(scene, options).value();
+    for (const Finding& f : findings) {
         EXPECT_EQ(f.diagnostic.severity, Severity::warning);
         EXPECT_FALSE(f.diagnostic.message.empty()) << f.id;
         EXPECT_FALSE(f.remedy.empty()) << f.id;
     }
-    return result;
+    return findings;
 }
 
-inline CheckResult check_text(std::string_view text, const std::string& name = "scene.glint") {
+inline std::vector<Finding> check_text(std::string_view text, const std::string& name = "scene.glint") {
     const LoadResult loaded = load_text(text, name);
     EXPECT_TRUE(loaded.scene) << messages(loaded);
     const SceneText texts[] = {{name, text, {}}};
@@ -32,9 +30,9 @@ inline CheckResult check_text(std::string_view text, const std::string& name = "
 }
 
 /// "id@line id@line", in the order of the findings.
-inline std::string ids(const CheckResult& result) {
+inline std::string ids(const std::vector<Finding>& findings) {
     std::string all;
-    for (const Finding& f : result.findings)
+    for (const Finding& f : findings)
         all += fmt::format("{}{}@{}", all.empty() ? "" : " ", f.id, f.diagnostic.line);
     return all;
 }
@@ -44,9 +42,9 @@ inline std::string ids_of(std::string_view text, const std::string& name = "scen
 
 /// The only finding; its message and remedy, for a look at the words.
 inline std::string only_message(std::string_view text, const std::string& name = "scene.glint") {
-    const CheckResult result = check_text(text, name);
-    EXPECT_EQ(result.findings.size(), 1u) << ids(result);
-    return result.findings.empty() ? "" : to_string(result.findings[0]);
+    const std::vector<Finding> result = check_text(text, name);
+    EXPECT_EQ(result.size(), 1u) << ids(result);
+    return result.empty() ? "" : to_string(result[0]);
 }
 
 inline bool has(const std::string& text, std::string_view part) {

@@ -91,7 +91,7 @@ sphere { center = (-1.5, 1, 0)  radius = 1  ambient = 1 }
     const std::string past = enclosure + "conventions { shadow_stops_at_light = false }\n";
     EXPECT_TRUE(has(ids_of(past), "light-blocked@3")) << ids_of(past);
     std::string message;
-    for (const Finding& f : check_text(past).findings)
+    for (const Finding& f : check_text(past))
         if (f.id == "light-blocked") message = to_string(f);
     EXPECT_TRUE(has(message, "plane 'ceiling' (line 5) is beyond it")) << message;
     EXPECT_TRUE(has(message, "remedy: set shadow_stops_at_light = true")) << message;

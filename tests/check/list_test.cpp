@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // docs/checks.md has every kind, and no other; and what holds of any answer.
+#include <algorithm>
+#include <atomic>
 #include <cstdlib>
 #include <regex>
 #include <set>
@@ -23,9 +25,10 @@ TEST(CheckList, DocsNameEveryKind) {
 TEST(CheckList, AnInvalidSceneIsNotChecked) {
     Scene scene;
     scene.add(Sphere{{0, 0, 0}, -1});
-    const CheckResult result = check(scene);
+    const Result<std::vector<Finding>> result = check(scene);
+    EXPECT_FALSE(result);
+    EXPECT_EQ(result.code, ErrorCode::invalid_scene);
     EXPECT_TRUE(has_errors(result.diagnostics));
-    EXPECT_TRUE(result.findings.empty());
 }
 
 TEST(CheckList, ASceneMadeInCodeHasNoPlaces) {
@@ -37,7 +40,7 @@ TEST(CheckList, ASceneMadeInCodeHasNoPlaces) {
     scene.add(Sphere{});
     scene.materials.push_back({});
     EXPECT_EQ(ids(check_loaded(scene)), "material-unused@0");
-    const std::string text = to_string(check_loaded(scene).findings[0]);
+    const std::string text = to_string(check_loaded(scene)[0]);
     EXPECT_EQ(text.rfind("warning: material 1 is of no shape [material-unused]\n  remedy: ", 0), 0u) << text;
 }
 
@@ -48,6 +51,29 @@ TEST(CheckList, AnEmptySceneAndTheSmallestPicture) {
     scene.camera.position = {0, 0, 8};
     scene.add(Sphere{});
     EXPECT_EQ(ids(check_loaded(scene)), "picture-black@0");
+}
+
+TEST(CheckList, ReportsProgressAndCanBeCancelled) {
+    const Scene scene = load_text(k_clean, "a.glint").scene.value();
+    std::vector<double> fractions;
+    std::atomic<bool> cancel{false};
+    CheckOptions options;
+    options.threads = 1;
+    options.progress = [&](double fraction) { fractions.push_back(fraction); };
+    options.cancel = &cancel;
+    ASSERT_TRUE(check(scene, options));
+    ASSERT_GE(fractions.size(), 8u);
+    EXPECT_TRUE(std::is_sorted(fractions.begin(), fractions.end()));
+    EXPECT_LT(fractions.front(), 0.5);
+    EXPECT_EQ(fractions.back(), 1);
+    // Wherever it is cancelled, it goes no further.
+    for (std::size_t stop = 1; stop < fractions.size(); ++stop) {
+        cancel = false;
+        std::size_t calls = 0;
+        options.progress = [&](double) { cancel = ++calls == stop || cancel; };
+        EXPECT_EQ(check(scene, options).code, ErrorCode::cancelled) << stop;
+        EXPECT_LE(calls, stop + 1);
+    }
 }
 
 TEST(CheckList, TheFindingsDoNotDependOnThreads) {
@@ -61,7 +87,7 @@ TEST(CheckList, TheFindingsDoNotDependOnThreads) {
         CheckOptions options;
         options.threads = threads;
         std::string all;
-        for (const Finding& f : check(*loaded.scene, options).findings) all += to_string(f);
+        for (const Finding& f : check(*loaded.scene, options).value()) all += to_string(f);
         if (first.empty()) first = all;
         EXPECT_EQ(all, first) << threads;
         EXPECT_FALSE(all.empty());

@@ -33,25 +33,25 @@ TEST(Misuse, OfFindings) {
 TEST(Misuse, OfCheck) {
     Scene scene = some_scene();
     scene.shapes[1].index = 77;
-    const CheckResult invalid = check(scene);
+    const Result<std::vector<Finding>> invalid = check(scene);
     EXPECT_TRUE(has_errors(invalid.diagnostics));
-    EXPECT_TRUE(invalid.findings.empty());
+    EXPECT_EQ(invalid.code, ErrorCode::invalid_scene);
 
     // Texts and places that are not the scene's.
     scene = some_scene();
     scene.materials.push_back({});  // no shape has it
-    const std::size_t findings = check(scene).findings.size();
+    const std::size_t findings = check(scene).value().size();
     EXPECT_GT(findings, 0u);
     scene.files = {"a.glint"};
     scene.light_texts.places.assign(4, {1000000, 65535, 9});
     scene.shape_texts.places.assign(1, {3, 1, 0});
     scene.shape_texts.names = {{77u, "nobody"}};
     const SceneText texts[] = {{"b.glint", "none", "none"}, {"a.glint", "", ""}, {"", {}, ""}};
-    const CheckResult result = check(scene, {-5, texts});
-    EXPECT_EQ(result.error, "");
-    EXPECT_EQ(result.findings.size(), findings);
+    EXPECT_EQ(check(scene, {-5, texts}).value().size(), findings);
 
-    EXPECT_EQ(check(Scene{}).error, "");
+    EXPECT_TRUE(check(Scene{}));
+    const std::atomic<bool> cancel{true};
+    EXPECT_EQ(check(scene, {.cancel = &cancel}).code, ErrorCode::cancelled);
 }
 
 }  // namespace

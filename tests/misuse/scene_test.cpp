@@ -18,7 +18,7 @@ void expect_refused(const Edit& edit, const char* what) {
     EXPECT_FALSE(prepared) << what;
     EXPECT_TRUE(has_errors(prepared.diagnostics)) << what;
     EXPECT_EQ(write_glint(scene), "") << what;
-    EXPECT_TRUE(check(scene).findings.empty()) << what;
+    EXPECT_EQ(check(scene).code, ErrorCode::invalid_scene) << what;
 }
 
 TEST(Misuse, OfIndices) {
