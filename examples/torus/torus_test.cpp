@@ -68,7 +68,7 @@ void check_language() {
     if (!loaded.scene) return expect(false, glint::to_string(loaded.diagnostics.at(0)).c_str(), 0, 0);
     const auto& tori = loaded.scene->get<glint::Torus>();
     expect(tori.size() == 1 && tori[0].radius == 2 && tori[0].tube == 0.5, "read from .glint", 0, 0);
-    const std::string written = glint::write_glint(*loaded.scene);
+    const std::string written = glint::write_glint(*loaded.scene).value();
     const glint::SceneText again{"again.glint", written, ""};
     const glint::LoadResult reloaded = glint::load({&again, 1});
     expect(reloaded.scene && reloaded.scene->get<glint::Torus>().size() == 1, "written and read again", 0, 0);

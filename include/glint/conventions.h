@@ -12,6 +12,7 @@
 
 #include "glint/diagnostic.h"
 #include "glint/export.h"
+#include "glint/result.h"
 
 namespace glint {
 
@@ -119,18 +120,17 @@ GLINT_API std::optional<std::size_t> find_setting(std::string_view name);
 
 struct Scene;
 
-/// Sets one key from text. Returns an empty string, or what is wrong: "expected true or false, found
-/// 'maybe'".
-GLINT_API std::string set_setting(Scene& scene, std::size_t key, std::string_view value,
-                                  SettingOrigin origin);
+/// Sets one key from text. An error if it cannot be: "expected true or false, found 'maybe'".
+GLINT_API Status set_setting(Scene& scene, std::size_t key, std::string_view value, SettingOrigin origin);
 
-/// The value of a key as the text that set_setting takes.
+/// The value of a key as the text that set_setting takes; empty if there is no such key.
 GLINT_API std::string get_setting(const Scene& scene, std::size_t key);
 
 /// cgfs, epfl, lecture5, light, csc473, nff, glint.
 GLINT_API std::span<const std::string_view> profile_names();
 
-/// Sets every key of the scene to the profile's value (origin: profile). False if there is no such profile.
-GLINT_API bool apply_profile(Scene& scene, std::string_view profile);
+/// Sets every key of the scene to the profile's value (origin: profile). An error if there is no such
+/// profile.
+GLINT_API Status apply_profile(Scene& scene, std::string_view profile);
 
 }  // namespace glint

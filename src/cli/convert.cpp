@@ -49,8 +49,9 @@ int convert_command(ConvertArguments& arguments) {
     const Scene& scene = loaded.scene;
     std::vector<SceneText> texts = loaded.texts;
     const std::vector<InputFile> included = open_included(loaded, texts);
-    const std::string text = write_glint(scene, texts);
-    if (text.empty()) throw Failure(k_bad_input, "out of memory while writing the scene as text");
+    const Result<std::string> written = write_glint(scene, texts);
+    if (!written) throw_failure(written);
+    const std::string& text = *written;
     output.write({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
     if (!arguments.quiet) {
         print_error("{}  {}  {}, {}, {}  ({})\n", path, bytes_text(static_cast<double>(text.size())),

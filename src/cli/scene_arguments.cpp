@@ -26,7 +26,7 @@ void check_setting(const std::string& key, const std::string& value, std::string
                                suggestion(key, setting_names())));
     }
     Scene scratch;
-    const std::string error = set_setting(scratch, *index, value, {SettingOrigin::Kind::command, {}});
+    const std::string error = set_setting(scratch, *index, value, {SettingOrigin::Kind::command, {}}).message;
     if (!error.empty()) fail_usage(fmt::format("{}: {}", option, error));
 }
 

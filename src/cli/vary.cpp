@@ -115,7 +115,8 @@ Variation parse_variation(const std::string& text) {
     if (variation.values.size() < 2) fail(text, "expected two values or more");
     Scene scratch;
     for (const std::string& value : variation.values) {
-        const std::string wrong = set_setting(scratch, *key, value, {SettingOrigin::Kind::command, {}});
+        const std::string wrong =
+            set_setting(scratch, *key, value, {SettingOrigin::Kind::command, {}}).message;
         if (!wrong.empty()) fail(text, wrong);
     }
     return variation;

@@ -150,7 +150,8 @@ class NffReader {
     void set_size(const Token& word, double width, double height) {
         const auto size = fmt::format("{}x{}", static_cast<int>(width), static_cast<int>(height));
         const std::string wrong = set_setting(scene_, *find_setting("size"), size,
-                                              {SettingOrigin::Kind::file, source_place(text_, word)});
+                                              {SettingOrigin::Kind::file, source_place(text_, word)})
+                                      .message;
         if (!wrong.empty()) p_.error(word, wrong);
     }
 

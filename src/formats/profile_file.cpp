@@ -28,7 +28,7 @@ std::string_view without_comment(std::string_view line) {
 std::string set_named_setting(Scene& scene, std::string_view key, std::string_view value,
                               SettingOrigin origin) {
     if (const auto index = find_setting(key)) {
-        const std::string wrong = set_setting(scene, *index, value, origin);
+        const std::string wrong = set_setting(scene, *index, value, origin).message;
         return wrong.empty() ? wrong : fmt::format("{}: {}", key, wrong);
     }
     std::vector<std::string_view> names;

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "base/catch_exceptions.h"
+#include "base/status.h"
 #include "formats/block_writer.h"
 #include "formats/comments.h"
 #include "formats/registry.h"
@@ -76,7 +76,7 @@ class GlintWriter {
 
     void write_settings() {
         Scene usual;
-        const bool is_known = apply_profile(usual, scene_.profile);
+        const bool is_known = apply_profile(usual, scene_.profile).ok();
         fmt::format_to(std::back_inserter(out_), "glint = 1\nprofile = {}\n",
                        is_known ? std::string_view(scene_.profile) : usual.profile);
         const auto keys = setting_keys();
@@ -184,12 +184,13 @@ class GlintWriter {
 
 }  // namespace
 
-std::string write_glint(const Scene& scene, std::span<const SceneText> texts) {
-    std::string text;
-    const std::string failure = catch_exceptions([&] {
-        if (!has_errors(validate(scene))) text = GlintWriter(scene, texts).run();
-    });
-    return failure.empty() ? text : std::string();
+Result<std::string> write_glint(const Scene& scene, std::span<const SceneText> texts) {
+    const auto body = [&]() -> Result<std::string> {
+        std::vector<Diagnostic> diagnostics = validate(scene);
+        if (has_errors(diagnostics)) return invalid_scene(std::move(diagnostics));
+        return GlintWriter(scene, texts).run();
+    };
+    return result_of(body, " while writing the scene as text");
 }
 
 }  // namespace glint

@@ -50,7 +50,7 @@ std::string setting_fault(std::string_view key, std::string_view value) {
         return fmt::format("there is no setting {} for a rubric", quoted(key)) + did_you_mean(key, names);
     }
     Scene scratch;
-    return set_setting(scratch, *index, value, {SettingOrigin::Kind::command, {}});
+    return set_setting(scratch, *index, value, {SettingOrigin::Kind::command, {}}).message;
 }
 
 class LineReader {

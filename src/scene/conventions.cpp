@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 
+#include "base/status.h"
 #include "base/text.h"
 #include "glint/scene.h"
 #include "scene/ranges.h"
@@ -235,14 +236,16 @@ std::optional<std::size_t> find_setting(std::string_view name) {
     return std::nullopt;
 }
 
-std::string set_setting(Scene& scene, std::size_t key, std::string_view value, SettingOrigin origin) {
-    if (key >= k_count) return "no such setting";
-    const Row& row = k_rows[key];
-    std::string wrong = row.parse(scene.conventions, scene.settings, row.key, trimmed(value));
-    if (!wrong.empty()) return wrong;
-    scene.origins.resize(k_count);
-    scene.origins[key] = origin;
-    return {};
+Status set_setting(Scene& scene, std::size_t key, std::string_view value, SettingOrigin origin) {
+    return result_of([&]() -> Status {
+        if (key >= k_count) return invalid_argument("no such setting");
+        const Row& row = k_rows[key];
+        std::string wrong = row.parse(scene.conventions, scene.settings, row.key, trimmed(value));
+        if (!wrong.empty()) return invalid_argument(std::move(wrong));
+        scene.origins.resize(k_count);
+        scene.origins[key] = origin;
+        return {};
+    });
 }
 
 std::string get_setting(const Scene& scene, std::size_t key) {

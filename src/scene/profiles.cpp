@@ -2,6 +2,8 @@
 // What each source means, as data. docs/conventions.md has the same table and says why.
 #include <array>
 
+#include "base/status.h"
+#include "base/text.h"
 #include "scene/settings.h"
 
 namespace glint {
@@ -52,16 +54,18 @@ std::span<const Profile> profiles() { return k_profiles; }
 
 std::span<const std::string_view> profile_names() { return k_names; }
 
-bool apply_profile(Scene& scene, std::string_view profile) {
-    for (const Profile& p : k_profiles) {
-        if (p.name != profile) continue;
-        scene.conventions = p.conventions;
-        scene.settings = p.settings;
-        scene.profile = p.name;
-        scene.origins.assign(setting_keys().size(), SettingOrigin{});
-        return true;
-    }
-    return false;
+Status apply_profile(Scene& scene, std::string_view profile) {
+    return result_of([&]() -> Status {
+        for (const Profile& p : k_profiles) {
+            if (p.name != profile) continue;
+            scene.origins.assign(setting_keys().size(), SettingOrigin{});
+            scene.conventions = p.conventions;
+            scene.settings = p.settings;
+            scene.profile = p.name;
+            return {};
+        }
+        return invalid_argument("there is no profile " + quoted(profile));
+    });
 }
 
 }  // namespace glint

@@ -115,7 +115,7 @@ class Validator {
         Scene copy;
         const auto keys = setting_keys();
         for (std::size_t i = 0; i < keys.size(); ++i) {
-            const std::string wrong = set_setting(copy, i, get_setting(scene_, i), {});
+            const std::string wrong = set_setting(copy, i, get_setting(scene_, i), {}).message;
             const SourcePlace place = i < scene_.origins.size() ? scene_.origins[i].place : SourcePlace{};
             if (!wrong.empty()) error(place, fmt::format("{}: {}", keys[i].name, wrong));
         }

@@ -157,7 +157,7 @@ const char* glint_explain(GlintScene* scene, std::int32_t x, std::int32_t y) {
 }
 
 const char* glint_convert(GlintScene* scene) {
-    scene->answer = scene->scene ? glint::write_glint(*scene->scene, scene->texts.all()) : std::string();
+    scene->answer = scene->scene ? glint::write_glint(*scene->scene, scene->texts.all()).value_or({}) : "";
     return scene->answer.c_str();
 }
 

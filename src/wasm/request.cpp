@@ -102,7 +102,7 @@ std::string apply(const json& request, Scene& scene) {
             const auto index = find_setting(key);
             if (!index) return "there is no setting '" + key + "'";
             const std::string wrong =
-                set_setting(scene, *index, text_of(value), {SettingOrigin::Kind::command, {}});
+                set_setting(scene, *index, text_of(value), {SettingOrigin::Kind::command, {}}).message;
             if (!wrong.empty()) return key + ": " + wrong;
         }
     }

@@ -107,7 +107,7 @@ inline TestScene test_scene(const std::string& name) {
     const SceneText texts[] = {{name, source, {}}};
     const LoadResult result = load(texts);
     EXPECT_TRUE(result.scene.has_value()) << name;
-    std::string text = write_glint(*result.scene);
+    std::string text = write_glint(*result.scene).value();
     text = replaced(text, "size = [0-9]+ x [0-9]+", "size = 160 x 120");
     text = replaced(text, "aa = [0-9]+", "aa = 1");
     text = replaced(text, "reflections = [0-9]+", "reflections = 2");

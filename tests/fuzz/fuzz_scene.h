@@ -26,7 +26,7 @@ inline std::string fuzz_convert(std::string_view text, std::string format) {
     const SceneText texts[] = {{"fuzz", text, std::move(format)}};
     const LoadResult first = load(texts);
     if (!first.scene) return {};
-    const std::string written = write_glint(*first.scene, texts);
+    const std::string written = write_glint(*first.scene, texts).value();
     if (written.empty()) return "a scene that is not written";
     const SceneText written_texts[] = {{"fuzz.glint", written, {}}};
     const LoadResult second = load(written_texts);
@@ -37,7 +37,7 @@ inline std::string fuzz_convert(std::string_view text, std::string format) {
     }
     const std::string difference = test::first_difference(*first.scene, *second.scene);
     if (!difference.empty()) return "another scene was read:\n" + difference + '\n' + written;
-    const std::string again = write_glint(*second.scene, written_texts);
+    const std::string again = write_glint(*second.scene, written_texts).value();
     return again == written ? std::string() : "written again:\n" + written + "\nnow:\n" + again;
 }
 

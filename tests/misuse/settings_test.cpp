@@ -11,7 +11,7 @@ TEST(Misuse, OfSettings) {
     const RenderSettings settings = scene.settings;
     const std::size_t count = setting_keys().size();
     for (const std::size_t key : {count, count + 1, std::numeric_limits<std::size_t>::max()}) {
-        EXPECT_NE(set_setting(scene, key, "1", {}), "");
+        EXPECT_EQ(set_setting(scene, key, "1", {}).code, ErrorCode::invalid_argument);
         EXPECT_EQ(get_setting(scene, key), "");
     }
     const std::string huge(100000, '9');
@@ -20,8 +20,9 @@ TEST(Misuse, OfSettings) {
              {std::string_view(), std::string_view("no such value"), std::string_view("nan"),
               std::string_view("inf"), std::string_view("-1"), std::string_view("1e999"),
               std::string_view("\0\xff", 2), std::string_view(huge)}) {
-            const std::string wrong = set_setting(scene, key, value, {beyond<SettingOrigin::Kind>(), {}});
-            EXPECT_NE(wrong, "") << setting_keys()[key].name << " = " << value.substr(0, 20);
+            const Status status = set_setting(scene, key, value, {beyond<SettingOrigin::Kind>(), {}});
+            EXPECT_EQ(status.code, ErrorCode::invalid_argument)
+                << setting_keys()[key].name << " = " << value.substr(0, 20);
         }
     }
     EXPECT_EQ(scene.conventions, conventions);
@@ -44,7 +45,8 @@ TEST(Misuse, OfSettingsThatCodePutThere) {
 TEST(Misuse, OfProfiles) {
     Scene scene = some_scene();
     const Conventions before = scene.conventions;
-    for (const char* const name : {"", "EPFL", "none"}) EXPECT_FALSE(apply_profile(scene, name)) << name;
+    for (const char* const name : {"", "EPFL", "none"})
+        EXPECT_EQ(apply_profile(scene, name).code, ErrorCode::invalid_argument) << name;
     EXPECT_EQ(scene.conventions, before);
     for (const std::string_view name : profile_names()) EXPECT_TRUE(apply_profile(scene, name));
 }

@@ -10,7 +10,7 @@ namespace {
 std::string set(Scene& scene, std::string_view key, std::string_view value) {
     const auto index = find_setting(key);
     if (!index) return "no such key";
-    return set_setting(scene, *index, value, {SettingOrigin::Kind::command, {}});
+    return set_setting(scene, *index, value, {SettingOrigin::Kind::command, {}}).message;
 }
 
 TEST(Settings, KeysAreFoundByName) {
@@ -94,7 +94,7 @@ TEST(Settings, EveryListedWordIsTaken) {
         while (!words.empty()) {
             const auto word = words.substr(0, words.find(" | "));
             Scene scene;
-            EXPECT_EQ(set_setting(scene, i, word, {}), "");
+            EXPECT_TRUE(set_setting(scene, i, word, {}));
             EXPECT_EQ(get_setting(scene, i), word);
             words.remove_prefix(std::min(word.size() + 3, words.size()));
         }
@@ -160,7 +160,7 @@ INSTANTIATE_TEST_SUITE_P(
 
 TEST(Settings, AKeyThatDoesNotExistChangesNothing) {
     Scene scene;
-    EXPECT_EQ(set_setting(scene, 1000, "1", {}), "no such setting");
+    EXPECT_EQ(set_setting(scene, 1000, "1", {}).message, "no such setting");
     EXPECT_EQ(get_setting(scene, 1000), "");
 }
 

@@ -64,11 +64,11 @@ void bad_input() {
 
 void scene_in_code() {
     glint::Scene scene;
-    expect(glint::apply_profile(scene, "epfl"), "there is a profile epfl");
+    expect(glint::apply_profile(scene, "epfl").ok(), "there is a profile epfl");
     const auto key = glint::find_setting("specular_gate");
     expect(key.has_value(), "there is a key specular_gate");
     if (key)
-        expect(glint::set_setting(scene, *key, "false", {}).empty() && !scene.conventions.specular_gate,
+        expect(glint::set_setting(scene, *key, "false", {}).ok() && !scene.conventions.specular_gate,
                "it is set");
     scene.add(glint::Sphere{.center = {0, 0, -3}, .radius = -1});
     expect(!glint::prepare(scene), "a negative radius is an error");
