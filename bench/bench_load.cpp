@@ -81,12 +81,12 @@ void load_nff(benchmark::State& state, void (*put)(std::string&, Values&)) {
     const glint::SceneText texts[] = {{"a.nff", text, {}}};
     std::size_t shapes = 0;
     for (auto _ : state) {
-        const glint::LoadResult result = glint::load(texts);
-        if (!result.scene) {
+        const glint::Result<glint::Scene> result = glint::load(texts);
+        if (!result) {
             state.SkipWithError("no scene");
             break;
         }
-        shapes = result.scene->shapes.size();
+        shapes = result->shapes.size();
     }
     state.SetBytesProcessed(static_cast<std::int64_t>(text.size() * state.iterations()));
     state.counters["shapes"] = static_cast<double>(shapes);

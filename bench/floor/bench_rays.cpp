@@ -52,13 +52,13 @@ std::shared_ptr<const Frame> read(const std::string& path) {
     std::ifstream file(path, std::ios::binary);
     const std::string text{std::istreambuf_iterator<char>(file), {}};
     const glint::SceneText source{path, text, "nff"};
-    const glint::LoadResult loaded = glint::load({&source, 1});
-    if (!file || !loaded.scene) return nullptr;
+    const glint::Result<glint::Scene> loaded = glint::load({&source, 1});
+    if (!file || !loaded) return nullptr;
     auto frame = std::make_shared<Frame>();
     frame->name = path.substr(path.find_last_of('/') + 1);
-    frame->world = glint::prepare(*loaded.scene);
-    frame->embree = std::make_unique<EmbreeScene>(*loaded.scene, 1);
-    frame->rays = frame_rays(*loaded.scene, *frame->embree, k_size, 5);
+    frame->world = glint::prepare(*loaded);
+    frame->embree = std::make_unique<EmbreeScene>(*loaded, 1);
+    frame->rays = frame_rays(*loaded, *frame->embree, k_size, 5);
     for (int c = 0; c < k_ray_classes; ++c) widen(frame->rays.lists[c], frame->columns[c]);
     return frame->world ? frame : nullptr;
 }

@@ -28,13 +28,13 @@ int main(int count, char** arguments) {
     std::ifstream file(arguments[1], std::ios::binary);
     const std::string text{std::istreambuf_iterator<char>(file), {}};
     const glint::SceneText source{arguments[1], text, "nff"};
-    const glint::LoadResult loaded = glint::load({&source, 1});
-    if (!file || !loaded.scene) {
+    const glint::Result<glint::Scene> loaded = glint::load({&source, 1});
+    if (!file || !loaded) {
         std::fprintf(stderr, "floor_embree: cannot read %s\n", arguments[1]);
         return 1;
     }
-    const EmbreeScene embree(*loaded.scene, threads);
-    const FrameRays frame = frame_rays(*loaded.scene, embree, size, 5);
+    const EmbreeScene embree(*loaded, threads);
+    const FrameRays frame = frame_rays(*loaded, embree, size, 5);
 
     double seconds = 0;
     std::size_t rays = 0;

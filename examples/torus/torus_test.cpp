@@ -64,14 +64,14 @@ void check_language() {
         "light { position = (1, 2, 3) }\n"
         "torus \"ring\" { radius = 2  tube = 0.5  rotate = (90, 0, 0) }\n",
         ""};
-    const glint::LoadResult loaded = glint::load({&text, 1});
-    if (!loaded.scene) return expect(false, glint::to_string(loaded.diagnostics.at(0)).c_str(), 0, 0);
-    const auto& tori = loaded.scene->get<glint::Torus>();
+    const glint::Result<glint::Scene> loaded = glint::load({&text, 1});
+    if (!loaded) return expect(false, glint::to_string(loaded.diagnostics.at(0)).c_str(), 0, 0);
+    const auto& tori = loaded->get<glint::Torus>();
     expect(tori.size() == 1 && tori[0].radius == 2 && tori[0].tube == 0.5, "read from .glint", 0, 0);
-    const std::string written = glint::write_glint(*loaded.scene).value();
+    const std::string written = glint::write_glint(*loaded).value();
     const glint::SceneText again{"again.glint", written, ""};
-    const glint::LoadResult reloaded = glint::load({&again, 1});
-    expect(reloaded.scene && reloaded.scene->get<glint::Torus>().size() == 1, "written and read again", 0, 0);
+    const glint::Result<glint::Scene> reloaded = glint::load({&again, 1});
+    expect(reloaded && reloaded->get<glint::Torus>().size() == 1, "written and read again", 0, 0);
 }
 
 void check_validation() {

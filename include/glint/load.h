@@ -2,6 +2,9 @@
 #pragma once
 // Text to Scene. The library opens no file of its own accord: texts come from the caller or from the Sources
 // given.
+#include <atomic>
+#include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -9,47 +12,47 @@
 #include <utility>
 #include <vector>
 
-#include "glint/diagnostic.h"
 #include "glint/export.h"
+#include "glint/result.h"
 #include "glint/scene.h"
 
 namespace glint {
 
 /// One text to read. The text must outlive the call.
 struct SceneText {
-    std::string name;  ///< as messages name it; its extension chooses the format unless `format` does
-    std::string_view text;
-    std::string format;  ///< "cgfs", "epfl", ...; empty: by the name's extension
+    std::string name = {};  ///< as messages name it; its extension chooses the format unless `format` does
+    std::string_view text = {};
+    std::string format = {};  ///< "cgfs", "epfl", ...; empty: by the name's extension
 };
 
 /// Where `include` finds other texts. load() calls nothing else to reach a file.
 class GLINT_API Sources {
   public:
     virtual ~Sources() = default;
-    /// The text of `name` as seen from the text `from`, or nothing and why (e.g. "no such file").
-    virtual std::optional<std::string> read(std::string_view name, std::string_view from,
-                                            std::string& why) = 0;
+    /// The text of `name` as seen from the text `from`; or why there is none, as ErrorCode::io with a message
+    /// ("no such file").
+    virtual Result<std::string> read(std::string_view name, std::string_view from) = 0;
 };
 
 struct LoadOptions {
-    std::string profile;     ///< replaces the format's own profile; empty: the format's
-    std::string scene_name;  ///< for files that hold several scenes
+    std::string profile = {};     ///< replaces the format's own profile; empty: the format's
+    std::string scene_name = {};  ///< for files that hold several scenes
     /// KEY=VALUE pairs, applied last, with origin `command`.
-    std::vector<std::pair<std::string, std::string>> settings;
+    std::vector<std::pair<std::string, std::string>> settings = {};
     /// The text of a profile file (`key = value` lines) applied after `profile`, and its name for messages.
-    std::optional<SceneText> profile_text;
+    std::optional<SceneText> profile_text = {};
     std::uint32_t max_errors = 20;  ///< reading stops after this many
+    /// Called now and then with the fraction of the texts that is read (0 to 1). Must not throw.
+    std::function<void(double)> progress = {};
+    const std::atomic<bool>* cancel = nullptr;  ///< looked at now and then
 };
 
-struct LoadResult {
-    std::optional<Scene> scene;           ///< absent if any diagnostic is an error
-    std::vector<Diagnostic> diagnostics;  ///< in the order of the text
-};
-
-/// Reads the texts as one scene, in their order, and validates it. Never throws; memory is bounded by a small
-/// multiple of the texts' length.
-GLINT_API LoadResult load(std::span<const SceneText> texts, const LoadOptions& options = {},
-                          Sources* sources = nullptr);
+/// Reads the texts as one scene, in their order, and validates it. Diagnostics are in the order of the text,
+/// errors, warnings and notes. Codes of failures: parse; io, if an included text cannot be read;
+/// invalid_scene, if the texts can be read and validate() refuses the scene; invalid_argument, for what the
+/// options ask. Never throws; memory is bounded by a small multiple of the texts' length.
+GLINT_API Result<Scene> load(std::span<const SceneText> texts, const LoadOptions& options = {},
+                             Sources* sources = nullptr);
 
 /// A scene format that load() reads.
 struct FormatInfo {

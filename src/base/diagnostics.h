@@ -2,6 +2,7 @@
 #pragma once
 // Collecting messages while reading a text: places are byte offsets until a message is made.
 #include <cstddef>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -42,8 +43,18 @@ class Diagnostics {
                    std::string message);
     /// True if warn_once with this key would add nothing.
     bool warned(std::string_view key) const;
-    /// True when reading should stop: as many errors as anyone reads.
-    bool full() const { return errors_ >= max_errors_; }
+    /// True when reading should stop: as many errors as anyone reads, or the watcher said so.
+    bool full() const { return errors_ >= max_errors_ || is_stopped_; }
+    /// Called by those who read, now and then, with their text and their place in it. It returns false to
+    /// stop them.
+    using Watcher = std::function<bool(InputText where, std::size_t offset)>;
+    void set_watcher(Watcher watcher) { watcher_ = std::move(watcher); }
+    /// False when reading should stop.
+    bool go_on(InputText where, std::size_t offset) {
+        if (watcher_ && !watcher_(where, offset)) is_stopped_ = true;
+        return !full();
+    }
+    bool is_stopped() const { return is_stopped_; }
     bool any_errors() const { return errors_ != 0; }
     std::uint32_t error_count() const { return errors_; }
     std::vector<Diagnostic> take() { return std::move(list_); }
@@ -53,6 +64,8 @@ class Diagnostics {
     std::vector<Diagnostic> list_;
     std::vector<std::string> once_;
     std::uint32_t errors_ = 0, warnings_ = 0, max_errors_;
+    Watcher watcher_;
+    bool is_stopped_ = false;
 };
 
 }  // namespace glint

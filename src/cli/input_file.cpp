@@ -99,27 +99,22 @@ std::string_view InputFile::text() const {
     return mapped_ != nullptr ? std::string_view(static_cast<const char*>(mapped_), mapped_size_) : read_;
 }
 
-std::optional<std::string> FileSources::read(std::string_view name, std::string_view from, std::string& why) {
+Result<std::string> FileSources::read(std::string_view name, std::string_view from) {
+    const auto unreadable = [](std::string why) { return Status{ErrorCode::io, std::move(why), {}}; };
     std::string path(name);
     if (!name.starts_with('/')) path.insert(0, from.substr(0, from.rfind('/') + 1));
-    if (path.find('\0') != std::string::npos || path == "-") {
-        why = "no such file";
-        return std::nullopt;
-    }
+    if (path.find('\0') != std::string::npos || path == "-") return unreadable("no such file");
     // A pipe would wait for who knows whom.
     struct stat about {};
-    if (::stat(path.c_str(), &about) == 0 && !S_ISREG(about.st_mode)) {
-        why = "no regular file";
-        return std::nullopt;
-    }
+    if (::stat(path.c_str(), &about) == 0 && !S_ISREG(about.st_mode)) return unreadable("no regular file");
     try {
+        std::string why;
         const std::optional<InputFile> file = InputFile::open(path, why);
-        if (!file) return std::nullopt;
+        if (!file) return unreadable(std::move(why));
         return std::string(file->text());
     } catch (const Failure& e) {
-        why = e.what();
         failure_ = std::current_exception();
-        return std::nullopt;
+        return unreadable(e.what());
     }
 }
 

@@ -35,7 +35,7 @@ class InputFile {
 /// Files that scenes include, relative to the file that names them.
 class FileSources : public Sources {
   public:
-    std::optional<std::string> read(std::string_view name, std::string_view from, std::string& why) override;
+    Result<std::string> read(std::string_view name, std::string_view from) override;
 
     /// Throws the Failure that a file ended in, which cannot pass through the library.
     void rethrow() const;

@@ -130,13 +130,13 @@ LoadedScene load_scene(const SceneArguments& arguments) {
         texts.push_back({arguments.files[i], files[i].text(), arguments.format});
     }
     FileSources sources;
-    LoadResult result = load(texts, options, &sources);
+    Result<Scene> result = load(texts, options, &sources);
     sources.rethrow();
-    if (!result.scene) {
+    if (!result) {
         print(result.diagnostics);
-        throw Failure(k_bad_input, {});
+        throw_failure(result);
     }
-    return {std::move(*result.scene), std::move(result.diagnostics), std::move(files), std::move(texts)};
+    return {std::move(*result), std::move(result.diagnostics), std::move(files), std::move(texts)};
 }
 
 std::vector<InputFile> open_included(const LoadedScene& loaded, std::vector<SceneText>& texts) {

@@ -103,10 +103,10 @@ class Include {
                                     k_max_repeated_bytes >> 20));
             return std::nullopt;
         }
-        std::string why;
-        std::optional<std::string> text = reading_.sources->read(name, from_.place.name, why);
+        Result<std::string> text = reading_.sources->read(name, from_.place.name);
         if (!text) {
-            error(name, why.empty() ? "no such file" : why);
+            reading_.is_include_missing = true;
+            error(name, text.message.empty() ? "no such file" : text.message);
             return std::nullopt;
         }
         if (reading_.texts.size() > k_max_texts) {

@@ -6,8 +6,8 @@
 
 #include <algorithm>
 
-#include "base/catch_exceptions.h"
 #include "base/fp_environment.h"
+#include "base/status.h"
 #include "formats/profile_file.h"
 #include "formats/registry.h"
 #include "scene/mistakes.h"
@@ -26,9 +26,15 @@ Diagnostic without_place(Severity severity, std::string_view file, std::string m
 class Loader {
   public:
     Loader(std::span<const SceneText> texts, const LoadOptions& options, Sources* sources)
-        : texts_(texts), options_(options), reading_(options, sources, std::max(1u, options.max_errors)) {}
+        : texts_(texts), options_(options), reading_(options, sources, std::max(1u, options.max_errors)) {
+        for (const SceneText& text : texts_) bytes_ += text.text.size();
+        if (!options_.progress && options_.cancel == nullptr) return;
+        reading_.diagnostics.set_watcher(
+            [this](InputText where, std::size_t offset) { return go_on(where, offset); });
+    }
 
-    LoadResult run() {
+    Result<Scene> run() {
+        ErrorCode code = ErrorCode::invalid_argument;
         if (texts_.empty()) {
             add(Severity::error, "", "no text to read a scene from");
         } else if (texts_.size() > k_max_texts) {
@@ -36,6 +42,7 @@ class Loader {
                 fmt::format("{} texts: at most {} make a scene", texts_.size(), k_max_texts));
         } else if (find_formats()) {
             set_profile();
+            if (!reading_.diagnostics.any_errors()) code = ErrorCode::parse;
             for (std::size_t i = 0; i < texts_.size() && !reading_.diagnostics.full(); ++i) read(i);
             for (const Format& format : all_formats()) {
                 if (format.finish) format.finish(reading_);
@@ -43,17 +50,39 @@ class Loader {
             if (reading_.camera_wanted && !reading_.camera_given && !reading_.scene.camera.frame) {
                 reading_.diagnostics.add(*reading_.camera_wanted);
             }
+            if (!reading_.diagnostics.any_errors()) code = ErrorCode::invalid_argument;
             apply_settings();
         }
-        if (!reading_.diagnostics.any_errors()) check();
-        LoadResult result;
-        if (!reading_.diagnostics.any_errors()) result.scene = std::move(reading_.scene);
-        result.diagnostics = reading_.diagnostics.take();
-        sort(result.diagnostics);
-        return result;
+        if (!reading_.diagnostics.any_errors()) {
+            code = ErrorCode::invalid_scene;
+            check();
+        }
+        if (is_cancelled()) return cancelled();
+        if (reading_.is_include_missing) code = ErrorCode::io;
+        const bool is_wrong = reading_.diagnostics.any_errors();
+        std::vector<Diagnostic> diagnostics = reading_.diagnostics.take();
+        sort(diagnostics);
+        if (is_wrong) return failure(code, std::move(diagnostics));
+        if (options_.progress) options_.progress(1);
+        return {std::move(reading_.scene), std::move(diagnostics)};
     }
 
   private:
+    bool is_cancelled() const {
+        return options_.cancel != nullptr && options_.cancel->load(std::memory_order_relaxed);
+    }
+
+    // What a text includes counts as read when the text is.
+    bool go_on(InputText where, std::size_t offset) {
+        const bool is_given = where.text.data() == texts_[reading_.includes.root].text.data();
+        if (options_.progress && is_given && bytes_ > 0) {
+            std::size_t read = offset;
+            for (std::size_t i = 0; i < reading_.includes.root; ++i) read += texts_[i].text.size();
+            options_.progress(static_cast<double>(read) / static_cast<double>(bytes_));
+        }
+        return !is_cancelled();
+    }
+
     void add(Severity severity, std::string_view file, std::string message) {
         reading_.diagnostics.add(without_place(severity, file, std::move(message)));
     }
@@ -133,23 +162,19 @@ class Loader {
 
     std::span<const SceneText> texts_;
     const LoadOptions& options_;
+    std::size_t bytes_ = 0;  // of all texts
     std::vector<const Format*> formats_;
     LoadState reading_;
 };
 
 }  // namespace
 
-LoadResult load(std::span<const SceneText> texts, const LoadOptions& options, Sources* sources) {
-    LoadResult result;
-    const std::string failure = catch_exceptions([&] {
+Result<Scene> load(std::span<const SceneText> texts, const LoadOptions& options, Sources* sources) {
+    const auto body = [&] {
         const DefaultFpEnvironment environment;
-        result = Loader(texts, options, sources).run();
-    });
-    if (failure.empty()) return result;
-    LoadResult failed;
-    // If there is no memory for a message either, the caller finds no scene and no message.
-    catch_exceptions([&] { failed.diagnostics.push_back(without_place(Severity::error, "", failure)); });
-    return failed;
+        return Loader(texts, options, sources).run();
+    };
+    return result_of(body, " while reading the scene");
 }
 
 }  // namespace glint

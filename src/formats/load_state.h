@@ -54,6 +54,7 @@ struct LoadState {
     std::shared_ptr<GlintMaterials> glint_materials;              ///< of the .glint texts, once there is one
     bool camera_given = false, background_given = false;
     bool camera_included = false, background_included = false;  ///< the one given is an included text's
+    bool is_include_missing = false;                            ///< a text could not be read
     bool settings_given = false;                                ///< a text has set conventions by hand
     bool own_ambient_light = false;                             ///< the one that EPFL's texts do not write
     std::optional<ReadText> profile_text;                       ///< the caller's profile file

@@ -24,7 +24,15 @@ Parser::Parser(InputText place, Dialect dialect, Diagnostics& diagnostics)
     }
 }
 
+void Parser::report_progress() {
+    constexpr std::uint32_t k_tokens = 4096;
+    until_report_ = k_tokens;
+    if (!diagnostics_.go_on(place_, token_.offset)) stop();
+}
+
 void Parser::advance() {
+    if (until_report_-- == 0) report_progress();
+    if (stopped_) return;
     token_ = tokenizer_.next();
     is_token_reported_ = token_.kind == TokenKind::open_string;
     switch (token_.kind) {

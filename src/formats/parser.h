@@ -119,6 +119,7 @@ class Parser {
 
   private:
     void advance();
+    void report_progress();
     bool looks_like_code() const;
     template <class IsEnd> void skip_until(IsEnd&& is_end);
     void report_unknown(const FieldSet& set, const Token& key, std::string_view key_name);
@@ -128,6 +129,7 @@ class Parser {
     Diagnostics& diagnostics_;
     Tokenizer tokenizer_;
     Token token_;
+    std::uint32_t until_report_ = 0;  // tokens
     bool stopped_ = false;
     bool is_token_reported_ = false;  // the current token is a mistake by itself, and was named
     bool refuse_code_ = false;

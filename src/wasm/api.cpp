@@ -51,11 +51,11 @@ GlintScene* glint_open(const char* request, std::uint32_t length) {
         return scene;
     }
     scene->texts = glint::wasm::read_texts(parsed);
-    glint::LoadResult loaded = glint::wasm::load(scene->texts, parsed);
+    glint::Result<glint::Scene> loaded = glint::wasm::load(scene->texts, parsed);
     for (const glint::Diagnostic& d : loaded.diagnostics)
         scene->report["diagnostics"].push_back(glint::wasm::to_json(d));
-    if (loaded.scene) {
-        scene->scene = std::move(loaded.scene);
+    if (loaded) {
+        scene->scene = *std::move(loaded);
         scene->camera = scene->scene->camera;
         scene->conventions = scene->scene->conventions;
         scene->settings = scene->scene->settings;

@@ -47,12 +47,11 @@ class Includes : public Sources {
     explicit Includes(const std::vector<OwnedText>& texts) {
         for (const OwnedText& text : texts) texts_[text.name] = text.text;
     }
-    std::optional<std::string> read(std::string_view name, std::string_view from, std::string& why) override {
+    Result<std::string> read(std::string_view name, std::string_view from) override {
         const std::string folder(from.substr(0, from.rfind('/') + 1));
         const auto at = texts_.find(folder + std::string(name));
         if (at != texts_.end()) return std::string(at->second);
-        why = "no such text is among the request's includes";
-        return std::nullopt;
+        return Status{ErrorCode::io, "no such text is among the request's includes", {}};
     }
 
   private:
@@ -82,7 +81,7 @@ RequestTexts read_texts(const json& request) {
     return {owned_texts(member(request, "texts")), owned_texts(member(request, "includes"))};
 }
 
-LoadResult load(const RequestTexts& texts, const json& request) {
+Result<Scene> load(const RequestTexts& texts, const json& request) {
     LoadOptions options;
     options.profile = string_member(request, "profile");
     options.scene_name = string_member(request, "scene");

@@ -26,7 +26,7 @@ struct RequestTexts {
 RequestTexts read_texts(const nlohmann::json& request);
 
 /// Reads the scene that a request of glint_open names.
-LoadResult load(const RequestTexts& texts, const nlohmann::json& request);
+Result<Scene> load(const RequestTexts& texts, const nlohmann::json& request);
 
 /// Applies a request of glint_prepare to a scene. Returns an empty string, or what is wrong with it.
 std::string apply(const nlohmann::json& request, Scene& scene);

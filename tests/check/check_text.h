@@ -23,10 +23,10 @@ inline std::vector<Finding> check_loaded(const Scene& scene, std::span<const Sce
 }
 
 inline std::vector<Finding> check_text(std::string_view text, const std::string& name = "scene.glint") {
-    const LoadResult loaded = load_text(text, name);
-    EXPECT_TRUE(loaded.scene) << messages(loaded);
+    const Result<Scene> loaded = load_text(text, name);
+    EXPECT_TRUE(loaded) << messages(loaded);
     const SceneText texts[] = {{name, text, {}}};
-    return check_loaded(loaded.scene.value_or(Scene{}), texts);
+    return check_loaded(loaded.value_or(Scene{}), texts);
 }
 
 /// "id@line id@line", in the order of the findings.

@@ -15,9 +15,9 @@ std::string ids_of_files(const std::vector<std::string>& paths, const LoadOption
     std::vector<SceneText> texts;
     for (std::size_t i = 0; i < paths.size(); ++i) texts.push_back({paths[i], held[i], {}});
     FolderSources sources;
-    const LoadResult loaded = load(texts, options, &sources);
-    EXPECT_TRUE(loaded.scene) << messages(loaded);
-    return ids(check_loaded(loaded.scene.value_or(Scene{})));
+    const Result<Scene> loaded = load(texts, options, &sources);
+    EXPECT_TRUE(loaded) << messages(loaded);
+    return ids(check_loaded(loaded.value_or(Scene{})));
 }
 
 TEST(CheckGallery, IsClean) {

@@ -54,7 +54,7 @@ TEST(CheckList, AnEmptySceneAndTheSmallestPicture) {
 }
 
 TEST(CheckList, ReportsProgressAndCanBeCancelled) {
-    const Scene scene = load_text(k_clean, "a.glint").scene.value();
+    const Scene scene = load_text(k_clean, "a.glint").value();
     std::vector<double> fractions;
     std::atomic<bool> cancel{false};
     CheckOptions options;
@@ -80,14 +80,14 @@ TEST(CheckList, TheFindingsDoNotDependOnThreads) {
     const std::string text = k_clean +
                              "light { position = (0, -3, 4) }\nsphere { center = (0, 1, 30)  radius = 0.5 }\n"
                              "disc { center = (0, 0, 2)  normal = (0, 1, 0)  radius = 1 }\n";
-    const LoadResult loaded = load_text(text, "a.glint");
-    ASSERT_TRUE(loaded.scene);
+    const Result<Scene> loaded = load_text(text, "a.glint");
+    ASSERT_TRUE(loaded);
     std::string first;
     for (const int threads : {1, 2, 5}) {
         CheckOptions options;
         options.threads = threads;
         std::string all;
-        for (const Finding& f : check(*loaded.scene, options).value()) all += to_string(f);
+        for (const Finding& f : check(*loaded, options).value()) all += to_string(f);
         if (first.empty()) first = all;
         EXPECT_EQ(all, first) << threads;
         EXPECT_FALSE(all.empty());

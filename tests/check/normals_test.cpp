@@ -65,11 +65,11 @@ TEST(CheckVectors, NotUnitWhereTheFormatWantsIt) {
     // It is the format that says so, and not the conventions that the scene is drawn by.
     LoadOptions other;
     other.profile = "glint";
-    EXPECT_EQ(ids(check_loaded(*load_text(with("3"), "a.json", other).scene)), "normal-not-unit@6");
+    EXPECT_EQ(ids(check_loaded(*load_text(with("3"), "a.json", other))), "normal-not-unit@6");
     other.profile = "epfl";
     std::string own = k_clean;
     own.replace(own.find("(0, 1, 0)"), 9, "(0, 3, 0)");
-    EXPECT_EQ(ids(check_loaded(*load_text(own, "a.glint", other).scene)), "");
+    EXPECT_EQ(ids(check_loaded(*load_text(own, "a.glint", other))), "");
 }
 
 TEST(CheckVectors, VertexNormalsOfAPatch) {

@@ -33,7 +33,7 @@ Looked look(const Scene& scene) {
 }
 
 TEST(CheckCost, ShapesInOneAnotherGetACoarserGrid) {
-    const Looked looked = look(*load_text(shells(3000), "a.glint").scene);
+    const Looked looked = look(*load_text(shells(3000), "a.glint"));
     EXPECT_NEAR(looked.shapes_per_ray, 3000, 1)
         << "the camera is in all of their boxes, and not in the ball's";
     EXPECT_LT(looked.shapes_per_ray * looked.size.width * looked.size.height, 6e7);
@@ -51,7 +51,7 @@ TEST(CheckCost, ShapesInOneAnotherGetACoarserGrid) {
 }
 
 TEST(CheckCost, AFewDoNot) {
-    const Looked looked = look(*load_text(shells(100), "a.glint").scene);
+    const Looked looked = look(*load_text(shells(100), "a.glint"));
     EXPECT_EQ(looked.size.width, 640);
     EXPECT_EQ(looked.coarse, "");
 }

@@ -56,11 +56,11 @@ inline std::string with_light(const std::string& text, double factor) {
 
 inline Scene read_scene(const std::string& text) {
     const SceneText texts[] = {{"planted.glint", text, {}}};
-    LoadResult result = load(texts);
+    Result<Scene> result = load(texts);
     for (const Diagnostic& d : result.diagnostics) {
         if (d.severity == Severity::error) ADD_FAILURE() << to_string(d) << text;
     }
-    return result.scene ? std::move(*result.scene) : Scene{};
+    return result ? *std::move(result) : Scene{};
 }
 
 inline Image draw(const Scene& scene) {
@@ -105,9 +105,9 @@ inline TestScene test_scene(const std::string& name) {
     std::ifstream file(GLINT_SOURCE "/scenes/" + name);
     const std::string source{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
     const SceneText texts[] = {{name, source, {}}};
-    const LoadResult result = load(texts);
-    EXPECT_TRUE(result.scene.has_value()) << name;
-    std::string text = write_glint(*result.scene).value();
+    const Result<Scene> result = load(texts);
+    EXPECT_TRUE(result.has_value()) << name;
+    std::string text = write_glint(*result).value();
     text = replaced(text, "size = [0-9]+ x [0-9]+", "size = 160 x 120");
     text = replaced(text, "aa = [0-9]+", "aa = 1");
     text = replaced(text, "reflections = [0-9]+", "reflections = 2");

@@ -6,12 +6,12 @@ namespace glint::test {
 namespace {
 
 Scene scene_of(std::string_view text, std::size_t warnings = 0) {
-    const LoadResult result = load_text(text, "a.cgfs");
+    const Result<Scene> result = load_text(text, "a.cgfs");
     std::string messages;
     for (const Diagnostic& d : result.diagnostics) messages += to_string(d);
     EXPECT_EQ(result.diagnostics.size(), warnings) << messages;
-    EXPECT_TRUE(result.scene) << messages;
-    return result.scene.value_or(Scene{});
+    EXPECT_TRUE(result) << messages;
+    return result.value_or(Scene{});
 }
 
 constexpr std::string_view k_light = "light { type = ambient intensity = 0.2 }\n";
@@ -136,18 +136,18 @@ TEST(Cgfs, LineEndsMarksAndSeparatorsDoNotMatter) {
 TEST(Cgfs, SeveralTextsAreOneScene) {
     const std::string spheres(k_sphere), lights(k_light);
     const SceneText texts[] = {{"spheres.cgfs", spheres, {}}, {"lights", lights, "cgfs"}};
-    const LoadResult result = load(texts);
-    ASSERT_TRUE(result.scene);
+    const Result<Scene> result = load(texts);
+    ASSERT_TRUE(result);
     EXPECT_TRUE(result.diagnostics.empty());
-    EXPECT_EQ(result.scene->shapes.size(), 1u);
-    EXPECT_EQ(result.scene->lights.size(), 1u);
-    EXPECT_EQ(result.scene->files, (std::vector<std::string>{"spheres.cgfs", "lights"}));
-    EXPECT_EQ(result.scene->light_texts.place(0), (SourcePlace{1, 1, 1}));
+    EXPECT_EQ(result->shapes.size(), 1u);
+    EXPECT_EQ(result->lights.size(), 1u);
+    EXPECT_EQ(result->files, (std::vector<std::string>{"spheres.cgfs", "lights"}));
+    EXPECT_EQ(result->light_texts.place(0), (SourcePlace{1, 1, 1}));
 }
 
 TEST(Cgfs, AListingWithoutLightsIsASceneWithAWarning) {
-    const LoadResult result = load_text(k_sphere, "a.cgfs");
-    ASSERT_TRUE(result.scene);
+    const Result<Scene> result = load_text(k_sphere, "a.cgfs");
+    ASSERT_TRUE(result);
     ASSERT_EQ(result.diagnostics.size(), 1u);
     EXPECT_NE(result.diagnostics[0].message.find("no lights"), std::string::npos);
 }

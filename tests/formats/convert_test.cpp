@@ -13,7 +13,7 @@
 namespace glint::test {
 namespace {
 
-std::string errors_of(const LoadResult& result) {
+std::string errors_of(const Result<Scene>& result) {
     std::string all;
     for (const Diagnostic& d : result.diagnostics) {
         if (d.severity == Severity::error) all += to_string(d);
@@ -42,25 +42,25 @@ bool same_bits(const std::vector<float>& a, const std::vector<float>& b) {
 std::string expect_same(const Scene& scene, std::span<const SceneText> texts, const std::string& what) {
     const std::string text = write_glint(scene, texts).value();
     EXPECT_FALSE(text.empty()) << what;
-    const LoadResult again = load_text(text, "again.glint");
-    EXPECT_TRUE(again.scene) << what << '\n' << errors_of(again) << text.substr(0, 2000);
-    if (!again.scene) return text;
-    EXPECT_EQ(test::first_difference(scene, *again.scene), "") << what << '\n' << text.substr(0, 2000);
+    const Result<Scene> again = load_text(text, "again.glint");
+    EXPECT_TRUE(again) << what << '\n' << errors_of(again) << text.substr(0, 2000);
+    if (!again) return text;
+    EXPECT_EQ(test::first_difference(scene, *again), "") << what << '\n' << text.substr(0, 2000);
     const std::vector<float> picture = small_picture(scene);
     EXPECT_FALSE(picture.empty()) << what;
-    EXPECT_TRUE(same_bits(picture, small_picture(*again.scene))) << what;
+    EXPECT_TRUE(same_bits(picture, small_picture(*again))) << what;
     // Once converted, it stays as it is, comments too.
     const SceneText written{"again.glint", text, {}};
     if (!texts.empty()) {
-        EXPECT_EQ(write_glint(*again.scene, {&written, 1}).value(), text) << what;
+        EXPECT_EQ(write_glint(*again, {&written, 1}).value(), text) << what;
     }
-    EXPECT_EQ(write_glint(*again.scene).value(), write_glint(scene).value()) << what;
+    EXPECT_EQ(write_glint(*again).value(), write_glint(scene).value()) << what;
     return text;
 }
 
 class Files : public Sources {
   public:
-    std::optional<std::string> read(std::string_view name, std::string_view from, std::string&) override {
+    Result<std::string> read(std::string_view name, std::string_view from) override {
         return read_whole_file(std::string(from.substr(0, from.rfind('/') + 1)) + std::string(name));
     }
 };
@@ -70,9 +70,9 @@ bool expect_same_file(const std::string& path, const std::string& format) {
     const std::string text = read_whole_file(path);
     const SceneText texts[] = {{path, text, format}};
     Files files;
-    const LoadResult loaded = load(texts, {}, &files);
-    if (loaded.scene) expect_same(*loaded.scene, texts, path);
-    return loaded.scene.has_value();
+    const Result<Scene> loaded = load(texts, {}, &files);
+    if (loaded) expect_same(*loaded, texts, path);
+    return loaded.has_value();
 }
 
 TEST(Convert, TheGallery) {

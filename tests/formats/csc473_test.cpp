@@ -108,9 +108,9 @@ TEST(Csc473, ReadsShapes) {
 }
 
 TEST(Csc473, ReadsConesAndSaysThatTheyAreNotDrawn) {
-    const LoadResult result = load_text(CAMERA LIGHT "cone { <0, 0, 1>, 2, <0, 0, -3>, 0 }", "a.pov");
-    ASSERT_TRUE(result.scene);
-    const Cone& c = result.scene->get<Cone>().at(0);
+    const Result<Scene> result = load_text(CAMERA LIGHT "cone { <0, 0, 1>, 2, <0, 0, -3>, 0 }", "a.pov");
+    ASSERT_TRUE(result);
+    const Cone& c = result->get<Cone>().at(0);
     EXPECT_EQ(c.from, (Vec3{0, 0, 1}));
     EXPECT_EQ(c.to, (Vec3{0, 0, -3}));
     EXPECT_EQ(c.from_radius, 2);

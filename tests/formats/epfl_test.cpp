@@ -20,16 +20,16 @@ constexpr std::string_view k_json = R"({
 )";
 
 Scene scene_of(std::string_view text, const LoadOptions& options = {}) {
-    const LoadResult result = load_text(text, "a.json", options);
-    EXPECT_TRUE(result.scene) << messages(result);
-    return result.scene.value_or(Scene{});
+    const Result<Scene> result = load_text(text, "a.json", options);
+    EXPECT_TRUE(result) << messages(result);
+    return result.value_or(Scene{});
 }
 
 TEST(Epfl, ReadsEveryField) {
-    const LoadResult result = load_text(k_json, "a.json");
-    ASSERT_TRUE(result.scene) << messages(result);
+    const Result<Scene> result = load_text(k_json, "a.json");
+    ASSERT_TRUE(result) << messages(result);
     EXPECT_TRUE(result.diagnostics.empty()) << messages(result);
-    const Scene& s = *result.scene;
+    const Scene& s = *result;
     EXPECT_EQ(s.profile, "epfl");
     EXPECT_EQ(s.background, (Color{0, 0, 0}));
     EXPECT_EQ(s.camera.position, (Vec3{1, 2, 3}));
@@ -101,12 +101,12 @@ export const by_name = Object.fromEntries(scenes.map((s) => [s.name, s]));
 )";
 
 TEST(Epfl, ReadsTheHomeworksJavaScript) {
-    const LoadResult result = load_text(k_javascript_text, "scenes.js");
-    ASSERT_TRUE(result.scene) << messages(result);
-    EXPECT_EQ(result.scene->camera.position, (Vec3{0, 0, -0.5}));
-    EXPECT_EQ(result.scene->camera.fov_degrees, 40);
-    EXPECT_EQ(result.scene->material_texts.name(0), "it's");
-    EXPECT_EQ(result.scene->shapes[0].material, 0u);
+    const Result<Scene> result = load_text(k_javascript_text, "scenes.js");
+    ASSERT_TRUE(result) << messages(result);
+    EXPECT_EQ(result->camera.position, (Vec3{0, 0, -0.5}));
+    EXPECT_EQ(result->camera.fov_degrees, 40);
+    EXPECT_EQ(result->material_texts.name(0), "it's");
+    EXPECT_EQ(result->shapes[0].material, 0u);
     ASSERT_EQ(result.diagnostics.size(), 3u) << messages(result);
     EXPECT_EQ(result.diagnostics[0].message, "glint ignores imports");
     EXPECT_EQ(result.diagnostics[1].message, "2 scenes: the first one is read ('first', 'second')");
@@ -119,16 +119,16 @@ TEST(Epfl, ReadsTheHomeworksJavaScript) {
 TEST(Epfl, ASceneIsChosenByItsName) {
     LoadOptions options;
     options.scene_name = "second";
-    const LoadResult second = load_text(k_javascript_text, "scenes.js", options);
-    ASSERT_TRUE(second.scene) << messages(second);
-    EXPECT_EQ(second.scene->camera.position, (Vec3{0, 0, 9}));
-    EXPECT_TRUE(second.scene->shapes.empty());
+    const Result<Scene> second = load_text(k_javascript_text, "scenes.js", options);
+    ASSERT_TRUE(second) << messages(second);
+    EXPECT_EQ(second->camera.position, (Vec3{0, 0, 9}));
+    EXPECT_TRUE(second->shapes.empty());
     options.scene_name = "third";
-    const LoadResult third = load_text(k_javascript_text, "scenes.js", options);
+    const Result<Scene> third = load_text(k_javascript_text, "scenes.js", options);
     ASSERT_EQ(third.diagnostics.size(), 1u);
     EXPECT_EQ(third.diagnostics[0].message, "no scene is called 'third'; there are 'first', 'second'");
     options.scene_name = "test";
-    EXPECT_TRUE(load_text(k_json, "a.json", options).scene);
+    EXPECT_TRUE(load_text(k_json, "a.json", options));
     options.scene_name = "tset";
     EXPECT_EQ(load_text(k_json, "a.json", options).diagnostics[0].message,
               "no scene is called 'tset'; there is 'test'");
@@ -140,10 +140,10 @@ TEST(Epfl, CodeInASceneThatIsNotReadDoesNoHarm) {
         std::string(k_json) + "];";
     LoadOptions options;
     options.scene_name = "test";
-    const LoadResult result = load_text(text, "a.js", options);
-    EXPECT_TRUE(result.scene) << messages(result);
+    const Result<Scene> result = load_text(text, "a.js", options);
+    EXPECT_TRUE(result) << messages(result);
     EXPECT_TRUE(result.diagnostics.empty()) << messages(result);
-    EXPECT_FALSE(load_text(text, "a.js").scene);
+    EXPECT_FALSE(load_text(text, "a.js"));
 }
 
 TEST(Epfl, ScenesMayBeStatementsOfTheirOwn) {
@@ -151,30 +151,30 @@ TEST(Epfl, ScenesMayBeStatementsOfTheirOwn) {
         "module.exports = " + std::string(k_json) + ";\nlet other = { name: 'x', camera: {} };\n";
     LoadOptions options;
     options.scene_name = "test";
-    EXPECT_TRUE(load_text(text, "a.js", options).scene);
-    EXPECT_TRUE(load_text("export default [" + std::string(k_json) + "]", "a.js").scene);
+    EXPECT_TRUE(load_text(text, "a.js", options));
+    EXPECT_TRUE(load_text("export default [" + std::string(k_json) + "]", "a.js"));
 }
 
 TEST(Epfl, MissingCoefficientsAreNamed) {
     std::string text(k_json);
     const std::string from = "\"ambient\": 0, \"diffuse\": 1, \"specular\": 0, \"shininess\": 4, ";
     text.replace(text.find(from), from.size(), "");
-    const LoadResult result = load_text(text, "a.json");
-    ASSERT_TRUE(result.scene);
+    const Result<Scene> result = load_text(text, "a.json");
+    ASSERT_TRUE(result);
     ASSERT_EQ(result.diagnostics.size(), 4u);
     EXPECT_EQ(result.diagnostics[1].message, "material 'b' has no `diffuse`: 0 is taken");
-    EXPECT_EQ(result.scene->materials[1].diffuse, (Color{0, 0, 0}));
-    EXPECT_EQ(result.scene->materials[1].shininess, 1);
+    EXPECT_EQ(result->materials[1].diffuse, (Color{0, 0, 0}));
+    EXPECT_EQ(result->materials[1].shininess, 1);
 }
 
 TEST(Epfl, OfTwoMaterialsWithOneNameTheLastHolds) {
     std::string text(k_json);
     text.replace(text.find("\"name\": \"b\""), 11, "\"name\": \"a\"");
     text.replace(text.find("\"material\": \"b\""), 15, "\"material\": \"a\"");
-    const LoadResult result = load_text(text, "a.json");
-    ASSERT_TRUE(result.scene);
-    EXPECT_EQ(result.scene->shapes[0].material, 1u);
-    EXPECT_EQ(result.scene->shapes[1].material, 1u);
+    const Result<Scene> result = load_text(text, "a.json");
+    ASSERT_TRUE(result);
+    EXPECT_EQ(result->shapes[0].material, 1u);
+    EXPECT_EQ(result->shapes[1].material, 1u);
     ASSERT_EQ(result.diagnostics.size(), 1u);
     EXPECT_EQ(result.diagnostics[0].message, "a second material 'a': the last one holds");
     EXPECT_EQ(result.diagnostics[0].line, 9u);
@@ -185,13 +185,13 @@ TEST(Epfl, SeveralTextsAreOneScene) {
     const std::string lamp = R"({ "lights": [ { "position": [0, 0, 9], "color": [1, 1, 1] } ],
         "spheres": [ { "center": [0, 0, 9], "radius": 0.1, "material": "a" } ] })";
     const SceneText texts[] = {{"world.json", world, {}}, {"lamp.json", lamp, {}}};
-    const LoadResult result = load(texts);
-    ASSERT_TRUE(result.scene) << messages(result);
+    const Result<Scene> result = load(texts);
+    ASSERT_TRUE(result) << messages(result);
     EXPECT_TRUE(result.diagnostics.empty()) << messages(result);
-    EXPECT_EQ(result.scene->lights.size(), 3u) << "one ambient light for all texts";
-    EXPECT_EQ(result.scene->shapes[3].material, 0u) << "a material of an earlier text";
-    const LoadResult lamp_alone = load_text(lamp, "lamp.json");
-    EXPECT_FALSE(lamp_alone.scene);
+    EXPECT_EQ(result->lights.size(), 3u) << "one ambient light for all texts";
+    EXPECT_EQ(result->shapes[3].material, 0u) << "a material of an earlier text";
+    const Result<Scene> lamp_alone = load_text(lamp, "lamp.json");
+    EXPECT_FALSE(lamp_alone);
     EXPECT_NE(messages(lamp_alone).find("lamp.json:1:1: error: expected `camera` in the scene"),
               std::string::npos);
 }

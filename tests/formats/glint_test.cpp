@@ -15,26 +15,25 @@ class MapSources : public Sources {
   public:
     std::map<std::string, std::string> texts;
     int reads = 0;
-    std::optional<std::string> read(std::string_view name, std::string_view from, std::string& why) override {
+    Result<std::string> read(std::string_view name, std::string_view from) override {
         ++reads;
         const std::string path = std::string(from.substr(0, from.rfind('/') + 1)) + std::string(name);
         const auto at = texts.find(path);
         if (at != texts.end()) return at->second;
-        why = "no such file";
-        return std::nullopt;
+        return Status{ErrorCode::io, "no such file", {}};
     }
 };
 
-std::string printed(const LoadResult& result) {
+std::string printed(const Result<Scene>& result) {
     std::string all;
     for (const Diagnostic& d : result.diagnostics) all += to_string(d);
     return all;
 }
 
 Scene scene_of(std::string_view text, Sources* sources = nullptr, const LoadOptions& options = {}) {
-    LoadResult result = load_text(text, "a.glint", options, sources);
-    EXPECT_TRUE(result.scene) << printed(result);
-    return result.scene ? std::move(*result.scene) : Scene{};
+    Result<Scene> result = load_text(text, "a.glint", options, sources);
+    EXPECT_TRUE(result) << printed(result);
+    return result ? *std::move(result) : Scene{};
 }
 
 // Of shapes alone: with the camera that a scene needs.
@@ -43,8 +42,8 @@ Scene shapes_of(const std::string& text, Sources* sources = nullptr) {
 }
 
 std::string errors_of(const std::string& text, Sources* sources = nullptr) {
-    const LoadResult result = load_text(text, "a.glint", {}, sources);
-    EXPECT_FALSE(result.scene);
+    const Result<Scene> result = load_text(text, "a.glint", {}, sources);
+    EXPECT_FALSE(result);
     return printed(result);
 }
 
@@ -279,16 +278,16 @@ TEST(Glint, WantsACamera) {
               std::string::npos);
     const SceneText texts[] = {{"a.glint", "sphere { center = (0, 0, 0)  radius = 1 }", {}},
                                {"b.glint", k_camera, {}}};
-    EXPECT_TRUE(load(texts).scene) << "one of several texts has it";
+    EXPECT_TRUE(load(texts)) << "one of several texts has it";
 }
 
 TEST(Glint, TheFirstOfSeveralTextsHasTheProfile) {
     const SceneText texts[] = {{"a.glint", k_camera, {}},
                                {"b.glint", "profile = cgfs\nconventions { limit = drop }", {}}};
-    const LoadResult result = load(texts);
-    ASSERT_TRUE(result.scene);
-    EXPECT_EQ(result.scene->profile, "glint");
-    EXPECT_EQ(result.scene->conventions.limit, LimitRule::drop);
+    const Result<Scene> result = load(texts);
+    ASSERT_TRUE(result);
+    EXPECT_EQ(result->profile, "glint");
+    EXPECT_EQ(result->conventions.limit, LimitRule::drop);
     EXPECT_NE(printed(result).find("b.glint:1:1: warning: glint ignores 'profile' here"), std::string::npos);
 }
 
@@ -340,11 +339,11 @@ TEST(GlintInclude, ItsCameraHoldsOnlyIfThereIsNoOther) {
     EXPECT_EQ(scene_of("include \"b.glint\"", &sources).camera.position, (Vec3{7, 0, 0}));
     for (const char* text : {"include \"b.glint\"\ncamera { position = (1, 0, 0) } background = (1, 0, 0)",
                              "camera { position = (1, 0, 0) } background = (1, 0, 0)\ninclude \"b.glint\""}) {
-        const LoadResult result = load_text(text, "a.glint", {}, &sources);
-        ASSERT_TRUE(result.scene);
-        EXPECT_EQ(result.scene->camera.position, (Vec3{1, 0, 0}));
-        EXPECT_EQ(result.scene->background, (Color{1, 0, 0}));
-        EXPECT_EQ(result.scene->settings.samples, 1);
+        const Result<Scene> result = load_text(text, "a.glint", {}, &sources);
+        ASSERT_TRUE(result);
+        EXPECT_EQ(result->camera.position, (Vec3{1, 0, 0}));
+        EXPECT_EQ(result->background, (Color{1, 0, 0}));
+        EXPECT_EQ(result->settings.samples, 1);
         EXPECT_NE(printed(result).find("camera"), std::string::npos);
         EXPECT_NE(printed(result).find("glint ignores 'render' here: the first file has the say"),
                   std::string::npos);
@@ -382,8 +381,8 @@ TEST(GlintInclude, WhatIsNotThereIsAnError) {
     MapSources sources;
     const std::string text = std::string(k_camera) + k_ball + "}\ninclude \"none.glint\"";
     for (Sources* const given : {static_cast<Sources*>(&sources), static_cast<Sources*>(nullptr)}) {
-        const LoadResult result = load_text(text, "a.glint", {}, given);
-        EXPECT_FALSE(result.scene);
+        const Result<Scene> result = load_text(text, "a.glint", {}, given);
+        EXPECT_FALSE(result);
         ASSERT_EQ(result.diagnostics.size(), 1u);
         const Diagnostic& missing = result.diagnostics[0];
         EXPECT_EQ(missing.severity, Severity::error);

@@ -16,7 +16,7 @@ const char* const k_gallery[] = {
 std::string gallery(const std::string& name) { return read_whole_file(GLINT_SOURCE_DIR "/scenes/" + name); }
 
 void expect_an_answer(std::string_view text, const std::string& name) {
-    const LoadResult result = load_text(text, name);
+    const Result<Scene> result = load_text(text, name);
     EXPECT_EQ(what_is_wrong(result, text), "") << name;
 }
 
@@ -28,7 +28,7 @@ TEST(Gallery, LoadsWithoutErrors) {
         if (path.find("/parts/") != std::string::npos) continue;  // of scenes that include them
         const std::string text = read_whole_file(path);
         FolderSources sources;
-        const LoadResult result = load_text(text, path, {}, &sources);
+        const Result<Scene> result = load_text(text, path, {}, &sources);
         for (const Diagnostic& d : result.diagnostics) EXPECT_NE(d.severity, Severity::error) << to_string(d);
         EXPECT_EQ(what_is_wrong(result, text), "");
         ++files;
@@ -74,9 +74,9 @@ TEST(Hostile, RandomEditsHaveAnAnswer) {
             }
             if (text.empty()) text = " ";
         }
-        const LoadResult result = load_text(text, k_gallery[which]);
+        const Result<Scene> result = load_text(text, k_gallery[which]);
         ASSERT_EQ(what_is_wrong(result, text), "") << "iteration " << i << " of " << k_gallery[which];
-        broken += !result.scene;
+        broken += !result;
     }
     EXPECT_GT(broken, 5000u) << "the edits break something";
     EXPECT_LT(broken, 19900u) << "and not everything";
@@ -88,17 +88,17 @@ TEST(Hostile, AMillionBracketsAreAnError) {
                                    "{ x: ", "[", "const a = ", "group ", "group { sphere "}) {
             for (const char bracket : {'{', '[', '('}) {
                 const std::string text = before + std::string(1000000, bracket);
-                const LoadResult result = load_text(text, name);
-                EXPECT_FALSE(result.scene);
+                const Result<Scene> result = load_text(text, name);
+                EXPECT_FALSE(result);
                 EXPECT_EQ(what_is_wrong(result, text), "");
             }
         }
     }
-    const LoadResult result = load_text("foo = " + std::string(1000000, '('), "a.cgfs");
+    const Result<Scene> result = load_text("foo = " + std::string(1000000, '('), "a.cgfs");
     EXPECT_NE(to_string(result.diagnostics.back()).find("nested more than 256 deep"), std::string::npos);
     std::string groups;
     while (groups.size() < 8000000) groups += "group { ";
-    const LoadResult nested = load_text(groups, "a.glint");
+    const Result<Scene> nested = load_text(groups, "a.glint");
     ASSERT_FALSE(nested.diagnostics.empty());
     EXPECT_EQ(nested.diagnostics.back().message, "blocks are nested more than 256 deep");
 }
@@ -145,7 +145,7 @@ TEST(Hostile, OneLongLineIsReadInOneGo) {
         std::string text = begin;
         while (text.size() < length) text += piece;
         const auto start = std::chrono::steady_clock::now();
-        const LoadResult result = load_text(text, name);
+        const Result<Scene> result = load_text(text, name);
         const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
         EXPECT_EQ(what_is_wrong(result, text), "") << name << ": " << piece;
         EXPECT_LT(seconds.count(), 60) << name << ": " << piece;
@@ -165,7 +165,7 @@ TEST(Hostile, WhatIsNotTextIsRefusedOnce) {
              "expected UTF-8, found UTF-16"},
             {"\xfe\xff\0s"sv, "expected UTF-8, found UTF-16"}};
         for (const auto& [text, message] : cases) {
-            const LoadResult result = load_text(text, name);
+            const Result<Scene> result = load_text(text, name);
             ASSERT_FALSE(result.diagnostics.empty());
             EXPECT_EQ(result.diagnostics[0].message, message);
             EXPECT_EQ(result.diagnostics[0].line, 1u);
@@ -185,8 +185,8 @@ TEST(Hostile, WhatIsNotTextIsRefusedOnce) {
 TEST(Hostile, EmptyTextsSayWhatIsExpected) {
     for (const char* name : {"a.cgfs", "a.json", "a.pov", "a.nff", "a.glint"}) {
         for (const char* text : {"", " ", "\n\n", "\xef\xbb\xbf", "// only a comment"}) {
-            const LoadResult result = load_text(text, name);
-            EXPECT_FALSE(result.scene);
+            const Result<Scene> result = load_text(text, name);
+            EXPECT_FALSE(result);
             ASSERT_GE(result.diagnostics.size(), 1u);
             EXPECT_EQ(result.diagnostics[0].message.substr(0, 9), "expected ");
             EXPECT_EQ(what_is_wrong(result, text), "");
@@ -195,7 +195,7 @@ TEST(Hostile, EmptyTextsSayWhatIsExpected) {
 }
 
 TEST(Hostile, TerminalsAreSafeFromTheText) {
-    const LoadResult result = load_text(
+    const Result<Scene> result = load_text(
         "sphere { radius = \xc2\x9b"
         "31mred }\n\"\x1b[2J\"",
         "a.cgfs");

@@ -13,13 +13,13 @@
 
 namespace glint::test {
 
-inline LoadResult load_text(std::string_view text, std::string name, LoadOptions options = {},
-                            Sources* sources = nullptr) {
+inline Result<Scene> load_text(std::string_view text, std::string name, LoadOptions options = {},
+                               Sources* sources = nullptr) {
     const SceneText texts[] = {{std::move(name), text, {}}};
     return load(texts, options, sources);
 }
 
-inline std::string messages(const LoadResult& result) {
+inline std::string messages(const Result<Scene>& result) {
     std::string all;
     for (const Diagnostic& d : result.diagnostics) all += to_string(d);
     return all;
@@ -27,10 +27,10 @@ inline std::string messages(const LoadResult& result) {
 
 /// The scene of a text that there is nothing to say about.
 inline Scene quiet_scene(std::string_view text, std::string name) {
-    const LoadResult result = load_text(text, std::move(name));
-    EXPECT_TRUE(result.scene) << messages(result);
+    const Result<Scene> result = load_text(text, std::move(name));
+    EXPECT_TRUE(result) << messages(result);
     EXPECT_EQ(messages(result), "");
-    return result.scene.value_or(Scene{});
+    return result.value_or(Scene{});
 }
 
 inline std::string read_whole_file(const std::string& path) {
@@ -43,12 +43,11 @@ inline std::string read_whole_file(const std::string& path) {
 /// Files beside the one that includes them.
 class FolderSources : public Sources {
   public:
-    std::optional<std::string> read(std::string_view name, std::string_view from, std::string& why) override {
+    Result<std::string> read(std::string_view name, std::string_view from) override {
         const std::string path = std::string(from.substr(0, from.rfind('/') + 1)) + std::string(name);
         std::string text = read_whole_file(path);
         if (!text.empty()) return text;
-        why = "no such file";
-        return std::nullopt;
+        return Status{ErrorCode::io, "no such file", {}};
     }
 };
 
@@ -62,9 +61,9 @@ inline bool is_utf8(std::string_view text) {
 }
 
 /// A scene or an error, never both; every error with a place within the text, and something to read.
-inline std::string what_is_wrong(const LoadResult& result, std::string_view text) {
-    if (result.scene.has_value() == has_errors(result.diagnostics)) return "a scene and an error, or neither";
-    if (result.scene && has_errors(validate(*result.scene))) return "a scene that is not valid";
+inline std::string what_is_wrong(const Result<Scene>& result, std::string_view text) {
+    if (result.has_value() == has_errors(result.diagnostics)) return "a scene and an error, or neither";
+    if (result && has_errors(validate(*result))) return "a scene that is not valid";
     for (const Diagnostic& d : result.diagnostics) {
         if (d.message.empty()) return "a message without text";
         if (!is_utf8(d.message) || !is_utf8(d.source_line))

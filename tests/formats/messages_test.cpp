@@ -259,10 +259,10 @@ INSTANTIATE_TEST_SUITE_P(
     test_name);
 
 TEST(Messages, SeveralMistakesAreFoundInOneRun) {
-    const LoadResult result =
+    const Result<Scene> result =
         load_text("sphere { center = (1, 2) radius = -1 }\nlight { type = lamp intensity = NaN }\nsphere {\n",
                   "a.cgfs");
-    EXPECT_FALSE(result.scene);
+    EXPECT_FALSE(result);
     EXPECT_EQ(result.diagnostics.size(), 7u);
 }
 
@@ -280,13 +280,13 @@ TEST(Messages, ReadingStopsAfterMaxErrors) {
 TEST(Messages, WarningsAreLimitedToo) {
     std::string text = L S;
     for (int i = 0; i < 1000; ++i) text += "key" + std::to_string(i) + " = 1\n";
-    const LoadResult result = load_text(text, "a.cgfs");
-    EXPECT_TRUE(result.scene);
+    const Result<Scene> result = load_text(text, "a.cgfs");
+    EXPECT_TRUE(result);
     EXPECT_EQ(result.diagnostics.size(), 100u);
 }
 
 TEST(Messages, MistakesOfTheWholeSceneShowTheirLine) {
-    const LoadResult result =
+    const Result<Scene> result =
         load_text("{ camera: { position: [1,1,1],\n target: [1,1,1], up: [0,1,0], fov: 9 } }", "a.js");
     ASSERT_EQ(result.diagnostics.size(), 1u);
     EXPECT_EQ(result.diagnostics[0].source_line, "{ camera: { position: [1,1,1],");

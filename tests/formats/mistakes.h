@@ -34,7 +34,7 @@ inline void expect_messages(const BadText& mistake, const char* file) {
             column = 1;
         }
     }
-    const LoadResult result = load_text(text, file);
+    const Result<Scene> result = load_text(text, file);
     std::string all;
     for (const Diagnostic& d : result.diagnostics) all += to_string(d);
     ASSERT_EQ(result.diagnostics.size(), mistake.messages.size()) << all;

@@ -13,9 +13,9 @@ std::string converted(std::string_view text, std::string name, std::string scene
     const SceneText texts[] = {{std::move(name), text, {}}};
     LoadOptions options;
     options.scene_name = std::move(scene_name);
-    const LoadResult loaded = load(texts, options);
-    EXPECT_TRUE(loaded.scene);
-    return loaded.scene ? write_glint(*loaded.scene, texts).value() : std::string();
+    const Result<Scene> loaded = load(texts, options);
+    EXPECT_TRUE(loaded);
+    return loaded ? write_glint(*loaded, texts).value() : std::string();
 }
 
 void expect_part(const std::string& text, std::string_view part) {

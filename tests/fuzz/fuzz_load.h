@@ -12,9 +12,9 @@ namespace glint::test {
 class FuzzSources : public Sources {
   public:
     explicit FuzzSources(std::string_view text) : text_(text.substr(text.size() / 2, 200)) {}
-    std::optional<std::string> read(std::string_view name, std::string_view, std::string& why) override {
-        why = "no such file";
-        return name.starts_with("no") ? std::nullopt : std::optional<std::string>(text_);
+    Result<std::string> read(std::string_view name, std::string_view) override {
+        if (name.starts_with("no")) return Status{ErrorCode::io, "no such file", {}};
+        return std::string(text_);
     }
 
   private:
@@ -25,15 +25,15 @@ class FuzzSources : public Sources {
 inline std::string fuzz_load(std::string_view text, std::string format) {
     const SceneText texts[] = {{"fuzz", text, std::move(format)}};
     FuzzSources sources(text);
-    const LoadResult result = load(texts, {}, &sources);
+    const Result<Scene> result = load(texts, {}, &sources);
     std::string printed;
     for (const Diagnostic& d : result.diagnostics) printed += to_string(d);
-    if (result.scene.has_value() == has_errors(result.diagnostics))
+    if (result.has_value() == has_errors(result.diagnostics))
         return "a scene and an error, or neither: " + printed;
     for (const Diagnostic& d : result.diagnostics) {
         if (d.severity == Severity::error && d.line == 0) return "an error without a place: " + d.message;
     }
-    if (result.scene && has_errors(validate(*result.scene))) return "a scene that is not valid";
+    if (result && has_errors(validate(*result))) return "a scene that is not valid";
     return {};
 }
 

@@ -24,20 +24,20 @@ inline NamedText split_format(std::string_view data) {
 /// Loads the text and, if it is a scene, writes it and loads that. An empty string, or what has changed.
 inline std::string fuzz_convert(std::string_view text, std::string format) {
     const SceneText texts[] = {{"fuzz", text, std::move(format)}};
-    const LoadResult first = load(texts);
-    if (!first.scene) return {};
-    const std::string written = write_glint(*first.scene, texts).value();
+    const Result<Scene> first = load(texts);
+    if (!first) return {};
+    const std::string written = write_glint(*first, texts).value();
     if (written.empty()) return "a scene that is not written";
     const SceneText written_texts[] = {{"fuzz.glint", written, {}}};
-    const LoadResult second = load(written_texts);
-    if (!second.scene) {
+    const Result<Scene> second = load(written_texts);
+    if (!second) {
         std::string all = "what was written is not read:\n";
         for (const Diagnostic& d : second.diagnostics) all += to_string(d);
         return all + written;
     }
-    const std::string difference = test::first_difference(*first.scene, *second.scene);
+    const std::string difference = test::first_difference(*first, *second);
     if (!difference.empty()) return "another scene was read:\n" + difference + '\n' + written;
-    const std::string again = write_glint(*second.scene, written_texts).value();
+    const std::string again = write_glint(*second, written_texts).value();
     return again == written ? std::string() : "written again:\n" + written + "\nnow:\n" + again;
 }
 
@@ -60,14 +60,14 @@ inline std::string fuzz_explain(const Scene& scene, const World& world, const Im
 /// is wrong.
 inline std::string fuzz_render(std::string_view text, std::string format) {
     const SceneText texts[] = {{"fuzz", text, std::move(format)}};
-    LoadResult loaded = load(texts);
-    if (!loaded.scene) return {};
-    RenderSettings& settings = loaded.scene->settings;
+    Result<Scene> loaded = load(texts);
+    if (!loaded) return {};
+    RenderSettings& settings = loaded->settings;
     settings.width = std::min(settings.width, 16);
     settings.height = std::min(settings.height, 16);
     settings.samples = 1;
     settings.reflections = std::min(settings.reflections, 3);
-    const Result<World> prepared = prepare(*loaded.scene, {.threads = 1});
+    const Result<World> prepared = prepare(*loaded, {.threads = 1});
     if (!prepared) return "a scene that load() takes and prepare() does not";
     RenderOptions options;
     options.threads = 1;
@@ -76,7 +76,7 @@ inline std::string fuzz_render(std::string_view text, std::string format) {
     for (const float channel : result->image.rgb) {
         if (std::isnan(channel)) return "a pixel that is not a number";
     }
-    return fuzz_explain(*loaded.scene, *prepared, result->image);
+    return fuzz_explain(*loaded, *prepared, result->image);
 }
 
 }  // namespace glint::test

@@ -16,7 +16,7 @@ namespace glint::test {
 /// The files that a scene includes.
 class Beside : public Sources {
   public:
-    std::optional<std::string> read(std::string_view name, std::string_view from, std::string&) override {
+    Result<std::string> read(std::string_view name, std::string_view from) override {
         std::ostringstream text;
         const std::string folder(from.substr(0, from.rfind('/') + 1));
         text << std::ifstream(folder + std::string(name), std::ios::binary).rdbuf();
@@ -25,7 +25,7 @@ class Beside : public Sources {
 };
 
 /// settings: "key=value key=value".
-inline std::optional<Scene> load_file(const std::string& path, const std::string& settings = {}) {
+inline Result<Scene> load_file(const std::string& path, const std::string& settings = {}) {
     std::ostringstream text;
     text << std::ifstream(path, std::ios::binary).rdbuf();
     const std::string held = text.str();
@@ -35,7 +35,7 @@ inline std::optional<Scene> load_file(const std::string& path, const std::string
     std::istringstream words(settings);
     for (std::string pair; words >> pair;)
         options.settings.emplace_back(pair.substr(0, pair.find('=')), pair.substr(pair.find('=') + 1));
-    return load({&scene_text, 1}, options, &beside).scene;
+    return load({&scene_text, 1}, options, &beside);
 }
 
 /// The paths of all whole scenes below a folder.

@@ -10,9 +10,10 @@ namespace {
 constexpr std::string_view k_text =
     "camera { position = (0, 0, 5) look_at = (0, 0, 0) }\nsphere { center = (0, 0, 0) radius = 1 }\n";
 
-void expect_error(const LoadResult& result, const char* what) {
-    EXPECT_FALSE(result.scene) << what;
-    EXPECT_TRUE(has_errors(result.diagnostics)) << what;
+void expect_error(const Result<Scene>& result, const char* what) {
+    EXPECT_FALSE(result) << what;
+    EXPECT_NE(result.message, "") << what;
+    EXPECT_EQ(has_errors(result.diagnostics), result.code != ErrorCode::internal) << what;
     for (const Diagnostic& d : result.diagnostics) EXPECT_FALSE(d.message.empty()) << what;
 }
 
@@ -40,7 +41,7 @@ TEST(Misuse, OfTexts) {
 
 TEST(Misuse, OfLoadOptions) {
     const SceneText text{"a.glint", k_text, ""};
-    EXPECT_TRUE(load({&text, 1}).scene);
+    EXPECT_TRUE(load({&text, 1}));
     LoadOptions options;
     options.profile = "no profile";
     expect_error(load({&text, 1}, options), "profile");
@@ -60,6 +61,10 @@ TEST(Misuse, OfLoadOptions) {
         expect_error(load({&wrong, 1}, options), "most errors");
     }
     options = {};
+    const std::atomic<bool> cancel{true};
+    options.cancel = &cancel;
+    EXPECT_EQ(load({&text, 1}, options).code, ErrorCode::cancelled);
+    options = {};
     options.scene_name = "no such scene";
     const SceneText two{"a.js", "export const a = {};", ""};
     expect_error(load({&two, 1}, options), "scene name");
@@ -68,11 +73,11 @@ TEST(Misuse, OfLoadOptions) {
 // Sources that do what none should.
 struct OddSources : Sources {
     enum { throws, repeats, gives_noise, says_nothing } what = throws;
-    std::optional<std::string> read(std::string_view, std::string_view, std::string&) override {
+    Result<std::string> read(std::string_view, std::string_view) override {
         if (what == throws) throw std::runtime_error("the disk is gone");
-        if (what == repeats) return "include \"b.glint\" include \"c.glint\"";
+        if (what == repeats) return std::string("include \"b.glint\" include \"c.glint\"");
         if (what == gives_noise) return std::string(1000, '\xff');
-        return std::nullopt;
+        return Status{ErrorCode::io, "", {}};
     }
 };
 
@@ -84,7 +89,9 @@ TEST(Misuse, OfSources) {
     for (const auto what :
          {OddSources::throws, OddSources::repeats, OddSources::gives_noise, OddSources::says_nothing}) {
         sources.what = what;
-        expect_error(load({&text, 1}, {}, &sources), "odd sources");
+        const Result<Scene> result = load({&text, 1}, {}, &sources);
+        expect_error(result, "odd sources");
+        EXPECT_EQ(result.code == ErrorCode::internal, what == OddSources::throws) << result.message;
     }
 }
 

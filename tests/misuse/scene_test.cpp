@@ -185,7 +185,7 @@ TEST(Misuse, OfWriteGlint) {
     const std::string text = write_glint(scene, texts).value();
     EXPECT_NE(text, "");
     const SceneText again{"again.glint", text, ""};
-    EXPECT_TRUE(load({&again, 1}).scene) << text;
+    EXPECT_TRUE(load({&again, 1})) << text;
     EXPECT_TRUE(write_glint(Scene{}));
 }
 

@@ -23,17 +23,17 @@ constexpr std::string_view k_scene =
     "light { type = ambient intensity = 0.2 }\n"
     "light { type = point intensity = 0.6 position = (2, 1, 0) }\n";
 
-glint::LoadResult load(std::string_view text) {
+glint::Result<glint::Scene> load(std::string_view text) {
     const std::vector<glint::SceneText> texts = {{.name = "scene.cgfs", .text = text, .format = {}}};
     return glint::load(texts, {.settings = {{"size", "64x48"}}});
 }
 
 void good_input() {
     const auto loaded = load(k_scene);
-    expect(loaded.scene.has_value() && !glint::has_errors(loaded.diagnostics), "the scene loads");
-    if (!loaded.scene) return;
-    expect(!glint::has_errors(glint::validate(*loaded.scene)), "the scene is valid");
-    const auto prepared = glint::prepare(*loaded.scene);
+    expect(loaded.has_value() && !glint::has_errors(loaded.diagnostics), "the scene loads");
+    if (!loaded) return;
+    expect(!glint::has_errors(glint::validate(*loaded)), "the scene is valid");
+    const auto prepared = glint::prepare(*loaded);
     expect(prepared.has_value(), "the scene is prepared");
     if (!prepared) return;
     expect(glint::memory_usage(*prepared).total() > 0, "a world takes memory");
@@ -56,7 +56,7 @@ void good_input() {
 
 void bad_input() {
     const auto loaded = load("sphere { center = (0, oops, 3) radius = 1 color = (1, 2, 3) }\n");
-    expect(!loaded.scene && !loaded.diagnostics.empty(), "an error is reported");
+    expect(!loaded && !loaded.diagnostics.empty(), "an error is reported");
     if (loaded.diagnostics.empty()) return;
     expect(loaded.diagnostics[0].line == 1 && loaded.diagnostics[0].column == 23, "with its place");
     expect(glint::to_string(loaded.diagnostics[0]).starts_with("scene.cgfs:1:23: error: "), "as text");
