@@ -23,6 +23,9 @@ struct SourcePlace {
     friend bool operator==(const SourcePlace&, const SourcePlace&) = default;
 };
 
+/// The parts of a Scene that a message can be about. Those from `light` on are lists.
+enum class SceneItem : std::uint8_t { none, camera, background, setting, light, material, transform, shape };
+
 /// One message about the input: where, what was expected, what was found.
 struct Diagnostic {
     Severity severity = Severity::error;
@@ -33,10 +36,18 @@ struct Diagnostic {
     std::string message;       ///< whole, e.g. "expected a number, found 'abc'"
     std::string source_line;   ///< the line's text around the place, for the caret; may be shortened
     std::uint32_t caret = 0;   ///< byte offset of the place within source_line
+    /// What it is about, whether the scene was read or made in code, and its index in Scene::lights,
+    /// materials, transforms or shapes, or of a setting in setting_keys(). 0 for the camera and the
+    /// background.
+    SceneItem item = SceneItem::none;
+    std::uint32_t index = 0;
 };
 
+/// The item as a path in the Scene: "lights[1]", "camera", "settings". Empty if the message is about none.
+GLINT_API std::string item_path(const Diagnostic& diagnostic);
+
 /// "file:line:col: error: message" (or warning, or note), the source line, and a caret under the place; ends
-/// with a newline.
+/// with a newline. Without a file the path of an item of a list is in its place: "lights[1]: error: message".
 GLINT_API std::string to_string(const Diagnostic& diagnostic);
 
 /// True if any is an error.

@@ -107,13 +107,37 @@ void Diagnostics::warn_once(std::string_view key, InputText where, std::size_t o
     warn(where, offset, length, std::move(message));
 }
 
-std::string to_string(const Diagnostic& d) {
-    std::string out;
-    if (!d.file.empty()) {
-        out += d.file;
-        if (d.line != 0) out += fmt::format(":{}:{}", d.line, d.column);
-        out += ": ";
+std::string item_path(const Diagnostic& d) {
+    const auto listed = [&](std::string_view list) { return fmt::format("{}[{}]", list, d.index); };
+    switch (d.item) {
+        case SceneItem::none:
+            return {};
+        case SceneItem::camera:
+            return "camera";
+        case SceneItem::background:
+            return "background";
+        case SceneItem::setting:
+            return "settings";  // the message names it
+        case SceneItem::light:
+            return listed("lights");
+        case SceneItem::material:
+            return listed("materials");
+        case SceneItem::transform:
+            return listed("transforms");
+        case SceneItem::shape:
+            return listed("shapes");
     }
+    return {};
+}
+
+std::string place_text(const Diagnostic& d) {
+    if (d.file.empty()) return d.item >= SceneItem::light ? item_path(d) : std::string();
+    return d.line == 0 ? d.file : fmt::format("{}:{}:{}", d.file, d.line, d.column);
+}
+
+std::string to_string(const Diagnostic& d) {
+    std::string out = place_text(d);
+    if (!out.empty()) out += ": ";
     out += d.severity == Severity::error     ? "error: "
            : d.severity == Severity::warning ? "warning: "
                                              : "note: ";

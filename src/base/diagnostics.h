@@ -28,6 +28,9 @@ struct InputText {
 Diagnostic make_diagnostic(Severity severity, InputText where, std::size_t offset, std::size_t length,
                            std::string message);
 
+/// "file:line:col", "file", or the path of an item of a list; empty if the message has no place.
+std::string place_text(const Diagnostic& diagnostic);
+
 /// The diagnostic for the word at a place (line > 0) of a text.
 Diagnostic diagnostic_at(Severity severity, InputText where, SourcePlace place, std::string message);
 

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "base/diagnostics.h"
+
 namespace glint {
 
 std::string_view to_string(ErrorCode code) {
@@ -41,11 +43,8 @@ Status failure(ErrorCode code, std::vector<Diagnostic> diagnostics) {
     const auto first = std::find_if(status.diagnostics.begin(), status.diagnostics.end(),
                                     [](const Diagnostic& d) { return d.severity == Severity::error; });
     if (first == status.diagnostics.end()) return status;
-    if (!first->file.empty()) {
-        status.message = first->line == 0
-                             ? fmt::format("{}: ", first->file)
-                             : fmt::format("{}:{}:{}: ", first->file, first->line, first->column);
-    }
+    status.message = place_text(*first);
+    if (!status.message.empty()) status.message += ": ";
     status.message += first->message;
     return status;
 }

@@ -136,12 +136,13 @@ class Loader {
     void check() {
         for (Mistake& mistake : find_mistakes(reading_.scene)) {
             const SourcePlace place = mistake.place;
-            if (place.line == 0 || place.file >= reading_.texts.size()) {
-                add(mistake.severity, "", std::move(mistake.message));
-                continue;
-            }
-            reading_.diagnostics.add(diagnostic_at(mistake.severity, reading_.texts[place.file], place,
-                                                   std::move(mistake.message)));
+            const bool has_place = place.line != 0 && place.file < reading_.texts.size();
+            Diagnostic d = has_place ? diagnostic_at(mistake.severity, reading_.texts[place.file], place,
+                                                     std::move(mistake.message))
+                                     : without_place(mistake.severity, "", std::move(mistake.message));
+            d.item = mistake.item;
+            d.index = mistake.index;
+            reading_.diagnostics.add(std::move(d));
         }
     }
 

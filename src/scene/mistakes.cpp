@@ -9,6 +9,8 @@ std::vector<Diagnostic> to_diagnostics(std::vector<Mistake> mistakes, const Scen
         Diagnostic d;
         d.severity = mistake.severity;
         d.message = std::move(mistake.message);
+        d.item = mistake.item;
+        d.index = mistake.index;
         if (mistake.place.line != 0 && mistake.place.file < scene.files.size()) {
             d.file = scene.files[mistake.place.file];
             d.line = mistake.place.line;

@@ -14,6 +14,8 @@ struct Mistake {
     Severity severity = Severity::error;
     SourcePlace place;  ///< line 0: of the scene as a whole
     std::string message;
+    SceneItem item = SceneItem::none;
+    std::uint32_t index = 0;
 };
 
 /// What validate() reports: at most 20 errors, then the warnings.

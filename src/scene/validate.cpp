@@ -48,6 +48,7 @@ class Validator {
     std::vector<Mistake> run(std::span<const std::uint32_t> shapes, std::size_t materials) {
         for (std::size_t i = 0; !full() && i < shapes.size(); ++i) {
             if (shapes[i] >= scene_.shapes.size()) {
+                begin(SceneItem::shape, shapes[i]);
                 error({}, fmt::format("there is no shape {}: the scene has {}", std::uint64_t{shapes[i]} + 1,
                                       scene_.shapes.size()));
                 continue;
@@ -66,8 +67,10 @@ class Validator {
             case ScenePart::settings:
                 return check_settings();
             case ScenePart::camera:
+                begin(SceneItem::camera);
                 return check_camera();
             case ScenePart::background:
+                begin(SceneItem::background);
                 return check_color(k_channel, scene_.background, scene_.background_place, "the scene",
                                    "background");
             case ScenePart::lights:
@@ -82,7 +85,13 @@ class Validator {
     bool full() const { return mistakes_.size() >= k_max_errors; }
 
     void error(SourcePlace place, std::string message) {
-        if (!full()) mistakes_.push_back({Severity::error, place, std::move(message)});
+        if (!full()) mistakes_.push_back({Severity::error, place, std::move(message), item_, index_});
+    }
+
+    // What the errors that follow are about.
+    void begin(SceneItem item, std::size_t index = 0) {
+        item_ = item;
+        index_ = static_cast<std::uint32_t>(index);
     }
 
     void check(const Range& range, double x, SourcePlace place, std::string_view of, std::string_view what) {
@@ -115,6 +124,7 @@ class Validator {
         Scene copy;
         const auto keys = setting_keys();
         for (std::size_t i = 0; i < keys.size(); ++i) {
+            begin(SceneItem::setting, i);
             const std::string wrong = set_setting(copy, i, get_setting(scene_, i), {}).message;
             const SourcePlace place = i < scene_.origins.size() ? scene_.origins[i].place : SourcePlace{};
             if (!wrong.empty()) error(place, fmt::format("{}: {}", keys[i].name, wrong));
@@ -183,6 +193,7 @@ class Validator {
     }
 
     void check_light(std::uint32_t i) {
+        begin(SceneItem::light, i);
         const Light& l = scene_.lights[i];
         const SourcePlace place = scene_.light_texts.place(i);
         const std::string of = item("light", i, scene_.light_texts.name(i));
@@ -191,6 +202,7 @@ class Validator {
     }
 
     void check_material(const Material& m, std::uint32_t i) {
+        begin(SceneItem::material, i);
         check_fields<Material>(k_material_fields, m, scene_.material_texts.place(i),
                                item("material", i, scene_.material_texts.name(i)));
     }
@@ -206,6 +218,7 @@ class Validator {
         }
         const double volume = dot(cross(unit_or_zero(rows[0]), unit_or_zero(rows[1])), unit_or_zero(rows[2]));
         if (finite && number::abs(volume) >= k_parallel) return;
+        begin(SceneItem::transform, i);
         error(place ? *place : place_of_transform(i),
               finite ? fmt::format("transform {} flattens what it transforms: it has no inverse", i + 1)
                      : fmt::format("transform {}: expected numbers from -1e12 to 1e12", i + 1));
@@ -221,6 +234,7 @@ class Validator {
     }
 
     void check_counts() {
+        begin(SceneItem::none);
         const auto limited = [&](std::size_t n, std::string_view what) {
             if (n >= k_none) error({}, fmt::format("{} {}: at most {} are possible", n, what, k_none - 1));
         };
@@ -240,6 +254,7 @@ class Validator {
 
     // The text of a shape is made only when there is something to say: there may be millions.
     void shape_error(std::uint32_t i, std::string_view message) {
+        begin(SceneItem::shape, i);
         const std::string of = item(to_string(scene_.shapes[i].kind), i, scene_.shape_texts.name(i));
         error(scene_.shape_texts.place(i), fmt::format("{}: {}", of, message));
     }
@@ -269,13 +284,16 @@ class Validator {
             mistakes_.push_back(
                 {Severity::note, scene_.shape_texts.place(static_cast<std::uint32_t>(i)),
                  fmt::format("the conventions of {} draw no cones; `--convention cones=true` does",
-                             scene_.profile)});
+                             scene_.profile),
+                 SceneItem::shape, static_cast<std::uint32_t>(i)});
             return;
         }
     }
 
     const Scene& scene_;
     ShapeCheck shapes_;
+    SceneItem item_ = SceneItem::none;  // that is being looked at
+    std::uint32_t index_ = 0;
     std::vector<Mistake> mistakes_;
 };
 

@@ -174,8 +174,22 @@ TEST(Load, SaysByACodeWhyItFailed) {
 
 TEST(Load, SaysInOneLineWhereTheFirstErrorIs) {
     const Result<Scene> result = load_text("sphere { center = oops }\nsphere { radius = oops }", "a.glint");
-    EXPECT_EQ(result.message, "a.glint:1:19: " + result.diagnostics.at(0).message);
+    ASSERT_FALSE(result.diagnostics.empty());
+    const Diagnostic& first = result.diagnostics[0];
+    EXPECT_EQ(result.message, "a.glint:" + std::to_string(first.line) + ":" + std::to_string(first.column) +
+                                  ": " + first.message);
     EXPECT_EQ(result.message.find('\n'), std::string::npos);
+}
+
+TEST(Load, ErrorsOfTheSceneHavePlaceAndItem) {
+    const Result<Scene> result = load_text(
+        "camera { position = (0, 0, 5) look_at = (0, 0, 0) }\nsphere { center = (0, 0, 0) radius = 1 }\n"
+        "box { min = (1, 0, 0) max = (0, 0, 0) }\n",
+        "a.glint");
+    ASSERT_EQ(result.code, ErrorCode::invalid_scene) << to_string(result);
+    ASSERT_EQ(result.diagnostics.size(), 1u);
+    EXPECT_EQ(result.diagnostics[0].line, 3u);
+    EXPECT_EQ(item_path(result.diagnostics[0]), "shapes[1]");
 }
 
 std::string many_spheres() {
@@ -187,7 +201,8 @@ std::string many_spheres() {
 TEST(Load, ReportsProgress) {
     const std::string text = many_spheres();
     const std::string_view spheres = std::string_view(text).substr(text.find('\n'));
-    const SceneText texts[] = {{"a.glint", text, ""}, {"b.glint", "", ""}, {"c.glint", spheres, ""}};
+    const SceneText texts[] = {
+        {"a.glint", text, ""}, {"b.glint", spheres.substr(0, 41), ""}, {"c.glint", spheres, ""}};
     std::vector<double> fractions;
     LoadOptions options;
     options.progress = [&](double fraction) { fractions.push_back(fraction); };

@@ -19,6 +19,13 @@ TEST(Misuse, OfDiagnostics) {
     EXPECT_NE(to_string(d).find("\n  sphere\n  ^~~~~~\n"), std::string::npos) << to_string(d);
     d.caret = std::numeric_limits<std::uint32_t>::max();
     EXPECT_NE(to_string(d).find("\n  sphere\n        ^\n"), std::string::npos) << to_string(d);
+    d.item = beyond<SceneItem>();
+    EXPECT_EQ(item_path(d), "");
+    d.file.clear();
+    d.item = SceneItem::shape;
+    d.index = k_none;
+    EXPECT_EQ(item_path(d), "shapes[4294967295]");
+    EXPECT_EQ(item_path(Diagnostic{}), "");
     EXPECT_FALSE(has_errors({d}));
     EXPECT_FALSE(has_errors({}));
     EXPECT_EQ(count_warnings({d, {}}), 0u);

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "glint/scene.h"
+#include "glint/world.h"
 
 namespace glint::test {
 namespace {
@@ -26,6 +27,54 @@ Scene good_scene() {
 }
 
 TEST(Validate, AGoodSceneHasNothingToSay) { EXPECT_TRUE(validate(good_scene()).empty()); }
+
+TEST(Validate, ErrorsNameTheItemByItsIndex) {
+    const struct {
+        SceneItem item;
+        std::uint32_t index;
+        const char* path;
+        std::function<void(Scene&)> breaks;
+    } cases[] = {
+        {SceneItem::camera, 0, "camera", [](Scene& s) { s.camera.fov_degrees = 0; }},
+        {SceneItem::background, 0, "background", [](Scene& s) { s.background.g = k_nan; }},
+        {SceneItem::setting, static_cast<std::uint32_t>(*find_setting("epsilon")), "settings",
+         [](Scene& s) { s.conventions.epsilon = -1; }},
+        {SceneItem::light, 1, "lights[1]",
+         [](Scene& s) {
+             s.lights.push_back({.position = {k_inf, 0, 0}});
+         }},
+        {SceneItem::material, 2, "materials[2]",
+         [](Scene& s) {
+             s.materials.resize(3);
+             s.materials[2].ior = 0;
+         }},
+        {SceneItem::transform, 0, "transforms[0]", [](Scene& s) { s.transforms[0].m[0][0] = 0; }},
+        {SceneItem::shape, 2, "shapes[2]", [](Scene& s) { s.get<Cylinder>()[0].radius = 0; }},
+        {SceneItem::shape, 0, "shapes[0]", [](Scene& s) { s.shapes[0].material = 7; }},
+    };
+    for (const auto& [item, index, path, breaks] : cases) {
+        Scene scene = good_scene();
+        breaks(scene);
+        const std::vector<Diagnostic> diagnostics = validate(scene);
+        ASSERT_EQ(diagnostics.size(), 1u) << path;
+        EXPECT_EQ(diagnostics[0].item, item) << path;
+        EXPECT_EQ(diagnostics[0].index, index) << path;
+        EXPECT_EQ(item_path(diagnostics[0]), path);
+        // Where there is one camera, the message says so.
+        const std::string place = item < SceneItem::light ? "" : std::string(path) + ": ";
+        EXPECT_EQ(to_string(diagnostics[0]), place + "error: " + diagnostics[0].message + "\n");
+        // The same through a function that returns a Result.
+        const Result<World> prepared = prepare(scene);
+        EXPECT_EQ(prepared.code, ErrorCode::invalid_scene);
+        EXPECT_EQ(prepared.message, place + diagnostics[0].message);
+    }
+    Scene scene = good_scene();
+    scene.lights.clear();
+    const std::vector<Diagnostic> warnings = validate(scene);
+    ASSERT_EQ(warnings.size(), 1u);
+    EXPECT_EQ(warnings[0].item, SceneItem::none);
+    EXPECT_EQ(item_path(warnings[0]), "");
+}
 
 struct Broken {
     const char* message;
