@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "base/catch_exceptions.h"
 #include "base/fp_environment.h"
+#include "base/status.h"
 #include "base/tsan_ordering.h"
 #if !defined(__wasm__)
 #include <oneapi/tbb/global_control.h>
@@ -93,8 +93,7 @@ class LentArena {
   public:
     explicit LentArena(int threads) : arena_(idle_arenas().take(threads)) {}
     ~LentArena() {
-        catch_exceptions(
-            [&] { idle_arenas().put_back(std::move(arena_)); });  // no memory to keep it: it ends here
+        status_of([&] { idle_arenas().put_back(std::move(arena_)); });  // no memory to keep it: it ends here
     }
     LentArena(const LentArena&) = delete;
     LentArena& operator=(const LentArena&) = delete;

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cstdlib>
 
-#include "base/catch_exceptions.h"
+#include "base/status.h"
 #include "compare/render_scene.h"
 #include "image/levels.h"
 
@@ -38,7 +38,7 @@ double points_factor(double share) {
 
 WantedPicture render_wanted(const Scene& scene, const RubricRow& row, int threads) {
     WantedPicture wanted;
-    std::string failure = catch_exceptions([&] {
+    Status status = status_of([&] {
         wanted.scene = with_settings(scene, row.settings);
         Result<Rendering> rendered = render_scene(wanted.scene, threads);
         wanted.error = rendered.message;
@@ -61,7 +61,7 @@ WantedPicture render_wanted(const Scene& scene, const RubricRow& row, int thread
         if (std::find(wanted.shows.begin(), wanted.shows.end(), 1) == wanted.shows.end())
             wanted.error = "this part shows nothing in this scene: with and without it is the same picture";
     });
-    if (!failure.empty()) wanted.error = std::move(failure);
+    if (!status) wanted.error = std::move(status.message);
     return wanted;
 }
 

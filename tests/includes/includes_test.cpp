@@ -121,7 +121,7 @@ TEST(IncludeRules, KnowWhatIsWrong) {
     EXPECT_FALSE(allowed("src/trace/render.cpp", "#include <thread>"));
     EXPECT_FALSE(allowed("src/scene/validate.cpp", "#include <iostream>"));
     EXPECT_FALSE(allowed("include/glint/image.h", "#include <zlib.h>"));
-    EXPECT_FALSE(allowed("include/glint/image.h", "#include \"base/catch_exceptions.h\""));
+    EXPECT_FALSE(allowed("include/glint/image.h", "#include \"base/status.h\""));
     EXPECT_FALSE(allowed("src/attic/old.cpp", "#include <vector>"));
 }
 

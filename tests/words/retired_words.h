@@ -22,7 +22,7 @@ inline const std::vector<RetiredWord>& retired_words() {
          "src/ include/ docs/architecture.md docs/playground.md"},
         {R"(\bsrc/inspect\b|"inspect/)", "src/explain, src/check, src/compare or src/grade"},
         {R"(\b[Hh]andover\b)", "tsan_ordering, happens-before"},
-        {R"(\bguard\(|\bbase/guard\.h\b)", "catch_exceptions"},
+        {R"(\bguard\(|\bbase/guard\.h\b)", "result_of"},
         {R"(\bclaim_pages\b)", "prefault_pages"},
         // Rays and the hierarchy.
         {R"(\b[Bb]eams?\b|\w*_beams?\b)", "ray packet",
