@@ -125,4 +125,12 @@ int main(int argc, char** argv) {
         move(one[0], i);
         edit(world, one);
     });
+    // Each edit is of another copy of a World that is never edited itself.
+    scene = make_scene(count);
+    const glint::World base = made(glint::prepare(scene, options), "prepare()");
+    measure("edit_shapes(), 1 shape of a new copy", 21, [&](int i) {
+        glint::World copy = base;
+        move(one[0], i);
+        edit(copy, one);
+    });
 }

@@ -16,7 +16,16 @@ EditIndex make_edit_index(const PackedGeometry& geometry) {
     for (std::uint32_t slot = 0; slot < geometry.count; ++slot)
         index.slots[index.first[geometry.shape_index[slot]] + geometry.piece_of(slot)] = slot;
     index.links = find_links(geometry.bvh, geometry.bounded);
-    index.built_cost = find_cost(geometry.bvh).expected();
+    index.built_cost = find_cost(geometry.bvh);
+    return index;
+}
+
+std::shared_ptr<const EditIndex> SharedEditIndex::get(const PackedGeometry& geometry) {
+    std::shared_ptr<const EditIndex> index;
+    calls_.run([&] {
+        if (!index_) index_ = std::make_shared<const EditIndex>(make_edit_index(geometry));
+        index = index_;
+    });
     return index;
 }
 

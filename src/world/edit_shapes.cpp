@@ -18,11 +18,12 @@ namespace {
 // From this part of all slots on, all of them are gone through in order.
 constexpr std::size_t k_many = 32;
 
-// The index is of the geometry's structure, so it may be given to one that is shared: a copy with it is made.
+// The index is of the geometry's structure, and edits leave it valid.
 void need_edit_index(PackedGeometry& geometry) {
     if (geometry.edit_index) return;
-    geometry.edit_index = std::make_shared<const EditIndex>(make_edit_index(geometry));
-    geometry.cost = find_cost(geometry.bvh);
+    if (!geometry.shared_index) geometry.shared_index = std::make_shared<SharedEditIndex>();
+    geometry.edit_index = geometry.shared_index->get(geometry);
+    geometry.cost = geometry.edit_index->built_cost;
 }
 
 class ShapeEditor {
@@ -53,7 +54,7 @@ class ShapeEditor {
         const bool many = primitives_.list().size() > geometry.count / k_many;
         many ? write_many(geometry, rows) : write_few(geometry, rows);
         edit = ShapeEdit::refitted;
-        const double built = geometry.edit_index->built_cost;
+        const double built = geometry.edit_index->built_cost.expected();
         if (geometry.cost.expected() > k_max_refit_cost * built) return rebuild(edit);
         if (options_.progress) options_.progress(1);
         return {};

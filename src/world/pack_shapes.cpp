@@ -7,6 +7,7 @@
 #include "base/huge_pages.h"
 #include "base/parallel_chunks.h"
 #include "bvh/rays.h"
+#include "world/edit_index.h"
 
 namespace glint {
 namespace {
@@ -46,6 +47,7 @@ class Packer {
                 if (child.is_leaf()) child = BvhChild::leaf(slot_[child.first()], child.count());
             }
         });
+        geometry_.shared_index = std::make_shared<SharedEditIndex>();
         return std::move(geometry_);
     }
 

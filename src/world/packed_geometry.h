@@ -12,6 +12,7 @@
 namespace glint {
 
 struct EditIndex;
+class SharedEditIndex;
 
 /// Shapes of one kind, transformed or not, packed as columns: value k of the class's item i is values[k *
 /// stride + i].
@@ -39,7 +40,8 @@ struct PackedGeometry {
     std::vector<std::uint32_t> piece;         // by slot: the polygon's triangle, from 0; k_open_shape
     std::uint32_t scene_shapes = 0;           // how many the scene has
     bool has_cones = false;                   // the scene has some, packed or left out by the conventions
-    std::shared_ptr<const EditIndex> edit_index;  // made by the first edit; copies share it
+    std::shared_ptr<SharedEditIndex> shared_index;  // of this geometry and its copies
+    std::shared_ptr<const EditIndex> edit_index;    // set by the first edit
     BvhCost cost;  // of the hierarchy as it is; kept once there is an edit_index
 
     static constexpr std::uint32_t k_open_shape = 0x80000000u;

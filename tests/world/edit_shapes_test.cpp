@@ -189,6 +189,42 @@ TEST(EditShapes, IsInPlaceUnlessACopyExists) {
     EXPECT_NE(&*world.parts().geometry, before);
 }
 
+TEST(EditShapes, CopiesOfAWorldShareOneIndex) {
+    Random random(211);
+    const Scene original = lit(random_scene(random, 200), 10);
+    const World base = prepared(original);
+    constexpr std::size_t k_copies = 4;
+    std::vector<World> copies(k_copies, base);
+    std::vector<Scene> scenes(k_copies, original);
+    std::vector<std::thread> threads;
+    for (std::size_t i = 0; i < k_copies; ++i) {
+        threads.emplace_back([&, i] {
+            for (std::uint32_t shape = 0; shape < 20; ++shape) {
+                move(scenes[i], shape, {0.1 * static_cast<double>(i + 1), 0, 0});
+                edit(copies[i], scenes[i], {shape});
+            }
+        });
+    }
+    for (std::thread& thread : threads) thread.join();
+    EXPECT_TRUE(draw_the_same(base, prepared(original)));
+    const EditIndex* const index = copies[0].parts().geometry->edit_index.get();
+    ASSERT_NE(index, nullptr);
+    for (std::size_t i = 0; i < k_copies; ++i) {
+        EXPECT_EQ(copies[i].parts().geometry->edit_index.get(), index) << i;
+        EXPECT_TRUE(draw_the_same(copies[i], prepared(scenes[i]))) << i;
+        const PackedGeometry& geometry = *copies[i].parts().geometry;
+        const double cost = find_cost(geometry.bvh).expected();
+        EXPECT_NEAR(geometry.cost.expected(), cost, 1e-9 * cost) << i;
+    }
+    // And one that is made after them.
+    World later = base;
+    Scene scene = original;
+    move(scene, 3, {0, 1, 0});
+    edit(later, scene, {3});
+    EXPECT_EQ(later.parts().geometry->edit_index.get(), index);
+    EXPECT_TRUE(draw_the_same(later, prepared(scene)));
+}
+
 TEST(EditShapes, RebuildsWhereTheStructureChanges) {
     Random random(204);
     const Scene original = lit(random_scene(random, 120), 10);
