@@ -11,7 +11,7 @@ int main() {
     scene.add(glint::Plane{.point = {0, -1, 0}});
     scene.lights.push_back({.position = {4, 5, 0}});
     const auto prepared = glint::prepare(scene);
-    if (!prepared) return 1;
+    if (!prepared) return 1;  // to_string(prepared) says why
     const auto png = glint::encode(glint::render(*prepared).value().image).value();
     std::ofstream file("ten_lines.png", std::ios::binary);
     file.write(reinterpret_cast<const char*>(png.data()), static_cast<std::streamsize>(png.size()));
