@@ -44,7 +44,7 @@ void check_inside(CheckContext& context) {
     const Scene& scene = context.scene();
     for (const std::uint32_t shape : shapes_around(context, scene.camera.position)) {
         if (is_enclosure(context.world(), shape)) continue;
-        context.report("camera-inside-shape", scene.camera_place,
+        context.report("camera-inside-shape", context.at_camera(),
                        fmt::format("the camera at {} is inside {}: its picture is of the shape's inside",
                                    vector_text(scene.camera.position), context.shape_and_line(shape)),
                        "move the camera out of the shape, or make the shape smaller");
@@ -65,7 +65,7 @@ bool check_camera(CheckContext& context, const VisibleHits& visible) {
         }
     }
     if (world.geometry->bounded == 0 && planes) return true;
-    const SourcePlace place = context.scene().camera_place;
+    const FindingPlace place = context.at_camera();
     if (world.geometry->bounded == 0) {
         context.report("camera-sees-nothing", place,
                        "the camera looks away from every plane of the scene: the picture is only background",

@@ -113,7 +113,7 @@ void check_twins(CheckContext& context, std::vector<bool>& covered) {
         const auto [later, earlier] = twins[i];
         const std::size_t more = i + 1 == k_max_reported ? twins.size() - k_max_reported : 0;
         context.report(
-            "shape-written-twice", scene.shape_texts.place(later),
+            "shape-written-twice", context.at_shape(later),
             fmt::format("{} is in the very place of {}: only the earlier one is seen{}", context.shape(later),
                         context.shape_and_line(earlier),
                         more == 0 ? "" : fmt::format("; and {} more shapes are written twice", more)),
@@ -192,7 +192,7 @@ class Coincidences {
             const auto& [pixels, pair] = list[i];
             const std::size_t more = i + 1 == named ? list.size() - named : 0;
             context_.report(
-                "faces-coincide", context_.scene().shape_texts.place(pair.later),
+                "faces-coincide", context_.at_shape(pair.later),
                 fmt::format(
                     "{} has a face in the place of one of {}, seen in {:.2g}% of the picture: the order in "
                     "the file or rounding decides which one a pixel shows{}",

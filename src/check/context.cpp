@@ -90,7 +90,15 @@ Image CheckContext::render_small(const Result<World>& world, std::int32_t longes
     return result ? std::move(result->image) : Image{};
 }
 
-void CheckContext::report(std::string_view id, SourcePlace place, std::string message, std::string remedy) {
+FindingPlace CheckContext::at_setting(std::string_view key) const {
+    const auto index = find_setting(key);
+    if (!index) return {};
+    return {*index < scene_.origins.size() ? scene_.origins[*index].place : SourcePlace{}, SceneItem::setting,
+            static_cast<std::uint32_t>(*index)};
+}
+
+void CheckContext::report(std::string_view id, FindingPlace about, std::string message, std::string remedy) {
+    SourcePlace place = about.place;
     Finding finding;
     finding.id = id;
     Diagnostic& d = finding.diagnostic;
@@ -109,6 +117,8 @@ void CheckContext::report(std::string_view id, SourcePlace place, std::string me
         place = {};
     }
     d.message = std::move(message);
+    d.item = about.item;
+    d.index = about.index;
     finding.remedy = std::move(remedy);
     findings_.emplace_back(place, std::move(finding));
 }

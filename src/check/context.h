@@ -21,6 +21,13 @@ struct SmallSize {
 };
 SmallSize small_size(const RenderSettings& settings, std::int32_t longest);
 
+/// What a finding is about, and where that is written.
+struct FindingPlace {
+    SourcePlace place;  ///< line 0: nowhere
+    SceneItem item = SceneItem::none;
+    std::uint32_t index = 0;
+};
+
 class CheckContext {
   public:
     /// prepared: from the scene.
@@ -44,7 +51,21 @@ class CheckContext {
     Image render_small(std::int32_t longest) { return render_small(prepared_, longest); }
     Image render_small(const Result<World>& world, std::int32_t longest);
 
-    void report(std::string_view id, SourcePlace place, std::string message, std::string remedy);
+    void report(std::string_view id, FindingPlace about, std::string message, std::string remedy);
+    FindingPlace at_camera() const { return {scene_.camera_place, SceneItem::camera}; }
+    FindingPlace at_background() const { return {scene_.background_place, SceneItem::background}; }
+    FindingPlace at_light(std::uint32_t i) const {
+        return {scene_.light_texts.place(i), SceneItem::light, i};
+    }
+    /// Nowhere, for the default material.
+    FindingPlace at_material(std::uint32_t i) const {
+        if (i >= scene_.materials.size()) return {};
+        return {scene_.material_texts.place(i), SceneItem::material, i};
+    }
+    FindingPlace at_shape(std::uint32_t i) const {
+        return {scene_.shape_texts.place(i), SceneItem::shape, i};
+    }
+    FindingPlace at_setting(std::string_view key) const;
     /// The findings by their places; where there are many of a kind, the first of them and their number.
     std::vector<Finding> take();
 

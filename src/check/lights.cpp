@@ -124,7 +124,7 @@ std::uint32_t case_of(const CheckContext& context, const Light& light, const Blo
 
 void report_dark(CheckContext& context, const VisibleHits& visible, std::uint32_t index) {
     const Light& light = context.scene().lights[index];
-    const SourcePlace place = context.scene().light_texts.place(index);
+    const FindingPlace place = context.at_light(index);
     const std::string name = context.light(index);
     const Blockage b = find_blockage(context, visible, light);
     const std::uint32_t around = case_of(context, light, b);
@@ -170,7 +170,7 @@ void report_dark(CheckContext& context, const VisibleHits& visible, std::uint32_
 // Colours and intensities that can hardly be meant. True if the light has none.
 bool check_color(CheckContext& context, std::uint32_t index) {
     const Light& light = context.scene().lights[index];
-    const SourcePlace place = context.scene().light_texts.place(index);
+    const FindingPlace place = context.at_light(index);
     if (is_black(light.color) && (!light.has_specular_color() || is_black(light.specular_color))) {
         context.report("light-without-color", place,
                        fmt::format("{} is black: it adds nothing", context.light(index)),
@@ -206,7 +206,7 @@ void check_ambient(CheckContext& context, std::uint32_t index) {
     for (std::uint32_t i = 0; i < scene.shapes.size(); ++i)
         if (!is_black(context.material_of(i).ambient)) return;
     context.report(
-        "light-adds-nothing", scene.light_texts.place(index),
+        "light-adds-nothing", context.at_light(index),
         fmt::format("{} adds nothing: no shape's material has an ambient coefficient", context.light(index)),
         "give the materials `ambient`, or leave the light out");
 }
@@ -226,7 +226,7 @@ void report_weak(CheckContext& context, Effects& effects, std::span<const std::u
             what += (i == 0 ? "" : ", ") + context.light(weak[i]);
         what += weak.size() > k_max_named ? "...) add together" : ") add together";
     }
-    context.report("light-too-weak", scene.light_texts.place(weak[0]),
+    context.report("light-too-weak", context.at_light(weak[0]),
                    fmt::format("{} {:.2g} of 255 to the brightest pixel: nobody sees it", what, effect * 255),
                    attenuated ? "raise the intensity, or weaken the attenuation" : "raise the intensity");
 }

@@ -12,7 +12,7 @@ constexpr double k_min_color = 1.5 / 255;  // a colour of 0 to 1 where 0 to 255 
 
 void check_color(CheckContext& context, std::uint32_t index) {
     const Material& m = context.scene().materials[index];
-    const SourcePlace place = context.scene().material_texts.place(index);
+    const FindingPlace place = context.at_material(index);
     const double most =
         number::max(brightest(m.color), number::max(brightest(m.ambient), brightest(m.diffuse)));
     if (least(m.color) < 0 || least(m.ambient) < 0 || least(m.diffuse) < 0 || least(m.specular) < 0) {
@@ -46,7 +46,7 @@ void check_materials(CheckContext& context) {
     const Shading shading = scene.settings.shading;
     const bool highlights = shading == Shading::phong || shading == Shading::blinn_phong;
     for (std::uint32_t i = 0; i < scene.materials.size(); ++i) {
-        const SourcePlace place = scene.material_texts.place(i);
+        const FindingPlace place = context.at_material(i);
         if (!used[i]) {
             context.report("material-unused", place, fmt::format("{} is of no shape", context.material(i)),
                            "give it to a shape, or leave it out");

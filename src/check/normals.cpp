@@ -42,7 +42,7 @@ void check_backs(CheckContext& context, const VisibleHits& visible) {
     }
     if (backs.empty()) return;
     context.report(
-        "seen-from-behind", scene.shape_texts.place(backs.front()),
+        "seen-from-behind", context.at_shape(backs.front()),
         fmt::format(
             "{} {} seen from behind, in {:.2g}% of the picture, where the lights of the viewer's side do not "
             "reach: these conventions turn no normals ({} flat shapes are seen from the front)",
@@ -69,7 +69,7 @@ void check_vertex_normals(CheckContext& context) {
     }
     if (!against.empty()) {
         context.report(
-            "normals-against-winding", scene.shape_texts.place(against.front()),
+            "normals-against-winding", context.at_shape(against.front()),
             fmt::format("the vertex normals of {} of {} smooth triangles point to the side where their "
                         "vertices go clockwise: {}",
                         against.size(), smooth, context.some_shapes(against)),
@@ -77,7 +77,7 @@ void check_vertex_normals(CheckContext& context) {
     }
     if (!mixed.empty()) {
         context.report(
-            "normals-on-both-sides", scene.shape_texts.place(mixed.front()),
+            "normals-on-both-sides", context.at_shape(mixed.front()),
             fmt::format("the vertex normals of {} of {} smooth triangles point to different sides of "
                         "them: {}",
                         mixed.size(), smooth, context.some_shapes(mixed)),

@@ -106,7 +106,7 @@ void check_clamped_shapes(CheckContext& context, const VisibleHits& visible, Tes
         if (static_cast<double>(count.all) < k_min_shape * static_cast<double>(visible.rays())) continue;
         if (2 * count.over <= count.all || glows(context.world(), count.material)) continue;
         context.report(
-            "picture-clamped", context.scene().shape_texts.place(shape),
+            "picture-clamped", context.at_shape(shape),
             fmt::format(
                 "{} is brighter than 1 and is clamped on {:.2g}% of what is seen of it: its k_a I_a + "
                 "the sum over the lights of k_d I_d + k_s I_s can come to {:.3g}",
@@ -142,12 +142,12 @@ void check_clamped(CheckContext& context, const VisibleHits& visible, const Imag
     const std::string what =
         fmt::format("{:.2g}% of the picture is brighter than 1 and is clamped", 100 * over);
     if (background > pixels[most]) {
-        context.report("picture-clamped", scene.background_place, what + ", the background most of all",
+        context.report("picture-clamped", context.at_background(), what + ", the background most of all",
                        "darken the background");
         return;
     }
     context.report(
-        "picture-clamped", scene.material_texts.place(most),
+        "picture-clamped", context.at_material(most),
         fmt::format("{}, {} most of all: its k_a I_a + the sum over the lights of k_d I_d + k_s I_s can come "
                     "to {:.3g}",
                     what, context.material(most), bound_of(context.world(), most)),
@@ -162,11 +162,6 @@ double trusted_epsilon(const CheckContext& context, const VisibleHits& visible) 
     for (const SurfaceHit& h : visible.seen()) magnitude = number::max(magnitude, length(h.point));
     // t of a shadow ray counts in distances of the light.
     return rules.offset == Offset::ray ? number::min(1e-8 * magnitude, 1e-4) : 1e-8 * magnitude;
-}
-
-SourcePlace place_of_setting(const Scene& scene, std::string_view key) {
-    const auto index = find_setting(key);
-    return index && *index < scene.origins.size() ? scene.origins[*index].place : SourcePlace{};
 }
 
 void check_epsilon(CheckContext& context, const VisibleHits& visible, const Image& picture) {
@@ -184,7 +179,7 @@ void check_epsilon(CheckContext& context, const VisibleHits& visible, const Imag
     // Where mirrors make chaos of any small change, no epsilon is better than another.
     if (epsilon > trusted && share_that_differs(other, render_with(trusted / 8), k_visible) >= k_max_acne)
         return;
-    const SourcePlace place = place_of_setting(scene, "epsilon");
+    const FindingPlace place = context.at_setting("epsilon");
     const std::string remedy =
         scene.conventions.offset == Offset::scale
             ? fmt::format("set epsilon to {:.2g}", trusted)
@@ -224,7 +219,7 @@ void check_reflections(CheckContext& context, const Image& picture) {
             break;
     }
     context.report(
-        "reflections-too-few", place_of_setting(context.scene(), "reflections"),
+        "reflections-too-few", context.at_setting("reflections"),
         fmt::format("one reflection more than {} changes {:.2g}% of the picture by more than 8 of 255: {}",
                     now, 100 * changed,
                     now == 0 ? "mirrors are switched off" : "mirrors see each other past the limit"),

@@ -33,7 +33,7 @@ void check_shape_normals(CheckContext& context) {
     if (found.empty()) return;
     const Vec3 unit = normalize(example);
     context.report(
-        "normal-not-unit", scene.shape_texts.place(found.front()),
+        "normal-not-unit", context.at_shape(found.front()),
         fmt::format("the normal {} of {} has the length {:.4g}: {}{}", vector_text(example),
                     context.shape(found.front()), length(example), source.reason,
                     found.size() == 1 ? "" : fmt::format("; so it is with {} shapes", found.size())),
@@ -47,7 +47,7 @@ void check_light_directions(CheckContext& context) {
         const Light& light = scene.lights[i];
         if (!light.has_direction() || is_unit(light.to_light)) continue;
         context.report(
-            "direction-not-unit", scene.light_texts.place(i),
+            "direction-not-unit", context.at_light(i),
             fmt::format("the direction {} of {} has the length {:.4g}, and normalize = false leaves it so: "
                         "the light is {:.4g} times as strong",
                         vector_text(light.to_light), context.light(i), length(light.to_light),
@@ -67,7 +67,7 @@ void check_frame(CheckContext& context) {
                                      number::abs(dot(normalize(f.up), normalize(f.forward))) > k_slack ||
                                      !is_unit(f.forward) || !is_unit(f.right) || !is_unit(f.up));
     if (skew <= k_slack && !turned) return;
-    context.report("camera-frame-skewed", scene.camera_place,
+    context.report("camera-frame-skewed", context.at_camera(),
                    fmt::format("the camera's right {}, up {} and forward {} {}: the picture is distorted",
                                vector_text(f.right), vector_text(f.up), vector_text(f.forward),
                                skew > k_slack ? "are not at right angles" : "are no rotation"),

@@ -159,7 +159,7 @@ void check_shapes(CheckContext& context, const VisibleHits& visible, const std::
                             std::string_view where, bool hidden, std::string remedy) {
         const std::vector<std::uint32_t> list = worth_naming(scene, unseen, all, !hidden);
         if (list.empty()) return;
-        context.report(id, scene.shape_texts.place(list.front()),
+        context.report(id, context.at_shape(list.front()),
                        fmt::format("{} of {} {} {}{}{}: {}{}", list.size(),
                                    unseen.shapes == 1 ? "1 shape" : fmt::format("{} shapes", unseen.shapes),
                                    list.size() == 1 ? "is" : "are", where,
