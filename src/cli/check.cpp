@@ -16,10 +16,10 @@ namespace glint::cli {
 namespace {
 
 constexpr auto k_examples = R"(Examples:
-  glint check castle.json                              what is likely wrong, each with its line and remedy
+  glint check castle.json                              the likely mistakes, each with its line and remedy
   glint check castle.json --strict                     exit code 1 if there is any finding or warning
   glint check spheres.cgfs lights.cgfs --json          two listings as one scene; an array of findings
-  glint check homework.pov --reflections 1             as it is drawn with one reflection)";
+  glint check homework.pov --reflections 1             as rendered with one reflection)";
 
 struct CheckArguments {
     SceneArguments scene;
@@ -28,7 +28,7 @@ struct CheckArguments {
     int threads = 0;
 };
 
-// Of the reader's own messages the warnings, which count as findings do for --strict.
+// Includes the reader's warnings: --strict counts them like findings.
 std::string json_text(const std::vector<Diagnostic>& messages, const std::vector<Finding>& findings) {
     using Json = nlohmann::ordered_json;
     Json list = Json::array();
@@ -81,14 +81,14 @@ int check_command(CheckArguments& arguments) {
 
 Run add_check(CLI::App& app) {
     CLI::App& command =
-        *app.add_subcommand("check", "Name a scene's likely mistakes, each with its line and remedy");
+        *app.add_subcommand("check", "List a scene's likely mistakes, each with its line and remedy");
     const auto arguments = std::make_shared<CheckArguments>();
     add_scene_arguments(command, arguments->scene);
     add_picture_arguments(command, arguments->picture);
-    add_threads_argument(command, arguments->threads, ". The findings are the same");
+    add_threads_argument(command, arguments->threads, ". The findings do not depend on it");
     command.add_flag("--strict", arguments->strict,
                      "Exit code 1 if there is any finding or warning; notes do not count");
-    command.add_flag("--json", arguments->json, "The findings as a JSON array");
+    command.add_flag("--json", arguments->json, "Print the findings as a JSON array");
     command.footer(k_examples);
     return [arguments] { return check_command(*arguments); };
 }

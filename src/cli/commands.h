@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// The commands of glint. Each adds its subcommand and returns what runs it: the exit code, or a Failure.
+// The commands of glint. Each function adds a subcommand and returns the function that runs it.
 #include <CLI/CLI.hpp>
 #include <functional>
 #include <string>
@@ -11,15 +11,15 @@
 
 namespace glint::cli {
 
-/// Runs a command that has been parsed; returns the exit code.
+/// Runs a command that has been parsed; returns the exit code. Throws Failure.
 using Run = std::function<int()>;
 
 inline constexpr const char* k_version = "glint " GLINT_VERSION;
 
-/// The command of this name; null if there is none.
+/// The command with this name; null if there is none.
 const CLI::App* find_command(const CLI::App& app, std::string_view name);
 
-/// The commands for people: those that --help lists.
+/// The commands that --help lists.
 std::vector<const CLI::App*> shown_commands(const CLI::App& app);
 
 Run add_render(CLI::App& app);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// glint completion: scripts made from the commands' own options, so that they cannot be behind them.
+// glint completion: scripts generated from the commands' options, so that they are always up to date.
 #include "cli/completion.h"
 
 #include <fmt/format.h>
@@ -96,7 +96,7 @@ std::string first_sentence(const std::string& description) {
 Run add_completion(CLI::App& app) {
     CLI::App& command = *app.add_subcommand("completion", "Print a completion script for the shell");
     const auto shell = std::make_shared<std::string>();
-    command.add_option("SHELL", *shell, "Which shell")
+    command.add_option("SHELL", *shell, "The shell")
         ->required()
         ->check(one_of({"bash", "zsh", "fish"}))
         ->option_text("bash|zsh|fish");
@@ -105,7 +105,7 @@ Run add_completion(CLI::App& app) {
         "  source <(glint completion bash)\n"
         "  source <(glint completion zsh)\n"
         "  glint completion fish | source");
-    return [&app, shell] {  // the option writes to it when the arguments are parsed
+    return [&app, shell] {  // `shell` is set when the arguments are parsed
         fmt::print("{}", *shell == "bash"  ? bash_completion(app)
                          : *shell == "zsh" ? zsh_completion(app)
                                            : fish_completion(app));

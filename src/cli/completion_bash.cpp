@@ -7,7 +7,7 @@
 namespace glint::cli {
 namespace {
 
-// What is done with the word after an option.
+// The bash commands that complete the word after an option.
 std::string action(const Completed& value) {
     switch (value.kind) {
         case Completed::Kind::none:

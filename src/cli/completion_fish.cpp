@@ -16,7 +16,7 @@ std::string quoted_text(const std::string& text) {
     return out + "'";
 }
 
-// The options of `complete` that say what a value may be.
+// The options of `complete` for the possible values.
 std::string value_options(const Completed& value) {
     switch (value.kind) {
         case Completed::Kind::none:
@@ -37,7 +37,7 @@ std::string value_options(const Completed& value) {
     return {};
 }
 
-// Of an argument, which needs no -r or -x.
+// The same for a positional argument, which needs no -r or -x.
 std::string argument_options(const Completed& value) {
     if (value.kind == Completed::Kind::scene || value.kind == Completed::Kind::file) return " -F";
     const std::string text = value_options(value);

@@ -7,7 +7,7 @@
 namespace glint::cli {
 namespace {
 
-// Within single quotes, and within the brackets or before the colon of a specification of _arguments.
+// Escapes text for single quotes and for the brackets or colons in a specification of _arguments.
 std::string escaped(const std::string& text, const char* special) {
     std::string out;
     for (const char c : text) {
@@ -21,7 +21,7 @@ std::string escaped(const std::string& text, const char* special) {
     return out;
 }
 
-// ":what it is called:what completes it"; nothing for a flag.
+// ":NAME:ACTION" of _arguments; empty for a flag.
 std::string value_spec(const Completed& value, const std::string& name) {
     std::string action = " ";
     switch (value.kind) {

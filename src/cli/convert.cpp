@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// glint convert: a scene of any format to glint's own language.
+// glint convert: converts a scene of any format to .glint.
 #include <fmt/format.h>
 
 #include <cstdio>
@@ -19,7 +19,7 @@ constexpr auto k_examples = R"(Examples:
   glint convert castle.json castle.glint
   glint convert spheres.cgfs lights.cgfs both.glint     two listings as one scene
   glint convert castle.json -o - | less                 to standard output
-  glint convert gears.nff gears.glint --profile glint   the same shapes, by glint's own conventions)";
+  glint convert gears.nff gears.glint --profile glint   the same shapes with glint's own conventions)";
 
 struct ConvertArguments {
     SceneArguments scene;
@@ -27,7 +27,7 @@ struct ConvertArguments {
     bool quiet = false;
 };
 
-// Without -o the last of the files is OUT.
+// Without -o the last file is OUT.
 void take_output(ConvertArguments& arguments) {
     auto& files = arguments.scene.files;
     if (arguments.output.empty()) {
@@ -66,17 +66,17 @@ int convert_command(ConvertArguments& arguments) {
 
 Run add_convert(CLI::App& app) {
     CLI::App& command = *app.add_subcommand(
-        "convert", "Write a scene of any format in glint's own language: the same picture, to the bit");
+        "convert", "Convert a scene of any format to .glint; its picture stays the same, bit for bit");
     const auto arguments = std::make_shared<ConvertArguments>();
     add_scene_arguments(command, arguments->scene);
     command.get_option("SCENE")->description(
-        "Scene files, read together as one scene, and last OUT.glint unless --output says it; - is standard "
-        "input (then --format is needed)");
+        "Scene files, read together as one scene, then OUT.glint unless --output is given; - is standard "
+        "input (needs --format)");
     command
         .add_option("-o,--output", arguments->output,
-                    "What is written: a name that ends in .glint; - is standard output")
+                    "The output file: a name that ends in .glint; - is standard output")
         ->option_text("OUT");
-    command.add_flag("-q,--quiet", arguments->quiet, "Say nothing but errors");
+    command.add_flag("-q,--quiet", arguments->quiet, "Print only errors");
     command.footer(k_examples);
     return [arguments] { return convert_command(*arguments); };
 }

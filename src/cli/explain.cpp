@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// glint explain: why a pixel has its colour.
+// glint explain: explains the colour of a pixel.
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -23,13 +23,13 @@ namespace glint::cli {
 namespace {
 
 constexpr auto k_examples = R"(Examples:
-  glint explain castle.json -p 320,200                        its rays, lights and sums
+  glint explain castle.json -p 320,200                        the pixel's rays, lights and sums
   glint explain castle.json -p 320,200 --why-not 2            why the second light adds nothing there
   glint explain castle.json -p 320,200 --overlay rays.png     the rays drawn over the picture
   glint explain castle.json -p 320,200 --as json | jq .value
   glint explain spheres.pov -p 315,185 --origin bottom-left --as printrays)";
 
-constexpr int k_max_listed = 8;  // samples a side that are listed one by one
+constexpr int k_max_listed = 8;  // --aa up to which samples are listed one by one
 
 struct ExplainArguments {
     SceneArguments scene;
@@ -42,7 +42,7 @@ struct Pair {
     int x = 0, y = 0;
 };
 
-// "320,200".
+// Parses a pair such as "320,200".
 Pair parse_pair(std::string_view option, const std::string& text, std::string_view example) {
     Pair pair;
     const char *end = text.data() + text.size(), *comma = text.data() + std::min(text.find(','), text.size());
@@ -75,7 +75,7 @@ int sample_of(const ExplainArguments& arguments, int n) {
     return sample.y * n + sample.x;
 }
 
-// A light by its name, or by its number in the scene from 1.
+// Finds a light by its name, or by its number in the scene, counted from 1.
 std::uint32_t find_light(const std::string& text, const Scene& scene) {
     const auto count = static_cast<std::uint32_t>(scene.lights.size());
     for (std::uint32_t i = 0; i < count; ++i) {
@@ -94,7 +94,7 @@ std::uint32_t find_light(const std::string& text, const Scene& scene) {
 
 int explain_command(ExplainArguments& arguments) {
     if (!arguments.why_not.empty() && arguments.form != "text")
-        throw Failure(k_usage, fmt::format("--why-not is answered as text, not as {}", arguments.form));
+        throw Failure(k_usage, fmt::format("--why-not prints text only, not {}", arguments.form));
     std::optional<OutputFile> overlay;
     if (!arguments.overlay.empty()) {
         overlay.emplace(png_output("--overlay", arguments.overlay));
@@ -120,7 +120,7 @@ int explain_command(ExplainArguments& arguments) {
     if (!prepared) throw_failure(prepared);
     ExplainOptions options;
     options.isa = arguments.isa;
-    // Text tells of one sample; JSON of all, unless one is asked for.
+    // Text explains one sample; JSON explains all, unless --sample is given.
     if (arguments.form != "json" || !arguments.sample.empty()) options.sample = style.sample;
     const Result<Explanation> explained = explain(scene, *prepared, pixel.x, pixel.y, options);
     if (!explained) throw_failure(explained);
@@ -155,7 +155,7 @@ int explain_command(ExplainArguments& arguments) {
 }  // namespace
 
 Run add_explain(CLI::App& app) {
-    CLI::App& command = *app.add_subcommand("explain", "Say why a pixel has its colour");
+    CLI::App& command = *app.add_subcommand("explain", "Explain the colour of a pixel");
     const auto arguments = std::make_shared<ExplainArguments>();
     ExplainArguments& a = *arguments;
     add_scene_arguments(command, a.scene);
@@ -165,11 +165,11 @@ Run add_explain(CLI::App& app) {
     command
         .add_option(
             "--sample", a.sample,
-            "Whose rays are told, column and row of the pixel's --aa samples; default: the middle one")
+            "The sample whose rays are printed: its column and row in the pixel; default: the middle one")
         ->option_text("I,J");
     command
         .add_option("--as", a.form,
-                    "text (default); json (docs/explain.md has its schema); printrays: CSC 473's own layout")
+                    "text (default); json (schema in docs/explain.md); printrays: the layout of CSC 473")
         ->check(one_of({"text", "json", "printrays"}))
         ->option_text("text|json|printrays");
     command.add_option("--origin", a.origin, "Where pixel 0,0 is; default: top-left")
@@ -177,9 +177,10 @@ Run add_explain(CLI::App& app) {
         ->option_text("top-left|bottom-left");
     command
         .add_option("--why-not", a.why_not,
-                    "Only what this light does there, by its name or its number from 1")
+                    "Explain only this light's effect; LIGHT is its name, or its number from 1")
         ->option_text("LIGHT");
-    command.add_option("--overlay", a.overlay, "Also draw the picture with the pixel's rays over it")
+    command
+        .add_option("--overlay", a.overlay, "Also render the picture, with the pixel's rays drawn over it")
         ->option_text("OUT.png");
     add_picture_arguments(command, a.picture);
     add_number_arguments(command, a.numbers);

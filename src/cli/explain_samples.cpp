@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The samples of a pixel, one a line.
+// Lists the samples of a pixel, one per line.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -25,7 +25,7 @@ std::string samples_text(const Explanation& e, const Scene& scene, const Explain
                             fmt::format("{},{}", sample % e.samples, sample / e.samples), colors[i], widest,
                             swatch(style, values[i]),
                             ray.hit ? shape_text(scene, ray.hit->shape) : "hits nothing",
-                            sample == style.sample ? "; told above" : "");
+                            sample == style.sample ? "; shown above" : "");
     }
     return text;
 }

@@ -19,7 +19,7 @@ std::string color(Color c) {
     return c.r == c.g && c.g == c.b ? number(c.r)
                                     : fmt::format("({}, {}, {})", number(c.r), number(c.g), number(c.b));
 }
-// Floats as short as tells them from their neighbours.
+// The shortest decimal form that gives the same floats.
 std::string color(const float (&c)[3]) {
     return c[0] == c[1] && c[1] == c[2] ? fmt::format("{}", c[0])
                                         : fmt::format("({}, {}, {})", c[0], c[1], c[2]);
@@ -48,7 +48,7 @@ std::string material_text(const Scene& scene, const ExplainedHit& hit) {
     return text;
 }
 
-// Two spaces in the colour that the numbers are, after them.
+// A coloured block to print after the numbers of a colour.
 std::string swatch(const ExplainStyle& style, double r, double g, double b) {
     if (!style.colors) return {};
     return fmt::format("  \x1b[48;2;{};{};{}m    \x1b[0m", to_byte(static_cast<float>(r)),
@@ -58,7 +58,7 @@ std::string_view cosine_name(const Scene& scene) {
     return scene.settings.shading == Shading::phong ? "R·V" : "N·H";
 }
 
-// Why a light adds nothing, whole.
+// The reason why a light adds nothing; empty if it adds something.
 std::string nothing_text(const Scene& scene, const ExplainedHit& hit, const LightTerms& terms) {
     switch (reason(terms)) {
         case LightReason::adds:
@@ -71,12 +71,12 @@ std::string nothing_text(const Scene& scene, const ExplainedHit& hit, const Ligh
             return fmt::format("behind the surface: N·L = {}", number(terms.n_l));
         case LightReason::no_color:
             return highlight_reason(terms, hit, scene) == HighlightReason::turned_away
-                       ? "k_d is black here, and the highlight is turned away from the eye"
-                       : "its colour times the surface's is black";
+                       ? "k_d is black here, and the highlight points away from the eye"
+                       : "the light's colour times the surface's is black";
         case LightReason::faded:
             return "too far: its attenuation is 0";
         case LightReason::in_surface:
-            return "it is at P itself: no direction leads to it";
+            return "the light is at P itself and has no direction";
     }
     return {};
 }
@@ -93,7 +93,7 @@ std::string highlight_text(const Scene& scene, const ExplainedHit& hit, const Li
         case HighlightReason::behind:
             return "no highlight: N·L <= 0";
         case HighlightReason::turned_away:
-            return fmt::format("no highlight: {} = {}, turned away from the eye", cosine_name(scene),
+            return fmt::format("no highlight: {} = {}, pointing away from the eye", cosine_name(scene),
                                number(terms.s));
     }
     return {};
@@ -114,8 +114,8 @@ class Tree {
         if (!r.hit) {
             const bool black = r.background.r == 0 && r.background.g == 0 && r.background.b == 0;
             line(depth + 1, black ? "hits nothing: adds nothing"
-                                  : fmt::format("hits nothing, sees the background: adds {}{}",
-                                                color(r.background), swatch(style_, r.background)));
+                                  : fmt::format("hits nothing: adds the background {}{}", color(r.background),
+                                                swatch(style_, r.background)));
             return;
         }
         add_hit(r, depth + 1);
@@ -136,7 +136,7 @@ class Tree {
         const ExplainedHit& hit = *r.hit;
         line(depth,
              fmt::format("hits {} at t = {}, from its {}{}", shape_text(scene_, hit.shape), number(r.t),
-                         hit.behind ? "back" : "front", hit.turned ? ": N turned to the ray" : ""));
+                         hit.behind ? "back" : "front", hit.turned ? ": N flipped towards the ray" : ""));
         line(depth + 1, fmt::format("P {}  N {}  V {}", vec(hit.point), vec(hit.normal), vec(hit.to_eye)));
         line(depth + 1, material_text(scene_, hit));
         const Shading shading = scene_.settings.shading;
@@ -155,11 +155,12 @@ class Tree {
              fmt::format("sum: ambient {} + diffuse {} + specular {} = {}{}", color(hit.ambient),
                          color(hit.diffuse), color(hit.specular), color(sum), swatch(style_, sum)));
         if (!(hit.weight == r.weight))
-            line(depth + 1, fmt::format("the way through glass leaves of the weight: {}", color(hit.weight)));
+            line(depth + 1, fmt::format("weight after absorption in the glass: {}", color(hit.weight)));
         if (hit.local_share != 1 || r.parent >= 0) {
             const Color part = hit.parts[0] + hit.parts[1] + hit.parts[2];
-            line(depth + 1, fmt::format("counts {} x {} (beside mirror and glass): {}{}", color(hit.weight),
-                                        number(hit.local_share), color(part), swatch(style_, part)));
+            line(depth + 1,
+                 fmt::format("own light: {} x {} (the rest is mirror and glass): {}{}", color(hit.weight),
+                             number(hit.local_share), color(part), swatch(style_, part)));
         }
     }
 
@@ -188,17 +189,17 @@ class Tree {
             case BranchState::traced:
                 return add_ray(static_cast<std::size_t>(branch.ray), depth);
             case BranchState::limit:
-                return line(depth, fmt::format("{}: ends here, the limit of {} reflections is reached", what,
+                return line(depth, fmt::format("{}: not traced, the limit of {} reflections is reached", what,
                                                scene_.settings.reflections));
             case BranchState::faint:
                 return line(
                     depth, fmt::format(
-                               "{}: not followed, its weight {} is {}", what, color(branch.weight),
+                               "{}: not traced, its weight {} is {}", what, color(branch.weight),
                                scene_.conventions.min_weight > 0
                                    ? fmt::format("below min_weight {}", number(scene_.conventions.min_weight))
                                    : std::string("0")));
             case BranchState::cut:
-                return line(depth, fmt::format("{}: not followed, a sample has at most {} rays", what,
+                return line(depth, fmt::format("{}: not traced, a sample has at most {} rays", what,
                                                k_max_sample_rays));
         }
     }
@@ -208,10 +209,10 @@ class Tree {
     const ExplainStyle& style_;
 };
 
-// What may be wrong with the scene where a light adds nothing.
+// The likely fault of the scene if a light adds nothing.
 std::string hint(const LightTerms& terms, const ExplainedHit& hit, const Scene& scene) {
     if (reason(terms) == LightReason::behind && hit.behind && !hit.turned)
-        return "the ray sees the back of the surface, whose normal is not turned: see the convention "
+        return "the ray sees the back of the surface, whose normal is not flipped: see the convention "
                "'facing'\n";
     if (!terms.blocker) return {};
     const Blocker& blocker = *terms.blocker;
@@ -224,7 +225,7 @@ std::string hint(const LightTerms& terms, const ExplainedHit& hit, const Scene& 
     return {};
 }
 
-// The rays whose light is in a layer, of the sample that is told.
+// The rays of the explained sample that add light to a layer.
 std::string rays_text(const Explanation& e, Layer layer) {
     std::string text;
     int told = 0;
@@ -240,7 +241,7 @@ std::string rays_text(const Explanation& e, Layer layer) {
     return text;
 }
 
-// The layers that there is light in, and what they add up to.
+// The layers that are not black, and their sum.
 void add_sum(const Explanation& e, const ExplainStyle& style, std::string& text) {
     auto out = std::back_inserter(text);
     if (e.samples > 1)
@@ -323,14 +324,14 @@ std::string why_not_text(const Explanation& e, const Scene& scene, std::uint32_t
             fmt::format("at P {} on {}\n", vec(ray.hit->point), shape_text(scene, ray.hit->shape));
         const std::string nothing = nothing_text(scene, *ray.hit, terms);
         if (nothing.empty()) {
-            return text + fmt::format("{} does add something: diffuse {} + specular {} ({})\n", name,
+            return text + fmt::format("{} adds light: diffuse {} + specular {} ({})\n", name,
                                       color(terms.diffuse), color(terms.specular),
                                       highlight_text(scene, *ray.hit, terms));
         }
         text += fmt::format("{} adds nothing: {}\n", name, nothing);
         return text + hint(terms, *ray.hit, scene);
     }
-    return fmt::format("{} was not asked: this shading has no lights\n", name);
+    return fmt::format("{} is not evaluated: this shading uses no lights\n", name);
 }
 
 }  // namespace glint::cli

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// How a command ends before its end.
+// The error that ends a command, and the exit codes.
 #include <stdexcept>
 #include <string>
 
@@ -10,22 +10,23 @@ namespace glint::cli {
 
 inline constexpr int k_done = 0, k_bad_input = 1, k_usage = 2;
 
-/// What the exit codes mean, for --help, the manual page and docs/command.md.
+/// The meaning of the exit codes, for --help and the manual pages.
 struct ExitCode {
     const char *code, *meaning;
 };
 inline constexpr ExitCode k_exit_codes[] = {
     {"0", "done"},
     {"1",
-     "bad input: a scene, or a file that cannot be read or written; `compare`: outside the limits; "
+     "bad input: an error in a scene, or a file that cannot be read or written; `compare`: outside the "
+     "limits; "
      "`--strict`: warnings"},
-    {"2", "usage: the command line makes no sense"},
+    {"2", "usage: the command line is not valid"},
     {"129, 130, 143",
-     "ended by SIGHUP (the terminal was closed), SIGINT (Ctrl-C) or SIGTERM, as a shell shows it: 128 and "
+     "ended by SIGHUP (the terminal was closed), SIGINT (Ctrl-C) or SIGTERM; shells report 128 plus "
      "the signal's number"},
 };
 
-/// A command's end with a message for standard error; thrown by commands, caught by main.
+/// Ends a command with a message on standard error. Commands throw it, main catches it.
 class Failure : public std::runtime_error {
   public:
     Failure(int code, const std::string& message) : std::runtime_error(message), code_(code) {}

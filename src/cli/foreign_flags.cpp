@@ -12,7 +12,7 @@
 namespace glint::cli {
 namespace {
 
-// What the answer is made of, flag by flag.
+// The answer, collected flag by flag.
 struct Answer {
     std::string_view name;  // of the command
     const HasOption& has_option;
@@ -51,7 +51,7 @@ std::string or_else(std::string_view text, std::string_view otherwise) {
     return std::string(text.empty() ? otherwise : text);
 }
 
-// POV-Ray: a sign, a letter, and the value without a space. Upper and lower case are the same.
+// A POV-Ray flag: a sign, a letter and the value without a space. Case does not matter.
 void answer_povray(const std::string& flag, Answer& answer) {
     const char letter =
         flag.size() > 1 ? static_cast<char>(std::toupper(static_cast<unsigned char>(flag[1]))) : '\0';
@@ -70,7 +70,7 @@ void answer_povray(const std::string& flag, Answer& answer) {
         case 'O':
             return answer.use(flag, "--output " + or_else(value, "OUT"));
         case 'A':
-            if (off) return answer.add_line(flag, "one sample a pixel is glint's default");
+            if (off) return answer.add_line(flag, "one sample per pixel is glint's default");
             return answer.use(flag, "--aa 3");
         case 'R':
             return answer.use(flag, fmt::format("--aa {}", is_number(value) ? value : "3"));
@@ -84,23 +84,23 @@ void answer_povray(const std::string& flag, Answer& answer) {
                 return answer.use(flag, "--no-shadows");
             return answer.add_line(
                 flag,
-                "full quality is glint's default; less is --no-shadows, --reflections 0, --shading color");
+                "full quality is the default; for less: --no-shadows, --reflections 0, --shading color");
         case 'S':
         case 'E':
-            return answer.add_line(flag, "a part of the picture is --crop WxH+X+Y");
+            return answer.add_line(flag, "--crop WxH+X+Y renders a part of the picture");
         case 'F':
             return answer.add_line(
-                flag, "the file's type is OUT's extension: .png .ppm .exr; 16 bits are --bits 16");
+                flag, "OUT's extension chooses the file type: .png .ppm .exr; --bits 16 writes 16 bits");
         case 'V':
             if (off) return answer.use(flag, "--quiet");
             return answer.add_line(
-                flag, "glint shows its progress on a terminal; figures are written by --stats FILE.json");
+                flag, "glint shows its progress on a terminal; --stats FILE.json writes figures");
         case 'G':
-            return answer.add_line(flag,
-                                   "messages go to standard error; figures are written by --stats FILE.json");
+            return answer.add_line(flag, "messages go to standard error; --stats FILE.json writes figures");
         case 'L':
-            return answer.add_line(flag,
-                                   "included files are found beside the file that names them; leave it out");
+            return answer.add_line(
+                flag,
+                "included files are searched in the folder of the file that includes them; leave it out");
         case 'K':
             return answer.add_line(flag, "glint has no animation clock");
         case 'P':
@@ -109,21 +109,21 @@ void answer_povray(const std::string& flag, Answer& answer) {
         case 'M':
         case 'U':
         case 'J':
-            return answer.add_line(flag, "glint has no need of it; leave it out");
+            return answer.add_line(flag, "glint does not need it; leave it out");
         default:
             return answer.add_line(flag, "glint's options begin with - or --; see 'glint render --help'");
     }
 }
 
-// What a flag's value becomes.
+// How a flag's value is translated.
 enum class Value {
-    none,   // it has none, or it is of no use here
-    same,   // as it is, after glint's option
-    size,   // of two values: WxH
-    width,  // with a height of another flag
+    none,   // no value, or glint does not use it
+    same,   // unchanged, after glint's option
+    size,   // two values: WxH
+    width,  // combined with the height of another flag
     height,
-    samples,          // of a pixel; glint counts those along a side
-    samples_besides,  // the same, beside the first one
+    samples,          // samples per pixel; glint counts them along a side
+    samples_besides,  // the same, in addition to the first one
     scene,            // an argument without an option
 };
 
@@ -138,7 +138,7 @@ constexpr ForeignFlag k_flags[] = {
     {"-res", 2, "--size", Value::size},
     {"-numthreads", 1, "--threads", Value::same},
     {"-aasamples", 1, "--aa", Value::samples_besides},
-    {"-format", 1, "the file's type is OUT's extension: .png .ppm .exr; 16 bits are --bits 16"},
+    {"-format", 1, "OUT's extension chooses the file type: .png .ppm .exr; --bits 16 writes 16 bits"},
     {"-fullshade", 0, "shadows and mirrors are glint's default; leave it out"},
     {"-mediumshade", 0, "--no-shadows"},
     {"-lowshade", 0, "--no-shadows --reflections 0"},
@@ -148,19 +148,19 @@ constexpr ForeignFlag k_flags[] = {
     {"-shade_blinn_fast", 0, "--shading blinn-phong"},
     {"-shade_nullphong", 0, "--shading diffuse"},
     {"-raydepth", 1, "--reflections", Value::same},
-    {"-verbose", 0, "figures are written by --stats FILE.json"},
+    {"-verbose", 0, "--stats FILE.json writes figures"},
     {"-nosave", 0, "--output /dev/null"},
     {"-gamma", 1, "--transfer srgb"},
-    {"-crop", 4, "a part of the picture is --crop WxH+X+Y"},
+    {"-crop", 4, "--crop WxH+X+Y renders a part of the picture"},
     {"-clamp", 0, "glint clamps colours; leave it out"},
-    {"-nobounding", 0, "glint has no need of it; leave it out"},
-    {"-boundthresh", 1, "glint has no need of it; leave it out"},
-    {"-normalize", 0, "glint does not scale colours; an .exr picture keeps them whole"},
-    {"-rescale_lights", 1, "the lights are as the scene has them"},
+    {"-nobounding", 0, "glint does not need it; leave it out"},
+    {"-boundthresh", 1, "glint does not need it; leave it out"},
+    {"-normalize", 0, "glint does not scale colours; an .exr picture keeps their full range"},
+    {"-rescale_lights", 1, "glint uses the lights as they are in the scene"},
     {"-auto_skylight", 1, "glint has hard shadows and no sky light"},
     {"-add_skylight", 1, "glint has hard shadows and no sky light"},
     {"-skylight_samples", 1, "glint has hard shadows and no sky light"},
-    {"-camfile", 1, "glint draws one picture of a scene"},
+    {"-camfile", 1, "glint renders one picture of a scene"},
     {"-trans_max_surfaces", 1, "glint has no such limit; see --reflections N"},
     {"-trans_raster3d", 0, "see --convention in 'glint render --help'"},
     {"-trans_vmd", 0, "see --convention in 'glint render --help'"},
@@ -187,15 +187,15 @@ constexpr ForeignFlag k_flags[] = {
     {"--depth", 1, "--reflections", Value::same},
     {"--max-depth", 1, "--reflections", Value::same},
     {"--bounces", 1, "--reflections", Value::same},
-    {"--seed", 1, "glint's samples are regular, and every run draws the same; leave it out"},
+    {"--seed", 1, "glint's samples are regular, and every run gives the same picture; leave it out"},
     {"--gamma", 1, "--transfer srgb"},
     {"--preview", 0, "--show"},
-    {"-v", 0, "glint shows its progress on a terminal; figures are written by --stats FILE.json"},
-    {"--verbose", 0, "glint shows its progress on a terminal; figures are written by --stats FILE.json"},
+    {"-v", 0, "glint shows its progress on a terminal; --stats FILE.json writes figures"},
+    {"--verbose", 0, "glint shows its progress on a terminal; --stats FILE.json writes figures"},
     {"--silent", 0, "--quiet"},
 };
 
-// Samples of a pixel as glint counts them: along a side, at least as many.
+// Converts samples per pixel to glint's samples along a side, rounded up.
 std::string side_of(const std::string& samples, int besides) {
     if (!is_number(samples) || samples.size() > 5) return "N";
     const int wanted = std::stoi(samples) + besides;
@@ -286,7 +286,7 @@ std::optional<std::string> answer_foreign_flags(std::span<const std::string> arg
     if (!any) return std::nullopt;
     if (!answer.size_flags.empty()) {
         const std::string size = "--size " + or_else(answer.width, "W") + "x" + or_else(answer.height, "H");
-        answer.lines.insert(0, fmt::format("{}: glint says {}\n", answer.size_flags, size));
+        answer.lines.insert(0, fmt::format("{}: use {}\n", answer.size_flags, size));
         answer.command.push_back(size);
     }
     if (answer.command.empty()) answer.command.emplace_back("SCENE");

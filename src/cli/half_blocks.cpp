@@ -12,7 +12,7 @@ namespace {
 
 using Pixel = std::array<std::uint8_t, 3>;
 
-// The mean of the pixels of a rectangle, each clamped as a file would have it.
+// The mean of the pixels in a rectangle; each is clamped as in a file.
 Pixel mean(const Image& image, int x0, int x1, int y0, int y1, Transfer transfer) {
     std::array<double, 3> sum{};
     for (int y = y0; y < y1; ++y) {
@@ -28,7 +28,7 @@ Pixel mean(const Image& image, int x0, int x1, int y0, int y1, Transfer transfer
     return pixel;
 }
 
-// Where part i of `parts` begins among `count` pixels.
+// The first of `count` pixels that belongs to part i of `parts`.
 int begin_of(int i, int parts, int count) { return static_cast<int>(std::int64_t{i} * count / parts); }
 
 }  // namespace

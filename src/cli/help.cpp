@@ -21,13 +21,13 @@ std::vector<const CLI::App*> shown_commands(const CLI::App& app) {
 }
 
 Run add_help(CLI::App& app) {
-    CLI::App& command = *app.add_subcommand("help", "Say how a command is used, as its --help does");
+    CLI::App& command = *app.add_subcommand("help", "Print the help of a command, like its --help");
     const auto name = std::make_shared<std::string>();
-    command.add_option("COMMAND", *name, "Which; default: glint as a whole")->option_text(" ");
+    command.add_option("COMMAND", *name, "The command; default: glint itself")->option_text(" ");
     command.footer("Examples:\n  glint help\n  glint help render");
     return [&app, name] {
         if (name->empty()) {
-            app.clear();  // what was parsed, whose help it would be otherwise
+            app.clear();  // otherwise the help of what was parsed would be printed
             fmt::print("{}", app.help());
             return k_done;
         }
@@ -39,7 +39,7 @@ Run add_help(CLI::App& app) {
 }
 
 Run add_version(CLI::App& app) {
-    CLI::App& command = *app.add_subcommand("version", "Print the version, as --version does");
+    CLI::App& command = *app.add_subcommand("version", "Print the version, like --version");
     command.footer("Examples:\n  glint version");
     return [] {
         fmt::print("{}\n", k_version);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// glint info: what a scene holds, and what is in force when it is drawn.
+// glint info: prints a scene's contents and the values in force when it is rendered.
 #include <fmt/format.h>
 
 #include <cstdio>
@@ -39,12 +39,11 @@ int info_command(const InfoArguments& arguments) {
 }  // namespace
 
 Run add_info(CLI::App& app) {
-    CLI::App& command =
-        *app.add_subcommand("info", "Say what a scene holds and which conventions are in force");
+    CLI::App& command = *app.add_subcommand("info", "Print a scene's contents and the conventions in force");
     const auto arguments = std::make_shared<InfoArguments>();
     add_scene_arguments(command, arguments->scene);
     command.get_option("SCENE")->required(false);
-    command.add_flag("--json", arguments->json, "As JSON");
+    command.add_flag("--json", arguments->json, "Print JSON");
     command.add_flag("--isa", arguments->isa, "List the instruction sets of this machine, the best first");
     command.footer(
         "Examples:\n"

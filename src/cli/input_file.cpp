@@ -16,7 +16,7 @@
 namespace glint::cli {
 namespace {
 
-constexpr std::size_t k_max_read = std::size_t{1} << 30;  // of a pipe or a device, which may never end
+constexpr std::size_t k_max_read = std::size_t{1} << 30;  // for a pipe or a device, which may never end
 
 class Descriptor {
   public:
@@ -34,18 +34,18 @@ class Descriptor {
 
 std::string reason(int error) { return error == ENOENT ? "no such file" : std::strerror(error); }
 
-// Reads to the end; returns what is wrong, or an empty string.
+// Reads to the end; returns an error message, or an empty string.
 std::string read_all(int descriptor, bool binary, std::string& text) {
     constexpr std::size_t step = 1 << 16;
     for (;;) {
         const std::size_t size = text.size();
-        if (size >= k_max_read) return "goes on after 1 GiB; only a regular file may be longer";
+        if (size >= k_max_read) return "is longer than 1 GiB; only a regular file may be longer";
         text.resize(size + step);
         const ssize_t count = ::read(descriptor, text.data() + size, step);
         text.resize(size + static_cast<std::size_t>(count > 0 ? count : 0));
         if (count < 0 && errno == EINTR) continue;
         if (count < 0) return reason(errno);
-        // What is not text the readers name, by its place: no need for more of it.
+        // The readers report text that contains NUL, with its place. More input is not needed.
         if (count == 0 || (!binary && text.find('\0', size) != std::string::npos)) return {};
     }
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// Reading scene files: regular files are mapped, anything else is read up to a limit.
+// Reading scene files: regular files are mapped, others are read up to a limit.
 #include <cstddef>
 #include <exception>
 #include <optional>
@@ -11,12 +11,12 @@
 
 namespace glint::cli {
 
-/// The text of a file, kept as long as this lives.
+/// The text of a file; it exists as long as this object.
 class InputFile {
   public:
-    /// Opens and reads `path` ("-": standard input). `why` says what is wrong ("no such file") if nothing is
-    /// returned. `binary`: NUL bytes are expected (else reading a pipe stops at the first). Throws Failure of
-    /// usage if the command would overwrite the file (overwriting.h).
+    /// Opens and reads `path` ("-": standard input). If nothing is returned, `why` holds the reason ("no such
+    /// file"). `binary`: NUL bytes are expected; otherwise, reading a pipe stops at the first one. Throws
+    /// Failure (usage error) if the command would overwrite the file (overwriting.h).
     static std::optional<InputFile> open(const std::string& path, std::string& why, bool binary = false);
 
     InputFile(InputFile&& other) noexcept;
@@ -29,15 +29,15 @@ class InputFile {
     InputFile() = default;
     void* mapped_ = nullptr;
     std::size_t mapped_size_ = 0;
-    std::string read_;  // when not mapped
+    std::string read_;  // if not mapped
 };
 
-/// Files that scenes include, relative to the file that names them.
+/// Files that scenes include, relative to the file that includes them.
 class FileSources : public Sources {
   public:
     Result<std::string> read(std::string_view name, std::string_view from) override;
 
-    /// Throws the Failure that a file ended in, which cannot pass through the library.
+    /// Throws the Failure that opening a file caused; it cannot pass through the library.
     void rethrow() const;
 
   private:

@@ -13,19 +13,19 @@
 namespace glint::cli {
 namespace {
 
-// What a signal handler may read: no std::string.
+// Read by a signal handler, so not a std::string.
 char unfinished_path[4200];
 std::atomic<bool> has_unfinished{false};
 std::atomic<bool> progress_shown{false};
 static_assert(std::atomic<bool>::is_always_lock_free);
 
 void write_to_stderr(std::string_view text) {
-    // There is nothing to do about a failure here.
+    // A failure here cannot be reported.
     [[maybe_unused]] const ssize_t count = ::write(STDERR_FILENO, text.data(), text.size());
 }
 
-// Only async-signal-safe calls. Loading, preparing and rendering hold nothing that outlives the process, so
-// none of them needs to be asked to stop.
+// Uses only async-signal-safe calls. Loading, preparing and rendering hold nothing that outlives the
+// process, so they need no request to stop.
 void end_at_once(int signal) {
     if (has_unfinished) ::unlink(unfinished_path);
     if (progress_shown) write_to_stderr("\r\x1b[K");
@@ -34,7 +34,7 @@ void end_at_once(int signal) {
         ::_exit(k_bad_input);
     }
     if (signal == SIGINT) write_to_stderr("glint: interrupted\n");
-    // Ends by the signal itself: a shell ends its loop only if it sees that the signal ended its child.
+    // Ends by the signal itself: a shell ends its loop only if a signal ended the child process.
     ::signal(signal, SIG_DFL);
     sigset_t set;
     ::sigemptyset(&set);
@@ -52,7 +52,7 @@ void handle_signals() {
     ::sigfillset(&action.sa_mask);
     for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGBUS}) {
         struct sigaction before {};
-        // What our parent ignores (nohup, a shell's background job) stays ignored.
+        // A signal that the parent process ignores (nohup, a background job of a shell) stays ignored.
         if (::sigaction(signal, nullptr, &before) == 0 && before.sa_handler == SIG_IGN) continue;
         ::sigaction(signal, &action, nullptr);
     }

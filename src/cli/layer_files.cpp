@@ -30,8 +30,8 @@ std::vector<Layer> parse(const std::string& aov) {
         start = end + 1;
         if (word.empty())
             throw Failure(k_usage,
-                          fmt::format("--aov '{}': expected names of layers with commas between, found {}",
-                                      aov, aov.empty() ? "nothing" : "a comma without a name beside it"));
+                          fmt::format("--aov '{}': expected layer names separated by commas, found {}", aov,
+                                      aov.empty() ? "nothing" : "an empty name"));
         const auto layer = find_layer(word);
         if (!layer)
             throw Failure(k_usage, fmt::format("--aov: there is no layer {}{}, or all", glint::quoted(word),
@@ -47,8 +47,8 @@ void add_layer_argument(CLI::App& command, std::optional<std::string>& aov) {
     command
         .add_option(
             "--aov", aov,
-            fmt::format("Also write these layers, with commas between: {}; or all. OpenEXR: as parts of "
-                        "the file; else in files beside it, as castle.normal.png",
+            fmt::format("Also write these layers, separated by commas: {}; or all. OpenEXR: as parts of "
+                        "the file; PNG and PPM: as separate files, such as castle.normal.png",
                         joined(layer_names())))
         ->option_text("LAYERS");
 }
@@ -71,13 +71,13 @@ double LayerFiles::bytes_a_pixel() const {
     double floats = 3;
     for (const Layer layer : wanted_)
         floats += static_cast<double>(layer_infos()[static_cast<std::size_t>(layer)].channels.size());
-    // An OpenEXR file of them is put together in memory, and may be no smaller.
+    // An OpenEXR file of the layers is built in memory, and may be as large as they are.
     return floats * sizeof(float) * (files_.empty() && !wanted_.empty() ? 2 : 1);
 }
 
 void LayerFiles::write(const std::vector<LayerImage>& layers, const EncodeOptions& encoding) const {
     for (std::size_t i = 0; i < files_.size(); ++i) {
-        // The curve is for light; a normal or a number is no light.
+        // The transfer curve applies to light only, not to normals and other numbers.
         EncodeOptions options = encoding;
         const bool is_light =
             static_cast<int>(layers[i].layer) < k_light_layers || layers[i].layer == Layer::albedo;

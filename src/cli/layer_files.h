@@ -15,23 +15,24 @@ namespace glint::cli {
 /// Adds --aov.
 void add_layer_argument(CLI::App& command, std::optional<std::string>& aov);
 
-/// What --aov asks for, found out before the work begins.
+/// The layers that --aov asks for; checked before rendering begins.
 class LayerFiles {
   public:
-    /// aov: names with commas, or `all`; none: no layers. In an OpenEXR file they are its parts; beside a PNG
-    /// or PPM `castle.png` they are `castle.normal.png` and so on. Throws Failure.
+    /// aov: layer names separated by commas, or `all`; none: no layers. In an OpenEXR file they are parts of
+    /// the file; with a PNG or PPM `castle.png` they are the files `castle.normal.png` and so on. Throws
+    /// Failure.
     LayerFiles(const std::optional<std::string>& aov, const std::string& picture, FileFormat format,
                bool is_stream);
 
     const std::vector<Layer>& wanted() const { return wanted_; }
-    /// Of the picture and the layers.
+    /// Bytes per pixel of the picture and the layers together.
     double bytes_a_pixel() const;
-    /// Writes what has files of its own.
+    /// Writes the layers that have files of their own.
     void write(const std::vector<LayerImage>& layers, const EncodeOptions& encoding) const;
 
   private:
     std::vector<Layer> wanted_;
-    std::vector<OutputFile> files_;  // one a layer, or none
+    std::vector<OutputFile> files_;  // one per layer, or none
 };
 
 }  // namespace glint::cli

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The command: choosing what runs, and what is said when it cannot.
+// The command: selects the subcommand, and prints errors of usage.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -44,8 +44,8 @@ int run(const std::vector<std::string>& arguments) {
     if (arguments == std::vector<std::string>{"-v"}) return run({"--version"});
     CLI::App app("glint renders scenes with Phong and Blinn-Phong lighting, hard shadows, mirrors and glass.",
                  "glint");
-    app.set_version_flag("-V,--version", k_version, "Print the version and end");
-    std::string footer = "Every command answers --help.\n\nExit codes:\n";
+    app.set_version_flag("-V,--version", k_version, "Print the version and exit");
+    std::string footer = "Every command has --help.\n\nExit codes:\n";
     for (const auto& [code, meaning] : k_exit_codes) footer += fmt::format("  {:<26}{}\n", code, meaning);
     app.footer(footer +
                "\nExamples:\n  glint render castle.json\n  glint info castle.json\n  glint help render");
@@ -96,8 +96,8 @@ int run(const std::vector<std::string>& arguments) {
         if (!message.empty()) return print_usage_error("", message);
     }
     try {
-        app.parse(
-            std::vector<std::string>(arguments.rbegin(), arguments.rend()));  // it takes them from the end
+        app.parse(std::vector<std::string>(arguments.rbegin(),
+                                           arguments.rend()));  // the parser takes them from the end
         return name.empty() ? print_usage_error("", "expected a command") : command->run();
     } catch (const CLI::Success& e) {  // --help and --version
         return app.exit(e);
@@ -124,7 +124,7 @@ int main(int count, char** values) {
     } catch (const std::exception& e) {
         glint::cli::print_error("glint: {}\n", e.what());
     }
-    if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {  // CLI11 flushes by itself
+    if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {  // CLI11 flushes only its own output
         std::fputs("glint: cannot write to standard output\n", stderr);
         if (code == 0) code = glint::cli::k_bad_input;
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// glint man: the manual pages, of the same texts as --help.
+// glint man: manual pages, from the same texts as --help.
 #include <fmt/format.h>
 
 #include <array>
@@ -14,7 +14,7 @@
 namespace glint::cli {
 namespace {
 
-// As roff takes it: no line is a request, and hyphens are those of the command line.
+// Escapes text for roff: no line becomes a request, and hyphens can be copied to a command line.
 std::string roff(const std::string& text) {
     std::string out;
     for (std::size_t i = 0; i < text.size(); ++i) {
@@ -34,7 +34,7 @@ std::string roff(const std::string& text) {
 std::string bold(const std::string& text) { return "\\fB" + roff(text) + "\\fR"; }
 std::string italic(const std::string& text) { return "\\fI" + roff(text) + "\\fR"; }
 
-// What follows "Examples:" in the footer, without its indentation.
+// The text after "Examples:" in the footer, without its indentation.
 std::string examples_of(const std::string& footer) {
     constexpr std::string_view head = "Examples:\n";
     const std::size_t at = footer.find(head);
@@ -72,7 +72,7 @@ std::string page_name(const CLI::App& command) { return "glint-" + command.get_n
 std::string head(const std::string& name, const std::string& purpose) {
     std::string title = name;
     for (char& c : title) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
-    // Without a date and a version: what is said changes only with the options.
+    // Without date and version, so that the page changes only when the options change.
     return fmt::format(".TH {} 1 \"\" glint \"glint manual\"\n.SH NAME\n{} \\- {}\n", title, roff(name),
                        roff(purpose));
 }
@@ -121,9 +121,9 @@ std::string command_page(const CLI::App& command) {
 
 Run add_man(CLI::App& app) {
     CLI::App& command = *app.add_subcommand("man", "Print a manual page as roff");
-    command.group("");  // for packages; people read `man glint`
+    command.group("");  // for packaging; users read `man glint`
     const auto name = std::make_shared<std::string>();
-    command.add_option("COMMAND", *name, "Whose; default: glint's as a whole")->option_text(" ");
+    command.add_option("COMMAND", *name, "The command; default: glint itself")->option_text(" ");
     command.footer("Examples:\n  glint man | man -l -\n  glint man render > glint-render.1");
     return [&app, name] {
         const CLI::App* wanted = name->empty() ? &app : find_command(app, *name);

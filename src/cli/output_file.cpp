@@ -22,7 +22,7 @@ namespace {
     throw Failure(k_bad_input, fmt::format("cannot write '{}': {}", path, std::strerror(error)));
 }
 
-// Returns 0 or the error.
+// Returns 0 or errno.
 int write_all(int descriptor, std::span<const std::uint8_t> bytes) {
     while (!bytes.empty()) {
         const ssize_t count = ::write(descriptor, bytes.data(), bytes.size());
@@ -58,10 +58,11 @@ OutputFile::OutputFile(const std::string& option, std::string path) : path_(std:
     const std::string folder = folder_of(target_);
     if (::stat(folder.c_str(), &about) != 0) {
         if (errno != ENOENT) fail(path_, errno);
-        throw Failure(k_bad_input, fmt::format("cannot write '{}': there is no folder '{}'", path_, folder));
+        throw Failure(k_bad_input,
+                      fmt::format("cannot write '{}': there is not a folder '{}'", path_, folder));
     }
     if (!S_ISDIR(about.st_mode)) {
-        throw Failure(k_bad_input, fmt::format("cannot write '{}': '{}' is no folder", path_, folder));
+        throw Failure(k_bad_input, fmt::format("cannot write '{}': '{}' is not a folder", path_, folder));
     }
     if (::access(folder.c_str(), W_OK | X_OK) != 0) {
         throw Failure(k_bad_input,
@@ -88,7 +89,7 @@ void OutputFile::write_directly(std::span<const std::uint8_t> bytes) const {
 
 void OutputFile::replace(std::span<const std::uint8_t> bytes) const {
     const std::string folder = folder_of(target_);
-    std::random_device random;  // process numbers are not enough where machines share a folder
+    std::random_device random;  // process numbers are not unique if machines share a folder
     const std::string temporary = fmt::format("{}/.glint-{:08x}{:08x}.tmp", folder, random(), random());
     const UnfinishedFile unfinished(temporary);
     const int descriptor = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);

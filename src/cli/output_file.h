@@ -1,27 +1,27 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// Writing files that appear whole or not at all.
+// Files that are written completely or not at all.
 #include <cstdint>
 #include <span>
 #include <string>
 
 namespace glint::cli {
 
-/// Where a file's bytes go, found out before the work begins.
+/// The destination of a file's bytes; checked before the work begins.
 class OutputFile {
   public:
-    /// Where the option `option` writes; "-" is standard output. Throws Failure if nothing can be written
-    /// there as far as one can tell without writing, or of usage if that would overwrite (overwriting.h).
+    /// The destination of the option `option`; "-" is standard output. Throws Failure if the checks show that
+    /// nothing can be written there, and a usage error if it would overwrite a file (overwriting.h).
     OutputFile(const std::string& option, std::string path);
 
     /// True for "-" and /dev/stdout.
     bool is_standard_output() const { return standard_output_; }
-    /// True for what has no name of its own to choose a format by: standard output, devices, pipes.
+    /// True for standard output, devices and pipes: their names do not choose a format.
     bool is_stream() const { return direct_; }
 
-    /// Writes the bytes. A regular file gets them by a temporary file in its folder that takes its place when
-    /// complete; pipes and devices get them directly. Throws Failure, and then there is no new file and an
-    /// old one is as it was.
+    /// Writes the bytes. A regular file is written to a temporary file in the same folder, which replaces it
+    /// when complete; pipes and devices are written directly. Throws Failure; then no new file exists, and an
+    /// old one is unchanged.
     void write(std::span<const std::uint8_t> bytes) const;
 
   private:

@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The same for all names of a file: links of both kinds.
+// Identifies a file under all its names: hard and symbolic links.
 struct Identity {
     dev_t device;
     ino_t number;
@@ -25,7 +25,7 @@ struct Identity {
 };
 
 std::optional<Identity> identity(const struct stat& about) {
-    if (!S_ISREG(about.st_mode)) return std::nullopt;  // nothing is lost in a pipe or a device
+    if (!S_ISREG(about.st_mode)) return std::nullopt;  // pipes and devices cannot be overwritten
     return Identity{about.st_dev, about.st_ino};
 }
 
@@ -35,11 +35,11 @@ struct Output {
     fs::path whole;                // with links followed
 };
 
-// Of the process: what a command reads and writes is spread over its options, its scene's includes and more.
+// Global: the inputs and outputs of a command are spread over its options, its scene's includes and more.
 struct Noted {
     std::vector<Identity> inputs;
     std::vector<Output> outputs;
-    std::string standard_output;  // the option that takes it
+    std::string standard_output;  // the option that uses it
 };
 Noted& noted() {
     static Noted all;
@@ -47,17 +47,18 @@ Noted& noted() {
 }
 
 [[noreturn]] void refuse(const Output& output) {
-    throw Failure(k_usage, fmt::format("{} '{}' would overwrite what is read: choose another file",
-                                       output.option, output.path));
+    throw Failure(k_usage, fmt::format("{} '{}' would overwrite an input: choose another file", output.option,
+                                       output.path));
 }
 
-// Throws Failure of usage if the file has been read, or another option writes it.
+// Throws a usage error if the file has been read, or if another option writes it.
 void add_output(Output output) {
     auto& [inputs, outputs, standard_output] = noted();
     for (const Output& other : outputs) {
         if (other.file ? other.file == output.file : other.whole == output.whole)
-            throw Failure(k_usage, fmt::format("{} and {} are one file, '{}': choose another for one of them",
-                                               other.option, output.option, output.path));
+            throw Failure(k_usage,
+                          fmt::format("{} and {} are the same file, '{}': choose another for one of them",
+                                      other.option, output.option, output.path));
     }
     if (output.file && std::find(inputs.begin(), inputs.end(), *output.file) != inputs.end()) refuse(output);
     outputs.push_back(std::move(output));
@@ -94,7 +95,7 @@ void note_standard_output(const std::string& option) {
     if (!taken.empty())
         throw Failure(k_usage, fmt::format("{} and {} cannot both go to standard output", taken, option));
     taken = option;
-    struct stat about {};  // a shell may have sent it to a file
+    struct stat about {};  // a shell may redirect it to a file
     if (::fstat(STDOUT_FILENO, &about) != 0) return;
     if (const auto file = identity(about)) add_output({option, "standard output", file, {}});
 }

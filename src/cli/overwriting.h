@@ -14,10 +14,10 @@ std::filesystem::path followed(const std::string& path);
 /// another option too. `option` names it in messages: "--stats".
 void note_output(const std::string& option, const std::string& path);
 
-/// Takes note that standard output will be written. Throws Failure of usage if another option takes it.
+/// Registers standard output. Throws a usage error if another option uses it.
 void note_standard_output(const std::string& option);
 
-/// Takes note of an open file that is read. Throws Failure of usage if it will be written.
+/// Registers an open file that is read. Throws a usage error if it will be written.
 void note_input(int descriptor);
 
 }  // namespace glint::cli

@@ -15,7 +15,7 @@
 namespace glint::cli {
 namespace {
 
-// What limits this process: the machine's memory, or less by the container's rule.
+// The memory that this process may use: the machine's, or less if the container limits it.
 double memory_limit() {
     double limit =
         static_cast<double>(::sysconf(_SC_PHYS_PAGES)) * static_cast<double>(::sysconf(_SC_PAGE_SIZE));
@@ -32,10 +32,10 @@ void check_memory(double width, double height, double bytes) {
     const double needed = width * height * bytes, limit = memory_limit();
     if (needed <= limit) return;
     const std::string rest = std::max(width, height) > k_max_size
-                                 ? fmt::format("; the most is {} pixels a side", k_max_size)
-                                 : "; draw it in parts with --crop";
+                                 ? fmt::format("; the limit is {} pixels a side", k_max_size)
+                                 : "; render it in parts with --crop";
     throw Failure(k_bad_input,
-                  fmt::format("a picture of {:.0f}x{:.0f} needs {} of memory ({} bytes a pixel), and this "
+                  fmt::format("a picture of {:.0f}x{:.0f} needs {} of memory ({} bytes per pixel), and this "
                               "machine has {}{}",
                               width, height, bytes_text(needed), bytes, bytes_text(limit), rest));
 }
@@ -45,19 +45,20 @@ void check_isa(const std::string& isa) {
     const auto names = isa_names();
     if (std::find(names.begin(), names.end(), isa) != names.end()) return;
     const std::vector<std::string_view> views(names.begin(), names.end());
-    throw Failure(k_usage, fmt::format("--isa: no instruction set {} here{}", glint::quoted(isa),
+    throw Failure(k_usage, fmt::format("--isa: this machine has no instruction set {}{}", glint::quoted(isa),
                                        suggestion(isa, views)));
 }
 
 void add_picture_arguments(CLI::App& command, PictureArguments& a) {
-    command.add_option("-s,--size", a.size, "Pixels; default: the file's, or the profile's")
+    command.add_option("-s,--size", a.size, "Size in pixels; default: the file's, or the profile's")
         ->option_text("WxH");
-    command.add_option("--shading", a.shading, "What a surface shows")
+    command.add_option("--shading", a.shading, "How surfaces are shaded")
         ->option_text("phong|blinn-phong|diffuse|color|normals");
-    command.add_flag("--no-shadows", a.no_shadows, "Every light reaches everything");
-    command.add_option("--reflections", a.reflections, "Most mirror generations; 0: no mirrors")
+    command.add_flag("--no-shadows", a.no_shadows, "No shadows: every light reaches every surface");
+    command
+        .add_option("--reflections", a.reflections, "Largest number of successive reflections; 0: no mirrors")
         ->option_text("N");
-    command.add_option("--aa", a.aa, "N x N regular samples a pixel")->option_text("N");
+    command.add_option("--aa", a.aa, "N x N regular samples per pixel")->option_text("N");
 }
 
 void add_settings(const PictureArguments& arguments, bool is_whole, SceneArguments& scene) {
@@ -77,20 +78,21 @@ void add_settings(const PictureArguments& arguments, bool is_whole, SceneArgumen
 
 void add_number_arguments(CLI::App& command, NumberArguments& a) {
     command
-        .add_option("--transfer", a.transfer,
-                    "none: the numbers as computed (default); srgb: the sRGB curve, to mix with photographs. "
-                    "OpenEXR is always linear")
+        .add_option(
+            "--transfer", a.transfer,
+            "none: the numbers as computed (default); srgb: the sRGB curve, for use with photographs. "
+            "OpenEXR is always linear")
         ->check(one_of({"none", "srgb"}))
         ->option_text("none|srgb");
     command
         .add_option("--bits", a.bits,
-                    "Bits a channel of PNG and PPM: 8 (default) or 16; OpenEXR is 32-bit float")
+                    "Bits per channel of PNG and PPM: 8 (default) or 16; OpenEXR is 32-bit float")
         ->check(one_of({"8", "16"}))
         ->option_text("8|16");
 }
 
 void add_threads_argument(CLI::App& command, int& threads, const std::string& rest) {
-    command.add_option("-t,--threads", threads, "Threads; 0 (default): one a processor" + rest)
+    command.add_option("-t,--threads", threads, "Number of threads; 0 (default): one per processor" + rest)
         ->check(whole_number(0, 1024))
         ->option_text("N");
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// The options that say how a scene is drawn, whatever is done with the picture.
+// The options of rendering that several commands share.
 #include <CLI/CLI.hpp>
 #include <string>
 
@@ -16,12 +16,12 @@ struct PictureArguments {
 /// Adds --size, --shading, --no-shadows, --reflections and --aa.
 void add_picture_arguments(CLI::App& command, PictureArguments& arguments);
 
-/// Adds what the arguments say to the settings that load_scene applies. Checks the memory that a picture of
-/// that size needs first: a size too large for any picture is answered by what it would need. is_whole: the
-/// whole picture is kept.
+/// Adds the arguments to the settings that load_scene applies. Checks first that there is enough memory for
+/// a picture of that size, so that the message for a huge size names the memory needed. is_whole: the whole
+/// picture is kept in memory.
 void add_settings(const PictureArguments& arguments, bool is_whole, SceneArguments& scene);
 
-/// What becomes of the picture's numbers in a file.
+/// How the picture's numbers are written to a file.
 struct NumberArguments {
     std::string transfer = "none";
     int bits = 8;
@@ -30,17 +30,17 @@ struct NumberArguments {
 /// Adds --transfer and --bits.
 void add_number_arguments(CLI::App& command, NumberArguments& arguments);
 
-/// Adds --threads, 0 to 1024. `rest` goes on with its description: ". The picture is the same".
+/// Adds --threads, 0 to 1024. `rest` continues its description: ". The picture does not depend on it".
 void add_threads_argument(CLI::App& command, int& threads, const std::string& rest = {});
 
-/// As encode() takes them.
+/// The same as options of encode().
 EncodeOptions encoding_of(const NumberArguments& arguments);
 
-/// Throws Failure if this machine has not the memory for a picture. bytes: a pixel; a picture alone has three
-/// floats.
+/// Throws Failure if this machine has too little memory for a picture. bytes: per pixel; a picture without
+/// layers has three floats.
 void check_memory(double width, double height, double bytes = 12);
 
-/// Throws Failure of usage if this machine has no such instruction set.
+/// Throws a usage error if this machine does not have the instruction set.
 void check_isa(const std::string& isa);
 
 }  // namespace glint::cli

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// What a command says beside its answer.
+// Messages on standard error.
 #include <fmt/format.h>
 
 #include <cstdio>
@@ -9,8 +9,8 @@
 
 namespace glint::cli {
 
-/// Writes to standard error. Where that cannot be written, nobody is told: the work goes on, and the exit
-/// code is the work's.
+/// Writes to standard error. A failure to write there is ignored: the work continues, and the exit code
+/// depends only on the work.
 template <class... Args> void print_error(fmt::format_string<Args...> format, Args&&... args) {
     const std::string text = fmt::format(format, std::forward<Args>(args)...);
     std::fwrite(text.data(), 1, text.size(), stderr);

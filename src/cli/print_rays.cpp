@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// CSC 473's own layout of a pixel's rays.
+// The rays of a pixel in the layout of CSC 473.
 #include <fmt/format.h>
 
 #include <iterator>
@@ -44,7 +44,7 @@ std::string print_rays(const Explanation& e, const Scene& scene, int y, const Ex
         row("Specular", rgb(hit.specular));
         if (material_of(hit, scene).transmission > 0)
             row("Extra Info", hit.behind ? "into-air" : "into-object");
-        // The last is told first: through the glass, then what it mirrors.
+        // A stack: the last ray is printed first, so glass comes before the mirror.
         for (const Branch* branch : {&hit.reflected, &hit.transmitted}) {
             if (branch->ray >= 0) waiting.push_back(static_cast<std::size_t>(branch->ray));
         }

@@ -19,7 +19,7 @@ namespace {
 constexpr auto k_first_bar = std::chrono::milliseconds(300), k_next_bar = std::chrono::milliseconds(100);
 constexpr auto k_next_line = std::chrono::seconds(10);
 
-// "  0:12 left"; nothing while it cannot be said.
+// "  0:12 left"; empty while there is no estimate.
 std::string time_left(double fraction, double seconds_so_far) {
     if (fraction <= 0.005) return {};
     const long seconds = std::lround(std::min(seconds_so_far * (1 - fraction) / fraction, 3.6e6));
@@ -53,7 +53,7 @@ void ProgressBar::update(double fraction) {
         next_ = now + k_next_bar;
         shown_ = true;
         set_progress_shown(true);
-        // In the last column some terminals go on to the next line.
+        // Some terminals wrap the line when the last column is used.
         print_error("\r{}\x1b[K", progress_text(fraction, seconds, terminal_columns(STDERR_FILENO) - 1));
     } else {
         next_ = now + k_next_line;

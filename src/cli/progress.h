@@ -6,20 +6,20 @@
 
 namespace glint::cli {
 
-/// Says on standard error how much is done and how long the rest will take: on a terminal by a line that is
-/// written again and again, elsewhere (a log, a dumb terminal) by a new line every ten seconds; nothing if
-/// the work is done before one would read it.
+/// Prints on standard error how much is done and how long the rest will take. A terminal shows one line that
+/// is updated; elsewhere (a log, a dumb terminal) a new line is printed every ten seconds. Short work prints
+/// nothing.
 class ProgressBar {
   public:
     using Clock = std::chrono::steady_clock;
 
-    /// `now`: the time, for tests.
+    /// `now`: the clock; tests pass their own.
     explicit ProgressBar(bool wanted, Clock::time_point (*now)() = Clock::now);
     ~ProgressBar();  // erases the line
     ProgressBar(const ProgressBar&) = delete;
     ProgressBar& operator=(const ProgressBar&) = delete;
 
-    /// From any thread: the fraction done, 0 to 1.
+    /// Sets the fraction done, 0 to 1. Any thread may call it.
     void update(double fraction);
 
   private:
@@ -31,8 +31,8 @@ class ProgressBar {
     std::mutex mutex_;
 };
 
-/// What the bar shows: "[######                  ]  25%  0:12 left", less of it where it would not fit into
-/// `columns` characters, and at least "  25%".
+/// The text of the bar: "[######                  ]  25%  0:12 left". It is shortened to fit into `columns`
+/// characters, down to "  25%".
 std::string progress_text(double fraction, double seconds_so_far, int columns);
 
 }  // namespace glint::cli

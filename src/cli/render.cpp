@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// glint render: a scene to a picture.
+// glint render: renders a scene to a picture file.
 #include <fmt/format.h>
 #include <sys/resource.h>
 #include <unistd.h>
@@ -29,13 +29,13 @@ namespace {
 constexpr auto k_examples = R"(Examples:
   glint render castle.json                              castle.png in the current folder
   glint render spheres.cgfs lights.cgfs -s 600x600      two listings as one scene
-  glint render castle.json -o castle.exr --aa 3         9 samples a pixel, linear floats
+  glint render castle.json -o castle.exr --aa 3         9 samples per pixel, linear floats
   glint render castle.json --shading phong --no-shadows --reflections 0
   glint render castle.json -o castle.exr --aov all      normals, depth, shadows ... as parts of the file
-  glint render castle.json --crop 100x80+320+200        only a part, as it is in the whole
+  glint render castle.json --crop 100x80+320+200        a part, as in the whole picture
   glint render castle.json --convention limit=drop      one convention changed
   glint render - --format cgfs -o - < a.cgfs > a.png    from standard input to standard output
-  glint render castle.json --show                       also as text, in the terminal)";
+  glint render castle.json --show                       also show it in the terminal)";
 
 struct RenderArguments {
     SceneArguments scene;
@@ -113,9 +113,9 @@ std::span<const std::uint8_t> bytes_of(const std::string& text) {
                   fmt::format("--strict: {}, so no picture is written", counted(warnings, "warning")));
 }
 
-// `glint render castle.json out.png`: the picture stands where scenes do.
+// Detects `glint render castle.json out.png`, where a picture is given as a scene.
 void check_scenes(const SceneArguments& scene) {
-    if (!scene.format.empty()) return;  // it may be called anything
+    if (!scene.format.empty()) return;  // with --format, any file name is possible
     std::vector<std::string> scenes = scene.files, pictures;
     std::erase_if(scenes, [&](const std::string& file) {
         if (is_picture_name(file)) pictures.push_back(file);
@@ -124,7 +124,7 @@ void check_scenes(const SceneArguments& scene) {
     if (pictures.empty()) return;
     if (scenes.empty()) scenes = {"SCENE"};
     throw Failure(k_usage,
-                  fmt::format("{} is a picture, no scene; where a picture goes is said by -o: glint "
+                  fmt::format("{} is a picture, not a scene; -o names the output: glint "
                               "render {} -o {}",
                               glint::quoted(pictures.front()), fmt::join(scenes, " "), pictures.front()));
 }
@@ -216,7 +216,7 @@ int render_command(RenderArguments& arguments) {
 }  // namespace
 
 Run add_render(CLI::App& app) {
-    CLI::App& command = *app.add_subcommand("render", "Draw a scene");
+    CLI::App& command = *app.add_subcommand("render", "Render a scene");
     const auto arguments = std::make_shared<RenderArguments>();
     RenderArguments& a = *arguments;
     add_scene_arguments(command, a.scene);
@@ -228,18 +228,20 @@ Run add_render(CLI::App& app) {
         ->option_text("OUT");
     add_picture_arguments(command, a.picture);
     add_layer_argument(command, a.aov);
-    command.add_option("--crop", a.crop, "Only this part of the picture; X and Y count from its top left")
+    command
+        .add_option("--crop", a.crop, "Render only this part of the picture; X and Y count from the top left")
         ->option_text("WxH+X+Y");
     add_number_arguments(command, a.numbers);
-    add_threads_argument(command, a.threads, ". The picture is the same");
+    add_threads_argument(command, a.threads, ". The picture does not depend on it");
     command
         .add_option("--isa", a.isa,
-                    "Instruction set (`glint info --isa` lists them). The picture is the same")
+                    "Instruction set (`glint info --isa` lists them). The picture does not depend on it")
         ->option_text("NAME");
     command.add_option("--stats", a.stats, "Write times, rays and memory as JSON")->option_text("FILE.json");
-    command.add_flag("--strict", a.strict, "Any warning is an error: exit code 1, and no picture is written");
-    command.add_flag("--show", a.show, "Also draw the picture in the terminal, in 24-bit colours");
-    command.add_flag("-q,--quiet", a.quiet, "Say nothing but errors");
+    command.add_flag("--strict", a.strict,
+                     "Treat warnings as errors: exit code 1, and no picture is written");
+    command.add_flag("--show", a.show, "Also show the picture in the terminal, in 24-bit colours");
+    command.add_flag("-q,--quiet", a.quiet, "Print only errors");
     command.footer(k_examples);
     return [arguments] { return render_command(*arguments); };
 }

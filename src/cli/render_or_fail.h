@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// A scene's picture inside a command that wants more of it than a file.
+// Pictures for commands that do more than write them to a file.
 #include <string>
 
 #include "cli/output_file.h"
@@ -8,17 +8,17 @@
 
 namespace glint::cli {
 
-/// prepare(), or a Failure of input after printing what is wrong.
+/// Calls prepare(). Prints errors and throws Failure (bad input).
 World prepare_or_fail(const Scene& scene, int threads = 0);
 
-/// render(), or a Failure of input.
+/// Calls render(). Throws Failure (bad input).
 Image render_or_fail(const World& world, int threads = 0, const std::string& isa = {});
 
-/// Where an option's PNG goes. Throws Failure of usage if its name promises another format, else as
-/// OutputFile does.
+/// The destination of a PNG that an option writes. Throws a usage error if the name has the extension of
+/// another format, and the errors of OutputFile.
 OutputFile png_output(const char* option, const std::string& path);
 
-/// Writes a picture as PNG, whatever the options' format is. Throws Failure.
+/// Writes a picture as PNG; options.format is ignored. Throws Failure.
 void write_png(const Image& picture, const OutputFile& output, EncodeOptions options = {});
 
 }  // namespace glint::cli

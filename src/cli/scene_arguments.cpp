@@ -18,7 +18,7 @@ namespace {
 
 [[noreturn]] void fail_usage(const std::string& message) { throw Failure(k_usage, message); }
 
-// Tries a setting on an empty scene, so that a fault of the command line is told apart from one of a file.
+// Applies a setting to an empty scene first, so that its error is reported for the option, not for a file.
 void check_setting(const std::string& key, const std::string& value, std::string_view option) {
     const std::optional<std::size_t> index = find_setting(key);
     if (!index) {
@@ -44,7 +44,7 @@ void add_conventions(const SceneArguments& arguments, LoadOptions& options) {
     }
 }
 
-// --profile NAME, or the name of a file of `key = value` lines, whose text `file` keeps.
+// --profile NAME, or a file of `key = value` lines; `file` keeps its text.
 void add_profile(const std::string& profile, LoadOptions& options, std::optional<InputFile>& file) {
     const auto names = profile_names();
     if (profile.empty() || std::find(names.begin(), names.end(), profile) != names.end()) {
@@ -54,8 +54,8 @@ void add_profile(const std::string& profile, LoadOptions& options, std::optional
     std::string why;
     file = InputFile::open(profile, why);
     if (!file) {
-        fail_usage(fmt::format("--profile: as a file: {}; there is no profile {}{}", why,
-                               glint::quoted(profile), suggestion(profile, names)));
+        fail_usage(fmt::format("--profile: {} is neither a profile nor a readable file ({}){}",
+                               glint::quoted(profile), why, suggestion(profile, names)));
     }
     options.profile_text = SceneText{profile, file->text(), {}};
 }
@@ -71,10 +71,10 @@ std::vector<std::string_view> setting_names() {
 void add_scene_arguments(CLI::App& command, SceneArguments& arguments) {
     command
         .add_option("SCENE", arguments.files,
-                    "Scene files, read together as one scene; - is standard input (then --format is needed)")
+                    "Scene files, read together as one scene; - is standard input (needs --format)")
         ->option_text("...")
         ->required();
-    command.add_option("--scene", arguments.scene_name, "Which scene of a file that holds several")
+    command.add_option("--scene", arguments.scene_name, "The scene to use, if the file has several")
         ->option_text("NAME");
     add_convention_arguments(command, arguments);
 }
@@ -83,7 +83,7 @@ void add_convention_arguments(CLI::App& command, SceneArguments& arguments) {
     std::vector<std::string> format_names;
     for (const FormatInfo& format : formats()) format_names.emplace_back(format.name);
     const auto profiles = profile_names();
-    command.add_option("--format", arguments.format, "The scene's format, whatever its file is called")
+    command.add_option("--format", arguments.format, "The scene's format; default: by the file name")
         ->check(one_of(format_names))
         ->option_text(fmt::format("{}", fmt::join(format_names, "|")));
     command
@@ -94,10 +94,10 @@ void add_convention_arguments(CLI::App& command, SceneArguments& arguments) {
                 joined(profiles)))
         ->option_text("NAME|FILE");
     command
-        .add_option(
-            "--convention", arguments.conventions,
-            "Set one convention (docs/conventions.md lists them; `glint info SCENE` shows what is in force); "
-            "may be repeated")
+        .add_option("--convention", arguments.conventions,
+                    "Set one convention (docs/conventions.md lists them; `glint info SCENE` shows the values "
+                    "in force); "
+                    "may be repeated")
         ->option_text("KEY=VALUE")
         ->expected(1)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);

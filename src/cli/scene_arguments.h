@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// What the commands have in common: which scene, read how.
+// The scene options that all commands share.
 #include <CLI/CLI.hpp>
 #include <string>
 #include <utility>
@@ -15,35 +15,35 @@ struct SceneArguments {
     std::vector<std::string> files;
     std::string format, scene_name, profile;
     std::vector<std::string> conventions;  // KEY=VALUE
-    /// Filled by the command from its own options before load_scene.
+    /// Set by the command from its own options, before load_scene.
     std::vector<std::pair<std::string, std::string>> settings;
 };
 
 /// Adds SCENE..., --format, --scene, --profile and --convention.
 void add_scene_arguments(CLI::App& command, SceneArguments& arguments);
 
-/// --format, --profile and --convention alone, for commands whose scene is an option.
+/// Adds only --format, --profile and --convention, for commands whose scene is an option.
 void add_convention_arguments(CLI::App& command, SceneArguments& arguments);
 
-/// Of all settings and conventions.
+/// The names of all settings and conventions.
 std::vector<std::string_view> setting_names();
 
 struct LoadedScene {
     Scene scene;
     std::vector<Diagnostic> warnings;
     std::vector<InputFile> files;
-    std::vector<SceneText> texts;  ///< of `files`
+    std::vector<SceneText> texts;  ///< one for each of `files`
 };
 
-/// Reads the files as one scene. Throws Failure: of usage, for a setting that no scene takes; of input, after
-/// printing what is wrong with it.
+/// Reads the files as one scene. Throws a usage error for a setting that is invalid for every scene. Prints
+/// the errors of the scene and throws Failure (bad input).
 LoadedScene load_scene(const SceneArguments& arguments);
 
-/// Adds the texts that the scene includes to `texts`, as far as they can be opened again; keep what is
-/// returned as long as them.
+/// Opens the files that the scene includes again, and adds their texts to `texts`. The texts are valid as
+/// long as the returned files. A file that cannot be opened is omitted.
 std::vector<InputFile> open_included(const LoadedScene& loaded, std::vector<SceneText>& texts);
 
-/// Adds the warnings of prepare() that load() has not given already.
+/// Adds the warnings of prepare() that load() has not reported.
 void add_warnings(std::vector<Diagnostic>& warnings, const std::vector<Diagnostic>& more);
 
 /// Prints messages to standard error.

@@ -8,7 +8,7 @@ void add_scene_option(CLI::App& command, SceneOption& option, const char* descri
         ->option_text("FILE")
         ->expected(1)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-    command.add_option("--scene-name", option.scene.scene_name, "Which scene of a file that holds several")
+    command.add_option("--scene-name", option.scene.scene_name, "The scene to use, if the file has several")
         ->option_text("NAME");
     add_convention_arguments(command, option.scene);
     add_picture_arguments(command, option.picture);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// The scene that stands beside pictures: `--scene FILE` and how it is drawn.
+// The scene of commands whose arguments are pictures: `--scene FILE` and its options.
 #include <optional>
 
 #include "cli/picture_arguments.h"
@@ -8,15 +8,15 @@
 namespace glint::cli {
 
 struct SceneOption {
-    SceneArguments scene;  ///< no files: no scene was given
+    SceneArguments scene;  ///< no files if no scene was given
     PictureArguments picture;
 };
 
-/// Adds --scene FILE, --scene-name and the options of how the scene is drawn.
+/// Adds --scene FILE, --scene-name and the options for rendering the scene.
 void add_scene_option(CLI::App& command, SceneOption& option, const char* description);
 
-/// The scene, with its warnings printed unless `quiet`; nothing if none was given. Throws Failure as
-/// load_scene does.
+/// Loads the scene; prints its warnings unless `quiet`. Returns nothing if no scene was given. Throws the
+/// errors of load_scene.
 std::optional<LoadedScene> load_scene_option(SceneOption& option, bool quiet);
 
 }  // namespace glint::cli

@@ -16,7 +16,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::size_t k_max_listed = 20;  // of lights and materials, in the text
+constexpr std::size_t k_max_listed = 20;  // lights and materials listed in the text
 
 std::string vec(Vec3 v) { return fmt::format("({:.6g}, {:.6g}, {:.6g})", v.x, v.y, v.z); }
 std::string color(Color c) {
@@ -162,11 +162,11 @@ std::string text_report(const SceneReport& report) {
     }
     const WorldMemory used = memory_usage(report.world);
     fmt::format_to(out,
-                   "\nmemory      shapes {}, boxes {}, indices {}, hierarchy {}, materials {}, together {}\n",
+                   "\nmemory      shapes {}, boxes {}, indices {}, hierarchy {}, materials {}, total {}\n",
                    bytes_text(double(used.shapes)), bytes_text(double(used.boxes)),
                    bytes_text(double(used.indices)), bytes_text(double(used.hierarchy)),
                    bytes_text(double(used.materials)), bytes_text(double(used.total())));
-    fmt::format_to(out, "  {:.1f} bytes a shape of {} (polygons are triangles), without materials\n",
+    fmt::format_to(out, "  {:.1f} bytes per shape of {} (polygons are triangles), without materials\n",
                    used.each(), with_commas(used.packed));
     for (const bool conventions : {false, true}) {
         fmt::format_to(out, "{}\n", conventions ? "conventions" : "settings");

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// What `glint info` prints.
+// The output of `glint info`.
 #include <string>
 #include <vector>
 
@@ -17,10 +17,10 @@ struct SceneReport {
 std::string text_report(const SceneReport& report);
 std::string json_report(const SceneReport& report);
 
-/// The sum of the lights' colours, intensities included.
+/// The sum of the lights' colours times their intensities.
 Color sum_of_lights(const Scene& scene);
 
-/// Where a setting came from: "profile cgfs", "castle.json:3:5", "command line", "code".
+/// The origin of a setting's value: "profile cgfs", "castle.json:3:5", "command line", "code".
 std::string origin_text(const Scene& scene, std::size_t key);
 
 }  // namespace glint::cli

@@ -23,7 +23,7 @@ enum class Kind { file, folder, unreadable };
 struct Entry {
     std::string name, path;
     Kind kind;
-    std::string error;  // of what is unreadable
+    std::string error;  // if unreadable
 };
 
 struct Listing {
@@ -31,7 +31,7 @@ struct Listing {
     std::string error;
 };
 
-// Sorted by name; hidden ones, and those that archives of other systems leave ("__MACOSX"), are left out.
+// Sorted by name. Hidden files, and files that archives of other systems contain ("__MACOSX"), are omitted.
 Listing list(const std::string& folder) {
     Listing found;
     std::error_code error;
@@ -59,7 +59,7 @@ Listing list(const std::string& folder) {
     return found;
 }
 
-// Of the folder that the command was given: without it there is nothing to do.
+// The entries of the folder that the command was given. An unreadable one is an error.
 std::vector<Entry> entries(const std::string& folder) {
     Listing listing = list(folder);
     if (!listing.error.empty())
@@ -73,13 +73,13 @@ std::string folder_fault(const std::string& error) {
 
 bool is_picture(const Entry& entry) { return entry.kind != Kind::folder && is_picture_name(entry.name); }
 
-// A submission with the name that it has if no other has the same.
+// A submission with the short name that it gets if no other submission has the same name.
 struct Named {
     Submission submission;
-    std::string whole;  // path within the folder, which no other has
+    std::string whole;  // path within the folder; unique
 };
 
-// Until no two have one name: "ada" twice becomes "ada.png" and "ada.jpg".
+// Makes the names unique: "ada" twice becomes "ada.png" and "ada.jpg".
 std::vector<Submission> with_names_apart(std::vector<Named> all) {
     for (bool changed = true; changed;) {
         changed = false;
@@ -136,7 +136,7 @@ std::vector<Submission> list_folders(const std::string& folder) {
         return std::any_of(all.begin(), all.end(), [&](const Entry& e) { return e.kind == kind; });
     };
     std::vector<Submission> found;
-    // Where there are files and no folders, this is one student's own folder, whatever it links to.
+    // Files without folders: this is the folder of one student, even if it contains links to folders.
     if (is(Kind::folder) || !is(Kind::file)) {
         for (const Entry& entry : all) {
             if (entry.kind != Kind::file && !is_picture(entry))

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// What has been handed in: the pictures of a folder, or its folders.
+// The submissions to grade: the pictures of a folder, or its folders.
 #include <string>
 #include <string_view>
 #include <vector>
@@ -8,31 +8,31 @@
 namespace glint::cli {
 
 struct Submission {
-    /// Of the folder, or the file without its extension; "folder/file" if a folder holds several. Where two
-    /// would be called the same, they are "file.png" and "file.jpg".
+    /// The name of the folder, or of the file without its extension; "folder/file" if a folder has several
+    /// files. If two names were equal, they are "file.png" and "file.jpg".
     std::string name;
     std::string path;
-    std::string error;  ///< why nothing of it can be read; empty if it can, as far as one can tell
+    std::string error;  ///< why it cannot be read; empty if no error is known
 };
 
-/// True for the endings of pictures that can be read.
+/// True if the name has the extension of a picture format that can be read.
 bool is_picture_name(std::string_view path);
 
-/// The pictures in a folder and in its folders, one level down, by name; what cannot be read is one, too,
-/// and so is a folder without a picture.
+/// The pictures in a folder and one level of its folders, sorted by name. Unreadable entries, and folders
+/// without a picture, are listed with their error.
 /// Throws Failure if the folder itself cannot be read.
 std::vector<Submission> list_pictures(const std::string& folder);
 
-/// The folders in a folder, by name, and what may be one and cannot be read; the folder itself if it has
-/// none. Throws Failure if the folder itself cannot be read.
+/// The folders in a folder, sorted by name, and entries that cannot be read; the folder itself if it has no
+/// folders. Throws Failure if the folder itself cannot be read.
 std::vector<Submission> list_folders(const std::string& folder);
 
 struct FoundFile {
-    std::string path;   ///< empty if there is none
+    std::string path;   ///< empty if no file matches
     std::string error;  ///< "no file *phong*.png", or why the folder cannot be read
 };
 
-/// The first file of a submission, by name, that the pattern (* and ?) matches, small letters like capitals.
+/// The first file of a submission, by name, that matches the pattern (* and ?). Case does not matter.
 FoundFile find_file(const Submission& submission, const std::string& pattern);
 
 }  // namespace glint::cli

@@ -12,7 +12,7 @@
 namespace glint::cli {
 namespace {
 
-// Takes a whole number, and then the character `after` (0: the text's end).
+// Removes a whole number and the character `after` (0: the end of the text) from the front.
 std::optional<std::int64_t> take_number(std::string_view& text, char after) {
     std::int64_t number = 0;
     const char* end = text.data() + text.size();

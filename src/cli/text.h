@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// Small texts: what the command line says and what the command prints.
+// Text functions for arguments and output.
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -15,10 +15,10 @@ struct Size {
     std::int64_t width = 0, height = 0;
 };
 
-/// "640x480"; nothing if it is not two whole numbers (which may be 0 or too large).
+/// Parses "640x480"; nothing if it is not two whole numbers (they may be 0 or too large).
 std::optional<Size> parse_size(std::string_view text);
 
-/// "320x240+10+20".
+/// Parses "320x240+10+20".
 std::optional<Crop> parse_crop(std::string_view text);
 
 /// 1024311 -> "1,024,311".
@@ -33,14 +33,14 @@ std::string bytes_text(double bytes);
 /// "a, b and c".
 std::string joined(std::span<const std::string_view> words, std::string_view last = "and");
 
-/// What to say after "there is no command 'rendre'": "; did you mean `render`? (there are render, info and
+/// The continuation of "there is no command 'rendre'": "; did you mean `render`? (there are render, info and
 /// check)", or "; there are render, info and check".
 std::string suggestion(std::string_view word, std::span<const std::string_view> known);
 
 /// The file name of a path without its last extension.
 std::string stem(std::string_view path);
 
-/// The last extension with its dot, in small letters; empty if there is none.
+/// The last extension with its dot, in lower case; empty if there is none.
 std::string extension(std::string_view path);
 
 }  // namespace glint::cli

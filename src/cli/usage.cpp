@@ -53,8 +53,8 @@ std::string with_value(const CLI::Option& option) {
     return option.get_name() + (option.get_positional() || value.empty() ? "" : " " + value);
 }
 
-// The option that a message of the parser is about. Messages name it in front, or after "Could not convert:
-// ".
+// The option that a message of the parser is about. The message begins with its name, or with "Could not
+// convert: " and the name.
 const CLI::Option* option_of(const Options& options, std::string_view message) {
     constexpr std::string_view before = "Could not convert: ";
     if (message.starts_with(before)) message.remove_prefix(before.size());
@@ -134,7 +134,7 @@ std::string command_message(const CLI::App& app, std::span<const std::string> ar
                     fmt::format(" {} ", format.extensions).find(" " + ending + " ") != std::string::npos);
     }
     if (is_scene)
-        return fmt::format("'{}' is no command; did you mean 'glint render {}'?", word,
+        return fmt::format("'{}' is not a command; did you mean 'glint render {}'?", word,
                            fmt::join(arguments, " "));
     std::vector<std::string_view> names;
     for (const CLI::App* command : shown_commands(app)) names.push_back(command->get_name());

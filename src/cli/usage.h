@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// What is said of arguments that make no sense, in the command's own words.
+// Messages for arguments that are not valid.
 #include <CLI/CLI.hpp>
 #include <span>
 #include <string>
 
 namespace glint::cli {
 
-/// What is wrong with the arguments of `command` (or of `glint`), whose parsing ended in `error`. Unknown
-/// arguments come first, in their order: a missing one may be a misspelled one.
+/// The message for the arguments of `command` (or of `glint`), whose parsing threw `error`. Unknown
+/// arguments are reported first, because a missing one may be misspelt.
 std::string usage_message(const CLI::App& command, const CLI::ParseError& error);
 
 /// What is wrong with `glint WORD ...` where WORD is no command of `app`; empty if WORD is an option of

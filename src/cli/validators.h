@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// Checks of options' values, in the command's own words.
+// Checks of option values, with glint's own messages.
 #include <CLI/CLI.hpp>
 #include <string>
 #include <vector>
@@ -10,7 +10,7 @@ namespace glint::cli {
 /// One of these words.
 CLI::Validator one_of(std::vector<std::string> words);
 
-/// A number from least to most. CLI::Range takes "nan" for one.
+/// A number from least to most. CLI::Range accepts "nan", this does not.
 CLI::Validator number_between(double least, double most);
 
 /// A whole number from least to most.

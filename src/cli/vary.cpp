@@ -22,7 +22,7 @@ constexpr int k_max_values = 1001;
 
 struct Step {
     std::string value;
-    PictureDifference from_before;  ///< of the first value: nothing
+    PictureDifference from_before;  ///< empty for the first value
     std::uint64_t changed() const { return from_before.all.pixels - from_before.all.equal; }
 };
 
@@ -56,7 +56,7 @@ std::vector<std::string> parse_values(const std::string& whole, std::string_view
     return values;
 }
 
-// The first value from which on no step changes anything; nothing if the last one did.
+// The first value after which no step changes the picture; nothing if the last step changed it.
 const Step* settled(const std::vector<Step>& steps) {
     const Step* found = nullptr;
     for (std::size_t i = steps.size(); i > 1 && steps[i - 1].changed() == 0; --i) found = &steps[i - 2];
@@ -78,8 +78,7 @@ std::string text_of(const std::vector<Step>& steps, const Variation& v) {
         text += "\n";
     }
     const Step* still = settled(steps);
-    if (still != nullptr)
-        return text + fmt::format("from {} = {} on nothing changes\n", key_name(v), still->value);
+    if (still != nullptr) return text + fmt::format("no change from {} = {} on\n", key_name(v), still->value);
     return text + fmt::format("{} = {} still changes the picture\n", key_name(v), steps.back().value);
 }
 

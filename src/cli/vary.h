@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// `glint compare SCENE --vary KEY=VALUES`: which values of a setting change the picture.
+// `glint compare SCENE --vary KEY=VALUES`: finds the values of a setting that change the picture.
 #include <string>
 #include <vector>
 
@@ -13,10 +13,10 @@ struct Variation {
     std::vector<std::string> values;
 };
 
-/// "reflections=0..5" or "epsilon=0,1e-6,1e-3". Throws Failure: of usage.
+/// Parses "reflections=0..5" or "epsilon=0,1e-6,1e-3". Throws a usage error.
 Variation parse_variation(const std::string& text);
 
-/// Draws the scene with each value and prints how many pixels each step changes; returns the exit code.
+/// Renders the scene with each value and prints how many pixels each step changes. Returns the exit code.
 /// Throws Failure.
 int vary_command(SceneOption& scene, const Variation& variation, int threads, bool json, bool quiet);
 

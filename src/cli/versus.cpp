@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// glint versus: a scene drawn by two conventions, and what the difference comes from.
+// glint versus: renders a scene with two sets of conventions and explains the difference.
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -28,7 +28,7 @@ constexpr auto k_examples = R"(Examples:
   glint versus castle.json --a shading=phong --b shading=blinn-phong --match-exponents
   glint versus castle.json --a reflections=0 --b reflections=3 -o mirrors.png)";
 
-constexpr double k_matching_factor = 4;  // of exponents: docs/lighting.md
+constexpr double k_matching_factor = 4;  // see docs/lighting.md
 constexpr std::int32_t k_line = 4;       // pixels between the pictures
 
 struct VersusArguments {
@@ -46,7 +46,7 @@ struct Side {
     Image image;
 };
 
-// KEY=VALUE as --a and --b take them: any setting, or the profile to start from.
+// Applies the KEY=VALUE of --a and --b: any setting, or the profile to start from.
 SceneArguments with_settings(SceneArguments scene, const std::vector<std::string>& settings) {
     for (const std::string& setting : settings) {
         if (setting.starts_with("profile=")) {
@@ -58,7 +58,7 @@ SceneArguments with_settings(SceneArguments scene, const std::vector<std::string
     return scene;
 }
 
-// What a side is called. A faulty setting is told of by its own option.
+// The name of a side. Errors in its settings are reported for its own option.
 std::string name_of(const std::vector<std::string>& settings, const char* option) {
     for (const std::string& setting : settings) {
         const std::size_t equals = setting.find('=');
@@ -72,7 +72,7 @@ std::string name_of(const std::vector<std::string>& settings, const char* option
     return settings.empty() ? "as it is" : fmt::format("{}", fmt::join(settings, " "));
 }
 
-// A profile brings a size of its own: pictures that are held against each other have that of the first.
+// A profile may change the size. Pictures can be compared only at one size: that of the first.
 Side render_side(const VersusArguments& arguments, const std::vector<std::string>& settings,
                  const char* option, const std::optional<RenderSettings>& same_size) {
     Side side;
@@ -87,14 +87,14 @@ Side render_side(const VersusArguments& arguments, const std::vector<std::string
     }
     if (arguments.match_exponents && scene.settings.shading == Shading::blinn_phong) {
         for (Material& material : scene.materials) material.shininess *= k_matching_factor;
-        side.name += fmt::format(" with exponents times {}", k_matching_factor);
+        side.name += fmt::format(", exponents times {}", k_matching_factor);
     }
     side.world = prepare_or_fail(scene);
     side.image = render_or_fail(side.world);
     return side;
 }
 
-// Where the first drawing's profile may have another size than the scene.
+// The size of the scene, if the first picture's profile may have another.
 std::optional<RenderSettings> size_of_scene(const VersusArguments& arguments) {
     const bool has_profile = std::any_of(arguments.a.begin(), arguments.a.end(),
                                          [](const std::string& s) { return s.starts_with("profile="); });
@@ -102,7 +102,7 @@ std::optional<RenderSettings> size_of_scene(const VersusArguments& arguments) {
     return load_scene(arguments.scene).scene.settings;
 }
 
-// A, B and their difference beside each other, with a light line between.
+// A, B and their difference side by side, separated by a light line.
 Image side_by_side(const Image& a, const Image& b, const Image& difference) {
     const std::ptrdiff_t row = std::ptrdiff_t{3} * a.width, step = row + 3 * k_line;
     Image all{3 * a.width + 2 * k_line, a.height, {}};
@@ -141,7 +141,8 @@ int versus_command(VersusArguments& arguments) {
             throw Failure(k_usage, "the pictures and the report cannot both go to standard output");
     }
     if (arguments.a.empty() && arguments.b.empty())
-        throw Failure(k_usage, "expected --a KEY=VALUE or --b KEY=VALUE: what the two drawings differ in");
+        throw Failure(k_usage,
+                      "expected --a KEY=VALUE or --b KEY=VALUE: the difference between the pictures");
     add_settings(arguments.picture, true, arguments.scene);
     const Side a = render_side(arguments, arguments.a, "--a", size_of_scene(arguments));
     const Side b = render_side(arguments, arguments.b, "--b", a.loaded.scene.settings);
@@ -181,7 +182,7 @@ int versus_command(VersusArguments& arguments) {
 
 Run add_versus(CLI::App& app) {
     CLI::App& command = *app.add_subcommand(
-        "versus", "Draw a scene by two conventions, and explain the pixel that differs most");
+        "versus", "Render a scene with two sets of conventions, and explain the pixel that differs most");
     const auto arguments = std::make_shared<VersusArguments>();
     VersusArguments& v = *arguments;
     add_scene_arguments(command, v.scene);
@@ -192,11 +193,13 @@ Run add_versus(CLI::App& app) {
             ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
     };
     side("--a", v.a,
-         "A setting of the first drawing: a convention, a render setting, or profile=NAME; may be repeated");
-    side("--b", v.b, "The same of the second; without --a or --b, that drawing is of the scene as it is");
-    command.add_flag("--match-exponents", v.match_exponents,
-                     "Blinn-Phong with exponents times 4, which makes highlights about as wide as Phong's");
-    command.add_option("-o,--output", v.output, "Write both pictures and their difference beside each other")
+         "A setting of the first picture: a convention, a render setting, or profile=NAME; may be repeated");
+    side("--b", v.b,
+         "The same for the second picture; without --a or --b, that picture shows the scene as it is");
+    command.add_flag(
+        "--match-exponents", v.match_exponents,
+        "With Blinn-Phong, multiply exponents by 4: highlights are then about as wide as Phong's");
+    command.add_option("-o,--output", v.output, "Write both pictures and their difference side by side")
         ->option_text("OUT.png");
     command.add_flag("--json", v.json, "Print JSON");
     add_picture_arguments(command, v.picture);

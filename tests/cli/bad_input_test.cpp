@@ -82,9 +82,9 @@ TEST(BadInput, Usage) {
         {{"render", "a.cgfs", "--size", "64x64", "--crop", "10x10+60+0"}, "64x64"},
         {{"render", "a.cgfs", "--crop", "10x10+2147483647+0"}, "WxH+X+Y"},
         {{"render", "a.cgfs", "--aov", ""},
-         "--aov '': expected names of layers with commas between, found nothing"},
-        {{"render", "a.cgfs", "--aov", "normal,,depth"}, "--aov 'normal,,depth': expected names of layers"},
-        {{"render", "a.cgfs", "--aov", "normal,"}, "a comma without a name beside it"},
+         "--aov '': expected layer names separated by commas, found nothing"},
+        {{"render", "a.cgfs", "--aov", "normal,,depth"}, "--aov 'normal,,depth': expected layer names"},
+        {{"render", "a.cgfs", "--aov", "normal,"}, "an empty name"},
         {{"render", "a.cgfs", "--aov", "normals"}, "there is no layer 'normals'"},
         {{"render", "-"}, "--format"},
         {{"render", "-", "-", "--format", "cgfs"}, "once"},
@@ -116,7 +116,7 @@ TEST(BadInput, ForeignFlags) {
     const Folder folder;
     const Finished povray = run(folder, {"render", "+Ia.pov", "+W640", "+H480", "-D"});
     EXPECT_EQ(povray.code, 2);
-    EXPECT_TRUE(contains(povray.err, "+W640 +H480: glint says --size 640x480")) << povray.err;
+    EXPECT_TRUE(contains(povray.err, "+W640 +H480: use --size 640x480")) << povray.err;
     EXPECT_TRUE(contains(povray.err, "glint render a.pov --size 640x480")) << povray.err;
     const Finished tachyon = run(folder, {"a.dat", "-res", "640", "480", "-o", "a.ppm", "-numthreads", "2"});
     EXPECT_EQ(tachyon.code, 2);

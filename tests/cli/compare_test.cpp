@@ -192,7 +192,7 @@ TEST_F(Compare, OverwritesNothingThatItReads) {
     for (const char* name : {"right.png", "./right.png"}) {
         const Finished r = compare({"right.png", "dark.png", "--diff", name});
         EXPECT_EQ(r.code, 2);
-        EXPECT_TRUE(contains(r.err, "would overwrite what is read")) << r.err;
+        EXPECT_TRUE(contains(r.err, "would overwrite an input")) << r.err;
     }
     EXPECT_EQ(folder.read("right.png"), right);
 }

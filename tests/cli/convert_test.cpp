@@ -71,7 +71,7 @@ TEST(Convert, NeverOverwritesAScene) {
     for (const char* out : {"a.glint", "./a.glint", "link.glint"}) {
         const Finished r = run(folder, {"convert", "a.glint", "--format", "cgfs", out});
         EXPECT_EQ(r.code, 2) << out;
-        EXPECT_TRUE(contains(r.err, "would overwrite what is read")) << r.err;
+        EXPECT_TRUE(contains(r.err, "would overwrite an input")) << r.err;
     }
     EXPECT_EQ(folder.read("a.glint"), k_scene);
 }
@@ -92,7 +92,7 @@ TEST(Convert, WhatItCannotDo) {
         {{"convert", "a.cgfs", "-o", "a.json"}, 2, "'a.json': glint writes scenes as .glint only"},
         {{"convert", "none.cgfs", "b.glint"}, 1, "none.cgfs: no such file"},
         {{"convert", "bad.cgfs", "b.glint"}, 1, "bad.cgfs:1:"},
-        {{"convert", "a.cgfs", "none/b.glint"}, 1, "there is no folder 'none'"},
+        {{"convert", "a.cgfs", "none/b.glint"}, 1, "there is not a folder 'none'"},
         {{"convert", "a.cgfs", "-o", "/dev/full"}, 1, "No space left"},
     };
     for (const auto& [arguments, code, message] : cases) {

@@ -91,7 +91,7 @@ TEST(Explain, ListsTheSamples) {
                         "    0,0  (0, 0, 1)    hits nothing\n"
                         "    1,0  (0, 0, 1)    hits nothing\n"
                         "    0,1  (1, 0.5, 0)  sphere 'ball' (a.glint:5:1)\n"
-                        "    1,1  (0, 0, 1)    hits nothing; told above\n"))
+                        "    1,1  (0, 0, 1)    hits nothing; shown above\n"))
         << r.out;
     EXPECT_FALSE(contains(run(folder, {"explain", "a.glint", "-s", "9x9", "-p", "5,2"}).out, "its samples"));
     EXPECT_FALSE(contains(run(folder, {"explain", "a.glint", "-s", "9x9", "-p", "5,2", "--aa", "9"}).out,
@@ -142,7 +142,7 @@ TEST(Explain, WhyALightAddsNothing) {
         contains(run(folder, {"explain", acne, "-p", "10,10", "--why-not", "1"}).out, "hits nothing"));
     const Finished json = run(folder, {"explain", acne, "-p", "140,110", "--why-not", "2", "--as", "json"});
     EXPECT_EQ(json.code, 2);
-    EXPECT_TRUE(contains(json.err, "--why-not is answered as text, not as json")) << json.err;
+    EXPECT_TRUE(contains(json.err, "--why-not prints text only, not json")) << json.err;
     const Finished none = run(folder, {"explain", acne, "-p", "140,110", "--why-not", "moon"});
     EXPECT_EQ(none.code, 2);
     EXPECT_TRUE(contains(none.err, "there is no light 'moon'; there are 2 lights")) << none.err;

@@ -201,12 +201,12 @@ TEST_F(Grade, OutputsSpareWhatIsRead) {
     std::vector<std::string> before;
     for (const std::string& name : names) before.push_back(folder.read(name));
     const std::pair<std::vector<std::string>, const char*> cases[] = {
-        {{"--csv", "./castle.json"}, "--csv './castle.json' would overwrite what is read"},
-        {{"--json", "one.rubric"}, "--json 'one.rubric' would overwrite what is read"},
-        {{"--sheet", "right.png"}, "--sheet 'right.png' would overwrite what is read"},
-        {{"--sheet", "link.png"}, "--sheet 'link.png' would overwrite what is read"},
-        {{"--csv", "a", "--json", "./a"}, "--csv and --json are one file, './a'"},
-        {{"--csv", "a.png", "--sheet", "in/../a.png"}, "--csv and --sheet are one file"},
+        {{"--csv", "./castle.json"}, "--csv './castle.json' would overwrite an input"},
+        {{"--json", "one.rubric"}, "--json 'one.rubric' would overwrite an input"},
+        {{"--sheet", "right.png"}, "--sheet 'right.png' would overwrite an input"},
+        {{"--sheet", "link.png"}, "--sheet 'link.png' would overwrite an input"},
+        {{"--csv", "a", "--json", "./a"}, "--csv and --json are the same file, './a'"},
+        {{"--csv", "a.png", "--sheet", "in/../a.png"}, "--csv and --sheet are the same file"},
         {{"--csv", "in/ada.png"}, "--csv 'in/ada.png' is in 'in/.', where the next run"},
         {{"--sheet", "in/sheet.png"},
          "where the next run would take it for handed in: write it into a folder"}};

@@ -51,7 +51,7 @@ class Overwriting : public testing::Test {
 
 TEST_F(Overwriting, IsRefusedBeforeTheWork) {
     const auto before = files();
-    const std::string read = "would overwrite what is read: choose another file", one = "are one file";
+    const std::string read = "would overwrite an input: choose another file", one = "are the same file";
     const std::pair<Arguments, std::string> cases[] = {
         {{"render", "s.cgfs", "--stats", "s.cgfs"}, "--stats 's.cgfs' " + read},
         {{"render", "s.cgfs", "--stats", "./s.cgfs"}, "--stats './s.cgfs' " + read},
@@ -60,7 +60,7 @@ TEST_F(Overwriting, IsRefusedBeforeTheWork) {
         {{"render", "s.cgfs", "--stats", "hard.json"}, "--stats 'hard.json' " + read},
         {{"render", "s.cgfs", "-o", "hard.png"}, "--output 'hard.png' " + read},
         {{"render", "soft.json", "--format", "cgfs", "--stats", "hard.json"}, read},
-        {{"render", "s.cgfs", "--stats", "s.png"}, "--output and --stats are one file, 's.png'"},
+        {{"render", "s.cgfs", "--stats", "s.png"}, "--output and --stats are the same file, 's.png'"},
         {{"render", "s.cgfs", "-o", "new.png", "--stats", "./new.png"}, one},
         {{"render", "s.cgfs", "-o", "a.png", "--stats", "a.png"}, one},
         {{"render", "s.cgfs", "--profile", "p.ppm", "-o", "p.ppm"}, "--output 'p.ppm' " + read},
@@ -68,7 +68,7 @@ TEST_F(Overwriting, IsRefusedBeforeTheWork) {
         {{"render", "x.png", "--format", "cgfs"}, "--output 'x.png' " + read},
         {{"render", "whole.glint", "--stats", "part.glint"}, "--stats 'part.glint' " + read},
         {{"render", "s.cgfs", "--aov", "normal", "--stats", "s.normal.png"},
-         "--stats and --aov are one file"},
+         "--stats and --aov are the same file"},
         {{"render", "s.normal.png", "--format", "cgfs", "-o", "s.png", "--aov", "normal"}, "no such file"},
         {{"render", "-", "--format", "cgfs", "-o", "-", "--stats", "-"}, "--output and --stats cannot both"},
         {{"convert", "s.cgfs", "whole.glint", "part.glint"}, "OUT 'part.glint' " + read},
@@ -102,7 +102,7 @@ TEST_F(Overwriting, OfALayerThatIsAScene) {
     const Finished r =
         run(folder, {"render", "s.normal.png", "--format", "cgfs", "-o", "s.png", "--aov", "normal"});
     EXPECT_EQ(r.code, 2);
-    EXPECT_TRUE(contains(r.err, "--aov 's.normal.png' would overwrite what is read")) << r.err;
+    EXPECT_TRUE(contains(r.err, "--aov 's.normal.png' would overwrite an input")) << r.err;
     EXPECT_EQ(folder.read("s.normal.png"), k_scene);
     EXPECT_FALSE(folder.has("s.png"));
 }

@@ -29,7 +29,7 @@ TEST(Render, EndsWithOneLine) {
     folder.write("a.cgfs", k_scene);
     const Finished r = run(folder, {"render", "a.cgfs", "-s", "100x80", "-t", "2"});
     const std::regex line(R"(a\.png  100x80  \d{1,3}(,\d{3})* rays  \d+\.\d{3} s  \d+\.\d Mray/s  )"
-                          R"(\(whole \d+\.\d{3} s, 2 threads, [a-z0-9]+, 0 warnings\)\n)");
+                          R"(\(total \d+\.\d{3} s, 2 threads, [a-z0-9]+, 0 warnings\)\n)");
     EXPECT_TRUE(std::regex_match(r.err, line)) << r.err;
     EXPECT_EQ(run(folder, {"render", "a.cgfs", "-s", "10x10", "--quiet"}).err, "");
 }

@@ -107,17 +107,16 @@ TEST(Texts, ForeignFlags) {
     EXPECT_EQ(answer({"render", "a.cgfs", "-"}), "");
     EXPECT_EQ(answer({"render", "--", "+a.cgfs"}), "");
     EXPECT_EQ(answer({"render", "+W64", "+H48"}),
-              "+W64 +H48: glint says --size 64x48\nso: glint render --size 64x48");
-    EXPECT_EQ(answer({"+w64"}), "+w64: glint says --size 64xH\nso: glint render --size 64xH");
+              "+W64 +H48: use --size 64x48\ncommand: glint render --size 64x48");
+    EXPECT_EQ(answer({"+w64"}), "+w64: use --size 64xH\ncommand: glint render --size 64xH");
     EXPECT_EQ(answer({"render", "a.json", "--width", "64", "--height=48", "-i", "b.json"}),
-              "--width 64 --height 48: glint says --size 64x48\n-i b.json: glint says b.json\n"
-              "so: glint render a.json b.json --size 64x48");
-    EXPECT_EQ(
-        answer({"--input=a.json", "--spp", "16", "--jobs", "2"}),
-        "--input a.json: glint says a.json\n--spp 16: glint says --aa 4\n--jobs 2: glint says --threads 2\n"
-        "so: glint render a.json --aa 4 --threads 2");
+              "--width 64 --height 48: use --size 64x48\n-i b.json: use b.json\n"
+              "command: glint render a.json b.json --size 64x48");
+    EXPECT_EQ(answer({"--input=a.json", "--spp", "16", "--jobs", "2"}),
+              "--input a.json: use a.json\n--spp 16: use --aa 4\n--jobs 2: use --threads 2\n"
+              "command: glint render a.json --aa 4 --threads 2");
     EXPECT_EQ(answer({"check", "a.json", "--samples", "5"}),
-              "--samples 5: glint says --aa 3\nso: glint check a.json --aa 3");
+              "--samples 5: use --aa 3\ncommand: glint check a.json --aa 3");
     for (const char* flag :
          {"--width",      "--height",   "-i",        "--input", "--samples",  "--spp",
           "--jobs",       "-j",         "--depth",   "--seed",  "+A",         "-A",
@@ -126,7 +125,7 @@ TEST(Texts, ForeignFlags) {
           "-lowestshade", "-aasamples", "-raydepth", "-res",    "-verbose"}) {
         const std::string text = answer({"a.cgfs", flag});
         EXPECT_EQ(text.find(flag), 0u) << text;
-        EXPECT_NE(text.find("\nso: glint render a.cgfs"), std::string::npos) << text;
+        EXPECT_NE(text.find("\ncommand: glint render a.cgfs"), std::string::npos) << text;
     }
 }
 

@@ -3,17 +3,17 @@
 _glint() {
     if (( CURRENT == 2 )); then
         local -a commands=(
-            'render:Draw a scene'
-            'info:Say what a scene holds and which conventions are in force'
-            'convert:Write a scene of any format in glint'\''s own language\: the same picture, to the bit'
-            'check:Name a scene'\''s likely mistakes, each with its line and remedy'
-            'explain:Say why a pixel has its colour'
+            'render:Render a scene'
+            'info:Print a scene'\''s contents and the conventions in force'
+            'convert:Convert a scene of any format to .glint; its picture stays the same, bit for bit'
+            'check:List a scene'\''s likely mistakes, each with its line and remedy'
+            'explain:Explain the colour of a pixel'
             'compare:Compare a picture with a reference and say why they differ'
-            'versus:Draw a scene by two conventions, and explain the pixel that differs most'
+            'versus:Render a scene with two sets of conventions, and explain the pixel that differs most'
             'grade:Hold every picture of a folder against a reference, or a rubric'\''s parts'
             'completion:Print a completion script for the shell'
-            'help:Say how a command is used, as its --help does'
-            'version:Print the version, as --version does'
+            'help:Print the help of a command, like its --help'
+            'version:Print the version, like --version'
         )
         _describe -t commands command commands
         [[ $PREFIX == -* ]] && compadd -- --help --version
@@ -27,83 +27,83 @@ _glint() {
             _arguments \
                 '(-h --help)'{-h,--help}'[Print this help message and exit]' \
                 '*:SCENE:_files -g "*.(cgfs|json|js|pov|nff|glint)"' \
-                '--scene[Which scene of a file that holds several]:NAME: ' \
-                '--format[The scene'\''s format, whatever its file is called]:cgfs|epfl|csc473|nff|glint:(cgfs epfl csc473 nff glint)' \
+                '--scene[The scene to use, if the file has several]:NAME: ' \
+                '--format[The scene'\''s format]:cgfs|epfl|csc473|nff|glint:(cgfs epfl csc473 nff glint)' \
                 '--profile[Conventions to start from instead of the format'\''s: cgfs, epfl, lecture5, light, csc473, nff and glint]:NAME|FILE:{compadd -- cgfs epfl lecture5 light csc473 nff glint; _files}' \
-                '*--convention[Set one convention (docs/conventions.md lists them; `glint info SCENE` shows what is in force)]:KEY=VALUE:{compadd -S "" -- pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= min_weight= facing= cones= size= shading= shadows= reflections= aa=}' \
+                '*--convention[Set one convention (docs/conventions.md lists them; `glint info SCENE` shows the values in force)]:KEY=VALUE:{compadd -S "" -- pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= min_weight= facing= cones= size= shading= shadows= reflections= aa=}' \
                 '(-o --output)'{-o,--output}'[The picture: .png, .ppm or .exr]:OUT:_files' \
-                '(-s --size)'{-s,--size}'[Pixels]:WxH: ' \
-                '--shading[What a surface shows]:phong|blinn-phong|diffuse|color|normals:(phong blinn-phong diffuse color normals)' \
-                '--no-shadows[Every light reaches everything]' \
-                '--reflections[Most mirror generations]:N: ' \
-                '--aa[N x N regular samples a pixel]:N: ' \
-                '--aov[Also write these layers, with commas between: background, ambient, diffuse, specular, reflection, transmission, normal, depth, position, albedo, shadow, object and material]:LAYERS:(all background ambient diffuse specular reflection transmission normal depth position albedo shadow object material)' \
-                '--crop[Only this part of the picture]:WxH+X+Y: ' \
+                '(-s --size)'{-s,--size}'[Size in pixels]:WxH: ' \
+                '--shading[How surfaces are shaded]:phong|blinn-phong|diffuse|color|normals:(phong blinn-phong diffuse color normals)' \
+                '--no-shadows[No shadows: every light reaches every surface]' \
+                '--reflections[Largest number of successive reflections]:N: ' \
+                '--aa[N x N regular samples per pixel]:N: ' \
+                '--aov[Also write these layers, separated by commas: background, ambient, diffuse, specular, reflection, transmission, normal, depth, position, albedo, shadow, object and material]:LAYERS:(all background ambient diffuse specular reflection transmission normal depth position albedo shadow object material)' \
+                '--crop[Render only this part of the picture]:WxH+X+Y: ' \
                 '--transfer[none: the numbers as computed (default)]:none|srgb:(none srgb)' \
-                '--bits[Bits a channel of PNG and PPM: 8 (default) or 16]:8|16:(8 16)' \
-                '(-t --threads)'{-t,--threads}'[Threads]:N: ' \
+                '--bits[Bits per channel of PNG and PPM: 8 (default) or 16]:8|16:(8 16)' \
+                '(-t --threads)'{-t,--threads}'[Number of threads]:N: ' \
                 '--isa[Instruction set (`glint info --isa` lists them)]:NAME:{compadd -- $(glint info --isa 2>/dev/null)}' \
                 '--stats[Write times, rays and memory as JSON]:FILE.json:_files' \
-                '--strict[Any warning is an error: exit code 1, and no picture is written]' \
-                '--show[Also draw the picture in the terminal, in 24-bit colours]' \
-                '(-q --quiet)'{-q,--quiet}'[Say nothing but errors]' ;;
+                '--strict[Treat warnings as errors: exit code 1, and no picture is written]' \
+                '--show[Also show the picture in the terminal, in 24-bit colours]' \
+                '(-q --quiet)'{-q,--quiet}'[Print only errors]' ;;
         info)
             _arguments \
                 '(-h --help)'{-h,--help}'[Print this help message and exit]' \
                 '*:SCENE:_files -g "*.(cgfs|json|js|pov|nff|glint)"' \
-                '--scene[Which scene of a file that holds several]:NAME: ' \
-                '--format[The scene'\''s format, whatever its file is called]:cgfs|epfl|csc473|nff|glint:(cgfs epfl csc473 nff glint)' \
+                '--scene[The scene to use, if the file has several]:NAME: ' \
+                '--format[The scene'\''s format]:cgfs|epfl|csc473|nff|glint:(cgfs epfl csc473 nff glint)' \
                 '--profile[Conventions to start from instead of the format'\''s: cgfs, epfl, lecture5, light, csc473, nff and glint]:NAME|FILE:{compadd -- cgfs epfl lecture5 light csc473 nff glint; _files}' \
-                '*--convention[Set one convention (docs/conventions.md lists them; `glint info SCENE` shows what is in force)]:KEY=VALUE:{compadd -S "" -- pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= min_weight= facing= cones= size= shading= shadows= reflections= aa=}' \
-                '--json[As JSON]' \
+                '*--convention[Set one convention (docs/conventions.md lists them; `glint info SCENE` shows the values in force)]:KEY=VALUE:{compadd -S "" -- pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= min_weight= facing= cones= size= shading= shadows= reflections= aa=}' \
+                '--json[Print JSON]' \
                 '--isa[List the instruction sets of this machine, the best first]' ;;
         convert)
             _arguments \
                 '(-h --help)'{-h,--help}'[Print this help message and exit]' \
                 '*:SCENE:_files -g "*.(cgfs|json|js|pov|nff|glint)"' \
-                '--scene[Which scene of a file that holds several]:NAME: ' \
-                '--format[The scene'\''s format, whatever its file is called]:cgfs|epfl|csc473|nff|glint:(cgfs epfl csc473 nff glint)' \
+                '--scene[The scene to use, if the file has several]:NAME: ' \
+                '--format[The scene'\''s format]:cgfs|epfl|csc473|nff|glint:(cgfs epfl csc473 nff glint)' \
                 '--profile[Conventions to start from instead of the format'\''s: cgfs, epfl, lecture5, light, csc473, nff and glint]:NAME|FILE:{compadd -- cgfs epfl lecture5 light csc473 nff glint; _files}' \
-                '*--convention[Set one convention (docs/conventions.md lists them; `glint info SCENE` shows what is in force)]:KEY=VALUE:{compadd -S "" -- pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= min_weight= facing= cones= size= shading= shadows= reflections= aa=}' \
-                '(-o --output)'{-o,--output}'[What is written: a name that ends in .glint]:OUT:_files' \
-                '(-q --quiet)'{-q,--quiet}'[Say nothing but errors]' ;;
+                '*--convention[Set one convention (docs/conventions.md lists them; `glint info SCENE` shows the values in force)]:KEY=VALUE:{compadd -S "" -- pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= min_weight= facing= cones= size= shading= shadows= reflections= aa=}' \
+                '(-o --output)'{-o,--output}'[The output file: a name that ends in .glint]:OUT:_files' \
+                '(-q --quiet)'{-q,--quiet}'[Print only errors]' ;;
         check)
             _arguments \
                 '(-h --help)'{-h,--help}'[Print this help message and exit]' \
                 '*:SCENE:_files -g "*.(cgfs|json|js|pov|nff|glint)"' \
-                '--scene[Which scene of a file that holds several]:NAME: ' \
-                '--format[The scene'\''s format, whatever its file is called]:cgfs|epfl|csc473|nff|glint:(cgfs epfl csc473 nff glint)' \
+                '--scene[The scene to use, if the file has several]:NAME: ' \
+                '--format[The scene'\''s format]:cgfs|epfl|csc473|nff|glint:(cgfs epfl csc473 nff glint)' \
                 '--profile[Conventions to start from instead of the format'\''s: cgfs, epfl, lecture5, light, csc473, nff and glint]:NAME|FILE:{compadd -- cgfs epfl lecture5 light csc473 nff glint; _files}' \
-                '*--convention[Set one convention (docs/conventions.md lists them; `glint info SCENE` shows what is in force)]:KEY=VALUE:{compadd -S "" -- pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= min_weight= facing= cones= size= shading= shadows= reflections= aa=}' \
-                '(-s --size)'{-s,--size}'[Pixels]:WxH: ' \
-                '--shading[What a surface shows]:phong|blinn-phong|diffuse|color|normals:(phong blinn-phong diffuse color normals)' \
-                '--no-shadows[Every light reaches everything]' \
-                '--reflections[Most mirror generations]:N: ' \
-                '--aa[N x N regular samples a pixel]:N: ' \
-                '(-t --threads)'{-t,--threads}'[Threads]:N: ' \
+                '*--convention[Set one convention (docs/conventions.md lists them; `glint info SCENE` shows the values in force)]:KEY=VALUE:{compadd -S "" -- pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= min_weight= facing= cones= size= shading= shadows= reflections= aa=}' \
+                '(-s --size)'{-s,--size}'[Size in pixels]:WxH: ' \
+                '--shading[How surfaces are shaded]:phong|blinn-phong|diffuse|color|normals:(phong blinn-phong diffuse color normals)' \
+                '--no-shadows[No shadows: every light reaches every surface]' \
+                '--reflections[Largest number of successive reflections]:N: ' \
+                '--aa[N x N regular samples per pixel]:N: ' \
+                '(-t --threads)'{-t,--threads}'[Number of threads]:N: ' \
                 '--strict[Exit code 1 if there is any finding or warning]' \
-                '--json[The findings as a JSON array]' ;;
+                '--json[Print the findings as a JSON array]' ;;
         explain)
             _arguments \
                 '(-h --help)'{-h,--help}'[Print this help message and exit]' \
                 '*:SCENE:_files -g "*.(cgfs|json|js|pov|nff|glint)"' \
-                '--scene[Which scene of a file that holds several]:NAME: ' \
-                '--format[The scene'\''s format, whatever its file is called]:cgfs|epfl|csc473|nff|glint:(cgfs epfl csc473 nff glint)' \
+                '--scene[The scene to use, if the file has several]:NAME: ' \
+                '--format[The scene'\''s format]:cgfs|epfl|csc473|nff|glint:(cgfs epfl csc473 nff glint)' \
                 '--profile[Conventions to start from instead of the format'\''s: cgfs, epfl, lecture5, light, csc473, nff and glint]:NAME|FILE:{compadd -- cgfs epfl lecture5 light csc473 nff glint; _files}' \
-                '*--convention[Set one convention (docs/conventions.md lists them; `glint info SCENE` shows what is in force)]:KEY=VALUE:{compadd -S "" -- pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= min_weight= facing= cones= size= shading= shadows= reflections= aa=}' \
+                '*--convention[Set one convention (docs/conventions.md lists them; `glint info SCENE` shows the values in force)]:KEY=VALUE:{compadd -S "" -- pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= min_weight= facing= cones= size= shading= shadows= reflections= aa=}' \
                 '(-p --pixel)'{-p,--pixel}'[The pixel, counted from 0 at the top left]:X,Y: ' \
-                '--sample[Whose rays are told, column and row of the pixel'\''s --aa samples]:I,J: ' \
+                '--sample[The sample whose rays are printed: its column and row in the pixel]:I,J: ' \
                 '--as[text (default)]:text|json|printrays:(text json printrays)' \
                 '--origin[Where pixel 0,0 is]:top-left|bottom-left:(top-left bottom-left)' \
-                '--why-not[Only what this light does there, by its name or its number from 1]:LIGHT: ' \
-                '--overlay[Also draw the picture with the pixel'\''s rays over it]:OUT.png:_files' \
-                '(-s --size)'{-s,--size}'[Pixels]:WxH: ' \
-                '--shading[What a surface shows]:phong|blinn-phong|diffuse|color|normals:(phong blinn-phong diffuse color normals)' \
-                '--no-shadows[Every light reaches everything]' \
-                '--reflections[Most mirror generations]:N: ' \
-                '--aa[N x N regular samples a pixel]:N: ' \
+                '--why-not[Explain only this light'\''s effect]:LIGHT: ' \
+                '--overlay[Also render the picture, with the pixel'\''s rays drawn over it]:OUT.png:_files' \
+                '(-s --size)'{-s,--size}'[Size in pixels]:WxH: ' \
+                '--shading[How surfaces are shaded]:phong|blinn-phong|diffuse|color|normals:(phong blinn-phong diffuse color normals)' \
+                '--no-shadows[No shadows: every light reaches every surface]' \
+                '--reflections[Largest number of successive reflections]:N: ' \
+                '--aa[N x N regular samples per pixel]:N: ' \
                 '--transfer[none: the numbers as computed (default)]:none|srgb:(none srgb)' \
-                '--bits[Bits a channel of PNG and PPM: 8 (default) or 16]:8|16:(8 16)' \
+                '--bits[Bits per channel of PNG and PPM: 8 (default) or 16]:8|16:(8 16)' \
                 '--isa[Instruction set (`glint info --isa` lists them)]:NAME:{compadd -- $(glint info --isa 2>/dev/null)}' ;;
         compare)
             _arguments \
@@ -115,16 +115,16 @@ _glint() {
                 '--diff[Write |A - B| as a PNG, amplified so that the largest difference is white]:OUT.png:_files' \
                 '--vary[Draw a scene with each value of a setting: which steps change the picture]:KEY=VALUES:{compadd -S "" -- pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= min_weight= facing= cones= size= shading= shadows= reflections= aa=}' \
                 '*--scene[The scene that draws B: causes are tried by rendering it with each]:FILE:_files -g "*.(cgfs|json|js|pov|nff|glint)"' \
-                '--scene-name[Which scene of a file that holds several]:NAME: ' \
-                '--format[The scene'\''s format, whatever its file is called]:cgfs|epfl|csc473|nff|glint:(cgfs epfl csc473 nff glint)' \
+                '--scene-name[The scene to use, if the file has several]:NAME: ' \
+                '--format[The scene'\''s format]:cgfs|epfl|csc473|nff|glint:(cgfs epfl csc473 nff glint)' \
                 '--profile[Conventions to start from instead of the format'\''s: cgfs, epfl, lecture5, light, csc473, nff and glint]:NAME|FILE:{compadd -- cgfs epfl lecture5 light csc473 nff glint; _files}' \
-                '*--convention[Set one convention (docs/conventions.md lists them; `glint info SCENE` shows what is in force)]:KEY=VALUE:{compadd -S "" -- pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= min_weight= facing= cones= size= shading= shadows= reflections= aa=}' \
-                '(-s --size)'{-s,--size}'[Pixels]:WxH: ' \
-                '--shading[What a surface shows]:phong|blinn-phong|diffuse|color|normals:(phong blinn-phong diffuse color normals)' \
-                '--no-shadows[Every light reaches everything]' \
-                '--reflections[Most mirror generations]:N: ' \
-                '--aa[N x N regular samples a pixel]:N: ' \
-                '(-t --threads)'{-t,--threads}'[Threads]:N: ' \
+                '*--convention[Set one convention (docs/conventions.md lists them; `glint info SCENE` shows the values in force)]:KEY=VALUE:{compadd -S "" -- pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= min_weight= facing= cones= size= shading= shadows= reflections= aa=}' \
+                '(-s --size)'{-s,--size}'[Size in pixels]:WxH: ' \
+                '--shading[How surfaces are shaded]:phong|blinn-phong|diffuse|color|normals:(phong blinn-phong diffuse color normals)' \
+                '--no-shadows[No shadows: every light reaches every surface]' \
+                '--reflections[Largest number of successive reflections]:N: ' \
+                '--aa[N x N regular samples per pixel]:N: ' \
+                '(-t --threads)'{-t,--threads}'[Number of threads]:N: ' \
                 '--no-causes[The figures alone: look for no causes]' \
                 '--json[Print JSON]' \
                 '(-q --quiet)'{-q,--quiet}'[Say nothing but errors: the exit code is the answer]' ;;
@@ -132,40 +132,40 @@ _glint() {
             _arguments \
                 '(-h --help)'{-h,--help}'[Print this help message and exit]' \
                 '*:SCENE:_files -g "*.(cgfs|json|js|pov|nff|glint)"' \
-                '--scene[Which scene of a file that holds several]:NAME: ' \
-                '--format[The scene'\''s format, whatever its file is called]:cgfs|epfl|csc473|nff|glint:(cgfs epfl csc473 nff glint)' \
+                '--scene[The scene to use, if the file has several]:NAME: ' \
+                '--format[The scene'\''s format]:cgfs|epfl|csc473|nff|glint:(cgfs epfl csc473 nff glint)' \
                 '--profile[Conventions to start from instead of the format'\''s: cgfs, epfl, lecture5, light, csc473, nff and glint]:NAME|FILE:{compadd -- cgfs epfl lecture5 light csc473 nff glint; _files}' \
-                '*--convention[Set one convention (docs/conventions.md lists them; `glint info SCENE` shows what is in force)]:KEY=VALUE:{compadd -S "" -- pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= min_weight= facing= cones= size= shading= shadows= reflections= aa=}' \
-                '*--a[A setting of the first drawing: a convention, a render setting, or profile=NAME]:KEY=VALUE:{compadd -S "" -- pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= min_weight= facing= cones= size= shading= shadows= reflections= aa= profile=}' \
-                '*--b[The same of the second]:KEY=VALUE:{compadd -S "" -- pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= min_weight= facing= cones= size= shading= shadows= reflections= aa= profile=}' \
-                '--match-exponents[Blinn-Phong with exponents times 4, which makes highlights about as wide as Phong'\''s]' \
-                '(-o --output)'{-o,--output}'[Write both pictures and their difference beside each other]:OUT.png:_files' \
+                '*--convention[Set one convention (docs/conventions.md lists them; `glint info SCENE` shows the values in force)]:KEY=VALUE:{compadd -S "" -- pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= min_weight= facing= cones= size= shading= shadows= reflections= aa=}' \
+                '*--a[A setting of the first picture: a convention, a render setting, or profile=NAME]:KEY=VALUE:{compadd -S "" -- pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= min_weight= facing= cones= size= shading= shadows= reflections= aa= profile=}' \
+                '*--b[The same for the second picture]:KEY=VALUE:{compadd -S "" -- pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= min_weight= facing= cones= size= shading= shadows= reflections= aa= profile=}' \
+                '--match-exponents[With Blinn-Phong, multiply exponents by 4: highlights are then about as wide as Phong'\''s]' \
+                '(-o --output)'{-o,--output}'[Write both pictures and their difference side by side]:OUT.png:_files' \
                 '--json[Print JSON]' \
-                '(-s --size)'{-s,--size}'[Pixels]:WxH: ' \
-                '--shading[What a surface shows]:phong|blinn-phong|diffuse|color|normals:(phong blinn-phong diffuse color normals)' \
-                '--no-shadows[Every light reaches everything]' \
-                '--reflections[Most mirror generations]:N: ' \
-                '--aa[N x N regular samples a pixel]:N: ' ;;
+                '(-s --size)'{-s,--size}'[Size in pixels]:WxH: ' \
+                '--shading[How surfaces are shaded]:phong|blinn-phong|diffuse|color|normals:(phong blinn-phong diffuse color normals)' \
+                '--no-shadows[No shadows: every light reaches every surface]' \
+                '--reflections[Largest number of successive reflections]:N: ' \
+                '--aa[N x N regular samples per pixel]:N: ' ;;
         grade)
             _arguments \
                 '(-h --help)'{-h,--help}'[Print this help message and exit]' \
                 ':DIR:_files -/' \
                 '--reference[The picture that is right]:PICTURE:_files' \
                 '*--scene[The scene to be drawn: names the causes, and draws a rubric'\''s parts]:FILE:_files -g "*.(cgfs|json|js|pov|nff|glint)"' \
-                '--scene-name[Which scene of a file that holds several]:NAME: ' \
-                '--format[The scene'\''s format, whatever its file is called]:cgfs|epfl|csc473|nff|glint:(cgfs epfl csc473 nff glint)' \
+                '--scene-name[The scene to use, if the file has several]:NAME: ' \
+                '--format[The scene'\''s format]:cgfs|epfl|csc473|nff|glint:(cgfs epfl csc473 nff glint)' \
                 '--profile[Conventions to start from instead of the format'\''s: cgfs, epfl, lecture5, light, csc473, nff and glint]:NAME|FILE:{compadd -- cgfs epfl lecture5 light csc473 nff glint; _files}' \
-                '*--convention[Set one convention (docs/conventions.md lists them; `glint info SCENE` shows what is in force)]:KEY=VALUE:{compadd -S "" -- pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= min_weight= facing= cones= size= shading= shadows= reflections= aa=}' \
-                '(-s --size)'{-s,--size}'[Pixels]:WxH: ' \
-                '--shading[What a surface shows]:phong|blinn-phong|diffuse|color|normals:(phong blinn-phong diffuse color normals)' \
-                '--no-shadows[Every light reaches everything]' \
-                '--reflections[Most mirror generations]:N: ' \
-                '--aa[N x N regular samples a pixel]:N: ' \
+                '*--convention[Set one convention (docs/conventions.md lists them; `glint info SCENE` shows the values in force)]:KEY=VALUE:{compadd -S "" -- pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= min_weight= facing= cones= size= shading= shadows= reflections= aa=}' \
+                '(-s --size)'{-s,--size}'[Size in pixels]:WxH: ' \
+                '--shading[How surfaces are shaded]:phong|blinn-phong|diffuse|color|normals:(phong blinn-phong diffuse color normals)' \
+                '--no-shadows[No shadows: every light reaches every surface]' \
+                '--reflections[Largest number of successive reflections]:N: ' \
+                '--aa[N x N regular samples per pixel]:N: ' \
                 '--rubric[Lines of PART POINTS FILE \[KEY=VALUE...\] (docs/teaching.md): points a part]:FILE:_files' \
                 '--csv[Write the table as CSV]:OUT:_files' \
                 '--json[Write all figures and causes as JSON]:OUT:_files' \
                 '--sheet[Write a PNG of all pictures, each above four times its difference, by the table'\''s numbers]:OUT.png:_files' \
-                '(-t --threads)'{-t,--threads}'[Threads]:N: ' \
+                '(-t --threads)'{-t,--threads}'[Number of threads]:N: ' \
                 '(-q --quiet)'{-q,--quiet}'[No warnings and no progress]' ;;
         completion)
             _arguments \
