@@ -10,10 +10,10 @@
 namespace glint {
 namespace {
 
-constexpr std::size_t k_max_shown = 160;  // bytes of a source line that a message shows
+constexpr std::size_t k_max_shown = 160;  // bytes of a source line shown in a message
 constexpr std::uint32_t k_max_warnings = 100;
 
-// Byte offset of a place; the end of the text if it has no such line.
+// The byte offset of a place; the end of the text if the line does not exist.
 std::size_t offset_of(std::string_view text, SourcePlace place) {
     std::size_t start = 0;
     for (std::uint32_t line = 1; line < place.line; ++line) {
@@ -41,7 +41,7 @@ Diagnostic make_diagnostic(Severity severity, InputText where, std::size_t offse
     const std::size_t start = offset - (column - 1);
     std::size_t end = where.text.find_first_of("\r\n", offset);
     if (end == std::string_view::npos) end = where.text.size();
-    // A line of 100 MB is shown only around the place.
+    // Of a very long line, only the part around the place is shown.
     const std::size_t shown = std::max(start, offset > k_max_shown / 2 ? offset - k_max_shown / 2 : 0);
     const std::size_t shown_end = std::min(end, shown + k_max_shown);
     Diagnostic d;
@@ -53,8 +53,8 @@ Diagnostic make_diagnostic(Severity severity, InputText where, std::size_t offse
         std::clamp<std::size_t>(length, 1, std::max<std::size_t>(1, shown_end - offset)));
     d.message = std::move(message);
     for (auto rest = where.text.substr(shown, shown_end - shown); !rest.empty();) {
-        // Control characters would move the caret, or the reader's terminal; what is not UTF-8 would break
-        // JSON.
+        // Control characters would move the caret or change the terminal's state; invalid UTF-8 would make
+        // invalid JSON.
         const std::size_t n = utf8_length(rest);
         const auto c = static_cast<unsigned char>(rest.front());
         const bool control =
@@ -96,7 +96,7 @@ void Diagnostics::warn(InputText where, std::size_t offset, std::size_t length, 
 }
 
 bool Diagnostics::warned(std::string_view key) const {
-    // Once the list is full, the keys must stop growing with the text too.
+    // When the list is full, new keys are not stored, or memory would grow with the text.
     return warnings_ == k_max_warnings || std::find(once_.begin(), once_.end(), key) != once_.end();
 }
 
@@ -144,7 +144,7 @@ std::string to_string(const Diagnostic& d) {
     out += d.message;
     out += '\n';
     if (!d.source_line.empty()) {
-        // Whoever made it, the caret stays within the line.
+        // Diagnostics may come from the caller: keep the caret within the line.
         const std::size_t caret = std::min<std::size_t>(d.caret, d.source_line.size());
         const std::size_t most = std::max<std::size_t>(1, d.source_line.size() - caret);
         const std::size_t length = std::clamp<std::size_t>(d.length, 1, most);

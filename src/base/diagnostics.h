@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// Collecting messages while reading a text: places are byte offsets until a message is made.
+// Collects messages while a text is read. Places are byte offsets until a message is made.
 #include <cstddef>
 #include <functional>
 #include <string>
@@ -11,20 +11,20 @@
 
 namespace glint {
 
-/// Line and column (from 1, in bytes) of byte `offset` of `text`.
+/// Converts byte `offset` of `text` to line and column (from 1, in bytes).
 struct LineColumn {
     std::uint32_t line = 1, column = 1;
 };
 LineColumn line_column(std::string_view text, std::size_t offset);
 
-/// A text under reading: knows its name and makes diagnostics from byte offsets.
+/// A text that is being read, and its name.
 struct InputText {
     std::string_view name;
     std::string_view text;
 };
 
-/// The diagnostic for bytes [offset, offset + length) of a text, with its source line, shortened around the
-/// place.
+/// The diagnostic for bytes [offset, offset + length) of a text, with its source line. A long line is
+/// shortened around the place.
 Diagnostic make_diagnostic(Severity severity, InputText where, std::size_t offset, std::size_t length,
                            std::string message);
 
@@ -34,8 +34,8 @@ std::string place_text(const Diagnostic& diagnostic);
 /// The diagnostic for the word at a place (line > 0) of a text.
 Diagnostic diagnostic_at(Severity severity, InputText where, SourcePlace place, std::string message);
 
-/// A list of diagnostics that stops growing: at most max_errors errors and 100 warnings and notes. Warnings
-/// that `warn_once` gives with the same key appear once.
+/// A bounded list of diagnostics: at most max_errors errors, and 100 warnings and notes. warn_once() adds
+/// one warning for each key.
 class Diagnostics {
   public:
     explicit Diagnostics(std::uint32_t max_errors = 20) : max_errors_(max_errors) {}
@@ -44,7 +44,7 @@ class Diagnostics {
     void warn(InputText where, std::size_t offset, std::size_t length, std::string message);
     void warn_once(std::string_view key, InputText where, std::size_t offset, std::size_t length,
                    std::string message);
-    /// True if warn_once with this key would add nothing.
+    /// True if warn_once() with this key would add nothing.
     bool warned(std::string_view key) const;
     /// True when reading should stop: as many errors as anyone reads, or the watcher said so.
     bool full() const { return errors_ >= max_errors_ || is_stopped_; }

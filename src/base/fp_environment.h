@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// The floating-point state that the bits of a picture assume.
+// The floating-point state that gives the same bits on every machine.
 #include <cstdint>
 #if defined(__SSE2__)
 #include <immintrin.h>
@@ -8,9 +8,9 @@
 
 namespace glint {
 
-/// Sets round-to-nearest without flush-to-zero for its lifetime and restores the caller's state. (Hosts that
-/// set FTZ exist: other renderers recommend it.) Where there is no such state, as in WebAssembly, it does
-/// nothing.
+/// Sets round-to-nearest without flush-to-zero for its lifetime, then restores the caller's state. (Some
+/// hosts set FTZ: other renderers recommend it.) It does nothing where no such state exists, as in
+/// WebAssembly.
 class DefaultFpEnvironment {
   public:
 #if defined(__SSE2__)
@@ -22,7 +22,7 @@ class DefaultFpEnvironment {
   private:
     unsigned saved_;
 #elif defined(__aarch64__)
-    // GCC alone has functions for the register, and of their own names; the assembler is everybody's.
+    // Only GCC has functions for this register; every compiler has inline assembly.
     DefaultFpEnvironment() {
         __asm__ __volatile__("mrs %0, fpcr" : "=r"(saved_) : : "memory");
         set(0);  // no traps, nearest, no FZ

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// Memory in large pages.
+// Allocation in large pages.
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -15,7 +15,7 @@ namespace glint {
 
 inline constexpr std::size_t k_huge_page = std::size_t{1} << 21;
 
-/// The whole pages in some memory; none where it is too small for large ones.
+/// The large pages that are completely inside a block of memory; none if the block is too small.
 struct WholePages {
     char* begin = nullptr;
     std::size_t bytes = 0;
@@ -29,8 +29,8 @@ struct WholePages {
     }
 };
 
-/// Asks the system to give memory that nobody has touched yet in large pages, where it has them: it is then
-/// handed over in few steps. No more than a wish: whatever the system answers, the memory is the same.
+/// Asks the system to use large pages for memory that has not been touched yet: fewer page faults. This is a
+/// hint; if the system ignores it, only speed changes.
 inline void advise_huge_pages([[maybe_unused]] void* memory, [[maybe_unused]] std::size_t size) {
 #if defined(__linux__) && defined(MADV_HUGEPAGE)
     const WholePages pages(memory, size);
@@ -38,13 +38,13 @@ inline void advise_huge_pages([[maybe_unused]] void* memory, [[maybe_unused]] st
 #endif
 }
 
-/// Has the system hand over untouched memory now, on all threads: to fill large pages with zeros is most of
-/// what a picture's memory costs. No more than a wish, too.
+/// Touches new memory on all threads: filling large pages with zeros is most of the cost of a picture's
+/// memory. Also a hint.
 inline void prefault_pages([[maybe_unused]] void* memory, [[maybe_unused]] std::size_t size,
                            [[maybe_unused]] int threads) {
 #if defined(__linux__) && defined(MADV_POPULATE_WRITE)
     const WholePages pages(memory, size);
-    // Up to the first border between large pages, then from border to border.
+    // First up to the first boundary of a large page, then one page at a time.
     const std::size_t before =
         (k_huge_page - reinterpret_cast<std::uintptr_t>(pages.begin) % k_huge_page) % k_huge_page;
     if (pages.bytes <= before) return;
@@ -56,7 +56,7 @@ inline void prefault_pages([[maybe_unused]] void* memory, [[maybe_unused]] std::
 #endif
 }
 
-/// Makes an empty vector n values long, in large pages where they are worth it.
+/// Makes an empty vector n values long, in large pages if it is large enough.
 template <class T> void resize_in_huge_pages(std::vector<T>& values, std::size_t n) {
     values.reserve(n);
     advise_huge_pages(values.data(), n * sizeof(T));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// Loops whose bodies are too short to be tasks.
+// Parallel loops with short bodies.
 #include <algorithm>
 #include <cstddef>
 
@@ -8,7 +8,7 @@
 
 namespace glint {
 
-/// As parallel_for, in chunks of 16384.
+/// Like parallel_for, in chunks of 16384.
 template <class Body> void parallel_chunks(std::size_t count, int threads, const Body& body) {
     constexpr std::size_t chunk = 16384;
     parallel_for((count + chunk - 1) / chunk, threads, [&](std::size_t block) {

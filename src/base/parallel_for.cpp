@@ -32,7 +32,7 @@ void parallel_for(std::size_t count, int, const std::function<void(std::size_t)>
 
 namespace {
 
-// More threads than processors: oneTBB would give fewer and print a warning.
+// Allows more threads than processors; oneTBB would otherwise use fewer and print a warning.
 class AllowThreads {
   public:
     explicit AllowThreads(int threads) {
@@ -49,8 +49,8 @@ class AllowThreads {
 using Arena = oneapi::tbb::task_arena;
 using ArenaPtr = std::unique_ptr<Arena>;
 
-// The arenas of calls that have ended, for those to come: oneTBB 2021.8 does not free every arena that is
-// destroyed (its issue 967), so memory would grow by some kilobytes with each call that made its own.
+// Arenas of finished calls, for reuse: oneTBB 2021.8 does not free every arena that is destroyed (its issue
+// 967), so that memory would grow by some kilobytes with each call that creates one.
 class IdleArenas {
   public:
     ArenaPtr take(int threads) {
@@ -75,20 +75,20 @@ class IdleArenas {
 
   private:
     using Mutex = oneapi::tbb::mutex;
-    static constexpr int k_max_slots = 4096;  // of a few kilobytes each
+    static constexpr int k_max_slots = 4096;  // a few kilobytes each
 
     Mutex mutex_;
-    std::vector<ArenaPtr> idle_;  // the last used last
+    std::vector<ArenaPtr> idle_;  // the most recently used is last
     int slots_ = 0;
 };
 
-// Never destroyed: at the program's end oneTBB may be gone before it.
+// Never destroyed: oneTBB may be unloaded before the destructor would run.
 IdleArenas& idle_arenas() {
     static auto* const arenas = new IdleArenas;
     return *arenas;
 }
 
-// An arena of one call alone: a thread that waits in it takes up no other call's work.
+// An arena for a single call: a thread that waits in it does not take up work of other calls.
 class LentArena {
   public:
     explicit LentArena(int threads) : arena_(idle_arenas().take(threads)) {}

@@ -10,7 +10,7 @@ namespace glint {
 namespace {
 
 constexpr std::size_t k_max_quoted = 40;  // bytes
-constexpr std::size_t k_max_word = 32;    // a longer word is no misspelling of ours
+constexpr std::size_t k_max_word = 32;    // longer words get no suggestion
 constexpr std::size_t k_max_candidates = 1000;
 constexpr std::size_t k_min_beginning = 3;  // letters from which a longer word can be guessed
 
@@ -58,7 +58,7 @@ std::size_t utf8_length(std::string_view text) {
     for (std::size_t i = 1; i < length; ++i) {
         if (!is_continuation(text[i])) return 0;
     }
-    // Overlong forms, surrogates, and what is above U+10FFFF.
+    // Overlong encodings, surrogates, and values above U+10FFFF.
     if ((c == 0xe0 && byte(1) < 0xa0) || (c == 0xed && byte(1) > 0x9f)) return 0;
     if ((c == 0xf0 && byte(1) < 0x90) || (c == 0xf4 && byte(1) > 0x8f)) return 0;
     return length;
@@ -106,7 +106,7 @@ std::string_view nearest_word(std::string_view word, std::span<const std::string
 
 std::string did_you_mean(std::string_view word, std::span<const std::string_view> candidates) {
     const auto near = nearest_word(word, candidates);
-    // A candidate may be the user's own word, which no message could show.
+    // The candidate may come from the user's text, and a message may be unable to show it.
     const bool shown = !near.empty() && quoted(near) == fmt::format("'{}'", near);
     return shown ? fmt::format("; did you mean `{}`?", near) : std::string();
 }

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// Words of the user's text inside messages.
+// Words from the user's text, for messages.
 #include <span>
 #include <string>
 #include <string_view>
 
 namespace glint {
 
-/// 'text' for a message: at most about 40 bytes, without control characters or broken UTF-8.
+/// 'text' for a message: at most about 40 bytes, without control characters and invalid UTF-8.
 std::string quoted(std::string_view text);
 
 /// The candidate that `word` is most likely a misspelling of, or an empty view: at most a third of the
@@ -15,7 +15,7 @@ std::string quoted(std::string_view text);
 /// begins with `word`, of at least three letters. Looks at the first 1000 candidates.
 std::string_view nearest_word(std::string_view word, std::span<const std::string_view> candidates);
 
-/// "; did you mean `radius`?", or an empty string if there is no near word.
+/// "; did you mean `radius`?", or an empty string if no candidate is near.
 std::string did_you_mean(std::string_view word, std::span<const std::string_view> candidates);
 
 /// "`a`, `b` or `c`".

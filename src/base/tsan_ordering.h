@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// oneTBB is not compiled with the thread sanitizer, which cannot see in it that a task starts after its
-// caller and ends before the caller goes on. Under that sanitizer, and only there, a TsanOrdering says so
-// with atomics of its own.
+// oneTBB is not compiled with the thread sanitizer. The sanitizer therefore does not know that a task starts
+// after its caller and ends before the caller continues. In builds with that sanitizer, TsanOrdering states
+// this order by its own atomic operations.
 #include <atomic>
 
 namespace glint {
 
-/// Compiled with the sanitizer, where parallel_for.cpp is not: what oneTBB's headers do belongs to oneTBB.
+/// This class is compiled with the sanitizer; parallel_for.cpp is not, because it contains oneTBB's headers.
 class TsanOrdering {
   public:
     TsanOrdering();
