@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// Axis-aligned boxes in single precision that contain what they were made from in double.
+// Single-precision axis-aligned boxes that contain the double-precision boxes they were made from.
 #include <limits>
 
 #include "glint/vec.h"
@@ -10,7 +10,7 @@
 
 namespace glint {
 
-/// Empty until something is added: lo > hi.
+/// Empty at first: lo > hi.
 struct Aabb {
     float lo[3] = {std::numeric_limits<float>::infinity(), std::numeric_limits<float>::infinity(),
                    std::numeric_limits<float>::infinity()};

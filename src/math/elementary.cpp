@@ -4,7 +4,7 @@
 #include "math/number.h"
 
 namespace glint::plain {
-using namespace number;  // what the templates below ask of their namespace
+using namespace number;  // the names that the templates below use
 }
 
 #define GLINT_NUMBER_NAMESPACE plain

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// The elementary functions of plain numbers. Ours, since those of the C library differ between machines
-// (docs/architecture.md); the formulas are in elementary_templates-inl.h and give lanes the same bits
+// Elementary functions of plain numbers. The C library's functions differ between machines
+// (docs/architecture.md). The formulas in elementary_templates-inl.h give lanes the same bits
 // (simd/elementary-inl.h).
 
 namespace glint {
@@ -13,19 +13,19 @@ double log(double x);
 double exp(double x);
 
 /// x^y for finite y and finite x >= 0: x^0 = 1; 0^y = 0 for y > 0, infinity for y < 0; infinity above the
-/// largest double. Numbers below 2^-1022 count as 0, in x and in the result. 0 for x < 0. Error below 0.66
-/// ulp.
+/// largest double. Numbers below 2^-1022, x or the result, count as 0. For x < 0 the result is 0. Error below
+/// 0.66 ulp.
 double pow(double x, double y);
 
-/// Of |x| <= 1e5 radians; any other angle counts as 0. The tangent's poles give infinity. Error below 0.81
-/// ulp, the tangent's below 0.95 ulp.
+/// For |x| <= 1e5 radians; other angles count as 0. The tangent is infinite at its poles. Error below 0.81
+/// ulp, of the tangent below 0.95 ulp.
 double sin(double x);
 double cos(double x);
 double tan(double x);
 
-/// Of |x| <= 2^45 degrees; any other angle counts as 0. Exact where the value is 0, 1/2 or 1 in size:
-/// cos_degrees(60) = 0.5. The tangent's poles give infinity. Error below 0.81 ulp, the tangent's below 0.95
-/// ulp.
+/// For |x| <= 2^45 degrees; other angles count as 0. Exact if the value is 0, +-1/2 or +-1:
+/// cos_degrees(60) = 0.5. The tangent is infinite at its poles. Error below 0.81 ulp, of the tangent below
+/// 0.95 ulp.
 double sin_degrees(double x);
 double cos_degrees(double x);
 double tan_degrees(double x);

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// log, exp, pow, sin, cos and tan as templates over the kind of number T: double, or the lanes of
+// log, exp, pow, sin, cos and tan as templates over the number type T: double, or the lanes of
 // simd/lanes-inl.h.
 //
-// No include guard and no fixed namespace: lanes compile only inside the namespace of their instruction set,
-// so a file that wants these functions opens them there:
+// No include guard and no fixed namespace: functions of lanes must be in the namespace of their instruction
+// set. A file that needs these functions defines them in its own namespace:
 //     #define GLINT_NUMBER_NAMESPACE plain                 (or HWY_NAMESPACE: simd/elementary-inl.h)
 //     #include "math/elementary_templates-inl.h"
-// and the namespace must already know the names of math/number.h. The macro is undefined again at the end.
+// The names of math/number.h must be visible in that namespace. The macro is undefined at the end.
 //
-// Only IEEE + - * /, comparisons and the names of math/number.h, no branches, no tables: the same bits from
-// every kind of number. Polynomials are minimax approximations; tests/math holds the errors in ulp.
+// Only IEEE + - * /, comparisons and the names of math/number.h; no branches, no tables: the same bits with
+// every number type. The polynomials are minimax approximations; tests/math checks the errors in ulp.
 #ifndef GLINT_NUMBER_NAMESPACE
 #error "define GLINT_NUMBER_NAMESPACE to the namespace that the functions are wanted in"
 #endif
@@ -22,7 +22,7 @@ namespace GLINT_NUMBER_NAMESPACE {
 /// The unevaluated sum of two numbers: hi + lo with |lo| far below |hi|.
 template <class T> struct HighLow { T hi, lo; };
 
-/// log2(x) for finite x >= 2^-1022, with a relative error below 2^-65; hi is a head.
+/// log2(x) for finite x >= 2^-1022, with a relative error below 2^-65; hi is a head (see head()).
 /// x = 2^e m, 1 <= m < 2; s = (m - c) / (m + c) for the nearest c of 1, about sqrt(2) and 2, so |s| < 0.0866;
 /// log2(x) = e + log2(c) + s (A + A/3 s^2 + s^4 R(s^2)), A = 2 / ln 2. The c in the middle is the double near
 /// sqrt(2) whose log2 is nearest to one of 24 bits: 2^-73 away. Split into exact products as in FDLIBM's pow.
@@ -62,8 +62,8 @@ template <class T> GLINT_INLINE HighLow<T> log2_high_low(T x) {
     return {hi, v - ((hi - base) - u)};
 }
 
-/// 2^(hi + lo); infinity where that exceeds the largest double, 0 below 2^-1022 (so that no result is
-/// subnormal). hi has at most 52 bits; it may be infinite, and lo anything then.
+/// 2^(hi + lo); infinity if that exceeds the largest double, 0 below 2^-1022 (so that no result is
+/// subnormal). hi has at most 52 bits; if it is infinite, lo may be anything.
 template <class T> GLINT_INLINE T exp2_high_low(T hi, T lo) {
     const T w = hi + lo;
     const T n = round_to_integer(w);
@@ -83,10 +83,10 @@ template <class T> GLINT_INLINE T exp2_high_low(T hi, T lo) {
     const T rest = r2 * 0x1.ebfbdff82c5a1p-3 + (cubic + v);
     const T one = 1.0 + u;
     const T power = one + ((u - (one - 1.0)) + rest);
-    // 2^1024 is not a number: the last doubling is done apart.
+    // 2^1024 is not a double: the last doubling is a separate step.
     const T scaled = power * exp2_integer(min(n, T(1023))) * select(n > 1023.0, T(2), T(1));
     const T beyond = select(hi > 0.0, T(k_infinity), T(0));
-    // Near the least normal number hi + 1022 is exact, so this asks for the sum before its rounding.
+    // Near the smallest normal number hi + 1022 is exact, so this tests the sum before it is rounded.
     const auto normal = (hi + 1022.0) + lo >= 0.0;
     return select(normal && (w <= 1024.0), scaled, beyond);
 }
@@ -97,16 +97,16 @@ template <class T> GLINT_INLINE T log_positive(T x) {
     return log2.hi * 0x1.62e42f8p-1 + (log2.hi * 0x1.be8e7bcd5e4f2p-27 + log2.lo * 0x1.62e42fefa39efp-1);
 }
 
-/// e^x for finite x; infinity where that exceeds the largest double, 0 where it is below 2^-1022.
+/// e^x for finite x; infinity if that exceeds the largest double, 0 if it is below 2^-1022.
 template <class T> GLINT_INLINE T exp(T x) {
     const T x_hi = head(x);  // log2 e = 0x1.715476p+0 + 0x1.4ae0bf85ddf44p-26
     return exp2_high_low(x_hi * 0x1.715476p+0,
                          (x - x_hi) * 0x1.71547652b82fep+0 + x_hi * 0x1.4ae0bf85ddf44p-26);
 }
 
-/// x^y for finite y and finite x >= 0: x^0 = 1, 0^y = 0 for y > 0 and infinity for y < 0; infinity where the
-/// result exceeds the largest double. Numbers below 2^-1022 count as 0, in x and in the result. 0 for x < 0
-/// whatever y (a cosine that faces away).
+/// x^y for finite y and finite x >= 0: x^0 = 1, 0^y = 0 for y > 0 and infinity for y < 0; infinity if the
+/// result exceeds the largest double. Numbers below 2^-1022, x or the result, count as 0. For x < 0 (a cosine
+/// on the far side) the result is 0 for every y.
 template <class T> GLINT_INLINE T pow(T x, T y) {
     const auto log2 = log2_high_low(x);
     const T y_hi = head(y);
@@ -115,13 +115,13 @@ template <class T> GLINT_INLINE T pow(T x, T y) {
     return select(x >= 0x1p-1022, power, select(x < 0.0, T(0), at_zero));
 }
 
-/// An angle as quadrant * 90 degrees + (hi + lo) radians, |hi| below 45.001 degrees, quadrant one of -2, -1,
-/// 0, 1, 2.
+/// An angle as quadrant * 90 degrees + (hi + lo) radians, with |hi| below 45.001 degrees; quadrant is -2, -1,
+/// 0, 1 or 2.
 template <class T> struct ReducedAngle { T quadrant, hi, lo; };
 
 template <class T> GLINT_INLINE T quadrant_of(T n) { return n - 4.0 * round_to_integer(n * 0.25); }
 
-/// |x| <= 1e5 radians; other angles are taken as 0. Cody and Waite's reduction: the first two of the three
+/// |x| <= 1e5 radians; other angles count as 0. Cody and Waite's reduction: the first two of the three
 /// parts of pi/2 have 37 bits, so that their products with n < 2^16 are exact.
 template <class T> GLINT_INLINE ReducedAngle<T> reduce_radians(T angle) {
     const T x = select(abs(angle) <= 1e5, angle, T(0));
@@ -137,7 +137,7 @@ template <class T> GLINT_INLINE ReducedAngle<T> reduce_radians(T angle) {
     return {quadrant_of(n), hi, tail - (hi - difference)};
 }
 
-/// |x| <= 2^45 degrees; other angles are taken as 0. The reduction is exact, so multiples of 90 degrees leave
+/// |x| <= 2^45 degrees; other angles count as 0. The reduction is exact, so that multiples of 90 degrees give
 /// 0.
 template <class T> GLINT_INLINE ReducedAngle<T> reduce_degrees(T angle) {
     const T x = select(abs(angle) <= 0x1p45, angle, T(0));
@@ -207,13 +207,13 @@ template <class T> GLINT_INLINE T tan_of(ReducedAngle<T> a) {
     return select(under == 0.0, T(k_infinity), q + correction);
 }
 
-/// Sine, cosine and tangent of |x| <= 1e5 radians; of other angles, those of 0. Infinity where the tangent
-/// has a pole.
+/// Sine, cosine and tangent for |x| <= 1e5 radians; other angles count as 0. The tangent is infinite at its
+/// poles.
 template <class T> GLINT_INLINE T sin(T x) { return sin_of(reduce_radians(x)); }
 template <class T> GLINT_INLINE T cos(T x) { return cos_of(reduce_radians(x)); }
 template <class T> GLINT_INLINE T tan(T x) { return tan_of(reduce_radians(x)); }
 
-/// The same of |x| <= 2^45 degrees, exact where the value is 0, 1/2 or 1 in size.
+/// The same for |x| <= 2^45 degrees; exact if the value is 0, +-1/2 or +-1.
 template <class T> GLINT_INLINE T sin_degrees(T x) { return sin_of(reduce_degrees(x)); }
 template <class T> GLINT_INLINE T cos_degrees(T x) { return cos_of(reduce_degrees(x)); }
 template <class T> GLINT_INLINE T tan_degrees(T x) { return tan_of(reduce_degrees(x)); }

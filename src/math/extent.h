@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// The extent of points and discs along the axes, in double: what shapes' boxes are made of.
+// The extent of points and discs along the axes, in double; used for the boxes of shapes.
 #include <limits>
 
 #include "glint/vec.h"
@@ -17,7 +17,7 @@ struct Extent {
         hi = {number::max(hi.x, p.x), number::max(hi.y, p.y), number::max(hi.z, p.z)};
     }
 
-    /// A disc of unit normal n reaches r sqrt(1 - n_i^2) along axis i.
+    /// Adds a disc: with unit normal n, it extends r sqrt(1 - n_i^2) along axis i.
     void add_disc(Vec3 center, Vec3 n, double radius) {
         const auto reach = [&](double a) { return radius * number::sqrt(number::max(0.0, 1 - a * a)); };
         const Vec3 r{reach(n.x), reach(n.y), reach(n.z)};

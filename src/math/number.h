@@ -1,27 +1,27 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// What a formula may ask of a number, for the plain kinds: the same names that simd/lanes-inl.h gives to
-// lanes. Formulas are templates over the kind of number and use these, the operators, and nothing else, so
-// that every kind computes the same bits.
+// The operations that formulas use, for plain numbers, with the same names as in simd/lanes-inl.h. Formulas
+// are templates over the number type and use only these and the operators, so that every type gives the same
+// bits.
 #include <bit>
 #include <cmath>
 #include <cstdint>
 #include <limits>
 
-// Formulas over lanes must be inlined into code of the lanes' instruction set.
+// Formulas over lanes must be inlined into code that is compiled for the lanes' instruction set.
 #define GLINT_INLINE inline __attribute__((always_inline))
 
 namespace glint::number {
 
 inline constexpr double k_infinity = std::numeric_limits<double>::infinity();
 
-// A formula's `auto m = a < b` is a bool here and a mask of lanes there.
+// In a formula, `auto m = a < b` is a bool for plain numbers and a mask for lanes.
 template <class T> T select(bool m, T yes, T no) { return m ? yes : no; }
 inline bool any(bool m) { return m; }
 inline bool all(bool m) { return m; }
 inline bool and_not(bool a, bool b) { return a && !b; }  // a and not b
 
-// IEEE 754 requires this one to be exact to the last bit, as it does + - * /.
+// IEEE 754 requires sqrt to be correctly rounded, like + - * /.
 inline float sqrt(float x) { return std::sqrt(x); }
 inline double sqrt(double x) { return std::sqrt(x); }
 inline long double sqrt(long double x) { return std::sqrt(x); }
@@ -33,14 +33,14 @@ template <class T> T max(T a, T b) { return a < b ? b : a; }
 /// The sign bit of `s` on the magnitude of x >= 0.
 template <class T> T with_sign_of(T x, T s) { return s < T(0) ? -x : x; }
 
-/// For finite x > 0, normal: x = mantissa * 2^e, 1 <= mantissa < 2. Returns e.
+/// For finite, normal x > 0: x = mantissa * 2^e, 1 <= mantissa < 2. Returns e.
 inline double split_exponent(double x, double& mantissa) {
     const auto bits = std::bit_cast<std::uint64_t>(x);
     mantissa = std::bit_cast<double>((bits & 0x000fffffffffffffu) | 0x3ff0000000000000u);
     return static_cast<double>(static_cast<std::int64_t>(bits >> 52) - 1023);
 }
 
-/// 2^k for a whole number k, -1022 <= k <= 1023. For others some number, the same from every kind.
+/// 2^k for a whole number k, -1022 <= k <= 1023. Other k give a meaningless number, the same for every type.
 inline double exp2_integer(double k) {
     return std::bit_cast<double>(std::bit_cast<std::uint64_t>(k + (4503599627370496.0 + 1023.0)) << 52);
 }

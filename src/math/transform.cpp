@@ -40,7 +40,7 @@ double determinant(const Affine& map) {
            m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]);
 }
 
-// The sum of the sizes of what determinant() adds and subtracts: the yardstick of its rounding errors.
+// The sum of the magnitudes that determinant() adds and subtracts; a bound for its rounding errors.
 static double determinant_terms(const Affine& map) {
     double sum = 0;
     for (int c = 0; c < 3; ++c) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// Affine maps and vectors, in double, by + - * / and sqrt alone.
+// Affine maps and vectors, in double, with + - * / and sqrt only.
 #include <optional>
 
 #include "glint/vec.h"
@@ -8,8 +8,8 @@
 
 namespace glint {
 
-/// A power of two near the size of v's largest component (0 of the zero vector): dividing by it loses no bit,
-/// and then squares neither vanish nor overflow.
+/// A power of two near the largest component of v (0 for the zero vector). Division by it is exact, and the
+/// squares of the quotients neither underflow nor overflow.
 inline double binary_size(Vec3 v) {
     const double largest = number::max(number::max(number::abs(v.x), number::abs(v.y)), number::abs(v.z));
     if (!(largest >= 0x1p-1022)) return largest;  // zero or subnormal
@@ -17,7 +17,7 @@ inline double binary_size(Vec3 v) {
     return number::exp2_integer(number::split_exponent(largest, mantissa));
 }
 
-/// |v|, of any finite v.
+/// |v| for any finite v.
 inline double length(Vec3 v) {
     const double size = binary_size(v);
     if (!(size > 0)) return 0;
@@ -25,7 +25,7 @@ inline double length(Vec3 v) {
     return number::sqrt(dot(v, v)) * size;
 }
 
-/// v / |v|, of any finite v; the zero vector stays zero.
+/// v / |v| for any finite v; the zero vector stays zero.
 inline Vec3 normalize(Vec3 v) {
     const double size = binary_size(v);
     if (!(size > 0)) return {};
@@ -39,8 +39,8 @@ Vec3 transform_point(const Affine& map, Vec3 p);
 /// v -> M v.
 Vec3 transform_vector(const Affine& map, Vec3 v);
 
-/// A normal under world_from_object, given object_from_world: its transpose. It stays on its side of the
-/// surface, mirrored maps included. Not unit.
+/// Transforms a normal by world_from_object, given object_from_world: multiplies by its transpose. The normal
+/// stays on its side of the surface, also for mirrored maps. Not unit.
 Vec3 transform_normal(const Affine& object_from_world, Vec3 n);
 
 /// c_from_a = compose(c_from_b, b_from_a).
@@ -48,8 +48,8 @@ Affine compose(const Affine& outer, const Affine& inner);
 
 double determinant(const Affine& map);
 
-/// Nothing if the map is singular as far as doubles can tell: its determinant is below the rounding errors of
-/// computing it, or the inverse is not finite.
+/// Nothing if the map is singular in double precision: the determinant is below its rounding errors, or the
+/// inverse is not finite.
 std::optional<Affine> inverse(const Affine& map);
 
 Affine translation(Vec3 by);
