@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Lanes squeezed together, and spread again: what passes the stages of a tile is written without gaps.
+// Compresses and expands lanes: the streams between the stages of a tile have no gaps.
 #if defined(GLINT_SIMD_COMPRESS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLINT_SIMD_COMPRESS_INL_H_
 #undef GLINT_SIMD_COMPRESS_INL_H_
@@ -22,8 +22,8 @@ HWY_INLINE Doubles in_order(Doubles x, const std::uint32_t* order) {
 }
 #endif
 
-/// The lanes that are set, one after the other, then whatever. As hn::Compress, of which g++ 12 copies the
-/// table to the stack at each call.
+/// The lanes that are set, at the front; the remaining lanes are unspecified. Does the same as hn::Compress,
+/// whose table g++ 12 copies to the stack in every call.
 HWY_INLINE Doubles compress(Doubles x, LaneMask<double> m) {
 #if HWY_TARGET == HWY_AVX3
     return Doubles(hn::Vec<Tag<double>>{_mm512_maskz_compress_pd(m.m.raw, x.v.raw)});
@@ -43,9 +43,9 @@ HWY_INLINE Doubles compress(Doubles x, LaneMask<double> m) {
 #endif
 }
 
-/// Stores the lanes that are set one after the other. `to` must have room for a whole vector.
+/// Stores the lanes that are set, one after the other. `to` must have room for a whole vector.
 HWY_INLINE void compress_store(Doubles x, LaneMask<double> m, double* to) { store(compress(x, m), to); }
-/// The same of lane_count<double>() numbers.
+/// The same for lane_count<double>() integers.
 HWY_INLINE void compress_store(const std::uint32_t* from, LaneMask<double> m, std::uint32_t* to) {
 #if HWY_TARGET == HWY_AVX3
     const IndexTag d;
@@ -55,8 +55,8 @@ HWY_INLINE void compress_store(const std::uint32_t* from, LaneMask<double> m, st
 #endif
 }
 
-/// The other way: the numbers from `from` on to the lanes that are set, 0 to the others. A whole vector may
-/// be read.
+/// The inverse: loads consecutive numbers into the lanes that are set, and 0 into the others. May read a
+/// whole vector.
 HWY_INLINE Doubles expand_load(const double* from, LaneMask<double> m) {
 #if HWY_TARGET == HWY_AVX3
     return Doubles(hn::Vec<Tag<double>>{_mm512_maskz_expandloadu_pd(m.m.raw, from)});

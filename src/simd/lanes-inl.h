@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Lanes<T>: as many numbers as the instruction set computes at once, with the operators and the names of
-// math/number.h. The only file that includes highway.h: compress-inl.h and elementary-inl.h have it from
-// here. Included once a target, by way of foreach_target.h (trace/kernels.cpp, trace/hit_kernels.cpp). Of
-// Highway, only what IEEE 754 defines exactly: no MulAdd family, no Approximate*, no SumOfLanes; Min and Max
-// only where they are a comparison and a choice.
+// Lanes<T>: a vector of as many T as fit a register, with the operators and the names of math/number.h.
+// The only file that includes highway.h; compress-inl.h and elementary-inl.h include this one. Compiled once
+// per target by foreach_target.h (trace/kernels.cpp, trace/hit_kernels.cpp). Of Highway, only operations that
+// IEEE 754 defines exactly: no MulAdd family, no Approximate*, no SumOfLanes; Min and Max only if they equal
+// a comparison and a select.
 #if defined(GLINT_SIMD_LANES_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLINT_SIMD_LANES_INL_H_
 #undef GLINT_SIMD_LANES_INL_H_
@@ -41,9 +41,9 @@ template <class T> struct Lanes {
     hn::Vec<Tag<T>> v;
 
     HWY_INLINE Lanes() : v(hn::Zero(Tag<T>())) {}
-    HWY_INLINE Lanes(T x) : v(hn::Set(Tag<T>(), x)) {}  // implicit: formulas mix lanes with constants
+    HWY_INLINE Lanes(T x) : v(hn::Set(Tag<T>(), x)) {}  // implicit: formulas mix lanes and constants
     HWY_INLINE explicit Lanes(hn::Vec<Tag<T>> x) : v(x) {}
-    // Whole-number constants in formulas (T(0), 2) are exact in both kinds.
+    // Integer constants in formulas (T(0), 2) are exact in every number type.
     HWY_INLINE Lanes(int x) requires(!std::is_same_v<T, int>) : v(hn::Set(Tag<T>(), static_cast<T>(x))) {}
 
     friend HWY_INLINE Lanes operator+(Lanes a, Lanes b) { return Lanes(hn::Add(a.v, b.v)); }
@@ -64,7 +64,7 @@ template <class T> struct Lanes {
 using Doubles = Lanes<double>;
 using Floats = Lanes<float>;
 
-// The names of math/number.h, for the plain kinds too: a formula inside this namespace finds both.
+// The names of math/number.h for plain numbers: formulas inside this namespace find both.
 using number::abs;
 using number::all;
 using number::and_not;
@@ -91,7 +91,7 @@ template <class T> HWY_INLINE LaneMask<T> and_not(LaneMask<T> a, LaneMask<T> b) 
 template <class T> HWY_INLINE Lanes<T> sqrt(Lanes<T> x) { return Lanes<T>(hn::Sqrt(x.v)); }
 template <class T> HWY_INLINE Lanes<T> abs(Lanes<T> x) { return Lanes<T>(hn::Abs(x.v)); }
 #if HWY_ARCH_X86 && HWY_TARGET != HWY_SCALAR
-// x86's own are exactly these: minimum(a, b) = a < b ? a : b, maximum(a, b) = a > b ? a : b.
+// On x86 these are exactly minimum(a, b) = a < b ? a : b, maximum(a, b) = a > b ? a : b.
 template <class T> HWY_INLINE Lanes<T> min(Lanes<T> a, Lanes<T> b) { return Lanes<T>(hn::Min(a.v, b.v)); }
 template <class T> HWY_INLINE Lanes<T> max(Lanes<T> a, Lanes<T> b) { return Lanes<T>(hn::Max(b.v, a.v)); }
 #else
@@ -134,7 +134,7 @@ HWY_INLINE Doubles round_to_integer(Doubles x) {
 template <class T> HWY_INLINE Lanes<T> load(const T* from) { return Lanes<T>(hn::LoadU(Tag<T>(), from)); }
 template <class T> HWY_INLINE void store(Lanes<T> x, T* to) { hn::StoreU(x.v, Tag<T>(), to); }
 
-/// lane_count<double>() floats as doubles.
+/// Loads lane_count<double>() floats as doubles.
 HWY_INLINE Doubles widen(const float* from) {
     const hn::Rebind<float, Tag<double>> d;
     return Doubles(hn::PromoteTo(Tag<double>(), hn::LoadU(d, from)));
@@ -146,12 +146,12 @@ HWY_INLINE void store_narrow(Doubles x, float* to) {
     hn::StoreU(hn::DemoteTo(d, x.v), d, to);
 }
 
-/// As many floats as Doubles has lanes.
+/// A vector of floats with as many lanes as Doubles.
 struct NarrowFloats {
     using D = hn::Rebind<float, Tag<double>>;
     hn::Vec<D> v;
     HWY_INLINE NarrowFloats() : v(hn::Zero(D())) {}
-    /// Adds the numbers rounded to nearest.
+    /// Adds x, rounded to nearest.
     HWY_INLINE void add(Doubles x) { v = hn::Add(v, hn::DemoteTo(D(), x.v)); }
     HWY_INLINE void store(float* to) const { hn::StoreU(v, D(), to); }
 };
@@ -160,18 +160,18 @@ HWY_INLINE void store_interleaved(NarrowFloats a, NarrowFloats b, NarrowFloats c
     hn::StoreInterleaved3(a.v, b.v, c.v, NarrowFloats::D(), to);
 }
 
-/// The least and the greatest lane; no lane is NaN.
+/// The minimum of the lanes; no lane is NaN.
 HWY_INLINE float min_of_lanes(Floats x) { return hn::GetLane(hn::MinOfLanes(Tag<float>(), x.v)); }
 HWY_INLINE float max_of_lanes(Floats x) { return hn::GetLane(hn::MaxOfLanes(Tag<float>(), x.v)); }
 
-/// Numbers from 32-bit arrays, lane_count<double>() of them.
+/// The tag for lane_count<double>() numbers from 32-bit arrays.
 using IndexTag = hn::Rebind<std::uint32_t, Tag<double>>;
 HWY_INLINE bool all_same(const std::uint32_t* x) {
     const IndexTag d;
     return hn::AllTrue(d, hn::Eq(hn::LoadU(d, x), hn::Set(d, x[0])));
 }
 
-/// A vector of places in an array: stride * index[i].
+/// A vector of array positions: stride * index[i].
 struct GatherIndices {
     using D = hn::RebindToSigned<Tag<double>>;
     hn::Vec<D> v;
@@ -191,7 +191,7 @@ HWY_INLINE Doubles gather(const double* base, const GatherIndices& places) {
     return Doubles(hn::GatherIndex(Tag<double>(), base, places.v));
 }
 
-/// A whole number that orders as the float does, -0 before 0; f is not NaN.
+/// An integer with the same order as the float, -0 before 0; f is not NaN.
 HWY_INLINE std::int32_t ordered_bits(float f) {
     const auto bits = std::bit_cast<std::int32_t>(f);
     return bits ^ static_cast<std::int32_t>(static_cast<std::uint32_t>(bits >> 31) >> 1);
@@ -207,7 +207,7 @@ HWY_INLINE void store_ordered_bits(Floats f, std::int32_t* to) {
 /// 0, 1, 2, ...
 HWY_INLINE Doubles iota() { return Doubles(hn::Iota(Tag<double>(), 0.0)); }
 
-/// How many lanes are set.
+/// The number of lanes that are set.
 template <class T> HWY_INLINE int count(LaneMask<T> m) {
     return static_cast<int>(hn::CountTrue(Tag<T>(), m.m));
 }
@@ -223,11 +223,11 @@ template <class T> HWY_INLINE std::uint32_t to_bits(LaneMask<T> m) {
     }
     return bits & ((1u << lane_count<T>()) - 1);
 }
-/// The first n lanes, n >= 0 (all, if there are no more).
+/// The first n lanes, n >= 0 (all lanes if n is larger than their number).
 template <class T> HWY_INLINE LaneMask<T> first_lanes(int n) {
     return {hn::FirstN(Tag<T>(), static_cast<std::size_t>(n))};
 }
-/// The n lowest bits, 0 <= n < 32.
+/// The lowest n bits, 0 <= n < 32.
 HWY_INLINE std::uint32_t first_bits(int n) { return (1u << n) - 1; }
 
 template <class T> HWY_INLINE LaneMask<T> from_bits(std::uint32_t bits) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// Which instruction sets this machine has.
+// The instruction sets of this machine.
 #include <hwy/detect_targets.h>
 
 #include <cstdint>
@@ -10,11 +10,11 @@
 
 namespace glint {
 
-/// The instruction sets that this machine's processor and system support, as Highway's target bits. Not
-/// hwy::SupportedTargets(): that library measures the clock for 4 ms when a program that needs it starts.
+/// The instruction sets that the processor and the system support, as Highway's target bits. Does not call
+/// hwy::SupportedTargets(), because that library measures the clock for 4 ms when the program starts.
 inline std::int64_t supported_targets() {
 #if defined(__x86_64__) || defined(__i386__)
-    // The compiler's functions ask whether the system saves the wide registers, too.
+    // The compiler's functions also check that the system saves the wide registers.
     std::int64_t targets = HWY_SCALAR;
     if (__builtin_cpu_supports("sse4.2") && __builtin_cpu_supports("pclmul") &&
         __builtin_cpu_supports("aes")) {
@@ -34,7 +34,7 @@ inline std::int64_t supported_targets() {
     }
     return targets;
 #else
-    return HWY_TARGETS;  // fixed when compiled
+    return HWY_TARGETS;  // fixed at compile time
 #endif
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A triple of numbers of any kind (double, long double, lanes), for the formulas of geometry and lighting.
+// A vector of three numbers of any type (double, long double, lanes), for geometry and lighting.
 #if defined(GLINT_SIMD_VEC3_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLINT_SIMD_VEC3_INL_H_
 #undef GLINT_SIMD_VEC3_INL_H_
@@ -38,7 +38,7 @@ template <class T, class M> HWY_INLINE Triple<T> select_triple(M m, Triple<T> ye
 HWY_INLINE Triple<Doubles> lanes_of(Vec3 v) { return {Doubles(v.x), Doubles(v.y), Doubles(v.z)}; }
 HWY_INLINE Triple<Doubles> lanes_of(Color c) { return {Doubles(c.r), Doubles(c.g), Doubles(c.b)}; }
 
-/// Three columns from entry i on. Columns: arrays or pointers.
+/// Loads three columns from entry i on. Columns are arrays or pointers.
 template <class Column> HWY_INLINE Triple<Doubles> load_triple(const Column* from, int i) {
     return {load(&from[0][0] + i), load(&from[1][0] + i), load(&from[2][0] + i)};
 }
@@ -54,7 +54,7 @@ HWY_INLINE void compress_triple(const Triple<Doubles>& v, LaneMask<double> m, Co
     compress_store(v.z, m, &to[2][0] + i);
 }
 
-/// Three consecutive parameters as a point or direction.
+/// Three consecutive values as a point or direction.
 template <class T> HWY_INLINE Triple<T> triple(const T* p) { return {p[0], p[1], p[2]}; }
 
 /// The largest magnitude of the three.
