@@ -5,17 +5,17 @@ namespace glint {
 
 namespace {
 
-// Of few items few bins: the sweep over the bins would cost more than what is in them.
+// Few items get few bins, because the sweep over the bins would otherwise cost more than the items.
 int bins_for(std::uint32_t count) { return count <= 8 ? 6 : count <= 64 ? 8 : k_bins; }
 
-// A range of centroids below it is a point's: its reciprocal would not be finite.
+// Smaller ranges of centroids count as one point, because their reciprocal would not be finite.
 constexpr float k_min_size = 1e-36f;
 
 }  // namespace
 
 Binning::Binning(const ItemRange& range) : lo(range.centroids.lo), scale{}, bins(bins_for(range.count)) {
     const Float4 size = range.centroids.hi - range.centroids.lo;
-    // A little less than all, so that the last centroid rounds into the last bin.
+    // Slightly less than the number of bins, so that the last centroid falls into the last bin.
     for (int a = 0; a < 3; ++a)
         scale[a] = size[a] > k_min_size ? static_cast<float>(bins) * (1 - 0x1p-20f) / size[a] : 0;
 }
@@ -62,7 +62,7 @@ Split Bins::best_split(float area_scale) const {
             right_cost[b] = items == 0 ? 0 : half_area(grown, area_scale) * static_cast<float>(items);
         }
         const std::uint32_t all = items + count_[axis][0];
-        if (items == 0) continue;  // all in one bin
+        if (items == 0) continue;  // all items are in one bin
         grown = Box4{};
         items = 0;
         for (int b = 1; b < bins_; ++b) {

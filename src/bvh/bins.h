@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// Items in bins along the three axes, and the best place to part them (Wald 2007).
+// Bins of items along the three axes, and the best split (Wald 2007).
 #include <array>
 #include <cstdint>
 #include <span>
@@ -10,9 +10,9 @@
 
 namespace glint {
 
-inline constexpr int k_bins = 16;  // along an axis, at most
+inline constexpr int k_bins = 16;  // maximum per axis
 
-/// Items [first, first + count), the box around them and the one around their centroids.
+/// Items [first, first + count), their bounds and the bounds of their centroids.
 struct ItemRange {
     std::uint32_t first = 0, count = 0;
     Box4 box, centroids;
@@ -20,7 +20,7 @@ struct ItemRange {
 
 inline Float4 centroid(const BvhItem& item) { return load3(item.lo) * 0.5f + load3(item.hi) * 0.5f; }
 
-/// Which bin a centroid is in, by axis.
+/// The bin of a centroid, for each axis.
 struct Binning {
     Float4 lo, scale;
     int bins;
@@ -29,7 +29,7 @@ struct Binning {
     Int4 bin(Float4 c) const { return __builtin_convertvector((c - lo) * scale, Int4); }
 };
 
-/// Items whose bin along `axis` is below `bin` go left. axis < 0: they cannot be parted.
+/// Items whose bin along `axis` is below `bin` go left. axis < 0: no split is possible.
 struct Split {
     int axis = -1, bin = 0;
     Box4 left, right;
@@ -40,7 +40,7 @@ class Bins {
     explicit Bins(int bins);
     void add(std::span<const BvhItem> items, const Binning& binning);
     void add(const Bins& other);
-    /// The split of least expected cost. area_scale: see half_area().
+    /// The split with the lowest expected cost. area_scale: see half_area().
     Split best_split(float area_scale) const;
 
   private:

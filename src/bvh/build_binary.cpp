@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The binary tree, top down. Ranges above a size are parted one after another, each on all threads; what is
-// left is a list of subtrees, each built on one thread.
+// Builds the binary tree top down. Ranges above a size are split one after another, each on all threads; the
+// remaining ranges become subtrees, each built on one thread.
 #include <algorithm>
 #include <cstddef>
 
@@ -12,16 +12,16 @@
 namespace glint {
 namespace {
 
-constexpr std::uint32_t k_lowest = 2;       // items of one class in a lowest node, at most
-constexpr std::uint32_t k_mixed = 32;       // items of several classes that are parted both ways
-constexpr std::uint32_t k_min_task = 2048;  // items of a subtree that is worth a thread's while
+constexpr std::uint32_t k_lowest = 2;       // maximum items of one class in a lowest node
+constexpr std::uint32_t k_mixed = 32;       // items of several classes for which both splits are tried
+constexpr std::uint32_t k_min_task = 2048;  // minimum items of a subtree built as a task
 constexpr std::uint32_t k_tasks = 64;
-// From this depth on ranges are halved, whatever their classes: the depth is then at most 48 + 27
-// (k_bvh_max_items is 2^27), or 48 + 31 where k_mixed items have just begun to be parted by class: below
+// From this depth on, ranges are halved regardless of class. The depth is then at most 48 + 27
+// (k_bvh_max_items is 2^27), or 48 + 31 if the split of k_mixed items by class has just begun: both are below
 // k_bvh_max_depth.
 constexpr int k_balanced_below = 48;
 
-// A scene's areas are taken in units of its own size, so that none overflows.
+// Areas are relative to the scene's size, so that they do not overflow.
 float area_scale(const Box4& whole) {
     const Float4 side = whole.hi - whole.lo;
     const float most = std::max({side[0], side[1], side[2]});
@@ -59,7 +59,7 @@ class Builder {
         int depth;
     };
 
-    // True for good once it was, since what is left out then is missing.
+    // Once true, it stays true, because part of the tree is then missing.
     bool is_cancelled() {
         if (cancel_ != nullptr && cancel_->load(std::memory_order_relaxed)) is_cancelled_ = true;
         return is_cancelled_;
@@ -100,14 +100,14 @@ class Builder {
         return bins.best_split(area_scale_);
     }
 
-    // Keeps the bins out of the recursion's frames.
+    // noinline: keeps the bins out of the stack frames of the recursion.
     __attribute__((noinline)) SplitRanges split_range(const ItemRange& range, int depth, int threads) const {
         if (depth < k_balanced_below) {
             const Binning binning(range);
             const Split split = best_split(range, binning, threads);
             if (split.axis >= 0) return partition(items_, range, binning, split, threads);
         }
-        return halve(items_, range);  // all centroids equal, or too deep
+        return halve(items_, range);  // all centroids are equal, or the depth is too large
     }
 
     bool of_one_class(const ItemRange& range) const {
@@ -126,7 +126,7 @@ class Builder {
         return tree[node].left;
     }
 
-    // Two items are worth telling apart if their boxes are small beside the one around both.
+    // Two items are separated if their boxes are small compared with their common box.
     bool is_lowest(const ItemRange& range) const {
         if (range.count == 1) return true;
         if (range.count > k_lowest || !of_one_class(range)) return false;
@@ -165,7 +165,7 @@ class Builder {
         choose_cut(tree[node], half_area(range.box, area_scale_), left_cut, right_cut, costs_, cut);
     }
 
-    // SplitRanges the items by place or by class, whichever makes the cheaper two roots.
+    // Splits the items by position and by class, and keeps the split whose two roots cost less.
     __attribute__((noinline)) void build_mixed(BinaryTree& tree, std::uint32_t node, const ItemRange& range,
                                                int depth, CutCosts& cut) const {
         const auto items = items_.begin() + range.first;
@@ -189,7 +189,7 @@ class Builder {
         tree[node] = node_by_place;
     }
 
-    // Class by class. Nothing is tried both ways below, or the time would grow exponentially.
+    // Splits off one class at a time. Only one kind of split is tried below: both would take exponential time
     void build_by_class(BinaryTree& tree, std::uint32_t node, const ItemRange& range, int depth,
                         CutCosts& cut) const {
         if (of_one_class(range)) return build(tree, node, range, depth, cut);
@@ -201,7 +201,7 @@ class Builder {
         choose_cut(tree[node], half_area(range.box, area_scale_), left_cut, right_cut, costs_, cut);
     }
 
-    // The top tree without its cut, and the tasks; children come after their parents.
+    // Builds the top tree without its cut, and the tasks. Children come after their parents.
     void build_top(const ItemRange& whole) {
         trees_.resize(1);
         BinaryTree& top = trees_[0];
@@ -249,7 +249,7 @@ class Builder {
     std::uint32_t task_items_ = 0;
     std::vector<BinaryTree> trees_;
     std::vector<Task> tasks_;
-    std::vector<CutCosts> cuts_;  // by task
+    std::vector<CutCosts> cuts_;  // one per task
 };
 
 }  // namespace

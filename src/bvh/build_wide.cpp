@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The binary tree cut into wide nodes and leaves at the least expected cost (Ylitie, Karras and Laine 2017,
-// "Efficient Incoherent Ray Traversal on GPUs Through Compressed Wide BVHs", section 3.1).
+// Cuts the binary tree into wide nodes and leaves with the lowest expected cost (Ylitie, Karras and Laine
+// 2017, "Efficient Incoherent Ray Traversal on GPUs Through Compressed Wide BVHs", section 3.1).
 #include <cstddef>
 
 #include "base/huge_pages.h"
@@ -10,7 +10,7 @@
 namespace glint {
 namespace {
 
-// A node of few items is not worth its memory: one of a single item costs nearly so much more.
+// The penalty of a node with few items, which wastes memory; with a single item it is nearly this much.
 constexpr float k_emptiness_cost = 6;
 
 float node_cost(std::uint32_t items) {
@@ -29,20 +29,20 @@ struct Reference {
     std::uint32_t tree, node;
 };
 
-// Writes wide nodes, depth first; without a place to write to it counts them.
+// Writes wide nodes, depth first. Without a destination it only counts them.
 class Writer {
   public:
     Writer(const std::vector<BinaryTree>& trees, BvhNode* to, std::uint32_t next)
         : trees_(trees), to_(to), next_(next) {}
 
-    // Wide nodes of other trees than the root's are left to others: see links().
+    // Wide nodes of other trees are written by other calls; see links().
     std::uint32_t write(Reference root) {
         const std::uint32_t index = next_++;
         std::array<Reference, k_bvh_width> children;
         int count = 0;
         const BinaryNode& node = at(root);
         if (node.is_leaf) {
-            children[count++] = root;  // the root of all is a node, whatever is below
+            children[count++] = root;  // the top root is always a node
         } else {
             split(root, node.roots, children, count);
         }
@@ -105,7 +105,7 @@ class Writer {
     std::vector<Link> links_;
 };
 
-// Nobody asks for that many roots: only one will do.
+// Larger than any number of roots: the subtree always becomes one root.
 constexpr std::uint8_t k_never_split = k_bvh_width + 1;
 
 }  // namespace
@@ -123,7 +123,7 @@ void choose_cut(BinaryNode& node, float area, std::uint32_t item_class, std::spa
 void choose_cut(BinaryNode& node, float area, const CutCosts& left, const CutCosts& right,
                 std::span<const LeafCost> costs, CutCosts& result) {
     const int roots = left.roots + right.roots < k_bvh_width ? left.roots + right.roots : k_bvh_width;
-    std::array<float, k_bvh_width> best;  // [i - 1]: spending i roots on the children
+    std::array<float, k_bvh_width> best;  // [i - 1]: cost of i roots used for the children
     node.left_roots = 0;
     for (int i = 2; i <= roots; ++i) {
         const int from = i - right.roots > 1 ? i - right.roots : 1;
@@ -147,7 +147,7 @@ void choose_cut(BinaryNode& node, float area, const CutCosts& left, const CutCos
             if (as_leaf <= one) one = as_leaf, node.is_leaf = true;
         }
     }
-    // best[] never grows with i, as left's and right's costs do not.
+    // best[] does not increase with i, because left's and right's costs do not.
     result.cost[0] = one;
     node.least_split = k_never_split;
     for (int i = 2; i <= roots; ++i) {

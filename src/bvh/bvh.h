@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// The hierarchy: wide nodes over boxes. It knows boxes and leaves, not shapes. A leaf is a run of items of
-// one class.
+// The hierarchy: wide nodes over boxes. It stores boxes and leaves, not shapes. A leaf is a range of items
+// of one class.
 #include <atomic>
 #include <cstdint>
 #include <span>
@@ -11,14 +11,14 @@
 
 namespace glint {
 
-inline constexpr int k_bvh_width = 16;      // children a node
-inline constexpr int k_leaf_size = 16;      // items a leaf, at most
-inline constexpr int k_bvh_max_depth = 80;  // the builder keeps to it
+inline constexpr int k_bvh_width = 16;      // children per node
+inline constexpr int k_leaf_size = 16;      // maximum items per leaf
+inline constexpr int k_bvh_max_depth = 80;  // guaranteed by the builder
 inline constexpr std::uint32_t k_bvh_max_items = 1u << 27;
 
 /// A reference to a node, or to a leaf: items [first, first + count) in leaf order.
 struct BvhChild {
-    std::uint32_t bits;  // not set by default: a walk's stack has thousands
+    std::uint32_t bits;  // uninitialised by default: a traversal stack has thousands
     static BvhChild none() { return {0}; }
     static BvhChild node(std::uint32_t index) { return {index}; }
     static BvhChild leaf(std::uint32_t first, std::uint32_t count) {
@@ -32,7 +32,7 @@ struct BvhChild {
 };
 static_assert(k_leaf_size <= 16);
 
-/// The children's boxes by coordinate. An unused child refers to the root, which is nobody's child.
+/// The children's boxes by coordinate. An unused child has the index of the root, which is never a child.
 struct alignas(64) BvhNode {
     float lo[3][k_bvh_width];
     float hi[3][k_bvh_width];
@@ -44,7 +44,7 @@ struct Bvh {
     Aabb bounds;
 };
 
-/// What the builder sees of an item: its box (finite, not empty), the caller's number of it, and its class.
+/// An item as the builder needs it: its box (finite, not empty), the caller's index, and its class.
 struct alignas(16) BvhItem {
     float lo[3];
     std::uint32_t item;
@@ -52,20 +52,20 @@ struct alignas(16) BvhItem {
     std::uint32_t item_class;  // items of different classes never share a leaf
 };
 
-/// What a leaf of n items of a class costs a ray that meets its box, where meeting a node costs 1:
+/// The cost of intersecting a leaf of n items of one class, relative to the cost of a node:
 /// leaf + block ceil(n / lanes) + item n.
 struct LeafCost {
     float leaf = 0;
     float block = 1;
     float item = 0;
     int lanes = 8;
-    int most = 8;  // items, at most k_leaf_size
+    int most = 8;  // maximum items, at most k_leaf_size
 };
 
-/// Puts the items into leaf order and returns the hierarchy over them: a binary tree by the surface-area
-/// heuristic over binned centroids (Wald 2007), made wide at the least cost (Ylitie, Karras and Laine 2017).
-/// costs[c] is class c's. The result does not depend on threads. At most k_bvh_max_items items. cancel:
-/// looked at now and then; of a build that was cancelled nothing is of use. Throws std::bad_alloc.
+/// Sorts the items into leaf order and returns the hierarchy over them: a binary tree built with the
+/// surface-area heuristic and binning (Wald 2007), cut into wide nodes (Ylitie, Karras and Laine 2017).
+/// costs[c] is the cost of class c. The result does not depend on threads. At most k_bvh_max_items items.
+/// cancel: checked at intervals; the result of a cancelled build is unusable. Throws std::bad_alloc.
 Bvh build_bvh(std::vector<BvhItem>& items, std::span<const LeafCost> costs, int threads,
               const std::atomic<bool>* cancel = nullptr);
 

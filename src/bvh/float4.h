@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// Boxes as vectors of four floats (three used), by the compilers' own vector types: exact operations only.
+// Boxes as vectors of four floats (three used), with the compilers' vector types: exact operations only.
 #include <cstdint>
 #include <cstring>
 #include <limits>
@@ -22,7 +22,7 @@ inline Float4 load3(const float* p) {
     return reinterpret_cast<Float4>(reinterpret_cast<Int4>(f) & Int4{-1, -1, -1, 0});
 }
 
-/// Empty until something is added. The fourth coordinate means nothing.
+/// Empty until something is added. The fourth coordinate is unused.
 struct Box4 {
     static constexpr float k_infinity = std::numeric_limits<float>::infinity();
     Float4 lo = {k_infinity, k_infinity, k_infinity, 0};
@@ -36,7 +36,7 @@ struct Box4 {
     Aabb aabb() const { return {{lo[0], lo[1], lo[2]}, {hi[0], hi[1], hi[2]}}; }
 };
 
-/// Half the surface area of a box that is not empty, after multiplying its sides by `scale`.
+/// Half the surface area of a non-empty box, after its sides are multiplied by `scale`.
 inline float half_area(const Box4& b, float scale) {
     const Float4 side = (b.hi - b.lo) * scale;
     return side[0] * side[1] + side[1] * side[2] + side[2] * side[0];

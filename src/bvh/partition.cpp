@@ -16,11 +16,11 @@ Float4 where(Int4 mask, Float4 yes, Float4 no) {
 }
 
 struct ChunkSplit {
-    std::size_t left = 0;  // how many
+    std::size_t left = 0;  // the number of left items
     Box4 left_centroids, right_centroids;
 };
 
-// Every item changes places with the first right one, so that nothing has to be guessed about its side.
+// Every item is swapped with the first right one, which avoids a branch that would be mispredicted.
 ChunkSplit partition_chunk(std::span<BvhItem> items, const Binning& binning, const Split& split) {
     ChunkSplit ranges;
     const Box4 none;
@@ -40,7 +40,7 @@ ChunkSplit partition_chunk(std::span<BvhItem> items, const Binning& binning, con
     return ranges;
 }
 
-// Runs of items that stand on the wrong side; changes the k-th of one list with the k-th of the other.
+// Ranges of items on the wrong side; the k-th item of one list is swapped with the k-th of the other.
 struct Run {
     std::size_t first, count;
 };
@@ -93,7 +93,7 @@ SplitRanges partition(std::span<BvhItem> all, const ItemRange& range, const Binn
             whole.left_centroids.add(c.left_centroids);
             whole.right_centroids.add(c.right_centroids);
         }
-        // Right items before the border, left ones after it: as many of these as of those.
+        // Right items before the border and left items after it: both numbers are equal.
         std::vector<Run> right_runs, left_runs;
         std::size_t misplaced = 0;
         for (std::size_t c = 0; c < chunks.size(); ++c) {

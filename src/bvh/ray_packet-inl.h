@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A packet: rays of nearly one way, which walk the hierarchy together by interval evaluation of the slab
+// A packet of coherent rays, which traverse the hierarchy together by interval arithmetic over the slab
 // expression.
 #if defined(GLINT_BVH_RAY_PACKET_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLINT_BVH_RAY_PACKET_INL_H_
@@ -14,16 +14,16 @@ HWY_BEFORE_NAMESPACE();
 namespace glint {
 namespace HWY_NAMESPACE {
 
-/// Intervals of the slab expression's numbers over some rays.
+/// Intervals of the numbers in the slab expression over several rays.
 struct Intervals {
     struct Axis {
-        int sign = 0;  // which way all rays go; 0: some this, some that
+        int sign = 0;  // the sign of all directions; 0: mixed
         float near_origin = 0,
-              far_origin = 0;  // the end of the interval that gives the earliest entry, the latest exit
+              far_origin = 0;  // the ends with the earliest entry and the latest exit
         float near_min = 0, near_max = 0, far_min = 0, far_max = 0;
 
-        /// Wider than the numbers of any ray with origin and inverse direction in these ranges, which are
-        /// within a margin of the origin, and the inverse shrunk and grown by 2^-21.
+        /// Bounds the numbers of every ray whose origin and inverse direction are in these ranges:
+        /// narrow_rays() moves origins by a rounding margin, and shrinks or grows inverses by 2^-21.
         HWY_INLINE void set(float min_origin, float max_origin, float min_inverse, float max_inverse) {
             sign = min_inverse > 0 ? 1 : max_inverse < 0 ? -1 : 0;
             const float below = slightly_below(min_origin), above = slightly_above(max_origin);
@@ -44,14 +44,14 @@ struct Intervals {
           max_t_max = std::numeric_limits<float>::infinity();
 };
 
-/// Rays [first, first + count) of prepared ones.
+/// The prepared rays [first, first + count).
 struct RayPacket : Intervals {
     SlabRays& rays;
     int first, count;
-    bool common_origin;                        // in double, and of rays that are usable
-    float min_direction[3], max_direction[3];  // where the origin is common
+    bool common_origin;                        // in double, for the usable rays
+    float min_direction[3], max_direction[3];  // if the origin is common
 
-    /// All its rays, as bits; ray `first` is the lowest.
+    /// A mask of all rays; ray `first` is the lowest bit.
     HWY_INLINE std::uint64_t all() const { return ~std::uint64_t{0} >> (64 - count); }
 
     HWY_INLINE RayPacket(SlabRays& prepared, int from, int rays_count)
@@ -69,14 +69,14 @@ struct RayPacket : Intervals {
         update_t_max();
     }
 
-    /// After rays' t_max have shrunk.
+    /// Must be called after a ray's t_max has been reduced.
     HWY_INLINE void update_t_max() { max_t_max = range(rays.t_max).most; }
 
   private:
     struct Range {
         float least, most;
     };
-    // A t_min too large for its margin is NaN: the order of arguments leaves it out.
+    // A t_min that overflows its margin is NaN: the order of the arguments ignores it.
     HWY_INLINE Range range(const float* column) const {
         const Floats infinity(std::numeric_limits<float>::infinity());
         Floats least = infinity, most = -infinity;
@@ -94,7 +94,7 @@ struct RayPacket : Intervals {
     }
 };
 
-/// Bounds of the slab expression over all rays, for a vector of boxes given by the columns of their lower and
+/// Bounds of the slab expression over all rays, for a vector of boxes given by columns of their lower and
 /// upper planes.
 HWY_INLINE Slab packet_slab(const Intervals& packet, const float* const lo[3], const float* const hi[3]) {
     Slab slab{Floats(-std::numeric_limits<float>::infinity()),
@@ -104,7 +104,7 @@ HWY_INLINE Slab packet_slab(const Intervals& packet, const float* const lo[3], c
         if (axis.sign == 0) continue;
         const Floats to_near = load(axis.sign > 0 ? lo[a] : hi[a]) - Floats(axis.near_origin);
         const Floats to_far = load(axis.sign > 0 ? hi[a] : lo[a]) - Floats(axis.far_origin);
-        // Rounding is monotone: the least product is the product of the least.
+        // Rounding is monotone: the smallest product is the product of the smallest factors.
         const Floats entry =
             to_near * select(to_near >= Floats(0), Floats(axis.near_min), Floats(axis.near_max));
         const Floats exit = to_far * select(to_far >= Floats(0), Floats(axis.far_max), Floats(axis.far_min));
@@ -114,7 +114,7 @@ HWY_INLINE Slab packet_slab(const Intervals& packet, const float* const lo[3], c
     return slab;
 }
 
-/// The slab expression for rays [i, i + lanes), of the packet, and one box.
+/// The slab expression for rays [i, i + lanes) of the packet and one box.
 HWY_INLINE Slab box_slab(const RayPacket& packet, int i, const float* lo, const float* hi) {
     const SlabRays& rays = packet.rays;
     Slab slab{Floats(-std::numeric_limits<float>::infinity()),
@@ -138,7 +138,7 @@ HWY_INLINE LaneMask<float> meets(const SlabRays& rays, int i, const Slab& slab) 
     return meets(slab, load(rays.t_min + i), load(rays.t_max + i));
 }
 
-/// Which of some of the packet's rays meet a box before their t_max.
+/// Which rays of a subset intersect a box before their t_max.
 HWY_INLINE std::uint64_t rays_that_meet(const RayPacket& packet, std::uint64_t some, const float* lo,
                                         const float* hi) {
     constexpr int lanes = lane_count<float>();
@@ -152,12 +152,12 @@ HWY_INLINE std::uint64_t rays_that_meet(const RayPacket& packet, std::uint64_t s
     return met;
 }
 
-/// Which of them some ray may meet before its t_max, as bits.
+/// A mask of the boxes that any ray may intersect before its t_max.
 HWY_INLINE std::uint32_t meets(const Intervals& packet, const Slab& slab) {
     return to_bits(meets(slab, Floats(packet.min_t_min), Floats(packet.max_t_max)));
 }
 
-/// Which of a node's children some ray may meet, as bits; entries gets the earliest entries.
+/// A mask of the children that any ray may intersect; writes the earliest entries to `entries`.
 HWY_INLINE std::uint32_t children_met(const Intervals& packet, const BvhNode& node, float* entries) {
     std::uint32_t met = 0;
     for (int c = 0; c < k_bvh_width; c += lane_count<float>()) {

@@ -46,7 +46,7 @@ bool same(const Aabb& a, const Aabb& b) {
     return std::equal(a.lo, a.lo + 3, b.lo) && std::equal(a.hi, a.hi + 3, b.hi);
 }
 
-// Calls visit(first node, last node) for pieces of the list of nodes.
+// Calls visit(first node, last node) for chunks of the nodes.
 template <class Visit> void for_nodes(std::size_t count, int threads, const Visit& visit) {
     parallel_for((count + k_nodes_a_task - 1) / k_nodes_a_task, threads, [&](std::size_t task) {
         visit(task * k_nodes_a_task, std::min(count, (task + 1) * k_nodes_a_task));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// New boxes for a hierarchy whose items have moved. Its nodes and leaves stay what they are.
+// Updates the boxes of a hierarchy after items have moved. The tree itself does not change.
 #include <cstdint>
 #include <functional>
 #include <vector>
@@ -9,19 +9,19 @@
 
 namespace glint {
 
-/// Where items and nodes hang: child c of node n is number n k_bvh_width + c.
+/// The parents of items and nodes: child c of node n has the number n k_bvh_width + c.
 struct BvhLinks {
-    std::vector<std::uint32_t> leaf;    // by item: the child that is its leaf
-    std::vector<std::uint32_t> parent;  // by node: the child that it is; the root's means nothing
+    std::vector<std::uint32_t> leaf;    // by item: the number of its leaf
+    std::vector<std::uint32_t> parent;  // by node: its number as a child; unused for the root
 };
-/// Of a hierarchy whose leaves refer to items below `items`.
+/// For a hierarchy whose leaves refer to items below `items`.
 BvhLinks find_links(const Bvh& bvh, std::uint32_t items);
 
-/// The surface-area heuristic's cost of a ray that meets the hierarchy's box: how many nodes and leaves it
-/// meets, as expected. 0 of an empty hierarchy.
+/// The cost by the surface-area heuristic: the expected number of nodes and leaves that a ray visits if it
+/// intersects the root's box. 0 for an empty hierarchy.
 struct BvhCost {
-    double areas = 0;  // the sum of half the areas of all boxes
-    double root = 0;   // the root's
+    double areas = 0;  // the sum of half the surface areas of all boxes
+    double root = 0;   // of the root
     double expected() const { return root > 0 ? areas / root : 0; }
 };
 BvhCost find_cost(const Bvh& bvh);
@@ -29,9 +29,9 @@ BvhCost find_cost(const Bvh& bvh);
 /// The box of an item.
 using ItemBox = std::function<Aabb(std::uint32_t item)>;
 
-/// After an item's box has changed: the boxes above it. Keeps `cost` up to date.
+/// Updates the boxes above one item whose box has changed. Keeps `cost` up to date.
 void refit_item(Bvh& bvh, const BvhLinks& links, std::uint32_t item, const ItemBox& box, BvhCost& cost);
-/// After any boxes have changed: all of them.
+/// Updates all boxes.
 void refit_all(Bvh& bvh, const ItemBox& box, int threads);
 
 }  // namespace glint

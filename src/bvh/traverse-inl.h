@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Walking the hierarchy with a packet, or with one ray.
+// Traversal of the hierarchy by a packet or by one ray.
 #if defined(GLINT_BVH_TRAVERSE_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLINT_BVH_TRAVERSE_INL_H_
 #undef GLINT_BVH_TRAVERSE_INL_H_
@@ -13,14 +13,14 @@ HWY_BEFORE_NAMESPACE();
 namespace glint {
 namespace HWY_NAMESPACE {
 
-/// What is still to be visited; on top the next. Not set at first: it has thousands of entries.
+/// The nodes still to visit; the next is on top. Uninitialised, because it has thousands of entries.
 template <class StackEntry> class TraversalStack {
   public:
     bool empty() const { return top_ == 0; }
     HWY_INLINE const StackEntry& pop() { return stack_[--top_]; }
     int size() const { return top_; }
     HWY_INLINE void push(const StackEntry& visit) { stack_[top_++] = visit; }
-    /// Pushes below those from `base` on that are nearer: the nearest stays on top.
+    /// Pushes below the entries from `base` on that are nearer: the nearest stays on top.
     HWY_INLINE void push_ordered(const StackEntry& visit, int base) {
         int at = top_++;
         for (; at > base && stack_[at - 1].is_nearer_than(visit); --at) stack_[at] = stack_[at - 1];
@@ -32,27 +32,27 @@ template <class StackEntry> class TraversalStack {
     int top_ = 0;
 };
 
-/// A child below the whole number that tells when it is entered (ordered_bits).
+/// A child and its entry as a sortable integer (ordered_bits).
 struct KeyedChild {
     std::int64_t key;
     HWY_INLINE KeyedChild(BvhChild child, std::int32_t entry)
         : key(entry * (std::int64_t{1} << 32) + child.bits) {}
-    KeyedChild() {}  // not set: see TraversalStack
+    KeyedChild() {}  // uninitialised: see TraversalStack
     BvhChild child() const { return {static_cast<std::uint32_t>(key)}; }
     std::int32_t entry() const { return static_cast<std::int32_t>(key >> 32); }
     bool is_nearer_than(const KeyedChild& other) const { return key < other.key; }
 };
 
-/// Puts the nearer of two first. Which one it is cannot be foreseen, so there is no branch; of min and max
-/// g++ 12 would make vectors.
+/// Puts the nearer of two first, without a branch, which would often be mispredicted. With min and max,
+/// g++ 12 would use vectors.
 HWY_INLINE void sort(KeyedChild& a, KeyedChild& b) {
     const std::int64_t swapped = (a.key ^ b.key) & -static_cast<std::int64_t>(b.key < a.key);
     a.key ^= swapped;
     b.key ^= swapped;
 }
 
-/// Pushes the children that are met, the nearest last, but for the nearest itself, which is returned.
-/// met is not 0.
+/// Pushes the intersected children, the nearest last, except the nearest one, which is returned. met is not
+/// 0.
 HWY_INLINE BvhChild push_all_but_nearest(const BvhNode& node, std::uint32_t met, const std::int32_t* entries,
                                          TraversalStack<KeyedChild>& visits) {
     const auto first_met = [&]() HWY_ATTR {
@@ -75,11 +75,11 @@ HWY_INLINE BvhChild push_all_but_nearest(const BvhNode& node, std::uint32_t met,
     return nearest.child();
 }
 
-/// Walks ray i of prepared ones from a child on: leaf.visit(i, first, count) for every leaf whose box the ray
-/// meets before its t_max, nearest first when `ordered`. visit may shrink the ray's t_max.
+/// Traverses the subtree of a child with the prepared ray i: calls leaf.visit(i, first, count) for every leaf
+/// whose box the ray intersects before its t_max, nearest first if `ordered`. visit may reduce t_max.
 template <bool ordered, class Leaf>
 HWY_INLINE void traverse_ray(const Bvh& bvh, const SlabRays& rays, int i, BvhChild next, Leaf& leaf) {
-    // Where in a node its near and far planes are.
+    // The positions of the near and far planes in a node.
     int near_at[3], far_at[3];
     for (int a = 0; a < 3; ++a) {
         near_at[a] = (rays.near_inverse[a][i] > 0 ? 0 : 3 * k_bvh_width) + a * k_bvh_width;
@@ -93,7 +93,7 @@ HWY_INLINE void traverse_ray(const Bvh& bvh, const SlabRays& rays, int i, BvhChi
             t_max = rays.t_max[i];
             if (t_max < rays.t_min[i]) return;
         } else {
-            // Made anew for each node, from cached memory: kept, its vectors would be saved around each leaf.
+            // Loaded again for each node: kept in registers, the vectors would be saved around each leaf.
             const SlabRay ray(rays, i);
             const Floats t_min(rays.t_min[i]);
             const BvhNode& node = bvh.nodes[next.index()];
@@ -127,12 +127,12 @@ HWY_INLINE void traverse_ray(const Bvh& bvh, const SlabRays& rays, int i, BvhChi
     }
 }
 
-/// Rays that go on alone when fewer than this of a packet are left.
+/// If fewer rays of a packet are active, they continue one by one.
 inline constexpr int k_min_packet_size = 8;
 
-/// Calls leaf.visit(packet, active, first, count) for every leaf whose box some rays of the packet meet
-/// before their t_max: those that are set in `active`; nearest first when `ordered`. Where few rays are left,
-/// they go on alone. visit may shrink rays' t_max (and then updates the packet's).
+/// Calls leaf.visit(packet, active, first, count) for every leaf whose box some rays of the packet intersect
+/// before their t_max: those set in `active`; nearest first if `ordered`. If few rays are active, they
+/// continue one by one. visit may reduce t_max of rays (and then updates the packet's).
 template <bool ordered, class Leaf>
 HWY_INLINE void traverse_packet(const Bvh& bvh, RayPacket& packet, Leaf& leaf) {
     struct StackEntry {
@@ -145,7 +145,7 @@ HWY_INLINE void traverse_packet(const Bvh& bvh, RayPacket& packet, Leaf& leaf) {
     visits.push({BvhChild::node(0), -std::numeric_limits<float>::infinity(), packet.all()});
     while (!visits.empty()) {
         const StackEntry next = visits.pop();
-        // Also true once every ray is done: max_t_max is then -infinity.
+        // Also true if every ray is finished: max_t_max is then -infinity.
         if (next.entry > packet.max_t_max) continue;
         if (__builtin_popcountll(next.active) < k_min_packet_size) {
             for (std::uint64_t bits = next.active; bits != 0; bits &= bits - 1) {
