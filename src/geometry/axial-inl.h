@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What cylinders and cones share: an axis of some height, and discs at its ends.
+// Shared by cylinders and cones: an axis with a height, and discs at its ends.
 #if defined(GLINT_GEOMETRY_AXIAL_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLINT_GEOMETRY_AXIAL_INL_H_
 #undef GLINT_GEOMETRY_AXIAL_INL_H_
@@ -31,15 +31,15 @@ inline void axial_bounds(Vec3 from, Vec3 to, double from_radius, double to_radiu
     lo = extent.lo, hi = extent.hi;
 }
 
-/// A ray by its parts along and across the axis, and the least t > t_min found on it. Parameters s count from
-/// t = start.
+/// A ray split into components along and across the axis, and its smallest valid t > t_min. Parameters s are
+/// measured from t = start.
 template <class T> struct AxialRay {
     T height, t_min, start;
     T q_along, d_along;
     Triple<T> q_across, d_across;
     T best = T(1e300);
 
-    /// q: the ray's point at s = 0, from the axis' beginning.
+    /// q: the ray's point at s = 0, relative to the start of the axis.
     HWY_INLINE AxialRay(Triple<T> axis, T axis_height, Triple<T> q, Triple<T> d, T from, T least)
         : height(axis_height),
           t_min(least),
@@ -53,12 +53,12 @@ template <class T> struct AxialRay {
         const T t = start + s;
         best = select(ok && (t > t_min) && (t < best), t, best);
     }
-    /// A point of the side, if it is between the ends.
+    /// Considers a point of the side; it is valid if it is between the ends.
     template <class M> HWY_INLINE void consider_side(T s, M ok) {
         const T along = q_along + d_along * s;
         consider(s, ok && (along >= T(0)) && (along <= height));
     }
-    /// The discs at the ends, where caps is above 0.
+    /// Considers the discs at the ends, if caps is above 0.
     HWY_INLINE void consider_caps(T caps, T from_radius, T to_radius) {
         const auto capped = caps > T(0);
         if (!any(capped)) return;
@@ -74,10 +74,10 @@ template <class T> struct AxialRay {
     }
 };
 
-/// In single precision: false only where no ray's line comes within `radius` of the axis' line. n = a x d is
-/// across both, and q.n / |n| their distance. With u = 2^-24, M the coordinates of origin and axis, and a
-/// direction of at most about 1, q.n is wrong by less than 54 u M, and radius |n| by 28 u radius; the test
-/// allows for twice that.
+/// In single precision: false only if no ray's line comes within `radius` of the axis' line. n = a x d is
+/// perpendicular to both, and q.n / |n| is their distance. With u = 2^-24, M the coordinates of origin and
+/// axis, and a direction of at most about 1, the error of q.n is below 54 u M, that of radius |n| below 28 u
+/// radius; the test allows for twice that.
 template <class F> struct AxialFilter {
     Triple<F> q, axis;
     F radius, slack;
@@ -88,13 +88,13 @@ template <class F> struct AxialFilter {
     HWY_INLINE auto may_hit(const Triple<F>& d) const {
         const Triple<F> n = cross(axis, d);
         const F beyond = abs(dot(q, n)) - slack;
-        // A NaN may hit, and what is so near that its square has not u's precision.
+        // A NaN may hit; so may values so near that their squares lose precision.
         return !((beyond > F(1e-18f)) && (beyond * beyond > (radius * radius) * dot(n, n)));
     }
 };
 
-/// The normal of a point that is `along` the axis and `off` the side: that of a cap, where there are caps and
-/// one is nearer.
+/// The normal of a point that is `along` the axis and `off` the side: that of a cap if there are caps and one
+/// is nearer.
 template <class T>
 HWY_INLINE Triple<T> side_or_cap(Triple<T> side, Triple<T> axis, T height, T along, T off, T caps) {
     const T to_bottom = abs(along), to_top = abs(height - along);

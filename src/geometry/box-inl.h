@@ -42,11 +42,11 @@ struct BoxGeometry {
         slab(p[1], p[4], ray.origin.y, ray.direction.y);
         slab(p[2], p[5], ray.origin.z, ray.direction.z);
         const T t = select(enter > t_min, enter, offset_ray_origin);
-        // A NaN or infinity in the ray leaves t at its bounds, or beyond: no hit.
+        // A NaN or infinity in the ray leaves t at its bounds, or outside them: no hit.
         return {(enter <= offset_ray_origin) && (t > t_min) && (t < T(1e300)), t};
     }
 
-    /// Of the face whose plane is nearest to the point.
+    /// The normal of the face whose plane is nearest to the point.
     template <class T> static HWY_INLINE Triple<T> normal(const T* p, Triple<T> point) {
         const auto depth = [](T lo, T hi, T x) HWY_ATTR { return min(abs(x - lo), abs(hi - x)); };
         const auto side = [](T lo, T hi, T x)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The finite cone, whole or truncated, open or capped: packing, bounds, hit, normal.
+// The finite cone, complete or truncated, open or capped: packing, bounds, hit, normal.
 #if defined(GLINT_GEOMETRY_CONE_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLINT_GEOMETRY_CONE_INL_H_
 #undef GLINT_GEOMETRY_CONE_INL_H_
@@ -16,7 +16,7 @@ namespace HWY_NAMESPACE {
 
 struct ConeGeometry {
     static constexpr int k_values =
-        10;  // from, unit axis, height, radius at from, growth of the radius a unit, caps (0 or 1)
+        10;  // from, unit axis, height, radius at from, growth of the radius per unit, caps (0 or 1)
     static constexpr bool k_bounded = true;
     static constexpr bool k_bakes_transform = false;
     static constexpr bool k_filtered = true;
@@ -30,9 +30,9 @@ struct ConeGeometry {
         axial_bounds(c.from, c.to, c.from_radius, c.to_radius, lo, hi);
     }
 
-    /// |across(t)|^2 = r(t)^2 with r(t) = r_0 + k along(t), about the ray's closest approach to the middle of
-    /// the axis, so that distance costs no digits. The roots as q / a and c / q: a may be 0, for a ray
-    /// parallel to the side.
+    /// Solves |across(t)|^2 = r(t)^2 with r(t) = r_0 + k along(t), relative to the ray's closest approach to
+    /// the middle of the axis, so that distance does not reduce precision. The roots are q / a and c / q:
+    /// a may be 0 (a ray parallel to the side).
     template <class T> static HWY_INLINE Hit<T> hit(const T* p, const Ray<T>& ray, T t_min) {
         const Triple<T> axis = triple(p + 3), d = ray.direction;
         const T height = p[6], base = p[7], growth = p[8];
@@ -56,7 +56,7 @@ struct ConeGeometry {
 
     template <class F> struct Filter : AxialFilter<F> {
         static HWY_INLINE Filter of(const F* p, const Triple<F>& o) {
-            // The other end's radius, with what rounding may take from it.
+            // The other end's radius, minus its rounding error.
             const F end = p[7] + p[8] * p[6];
             return {AxialFilter<F>::around(p, o, max(p[7], end) + (abs(p[7]) + abs(end)) * F(0x1p-20f))};
         }
@@ -69,7 +69,7 @@ struct ConeGeometry {
         const Triple<T> across = q - axis * along;
         const T distance = length(across);
         const Triple<T> outward = across / distance - axis * p[8];
-        // The apex has no normal: the axis stands in.
+        // The apex has no normal: the axis is used.
         const Triple<T> tip = axis * select(p[8] < T(0), T(1), T(-1));
         const Triple<T> lateral = select_triple(distance > T(0), normalize(outward), tip);
         return side_or_cap(lateral, axis, p[6], along, distance - (p[7] + p[8] * along), p[9]);

@@ -31,7 +31,7 @@ struct CylinderGeometry {
 
     template <class T> static HWY_INLINE Hit<T> hit(const T* p, const Ray<T>& ray, T t_min) {
         AxialRay<T> r(triple(p + 3), p[6], ray.origin - triple(p), ray.direction, T(0), t_min);
-        // Parallel to the axis, the division gives NaN or infinity, and no lateral hit.
+        // For a ray parallel to the axis, the division gives NaN or infinity, and no lateral hit.
         const auto roots = closest_approach(r.q_across, r.d_across, p[7]);
         if (any(roots.real)) {
             r.consider_side(roots.b - roots.h, roots.real);

@@ -37,7 +37,7 @@ struct DiscGeometry {
 
     template <class T> static HWY_INLINE Hit<T> hit(const T* p, const Ray<T>& ray, T t_min) {
         const Triple<T> q = ray.origin - triple(p), n = triple(p + 3);
-        // A ray within the disc's plane gives NaN or infinity: no hit.
+        // A ray in the disc's plane gives NaN or infinity: no hit.
         const T t = -dot(q, n) / dot(ray.direction, n);
         const Triple<T> across = q + ray.direction * t;
         return {t > t_min && (dot(across, across) <= p[6] * p[6]), t};

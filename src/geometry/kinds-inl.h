@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The list of kinds: which geometry belongs to which shape. A new shape adds its file here.
+// The list of shape kinds and their geometries. A new shape adds its file here.
 #if defined(GLINT_GEOMETRY_KINDS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLINT_GEOMETRY_KINDS_INL_H_
 #undef GLINT_GEOMETRY_KINDS_INL_H_
@@ -22,21 +22,21 @@ HWY_BEFORE_NAMESPACE();
 namespace glint {
 namespace HWY_NAMESPACE {
 
-/// Polygons are cut into triangles before anything is packed: a world has none.
+/// Polygons are triangulated before packing, so a World contains none.
 struct PolygonGeometry : TriangleGeometry {};
 template <class Geometry> inline constexpr bool k_is_packed = !std::is_same_v<Geometry, PolygonGeometry>;
 
-/// Their formula takes a TriangleGeometry::ShearedRay of the ray, and their boxes are computed when needed.
+/// Kinds whose formula uses a TriangleGeometry::ShearedRay, and whose bounds are computed when needed.
 template <class Geometry>
 inline constexpr bool k_is_triangle =
     std::is_same_v<Geometry, TriangleGeometry> || std::is_same_v<Geometry, SmoothTriangleGeometry>;
 
-/// Their formula costs one ray no more than their box.
+/// Kinds whose formula costs no more than the test of their bounds, for one ray.
 template <class Geometry>
 inline constexpr bool k_is_cheap = k_is_triangle<Geometry> || std::is_same_v<Geometry, SphereGeometry>;
 
-/// Calls visitor.visit<Geometry>() for the geometry of a kind, under a transform or not. Kinds that take a
-/// map into their own parameters (k_bakes_transform) are never packed with one.
+/// Calls visitor.visit<Geometry>() for the geometry of a kind, with or without a transform. Kinds that apply
+/// the transform to their own parameters (k_bakes_transform) are never packed with one.
 template <class Geometry, class Visitor> HWY_INLINE void visit_kind(bool transformed, Visitor&& visitor) {
     if constexpr (k_is_packed<Geometry>) {
         if constexpr (!Geometry::k_bakes_transform) {

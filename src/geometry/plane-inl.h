@@ -23,7 +23,7 @@ struct PlaneGeometry {
 
     static void pack(const Plane& plane, double* p) {
         const Vec3 n = glint::normalize(plane.normal);
-        // A point far off along the plane would only cost precision.
+        // The point nearest to the origin: a distant one would reduce precision.
         const Vec3 foot = n * glint::dot(plane.point, n);
         p[0] = foot.x, p[1] = foot.y, p[2] = foot.z;
         p[3] = n.x, p[4] = n.y, p[5] = n.z;
@@ -39,7 +39,7 @@ struct PlaneGeometry {
     template <class T> static HWY_INLINE Hit<T> hit(const T* p, const Ray<T>& ray, T t_min) {
         const Triple<T> n = triple(p + 3);
         const T t = dot(triple(p) - ray.origin, n) / dot(ray.direction, n);
-        // A ray within the plane gives NaN or infinity: no hit.
+        // A ray in the plane gives NaN or infinity: no hit.
         return {(t > t_min) && (t < T(1e300)), t};
     }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rays and what a shape's formula answers, for any kind of number.
+// Rays and the results of intersection formulas, for any number type.
 #if defined(GLINT_GEOMETRY_RAY_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLINT_GEOMETRY_RAY_INL_H_
 #undef GLINT_GEOMETRY_RAY_INL_H_
@@ -13,18 +13,18 @@ HWY_BEFORE_NAMESPACE();
 namespace glint {
 namespace HWY_NAMESPACE {
 
-/// Points origin + t direction; the direction has any length but 0.
+/// Points origin + t direction; the direction has any length except 0.
 template <class T> struct Ray { Triple<T> origin, direction; };
 
-/// A formula's answer: the least t > t_min at which the ray meets the shape, if `valid`.
+/// The result of a formula: the smallest t > t_min at which the ray intersects the shape, if `valid`.
 template <class T> struct Hit {
     decltype(T() < T()) valid;
     T t;
 };
 
-/// The roots b - h and b + h of |q + t d|^2 = r^2, about the point of closest approach: q + b d is
-/// perpendicular to d, so that nothing large is subtracted from something large (Haines et al., Precision
-/// Improvements for Ray/Sphere Intersection, 2019).
+/// The roots b - h and b + h of |q + t d|^2 = r^2, relative to the point of closest approach: q + b d is
+/// perpendicular to d, which avoids subtracting large numbers (Haines et al., Precision Improvements for
+/// Ray/Sphere Intersection, 2019).
 template <class T> struct Roots {
     decltype(T() < T()) real;
     T b, h;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How a ray leaves a surface: where it starts, by the scene's convention. The one place with epsilons.
+// The origin of a ray that starts at a surface, by the scene's convention. All epsilons are here.
 #if defined(GLINT_GEOMETRY_RAY_OFFSET_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLINT_GEOMETRY_RAY_OFFSET_INL_H_
 #undef GLINT_GEOMETRY_RAY_OFFSET_INL_H_
@@ -14,15 +14,15 @@ HWY_BEFORE_NAMESPACE();
 namespace glint {
 namespace HWY_NAMESPACE {
 
-/// A surface point as a ray found it.
+/// A surface point that a ray hit.
 template <class T> struct SurfacePoint {
     Triple<T> point, normal;  // unit normal
-    Triple<T> incoming;       // the direction of the ray that came
-    T magnitude;  // of the numbers the point was computed from: |origin| + |point| + |shape|, largest
+    Triple<T> incoming;       // the direction of the ray that hit it
+    T magnitude;  // of the numbers from which the point was computed: |origin| + |point| + |shape|, largest
                   // coordinates
 };
 
-/// Where a ray in direction `outgoing` (any length) from the surface starts (see enum Offset).
+/// The origin of a ray from the surface in direction `outgoing` (any length); see enum Offset.
 template <class T>
 HWY_INLINE Triple<T> offset_ray_origin(const SurfacePoint<T>& s, Triple<T> outgoing, Offset offset,
                                        double epsilon) {
@@ -43,7 +43,7 @@ HWY_INLINE Triple<T> offset_ray_origin(const SurfacePoint<T>& s, Triple<T> outgo
     return s.point + s.normal * select(dot(s.normal, outgoing) < T(0), -reach, reach);
 }
 
-/// Where a ray through the surface starts: on the side it goes to, as far from it as one that leaves.
+/// The origin of a ray through the surface: on the far side, with the same offset.
 template <class T>
 HWY_INLINE Triple<T> offset_transmitted_origin(const SurfacePoint<T>& s, Triple<T> outgoing, Offset offset,
                                                double epsilon) {
@@ -53,7 +53,7 @@ HWY_INLINE Triple<T> offset_transmitted_origin(const SurfacePoint<T>& s, Triple<
     return s.point + s.normal * select(dot(s.normal, outgoing) < T(0), -e, e);
 }
 
-/// The least t of a ray that leaves a surface.
+/// The minimum t of a ray that starts at a surface.
 HWY_INLINE double offset_t_min(Offset offset, double epsilon) {
     return offset == Offset::ray ? epsilon : 0.0;
 }

@@ -36,9 +36,9 @@ struct SphereGeometry {
         return {roots.real && (t > t_min), t};
     }
 
-    /// In single precision: false only where `hit` in double is false. With u = 2^-24, the coordinates'
-    /// conversions, q, b and f are wrong by less than 16 u (|o| + |c|) in each coordinate; the test allows
-    /// for twice that, and for squares too small to have u's precision.
+    /// In single precision: false only if `hit` in double is false. With u = 2^-24, the error from converting
+    /// the coordinates, q, b and f is below 16 u (|o| + |c|) in each coordinate; the test allows for twice
+    /// that, and for squares so small that they lose precision.
     template <class F> struct Filter {
         static constexpr float k_tiny = 1e-37f;
         Triple<F> q;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Any shape under an affine map: the ray goes into the shape's own space, where t means the same.
+// Any shape with an affine transform: the ray is transformed to object space, where t is the same.
 #if defined(GLINT_GEOMETRY_TRANSFORMED_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLINT_GEOMETRY_TRANSFORMED_INL_H_
 #undef GLINT_GEOMETRY_TRANSFORMED_INL_H_
@@ -13,7 +13,7 @@ HWY_BEFORE_NAMESPACE();
 namespace glint {
 namespace HWY_NAMESPACE {
 
-/// Packed as the shape's own values, then object_from_world row by row (12 values).
+/// Packed as the values of the shape, then object_from_world row by row (12 values).
 template <class Geometry> struct Transformed {
     static constexpr int k_values = Geometry::k_values + 12;
     static constexpr bool k_bounded = Geometry::k_bounded;
@@ -33,7 +33,7 @@ template <class Geometry> struct Transformed {
         return Geometry::hit(p, Ray<T>{affine(m, ray.origin), linear(m, ray.direction)}, t_min);
     }
 
-    /// Normals go by the transpose of object_from_world.
+    /// Normals are transformed by the transpose of object_from_world.
     template <class T> static HWY_INLINE Triple<T> normal(const T* p, Triple<T> point) {
         const T* m = p + Geometry::k_values;
         const Triple<T> n = Geometry::normal(p, affine(m, point));

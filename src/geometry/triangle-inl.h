@@ -15,7 +15,7 @@ HWY_BEFORE_NAMESPACE();
 namespace glint {
 namespace HWY_NAMESPACE {
 
-/// Its normal is that of the counter-clockwise side: (b - a) × (c - a).
+/// The normal is on the counter-clockwise side: (b - a) × (c - a).
 struct TriangleGeometry {
     static constexpr int k_values = 9;  // a, b, c
     static constexpr bool k_bounded = true;
@@ -30,7 +30,7 @@ struct TriangleGeometry {
         Triangle out;
         for (int i = 0; i < 3; ++i)
             out.vertices[i] = transform_point(world_from_object, triangle.vertices[i]);
-        // A mirroring map turns the vertices' sense; the front stays the front, as with every other shape.
+        // A mirroring map reverses the order of the vertices; the front must stay the front.
         if (determinant(world_from_object) < 0) std::swap(out.vertices[1], out.vertices[2]);
         return out;
     }
@@ -49,9 +49,9 @@ struct TriangleGeometry {
         return {{least(0), least(1), least(2)}, {most(0), most(1), most(2)}};
     }
 
-    /// A ray as the formula sees it: from `start` on, the point of its line that is nearest to the world's
-    /// origin, so that a distant ray costs no digits; sheared into the plane across the axis (0 to 2) that it
-    /// mostly follows.
+    /// A ray prepared for the formula: `start` is the point of its line that is nearest to the world's
+    /// origin, so that distance does not reduce precision; it is sheared into the plane perpendicular to its
+    /// major axis (0 to 2).
     template <class T> struct ShearedRay {
         static constexpr int k_values = 6;
         Triple<T> origin;
@@ -63,7 +63,7 @@ struct TriangleGeometry {
         const T start = -(dot(ray.origin, d) / dot(d, d));
         return {ray.origin + d * start, start, along.x / along.z, along.y / along.z};
     }
-    /// Turns the axis that the ray mostly follows into z.
+    /// Permutes the axes so that the ray's major axis becomes z.
     template <class T> struct AxisPermutation {
         decltype(T() < T()) along_x, along_y;
         static HWY_INLINE AxisPermutation of(const Triple<T>& d) {
@@ -74,7 +74,7 @@ struct TriangleGeometry {
                                  select_triple(along_y, Triple<T>{v.z, v.x, v.y}, v));
         }
     };
-    /// The same where all rays follow one axis.
+    /// The same if all rays have the same major axis.
     template <class T> struct UniformPermutation {
         int axis;
         HWY_INLINE Triple<T> operator()(const Triple<T>& v) const {
@@ -82,10 +82,10 @@ struct TriangleGeometry {
         }
     };
 
-    /// The vertices are seen along the ray; it passes on one side of all three edges (Woop, Benthin and Wald,
-    /// Watertight Ray/Triangle Intersection, 2013). A vertex has the same place for all its triangles, and a
-    /// difference of two rounded products has the right sign or is 0, so that a mesh has no gap at its edges
-    /// and vertices.
+    /// Projects the vertices along the ray; the ray passes all three edges on the same side (Woop, Benthin
+    /// and Wald, Watertight Ray/Triangle Intersection, 2013). A vertex has the same projection in all its
+    /// triangles, and the difference of two rounded products has the right sign or is 0: a mesh has no gaps
+    /// at its edges and vertices.
     template <class T, class Permutation>
     static HWY_INLINE Hit<T> hit_sheared(const T* p, const ShearedRay<T>& sheared, const Triple<T>& d,
                                          const Permutation& permute, T t_min) {
@@ -102,7 +102,7 @@ struct TriangleGeometry {
             ((u >= zero) && (v >= zero) && (w >= zero)) || ((u <= zero) && (v <= zero) && (w <= zero));
         if (!any(inside)) return {inside, zero};
         const Triple<T> n = cross(triple(p + 3) - triple(p), triple(p + 6) - triple(p));
-        // A ray within the plane gives NaN or infinity: no hit.
+        // A ray in the plane gives NaN or infinity: no hit.
         const T t = sheared.start + dot(triple(p) - sheared.origin, n) / dot(d, n);
         return {inside && (t > t_min) && (t < T(1e300)), t};
     }
@@ -111,11 +111,11 @@ struct TriangleGeometry {
         return hit_sheared(p, shear_ray(ray, permute), ray.direction, permute, t_min);
     }
 
-    /// In single precision: false only where `hit` in double is false. The ray passes the three edges on one
-    /// side if the volumes that it spans with them have one sign. With u = 2^-24 and M the largest coordinate
-    /// of a vertex plus that of the origin, vertices from the origin are wrong by less than 2.1 u M, their
-    /// cross products by 12.5 u M^2, the volumes, for a direction of at most about 1, by 62 u M^2; the test
-    /// allows for twice that, and for products too small to have u's precision.
+    /// In single precision: false only if `hit` in double is false. The ray passes the three edges on the
+    /// same side if the volumes that it spans with them have one sign. With u = 2^-24 and M the largest
+    /// coordinate of a vertex plus that of the origin, the error of a vertex relative to the origin is below
+    /// 2.1 u M, of a cross product 12.5 u M^2, of a volume, for a direction of at most about 1, 62 u M^2. The
+    /// test allows for twice that, and for products so small that they lose precision.
     template <class F> struct Filter {
         static constexpr float k_tiny = 1e-37f;
         Triple<F> ab, bc, ca;
@@ -126,10 +126,10 @@ struct TriangleGeometry {
                 max(max_abs(triple(p)), max(max_abs(triple(p + 3)), max_abs(triple(p + 6)))) + max_abs(o);
             return {cross(a, b), cross(b, c), cross(c, a), m * m * F(0x1p-17f) + F(k_tiny)};
         }
-        /// For rays of one origin: computed in double, then to be rounded to float. With N the largest sum of
-        /// a cross product's magnitudes, rounding it, the direction and the dot product costs a volume less
-        /// than 7 u N, which for what is small and far is much less than 62 u M^2; double itself, here and in
-        /// `hit`, costs less than 2^-43 M^2. The test allows for twice the one and eight times the other.
+        /// For rays with a common origin: computed in double, then rounded to float. With N the largest sum
+        /// of a cross product's magnitudes, rounding it, the direction and the dot product changes a volume
+        /// by less than 7 u N, much less than 62 u M^2 for small, distant triangles. The error of double,
+        /// here and in `hit`, is below 2^-43 M^2. The test allows for twice the first, 8 times the second.
         static HWY_INLINE Filter from_one_origin(const F* p, const Triple<F>& o) {
             const Triple<F> a = triple(p) - o, b = triple(p + 3) - o, c = triple(p + 6) - o;
             const Filter f{cross(a, b), cross(b, c), cross(c, a), F(0)};
@@ -139,14 +139,14 @@ struct TriangleGeometry {
                 max(max_abs(triple(p)), max(max_abs(triple(p + 3)), max_abs(triple(p + 6)))) + max_abs(o);
             const F lost = n * F(0x1p-20) + m * m * F(0x1p-40) + F(1e-37);
             return {f.ab, f.bc, f.ca,
-                    select(n < F(1e36), lost, F(k_infinity))};  // beyond float none is rejected
+                    select(n < F(1e36), lost, F(k_infinity))};  // not for values beyond float
         }
         HWY_INLINE auto may_hit(const Triple<F>& d) const {
             const F u = dot(d, bc), v = dot(d, ca), w = dot(d, ab);
             // A NaN may hit.
             return !((min(u, min(v, w)) < -slack) && (max(u, max(v, w)) > slack));
         }
-        /// False only where may_hit is false for all directions within [lo, hi]: rounding is monotone.
+        /// False only if may_hit is false for all directions within [lo, hi], because rounding is monotone.
         HWY_INLINE auto some_may_hit(const Triple<F>& lo, const Triple<F>& hi) const {
             const auto least = [&](const Triple<F>& n) HWY_ATTR {
                 return min(lo.x * n.x, hi.x * n.x) + min(lo.y * n.y, hi.y * n.y) +
@@ -166,7 +166,7 @@ struct TriangleGeometry {
     }
 };
 
-/// As the triangle, with the vertices' normals mixed by the point's barycentric coordinates.
+/// A triangle whose vertex normals are interpolated by the point's barycentric coordinates.
 struct SmoothTriangleGeometry {
     static constexpr int k_values = 18;  // a, b, c, and their normals
     static constexpr bool k_bounded = true;
