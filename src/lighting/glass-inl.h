@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Refraction: where a ray goes at the surface of glass, and how much of it (docs/lighting.md). Pure
+// Refraction at the surface of glass: direction and coefficient of the ray (docs/lighting.md). Pure
 // functions.
 #if defined(GLINT_LIGHTING_GLASS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLINT_LIGHTING_GLASS_INL_H_
@@ -15,14 +15,14 @@ HWY_BEFORE_NAMESPACE();
 namespace glint {
 namespace HWY_NAMESPACE {
 
-/// A ray beyond a surface. Where `total` is set there is none: total internal reflection.
+/// A refracted ray. If `total` is set there is none: total internal reflection.
 template <class T> struct Refraction {
     decltype(T() < T()) total;
-    Triple<T> direction;  // as long as the incoming one
+    Triple<T> direction;  // as long as the incoming direction
 };
 
-/// Snell's law, n1 sin(theta) = n2 sin(phi). incoming: of any length but 0; normal: unit, on the side the ray
-/// comes from (N·D <= 0); eta = n1 / n2. T = eta (D + cos N) - N sqrt(1 - eta^2 (1 - cos^2)), cos = -N·D
+/// Snell's law, n1 sin(theta) = n2 sin(phi). incoming: any length except 0; normal: unit, on the side of the
+/// incoming ray (N·D <= 0); eta = n1 / n2. T = eta (D + cos N) - N sqrt(1 - eta^2 (1 - cos^2)), cos = -N·D
 /// (CSC 473, "Reflection and Refraction").
 template <class T> HWY_INLINE Refraction<T> refracted(Triple<T> incoming, Triple<T> normal, T eta) {
     const T size = length(incoming);
@@ -33,15 +33,15 @@ template <class T> HWY_INLINE Refraction<T> refracted(Triple<T> incoming, Triple
     return {square < T(0), t * size};
 }
 
-/// Schlick's approximation of what a surface reflects: F0 + (1 - F0) (1 - cos)^5, F0 = ((n - 1)/(n + 1))^2,
+/// Schlick's approximation of the reflectance: F0 + (1 - F0) (1 - cos)^5, F0 = ((n - 1)/(n + 1))^2,
 /// cos = |N·D| of the incoming ray on either side (CSC 473, "Fresnel and Beer's Law").
 template <class T> HWY_INLINE T schlick(T cosine, T ior) {
     const T root = (ior - T(1)) / (ior + T(1)), f0 = root * root, m = max(T(1) - cosine, T(0));
     return f0 + (T(1) - f0) * (m * m * (m * m) * m);
 }
 
-/// Beer's law: what is left of a colour channel after a way through glass of this tint. absorption: of a
-/// black tint, per unit of length (CSC 473: 0.15).
+/// Beer's law: the fraction of a colour channel that remains after a distance in glass of this tint.
+/// absorption: of a black tint, per unit of length (CSC 473: 0.15).
 template <class T> HWY_INLINE T beer(T tint, T absorption, T distance) {
     return exp(-((T(1) - tint) * absorption * distance));
 }

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// What is asked of a light without computing with it.
+// Properties of a light that are not part of the lighting equation.
 #include "glint/scene.h"
 
 namespace glint {
 
-/// Whether shadow rays are traced from the light to the surface, so that all of a light's share their origin.
+/// Whether shadow rays are traced from the light to the surface, so that all of them have the same origin.
 inline bool comes_from_light(const Light& light, const Conventions& conventions) {
     return light.has_position() && conventions.shadow_stops_at_light;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The lighting equation (docs/lighting.md): one light's diffuse and specular terms at a surface point. Pure
-// functions.
+// The lighting equation (docs/lighting.md): the diffuse and specular terms of one light at a surface point.
+// Pure functions.
 #if defined(GLINT_LIGHTING_PHONG_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLINT_LIGHTING_PHONG_INL_H_
 #undef GLINT_LIGHTING_PHONG_INL_H_
@@ -21,7 +21,7 @@ struct LightingRules {
     Shading shading = Shading::blinn_phong;
     bool specular_gate = true;  // the highlight needs N·L > 0
     bool clamp_cosines = true;  // N·L and S below 0 add nothing
-    bool normalize = true;      // L, V, R, H are normalised before use
+    bool normalize = true;      // L, V, R and H are normalised before use
 };
 
 /// The two cosines of the model: N·L, and S = R·V (Phong) or N·H (Blinn-Phong).
@@ -40,7 +40,7 @@ HWY_INLINE Cosines<T> cosines(Triple<T> normal, Triple<T> l, Triple<T> v, const 
     if (rules.shading == Shading::blinn_phong) {
         const Triple<T> h = l + v;
         const T size = length(h);
-        // Light from straight behind: H does not exist, and there is no highlight.
+        // Light from exactly behind: H does not exist, and there is no highlight.
         const T s = dot(normal, h);
         return {n_l, rules.normalize ? select(size > T(0), s / select(size > T(0), size, T(1)), T(0)) : s};
     }
@@ -60,10 +60,10 @@ template <class T> HWY_INLINE T diffuse_term(T n_l, const LightingRules& rules) 
 
 /// S^n, which multiplies k_s I_l,s of a visible light where there is a highlight.
 template <class T> HWY_INLINE T highlight_power(T s, T shininess, const LightingRules& rules) {
-    // Without normalisation S may be large: keep the film finite.
+    // Without normalisation S may be large: this keeps the film finite.
     const T power = min(pow(abs(s), shininess), T(1e30));
     if (rules.clamp_cosines) return power;
-    // (-x)^n of an odd n is negative, of other whole n positive, and of others it does not exist.
+    // (-x)^n is negative for odd n, positive for even n, and undefined for n that are not whole.
     const T half = shininess * T(0.5);
     const auto whole = round_to_integer(shininess) == shininess, even = round_to_integer(half) == half;
     return select(s < T(0), select(whole, select(even, power, -power), T(0)), power);
