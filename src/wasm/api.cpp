@@ -16,8 +16,8 @@ using nlohmann::ordered_json;
 
 struct GlintScene {
     glint::wasm::RequestTexts texts;
-    std::optional<glint::Scene> scene;  // as it is drawn: as opened, and what glint_prepare changed
-    glint::Camera camera;               // as opened, as the next two
+    std::optional<glint::Scene> scene;  // as it is rendered: as opened, with the changes of glint_prepare
+    glint::Camera camera;               // as opened, like the next two
     glint::Conventions conventions;
     glint::RenderSettings settings;
     std::vector<glint::SettingOrigin> origins;
@@ -75,7 +75,7 @@ void glint_close(GlintScene* scene) { delete scene; }
 
 std::int32_t glint_prepare(GlintScene* scene, const char* request, std::uint32_t length) {
     if (!scene->scene) return 0;
-    // Where this fails, nothing is to be drawn.
+    // If this fails, nothing can be rendered.
     const std::optional<glint::World> before = std::exchange(scene->world, std::nullopt);
     scene->scene->camera = scene->camera;
     scene->scene->conventions = scene->conventions;

@@ -13,7 +13,7 @@ using Json = nlohmann::ordered_json;
 Json vec(Vec3 v) { return {v.x, v.y, v.z}; }
 Json color(Color c) { return {c.r, c.g, c.b}; }
 
-/// {"file", "line", "column"}, or null for what no text says.
+/// {"file", "line", "column"}, or null for an item without a place.
 Json place_json(const Scene& scene, SourcePlace place) {
     if (place.line == 0 || place.file >= scene.files.size()) return nullptr;
     return {{"file", scene.files[place.file]}, {"line", place.line}, {"column", place.column}};

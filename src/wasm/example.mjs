@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// node example.mjs [SCENE]: draws a scene in the terminal and says why the pixel in its middle is what it is.
+// node example.mjs [SCENE]: renders a scene in the terminal and explains the pixel in the middle.
 import {readFileSync} from 'node:fs';
 
 import {instantiate} from './glint.mjs';

@@ -2,7 +2,7 @@
 
 export type Vec3 = [number, number, number];
 
-/** Where something stands in one of the texts. Lines and columns count from 1, columns in bytes of UTF-8. */
+/** A place in one of the texts. Lines and columns count from 1, columns in bytes of UTF-8. */
 export interface Place {
     file: string;
     line: number;
@@ -11,7 +11,7 @@ export interface Place {
 
 export interface Diagnostic extends Place {
     severity: 'error' | 'warning';
-    /** Bytes to underline. */
+    /** The number of bytes to underline. */
     length: number;
     message: string;
     /** The whole message with the line and a caret, as the command prints it. */
@@ -19,7 +19,7 @@ export interface Diagnostic extends Place {
 }
 
 export interface SceneText {
-    /** As messages name it; its extension chooses the format unless `format` does. */
+    /** The name for messages; its extension chooses the format unless `format` is given. */
     name: string;
     text: string;
     /** "cgfs", "epfl", "csc473", "nff" or "glint". */
@@ -27,31 +27,31 @@ export interface SceneText {
 }
 
 export interface OpenRequest {
-    /** Read as one scene, in their order. */
+    /** Read as one scene, in this order. */
     texts: SceneText[];
-    /** What `include` may find, by name. */
+    /** The texts that `include` may find, by name. */
     includes?: SceneText[];
-    /** Conventions to start from, in place of the format's own: "cgfs", "epfl", ... */
+    /** Conventions to start from instead of the format's own: "cgfs", "epfl", ... */
     profile?: string;
-    /** Which scene of a file that holds several. */
+    /** The scene to use, if a file has several. */
     scene?: string;
-    /** Settings that override those of the texts, as of `glint render --convention`: {size: '640x480', aa: '2'}. */
+    /** Settings that override those of the texts, as with `glint render --convention`: {size: '640x480', aa: '2'}. */
     settings?: Record<string, string>;
 }
 
 export interface PrepareRequest {
     settings?: Record<string, string>;
-    /** An orthographic camera in place of the scene's own; right and up are as long as the picture is wide and high. */
+    /** An orthographic camera instead of the scene's own; right and up: the picture's width and height in world units. */
     camera?: {position: Vec3} & View;
 }
 
 export interface Report {
-    /** True if the scene can be drawn. */
+    /** True if the scene can be rendered. */
     ready: boolean;
     width?: number;
     height?: number;
     diagnostics: Diagnostic[];
-    /** What went wrong with the last request. */
+    /** The error of the last request. */
     error?: string;
 }
 
@@ -63,7 +63,7 @@ export interface Setting {
     /** False: a render setting (size, shading, shadows, reflections, aa). */
     is_convention: boolean;
     value: string;
-    /** What the scene's profile has. */
+    /** The value in the scene's profile. */
     profile_value: string;
     origin: 'profile' | 'file' | 'command' | 'code';
     place: Place | null;
@@ -100,7 +100,7 @@ export interface LightInfo {
     attenuation?: Vec3;
 }
 
-/** Pixel (i, j) of width x height is seen at s (forward + u right + v up), u = (i + 0.5) / width - 0.5, v from the top. */
+/** Pixel (i, j) of width x height is at s (forward + u right + v up), u = (i + 0.5) / width - 0.5, v from the top. */
 export interface View {
     right: Vec3;
     up: Vec3;
@@ -111,7 +111,7 @@ export interface CameraInfo {
     projection: 'perspective' | 'orthographic';
     position: Vec3;
     place: Place | null;
-    /** True: `view` is what the text says, and look_at to width are absent. */
+    /** True if the text gives the frame: `view` is that frame, and look_at to width are absent. */
     has_frame: boolean;
     look_at?: Vec3;
     up?: Vec3;
@@ -127,7 +127,7 @@ export interface SceneInfo {
     files: string[];
     width: number;
     height: number;
-    /** Number of shapes by kind; kinds without any are absent. */
+    /** The number of shapes by kind; kinds without shapes are absent. */
     shapes: Record<string, number>;
     material_count: number;
     /** The box around all bounded shapes. */
@@ -152,7 +152,7 @@ export interface LightTerms {
     to_light: Vec3;
     distance: number;
     attenuation: number;
-    /** N·L, and R·V (Phong) or N·H (Blinn-Phong), or null if they are none. */
+    /** N·L, and R·V (Phong) or N·H (Blinn-Phong); null if undefined. */
     n_l: number | null;
     s: number | null;
     power: number;
@@ -165,7 +165,7 @@ export interface LightTerms {
 export interface Branch {
     state: 'none' | 'traced' | 'limit' | 'faint' | 'cut';
     weight?: Vec3;
-    /** Its number in Explanation.rays. */
+    /** Its index in Explanation.rays. */
     ray?: number;
 }
 
@@ -194,7 +194,7 @@ export interface ExplainedHit {
     lights: LightTerms[];
     diffuse: Vec3;
     specular: Vec3;
-    /** Ambient, diffuse and specular times weight and share: what the pixel gets. */
+    /** Ambient, diffuse and specular times weight and share: the contribution to the pixel. */
     parts: {ambient: Vec3; diffuse: Vec3; specular: Vec3};
     fresnel: number;
     reflected: Branch;
@@ -218,26 +218,26 @@ export interface ExplainedRay {
 
 export type LightLayer = 'background' | 'ambient' | 'diffuse' | 'specular' | 'reflection' | 'transmission';
 
-/** Why a pixel is as it is. The layers, added up as floats in their order, are the value. */
+/** The explanation of a pixel. The layers, added up as floats in their order, are the value. */
 export interface Explanation {
     pixel: [number, number];
-    /** n of n x n. */
+    /** n for n x n samples. */
     samples: number;
     error?: string;
     value: Vec3;
-    /** Of the file that has these bytes. */
+    /** The transfer of the file with these bytes. */
     transfer: 'none';
     bytes: Vec3;
     layers: Record<LightLayer, Vec3>;
     rays: ExplainedRay[];
 }
 
-/** Makes an instance of glint from a compiled WebAssembly.Module of glint.wasm. */
+/** Creates an instance of glint from a compiled WebAssembly.Module of glint.wasm. */
 export function instantiate(module: WebAssembly.Module): Promise<Glint>;
 
 export interface Glint {
     readonly version: string;
-    /** Bytes of memory that the instance has taken from its host. It never gives any back. */
+    /** Bytes of memory that the instance has allocated from its host. It never frees them. */
     readonly memoryBytes: number;
     /** Reads and prepares a scene. Close it when it is no longer needed. */
     open(request: OpenRequest | string): Scene;
@@ -247,14 +247,14 @@ export interface Scene {
     readonly report: Report;
     /** Null if the scene is not ready. */
     readonly info: SceneInfo | null;
-    /** Prepares the scene to be drawn otherwise than its text says. Throws if that cannot be. */
+    /** Prepares the scene with changes. Throws if that is impossible. */
     prepare(request: PrepareRequest): void;
     /** The linear RGB floats of a rectangle, row by row from the top. Throws if the scene is not ready. */
     render(x: number, y: number, width: number, height: number): Float32Array;
-    /** The same as red, green, blue, 255 in bytes, and how many rays that took. */
+    /** The same as bytes (red, green, blue, 255), and the number of rays. */
     renderPixels(x: number, y: number, width: number, height: number): {pixels: Uint8ClampedArray<ArrayBuffer>; rays: number};
     explain(x: number, y: number): Explanation | null;
-    /** The scene in glint's own language; empty if it is not ready. */
+    /** The scene as .glint; empty if it is not ready. */
     toGlint(): string;
     close(): void;
 }

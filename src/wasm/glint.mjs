@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The API in JavaScript (api.h is its C side), for browsers and node alike; glint.d.mts says what everything
-// takes and gives. One instance has one thread: a page that wants more makes one in each of its workers.
+// The API in JavaScript (api.h is its C side), for browsers and node; glint.d.mts describes all parameters
+// and results. One instance has one thread: for more threads, create an instance in each of several workers.
 
-/** The few functions of wasi_snapshot_preview1 that wasi-libc links; glint itself reaches no file and no clock. */
+/** The functions of wasi_snapshot_preview1 that wasi-libc links; glint itself uses no files and no clock. */
 function wasi(memory) {
     const badf = 8;
     return {
@@ -22,7 +22,7 @@ function wasi(memory) {
     };
 }
 
-/** Makes an instance of glint from a compiled WebAssembly.Module of glint.wasm. */
+/** Creates an instance of glint from a compiled WebAssembly.Module of glint.wasm. */
 export async function instantiate(module) {
     let exports = null;
     const instance = await WebAssembly.instantiate(module, {wasi_snapshot_preview1: wasi(() => exports.memory)});
@@ -42,7 +42,7 @@ class Glint {
         return this.#text(this.#exports.glint_version());
     }
 
-    /** Bytes of memory that the instance has taken from its host. */
+    /** Bytes of memory that the instance has allocated from its host. */
     get memoryBytes() {
         return this.#exports.memory.buffer.byteLength;
     }

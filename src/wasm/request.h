@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// What the caller asks for, in JSON, and what the library makes of it.
-// The browser has no file system for the JSON library to know.
+// Parses the caller's requests, which are JSON, and applies them.
+// The browser build has no <filesystem> for the JSON library.
 #define JSON_HAS_FILESYSTEM 0
 #define JSON_HAS_EXPERIMENTAL_FILESYSTEM 0
 #include <nlohmann/json.hpp>
@@ -12,7 +12,7 @@
 
 namespace glint::wasm {
 
-/// A text that the scene was read from, kept for convert().
+/// A text that the scene was read from, kept for glint_convert().
 struct OwnedText {
     std::string name, text, format;
 };
@@ -20,7 +20,7 @@ struct OwnedText {
 /// The texts of a request, then its includes.
 struct RequestTexts {
     std::vector<OwnedText> texts, includes;
-    /// All of them, for write_glint(); they refer to this.
+    /// All texts, for write_glint(); they refer to this object.
     std::vector<SceneText> all() const;
 };
 RequestTexts read_texts(const nlohmann::json& request);
@@ -28,7 +28,7 @@ RequestTexts read_texts(const nlohmann::json& request);
 /// Reads the scene that a request of glint_open names.
 Result<Scene> load(const RequestTexts& texts, const nlohmann::json& request);
 
-/// Applies a request of glint_prepare to a scene. Returns an empty string, or what is wrong with it.
+/// Applies a request to glint_prepare. Returns an error message, or an empty string.
 std::string apply(const nlohmann::json& request, Scene& scene);
 
 }  // namespace glint::wasm

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What Debian's C++ runtime for WebAssembly lacks.
+// Functions that Debian's C++ runtime for WebAssembly lacks.
 
 /// Registers the destructor of a thread_local object. There is one thread and it never ends.
 extern "C" int __cxa_thread_atexit(void (*)(void*), void*, void*) {
