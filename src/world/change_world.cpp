@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A World with other shading: what is not given is shared.
+// Replaces parts of a World; all other parts are shared.
 #include <fmt/format.h>
 
 #include "base/fp_environment.h"
@@ -13,7 +13,7 @@
 namespace glint {
 namespace {
 
-// The World after change(its parts), if there are no mistakes in what is given.
+// The World after change(its parts), if the given values are valid.
 template <class Change>
 Result<World> changed(const World& world, std::vector<Mistake> mistakes, const Change& change) {
     if (!mistakes.empty()) return invalid_scene(to_diagnostics(std::move(mistakes), {}));
@@ -37,8 +37,8 @@ Status no_material(std::uint32_t index, std::uint32_t count) {
         fmt::format("there is no material {}: the scene has {}", std::uint64_t{index} + 1, count));
 }
 
-// The first shape that refers to a material of the table beyond the first `materials` ones, the default one
-// apart; k_none if there is none.
+// The first shape whose material index is `materials` or larger, except the default material; k_none if
+// there is none.
 std::uint32_t first_shape_beyond(const WorldParts& parts, std::size_t materials) {
     const std::uint32_t last = parts.scene_materials();
     std::uint32_t first = k_none;
@@ -50,7 +50,7 @@ std::uint32_t first_shape_beyond(const WorldParts& parts, std::size_t materials)
     return first;
 }
 
-// The table gets another length: the default material has another row.
+// Moves the default material to its new row when the length of the table changes.
 void move_default_material(WorldParts& parts, std::size_t materials) {
     const std::uint32_t from = parts.scene_materials(), to = static_cast<std::uint32_t>(materials);
     for (std::uint32_t& row : parts.slot_material.own())

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// Where a scene's shapes are in a geometry, so that a few of them can be edited.
+// Finds a scene's shapes in a geometry, to edit a few of them.
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -12,11 +12,11 @@
 
 namespace glint {
 
-/// It depends on how the geometry was built and on no box: edits leave it valid.
+/// Depends on how the geometry was built, but on no box, so it stays valid after edits.
 struct EditIndex {
     std::vector<std::uint32_t>
-        first;  // by shape: the place in `slots` of its first; one more closes the list
-    std::vector<std::uint32_t> slots;  // shape by shape, in the order of its pieces
+        first;  // by shape: the position of its first entry in `slots`; one more at the end
+    std::vector<std::uint32_t> slots;  // sorted by shape, then by piece
     BvhLinks links;
     BvhCost built_cost;  // when the hierarchy was built
 
@@ -29,7 +29,7 @@ struct EditIndex {
     }
 };
 
-/// Of a geometry that was not refitted yet.
+/// For a geometry that has not been refitted.
 EditIndex make_edit_index(const PackedGeometry& geometry);
 
 /// The index that a built geometry and all its copies share, whichever of them is edited first.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Shapes of a World that change: in place if nobody shares the geometry.
+// Edits shapes of a World: in place if no other World shares the geometry.
 #include <algorithm>
 
 #include "base/fp_environment.h"
@@ -15,7 +15,7 @@
 namespace glint {
 namespace {
 
-// From this part of all slots on, all of them are gone through in order.
+// If at least 1 / k_many of all slots are edited, all slots are processed in order.
 constexpr std::size_t k_many = 32;
 
 // The index is of the geometry's structure, and edits leave it valid.
@@ -45,7 +45,7 @@ class ShapeEditor {
         for (const std::uint32_t shape : changed_) {
             if (now.conventions.cones || scene_.shapes[shape].kind != ShapeKind::cone) primitives_.add(shape);
         }
-        // What may fail comes before anything is written.
+        // Do everything that may fail before the first write.
         WorldParts& parts = WorldAccess::own(world_);
         PackedGeometry& geometry = parts.geometry.own();
         need_edit_index(geometry);
@@ -75,7 +75,7 @@ class ShapeEditor {
         return geometry.edit_index->slots_of(p.shape)[p.piece];
     }
 
-    // Whether the changed shapes have as many primitives as before, of the same classes.
+    // Whether the changed shapes have the same number and classes of primitives as before.
     bool fits(const PackedGeometry& geometry) const {
         const std::vector<Primitive>& list = primitives_.list();
         std::size_t at = 0;
@@ -145,7 +145,7 @@ class ShapeEditor {
         geometry.cost = find_cost(geometry.bvh);
     }
 
-    // Shapes that are not given keep the material that the World gave them.
+    // Shapes that are not edited keep the material that the World has assigned to them.
     std::vector<std::uint32_t> keep_materials(const PackedGeometry& built) const {
         const WorldParts& now = world_.parts();
         std::vector<std::uint32_t> rows =

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// What takes time to build: packed shapes and the hierarchy over them. It knows no materials, lights, camera,
-// conventions or settings.
+// The part of a World that takes time to build: packed shapes and the hierarchy over them. It contains no
+// materials, lights, camera, conventions or settings.
 #include <cstdint>
 #include <memory>
 #include <vector>
@@ -19,23 +19,23 @@ class SharedEditIndex;
 struct ShapeClass {
     ShapeKind kind = ShapeKind::sphere;
     bool transformed = false;
-    std::uint32_t first = 0;  // its items are slots [first, first + count) of the geometry
+    std::uint32_t first = 0;  // its items are the slots [first, first + count) of the geometry
     std::uint32_t count = 0;
-    std::uint32_t stride = 0;  // count and a vector of padding
+    std::uint32_t stride = 0;  // count plus a vector of padding
     std::vector<double> values;
     const double* column(int k) const { return values.data() + static_cast<std::size_t>(k) * stride; }
 };
 
-/// Slots number the shapes as they are packed, a polygon's triangles one by one: the bounded ones in the
-/// hierarchy's leaf order within their class, then the unbounded ones. All arrays by slot are padded by a
+/// Slots are the positions of packed shapes; each triangle of a polygon has its own. The bounded ones are in
+/// the hierarchy's leaf order within their class; the unbounded ones follow. All arrays by slot are padded by
 /// vector.
 struct PackedGeometry {
     std::vector<ShapeClass> classes;          // bounded classes first
-    std::uint32_t boxed = 0;                  // slots below this have their box stored
+    std::uint32_t boxed = 0;                  // slots below this have a stored box
     std::uint32_t bounded = 0;                // slots below this are in the hierarchy
-    std::uint32_t count = 0;                  // slots
-    Bvh bvh;                                  // its leaves refer to slots; its order is dropped
-    std::vector<float> box_lo[3], box_hi[3];  // by slot: the shape's own padded box; a triangle's is computed
+    std::uint32_t count = 0;                  // the number of slots
+    Bvh bvh;                                  // its leaves refer to slots
+    std::vector<float> box_lo[3], box_hi[3];  // by slot: the shape's padded bounds; computed for triangles
     std::vector<std::uint32_t> shape_index;   // by slot: the index in Scene::shapes
     std::vector<std::uint32_t> piece;         // by slot: the polygon's triangle, from 0; k_open_shape
     std::uint32_t scene_shapes = 0;           // how many the scene has
@@ -46,10 +46,10 @@ struct PackedGeometry {
 
     static constexpr std::uint32_t k_open_shape = 0x80000000u;
     std::uint32_t piece_of(std::uint32_t slot) const { return piece[slot] & ~k_open_shape; }
-    /// Whether the shape is a surface that encloses no space: what `facing = open` turns.
+    /// Whether the shape encloses no space: `facing = open` applies to it.
     bool is_open(std::uint32_t slot) const { return (piece[slot] & k_open_shape) != 0; }
 
-    /// The class that a slot belongs to.
+    /// The class of a slot.
     const ShapeClass& class_of(std::uint32_t slot) const { return classes[class_index(slot)]; }
     ShapeClass& class_of(std::uint32_t slot) { return classes[class_index(slot)]; }
 

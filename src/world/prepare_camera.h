@@ -5,7 +5,7 @@
 
 namespace glint {
 
-/// The viewport's frame, in full widths and heights, for the picture's size.
+/// The viewport's frame for the picture's size; right and up have the viewport's full width and height.
 PreparedCamera prepare_camera(const Camera& camera, const RenderSettings& settings);
 
 }  // namespace glint

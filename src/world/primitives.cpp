@@ -73,19 +73,19 @@ int Primitives::class_of(const Primitive& primitive) const {
                         : 0);
 }
 
-// The transform that it is packed with: none where its parameters take it.
+// The transform to pack with the primitive; none if it is applied to the parameters.
 std::uint32_t Primitives::map_of(const Primitive& primitive) const {
     return class_of(primitive) % 2 == 1 ? scene_.shapes[primitive.shape].transform : k_none;
 }
 
-// Calls visit(parameters, geometry), with the shape's map taken into the parameters where the kind allows.
+// Calls visit(parameters, geometry); the transform is applied to the parameters if the kind supports this.
 template <class Parameters, class Geometry, class Visit>
 void Primitives::visit_transformed(const Shape& shape, const Parameters& parameters, Geometry geometry,
                                    Visit&& visit) const {
     if constexpr (Geometry::k_bakes_transform) {
         if (shape.transform != k_none) {
             const Affine& map = scene_.transforms[shape.transform];
-            // validate() has made sure that it can be inverted.
+            // validate() has checked that the map is invertible.
             return visit(Geometry::apply_transform(parameters, map, inverse(map).value_or(Affine{})),
                          geometry);
         }
@@ -131,7 +131,7 @@ Aabb Primitives::box_of(const Primitive& primitive) const {
                     [&](const auto& parameters, auto geometry) { geometry.bounds(parameters, lo, hi); });
     const std::uint32_t transform = map_of(primitive);
     if (transform != k_none) {
-        Extent extent;  // of the box's corners
+        Extent extent;  // of the corners of the box
         for (int corner = 0; corner < 8; ++corner) {
             extent.add(transform_point(
                 scene_.transforms[transform],

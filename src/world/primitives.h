@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// What a scene's shapes are packed as: primitives, one a shape, or one a triangle of a polygon.
+// The primitives of a scene's shapes: one per shape, or one per triangle of a polygon.
 #include <array>
 #include <cstdint>
 #include <memory>
@@ -11,21 +11,21 @@
 
 namespace glint {
 
-// A class is a kind, transformed or not. Kinds that take a map into their own parameters are never
-// transformed.
+// A class is a kind, with or without a transform. Kinds that apply the transform to their own parameters
+// have no transformed class.
 inline constexpr int k_primitive_classes = 2 * k_shape_kinds;
 
 struct Primitive {
     std::uint32_t shape = 0;          // the index in Scene::shapes
-    std::uint32_t triangle = k_none;  // of a polygon: the index in Primitives::triangles
-    std::uint32_t piece = 0;          // of a polygon: which of its triangles
+    std::uint32_t triangle = k_none;  // for a polygon: the index in Primitives::triangles
+    std::uint32_t piece = 0;          // for a polygon: the triangle's number
 };
 
-/// What a class says of itself.
+/// Properties of a class.
 struct ClassTraits {
-    int values = 0;          // of a packed primitive
+    int values = 0;          // number of values of a packed primitive
     bool bounded = true;     // it has a box
-    bool stores_box = true;  // a triangle's is computed
+    bool stores_box = true;  // false for triangles, whose box is computed
     bool bakes_transform = false;
 };
 using AllClassTraits = std::array<ClassTraits, k_primitive_classes>;
@@ -36,9 +36,9 @@ class Primitives {
   public:
     explicit Primitives(const Scene& scene) : scene_(scene) {}
 
-    /// Appends the shape's primitives. Polygons are cut into triangles here.
+    /// Appends the primitives of a shape. Triangulates polygons.
     void add(std::uint32_t shape);
-    /// All of the scene's; cones: whether they are among them.
+    /// Appends those of all shapes; cones: whether to include cones.
     void add_all(bool cones);
 
     std::vector<Primitive>& list() { return list_; }
@@ -47,18 +47,18 @@ class Primitives {
     int class_of(const Primitive& primitive) const;
     /// The padded box of a bounded primitive.
     Aabb box_of(const Primitive& primitive) const;
-    /// Whether it is a surface that encloses no space.
+    /// Whether the primitive's shape encloses no space.
     bool is_open(const Primitive& primitive) const;
 
-    /// Has memory bring what pack() and the others will read of a shape: first the shape, and once that is
-    /// here, its parameters. Shapes are packed in another order than the scene's, and waiting for them costs
-    /// more than all else.
+    /// Prefetches what pack() and the others will read of a shape: first the shape, then its parameters. The
+    /// order of packing differs from the scene's, and without prefetching, most of the time would be spent
+    /// waiting for memory.
     void prefetch_shape(std::uint32_t shape) const { __builtin_prefetch(&scene_.shapes[shape]); }
     void prefetch_parameters(std::uint32_t shape) const;
     static constexpr std::size_t k_prefetch_distance = 12;  // shapes from one step to the next
 
     static constexpr int k_max_values = 64;
-    /// Writes its packed values and returns how many.
+    /// Writes the packed values and returns their number.
     int pack(const Primitive& primitive, double* values) const;
 
   private:
@@ -73,7 +73,7 @@ class Primitives {
     std::vector<Triangle> triangles_;
 };
 
-/// Whether a shape of the scene encloses a space: no ray gets in or out without meeting it.
+/// Whether a shape encloses a space that no ray can enter or leave without hitting the shape.
 bool is_closed(const Scene& scene, std::uint32_t shape);
 
 }  // namespace glint

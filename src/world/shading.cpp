@@ -6,7 +6,7 @@
 namespace glint {
 namespace {
 
-constexpr double k_min_direction = 1e-15;  // length of a light's
+constexpr double k_min_direction = 1e-15;  // minimum length of a light's direction
 
 }  // namespace
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// Materials and lights as a World has them.
+// Materials and lights as a World stores them.
 #include <span>
 #include <vector>
 
@@ -8,14 +8,14 @@
 
 namespace glint {
 
-/// The table of materials; the default one comes last.
+/// The table of materials; the default material is last.
 std::vector<double> pack_materials(std::span<const Material> materials);
 /// Writes one row of the table.
 void pack_material(const Material& material, double* row);
 
 struct PreparedLights {
     std::vector<Light> lights;  // point and directional, in scene order
-    Color ambient{0, 0, 0};     // the sum of the ambient ones
+    Color ambient{0, 0, 0};     // the sum of the ambient lights
 };
 PreparedLights prepare_lights(std::span<const Light> lights);
 

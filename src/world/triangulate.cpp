@@ -19,7 +19,7 @@ bool inside(Point p, Point a, Point b, Point c) {
     return area(a, b, p) >= 0 && area(b, c, p) >= 0 && area(c, a, p) >= 0;
 }
 
-// Newell's normal: right for concave and not quite flat polygons too.
+// Newell's normal: correct for concave polygons and those that are not exactly flat.
 Vec3 newell_normal(std::span<const Vec3> v) {
     Vec3 n{0, 0, 0};
     for (std::size_t i = 0; i < v.size(); ++i) {
@@ -29,7 +29,7 @@ Vec3 newell_normal(std::span<const Vec3> v) {
     return n;
 }
 
-// The polygon in the coordinate plane where it is largest, counter-clockwise.
+// Projects the polygon into the coordinate plane in which it is largest, counter-clockwise.
 std::vector<Point> project(std::span<const Vec3> v) {
     const Vec3 n = newell_normal(v);
     const double x = number::abs(n.x), y = number::abs(n.y), z = number::abs(n.z);
@@ -57,8 +57,8 @@ class EarClipper {
     void run() {
         std::size_t at = 0, misses = 0;
         while (left_.size() > 3) {
-            // No ear in a whole round, or none soon: the polygon crosses itself. Cut anyway, so that this
-            // ends.
+            // No ear in a whole round, or too many steps: the polygon crosses itself. Cut a corner anyway, or
+            // the loop would not end.
             if (steps_ > k_max_steps || misses >= left_.size() || is_ear(at)) {
                 cut(at);
                 misses = 0;
@@ -75,7 +75,7 @@ class EarClipper {
     std::uint32_t before(std::size_t i) const { return left_[(i + left_.size() - 1) % left_.size()]; }
     std::uint32_t after(std::size_t i) const { return left_[(i + 1) % left_.size()]; }
 
-    // A convex corner whose triangle holds no other corner that turns inward.
+    // A convex corner whose triangle contains no reflex corner.
     bool is_ear(std::size_t i) {
         const Point a = points_[before(i)], b = points_[left_[i]], c = points_[after(i)];
         if (!(area(a, b, c) > 0)) return false;
@@ -96,7 +96,7 @@ class EarClipper {
         left_.erase(left_.begin() + static_cast<std::ptrdiff_t>(i));
     }
 
-    // Many times what a polygon of 4096 corners takes; one that crosses itself would take a minute.
+    // Far more than a polygon of 4096 corners needs; one that crosses itself would take a minute.
     static constexpr std::size_t k_max_steps = std::size_t{1} << 25;
 
     std::span<const Vec3> vertices_;

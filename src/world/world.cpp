@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Parts of Worlds: access, memory and bounds.
+// Functions of Worlds: access to the parts, memory usage, bounds.
 #include "world/world.h"
 
 #include "world/edit_index.h"

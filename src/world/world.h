@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// The parts of a World (glint/world.h), as the kernels read them.
+// The parts of a World (glint/world.h), in the form that the kernels read.
 #include <cstdint>
 #include <vector>
 
@@ -10,7 +10,7 @@
 
 namespace glint {
 
-/// A material as the kernels gather it: doubles in the order of MaterialValue.
+/// A material as the kernels load it: doubles in the order of MaterialValue.
 enum MaterialValue : int {
     k_ambient = 0,
     k_diffuse = 3,
@@ -36,25 +36,25 @@ struct PreparedCamera {
 struct WorldParts {
     CopyOnWrite<PackedGeometry> geometry;
     CopyOnWrite<std::vector<std::uint32_t>> slot_material;  // by slot, padded: the row in `materials`
-    CopyOnWrite<std::vector<double>> materials;  // k_material_values each; the last is the default material
+    CopyOnWrite<std::vector<double>> materials;  // k_material_values each; the default material is last
     CopyOnWrite<std::vector<Light>> lights;      // point and directional, in scene order
     Color ambient{0, 0, 0};                      // I_a: the sum of the ambient lights
     Color background;
-    Camera scene_camera;  // what `camera` is prepared from, with the settings' size
+    Camera scene_camera;  // from which `camera` was prepared, for the settings' size
     PreparedCamera camera;
     Conventions conventions;
     RenderSettings settings;
-    bool last_of_equals = false;  // of shapes hit at the same t the last in the scene is seen: for check
+    bool last_of_equals = false;  // for check: of shapes hit at the same t, the last one is the hit
 
     /// A row of the table of materials.
     const double* material(std::uint32_t row) const {
         return materials->data() + static_cast<std::size_t>(row) * k_material_values;
     }
-    /// The scene's own materials; the default one comes after them.
+    /// The number of the scene's materials; the default material follows them.
     std::uint32_t scene_materials() const {
         return static_cast<std::uint32_t>(materials->size() / k_material_values - 1);
     }
-    /// Whether the conventions turn the normal of a slot's shape towards the incoming ray.
+    /// Whether the conventions flip the normal of a slot's shape towards the incoming ray.
     bool flips_normal(std::uint32_t slot) const {
         return conventions.facing == Facing::all ||
                (conventions.facing == Facing::open && geometry->is_open(slot));
@@ -70,11 +70,11 @@ inline Bounds to_bounds(const Aabb& box) {
     return {{box.lo[0], box.lo[1], box.lo[2]}, {box.hi[0], box.hi[1], box.hi[2]}};
 }
 
-/// Makes Worlds, and lets the library's own code write to them.
+/// Creates Worlds, and gives the library's code write access.
 class WorldAccess {
   public:
     static World make(WorldParts parts);
-    /// For writing: the World's own parts, copied before if another World shares them. Throws std::bad_alloc.
+    /// The World's parts for writing; copied first if another World shares them. Throws std::bad_alloc.
     static WorldParts& own(World& world);
 };
 
