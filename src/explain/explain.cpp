@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One pixel drawn by render()'s kernels, with a record of what they do.
+// Renders one pixel with the kernels of render() and records what they compute.
 #include "glint/explain.h"
 
 #include <memory>
@@ -16,7 +16,7 @@
 namespace glint {
 namespace {
 
-// What is in the way of a shadow ray: the nearest to the point that is shaded.
+// The shape that blocks a shadow ray; the nearest one to the shaded point.
 std::optional<Blocker> find_blocker(const WorldParts& world, const LightTerms& terms, Vec3 shaded,
                                     bool from_light) {
     const auto nearest = [&](Vec3 origin, Vec3 direction, double t_min,
@@ -29,12 +29,12 @@ std::optional<Blocker> find_blocker(const WorldParts& world, const LightTerms& t
         return Blocker{world.geometry->shape_index[hit.slot[0]], length(at - shaded), at};
     };
     std::optional<Blocker> blocker;
-    // The same way from its other end.
+    // The same line, traced from the other end.
     if (from_light) {
         blocker = nearest(terms.origin + terms.direction, -terms.direction, 1 - terms.t_max, 1 - terms.t_min);
     }
-    // The shadow ray itself. Where the way back misses by its rounding, what this finds is in the way for
-    // certain.
+    // The shadow ray itself: if the reversed ray misses because of rounding, this one hits the shape that
+    // blocks the light.
     return blocker ? blocker : nearest(terms.origin, terms.direction, terms.t_min, terms.t_max);
 }
 
@@ -46,7 +46,7 @@ std::vector<std::uint32_t> scene_lights(const Scene& scene) {
     return numbers;
 }
 
-// From the World's numbers to the Scene's, and who blocks which light.
+// Converts the World's indices to the Scene's, and finds the blockers.
 void complete(const Scene& scene, const WorldParts& world, Explanation& e) {
     const std::vector<std::uint32_t> lights = scene_lights(scene);
     for (ExplainedRay& ray : e.rays) {
@@ -131,7 +131,7 @@ std::optional<Layer> layer_of(const Explanation& explanation, std::size_t ray) {
     if (ray >= rays.size() || rays[ray].parent < 0) return std::nullopt;
     while (rays[ray].generation > 1) {
         const auto parent = static_cast<std::size_t>(rays[ray].parent);
-        if (parent >= ray) return std::nullopt;  // no ray comes before its parent
+        if (parent >= ray) return std::nullopt;  // a parent comes before its rays
         ray = parent;
     }
     return rays[ray].transmitted ? Layer::transmission : Layer::reflection;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // An explanation as JSON; docs/explain.schema.json is its schema.
-// The browser has no file system for the JSON library to know.
+// The JSON library must not use <filesystem>, which the browser build lacks.
 #define JSON_HAS_FILESYSTEM 0
 #define JSON_HAS_EXPERIMENTAL_FILESYSTEM 0
 #include <nlohmann/json.hpp>
@@ -17,7 +17,7 @@ using Json = nlohmann::ordered_json;
 
 Json to_json(Vec3 v) { return {v.x, v.y, v.z}; }
 Json to_json(Color c) { return {c.r, c.g, c.b}; }
-// Of the double that a float is, the library would print more digits than tell one float from another.
+// As a float: of a double, the library would print more digits than the float needs.
 Json to_json(const float (&v)[3]) { return {v[0], v[1], v[2]}; }
 // JSON has no infinity.
 Json finite(double number) { return number < 1e308 ? Json(number) : Json(); }

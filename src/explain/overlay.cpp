@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A pixel's rays, drawn over the picture.
+// Draws a pixel's rays over the picture.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -43,13 +43,13 @@ class View {
     double width_, height_;
 };
 
-constexpr double k_farthest = 1e15;  // pixels from the picture: beyond, a double has no fractions
+constexpr double k_farthest = 1e15;  // pixels from the picture; beyond, a double has no fraction
 
 class Pen {
   public:
     Pen(Image& image, const View& view) : image_(image), view_(view) {}
 
-    // A line of the world: what lies behind the camera is left out.
+    // Draws a line given in world space; the part behind the camera is omitted.
     void draw(Vec3 from, Vec3 to, Color color) {
         if (view_.is_perspective()) {
             double a = view_.depth(from), b = view_.depth(to);
@@ -74,7 +74,7 @@ class Pen {
     }
 
   private:
-    // Clipped to the picture (Liang and Barsky, 1984), a pixel a step.
+    // Clips to the picture (Liang and Barsky, 1984) and draws one pixel per step.
     void draw(ScreenPoint a, ScreenPoint b, Color color) {
         for (const double x : {a.x, a.y, b.x, b.y}) {
             if (!(std::fabs(x) < k_farthest)) return;
@@ -118,7 +118,7 @@ class Pen {
 constexpr Color k_white{1, 1, 1}, k_mirror_color{0.3, 0.6, 1}, k_glass_color{0.2, 0.9, 0.4},
     k_lit{1, 0.9, 0.2}, k_blocked{1, 0.2, 0.1}, k_beyond{0.4, 0.1, 0.1};
 
-// How far a ray without an end is drawn: across all that there is.
+// The drawn length of a ray that hits nothing: longer than the whole scene.
 double far_away(const World& world, Vec3 from) {
     const Bounds box = scene_bounds(world);
     if (!(box.min.x <= box.max.x)) return 100;
@@ -141,7 +141,7 @@ void draw_lights(Pen& pen, const ExplainedHit& hit, const Scene& scene, const Wo
     }
 }
 
-// Why nothing can be drawn, or an empty string.
+// The reason why nothing can be drawn, or an empty string.
 std::string overlay_fault(const Image& picture, const Explanation& e, const Scene& scene,
                           const World& world) {
     const RenderSettings& settings = world.parts().settings;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Why a light adds what it adds, in a word.
+// The reasons why a light adds light or not.
 #include <array>
 
 #include "glint/explain.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// Whether the numbers of shapes, materials and lights in an Explanation or a World are those of a scene.
+// Checks that the indices in an Explanation or a World are those of a scene.
 #include <string>
 
 #include "glint/explain.h"
@@ -8,12 +8,12 @@
 
 namespace glint {
 
-/// Why the world cannot be one of this scene, or an empty string: how many shapes and materials there are,
-/// and which lights.
+/// The reason why the world cannot belong to this scene, or an empty string. Compares the numbers of shapes
+/// and materials, and the lights.
 std::string world_fault(const Scene& scene, const WorldParts& world);
 
-/// Why the explanation's rays cannot be of this scene, or an empty string: what they refer to, and each
-/// other.
+/// The reason why the explanation's rays cannot belong to this scene, or an empty string. Checks the indices
+/// of the scene's items and of other rays.
 std::string explanation_fault(const Explanation& explanation, const Scene& scene);
 
 }  // namespace glint
