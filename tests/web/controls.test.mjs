@@ -212,7 +212,7 @@ test('comparing: two renderings with a border between them, and their difference
     assert.match(await page.locator('.right-half').evaluate((half) => half.style.clipPath), /25(\.\d+)?%/);
     await page.getByRole('switch', {name: 'Show the difference'}).click({force: true});
     await page.waitForFunction(() => /differ/.test(document.querySelector('.figures')?.textContent));
-    assert.match(await page.locator('.figures').innerText(), /^[1-9][\d.]*% of the pixels differ, by up to \d+ of 255/);
+    assert.match(await page.locator('.figures').innerText(), /^[1-9][\d.]*% of the pixels differ, by at most \d+ of 255/);
     await page.getByRole('button', {name: 'End the comparison'}).click();
     await settled(page);
     assert.deepEqual(await picture(page), native(mirrors));

@@ -37,7 +37,7 @@ test('the ray tree opens and closes, and its terms lead to their lines', () => w
     await page.locator('.inspector').waitFor();
     const root = page.locator('.ray-node').first();
     assert.ok(await page.locator('.ray-node .ray-node').count() > 0, 'a mirror ray');
-    assert.match(await root.locator('> summary').innerText(), /Camera ray meets sphere, line 6/);
+    assert.match(await root.locator('> summary').innerText(), /Camera ray hits sphere, line 6/);
     await root.locator('> summary').click();
     assert.equal(await root.getAttribute('open'), null);
     await root.locator('> summary').click();
@@ -157,7 +157,7 @@ test('in a comparison, a pixel is explained in the picture it is seen in', () =>
     await page.getByRole('textbox', {name: 'Right'}).fill('-7');
     await page.getByRole('textbox', {name: 'Right'}).blur();
     await page.waitForFunction(() => /expected a whole number/.test(document.querySelector('[role=alert]')?.textContent));
-    assert.match(await page.locator('.tag.right').innerText(), /not drawn/);
+    assert.match(await page.locator('.tag.right').innerText(), /not rendered/);
     await page.getByRole('textbox', {name: 'Right'}).fill('2');
     await page.getByRole('textbox', {name: 'Right'}).blur();
     await page.waitForFunction(() => !document.querySelector('[role=alert]'));

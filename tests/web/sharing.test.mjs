@@ -27,7 +27,7 @@ test('a link holds the scene and its settings', () => withPage(async (page, cont
 }));
 
 test('a link that holds nothing opens the book’s scene', () => withPage(async (page) => {
-    assert.match(await page.locator('.notice').innerText(), /holds no scene/);
+    assert.match(await page.locator('.notice').innerText(), /contains no scene/);
     assert.deepEqual(await picture(page), native(join(scenes, 'cgfs/three_mirrors.cgfs')));
 }, {path: '#1=AAAA'}));
 

@@ -67,7 +67,7 @@ test('a picture that would take hours is seen at once, coarse, and gives way to 
     const hall = readFileSync(join(scenes, 'glint/hall_of_mirrors.glint'), 'utf8');
     await paste(page, hall.replace(/size.*reflections = 64/, 'size = 4000 x 3000  reflections = 1000  aa = 64'));
     await page.waitForFunction(() => document.querySelector('.frame canvas').width === 4000, null, {timeout: 6000});
-    assert.equal(await page.locator('[data-state]').getAttribute('data-state'), 'drawing');
+    assert.equal(await page.locator('[data-state]').getAttribute('data-state'), 'rendering');
     await page.waitForFunction(() => /\d% · \d+\.\d M rays\/s/.test(document.querySelector('[data-state]').textContent));
     const start = Date.now();
     await paste(page, hall.replace(/size.*reflections = 64/, 'size = 60 x 45  reflections = 4'));

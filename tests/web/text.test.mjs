@@ -16,7 +16,7 @@ test('a mistake is shown at its line and column, and the last good picture stays
     const column = bad.split('\n')[line - 1].indexOf('oops') + 1;
     const message = page.locator('.message.error');
     assert.match(await message.innerText(), new RegExp(`^${line}:${column}\\s*expected a number, found 'oops'`));
-    assert.match(await page.locator('[data-state=error]').innerText(), new RegExp(`^not drawn: ${line}:${column} expected a number, found 'oops'`));
+    assert.match(await page.locator('[data-state=error]').innerText(), new RegExp(`^not rendered: ${line}:${column} expected a number, found 'oops'`));
     const marked = page.locator('.cm-lintRange-error');
     assert.equal(await marked.innerText(), 'oops');
     assert.deepEqual(await picture(page), before);
@@ -138,6 +138,6 @@ test('what is converted is the text itself: not a comparison’s side, and not t
     await paste(page, 'sphere { radius = oops }');
     await settled(page, 'error');
     await page.getByRole('button', {name: 'convert to .glint'}).click();
-    await page.waitForFunction(() => /without mistakes/.test(document.querySelector('.notice')?.textContent));
+    await page.waitForFunction(() => /without errors/.test(document.querySelector('.notice')?.textContent));
     assert.equal(await sceneText(page), 'sphere { radius = oops }');
 }));

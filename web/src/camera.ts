@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The camera on the page's side: from world to picture, and where the mouse moves it.
+// The camera in the page: projects world points into the picture, and applies mouse movements.
 import type {CameraInfo, Vec3, View} from 'glint-wasm';
 
 import {length} from './text/edit';
@@ -12,7 +12,7 @@ export const cross = (a: Vec3, b: Vec3): Vec3 => [
     a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
 export const unit = (a: Vec3): Vec3 => scaled(a, 1 / (length(a) || 1));
 
-/** `v` turned about a unit axis, by the right-hand rule. */
+/** `v` rotated about a unit axis, by the right-hand rule. */
 function turned(v: Vec3, axis: Vec3, angle: number): Vec3 {
     const c = Math.cos(angle), s = Math.sin(angle);
     return add(add(scaled(v, c), cross(axis, v), s), axis, dot(axis, v) * (1 - c));
@@ -20,7 +20,7 @@ function turned(v: Vec3, axis: Vec3, angle: number): Vec3 {
 
 const isLeftHanded = ({view: {right, up, forward}}: CameraInfo) => dot(cross(right, up), forward) > 0;
 
-/** A point as the camera has it: v = depth (forward + u right + v up) for perspective, else forward depth + u right + v up. */
+/** A point in camera coordinates: v = depth (forward + u right + v up) for perspective, else forward depth + u right + v up. */
 function inFrame(camera: CameraInfo, point: Vec3): {u: number; v: number; depth: number} {
     const {right, up, forward} = camera.view;
     const d = sub(point, camera.position);
@@ -30,7 +30,7 @@ function inFrame(camera: CameraInfo, point: Vec3): {u: number; v: number; depth:
     return {u, v, depth};
 }
 
-/** A line from a to b in the picture, cut where it comes nearer than the camera; null if all of it does. */
+/** The projection of a line from a to b, clipped at the camera; null if all of it is behind the camera. */
 export function projectLine(camera: CameraInfo, width: number, height: number, a: Vec3, b: Vec3):
     [number, number, number, number] | null {
     const near = camera.projection === 'perspective' ? 1e-3 : -Infinity;
@@ -51,14 +51,14 @@ export function projectLine(camera: CameraInfo, width: number, height: number, a
 
 export type Move = {kind: 'orbit' | 'pan'; x: number; y: number} | {kind: 'zoom'; factor: number};
 
-/** The point that the camera turns about, and keeps its distance from. */
+/** The point that the camera orbits, at a constant distance. */
 function pivotOf(camera: CameraInfo, distance: number): Vec3 {
     return camera.look_at ?? add(camera.position, unit(camera.view.forward), distance);
 }
 
 /**
- * The camera after a move. x and y are fractions of the picture's width and height that the mouse went, right and down;
- * `distance` is how far what is looked at is, for a camera that does not say what it looks at.
+ * The camera after a move. x and y are fractions of the picture's width and height: the mouse movement, right and down;
+ * `distance` is the distance of the target, for a camera without one.
  */
 export function moved(camera: CameraInfo, move: Move, distance: number): CameraInfo {
     const pivot = pivotOf(camera, distance);
@@ -80,7 +80,7 @@ export function moved(camera: CameraInfo, move: Move, distance: number): CameraI
         if (camera.look_at) next.look_at = add(camera.look_at, shift);
         return next;
     }
-    // A turntable: about the scene's upright axis, then about the camera's own horizontal one, not over the poles.
+    // A turntable: rotates about the scene's vertical axis, then about the camera's horizontal one, not beyond the poles.
     const upright = camera.up ? unit(camera.up) : nearestAxis(up);
     const leftHanded = isLeftHanded(camera);
     const yaw = (leftHanded ? 1 : -1) * move.x * Math.PI;
@@ -101,14 +101,14 @@ function nearestAxis(v: Vec3): Vec3 {
     return unit(axis);
 }
 
-/** The scene as a map: from above, and turned from there, in parallel projection. */
+/** The scene as a map: an orthographic view from above, rotated. */
 export interface Overview extends View {
     position: Vec3;
 }
 
 /**
- * Sees points and a little around them. Ahead of the scene's camera is up, and what is at its right is at the right.
- * yaw turns it about the upright axis, tilt from above towards the camera; both in radians. aspect: width over height.
+ * Shows points with a margin. The direction of the scene's camera points up; its right stays right. yaw rotates the map
+ * about the vertical axis, tilt from above towards the camera; both in radians. aspect: width over height.
  */
 export function overview(points: Vec3[], camera: CameraInfo, yaw: number, tilt: number, aspect: number): Overview {
     const low = points.reduce((a, p) => a.map((c, i) => Math.min(c, p[i]!)) as Vec3);
@@ -123,7 +123,7 @@ export function overview(points: Vec3[], camera: CameraInfo, yaw: number, tilt: 
     const behind = turned(scaled(ahead, -1), upright, leftHanded ? -yaw : yaw);
     const level = cross(upright, behind);
     const towards = turned(upright, level, tilt);  // from the centre to the viewer
-    // What is above the rays is cut away: the parallel rays begin just over them.
+    // Everything above the rays is cut away: the parallel camera rays start just above them.
     const reach = Math.max(...points.map((p) => dot(sub(p, center), towards)));
     const width = 2.5 * radius;
     return {
@@ -134,7 +134,7 @@ export function overview(points: Vec3[], camera: CameraInfo, yaw: number, tilt: 
     };
 }
 
-/** The same as the engine's description of it, for projectLine. */
+/** The same camera in the engine's format, for projectLine. */
 export function overviewCamera({position, ...view}: Overview): CameraInfo {
     return {projection: 'orthographic', position, place: null, has_frame: true, view};
 }

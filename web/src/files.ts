@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Saving what the page has made.
+// Saves the page's files.
 import {comparison, fileName, settingOf} from './store/state';
 
 function save(blob: Blob, name: string) {
@@ -13,7 +13,7 @@ function save(blob: Blob, name: string) {
 /** "castle" of "epfl/castle.json". */
 export const baseName = () => fileName.value.split('/').at(-1)!.replace(/\.\w+$/, '') || 'picture';
 
-/** castle_BlinnPhong.png, as the course's page names it. */
+/** castle_BlinnPhong.png, the naming scheme of the course's page. */
 export function pictureName(): string {
     const shading = comparison.value?.key === 'shading' ? comparison.value.a : (settingOf('shading')?.value ?? '');
     const words = shading.split('-').map((word) => word.charAt(0).toUpperCase() + word.slice(1));

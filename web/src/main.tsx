@@ -19,6 +19,6 @@ try {
 addEventListener('hashchange', () => void openFirst());
 if (import.meta.env.PROD && 'serviceWorker' in navigator) {
     navigator.serviceWorker.register('./sw.js').catch(() => {
-        // Without it the page needs its server again when it is opened next.
+        // Without the service worker, the page needs its server the next time it is opened.
     });
 }

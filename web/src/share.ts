@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A scene and its settings as a link: all of it is in the fragment, which browsers send nowhere.
+// A scene and its settings as a link. All data is in the fragment, which browsers do not send to servers.
 import type {SceneText} from 'glint-wasm';
 
 export interface Shared {
@@ -19,13 +19,13 @@ async function through(bytes: Uint8Array<ArrayBuffer>, stream: CompressionStream
         const {done, value} = await reader.read();
         if (done) break;
         total += value.length;
-        if (total > most) throw new Error('the link holds more than a scene');
+        if (total > most) throw new Error('the link contains too much data');
         parts.push(value as Uint8Array<ArrayBuffer>);
     }
     return new Uint8Array(await new Blob(parts).arrayBuffer());
 }
 
-/** The fragment of a link, without its #. */
+/** The fragment of a link, without #. */
 export async function toFragment(shared: Shared): Promise<string> {
     const bytes = await through(new TextEncoder().encode(JSON.stringify(shared)), new CompressionStream('deflate-raw'));
     let binary = '';
@@ -33,7 +33,7 @@ export async function toFragment(shared: Shared): Promise<string> {
     return `1=${btoa(binary).replaceAll('+', '-').replaceAll('/', '_').replace(/=+$/, '')}`;
 }
 
-/** What a fragment holds; null if it is none of ours. */
+/** Decodes a fragment; null if it is not from this page. */
 export async function fromFragment(fragment: string): Promise<Shared | null> {
     const match = /^#?1=([\w-]+)$/.exec(fragment);
     if (!match) return null;
@@ -47,7 +47,7 @@ export async function fromFragment(fragment: string): Promise<Shared | null> {
     }
 }
 
-/** A link may come from anyone: only what has the right types is taken. */
+/** A link may come from anyone: only values of the right types are accepted. */
 function checked(value: unknown): Shared | null {
     if (typeof value !== 'object' || value === null) return null;
     const {name, text, scene, includes, overrides, compare} = value as Record<string, unknown>;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The scene's text. It stands in a shadow root, where CodeMirror's styles need no <style> element: the page's
-// Content-Security-Policy permits none.
+// The editor of the scene's text. It is in a shadow root, where CodeMirror's styles need no <style> element: the page's
+// Content-Security-Policy forbids one.
 import {defaultKeymap, history, historyKeymap, invertedEffects, isolateHistory, redo, redoDepth, undo, undoDepth} from '@codemirror/commands';
 import {bracketMatching, indentUnit} from '@codemirror/language';
 import {type Diagnostic as Mark, lintGutter, setDiagnostics} from '@codemirror/lint';
@@ -13,20 +13,20 @@ import type {Edit} from '../text/edit';
 import {PlaceTracker} from './place_tracker';
 import {languageOf} from './language';
 
-/** What belongs to a scene beside its text, and is undone with it. */
+/** The parts of a scene that are not in its text; undo restores them with the text. */
 export interface DocumentState {
     name: string;
     scene: string | undefined;
     overrides: Record<string, string>;
-    /** What the text may include. */
+    /** The texts that it may include. */
     includes: SceneText[];
 }
 const documentStateChanged = StateEffect.define<DocumentState>();
 
 export interface EditorEvents {
-    /** `documentState`: it changes as well. */
+    /** `documentState` changes, too. */
     changed(text: string, documentState: DocumentState | null, canUndo: boolean, canRedo: boolean): void;
-    /** What is beside the text now. */
+    /** The present document state. */
     documentState(): DocumentState;
 }
 
@@ -43,7 +43,7 @@ const theme = EditorView.theme({
     '.cm-matchingBracket': {backgroundColor: 'var(--selection) !important', outline: 'none'},
     '.cm-tooltip': {backgroundColor: 'var(--panel)', color: 'var(--text)', border: '1px solid var(--rule)', borderRadius: '6px'},
     '.cm-diagnostic': {fontFamily: 'var(--sans)', fontSize: '13px', padding: '6px 10px'},
-    // The marks of mistakes without the images that CodeMirror has for them.
+    // Marks of errors without CodeMirror's images.
     '.cm-lintRange': {backgroundImage: 'none !important', textDecorationSkipInk: 'none'},
     '.cm-lintRange-error': {textDecoration: 'underline wavy var(--error)', backgroundColor: 'var(--error-soft)'},
     '.cm-lintRange-warning': {textDecoration: 'underline wavy var(--warning)'},
@@ -94,46 +94,46 @@ export class Editor {
         this.events.changed(state.doc.toString(), documentState, undoDepth(state) > 0, redoDepth(state) > 0);
     }
 
-    /** The first scene: there is nothing to undo. */
+    /** Sets the first scene; it cannot be undone. */
     begin(text: string, name: string) {
         this.#view.setState(this.#state(text, name));
         this.#places.restart(this.#view.state.doc);
         this.#tell(null);
     }
 
-    /** Of the text, for wasRead(). */
+    /** The version of the text, for wasRead(). */
     get version() {
         return this.#places.version;
     }
 
-    /** A scene was read from a version of the text; offsetOf() takes its places. */
+    /** A scene was read from a version of the text; offsetOf() then uses its places. */
     wasRead(version: number) {
         this.#places.read(version);
     }
 
-    /** The offset of the scene's line and column in the text as it is now; null if that was deleted. */
+    /** The offset of the scene's line and column in the present text; null if that part was deleted. */
     offsetOf(line: number, column: number): number | null {
         return this.#places.now(line, column);
     }
 
-    /** Edits of a control. Those that follow each other quickly are undone together, which the history does without a userEvent. */
+    /** Applies an edit of a control. Edits in quick succession are undone together; the history does this without a userEvent. */
     apply(edits: Edit[]) {
         this.#view.dispatch({changes: edits});
     }
 
-    /** Changes what is beside the text, and all of the text if it is given. `again`: undone together with the last change. */
+    /** Changes the document state, and all of the text if it is given. `again`: is undone together with the last change. */
     setDocumentState(documentState: DocumentState, text?: string, again = false) {
         const all = {from: 0, to: this.#view.state.doc.length}, {name} = this.events.documentState();
         this.#view.dispatch({
             ...(text === undefined ? {} : {changes: {...all, insert: text}}),
             effects: [documentStateChanged.of(documentState), ...(documentState.name === name ? [] : [EditorView.scrollIntoView(0)])],
             ...(documentState.name === name ? {} : {selection: {anchor: 0}}),
-            // A whole text is undone alone.
+            // A change of the whole text is undone separately.
             annotations: [Transaction.addToHistory.of(!again), ...(text === undefined ? [] : [isolateHistory.of('full')])],
         });
     }
 
-    /** Chooses the colours. */
+    /** Sets the colours: dark or light. */
     setName(name: string) {
         this.#view.dispatch({effects: this.#language.reconfigure(languageOf(name))});
     }
@@ -149,7 +149,7 @@ export class Editor {
         this.#view.dispatch(setDiagnostics(this.#view.state, marks));
     }
 
-    /** Selects a place and shows it. */
+    /** Selects a place and scrolls to it. */
     reveal(from: number, to: number) {
         const most = this.#view.state.doc.length;
         const anchor = Math.min(from, most), head = Math.min(to, most);

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Colours for the scene formats: comments, strings, numbers, the words of blocks and keys. One reader for all of them.
+// Syntax highlighting for all scene formats: comments, strings, numbers, block names and keys. One tokenizer for all.
 import {type StreamParser, HighlightStyle, StreamLanguage, syntaxHighlighting} from '@codemirror/language';
 import {tags} from '@lezer/highlight';
 
 interface Marks {
-    /** Begins a comment that goes to the end of the line. */
+    /** Starts a comment up to the end of the line. */
     comment: RegExp;
-    /** Between /* and its end. */
+    /** Inside a block comment. */
     long: boolean;
 }
 
@@ -37,7 +37,7 @@ function parser(marks: Marks): StreamParser<{inComment: boolean}> {
                 stream.skipToEnd();
                 return 'comment';
             }
-            // A key before a colon, then any other string.
+            // A key before a colon, then other strings.
             if (stream.match(/^("(\\.|[^"\\])*"|'(\\.|[^'\\])*')(?=\s*:)/)) return 'propertyName';
             if (stream.match(/^("(\\.|[^"\\])*"?|'(\\.|[^'\\])*'?)/)) return 'string';
             if (stream.match(/^[-+]?(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?/)) return 'number';
@@ -62,7 +62,7 @@ const style = HighlightStyle.define([
     {tag: tags.propertyName, class: 'tok-key'},
 ]);
 
-/** The highlighting for a file's name. */
+/** The highlighting for a file name. */
 export function languageOf(name: string) {
     const marks = marksOf[name.split('.').at(-1)!.toLowerCase()] ?? marksOf['glint']!;
     return [StreamLanguage.define(parser(marks)), syntaxHighlighting(style)];

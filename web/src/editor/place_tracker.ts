@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The places of a scene are those in the text that it was read from; this takes them along as the text changes.
+// The places of a scene belong to the text that it was read from; this moves them along as the text changes.
 import {type ChangeDesc, MapMode, type Text} from '@codemirror/state';
 
 import {unitsOf} from '../text/places';
@@ -10,14 +10,14 @@ interface Version {
 }
 
 export class PlaceTracker {
-    /** Of the text now; each change makes a new one. */
+    /** The version of the present text; each change makes a new one. */
     version = 0;
-    /** What places are of, and how it came to what is now. */
+    /** The text of the places, and the changes since. */
     #base: Version | null = null;
     #since: (Version & {changes: ChangeDesc})[] = [];
     #isRead = false;
 
-    /** Another text. */
+    /** Sets another text. */
     restart(text: Text) {
         this.#base = {number: ++this.version, text};
         this.#since = [];
@@ -29,7 +29,7 @@ export class PlaceTracker {
         this.#shorten();
     }
 
-    /** A scene was read from a version of the text: places are of that one now. */
+    /** A scene was read from a version of the text: places now belong to that version. */
     read(version: number) {
         const at = this.#since.findIndex((one) => one.number === version);
         if (at < 0 && this.#base?.number !== version) return;
@@ -38,7 +38,7 @@ export class PlaceTracker {
         this.#isRead = true;
     }
 
-    /** Where a place is now, counted in lines and bytes from 1; null if it was deleted, or nothing has been read. */
+    /** The present position of a place, with lines and bytes counted from 1; null if it was deleted or nothing has been read. */
     now(line: number, column: number): number | null {
         if (!this.#base || !this.#isRead || line > this.#base.text.lines) return null;
         const {from, text} = this.#base.text.line(line);
@@ -47,7 +47,7 @@ export class PlaceTracker {
         return at;
     }
 
-    /** While a mistake lasts, changes pile up. Those that are older than what may be being read become one. */
+    /** While the text has an error, changes pile up. Those older than any version that may still be read are merged. */
     #shorten() {
         const many = 200;
         if (this.#since.length < 2 * many) return;

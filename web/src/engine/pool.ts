@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// A worker for each core, and a queue of what they are to do.
+// One worker per core, and a queue of jobs.
 import type {Answers, FromWorker, Job, Task, ToWorker} from './protocol';
 
-/** A job that was withdrawn, or whose worker had to be ended. */
+/** The job was cancelled, or its worker was terminated. */
 export class Stopped extends Error {}
 
 interface Waiting {
@@ -15,13 +15,13 @@ interface Member {
     worker: Worker;
     running: Waiting | null;
     timer: number;
-    /** Which key of each view is open in it. */
+    /** By view: the key of its scene in this worker. */
     open: Map<string, number>;
 }
 
-/** A text that is not read, or a pixel not explained, in this time is given up, in milliseconds. */
+/** Reading a text or explaining a pixel is aborted after this time, in milliseconds. */
 const patience: Record<Task['what'], number> = {open: 10_000, explain: 10_000, convert: 10_000, tile: Infinity};
-/** A tile that nobody waits for any more may end in this time, before its worker is ended. */
+/** A tile that is no longer needed may finish within this time; then its worker is terminated. */
 const grace = 250;
 
 export class Pool {
@@ -45,7 +45,7 @@ export class Pool {
         return member;
     }
 
-    /** Has a job done. Urgent jobs come before the others. */
+    /** Queues a job. Urgent jobs come first. */
     run<T extends Task>(job: Job & {task: T}, urgent = false): Promise<Answers[T['what']]> {
         return new Promise((done, failed) => {
             (urgent ? this.#urgent : this.#queue).push({job, done: done as Waiting['done'], failed});
@@ -53,7 +53,7 @@ export class Pool {
         });
     }
 
-    /** Withdraws a view's jobs up to `key`. Those that run have a moment to end. */
+    /** Cancels a view's jobs up to `key`. Running jobs have a moment to finish. */
     cancel(view: string, key: number) {
         const concerned = (waiting: Waiting) => waiting.job.view === view && waiting.job.key <= key;
         const withdrawn = [...this.#urgent, ...this.#queue].filter(concerned);
@@ -96,7 +96,7 @@ export class Pool {
         for (const member of this.#members) {
             const queue = this.#urgent.length > 0 ? this.#urgent : this.#queue;
             if (member.running || queue.length === 0) continue;
-            // Rather what belongs to a scene that is open here already.
+            // Prefer jobs whose scene is already open in this worker.
             const has = ({job}: Waiting) => member.open.get(job.view) === job.key;
             const waiting = has(queue[0]!) ? queue[0]! : (queue.find(has) ?? queue[0]!);
             queue.splice(queue.indexOf(waiting), 1);

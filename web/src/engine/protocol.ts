@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the page and its workers say to each other.
+// The messages between the page and its workers.
 import type {Explanation, OpenRequest, PrepareRequest, Report, SceneInfo} from 'glint-wasm';
 
 export interface Rect {
@@ -10,13 +10,13 @@ export interface Rect {
 }
 
 export type Task =
-    /** With a rectangle: it is drawn as well, which spares a frame a way there and back. */
+    /** With a rectangle, it is rendered as well, which saves a round trip per frame. */
     | {what: 'open'; rect?: Rect}
     | {what: 'tile'; rect: Rect}
     | {what: 'explain'; x: number; y: number}
     | {what: 'convert'};
 
-/** One piece of work. A worker keeps one open scene a view; `request` comes along when it has not opened `key` yet. */
+/** One job. A worker keeps one open scene per view; `request` is sent if it has not opened `key` yet. */
 export interface Job {
     view: string;
     key: number;
@@ -47,5 +47,5 @@ export interface Answers {
     convert: string;
 }
 
-/** broken: the instance ran out of memory or trapped, and everything that was open in it is gone. */
+/** broken: the instance ran out of memory or trapped; all its open scenes are lost. */
 export type FromWorker = {id: number; answer: Answers[keyof Answers]} | {id: number; error: string; broken: boolean};

@@ -1,33 +1,33 @@
 // SPDX-License-Identifier: Apache-2.0
-// A picture that is drawn coarse to fine, and begun anew whenever it is to show something else.
+// A picture that is rendered coarse to fine; a change of its content restarts it.
 import type {OpenRequest, PrepareRequest, SceneInfo} from 'glint-wasm';
 
 import {type Pool, Stopped} from './pool';
 import type {Opened, Rect, Tile} from './protocol';
 
-/** What a view is to show. */
+/** The content of a view. */
 export interface ViewContent {
     request: OpenRequest;
-    /** Changes to what the scene says, e.g. another camera. */
+    /** Changes to the scene, such as another camera. */
     prepare: PrepareRequest;
-    /** Of the text, for who asked for it. */
+    /** The version of the text, for the caller. */
     version?: number | undefined;
 }
 
 export interface Progress {
-    /** Of all samples, those of coarser pictures included; 0 to 1. */
+    /** Of all samples, including those of coarser pictures; 0 to 1. */
     fraction: number;
-    /** Of the finest picture so far, and the time since it was begun. */
+    /** Of the finest picture so far, and the time since its start. */
     rays: number;
     milliseconds: number;
 }
 
 export interface ViewEvents {
-    /** Its content was read; its scene may have errors. */
+    /** The content was read; the scene may have errors. */
     opened(opened: Opened, content: ViewContent): void;
-    /** A picture of this size begins. */
+    /** A picture of this size starts. */
     sized(width: number, height: number): void;
-    /** Pixels for a rectangle of the picture, which may have to be stretched to it. */
+    /** Pixels for a rectangle of the picture; coarse ones are stretched to it. */
     painted(tile: ImageData, to: Rect, stretched: boolean): void;
     progress(progress: Progress): void;
     /** The picture is complete. */
@@ -35,17 +35,17 @@ export interface ViewEvents {
     failed(why: string, key: number): void;
 }
 
-/** A first, coarse picture may take this long, in milliseconds, so that dragging something stays smooth. */
+/** The time for a first, coarse picture, in milliseconds, so that dragging stays smooth. */
 const frameTime = 35;
 const tileTime = 12;
-/** Pixels of the largest picture that the page draws; larger ones are drawn smaller. */
+/** Pixels of the largest picture that the page renders; larger ones are rendered at a smaller size. */
 const maxPixels = 4096 * 4096;
 
 interface Level {
     width: number;
     height: number;
     prepare: PrepareRequest;
-    /** Samples of a pixel. */
+    /** Samples per pixel. */
     samples: number;
     final: boolean;
 }
@@ -54,25 +54,25 @@ function setting(info: SceneInfo, name: string): string {
     return info.settings.find((one) => one.name === name)?.value ?? '';
 }
 
-/** Of all views: the workers know by its key which content they have open. */
+/** Shared by all views: the workers identify open content by its key. */
 let lastKey = 0;
 
 export class View {
-    /** What is shown, for questions about it; set once it is open. */
+    /** The content that is shown, for explanations; set when it is open. */
     current: {content: ViewContent; key: number; info: SceneInfo; prepare: PrepareRequest} | null = null;
     #pending: ViewContent | null = null;
     #key = 0;
     #busy = false;
     #since = 0;
     #shownAt = -Infinity;
-    /** How many contents have followed each other quickly. */
+    /** The number of contents in quick succession. */
     #quick = 0;
     #coarseShown = false;
     #sampleTime = 0.001;
 
     constructor(private readonly pool: Pool, readonly name: string, private readonly events: ViewEvents) {}
 
-    /** True if there is something still to be drawn. */
+    /** True if rendering is not finished. */
     get busy() {
         return this.#busy || this.#pending !== null;
     }
@@ -85,12 +85,12 @@ export class View {
         if (!this.#busy) {
             void this.#work();
         } else if (this.#coarseShown || now - this.#since > 300) {
-            // Without this rule, a picture that changes all the time would never be seen.
+            // Otherwise a picture that changes continuously would never appear.
             this.pool.cancel(this.name, this.#key);
         }
     }
 
-    /** Draws no more. */
+    /** Stops rendering. */
     stop() {
         this.#pending = null;
         this.pool.cancel(this.name, this.#key);
@@ -116,8 +116,8 @@ export class View {
     }
 
     async #render(content: ViewContent, key: number) {
-        const affordable = this.#affordable();  // the same for what is expected and for what is found
-        // Something is dragged: then contents are alike, and what the next one takes is expected.
+        const affordable = this.#affordable();  // used to predict the cost and to check it
+        // While something is dragged, contents are similar, so the cost of the next one can be predicted.
         const expected = this.#quick >= 2 && this.current ? this.#levels(content, this.current.info, affordable)[0]! : null;
         const opening = (expected && !expected.final && await this.#openAndRender(content, key, expected)) || await this.#open(content, key);
         this.events.opened(opening.opened, content);
@@ -147,12 +147,12 @@ export class View {
         }
     }
 
-    /** How many samples a first picture may have. */
+    /** The number of samples that fit into the time of a first picture. */
     #affordable() {
         return (frameTime * this.pool.size) / this.#sampleTime;
     }
 
-    /** Draws a few samples to see how long they take; they are shown if that was long. */
+    /** Renders a few samples to measure their time; they are shown if that time was long. */
     async #probe(content: ViewContent, key: number, info: SceneInfo, last: Level) {
         const start = performance.now();
         const level = this.#levels(content, info, this.#affordable() / 16)[0]!;
@@ -175,7 +175,7 @@ export class View {
         return {opened: await this.pool.run({...job, task: {what: 'open'}}, true), picture: null};
     }
 
-    /** Opens the scene and draws its first, coarse picture at once, if its size is that of the scene before. */
+    /** Opens the scene and renders its first, coarse picture in one step, if its size is that of the scene before. */
     async #openAndRender(content: ViewContent, key: number, level: Level): Promise<Opening | null> {
         const job = {view: this.name, key, request: content.request, prepare: level.prepare};
         const rects = strips(level.width, level.height, this.pool.size);
@@ -184,7 +184,7 @@ export class View {
         const rendered = await Promise.allSettled([first, ...others]);
         const stopped = rendered.find((one) => one.status === 'rejected' && one.reason instanceof Stopped);
         if (stopped?.status === 'rejected') throw stopped.reason;
-        if (rendered[0]!.status === 'rejected') return null;  // it is not as the one before: from the beginning, then
+        if (rendered[0]!.status === 'rejected') return null;  // it differs from the scene before: start over
         const opened = rendered[0]!.value as Opened;
         const tiles = [opened.tile, ...rendered.slice(1).map((one) => (one.status === 'fulfilled' ? (one.value as Tile) : null))];
         if (tiles.includes(null)) return {opened, picture: null};
@@ -215,7 +215,7 @@ export class View {
             return {width, height, samples: aa * aa, prepare: {...content.prepare, settings}, final: false};
         };
         const full = {...level(shrink, n), final: true};
-        // At one world unit a pixel, fewer pixels would show less of the scene.
+        // At one world unit per pixel, fewer pixels would show less of the scene.
         if (setting(info, 'pixel_sample') === 'whole') return [full];
         const pixels = full.width * full.height;
         if (pixels * full.samples <= affordable) return [full];
@@ -232,7 +232,7 @@ export class View {
         const perWorker = (level.width * level.height) / (2 * this.pool.size);
         const side = Math.sqrt(Math.min(pixels, Math.max(perWorker, 1024)));
         const step = side >= 32 ? Math.min(256, 32 * Math.floor(side / 32)) : Math.max(4, Math.floor(side / 4) * 4);
-        // A coarse picture is shown at once; the tiles of the last appear as they are ready.
+        // A coarse picture is shown as a whole; the tiles of the last one appear as they are ready.
         const whole = level.final ? null : new ImageData(level.width, level.height);
         let done = 0, rays = 0;
         const progress = () => ({fraction: fractionAt(done / (level.width * level.height)), rays, milliseconds: performance.now() - start});
@@ -266,7 +266,7 @@ function isSameLevel(a: Level, b: Level): boolean {
     return a.width === b.width && a.height === b.height && JSON.stringify(a.prepare) === JSON.stringify(b.prepare);
 }
 
-/** Puts a tile's pixels into a picture. */
+/** Copies a tile's pixels into a picture. */
 function place(tile: Tile, rect: Rect, picture: ImageData) {
     for (let row = 0; row < rect.height; ++row) {
         picture.data.set(tile.pixels.subarray(4 * row * rect.width, 4 * (row + 1) * rect.width),
@@ -274,14 +274,14 @@ function place(tile: Tile, rect: Rect, picture: ImageData) {
     }
 }
 
-/** A picture in upright strips: left and right are more alike than above and below. */
+/** Splits a picture into vertical strips: left and right differ less in cost than top and bottom. */
 function strips(width: number, height: number, count: number): Rect[] {
     const n = Math.min(count, width);
     const edge = (i: number) => Math.round((i * width) / n);
     return Array.from({length: n}, (_, i) => ({x: edge(i), y: 0, width: edge(i + 1) - edge(i), height}));
 }
 
-/** The rectangles of a picture, from the middle outwards: what one looks at comes first. */
+/** The rectangles of a picture, from the middle outwards, where users look first. */
 function tiles(width: number, height: number, step: number): Rect[] {
     const list: Rect[] = [];
     for (let y = 0; y < height; y += step) {

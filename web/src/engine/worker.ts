@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A worker: one instance of glint, one open scene a view.
+// A worker: one instance of glint with one open scene per view.
 import {type Glint, type PrepareRequest, type Scene, instantiate} from 'glint-wasm';
 
 import type {Answers, FromWorker, Rect, Tile, ToWorker} from './protocol';
@@ -72,7 +72,7 @@ addEventListener('message', async ({data}: MessageEvent<ToWorker>) => {
         }
         reply = {id: data.id, answer};
     } catch (error) {
-        // After a trap the instance's memory is not to be trusted: the next job makes a new one.
+        // After a trap the instance's memory may be corrupt: the next job creates a new instance.
         const broken = error instanceof WebAssembly.RuntimeError || error instanceof RangeError;
         if (broken) {
             glint = null;

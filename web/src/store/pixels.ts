@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Why a pixel is what it is: the one pointed at, and the one that is pinned.
+// The explanations of the pixel under the pointer and of the pinned pixel.
 import {batch} from '@preact/signals';
 import type {Explanation} from 'glint-wasm';
 
@@ -10,7 +10,7 @@ import {
 let asking = false;
 let wanted: [number, number] | null = null;
 
-/** The picture that is seen at a pixel. */
+/** The view that is visible at a pixel. */
 function sideAt([x]: readonly [number, number]): Side {
     const isRight = comparison.value && !difference.value && (x + 0.5) / size.value.width > split.value;
     return isRight ? 'second' : 'first';
@@ -29,7 +29,7 @@ async function ask(at: readonly [number, number], side: Side): Promise<Explanati
     }
 }
 
-/** Points at a pixel; the newest one is explained as soon as the one before it is. */
+/** Points at a pixel. The newest one is explained when the previous explanation is complete. */
 export async function hover(at: [number, number] | null) {
     pixel.value = at;
     wanted = at;
@@ -63,7 +63,7 @@ export async function pin(at: [number, number] | null) {
     });
 }
 
-/** A picture changed: its pixels are explained anew. */
+/** A picture changed: explains its pixels again. */
 export async function explainAgain(side: Side) {
     if (pixel.value && sideAt(pixel.value) === side) void hover(pixel.value);
     const at = pinned.value?.pixel;

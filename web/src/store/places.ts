@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where in the text something of the scene stands. The scene is that of the last text that could be read; the text may have
+// Where items of the scene are in the text. The scene is from the last text without errors; the text may have
 // changed since.
 import type {Place} from 'glint-wasm';
 
 import {spanOf} from '../text/places';
 import {fileName, services, notice, tab, text} from './state';
 
-/** True if a place is in the text that is edited here, and not in one that it includes. */
+/** True if a place is in the edited text, not in one that it includes. */
 export const isHere = (place: Place) => place.file === fileName.value;
 
-/** The offset of a place of the scene in the text as it is now; null if it has been deleted. */
+/** The offset of a place of the scene in the present text; null if it has been deleted. */
 export function offsetOf(place: {line: number; column: number}): number | null {
     return services.editor?.offsetOf(place.line, place.column) ?? null;
 }
@@ -17,7 +17,7 @@ export function offsetOf(place: {line: number; column: number}): number | null {
 function select(from: number) {
     const end = text.value.indexOf('\n', from);
     if (matchMedia('(max-width: 1099px)').matches) tab.value = 'text';
-    // After the editor's panel is shown.
+    // After the editor's panel has become visible.
     requestAnimationFrame(() => services.editor?.reveal(from, end < 0 ? text.value.length : end));
 }
 
@@ -27,20 +27,20 @@ function isElsewhere(file: string | undefined, line: number): boolean {
     return true;
 }
 
-/** Goes to the place of a part of the scene. */
+/** Shows the place of an item of the scene. */
 export function reveal(place: Partial<Place> | null | undefined) {
     const {line, column, file} = place ?? {};
     if (line === undefined || column === undefined) return;
     if (isElsewhere(file, line)) return;
     const from = offsetOf({line, column});
     if (from === null) {
-        notice.value = 'What stood there has been deleted.';
+        notice.value = 'That part of the text has been deleted.';
     } else {
         select(from);
     }
 }
 
-/** Goes to the place of a message about the text as it is now. */
+/** Shows the place of a message about the present text. */
 export function revealMistake({file, line, column}: Place) {
     if (isElsewhere(file, line)) return;
     select(spanOf(text.value, line, column)[0]);

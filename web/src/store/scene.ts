@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Opening a scene, and drawing it again whenever its text or what is beside it changes.
+// Opens a scene, and renders it again when its text or its document state changes.
 import {batch} from '@preact/signals';
 import type {OpenRequest, SceneText} from 'glint-wasm';
 
@@ -22,10 +22,10 @@ function requestWith(extra: Record<string, string>): OpenRequest {
     };
 }
 
-/** Draws what is to be seen now. */
-export function draw() {
+/** Renders the present scene. */
+export function render() {
     const compare = comparison.value;
-    state.value = 'drawing';
+    state.value = 'rendering';
     page.first?.show({request: requestWith(compare ? {[compare.key]: compare.a} : {}), prepare: {}, version: page.editor?.version});
     if (compare) {
         page.second?.show({request: requestWith({[compare.key]: compare.b}), prepare: {}});
@@ -38,7 +38,7 @@ export function setComparison(compare: Comparison | null) {
     comparison.value = compare;
     comparisonFailure.value = '';
     if (!compare) pinnedIn.value = {...pinnedIn.value, side: 'first'};
-    draw();
+    render();
 }
 
 function take(documentState: DocumentState) {
@@ -48,7 +48,7 @@ function take(documentState: DocumentState) {
     includes.value = documentState.includes;
 }
 
-/** The editor's text changed, by hand or by a control. */
+/** The editor's text was changed, by the user or by a control. */
 export function textChanged(now: string, documentState: DocumentState | null, canUndo: boolean, canRedo: boolean) {
     history.value = {canUndo, canRedo};
     if (now === text.value && !documentState) return;
@@ -60,10 +60,10 @@ export function textChanged(now: string, documentState: DocumentState | null, ca
         if (renamed) forgetLights();
     });
     if (renamed) queueMicrotask(() => page.editor?.setName(fileName.value));
-    draw();
+    render();
 }
 
-/** Chooses one of several scenes in the text. */
+/** Selects one of several scenes in the text. */
 export function chooseScene(name: string) {
     page.editor?.setDocumentState({...currentDocumentState(), scene: name});
 }
@@ -77,7 +77,7 @@ export interface SceneToOpen {
     compare?: Comparison | undefined;
 }
 
-/** Opens a scene in the place of the one before, which undo brings back. */
+/** Opens a scene in place of the previous one, which undo restores. */
 export function openScene(scene: SceneToOpen) {
     const documentState: DocumentState = {
         name: scene.name, scene: scene.scene, overrides: scene.overrides ?? {}, includes: scene.includes ?? parts,
@@ -96,14 +96,14 @@ export function openScene(scene: SceneToOpen) {
     take(documentState);
     text.value = scene.text;
     page.editor?.begin(scene.text, scene.name);
-    draw();
+    render();
 }
 
-/** The address' scene, or the book's. */
+/** The scene of the address, or that of the book. */
 export async function openFirst() {
     const shared = location.hash ? await fromFragment(location.hash) : null;
     openScene(shared ?? gallery.find((scene) => scene.name === 'cgfs/three_mirrors.cgfs')!);
-    if (location.hash && !shared) notice.value = 'The link holds no scene; here is the book’s.';
+    if (location.hash && !shared) notice.value = 'The link contains no scene. This is the default scene.';
 }
 
 export async function link(): Promise<string> {
@@ -118,7 +118,7 @@ export async function link(): Promise<string> {
     return url.href;
 }
 
-/** Files that were dropped: the first that is a scene is opened, the others are what it may include. */
+/** Files were dropped: opens the first scene; it may include the other files. */
 export async function openFiles(files: File[]) {
     const read = await Promise.all(files.map(async (file) => ({name: file.name, text: await file.text()})));
     const main = read.find((file) => formatOf(file.name));
@@ -131,19 +131,19 @@ export async function openFiles(files: File[]) {
 
 let conversions = 0;
 
-/** Puts glint's own language in the text's place; that can say everything. */
+/** Replaces the text by glint's own language, which can express everything. */
 export async function convertToGlint() {
     if (!page.pool) return;
-    // Not what is drawn: that may be of an older text, or have one side of a comparison in it.
+    // Not the rendered scene, which may be from an older text or include one side of a comparison.
     const before = text.value;
     const converted = await page.pool.run(
         {view: 'converted', key: ++conversions, request: requestWith({}), prepare: {}, task: {what: 'convert'}}, true).catch(() => '');
     if (text.value !== before) return;
     if (converted === '') {
-        notice.value = 'Only a scene without mistakes can be converted.';
+        notice.value = 'Only a scene without errors can be converted.';
         return;
     }
     const name = fileName.value.replace(/\.\w+$/, '') + '.glint';
     page.editor?.setDocumentState({...currentDocumentState(), name, scene: undefined, overrides: {}}, converted);
-    notice.value = `The scene is now ${name.split('/').at(-1)}; undo brings its old text back.`;
+    notice.value = `The scene is now ${name.split('/').at(-1)}; undo restores the old text.`;
 }

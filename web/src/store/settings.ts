@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Settings: in the text where its format can say them, else beside it.
+// Settings: stored in the text if its format can express them, else in the overrides.
 import {currentDocumentState, format, services, overrides, settingOf, text} from './state';
 
 let lastOverride = {name: '', time: 0};
@@ -21,7 +21,7 @@ export function setSetting(name: string, value: string) {
         services.editor?.apply(edits);
         return;
     }
-    // Dragging a slider is one change.
+    // Dragging a slider is one change for undo.
     const again = lastOverride.name === name && performance.now() - lastOverride.time < 500;
     lastOverride = {name, time: performance.now()};
     setOverrides({...overrides.value, [name]: value}, again);

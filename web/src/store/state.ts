@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the page knows. The scene's text is the one truth: controls edit it, and only what its format cannot say is kept
-// beside it, in `overrides`.
+// The state of the page. The scene's text is the single source: controls edit it, and only settings that its format
+// cannot express are stored in `overrides`.
 import {computed, signal} from '@preact/signals';
 import type {Diagnostic, Explanation, SceneInfo, SceneText, Setting} from 'glint-wasm';
 
@@ -13,42 +13,42 @@ export const fileName = signal('');
 export const text = signal('');
 export const sceneName = signal<string | undefined>(undefined);
 export const includes = signal<SceneText[]>([]);
-/** Settings that hold against the text. */
+/** Settings that override the text. */
 export const overrides = signal<Record<string, string>>({});
 export const history = signal({canUndo: false, canRedo: false});
 
-/** Of the last scene that could be drawn. */
+/** Of the last scene that could be rendered. */
 export const info = signal<SceneInfo | null>(null);
 export const diagnostics = signal<Diagnostic[]>([]);
-/** Why nothing could be drawn, if that is not for the text. */
+/** Why rendering failed, if the text is not the reason. */
 export const failure = signal('');
-export const state = signal<'starting' | 'drawing' | 'done' | 'error'>('starting');
+export const state = signal<'starting' | 'rendering' | 'done' | 'error'>('starting');
 export const progress = signal<Progress>({fraction: 0, rays: 0, milliseconds: 0});
 export const notice = signal('');
-/** Of the picture, in pixels. */
+/** The picture's size in pixels. */
 export const size = signal({width: 600, height: 600});
 
 export type Comparison = {key: string; a: string; b: string};
 export const comparison = signal<Comparison | null>(null);
-/** Why the right picture of a comparison could not be drawn. */
+/** Why the right picture of a comparison could not be rendered. */
 export const comparisonFailure = signal('');
 export const difference = signal(false);
 export const split = signal(0.5);
 
-/** One of the two pictures of a comparison; the first is all there is without one. */
+/** One of the two pictures of a comparison; without a comparison there is only the first. */
 export type Side = 'first' | 'second';
 export const pixel = signal<[number, number] | null>(null);
 export const hovered = signal<Explanation | null>(null);
 export const pinned = signal<Explanation | null>(null);
-/** In which picture, and whether that is shaded by Phong's S = R·V. */
+/** The picture of the pinned pixel, and whether its shading is Phong (S = R·V). */
 export const pinnedIn = signal<{side: Side; isPhong: boolean}>({side: 'first', isPhong: true});
-/** The ray and light that the inspector shows in its diagram. */
+/** The ray and light that the inspector's diagram shows. */
 export const selected = signal<{ray: number; light: number}>({ray: 0, light: 0});
 export const tab = signal<'text' | 'controls' | 'inspect' | 'compare'>('controls');
 
 export const format = computed(() => formatOf(fileName.value));
 
-/** What is not a part of the page's state: made once, when it starts. */
+/** Objects that are created once, when the page starts. */
 export const services: {editor?: Editor; pool?: Pool; first?: View; second?: View} = {};
 
 export const currentDocumentState = (): DocumentState => ({

@@ -8,7 +8,7 @@ const byExtension: Record<string, SceneFormat> = {glint, cgfs, json, js: {...jso
 
 export const extensions = Object.keys(byExtension);
 
-/** The format that a name's extension stands for, if any. */
+/** The format for a name's extension, if any. */
 export function formatOf(name: string): SceneFormat | null {
     return byExtension[name.split('.').at(-1)!.toLowerCase()] ?? null;
 }

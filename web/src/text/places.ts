@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The engine counts lines from 1 and columns in bytes of UTF-8; the editor counts UTF-16 units from the text's beginning.
+// The engine counts lines from 1 and columns in bytes of UTF-8; the editor counts UTF-16 units from the start of the text.
 
-/** Where line `line` of a text begins and ends, without its line end. */
+/** Start and end of line `line` of a text, without its line end. */
 function lineSpan(text: string, line: number): [number, number] {
     let from = 0;
     for (let n = 1; n < line; ++n) {
@@ -13,7 +13,7 @@ function lineSpan(text: string, line: number): [number, number] {
     return [from, end < 0 ? text.length : end];
 }
 
-/** UTF-16 units that stand for so many bytes of UTF-8. */
+/** The number of UTF-16 units for a number of bytes of UTF-8. */
 export function unitsOf(text: string, bytes: number): number {
     let left = bytes, units = 0;
     for (const character of text) {
@@ -25,7 +25,7 @@ export function unitsOf(text: string, bytes: number): number {
     return units;
 }
 
-/** The offsets of a place, and of so many bytes from there. */
+/** The offsets of a place, and of a number of bytes after it. */
 export function spanOf(text: string, line: number, column: number, bytes = 0): [number, number] {
     const [from, to] = lineSpan(text, line);
     const start = from + unitsOf(text.slice(from, to), column - 1);

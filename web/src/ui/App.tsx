@@ -19,7 +19,7 @@ const tabs = [
     ['compare', 'Compare'],
 ] as const;
 
-/** True where keys are for typing. */
+/** True if keys are text input. */
 function isTyping(event: KeyboardEvent): boolean {
     const target = event.composedPath()[0];
     return target instanceof HTMLElement &&

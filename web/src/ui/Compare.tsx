@@ -16,7 +16,7 @@ const presets = [
     {label: '1 | 3×3 samples', key: 'aa', a: '1', b: '3'},
 ];
 
-/** Two values that a key may have: the scene's and another. */
+/** Two values of a key: the scene's and another one. */
 function twoValues(key: string): {a: string; b: string} {
     const setting = settingOf(key);
     const now = setting?.value ?? '';
@@ -31,7 +31,7 @@ function Value({name, label, value, set}: {name: string; label: string; value: s
     return <TextField label={label} value={value} set={set} />;
 }
 
-/** The amplified difference of the two pictures, and how large it is. */
+/** The amplified difference of the two pictures, and its size. */
 export function Difference() {
     const canvas = useRef<HTMLCanvasElement>(null);
     const figures = useSignal('');
@@ -55,11 +55,11 @@ export function Difference() {
         canvas.current.width = a.width;
         canvas.current.height = a.height;
         canvas.current.getContext('2d')!.putImageData(a, 0, 0);
-        figures.value = `${((400 * differing) / a.data.length).toFixed(1)}% of the pixels differ, by up to ${most} of 255.`;
+        figures.value = `${((400 * differing) / a.data.length).toFixed(1)}% of the pixels differ, by at most ${most} of 255.`;
     }, [done]);
     return (
         <>
-            <canvas ref={canvas} class="layer" role="img" aria-label="Difference, four times as large" />
+            <canvas ref={canvas} class="layer" role="img" aria-label="Difference, amplified four times" />
             <p class="figures">{figures.value} Shown four times as large.</p>
         </>
     );
@@ -102,7 +102,7 @@ export function Compare() {
                         <button class="button" onClick={() => setComparison(null)}>End the comparison</button>
                     </>
                 )}
-                {!compare && <p class="note">Choose a pair above, or any setting: the picture is drawn twice, with a border to drag across.</p>}
+                {!compare && <p class="note">Choose a pair above, or any setting. The picture is rendered twice, with a movable border.</p>}
             </section>
         </>
     );

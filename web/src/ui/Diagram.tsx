@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The vectors at a hit, in space: N upright, the others where they are, seen a little from above.
+// The vectors at a hit, in 3D: N is vertical, the others are relative to it, viewed slightly from above.
 import type {Explanation, Vec3} from 'glint-wasm';
 
 import {add, cross, dot, scaled, unit} from '../camera';
@@ -15,7 +15,7 @@ export function Diagram({explanation}: {explanation: Explanation}) {
     if (!hit || !terms) return null;
     const n = unit(hit.normal), l = unit(terms.to_light), v = unit(hit.to_eye);
     const r = add(scaled(n, 2 * dot(n, l)), l, -1), h = unit(add(l, v));
-    // The view's axes: L's direction along the surface goes to the left.
+    // The view's axes: L's component in the surface points left.
     const along = add(l, n, -dot(l, n));
     const fallback = cross(n, Math.abs(n[0]) < 0.9 ? [1, 0, 0] : [0, 1, 0]);
     const left = unit(Math.hypot(...along) > 1e-6 ? along : fallback);

@@ -14,7 +14,7 @@ const families: [string, string][] = [
     ['csc473', 'CSC 473'],
     ['glint', 'glint'],
     ['nff', 'Standard Procedural Databases'],
-    ['faults', 'Faults: what is wrong here?'],
+    ['faults', 'Faults: find the mistake'],
 ];
 
 const title = (scene: {name: string; scene?: string | undefined}) =>
@@ -69,16 +69,16 @@ async function share() {
     globalThis.history.replaceState(null, '', address);
     try {
         await navigator.clipboard.writeText(address);
-        notice.value = 'The link is copied; it holds the scene and its settings, and nothing was sent anywhere.';
+        notice.value = 'The link is copied. It contains the scene and its settings. Nothing was sent.';
     } catch {
-        notice.value = 'The link is in the address bar; it holds the scene and its settings.';
+        notice.value = 'The link is in the address bar. It contains the scene and its settings.';
     }
 }
 
 function Theme() {
     const dark = useSignal(matchMedia('(prefers-color-scheme: dark)').matches);
     return (
-        <button class="quiet" aria-pressed={dark.value} aria-label="Dark page" title="Dark or light"
+        <button class="quiet" aria-pressed={dark.value} aria-label="Dark theme" title="Dark or light"
                 onClick={() => {
                     dark.value = !dark.value;
                     document.documentElement.dataset['theme'] = dark.value ? 'dark' : 'light';

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Why a pixel is what it is: what adds up to its colour, the tree of its rays, and each term of each light.
+// Explains a pixel: the sum of its colour, its ray tree, and each term of each light.
 import type {Explanation, ExplainedHit, ExplainedRay, LightTerms, Vec3} from 'glint-wasm';
 import type {ComponentChildren} from 'preact';
 
@@ -13,7 +13,7 @@ function Sum({explanation}: {explanation: Explanation}) {
     const layers = layerNames.filter((name) => !isBlack(explanation.layers[name]));
     const most = Math.max(1, ...explanation.value, ...[0, 1, 2].map((c) => layers.reduce((sum, name) => sum + Math.max(0, explanation.layers[name][c]!), 0)));
     return (
-        <section class="sum" aria-label="What adds up to the colour">
+        <section class="sum" aria-label="Sum of the colour">
             {(['red', 'green', 'blue'] as const).map((channel, c) => (
                 <div class="bar-row" key={channel}>
                     <span>{channel}</span>
@@ -45,7 +45,7 @@ function Sum({explanation}: {explanation: Explanation}) {
     );
 }
 
-/** A line of the outline; with a place it is a button that goes there. */
+/** A line of the outline; with a place it is a button that shows the place. */
 function Term({name, value, place, formula}: {
     name: ComponentChildren; value: string; place?: {line?: number} | null | undefined; formula?: ComponentChildren;
 }) {
@@ -89,12 +89,12 @@ function Light({terms, hit, ray, index}: {terms: LightTerms; hit: ExplainedHit; 
 
 const rayNames: Record<ExplainedRay['kind'], string> = {camera: 'Camera ray', mirror: 'Mirror ray', transmitted: 'Ray through glass'};
 const branchWords: Record<string, string> = {
-    limit: 'not followed: the limit of reflections is reached',
-    faint: 'not followed: it would weigh too little',
-    cut: 'not followed: this sample has too many rays already',
+    limit: 'not traced: the limit of reflections is reached',
+    faint: 'not traced: its weight is too small',
+    cut: 'not traced: this sample has too many rays',
 };
 
-/** How the parts of a hit add up to what it gives the pixel. */
+/** The formula of a hit's contribution to the pixel. */
 function sumWords(hit: ExplainedHit): string {
     const sum = hit.lights.length > 0 ? '(ambient + all diffuse + all specular)' : 'ambient';
     return `weight × ${hit.local_share === 1 ? '' : 'own share × '}${sum}`;
@@ -110,7 +110,7 @@ function Ray({explanation, number, depth}: {explanation: Explanation; number: nu
                 if (hit && selected.value.ray !== number) selected.value = {ray: number, light: 0};
             }}>
                 <span class={`ray-key ${ray.kind}`} aria-hidden="true" />
-                <b>{rayNames[ray.kind]}</b> {hit ? <>meets {itemName(hit.shape)}</> : 'leaves the scene'}
+                <b>{rayNames[ray.kind]}</b> {hit ? <>hits {itemName(hit.shape)}</> : 'leaves the scene'}
                 <span class="swatch" style={{background: css(added)}} aria-hidden="true" />
             </summary>
             {hit ? (

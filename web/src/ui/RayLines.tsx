@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The pinned pixel's rays, as lines in a picture of the scene.
+// The pinned pixel's rays as lines over a picture of the scene.
 import type {CameraInfo, Explanation, Vec3} from 'glint-wasm';
 
 import {add, projectLine} from '../camera';
@@ -11,11 +11,11 @@ export interface Segment {
     kind: 'camera' | 'mirror' | 'transmitted' | 'light' | 'blocked' | 'dark';
 }
 
-/** How long a ray that leaves the scene is drawn. */
+/** The length of the line for a ray that leaves the scene. */
 const reachOf = (explanation: Explanation) =>
     2 * Math.max(1, ...explanation.rays.filter((ray) => ray.hit && ray.t).map((ray) => ray.t! * Math.hypot(...ray.direction)));
 
-/** All lines of an explanation; of a pixel with many samples, those of the middle one. */
+/** All lines of an explanation; for several samples, those of the middle one. */
 export function segments(explanation: Explanation): Segment[] {
     const middle = Math.floor(explanation.samples / 2);
     const reach = reachOf(explanation);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The middle: the picture, and what is drawn over it.
+// The middle of the page: the picture and its overlays.
 import {useSignal} from '@preact/signals';
 import {useLayoutEffect, useRef} from 'preact/hooks';
 
@@ -15,7 +15,7 @@ import {RayLines} from './RayLines';
 import {hex, itemName} from './words';
 import {canvases} from './pictures';
 
-/** The picture's size on the page: as large as fits, and small pictures enlarged by a whole number. */
+/** The picture's size on the page: as large as possible; small pictures are enlarged by a whole number. */
 function fit(box: {width: number; height: number}, picture: {width: number; height: number}) {
     const scale = Math.min(box.width / picture.width, box.height / picture.height);
     const used = scale >= 2 ? Math.floor(scale) : scale >= 1 ? 1 : scale;
@@ -81,9 +81,9 @@ function Status() {
     const mistake = first && `${first.line > 0 ? `${first.line}:${first.column} ` : ''}${first.message}`;
     const words = {
         starting: 'starting',
-        drawing: fraction > 0 && fraction < 1 ? `drawing · ${Math.round(100 * fraction)}% · ${rate}` : 'drawing',
+        rendering: fraction > 0 && fraction < 1 ? `rendering · ${Math.round(100 * fraction)}% · ${rate}` : 'rendering',
         done: `${width}×${height} · ${Math.round(milliseconds)} ms · ${rate}`,
-        error: `not drawn: ${failure.value || mistake}`,
+        error: `not rendered: ${failure.value || mistake}`,
     }[state.value];
     return (
         <div class="status">
@@ -91,7 +91,7 @@ function Status() {
             <div class="figures-line">
                 <progress value={state.value === 'done' ? 1 : state.value === 'error' ? 0 : fraction} max={1} aria-label="Progress of the picture" />
                 <span class="mono words" data-state={state.value} title={state.value === 'error' ? words : undefined}>{words}</span>
-                <span class="for-readers" role="status">{{starting: '', drawing: '', done: 'Drawn', error: 'Not drawn'}[state.value]}</span>
+                <span class="for-readers" role="status">{{starting: '', rendering: '', done: 'Rendered', error: 'Not rendered'}[state.value]}</span>
                 <CameraButtons />
             </div>
         </div>
@@ -123,7 +123,7 @@ export function Stage() {
             <div class="stage-area" ref={area}>
                 <div
                     ref={frame} class={`frame${shown.enlarged ? ' enlarged' : ''}`} tabIndex={0} role="application"
-                    aria-label="Picture. Arrow keys point at a pixel, Enter takes it apart, S saves."
+                    aria-label="Picture. Arrow keys point at a pixel, Enter explains it, S saves."
                     style={{width: `${shown.width}px`, height: `${shown.height}px`}} onKeyDown={keyPressed} {...pointers}
                 >
                     <Canvas canvas={canvases.first} label={compare ? `${compare.key} = ${compare.a}` : 'The rendered scene'} />
@@ -134,7 +134,7 @@ export function Stage() {
                             </div>
                             <Border frame={frame} />
                             <span class="tag left">{compare.key} = {compare.a}</span>
-                            <span class="tag right">{compare.key} = {compare.b}{comparisonFailure.value && ': not drawn'}</span>
+                            <span class="tag right">{compare.key} = {compare.b}{comparisonFailure.value && ': not rendered'}</span>
                         </>
                     )}
                     {compare && difference.value && <Difference />}

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The scene from above, drawn by the engine, with the pixel's rays in it. It can be turned.
+// The scene from above, rendered by the engine, with the pixel's rays. It can be rotated.
 import {useSignal} from '@preact/signals';
 import type {Explanation, Vec3} from 'glint-wasm';
 import {useEffect, useRef} from 'preact/hooks';
@@ -11,7 +11,7 @@ import {Lines, segments} from './RayLines';
 
 const width = 320, height = 240;
 
-/** What the view is to hold: where the pixel's rays begin, end and are lit from. */
+/** The points that the view must contain: start and end of the pixel's rays, and their lights. */
 function pointsOf(explanation: Explanation): Vec3[] {
     const rays = segments(explanation).filter((one) => one.kind !== 'dark' && one.kind !== 'light');
     const hits = explanation.rays.flatMap((ray) => (ray.hit ? [ray.hit.point] : []));

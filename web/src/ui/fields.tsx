@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The page's inputs. While one is used, it shows what is typed or dragged; else what the scene says.
+// The page's input fields. While a field is edited, it shows the user's input; else the scene's value.
 import {useSignal} from '@preact/signals';
 import type {ComponentChildren} from 'preact';
 import {useId} from 'preact/hooks';
@@ -43,7 +43,7 @@ export function Slider({label, value, min, max, step, set, disabled, text}: {
     );
 }
 
-/** A number to type. `hidden`: its label is for screen readers only. */
+/** A number field. `hidden`: its label is for screen readers only. */
 export function NumberField({label, value, set, min, max, step, disabled, hidden}: {
     label: string; value: number; set: (value: number) => void; min?: number; max?: number; step?: number; disabled?: boolean | undefined;
     hidden?: boolean;
@@ -67,7 +67,7 @@ export function NumberField({label, value, set, min, max, step, disabled, hidden
     );
 }
 
-/** A text to type; it is taken when it is complete. */
+/** A text field; its value is applied when it is valid. */
 export function TextField({label, value, set}: {label: string; value: string; set: (value: string) => void}) {
     const draft = useSignal<string | null>(null);
     const id = useId();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What mouse, fingers and keys do on the picture: point at a pixel, pin it, move the camera.
+// Mouse, touch and keys on the picture: point at a pixel, pin it, move the camera.
 import type {CameraInfo} from 'glint-wasm';
 import {useEffect, useRef} from 'preact/hooks';
 
@@ -12,7 +12,7 @@ import {length} from '../text/edit';
 type Frame = {current: HTMLDivElement | null};
 type Point = {x: number; y: number};
 
-/** How far what the camera looks at is. */
+/** The distance of the camera's target. */
 export function lookDistance(): number {
     const hit = hovered.value?.rays[0]?.hit ?? pinned.value?.rays[0]?.hit;
     const camera = info.value?.camera;
@@ -21,11 +21,11 @@ export function lookDistance(): number {
     return bounds ? Math.min(10, length(sub(bounds.max, bounds.min))) : 5;
 }
 
-/** A movement that goes on: where it began, and the camera there. */
+/** The gesture in progress: its start, and the camera then. */
 interface Gesture {
     kind: 'orbit' | 'pan' | 'pinch';
     from: Point;
-    /** Between two fingers. */
+    /** The distance between two fingers. */
     span: number;
     camera: CameraInfo;
     distance: number;
@@ -41,7 +41,7 @@ export function usePointers(frame: Frame) {
         const y = Math.floor(((event.clientY - box.top) / box.height) * size.value.height);
         return x >= 0 && y >= 0 && x < size.value.width && y < size.value.height ? [x, y] : null;
     };
-    /** The middle of all fingers, and how far the first two are apart. */
+    /** The middle of all fingers, and the distance of the first two. */
     const hands = () => {
         const points = [...down.current.values()];
         const middle = points.reduce((sum, p) => ({x: sum.x + p.x / points.length, y: sum.y + p.y / points.length}), {x: 0, y: 0});
@@ -54,7 +54,7 @@ export function usePointers(frame: Frame) {
     };
     const end = (event: PointerEvent) => {
         down.current.delete(event.pointerId);
-        gesture.current = null;  // a finger that is left over moves nothing
+        gesture.current = null;  // the remaining finger must not move anything
     };
     return {
         onPointerDown(event: PointerEvent) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The canvases of the two pictures, and what the engine's views do to them and to the page's state.
+// The canvases of the two pictures; applies the events of the engine's views to them and to the page's state.
 import {batch, signal} from '@preact/signals';
 
 import type {Pool} from '../engine/pool';
@@ -9,7 +9,7 @@ import {explainAgain} from '../store/pixels';
 import {comparison, comparisonFailure, diagnostics, failure, info, services, progress, size, state} from '../store/state';
 
 export const canvases = {first: document.createElement('canvas'), second: document.createElement('canvas')};
-/** Counts the second picture's completions, for the difference. */
+/** The number of completed second pictures, for the difference. */
 export const secondDone = signal(0);
 export const firstDone = signal(0);
 
@@ -18,7 +18,7 @@ function painter(canvas: HTMLCanvasElement, resized?: (width: number, height: nu
     let next: {width: number; height: number} | null = null;
     const coarse = document.createElement('canvas');
     return {
-        // The old picture stays until there are new pixels.
+        // The old picture stays until new pixels arrive.
         sized(width: number, height: number) {
             next = width === canvas.width && height === canvas.height ? null : {width, height};
         },
@@ -48,7 +48,7 @@ function opened({report, info: facts}: Opened, {version}: ViewContent) {
         diagnostics.value = report.diagnostics;
         if (facts) {
             info.value = facts;
-            state.value = 'drawing';
+            state.value = 'rendering';
         } else {
             state.value = 'error';
         }

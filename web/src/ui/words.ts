@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// How the page writes what the engine explains.
+// Texts for explanations.
 import type {LightTerms, NamedItem, Vec3} from 'glint-wasm';
 
 export const hex = (bytes: Vec3) => `rgb(${bytes.join(' ')})`;
 
-/** "lamp", or "sphere, line 8". */
+/** "sphere “lamp”", or "sphere, line 8". */
 export function itemName(item: NamedItem & {kind?: string}): string {
     const kind = (item.kind ?? '').replace('_', ' ');
     const name = item.name ? `${kind} “${item.name}”`.trim() : kind;
@@ -16,7 +16,7 @@ export function lightName(light: LightTerms['light']): string {
     return light.name ? `“${light.name}”` : itemName({...light, kind: `${light.kind} light`});
 }
 
-/** A number in four digits. */
+/** A number with four digits. */
 export function short(value: number | null | undefined): string {
     if (value === null || value === undefined) return '–';
     if (value === 0) return '0';
@@ -32,23 +32,23 @@ export const shortVector = (v: Vec3) => `(${v.map(short).join(', ')})`;
 
 export const isBlack = (color: Vec3) => color.every((c) => c === 0);
 
-/** A linear colour for the page. */
+/** A linear colour as CSS. */
 export const css = (color: Vec3) => hex(color.map((c) => Math.round(255 * Math.max(0, Math.min(1, c)))) as Vec3);
 
 export const reasons: Record<LightTerms['reason'], string> = {
-    adds: 'lights it',
+    adds: 'adds light',
     blocked: 'is blocked',
     behind: 'is behind the surface (N·L ≤ 0)',
     no_color: 'adds nothing: its colour times the surface’s is black',
-    faded: 'has faded with distance',
-    in_surface: 'lies in the surface itself',
+    faded: 'is too far: its attenuation is 0',
+    in_surface: 'is at the hit point itself',
 };
 
 export const highlights: Record<LightTerms['highlight'], string> = {
     adds: '',
     none: 'the surface has no highlight',
     behind: 'no highlight: N·L ≤ 0',
-    turned_away: 'no highlight: the mirrored light goes away from the eye (S ≤ 0)',
+    turned_away: 'no highlight: the reflected light points away from the eye (S ≤ 0)',
 };
 
 /** The layers of a pixel, in the order in which they are added. */
