@@ -28,9 +28,9 @@ struct CheckOptions {
 
 /// One likely mistake.
 struct Finding {
-    std::string_view id;    ///< one of check_kinds(): "camera-inside-shape"
-    Diagnostic diagnostic;  ///< a warning: where, and what is the matter, with its numbers
-    std::string remedy;     ///< what to change
+    std::string_view id;    ///< one of check_kinds(), such as "camera-inside-shape"
+    Diagnostic diagnostic;  ///< a warning with its place and the numbers involved
+    std::string remedy;     ///< how to correct it
 };
 
 /// Looks for mistakes: traces the camera's rays, follows them into mirrors and glass, and draws small
@@ -46,10 +46,10 @@ struct CheckKind {
     std::string_view description;  ///< one line
 };
 
-/// All kinds, by subject.
+/// All kinds, sorted by subject.
 GLINT_API std::span<const CheckKind> check_kinds();
 
-/// The finding as text: its diagnostic, with the id, then "  remedy: ..."; ends with a newline.
+/// The finding as text: its diagnostic and id, then "  remedy: ..."; ends with a newline.
 GLINT_API std::string to_string(const Finding& finding);
 
 }  // namespace glint

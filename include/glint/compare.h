@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// Two pictures held against each other, and the classic causes of a difference.
+// The comparison of two pictures, and the classic causes of a difference.
 #include <atomic>
 #include <cstdint>
 #include <functional>
@@ -19,19 +19,19 @@ namespace glint {
 
 // ---- Figures ----
 
-/// In 255ths: a pixel of the reference whose 3x3 neighbourhood has a channel that varies by more than this
-/// lies on an edge. (The reference alone says so: a faulty picture cannot excuse itself by its own edges.)
+/// In 255ths: a pixel of the reference is on an edge if a channel varies by more than this in its 3x3
+/// neighbourhood. (Edges of the other picture do not count, or a fault could hide itself.)
 inline constexpr double k_edge_step = 25;
 
 struct CompareOptions {
-    /// false: channels are the bytes that encode() writes. true: they are floats, not clamped; then equal
-    /// means the same number.
+    /// false: compare the bytes that encode() writes. true: compare floats without clamping; pixels are equal
+    /// if the numbers are.
     bool as_floats = false;
     double within = 2;  ///< in 255ths, 0 to 255
     int threads = 0;
 };
 
-/// Pixels by how far their worst channel is from the reference's.
+/// Numbers of pixels by the largest difference of their channels.
 struct PixelCounts {
     std::uint64_t pixels = 0, equal = 0;
     std::uint64_t within_1 = 0;  ///< at most 1/255, equal ones included
@@ -48,13 +48,13 @@ struct LargestDifference {
 struct PictureDifference {
     PixelCounts all, edges, interiors;
     /// Pixels with a channel that is infinite or NaN in either picture. They are never equal, nor within any
-    /// limit; the figures below take such a channel for 0.
+    /// limit; the figures below count such a channel as 0.
     std::uint64_t not_finite = 0;
-    double mean = 0, rms = 0;    ///< of all channels, in 255ths
-    std::optional<double> psnr;  ///< decibels against 1.0; absent for equal pictures
+    double mean = 0, rms = 0;    ///< over all channels, in 255ths
+    std::optional<double> psnr;  ///< decibels relative to 1.0; absent for equal pictures
     /// Structural similarity (Wang, Bovik, Sheikh and Simoncelli 2004) of the luminance 0.299 R + 0.587 G +
-    /// 0.114 B: windows of 11 x 11 with a Gaussian of sigma 1.5, K1 = 0.01, K2 = 0.03, those that lie wholly
-    /// within the picture. Absent if a side is shorter than 11 pixels.
+    /// 0.114 B: windows of 11 x 11 with a Gaussian of sigma 1.5, K1 = 0.01, K2 = 0.03, only those completely
+    /// inside the picture. Absent if a side is shorter than 11 pixels.
     std::optional<double> ssim;
     LargestDifference largest;
 };
@@ -69,15 +69,15 @@ GLINT_API Result<Image> difference_image(const Image& a, const Image& b, double 
 
 // ---- Causes ----
 
-/// A cause is named if it explains at least this much of a difference.
+/// A cause is reported if it explains at least this fraction of a difference.
 inline constexpr double k_min_explained = 0.3;
 
 /// One explanation of a difference.
 struct Cause {
-    std::string name;         ///< a word: "ambient-missing"
-    std::string explanation;  ///< what it is and what to do, in a sentence or two
-    double explained = 0;     ///< share of the mean difference that goes away with it, k_min_explained to 1
-    double remaining = 0;     ///< mean difference that stays, in 255ths
+    std::string name;         ///< an id: "ambient-missing"
+    std::string explanation;  ///< what it is and how to correct it, in one or two sentences
+    double explained = 0;     ///< fraction of the mean difference that it removes, k_min_explained to 1
+    double remaining = 0;     ///< remaining mean difference, in 255ths
     bool rendered = false;    ///< found by rendering the scene with the fault
 };
 
@@ -85,24 +85,24 @@ struct CauseReport {
     /// The mean difference of the pictures in 255ths; their rims of one pixel count only if they alone
     /// differ.
     double difference = 0;
-    /// What is plain without any cause: "The picture is one colour throughout, (0, 0, 0)."; empty if nothing.
+    /// An observation without a cause: "The picture is one colour throughout, (0, 0, 0)."; empty if none.
     std::string remark;
-    std::vector<Cause> causes;  ///< the best first; none if nothing explains enough
-    /// If there are no causes, what explains most and yet too little; it need not have to do with it.
+    std::vector<Cause> causes;  ///< the best first; none if no cause explains enough
+    /// If there are no causes: the one that explains most, though too little. It may be unrelated.
     std::optional<Cause> nearest;
-    int tried = 0;  ///< causes that were tried
-    /// The shares are of the difference away from edges, and of what exceeds 2/255: another renderer's
+    int tried = 0;  ///< number of causes tried
+    /// True if only differences away from edges and above 2/255 are counted, because another renderer's
     /// samples and roundings hide the rest.
     bool away_from_edges = false;
-    /// With a scene: the mean difference of its rendering from either picture, in 255ths.
+    /// With a scene: the mean difference between its rendering and each picture, in 255ths.
     std::optional<double> scene_from_a, scene_from_b;
-    /// The scene draws a and not b: the causes are those of b's difference from a.
+    /// True if the scene gives a, not b: the causes then explain b's difference from a.
     bool swapped = false;
 };
 
 struct CauseOptions {
-    /// The pictures are compared as floats: a difference that a picture of bytes does not show, as it is
-    /// above 1 or too small, is explained by a factor or not at all. Else they are taken for bytes.
+    /// Compares the pictures as floats. Differences that bytes do not show (above 1, or too small) are then
+    /// explained only by a factor. Otherwise the pictures are compared as bytes.
     bool as_floats = false;
     int threads = 0;
     /// Called now and then with the fraction done (0 to 1). Must not throw.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// What the library has to say about its input. The library never prints: it returns these.
+// Messages about input. The library never prints; it returns these.
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -10,12 +10,12 @@
 
 namespace glint {
 
-/// note: what glint made of the input where it could be read in several ways, which is no mistake. warning:
+/// note: an interpretation of ambiguous input, which is not a mistake. warning:
 /// likely a mistake.
 enum class Severity : std::uint8_t { note, warning, error };
 
 /// A place in one of the texts that a scene was read from. Lines and columns count from 1; columns count
-/// bytes. line 0: no place (an item made by code, or a default).
+/// bytes. line 0: no place (an item made in code, or a default).
 struct SourcePlace {
     std::uint32_t line = 0;
     std::uint16_t column = 0;  // saturates at 65535
@@ -30,10 +30,10 @@ enum class SceneItem : std::uint8_t { none, camera, background, setting, light, 
 struct Diagnostic {
     Severity severity = Severity::error;
     std::string file;          ///< as the user named it; empty if the message has no place
-    std::uint32_t line = 0;    ///< from 1; 0: about the file, or the scene, as a whole
+    std::uint32_t line = 0;    ///< from 1; 0: about the file or the scene as a whole
     std::uint32_t column = 0;  ///< in bytes from 1
-    std::uint32_t length = 0;  ///< bytes to underline, at least 1 when there is a place (0 counts as 1)
-    std::string message;       ///< whole, e.g. "expected a number, found 'abc'"
+    std::uint32_t length = 0;  ///< bytes to underline, at least 1 if there is a place (0 counts as 1)
+    std::string message;       ///< the complete message, such as "expected a number, found 'abc'"
     std::string source_line;   ///< the line's text around the place, for the caret; may be shortened
     std::uint32_t caret = 0;   ///< byte offset of the place within source_line
     /// What it is about, whether the scene was read or made in code, and its index in Scene::lights,
@@ -53,7 +53,7 @@ GLINT_API std::string to_string(const Diagnostic& diagnostic);
 /// True if any is an error.
 GLINT_API bool has_errors(const std::vector<Diagnostic>& diagnostics);
 
-/// How many are warnings.
+/// The number of warnings.
 GLINT_API std::size_t count_warnings(const std::vector<Diagnostic>& diagnostics);
 
 }  // namespace glint

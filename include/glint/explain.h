@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// Why a pixel is as it is: every ray that was traced for it, and every term of its light.
+// The explanation of a pixel: every ray that was traced for it, and every term of its light.
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -14,92 +14,92 @@
 
 namespace glint {
 
-/// What keeps a light from a point: of all that lies between them the nearest to the point.
+/// The shape that blocks a light at a point; if there are several, the nearest to the point.
 struct Blocker {
     std::uint32_t shape = k_none;  ///< in Scene::shapes
-    double distance = 0;           ///< from the point that is shaded
+    double distance = 0;           ///< from the shaded point
     Vec3 point;
 };
 
 /// One light at one hit. Vectors and cosines are those of the lighting equation (docs/lighting.md).
 struct LightTerms {
     std::uint32_t light = 0;  ///< in Scene::lights
-    Vec3 to_light;            ///< to a point light: the whole way; else as the light has it. Not unit
+    Vec3 to_light;            ///< to the position of a point light; else the light's own direction. Not unit
     double distance = 0;      ///< its length
     double attenuation = 1;   ///< f_att
     double n_l = 0;           ///< N·L
     double s = 0;             ///< R·V (Phong) or N·H (Blinn-Phong)
-    double power = 0;         ///< S^n where there is a highlight, blocked or not; else 0
-    bool may_add = false;     ///< it would add something if nothing were in the way
-    bool blocked = false;     ///< something is: `blocker`
-    Color diffuse, specular;  ///< what it adds, before the hit's weight
-    bool has_ray = false;     ///< a shadow ray was traced, as follows
-    Vec3 origin, direction;   ///< of a point light's: from the light to the surface
+    double power = 0;         ///< S^n if there is a highlight, blocked or not; else 0
+    bool may_add = false;     ///< it would add light if nothing blocked it
+    bool blocked = false;     ///< something blocks it: `blocker`
+    Color diffuse, specular;  ///< the light that it adds, before the hit's weight
+    bool has_ray = false;     ///< a shadow ray was traced, with the following values
+    Vec3 origin, direction;   ///< for a point light: from the light to the surface
     double t_min = 0, t_max = 0;
     std::optional<Blocker> blocker;
 };
 
-/// What becomes of a ray that could leave a hit.
+/// The state of a possible secondary ray of a hit.
 enum class BranchState : std::uint8_t {
-    none,    ///< the surface is no mirror, or no glass
-    traced,  ///< `ray` is it
+    none,    ///< the surface is not a mirror, or not glass
+    traced,  ///< `ray` is its index
     limit,   ///< the limit of reflections is reached
     faint,   ///< its weight is 0 or below min_weight
-    cut,     ///< the sample has k_max_sample_rays already
+    cut,     ///< the sample already has k_max_sample_rays rays
 };
 struct Branch {
     BranchState state = BranchState::none;
-    Color weight;  ///< what it finds counts for this much of the pixel; unknown at the limit
+    Color weight;  ///< the factor of its light in the pixel; unknown at the limit
     int ray = -1;  ///< in Explanation::rays
 };
 
 struct ExplainedHit {
     std::uint32_t shape = k_none;     ///< in Scene::shapes
     std::uint32_t material = k_none;  ///< in Scene::materials; k_none: the default material
-    Vec3 point, normal, to_eye;       ///< N as it was lit, unit; V
-    bool behind = false;              ///< the ray came from behind the shape's own normal
-    bool turned = false;              ///< and N was turned towards it
-    Color weight;                     ///< the ray's, less what glass absorbed on the way
-    double local_share = 1;           ///< of the surface's own light, beside mirror and glass
-    Color ambient;                    ///< k_a I_a; with shading color or normals, what is shown
-    std::vector<LightTerms> lights;   ///< in the order of the scene, without ambient ones
-    Color diffuse, specular;          ///< the sums of the lights'
-    Color parts[3];      ///< ambient, diffuse and specular times weight and share: what the pixel gets
-    double fresnel = 0;  ///< of glass: what it reflects; 1: total internal reflection
+    Vec3 point, normal, to_eye;       ///< N as used for shading, unit; V
+    bool behind = false;              ///< the ray came from the back of the shape
+    bool turned = false;              ///< N was flipped towards the ray
+    Color weight;                     ///< the ray's weight after absorption in glass
+    double local_share = 1;           ///< the surface's own part; the rest is mirror and glass
+    Color ambient;                    ///< k_a I_a; for shading color or normals, the shown colour
+    std::vector<LightTerms> lights;   ///< in scene order, without ambient lights
+    Color diffuse, specular;          ///< sums over the lights
+    Color parts[3];      ///< ambient, diffuse and specular times weight and share: the pixel's part
+    double fresnel = 0;  ///< for glass: the reflected fraction; 1: total internal reflection
     Branch reflected, transmitted;
 };
 
 struct ExplainedRay {
-    int sample = 0;            ///< row n + column of the pixel's n x n samples
-    int generation = 0;        ///< 0: the camera's
-    int parent = -1;           ///< the ray whose hit let this one go
-    bool transmitted = false;  ///< through glass; else mirrored
-    Vec3 origin, direction;    ///< of the length that t is measured in
+    int sample = 0;            ///< row * n + column of the pixel's n x n samples
+    int generation = 0;        ///< 0: camera ray
+    int parent = -1;           ///< the ray whose hit it starts from
+    bool transmitted = false;  ///< through glass; otherwise reflected
+    Vec3 origin, direction;    ///< its length is the unit of t
     double t_min = 0;
     double t = 0;  ///< of the hit, or infinity
     Color weight;
     std::optional<ExplainedHit> hit;
-    Color background;  ///< what a ray that hits nothing adds to the pixel
+    Color background;  ///< the light that the ray adds to the pixel if it hits nothing
 };
 
-/// Everything of one pixel. Rays are in the order of the pixel's sums: sample after sample, generation after
-/// generation. Each sum takes, ray after ray, the background, or the parts of the hit, in the layer that
-/// docs/explain.md says; divided by the samples and rounded to float it is `layers`, and these added up in
-/// their order are `value`.
+/// All data of one pixel. Rays are in the order of the pixel's sums: by sample, then by generation. Each
+/// sum adds up, ray by ray, the background or the parts of the hit, in the layer given in docs/explain.md.
+/// The sums divided by the number of samples and rounded to float are `layers`, and these added up in their
+/// order are `value`.
 struct Explanation {
     std::int32_t x = 0, y = 0;
-    int samples = 1;  ///< n of n x n
+    int samples = 1;  ///< n for n x n samples
     std::vector<ExplainedRay> rays;
     float layers[k_light_layers][3] = {};
-    float value[3] = {};  ///< linear, not clamped: the picture's own
+    float value[3] = {};  ///< linear, not clamped: the value in the picture
     RayCounts counts;
 };
 
 inline constexpr std::size_t k_max_explained_rays = 100000;
 
 struct ExplainOptions {
-    /// The rays of this sample alone are written down, row n + column; -1: of all, if they are not more than
-    /// k_max_explained_rays. Layers and value are always those of the pixel.
+    /// Only the rays of this sample (row * n + column) are stored; -1: the rays of all samples, if there are
+    /// at most k_max_explained_rays. Layers and value are always those of the pixel.
     int sample = -1;
     std::string isa = {};  ///< one of isa_names(); empty: the best
 };
@@ -110,39 +110,39 @@ struct ExplainOptions {
 GLINT_API Result<Explanation> explain(const Scene& scene, const World& world, std::int32_t x, std::int32_t y,
                                       const ExplainOptions& options = {});
 
-/// Why a light adds something, or nothing, at a hit.
+/// The reason why a light adds light or not at a hit.
 enum class LightReason : std::uint8_t {
     adds,
     blocked,     ///< something is between it and the point
-    behind,      ///< N·L <= 0, and no highlight either
-    no_color,    ///< its colour times k_d is black, and there is no highlight either
+    behind,      ///< N·L <= 0, and there is no highlight
+    no_color,    ///< its colour times k_d is black, and there is no highlight
     faded,       ///< f_att is 0
-    in_surface,  ///< the light is at the point itself: no direction leads to it
+    in_surface,  ///< the light is at the point itself, so it has no direction
 };
 GLINT_API LightReason reason(const LightTerms& terms);
 
-/// Why there is a highlight, or none, blocked lights aside.
+/// The reason why there is a highlight or not, regardless of blockers.
 enum class HighlightReason : std::uint8_t {
     adds,
     none,         ///< k_s times the light's specular colour is black
     unshaded,     ///< the shading has no highlights
-    behind,       ///< N·L <= 0, and the convention specular_gate asks for more
-    turned_away,  ///< S <= 0: the mirrored light goes away from the eye
+    behind,       ///< N·L <= 0, which the convention specular_gate excludes
+    turned_away,  ///< S <= 0: the reflected light points away from the eye
 };
-/// `none` if the scene has no light of that number.
+/// `none` if the scene has no light with that index.
 GLINT_API HighlightReason highlight_reason(const LightTerms& terms, const ExplainedHit& hit,
                                            const Scene& scene);
 
-/// The material of a hit: of the scene, or the default if the scene has none of that number.
+/// The material of a hit: the scene's, or the default if the scene has no material with that index.
 GLINT_API const Material& material_of(const ExplainedHit& hit, const Scene& scene);
 
-/// The words of these, as JSON and messages have them: "turned_away". "unknown" for any other number.
+/// The names of these values in JSON and messages: "turned_away". "unknown" for invalid values.
 GLINT_API std::string_view to_string(LightReason reason);
 GLINT_API std::string_view to_string(HighlightReason reason);
 GLINT_API std::string_view to_string(BranchState state);
 
-/// The layer that a ray's light belongs to: that of its path's first branch. For camera rays: nothing, since
-/// each of their parts has a layer of its own. Nothing either if there is no such ray, or its path does not
+/// The layer of a ray's light: that of the first secondary ray on its path. Nothing for camera rays, whose
+/// parts have different layers. Nothing if there is no such ray, or its path does not
 /// lead to a camera ray.
 GLINT_API std::optional<Layer> layer_of(const Explanation& explanation, std::size_t ray);
 

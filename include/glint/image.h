@@ -19,7 +19,7 @@ struct Crop {
 };
 
 /// width x height pixels of linear RGB, row by row from the top: r, g, b of pixel (x, y) at 3 (y width + x).
-/// Values are not clamped, and finite but in what decode() reads.
+/// Values are not clamped. They are finite, except in pictures from decode().
 struct Image {
     std::int32_t width = 0, height = 0;
     std::vector<float> rgb;
@@ -37,12 +37,12 @@ struct Image {
 
 enum class FileFormat : std::uint8_t { png, ppm, exr };
 
-/// none: the numbers as they are. srgb: the sRGB curve, for pictures that will be mixed with photographs.
+/// none: the numbers as they are. srgb: the sRGB curve, for use with photographs.
 enum class Transfer : std::uint8_t { none, srgb };
 
 struct EncodeOptions {
     FileFormat format = FileFormat::png;
-    int bits = 8;                        ///< 8 or 16 a channel; EXR is always 32-bit float
+    int bits = 8;                        ///< 8 or 16 per channel; EXR is always 32-bit float
     Transfer transfer = Transfer::none;  ///< EXR is always linear
     int threads = 0;
 };
@@ -53,15 +53,15 @@ struct EncodeOptions {
 /// bits or transfer that there is. Never throws.
 GLINT_API Result<std::vector<std::uint8_t>> encode(const Image& image, const EncodeOptions& options = {});
 
-/// The number that `encode` writes for a channel value: 0 to 255 with 8 bits, to 65535 with 16 (which any
-/// other number of bits counts as). 0 for NaN.
+/// The number that `encode` writes for a channel value: 0 to 255 with 8 bits, 0 to 65535 with 16 (and with
+/// any other number of bits). 0 for NaN.
 GLINT_API std::uint32_t to_number(float value, int bits, Transfer transfer = Transfer::none);
 
 /// The byte that `encode` writes for a channel value with 8 bits.
 GLINT_API std::uint8_t to_byte(float value, Transfer transfer = Transfer::none);
 
 struct DecodeOptions {
-    /// A picture of more pixels is refused before memory is taken for it: a small file can claim any size.
+    /// Larger pictures are rejected before memory is allocated, because a small file can claim any size.
     std::int64_t max_pixels = std::int64_t{1} << 26;
 };
 
@@ -71,10 +71,10 @@ struct DecodedImage {
     std::string note;  ///< what the numbers leave out, "its transparency is left out"; empty if nothing
 };
 
-/// The picture of a PNG, PPM or PGM (P2, P3, P5, P6), OpenEXR or JPEG file, told apart by its first bytes.
-/// Whole numbers v of a file become v / 255 (by 8 bits; or what the file's own maximum is), as they are: no
-/// gamma is decoded, and transparency is left out. So encode() makes the same bytes of what was read. Floats
-/// stay as they are, infinite ones and NaN, too (`note` says that there are some). Never throws; the memory
+/// Decodes a PNG, PPM or PGM (P2, P3, P5, P6), OpenEXR or JPEG file; the first bytes decide the format.
+/// Integers v become v / 255 (8 bits; otherwise the file's own maximum) without decoding gamma; transparency
+/// is ignored. So encode() writes the same bytes again. Floats are unchanged, including infinities and NaN
+/// (`note` mentions them). Never throws; the memory
 /// is bounded by max_pixels.
 GLINT_API Result<DecodedImage> decode(std::span<const std::uint8_t> bytes, const DecodeOptions& options = {});
 

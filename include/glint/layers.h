@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// The parts of a picture: what its light is made of, and what its first surfaces are.
+// The layers of a picture: the parts of its light, and properties of the first surfaces.
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -13,9 +13,9 @@
 
 namespace glint {
 
-/// The first six are light: added up as floats in this order they are the picture, exactly. Light that was
-/// found beyond a mirror belongs to reflection, beyond glass to transmission, whichever the path met first.
-/// The others tell of the first surface that the pixel's middle sample (row and column n / 2 of n) meets.
+/// The first six are light: added up as floats in this order they are exactly the picture. Light found
+/// through a mirror belongs to reflection, through glass to transmission: the first on the path decides.
+/// The others describe the first surface hit by the pixel's middle sample (row and column n / 2 of n).
 enum class Layer : std::uint8_t {
     background,
     ambient,
@@ -23,27 +23,27 @@ enum class Layer : std::uint8_t {
     specular,
     reflection,
     transmission,
-    normal,    ///< unit, as the surface was lit; 0 where nothing is hit
-    depth,     ///< distance from where the camera ray starts, in world units; infinity where nothing is hit
-    position,  ///< in world space; 0 where nothing is hit
-    albedo,    ///< k_d; 0 where nothing is hit
-    shadow,    ///< 0 to 1: of the lights that would add something to the first surfaces, how many are blocked
-    object,    ///< index in Scene::shapes + 1 (exact up to 2^24); 0: nothing
-    material,  ///< index in Scene::materials + 1, their number + 1 for the default; 0: nothing
+    normal,    ///< unit, as used for shading; 0 if nothing is hit
+    depth,     ///< distance from the camera ray's origin, in world units; infinity if nothing is hit
+    position,  ///< in world space; 0 if nothing is hit
+    albedo,    ///< k_d; 0 if nothing is hit
+    shadow,    ///< 0 to 1: the blocked fraction of the lights that would add light
+    object,    ///< index in Scene::shapes + 1 (exact up to 2^24); 0: no hit
+    material,  ///< index in Scene::materials + 1, their number + 1 for the default; 0: no hit
 };
 inline constexpr int k_light_layers = 6, k_layers = 13;
 
 struct LayerInfo {
     Layer layer;
     std::string_view name;      ///< "ambient"
-    std::string_view channels;  ///< a letter each: "RGB", "XYZ", "Z" ...
+    std::string_view channels;  ///< one letter per channel: "RGB", "XYZ", "Z" ...
     std::string_view description;
 };
-/// All layers, by their number.
+/// All layers, in the order of Layer.
 GLINT_API std::span<const LayerInfo> layer_infos();
 GLINT_API std::optional<Layer> find_layer(std::string_view name);
 
-/// One layer: `channels` floats a pixel, row by row from the top.
+/// One layer: `channels` floats per pixel, row by row from the top.
 struct LayerImage {
     Layer layer = Layer::background;
     std::int32_t width = 0, height = 0;

@@ -25,7 +25,7 @@ struct SceneText {
     std::string format = {};  ///< "cgfs", "epfl", ...; empty: by the name's extension
 };
 
-/// Where `include` finds other texts. load() calls nothing else to reach a file.
+/// The source of texts that scenes include. load() reads files only through it.
 class GLINT_API Sources {
   public:
     virtual ~Sources() = default;
@@ -58,7 +58,7 @@ GLINT_API Result<Scene> load(std::span<const SceneText> texts, const LoadOptions
 struct FormatInfo {
     std::string_view name;        ///< "cgfs"
     std::string_view extensions;  ///< ".cgfs", space-separated
-    std::string_view profile;     ///< the conventions it starts from
+    std::string_view profile;     ///< the conventions of its source
     std::string_view description;
 };
 GLINT_API std::span<const FormatInfo> formats();

@@ -20,7 +20,7 @@ namespace glint {
 
 struct RayCounts {
     std::uint64_t camera = 0, shadow = 0, mirror = 0, transmitted = 0;
-    std::uint64_t cut = 0;  ///< mirror and glass rays beyond k_max_sample_rays, which were not traced
+    std::uint64_t cut = 0;  ///< mirror and glass rays that were not traced because of k_max_sample_rays
     std::uint64_t total() const { return camera + shadow + mirror + transmitted; }
 };
 
@@ -32,7 +32,7 @@ struct FinishedTile {
 };
 
 struct RenderOptions {
-    int threads = 0;                 ///< 0 = one a processor
+    int threads = 0;                 ///< 0: one per processor
     std::string isa = {};            ///< one of isa_names(); empty: the best
     std::optional<Crop> crop = {};   ///< only this part of the picture; the Image has the crop's size
     std::vector<Layer> layers = {};  ///< what else is wanted, each once
@@ -52,14 +52,14 @@ struct Rendering {
     Image image;                     ///< its size, and without numbers if RenderOptions::pixels has them
     std::vector<LayerImage> layers;  ///< in the order of RenderOptions::layers
     RayCounts rays;
-    std::string isa;  ///< what was used
+    std::string isa;  ///< the instruction set used
     int threads = 0;
 };
 
 /// Renders the picture. The same bits for any threads, instruction set and crop. Never throws.
 GLINT_API Result<Rendering> render(const World& world, const RenderOptions& options = {});
 
-/// The instruction sets this machine has and this build knows, best first. x86-64: "avx512", "avx2", "sse4",
+/// The instruction sets that both machine and build support, best first. x86-64: "avx512", "avx2", "sse4",
 /// "scalar"; arm64: "neon", "scalar"; the browser build: "scalar".
 GLINT_API std::vector<std::string> isa_names();
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// The Scene: what a picture is of. Plain data; make it in code or load it from text.
+// The Scene: shapes, materials, lights, camera, settings. Plain data; make it in code or load it from text.
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -24,14 +24,14 @@ enum class Projection : std::uint8_t { perspective, orthographic };
 enum class FovAxis : std::uint8_t { x, y };
 
 /// An explicit camera frame: `right` spans the picture's whole width and `up` its whole height at `forward`
-/// from the position, whatever the picture's aspect (CGFS: the viewport; CSC 473: right and up as written).
+/// from the position, for any aspect ratio (CGFS: the viewport; CSC 473: right and up as written).
 /// Any handedness.
 struct CameraFrame {
     Vec3 right{1, 0, 0}, up{0, 1, 0}, forward{0, 0, 1};
     friend bool operator==(const CameraFrame&, const CameraFrame&) = default;
 };
 
-/// Where the picture is taken from. Without a frame the camera is right-handed: x = normalize(forward × up),
+/// The camera. Without a frame it is right-handed: x = normalize(forward × up),
 /// y = x × forward; pixels are square.
 struct Camera {
     Projection projection = Projection::perspective;
@@ -40,8 +40,8 @@ struct Camera {
     Vec3 up{0, 1, 0};
     double fov_degrees = 60;  ///< perspective: full angle along fov_axis, 0 < fov < 180
     FovAxis fov_axis = FovAxis::x;
-    double width = 2;                  ///< orthographic: world units across the picture's width
-    std::optional<CameraFrame> frame;  ///< when set, replaces look_at, up, fov and width
+    double width = 2;                  ///< orthographic: the picture's width in world units
+    std::optional<CameraFrame> frame;  ///< if set, replaces look_at, up, fov and width
     std::optional<Vec3> lighting_eye;  ///< V points here instead of along -D (LIGHT)
 
     // Which fields count.
@@ -62,7 +62,7 @@ struct Attenuation {
 struct Light {
     LightKind kind = LightKind::point;
     Vec3 position{};                ///< point lights
-    Vec3 to_light{0, 1, 0};         ///< directional lights: towards the light, any length but 0
+    Vec3 to_light{0, 1, 0};         ///< directional lights: towards the light, any length except 0
     Color color{1, 1, 1};           ///< I_a of an ambient light, else I_l,d: intensity included
     Color specular_color{1, 1, 1};  ///< I_l,s; ambient lights have none
     Attenuation attenuation{};      ///< point lights
@@ -113,7 +113,7 @@ struct Light {
 };
 
 struct Material {
-    Color color{0.8, 0.8, 0.8};       ///< what shading mode `color` shows
+    Color color{0.8, 0.8, 0.8};       ///< the colour in shading mode `color`
     Color ambient{0.08, 0.08, 0.08};  ///< k_a
     Color diffuse{0.64, 0.64, 0.64};  ///< k_d
     Color specular{0, 0, 0};          ///< k_s
@@ -125,7 +125,7 @@ struct Material {
     Color transmission_tint{1, 1, 1};
 };
 
-/// One shape of the scene: parameters number `index` of its kind, and what they are drawn with.
+/// One shape of the scene: parameters number `index` of its kind, its material and its transform.
 struct Shape {
     ShapeKind kind = ShapeKind::sphere;
     std::uint32_t index = 0;           ///< into Scene::get<Kind>()
@@ -133,7 +133,7 @@ struct Shape {
     std::uint32_t transform = k_none;  ///< into Scene::transforms (world_from_object); k_none: identity
 };
 
-/// Names and source places of one list of items, by index. Empty for scenes made in code; names are sparse.
+/// Names and places of a list of items, by index. Empty for scenes made in code; names are sparse.
 struct ItemTexts {
     std::unordered_map<std::uint32_t, std::string> names;
     std::vector<SourcePlace> places;
@@ -144,10 +144,10 @@ struct ItemTexts {
     SourcePlace place(std::uint32_t index) const;
 };
 
-/// Which normals the scene's source takes as unit vectors, as they are written. Glint normalises all.
+/// Which normals the scene's source requires to be unit vectors. Glint normalises all.
 struct UnitNormals {
     bool of_planes = false, of_vertices = false;
-    std::string_view reason;  ///< what one of another length does in the source, as a part of a sentence
+    std::string_view reason;  ///< the effect of another length in the source, as part of a sentence
 };
 
 struct Scene {
@@ -156,16 +156,16 @@ struct Scene {
     std::vector<Light> lights;
     std::vector<Material> materials;
     std::vector<Affine> transforms;      ///< world_from_object, invertible
-    std::vector<Vec3> polygon_vertices;  ///< what Polygons refer to
-    std::vector<Shape> shapes;  ///< in scene order: of two shapes hit at the same t, the earlier is seen
+    std::vector<Vec3> polygon_vertices;  ///< referred to by Polygons
+    std::vector<Shape> shapes;  ///< in scene order: of two shapes hit at the same t, the first counts
 
     Conventions conventions;
     RenderSettings settings;
 
-    UnitNormals unit_normals;  ///< set by the format's reader, whatever the conventions are
+    UnitNormals unit_normals;  ///< set by the format's reader, regardless of the conventions
     std::string profile = "glint";
     std::vector<SettingOrigin> origins;  ///< by setting key; may be empty (all from the profile)
-    std::vector<std::string> files;      ///< the texts it was read from, as the user named them
+    std::vector<std::string> files;      ///< the names of the texts it was read from
     ItemTexts light_texts, material_texts, shape_texts;
     SourcePlace camera_place, background_place;
 
@@ -177,7 +177,7 @@ struct Scene {
     template <class T>
     std::uint32_t add(const T& shape, std::uint32_t material = k_none, std::uint32_t transform = k_none);
 
-    // std::tuple of one vector a kind, from the list of kinds; the int closes the list.
+    // std::tuple of one vector per kind, from the list of kinds; the int ends the list.
     std::tuple<
 #define GLINT_KIND(Type, word) std::vector<Type>,
         GLINT_SHAPES(GLINT_KIND)
@@ -204,8 +204,8 @@ template <class T> std::uint32_t Scene::add(const T& shape, std::uint32_t materi
 GLINT_API std::string_view to_string(ShapeKind kind);
 GLINT_API std::string_view to_string(LightKind kind);
 
-/// Checks every number and index of the scene; prepare() needs a scene without errors. Warnings name what is
-/// likely a mistake (no lights: the picture will be black). Messages have the place of the item where it is
+/// Checks every number and index of the scene; prepare() needs a scene without errors. Warnings report
+/// likely mistakes (no lights: the picture will be black). Messages have the item's place if it is
 /// known.
 GLINT_API std::vector<Diagnostic> validate(const Scene& scene);
 

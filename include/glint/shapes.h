@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// The shapes' parameters. A new kind adds its struct, and one line to GLINT_SHAPES (docs/adding_a_shape.md).
-// Where points, directions and lengths are all there is to know, fields() lists them once: validate() and the
-// scene language go by that list. Calls visit.point, visit.direction (not 0) or visit.length (> 0) for each.
+// The parameters of shapes. A new kind adds its struct and one line to GLINT_SHAPES (docs/adding_a_shape.md).
+// If a kind has only points, directions and lengths, fields() lists them once, for validate() and the
+// scene language. It calls visit.point, visit.direction (not 0) or visit.length (> 0) for each.
 #include <cstdint>
 
 #include "glint/vec.h"
 
 namespace glint {
 
-/// All points at distance radius > 0 from the center. Its normal points outward.
+/// All points at distance radius > 0 from the center. The normal points outward.
 struct Sphere {
     Vec3 center;
     double radius = 1;
@@ -19,7 +19,7 @@ struct Sphere {
     }
 };
 
-/// The infinite plane through point, perpendicular to normal (any length but 0).
+/// The infinite plane through point, perpendicular to normal (any length except 0).
 struct Plane {
     Vec3 point;
     Vec3 normal{0, 1, 0};
@@ -30,7 +30,7 @@ struct Plane {
 };
 
 /// The lateral surface of a finite cylinder around the axis from -> to (distinct points), radius > 0; with
-/// caps, also the two discs at its ends. Its normal points away from the axis; a cap's, away from the
+/// caps, also the two discs at its ends. The normal points away from the axis; on a cap, away from the
 /// cylinder.
 struct Cylinder {
     Vec3 from, to{0, 1, 0};
@@ -38,8 +38,8 @@ struct Cylinder {
     bool caps = false;
 };
 
-/// The lateral surface of a cone around the axis from -> to (distinct points), whose radius goes from
-/// from_radius to to_radius, both >= 0 and not both 0; with caps, also the discs at its ends. Its normal
+/// The lateral surface of a cone around the axis from -> to (distinct points). The radius changes from
+/// from_radius to to_radius, both >= 0 and not both 0; with caps, also the discs at its ends. The normal
 /// points away from the axis.
 struct Cone {
     Vec3 from, to{0, 1, 0};
@@ -47,7 +47,7 @@ struct Cone {
     bool caps = false;
 };
 
-/// A flat disc of radius > 0 perpendicular to normal (any length but 0).
+/// A flat disc of radius > 0 perpendicular to normal (any length except 0).
 struct Disc {
     Vec3 center;
     Vec3 normal{0, 1, 0};
@@ -59,18 +59,18 @@ struct Disc {
     }
 };
 
-/// A box along the axes, min <= max in each coordinate. Its normals point outward. Scene files call it `box`.
+/// An axis-aligned box, min <= max in each coordinate. The normals point outward. Scene files call it `box`.
 struct Box {
     Vec3 min{-1, -1, -1}, max{1, 1, 1};
 };
 
-/// A flat triangle; its normal is that of its counter-clockwise side, (b - a) × (c - a). One without area is
-/// never hit.
+/// A flat triangle; its normal is on the counter-clockwise side, (b - a) × (c - a). A triangle without area
+/// is never hit.
 struct Triangle {
     Vec3 vertices[3];
 };
 
-/// A triangle shaded with its vertices' normals (any length but 0), mixed by the point's barycentric
+/// A triangle whose vertex normals (any length except 0) are interpolated by the point's barycentric
 /// coordinates.
 struct SmoothTriangle {
     Vec3 vertices[3];
@@ -80,13 +80,13 @@ struct SmoothTriangle {
 inline constexpr std::uint32_t k_max_polygon_vertices = 4096;
 
 /// A flat polygon, convex or concave, without holes: Scene::polygon_vertices [first, first + count), with
-/// count from 3 to k_max_polygon_vertices. Its normal is that of its counter-clockwise side. prepare() cuts
-/// it into triangles.
+/// count from 3 to k_max_polygon_vertices. Its normal is on the counter-clockwise side. prepare()
+/// triangulates it.
 struct Polygon {
     std::uint32_t first = 0, count = 0;
 };
 
-// The list of kinds: X(Type, word). The order is that of ShapeKind; ties between shapes are broken by scene
+// The list of kinds: X(Type, word), in the order of ShapeKind. Ties between shapes are resolved by scene
 // order.
 #define GLINT_SHAPES(X)                \
     X(Sphere, sphere)                  \

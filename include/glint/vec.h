@@ -4,13 +4,13 @@
 
 namespace glint {
 
-/// A point or a direction in world space. Directions are not unit unless a name or a comment says so.
+/// A point or a direction in world space. Directions are not unit unless a name or comment says so.
 struct Vec3 {
     double x = 0, y = 0, z = 0;
     friend bool operator==(const Vec3&, const Vec3&) = default;
 };
 
-/// A linear RGB triple; 1.0 is full. Nothing in glint decodes or encodes gamma unless asked (Transfer::srgb).
+/// A linear RGB triple; 1.0 is full intensity. Only Transfer::srgb encodes gamma.
 struct Color {
     double r = 0, g = 0, b = 0;
     friend bool operator==(const Color&, const Color&) = default;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// Scene -> World: geometry, which takes time to build and is shared, and shading, which is replaced in
+// Scene -> World: geometry, which takes time to build and is shared, and shading, which can be replaced in
 // microseconds.
 #include <atomic>
 #include <cstddef>
@@ -22,15 +22,15 @@ struct WorldParts;
 /// A Scene prepared for tracing: its geometry (packed shapes and the hierarchy over them), materials, lights,
 /// background, camera, conventions and settings. A World does not refer to the Scene it was made from.
 ///
-/// It is a value. Copies share their parts, so that a copy costs as much as one of a shared_ptr, and no
-/// function changes a World that somebody else has a copy of: a copy stays valid, and may be rendered by any
-/// number of threads, whatever happens to the World it was copied from.
+/// It is a value. Copies share their parts, so that a copy costs as much as that of a shared_ptr. No
+/// function changes a World of which another copy exists: a copy stays valid, and any number of threads may
+/// render it while the original changes.
 class World {
   public:
-    /// A World without shapes and lights, with default settings. So is one that was moved from.
+    /// A World without shapes and lights, with default settings; also the state after a move.
     World() = default;
 
-    /// For the library itself: defined in a header that is not installed.
+    /// For use in the library; WorldParts is defined in a header that is not installed.
     GLINT_API const WorldParts& parts() const;
 
   private:
@@ -39,17 +39,17 @@ class World {
 };
 
 struct PrepareOptions {
-    int threads = 0;  ///< 0 = one a processor
-    /// Called from any thread, now and then, with the fraction done (0 to 1). Must not throw.
+    int threads = 0;  ///< 0: one per processor
+    /// Called from any thread, at intervals, with the fraction done (0 to 1). Must not throw.
     std::function<void(double)> progress = {};
-    const std::atomic<bool>* cancel = nullptr;  ///< looked at now and then
+    const std::atomic<bool>* cancel = nullptr;  ///< checked at intervals
 };
 
 /// Validates and prepares; what validate() says is in the diagnostics. Never throws.
 GLINT_API Result<World> prepare(const Scene& scene, const PrepareOptions& options = {});
 
-// The same World with another part. Each function validates what it is given and nothing else, shares all
-// other parts with `world`, and gives the very bits that prepare() gives of the scene so changed. Never
+// The same World with one part replaced. Each function validates only its arguments, shares all
+// other parts with `world`, and gives the same bits as prepare() for the changed scene. Never
 // throw.
 
 /// Lights in the order of Scene::lights, ambient ones among them.
@@ -66,9 +66,9 @@ GLINT_API Result<World> with_material(const World& world, std::uint32_t index, c
 /// the shapes refer to.
 GLINT_API Result<World> with_materials(const World& world, std::span<const Material> materials);
 
-// Changes to shapes. They are made in place where `world` is the only World that has the geometry; where a
-// copy of it exists, the copy keeps the old geometry and `world` gets one of its own, which for a million
-// shapes takes milliseconds. With errors `world` stays as it is. Never throw.
+// Changes to shapes. They are made in place if no other World has the geometry. If a copy exists, it keeps
+// the old geometry and `world` gets its own, which for a million
+// shapes takes milliseconds. With errors `world` is unchanged. Never throw.
 
 /// Gives shapes, by their index in Scene::shapes, a material, by its index in Scene::materials or k_none.
 GLINT_API Status assign_material(World& world, std::span<const std::uint32_t> shapes, std::uint32_t material);
@@ -91,14 +91,14 @@ inline constexpr double k_max_refit_cost = 1.5;
 
 /// Points origin + t direction for t_min < t < t_max.
 struct Ray {
-    Vec3 origin, direction;  ///< a direction of any length but 0, which scales t
+    Vec3 origin, direction;  ///< any length except 0; it scales t
     double t_min = 0, t_max = std::numeric_limits<double>::infinity();
 };
 
 struct RayHit {
-    double t = 0;                  ///< where the ray hits; its t_max if it hits nothing
-    std::uint32_t shape = k_none;  ///< the shape's index in Scene::shapes; k_none if it hits nothing
-    Vec3 normal{0, 0, 0};  ///< the shape's own unit normal there, whatever the convention `facing` says
+    double t = 0;                  ///< of the hit; t_max if there is none
+    std::uint32_t shape = k_none;  ///< the index in Scene::shapes; k_none if there is no hit
+    Vec3 normal{0, 0, 0};          ///< the shape's own unit normal, regardless of the convention `facing`
 };
 
 /// What each ray hits first, by ray; of shapes hit at the same t, the first in the scene. A ray with a NaN in
@@ -110,23 +110,23 @@ GLINT_API Result<std::vector<RayHit>> nearest_hits(const World& world, std::span
 GLINT_API Result<std::vector<std::uint8_t>> occluded(const World& world, std::span<const Ray> rays,
                                                      int threads = 0);
 
-/// Bytes of a prepared World, by part.
+/// The memory of a prepared World in bytes, by part.
 struct WorldMemory {
     std::size_t shapes = 0;     ///< the shapes' parameters
-    std::size_t boxes = 0;      ///< the shapes' own boxes
-    std::size_t indices = 0;    ///< which shape of the scene it is, and its material
+    std::size_t boxes = 0;      ///< the bounds of single shapes
+    std::size_t indices = 0;    ///< indices of shapes and materials
     std::size_t hierarchy = 0;  ///< the nodes over the boxes
     std::size_t materials = 0;  ///< and lights
-    std::size_t packed = 0;     ///< how many shapes these are: the scene's, polygons as their triangles
+    std::size_t packed = 0;     ///< the number of packed shapes; each triangle of a polygon counts
     std::size_t total() const { return shapes + boxes + indices + hierarchy + materials; }
-    /// Bytes of a packed shape, its part of the hierarchy included; 0 if there are none.
+    /// Bytes per packed shape, including its part of the hierarchy; 0 if there are none.
     double each() const {
         return packed == 0 ? 0 : static_cast<double>(total() - materials) / static_cast<double>(packed);
     }
 };
 GLINT_API WorldMemory memory_usage(const World& world);
 
-/// The box around all bounded shapes; min > max if there are none.
+/// The bounds of all bounded shapes; min > max if there are none.
 struct Bounds {
     Vec3 min, max;
 };
