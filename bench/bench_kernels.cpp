@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Nanoseconds of a ray against a sphere, a triangle and a box, and of one light's terms at a
-// point, by instruction set; seconds to build a hierarchy. Run: bench_kernels [--benchmark_filter=sphere].
-// pow is in bench_math, walking the hierarchy in bench_rays.
+// Nanoseconds per ray for a sphere, a triangle and a box, and per point for the terms of a light, by
+// instruction set; seconds to build a hierarchy. Run: bench_kernels [--benchmark_filter=sphere].
+// bench_math measures pow, bench_rays the traversal.
 #include <benchmark/benchmark.h>
 
 #include <array>
@@ -25,7 +25,7 @@ HWY_BEFORE_NAMESPACE();
 namespace glint {
 namespace HWY_NAMESPACE {
 
-// One ray against many shapes, as in a leaf: column k of the parameters begins at columns[k stride].
+// One ray and many shapes, as in a leaf: column k of the parameters starts at columns[k stride].
 template <class Geometry>
 double nearest_of_shapes(const double* columns, std::size_t stride, std::size_t count) {
     const Ray<Doubles> ray{{Doubles(0.1), Doubles(0.2), Doubles(-5.0)},
@@ -52,7 +52,7 @@ double nearest_box(const double* columns, std::size_t stride, std::size_t count)
     return nearest_of_shapes<BoxGeometry>(columns, stride, count);
 }
 
-// One light at many points: normals and directions are unit columns 0 to 8, the exponent is column 9.
+// One light at many points: columns 0 to 8 are unit normals and directions, column 9 is the exponent.
 double shade(const double* columns, std::size_t stride, std::size_t count) {
     const LightingRules rules{.shading = Shading::phong};
     Doubles sum(0);

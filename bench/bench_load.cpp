@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Bytes a second of load(), by what the text is full of. Run: bench_load [--benchmark_filter=nff]. The texts
-// are 100 MB; GLINT_BENCH_MB says otherwise.
+// Bytes per second of load(), for texts with different contents. Run: bench_load [--benchmark_filter=nff].
+// The texts have 100 MB; GLINT_BENCH_MB sets another size.
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 
@@ -18,7 +18,7 @@ constexpr std::string_view k_head =
     "512\n"
     "l 4 3 2\nf 1 0.9 0.7 0.5 0.5 3.0827 0 1\n";
 
-// Six digits, as the databases' programs write.
+// Six digits, as in the databases' own programs.
 class Values {
   public:
     double next() { return distribution_(random_); }
@@ -37,7 +37,7 @@ void put_sphere(std::string& text, Values& values) {
     fmt::format_to(std::back_inserter(text), " {:.6g}\n", 0.01 + 0.001 * values.next());
 }
 
-// A polygon of `count` vertices, one a line, each with its normal if it is a patch.
+// A polygon of `count` vertices, one per line; a patch also has a normal for each vertex.
 template <int Count, bool Patch> void put_polygon(std::string& text, Values& values) {
     text += fmt::format("{} {}\n", Patch ? "pp" : "p", Count);
     for (int i = 0; i < Count; ++i) {
@@ -55,7 +55,7 @@ void put_cone(std::string& text, Values& values) {
     }
 }
 
-// On a grid, as the tetrahedra of the databases: the numbers are short, and there are more of them.
+// Vertices on a grid, as in the databases' tetrahedra: short numbers, and more of them.
 void put_short_numbers(std::string& text, Values& values) {
     text += "p 3\n";
     for (int i = 0; i < 3; ++i) {
@@ -64,7 +64,7 @@ void put_short_numbers(std::string& text, Values& values) {
     }
 }
 
-// A fill before every sphere: as many materials as shapes.
+// A fill before every sphere: one material per shape.
 void put_fill_and_sphere(std::string& text, Values& values) {
     text += 'f';
     values.put_point(text);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Nanoseconds for one pow, by instruction set, beside the C library's. Run: bench_math
+// Nanoseconds per pow, by instruction set, compared with the C library's. Run: bench_math
 // [--benchmark_filter=pow].
 #include <benchmark/benchmark.h>
 
@@ -40,7 +40,7 @@ using Function = void (*)(const double*, const double*, double*, std::size_t);
 
 constexpr std::size_t k_count = 1024;
 
-// Cosines and exponents as a picture has them: S in (0, 1), n from 1 to 1000.
+// Typical cosines and exponents: S in (0, 1), n from 1 to 1000.
 void run(benchmark::State& state, Function function) {
     std::vector<double> x(k_count), y(k_count), out(k_count);
     for (std::size_t i = 0; i < k_count; ++i) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What does a change to a World cost? Medians, of a scene of a million spheres with a thousand materials.
+// The cost of changes to a World: medians, for a scene of a million spheres with a thousand materials.
 // Run: bench_world [SHAPES [THREADS]].
 #include <fmt/format.h>
 
@@ -29,7 +29,7 @@ glint::Scene make_scene(std::uint32_t shapes) {
     return scene;
 }
 
-// One row: the median of `times` calls, after one that is not counted.
+// One row: the median of `times` calls, after a warm-up call.
 void measure(const char* what, int times, const std::function<void(int)>& call) {
     call(-1);
     std::vector<double> seconds;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// register_loop THREADS: seconds that so many threads take for a fixed amount of arithmetic in registers,
-// shared evenly. It needs no memory and waits for nothing: what threads can gain on this machine.
+// register_loop THREADS: seconds that the threads need for a fixed amount of arithmetic in registers, shared
+// evenly. It uses no memory and never waits, so it shows the possible gain by threads on this machine.
 #include <chrono>
 #include <cstdint>
 #include <cstdio>
@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::uint64_t k_steps = 600'000'000;
 
-// Marsaglia's xorshift: each step needs the one before.
+// Marsaglia's xorshift: each step depends on the previous one.
 std::uint64_t loop(std::uint64_t steps) {
     std::uint64_t x = 88172645463325252u;
     for (; steps > 0; --steps) {
@@ -39,7 +39,7 @@ int main(int count, char** arguments) {
             [&answer, threads] { answer = loop(k_steps / static_cast<std::uint64_t>(threads)); });
     for (std::thread& thread : others) thread.join();
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    if (answers.front() == 0) return 1;  // never: the answer is used
+    if (answers.front() == 0) return 1;  // never true: it uses the answer
     std::printf("%.9f\n", seconds);
     return 0;
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Nanoseconds of one thread for a ray, by class, of glint's kernels and of Embree's packets of 16.
+// Nanoseconds per ray on one thread, by class, for glint's kernels and for Embree's packets of 16.
 // Run: bench_rays [--benchmark_filter=mirror] SCENE.nff...
-// `hits` is the fraction of rays that hit anything: both must find about the same.
+// `hits` is the fraction of rays that hit anything: it must be about the same for both.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
@@ -24,7 +24,7 @@ using namespace glint_floor;
 
 constexpr int k_size = 512;
 
-// A scene and the rays of its frame, as columns of doubles too.
+// A scene and the rays of its frame, also as columns of doubles.
 struct Frame {
     std::string name;
     glint::Result<glint::World> world;
@@ -63,7 +63,7 @@ std::shared_ptr<const Frame> read(const std::string& path) {
     return frame->world ? frame : nullptr;
 }
 
-// In runs of 1024, as a tile asks for them. Returns how many hit.
+// In streams of 1024 rays, as in a tile. Returns the number of hits.
 std::size_t trace(const Frame& frame, int c, const glint::Kernels& kernels) {
     constexpr std::size_t k_run = 1024;
     double t[k_run + glint::k_ray_padding];

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// A glint::Scene in Embree: spheres, cones and cylinders as Embree's own round shapes, the rest as triangles.
+// A glint::Scene in Embree: spheres, cones and cylinders as Embree's round shapes, all others as triangles.
 #include <embree3/rtcore.h>
 
 #include <cstdint>
@@ -13,13 +13,13 @@ namespace glint_floor {
 using glint::Vec3;
 
 struct Hit {
-    Vec3 point, normal;  ///< the normal is unit, and that of the shape's own outer side
+    Vec3 point, normal;  ///< unit, on the shape's own outer side
     std::uint32_t material = glint::k_none;
 };
 
 class EmbreeScene {
   public:
-    /// Embree's best build, on `threads` threads. Ends the program if Embree cannot.
+    /// Embree's best build quality, on `threads` threads. Ends the program if Embree fails.
     EmbreeScene(const glint::Scene& scene, int threads);
     ~EmbreeScene();
     EmbreeScene(const EmbreeScene&) = delete;
@@ -27,7 +27,7 @@ class EmbreeScene {
 
     RTCScene get() const { return scene_; }
 
-    /// What origin + t direction hits first for 0 < t. Returns whether it hits anything.
+    /// Finds the nearest hit of origin + t direction for 0 < t. Returns whether there is one.
     bool nearest(Vec3 origin, Vec3 direction, Hit& hit) const;
 
   private:

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// floor_embree SCENE.nff [SIZE [THREADS]]: how long Embree takes to answer the rays of a frame, as packets of
-// 16 and without any shading. Prints JSON: rays and seconds (the least of three replays), all in all and by
-// class. The rays are recorded first, which does not count.
+// floor_embree SCENE.nff [SIZE [THREADS]]: the time that Embree needs to trace the rays of a frame in packets
+// of 16, without shading. Prints JSON: rays and seconds (the minimum of three replays), in total and by
+// class. Recording the rays is not counted.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>

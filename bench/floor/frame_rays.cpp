@@ -26,14 +26,14 @@ struct SurfaceHit {
 
 Vec3 unit(Vec3 v) { return v / std::sqrt(dot(v, v)); }
 
-// Floats cannot tell a point from a surface closer than this.
+// The smallest distance from a surface that floats resolve.
 double reach(Vec3 p) { return 3e-5 * (1 + std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)})); }
 
 Vec3 offset_ray_origin(const Hit& hit, Vec3 direction) {
     return hit.point + hit.normal * (dot(hit.normal, direction) < 0 ? -reach(hit.point) : reach(hit.point));
 }
 
-// Pixels in Z-order: a packet of 16 is a block of 4 x 4 pixels, a packet of 64 one of 8 x 8.
+// Pixels in Z-order: a packet of 16 is a block of 4 x 4 pixels, a packet of 64 a block of 8 x 8.
 int even_bits(int i) { return (i & 1) | (i >> 1 & 2) | (i >> 2 & 4) | (i >> 3 & 8) | (i >> 4 & 16); }
 
 struct Tracer {
@@ -56,7 +56,7 @@ struct Tracer {
         }
     }
 
-    // The mirror's rays, then those through glass, as they leave the hits.
+    // The mirror rays of the hits, then the rays through glass.
     std::vector<Ray> branches(const std::vector<SurfaceHit>& hits) const {
         std::vector<Ray> reflected, transmitted;
         for (const SurfaceHit& s : hits) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// The rays of a frame, by class, in the order in which a tile after a tile asks for them.
+// The rays of a frame, by class, in the order in which tiles trace them.
 #include <cstddef>
 #include <vector>
 
@@ -12,8 +12,8 @@ enum RayClass : int { k_camera, k_first_shadow, k_mirror, k_later_shadow, k_ray_
 inline constexpr const char* k_class_names[k_ray_classes] = {"camera", "first shadow", "mirror and glass",
                                                              "later shadow"};
 
-/// origin + t direction for 0 < t < t_max, as columns of floats: what Embree takes. Directions are unit:
-/// Embree's cones find hits beyond t_max otherwise.
+/// origin + t direction for 0 < t < t_max, as columns of floats for Embree. Directions are unit, because
+/// Embree's cones otherwise report hits beyond t_max.
 struct RayList {
     std::vector<float> ox, oy, oz, dx, dy, dz, t_max;
     std::size_t size() const { return t_max.size(); }
@@ -24,8 +24,8 @@ struct FrameRays {
     RayList lists[k_ray_classes];
 };
 
-/// Follows the profile nff: shadow rays from each light that is on the ray's side of a surface, to every hit;
-/// mirror and glass rays for `generations` generations while they weigh 0.01 or more.
+/// Follows the profile nff: a shadow ray from each light on the ray's side of a surface to every hit;
+/// mirror and glass rays for `generations` generations if their weight is at least 0.01.
 FrameRays frame_rays(const glint::Scene& scene, const EmbreeScene& embree, int size, int generations);
 
 }  // namespace glint_floor

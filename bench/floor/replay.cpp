@@ -11,7 +11,7 @@ namespace glint_floor {
 
 namespace {
 
-constexpr std::size_t k_packet = 16, k_chunk = 64 * k_packet;  // a thread takes a chunk at a time
+constexpr std::size_t k_packet = 16, k_chunk = 64 * k_packet;  // each thread takes one chunk at a time
 
 template <class Packet>
 void fill(const RayList& rays, std::size_t first, std::size_t count, Packet& packet, int (&valid)[k_packet]) {
@@ -30,7 +30,7 @@ void fill(const RayList& rays, std::size_t first, std::size_t count, Packet& pac
     }
 }
 
-// Returns how many rays hit something, if they are to be counted.
+// Returns the number of hits if `counted`.
 template <bool counted>
 std::size_t replay_chunk(RTCScene scene, const RayList& rays, std::size_t first, RayClass ray_class) {
     const bool coherent = ray_class == k_camera || ray_class == k_first_shadow;

@@ -6,11 +6,11 @@ namespace glint_floor {
 
 inline bool is_shadow(int ray_class) { return ray_class == k_first_shadow || ray_class == k_later_shadow; }
 
-/// Answers the rays by Embree as packets of 16: nearest hits, or for shadow rays whether anything is hit.
-/// Returns the seconds it took on `threads` threads.
+/// Traces the rays with Embree in packets of 16: nearest hits, or occlusion for shadow rays.
+/// Returns the seconds on `threads` threads.
 double replay(RTCScene scene, const RayList& rays, RayClass ray_class, int threads);
 
-/// How many of the rays hit anything.
+/// The number of rays that hit anything.
 std::size_t count_hits(RTCScene scene, const RayList& rays, RayClass ray_class);
 
 }  // namespace glint_floor

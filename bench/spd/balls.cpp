@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Sphereflake: every sphere carries nine a third as large; 1 + 9 + ... + 9^size spheres.
+// Sphereflake: every sphere has nine smaller ones, a third as large; 1 + 9 + ... + 9^size spheres.
 #include "databases.h"
 
 namespace spd {
@@ -37,8 +37,8 @@ void write_balls(SceneWriter& out, int size) {
     out.polygon(floor);
 
     out.surface({.color = {1, 0.9, 0.7}, .kd = 0.5, .ks = 0.5, .shine = shine_of_angle(37), .ior = 1});
-    // Three edges of a cube that meet a face's diagonal, tipped so that they stand evenly around +z; then the
-    // same a third and two thirds of a turn further.
+    // Three edges of a cube that meet a face's diagonal, tilted so that they are evenly spaced around +z;
+    // then the same, rotated by 40 and 80 degrees.
     const double d = std::sqrt(0.5);
     const Vec3 trio[3] = {{d, d, 0}, {d, 0, -d}, {0, d, -d}};
     Flake flake{out, {}};

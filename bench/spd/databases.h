@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The Standard Procedural Databases (Eric Haines, "A Proposal for Standard Graphics Environments", IEEE
-// Computer Graphics and Applications, November 1987; lattice: Antonio Costa, 1993), written anew. Sizes,
-// views, lights and surfaces are theirs.
+// Computer Graphics and Applications, November 1987; lattice: Antonio Costa, 1993), rewritten. Sizes,
+// views, lights and surfaces are the originals.
 #include <span>
 
 #include "scene_writer.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A cube of size^3 gears over a mirror, some of glass. A gear has two faces of 144 vertices, concave, and 144
-// rectangles around.
+// A cube of size^3 gears above a mirror, some of glass. A gear has two concave faces of 144 vertices, and 144
+// rectangles around them.
 #include <algorithm>
 
 #include "databases.h"
@@ -10,7 +10,7 @@ namespace spd {
 namespace {
 
 constexpr int k_teeth = 36;
-constexpr double k_outer = 0.995, k_inner = 0.9;  // of the radius; a little less than touching
+constexpr double k_outer = 0.995, k_inner = 0.9;  // relative to the radius; neighbours do not quite touch
 
 struct Gear {
     Vec3 center;
@@ -46,7 +46,7 @@ void write_gear(SceneWriter& out, const Gear& gear) {
     out.polygon(outline(gear, -gear.thickness, -1));
 }
 
-// A colour that looks random, its largest part 1.
+// A pseudo-random colour whose largest channel is 1.
 Color gear_color(int x, int y, int z) {
     const auto part = [](int n) { return 0.01 + n / 7.0 - n / 7; };
     const Color c{part((x * 3 + y * 2 + z + 1) * 5), part((y * 3 + z * 2 + x + 1) * 3),

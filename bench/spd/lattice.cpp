@@ -21,7 +21,7 @@ void write_lattice(SceneWriter& out, int size) {
         Vec3 axis;
         Color color;
     } rods[] = {{{1, 0, 0}, {0.9, 0.1, 0.1}}, {{0, 1, 0}, {0.1, 0.9, 0.1}}, {{0, 0, 1}, {0.1, 0.1, 0.9}}};
-    const double inset = ball * (1 - std::sqrt(0.25)) * 0.99;  // a rod's ends are inside the balls
+    const double inset = ball * (1 - std::sqrt(0.25)) * 0.99;  // the ends of a rod are inside the balls
     for (int x = 0; x <= size; ++x) {
         for (int y = 0; y <= size; ++y) {
             for (int z = 0; z <= size; ++z) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// make_spd DATABASE [SIZE] [nff|pov|tachyon]: one of the Standard Procedural Databases, to standard output.
+// make_spd DATABASE [SIZE] [nff|pov|tachyon]: writes a Standard Procedural Database to standard output.
 #include <cstdlib>
 #include <string_view>
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// A fractal mountain of 2 * 4^size triangles by moving midpoints, and four spheres of glass.
+// A fractal mountain of 2 * 4^size triangles by midpoint displacement, and four glass spheres.
 #include "databases.h"
 
 namespace spd {
 
 namespace {
 
-// Gaussian deviates by a linear congruence (Numerical Recipes, gasdev), as the database's own program makes
-// them.
+// Gaussian deviates from a linear congruential generator (Numerical Recipes, gasdev), as in the database's
+// own program.
 double gaussian(int seed) {
     constexpr int k_modulus = 134456, k_factor = 8121, k_add = 28411;
     for (;;) {
@@ -23,7 +23,7 @@ struct Mountain {
     int size;
     double roughness;
 
-    // The grid point's deviate. This hash repeats itself in the mountain; the database is known by it.
+    // The deviate of a grid point. This hash repeats within the mountain, as in the original database.
     double deviate(int x, int y) const {
         const auto shifted = [this](int value, int bits) {
             const int by = bits - size;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// POV-Ray 3.7. Its own space is left-handed, but a camera given by all its axes is taken as it is, so the
-// coordinates stay.
+// POV-Ray 3.7. Its coordinate system is left-handed, but a camera given by all its axes is used as given, so
+// the coordinates need no change.
 #include "scene_writer.h"
 
 namespace spd {
@@ -11,7 +11,7 @@ class PovWriter final : public SceneWriter {
   public:
     explicit PovWriter(std::FILE* file) : file_(file) {}
 
-    // max_trace_level counts the camera's rays; five generations after them.
+    // max_trace_level includes the camera rays, so this allows five generations.
     void begin(const View& view) override {
         const Vec3 forward = unit(view.at - view.from), right = unit(cross(forward, view.up));
         const double side = 2 * std::tan(view.angle * M_PI / 360);
@@ -37,7 +37,7 @@ class PovWriter final : public SceneWriter {
         }
     }
 
-    // What is of one glass is one union, which has one inside. POV-Ray takes the part 1 - T of its colour
+    // All shapes of one glass are one union with one interior. POV-Ray applies the factor 1 - T to the colour
     // itself.
     void surface(const Surface& s) override {
         end();
@@ -72,7 +72,7 @@ class PovWriter final : public SceneWriter {
         finish();
     }
 
-    // Triangles and rectangles go into meshes, which POV-Ray traces fastest.
+    // Triangles and rectangles are written as meshes, which POV-Ray traces fastest.
     void polygon(std::span<const Vec3> vertices) override {
         if (vertices.size() <= 4) {
             for (std::size_t i = 2; i < vertices.size(); ++i)
@@ -136,7 +136,7 @@ class PovWriter final : public SceneWriter {
     void finish() { std::fputs(ior_ > 0 ? "}\n" : "texture { S } }\n", file_); }
 
     std::FILE* file_;
-    double ior_ = 0;  // of the glass whose union is open
+    double ior_ = 0;  // of the open union's glass
     bool in_mesh_ = false;
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A pyramid of objects, each of six pentagonal rings in the manner of a dodecahedron: 30 spheres and 30
-// cylinders. 1 + 4 + ... + size^2 objects before a wall.
+// A pyramid of objects, each of six pentagonal rings arranged like a dodecahedron: 30 spheres and 30
+// cylinders. 1 + 4 + ... + size^2 objects in front of a wall.
 #include "databases.h"
 
 namespace spd {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// What a database is written to: one interface, one implementation a format. Coordinates are right-handed.
+// The interface for writing a database, with one implementation per format. Coordinates are right-handed.
 #include <cmath>
 #include <cstdio>
 #include <memory>
@@ -30,7 +30,7 @@ struct Surface {
     double kd = 1, ks = 0, shine = 100000, transmission = 0, ior = 0;
 };
 
-/// Phong's exponent of a highlight that falls to one half at so many degrees from its middle.
+/// The Phong exponent of a highlight that falls to one half at this angle from its middle, in degrees.
 double shine_of_angle(double degrees);
 
 class SceneWriter {
@@ -48,12 +48,12 @@ class SceneWriter {
 std::unique_ptr<SceneWriter> make_nff_writer(std::FILE* file);
 std::unique_ptr<SceneWriter> make_pov_writer(std::FILE* file);
 
-/// Tachyon has no cones and no polygons but triangles: cones become cylinders of their mean radius.
+/// Tachyon has no cones and no polygons except triangles: cones become cylinders of their mean radius.
 std::unique_ptr<SceneWriter> make_tachyon_writer(std::FILE* file);
 
 inline double length(Vec3 a) { return std::sqrt(dot(a, a)); }
 inline Vec3 unit(Vec3 a) { return a / length(a); }
-/// `p` turned around the unit `axis`, counter-clockwise seen against it.
+/// `p` rotated about the unit `axis`, counter-clockwise when seen from its tip.
 Vec3 rotate(Vec3 p, Vec3 axis, double sine, double cosine);
 Vec3 rotate(Vec3 p, Vec3 axis, double radians);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tachyon 0.99's scene format. Its camera is left-handed, so its picture is the mirror image, in the same
-// time.
+// Tachyon 0.99's scene format. Its camera is left-handed, so its picture is mirrored; the rendering time is
+// the same.
 #include <map>
 #include <tuple>
 
@@ -34,7 +34,7 @@ class TachyonWriter final : public SceneWriter {
         }
     }
 
-    // Each different surface is defined once, under its number.
+    // Each surface is defined once, with a number.
     void surface(const Surface& s) override {
         const auto key = std::tuple(s.color.r, s.color.g, s.color.b, s.kd, s.ks, s.shine, s.transmission);
         const auto [place, added] = numbers_.try_emplace(key, static_cast<int>(numbers_.size()));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Newell's teapot: 32 Bezier patches of size^2 * 2 smooth triangles each, on a checkerboard of size^2
-// squares. The control points are the published ones, put down by what they have in common: 20 patches are
-// quarters of surfaces of revolution, 8 are halves of a handle and a spout that are the same on both sides.
+// squares. The control points are the published ones, stored by their symmetries: 20 patches are
+// quarters of surfaces of revolution, 8 are halves of the handle and the spout, which are symmetric.
 #include "databases.h"
 
 namespace spd {
@@ -14,7 +14,7 @@ struct Patch {
 
 struct Profile {
     double radius[4], z[4];
-    double fullness = 0.56;  // of a quarter circle's control points
+    double fullness = 0.56;  // relative to a quarter circle's control points
 };
 
 constexpr Profile k_upper[] = {
@@ -26,7 +26,7 @@ constexpr Profile k_upper[] = {
 };
 constexpr Profile k_bottom = {{0, 1.425, 1.5, 1.5}, {0, 0, 0.075, 0.15}};
 
-// Two curves in the plane y = 0, and how far the surface between them bulges to either side.
+// Two curves in the plane y = 0, and how far the surface between them bulges to both sides.
 struct Tube {
     double x[2][4], z[2][4], bulge[4];
 };
@@ -46,7 +46,7 @@ constexpr Tube k_tubes[] = {
      {0.25, 0.25, 0.15, 0.15}},
 };
 
-// `turn` is 1 or -1: which way round the quarters go, so that all normals point out.
+// `turn` is 1 or -1: the direction of the quarters, chosen so that all normals point outward.
 void add_quarters(const Profile& profile, double turn, std::vector<Patch>& out) {
     for (int quarter = 0; quarter < 4; ++quarter) {
         Patch patch;

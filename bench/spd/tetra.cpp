@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Sierpinski's pyramid: a tetrahedron's four corners again and again; 4^size triangles.
+// Sierpinski's pyramid: a tetrahedron subdivided recursively; 4^size triangles.
 #include "databases.h"
 
 namespace spd {
 
 namespace {
 
-// The corners of the cube [-1, 1]^3 that make a tetrahedron.
+// The corners of the cube [-1, 1]^3 that form a tetrahedron.
 constexpr Vec3 k_corners[4] = {{-1, -1, 1}, {-1, 1, -1}, {1, -1, -1}, {1, 1, 1}};
 
 void divide(SceneWriter& out, Vec3 center, double half, int depth) {

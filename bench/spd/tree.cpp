@@ -7,7 +7,7 @@ namespace spd {
 
 namespace {
 
-// A similarity: turned axes of one length, and a place.
+// A similarity: rotated axes of equal length, and an origin.
 struct Frame {
     Vec3 x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1}, origin;
     Vec3 turn(Vec3 p) const { return x * p.x + y * p.y + z * p.z; }
