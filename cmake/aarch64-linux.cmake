@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 # Cross-compiling for arm64 with Debian's g++-aarch64-linux-gnu, against the libraries that tools/make-aarch64-sysroot unpacks;
-# qemu-user runs what is built.
+# qemu-user runs the programs.
 set(CMAKE_SYSTEM_NAME Linux)
 set(CMAKE_SYSTEM_PROCESSOR aarch64)
 set(CMAKE_CXX_COMPILER aarch64-linux-gnu-g++)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-# What cpack makes of an install: the Debian packages glint (the command, its documents and scenes) and libglint-dev (headers
+# Packages made by cpack: the Debian packages glint (the command, its documents and scenes) and libglint-dev (headers
 # and a static library). tools/make-release calls it.
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME glint)
@@ -26,7 +26,7 @@ list(JOIN GLINT_DEBIAN_DEPENDS ", " CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS)
 set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION
   "The library of the ray tracer glint: headers, a static library, and its packages for CMake and pkg-config.")
 
-# Debian wants the licence under this name.
+# Debian requires this name for the licence.
 file(READ NOTICE notice)
 file(READ LICENSE licence)
 file(WRITE ${PROJECT_BINARY_DIR}/package/copyright "${notice}\n${licence}")

@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
-# The libraries that glint uses (NOTICE says what for), as the same targets natively and for the browser.
+# The libraries that glint uses (NOTICE gives the purpose of each), as the same targets natively and for the browser.
 if(NOT GLINT_BROWSER)
-  # Without these encode() and decode() say so.
+  # Without these, encode() and decode() return an error.
   option(GLINT_WITH_PNG "Write and read PNG (zlib, libpng)" ON)
   option(GLINT_WITH_EXR "Write and read OpenEXR" ON)
   option(GLINT_WITH_JPEG "Read JPEG (libjpeg)" ON)
 
-  # Packages, their targets, and their names in pkg-config and in Debian: who links a static libglint needs them, too.
+  # Packages, their targets, and their names in pkg-config and Debian: users of a static libglint need them, too.
   set(GLINT_PACKAGES Threads hwy TBB fmt)
   set(GLINT_LIBRARIES Threads::Threads hwy::hwy TBB::tbb fmt::fmt)
   set(GLINT_PC_REQUIRES libhwy tbb fmt)
@@ -35,7 +35,7 @@ if(NOT GLINT_BROWSER)
   return()
 endif()
 
-# For the browser: the header-only parts of the host's packages, and those alone, from a folder of their own.
+# For the browser: only the header-only parts of the host's packages, in a folder of their own.
 set(headers ${PROJECT_BINARY_DIR}/include)
 file(MAKE_DIRECTORY ${headers})
 foreach(library hwy fmt fast_float nlohmann)

@@ -19,17 +19,17 @@ endif()
 
 set(package ${CMAKE_INSTALL_LIBDIR}/cmake/glint)
 install(EXPORT glint-targets NAMESPACE glint:: DESTINATION ${package} COMPONENT development)
-# Who links a static library links what it uses, too; a shared one has done so.
+# Users of a static library link its dependencies, too; a shared library has linked them already.
 get_target_property(type glint TYPE)
 string(COMPARE EQUAL "${type}" STATIC_LIBRARY GLINT_IS_STATIC)
 configure_package_config_file(cmake/glint-config.cmake.in ${PROJECT_BINARY_DIR}/package/glint-config.cmake
   INSTALL_DESTINATION ${package})
-# As the SOVERSION in src/CMakeLists.txt: another minor version is another interface.
+# The same rule as the SOVERSION in src/CMakeLists.txt: each minor version may change the interface.
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/package/glint-config-version.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/package/glint-config.cmake ${PROJECT_BINARY_DIR}/package/glint-config-version.cmake
   DESTINATION ${package} COMPONENT development)
 
-# Relative to the file itself, so that an installed tree may be moved.
+# Relative to the file itself, so that an installed tree can be moved.
 cmake_path(SET pkgconfig_dir NORMALIZE ${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig)
 file(RELATIVE_PATH prefix_from_pc ${pkgconfig_dir} ${CMAKE_INSTALL_PREFIX})
 list(JOIN GLINT_PC_REQUIRES " " pc_requires)

@@ -9,12 +9,12 @@ set(CMAKE_AR llvm-ar-14)
 set(CMAKE_RANLIB llvm-ranlib-14)
 set(CMAKE_TRY_COMPILE_TARGET_TYPE STATIC_LIBRARY)
 
-# clang's own list of folders ends with the host's /usr/include, where a header that wasi-libc lacks would be taken from
-# glibc. So the folders are named here, in clang's order: libc++, the compiler's own, wasi-libc.
+# clang's default include folders end with the host's /usr/include, so a header that wasi-libc lacks would be taken from
+# glibc. Therefore the folders are listed here, in clang's order: libc++, the compiler's own, wasi-libc.
 set(CMAKE_CXX_FLAGS_INIT "-nostdlibinc -isystem /usr/include/wasm32-wasi/c++/v1 -idirafter /usr/include/wasm32-wasi \
 -msimd128 -fno-exceptions")
-# A reactor: no main, the host calls what is exported. The stack is 1 MiB, below the data, so that running over its end
-# is a trap and not other data overwritten.
+# A reactor: no main, the host calls the exported functions. The stack is 1 MiB, below the data, so that a stack overflow
+# traps and does not overwrite data.
 set(CMAKE_EXE_LINKER_FLAGS_INIT "-Wno-unused-command-line-argument -mexec-model=reactor -Wl,--stack-first -Wl,-z,stack-size=1048576")
 
 set(CMAKE_FIND_ROOT_PATH_MODE_PROGRAM NEVER)
