@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The figures of two pictures' difference.
+// The figures of the difference between two pictures.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -19,7 +19,7 @@ namespace {
 
 double decibels(double mean_square) { return 10 * log(255.0 * 255.0 / mean_square) / log(10); }
 
-// What one row adds.
+// The sums of one row.
 struct RowSums {
     PixelCounts edges, interiors;
     std::uint64_t not_finite = 0;
@@ -28,7 +28,7 @@ struct RowSums {
     std::int32_t x = 0;
 };
 
-// `finite` are the marks of pixels that are so in both pictures.
+// `finite` marks the pixels that are finite in both pictures.
 RowSums sum_row(const float* a, const float* b, const std::uint8_t* edges, const std::uint8_t* finite,
                 std::int32_t width, double unit, double within) {
     RowSums row;

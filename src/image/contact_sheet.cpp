@@ -8,11 +8,11 @@
 namespace glint {
 namespace {
 
-constexpr std::int32_t k_gap = 6, k_wide_gap = 18;         // pixels: between cells, and beside a head
-constexpr std::int32_t k_min_side = 16, k_max_side = 160;  // pixels of a picture
+constexpr std::int32_t k_gap = 6, k_wide_gap = 18;         // pixels: between cells, and after a head
+constexpr std::int32_t k_min_side = 16, k_max_side = 160;  // pixels on the side of a picture
 constexpr float k_paper = 0.15f, k_frame = 0.35f;
 
-// Digits of 3 x 5 dots, a row in three bits: enough to tell the pictures by the table's numbers.
+// Digits of 3 x 5 dots, one row in three bits, for the numbers of the table.
 constexpr std::array<std::array<std::uint8_t, 5>, 10> k_digits = {{{7, 5, 5, 5, 7},
                                                                    {2, 6, 2, 2, 7},
                                                                    {7, 1, 7, 4, 7},
@@ -44,7 +44,7 @@ void put_frame(Image& sheet, std::int32_t x, std::int32_t y, std::int32_t width,
     fill(sheet, x + 1, y + 1, width - 2, height - 2, k_paper);
 }
 
-// In dots of two pixels, where the cell is as wide as that.
+// Draws a number with dots of two pixels if the cell is wide enough.
 void put_number(Image& sheet, int number, std::int32_t x, std::int32_t y, std::int32_t cell_width) {
     const std::string text = std::to_string(number);
     const std::int32_t dots = 4 * static_cast<std::int32_t>(text.size()) + 1,
@@ -62,7 +62,7 @@ void put_number(Image& sheet, int number, std::int32_t x, std::int32_t y, std::i
     }
 }
 
-// What cells of such pictures take of a sheet's side.
+// The sheet's side for a number of cells of this width.
 std::size_t across(std::size_t cells, std::int32_t width) {
     return cells * static_cast<std::size_t>(width + k_gap);
 }
@@ -73,14 +73,14 @@ bool fits(std::size_t pixels) { return pixels + k_gap <= static_cast<std::size_t
 
 std::size_t quotient_up(std::size_t n, std::size_t by) { return (n + by - 1) / by; }
 
-// Where cells lie: the table's rows in blocks beside each other.
+// The position of cells: the table's rows in blocks side by side.
 struct Grid {
     Grid(std::size_t cells, const SheetLayout& layout)
         : columns(std::max<std::size_t>(layout.columns, 1)), rows(quotient_up(cells, columns)) {
         if (layout.rows == 0 || rows < 2) return;
         head = 1;
         blocks = quotient_up(rows - 1, layout.rows);
-        rows = 1 + quotient_up(rows - 1, blocks);  // none much shorter than the others
+        rows = 1 + quotient_up(rows - 1, blocks);  // no block is much shorter than the others
     }
     std::size_t columns, rows, head = 0, blocks = 1;
 };
@@ -147,7 +147,7 @@ Image contact_sheet(const std::vector<SheetCell>& cells, const SheetLayout& layo
     }
     const Grid grid(cells.size(), layout);
     const std::size_t block_width = across(grid.columns, width) + k_wide_gap;
-    const std::size_t saved = grid.head * static_cast<std::size_t>(height);  // a head has no differences
+    const std::size_t saved = grid.head * static_cast<std::size_t>(height);  // heads have no differences
     Image sheet{static_cast<std::int32_t>(grid.blocks * block_width - k_wide_gap + k_gap),
                 static_cast<std::int32_t>(down(grid.rows, height) - saved + k_gap),
                 {}};

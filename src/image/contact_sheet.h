@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// Many small pictures on one.
+// A sheet of many small pictures.
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -9,32 +9,32 @@
 
 namespace glint {
 
-/// A picture and below it its difference from what it should be, both scaled down.
+/// A picture, and below it its difference from the reference, both scaled down.
 struct SheetCell {
-    Image picture;     ///< without pixels: nothing was handed in, and the cell is an empty frame
-    Image difference;  ///< without pixels: there is none
-    int number = 0;    ///< drawn in the corner; negative: none
+    Image picture;     ///< without pixels: no picture was handed in; the cell is an empty frame
+    Image difference;  ///< without pixels: there is no difference
+    int number = 0;    ///< shown in the corner; negative: no number
 };
 
-/// The picture at most `side` pixels wide and high, by averaging; never larger than it was.
+/// The picture scaled down by averaging to at most `side` pixels in width and height; never enlarged.
 Image scaled_down(const Image& picture, std::int32_t side);
 
-/// How cells lie on a sheet.
+/// The layout of cells on a sheet.
 struct SheetLayout {
-    std::int32_t side = 160;  ///< pixels: pictures are at most so wide and high
-    std::size_t columns = 1;  ///< cells of a row
-    /// Rows below the first, the head; those that are more go on beside them, below a head of their own. 0:
-    /// no row is a head, and nothing goes on beside.
+    std::int32_t side = 160;  ///< pixels: the maximum width and height of a picture
+    std::size_t columns = 1;  ///< cells per row
+    /// Rows below the first row, which is the head. Further rows continue in a block beside it, with its
+    /// own head. 0: no head, and only one block.
     std::size_t rows = 0;
 };
 
-/// As many columns as make the sheet about square. Nothing if there are more cells than a sheet can show.
+/// A layout with a nearly square sheet. Nothing if there are more cells than a sheet can show.
 std::optional<SheetLayout> lay_out_list(std::size_t cells);
 
-/// A table of a head and `rows` rows more. Nothing if there are more cells than a sheet can show.
+/// A layout for a table of a head and `rows` more rows. Nothing if there are too many cells for a sheet.
 std::optional<SheetLayout> lay_out_table(std::size_t rows, std::size_t columns);
 
-/// The cells row by row, on a sheet of at most k_sheet_side pixels a side if the layout was made for them.
+/// The cells row by row. A sheet has at most k_sheet_side pixels on a side if the layout was made for it.
 Image contact_sheet(const std::vector<SheetCell>& cells, const SheetLayout& layout);
 
 inline constexpr std::int32_t k_sheet_side = 6000;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Choosing the decoder by a file's first bytes.
+// Selects the decoder by the file's first bytes.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// OpenEXR from memory: the channels R, G, B, or Y alone, as floats, within the display window.
+// OpenEXR from memory: the channels R, G and B, or only Y, as floats, inside the display window.
 #include <ImfChannelList.h>
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
@@ -45,7 +45,7 @@ ChannelWindow window_of(const Imath::Box2i& window) {
             std::int64_t{window.max.y} - window.min.y + 1};
 }
 
-// The names of the three channels to read.
+// The names of the three channels.
 std::array<const char*, 3> channels_of(const Imf::ChannelList& list) {
     std::array<const char*, 3> names = {"R", "G", "B"};
     if (list.findChannel("R") == nullptr && list.findChannel("Y") != nullptr) names = {"Y", "Y", "Y"};

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 // JPEG by libjpeg(-turbo), grey or colour, 8 bits.
 #include <csetjmp>
-#include <cstdio>  // jpeglib.h needs it before
+#include <cstdio>  // jpeglib.h needs it
 #include <vector>
 
 #include "image/decoders.h"
-// (a line between, or the headers would be sorted into one block)
+// (the empty line keeps the headers from being sorted into one block)
 #include <jpeglib.h>
 
 namespace glint {
 namespace {
 
-// Progressive files send the picture in passes; honest ones have about ten, hostile ones thousands.
+// Progressive files store the picture in passes; usual files have about ten, hostile ones thousands.
 constexpr int k_max_scans = 100;
 
 struct ErrorManager {
@@ -29,7 +29,7 @@ struct ErrorManager {
     fail(errors);
 }
 
-// Warnings are about damaged data, which libjpeg replaces by grey.
+// Warnings report damaged data, which libjpeg replaces by grey.
 void on_message(j_common_ptr info, int level) {
     if (level < 0) on_error(info);
 }
@@ -45,10 +45,10 @@ struct Jpeg {
     jpeg_decompress_struct info{};
     ErrorManager errors{};
     jpeg_progress_mgr progress{};
-    ~Jpeg() { jpeg_destroy_decompress(&info); }  // also of one that was never created: all zero
+    ~Jpeg() { jpeg_destroy_decompress(&info); }  // also if it was never created: all bytes are zero
 };
 
-// Runs body(), between whose start and end libjpeg may jump: no destructor may be pending inside it.
+// Runs body(), from which libjpeg may jump out: no destructor may be pending inside it.
 template <class Body> void guard_jumps(Jpeg& file, Body&& body) {
     if (setjmp(file.errors.jump) != 0) throw Undecodable(std::string("JPEG: ") + file.errors.message);
     body();
@@ -69,7 +69,7 @@ DecodedImage decode_jpeg(ByteSpan bytes, const DecodeOptions& options) {
         jpeg_read_header(&file.info, TRUE);
     });
     check_size(file.info.image_width, file.info.image_height, options);
-    // A block of 8 x 8 pixels takes a bit at least: a few bytes are no large picture.
+    // A block of 8 x 8 pixels takes at least one bit, so a short file cannot be a large picture.
     const std::uint64_t blocks = std::uint64_t{file.info.image_width} * file.info.image_height / 64;
     if (blocks > 8 * std::uint64_t{bytes.size()})
         throw Undecodable("JPEG: the file is too short for its size");

@@ -11,11 +11,11 @@
 namespace glint {
 namespace {
 
-// A byte of deflate is at most this many bytes of picture (zlib's own figure): a file that claims more is cut
-// off.
+// A byte of deflate gives at most this many bytes of picture (a figure of zlib); a file that claims more is
+// truncated.
 constexpr std::size_t k_max_inflated = 1032;
 
-// What outlives a longjmp, and what libpng's callbacks see.
+// State that survives a longjmp; libpng's callbacks use it.
 struct Reading {
     ByteSpan bytes;
     std::size_t at = 0;
@@ -34,7 +34,7 @@ void read_bytes(png_structp png, png_bytep out, std::size_t count) {
     auto& reading = *static_cast<Reading*>(png_get_error_ptr(png));
     try {
         reading.error = message;
-    } catch (...) {  // no exception through C: an empty message is answered below
+    } catch (...) {  // no exception may pass through C; an empty message is replaced below
     }
     png_longjmp(png, 1);
 }
@@ -47,7 +47,7 @@ struct Png {
     ~Png() { png_destroy_read_struct(&png, &info, nullptr); }
 };
 
-// Runs body(), between whose start and end libpng may jump: no destructor may be pending inside it.
+// Runs body(), from which libpng may jump out: no destructor may be pending inside it.
 template <class Body> void guard_jumps(Png& file, Reading& reading, Body&& body) {
     if (setjmp(png_jmpbuf(file.png)) != 0) {
         throw Undecodable("PNG: " + (reading.error.empty() ? std::string("unreadable") : reading.error));
@@ -55,14 +55,14 @@ template <class Body> void guard_jumps(Png& file, Reading& reading, Body&& body)
     body();
 }
 
-// Channels of 8 or 16 bits: RGBA, whatever the file has.
+// Requests channels of 8 or 16 bits: RGBA for every colour type.
 void ask_for_rgba(const Png& file, int bits) {
-    png_set_expand(file.png);  // palettes, greys of few bits, a transparent colour
+    png_set_expand(file.png);  // palettes, greys with few bits, a transparent colour
     png_set_gray_to_rgb(file.png);
     png_set_add_alpha(file.png, bits == 16 ? 0xffff : 0xff, PNG_FILLER_AFTER);
 }
 
-// One row of RGBA to RGB floats; true if a pixel is not opaque.
+// Converts a row of RGBA to RGB floats; true if a pixel is not opaque.
 bool take_row(const std::uint8_t* row, std::int32_t width, int bits, float* rgb) {
     bool has_holes = false;
     const auto channel = [&](std::int32_t i) -> std::uint32_t {
@@ -88,7 +88,7 @@ DecodedImage decode_png(ByteSpan bytes, const DecodeOptions& options) {
     if (file.info == nullptr) throw std::bad_alloc();
     png_set_read_fn(file.png, &reading, read_bytes);
     png_set_user_limits(file.png, k_max_size, k_max_size);
-    png_set_chunk_malloc_max(file.png, 1 << 23);  // texts and profiles, which are not looked at
+    png_set_chunk_malloc_max(file.png, 1 << 23);  // texts and profiles, which are not used
     png_set_crc_action(file.png, PNG_CRC_ERROR_QUIT, PNG_CRC_WARN_DISCARD);
     guard_jumps(file, reading, [&] { png_read_info(file.png, file.info); });
 

@@ -9,7 +9,7 @@
 namespace glint {
 namespace {
 
-constexpr std::uint32_t k_largest = 65535;  // that a sample may be
+constexpr std::uint32_t k_largest = 65535;  // of a sample
 
 bool is_space(std::uint8_t c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
 
@@ -20,7 +20,7 @@ class Reader {
     std::size_t left() const { return bytes_.size() - at_; }
     std::uint8_t byte() { return bytes_[at_++]; }
 
-    // A whole number after spaces and comments.
+    // Reads a whole number after spaces and comments.
     std::uint32_t number(const char* what, std::uint32_t most) {
         while (left() > 0 && (is_space(bytes_[at_]) || bytes_[at_] == '#')) {
             if (bytes_[at_] != '#') {
@@ -42,7 +42,7 @@ class Reader {
         return value;
     }
 
-    // The one space that ends a raw file's header.
+    // Reads the single space that ends a raw file's header.
     void end_header() {
         if (left() == 0 || !is_space(byte()))
             throw Undecodable("in the PPM file, no space follows the maximum");
@@ -58,7 +58,7 @@ class Reader {
 DecodedImage decode_ppm(ByteSpan bytes, const DecodeOptions& options) {
     const bool is_grey = bytes[1] == '2' || bytes[1] == '5', is_raw = bytes[1] >= '5';
     Reader in(bytes, 2);
-    // One more than what is allowed, so that check_size() has the word.
+    // The limits are larger than the allowed size, so that check_size() reports the error.
     const std::uint32_t width = in.number("the width", 99999999);
     const std::uint32_t height = in.number("the height", 99999999);
     check_size(width, height, options);
@@ -67,7 +67,7 @@ DecodedImage decode_ppm(ByteSpan bytes, const DecodeOptions& options) {
     if (is_raw) in.end_header();
     const std::size_t pixels = std::size_t{width} * height, samples = pixels * (is_grey ? 1 : 3);
     const std::size_t bytes_each = most < 256 ? 1 : 2;
-    // As text a sample has at least two bytes, the last one.
+    // In a text file, a sample has at least two bytes; the last one has at least one.
     if (in.left() < (is_raw ? samples * bytes_each : 2 * samples - 1))
         throw Undecodable("the PPM file is cut off");
 

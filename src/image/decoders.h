@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// One function a file format, for bytes that begin as that format does. They throw what their libraries
-// throw, bad_alloc, and Undecodable; decode() guards them.
+// One function per file format, for bytes that begin as that format does. They throw exceptions of their
+// libraries, bad_alloc, and Undecodable; decode() catches them.
 #include <cstdint>
 #include <span>
 #include <stdexcept>
@@ -14,13 +14,13 @@ namespace glint {
 
 using ByteSpan = std::span<const std::uint8_t>;
 
-/// What is wrong with a file, as decode() answers it.
+/// An error of a file, with the message that decode() returns.
 class Undecodable : public std::runtime_error {
   public:
     using std::runtime_error::runtime_error;
 };
 
-/// Throws Undecodable if a picture of this size is not to be read.
+/// Throws Undecodable if the picture's size is invalid or too large.
 void check_size(std::int64_t width, std::int64_t height, const DecodeOptions& options);
 
 DecodedImage decode_png(ByteSpan bytes, const DecodeOptions& options);

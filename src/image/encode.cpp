@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Choosing the encoder.
+// Selects the encoder.
 #include <cstddef>
 #include <utility>
 
@@ -11,7 +11,7 @@
 namespace glint {
 namespace {
 
-// What no encoder could write, or an empty string.
+// The reason why no encoder can write the picture, or an empty string.
 std::string fault(const Image& image, const EncodeOptions& options) {
     if (image.width < 1 || image.height < 1 || image.width > k_max_size || image.height > k_max_size) {
         return "a picture has 1 to " + std::to_string(k_max_size) + " pixels a side";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// OpenEXR: linear float RGB, written to memory. One thread: the library would need its global pool for more.
+// OpenEXR: linear float RGB, written to memory. On one thread: more would need the library's global pool.
 #include <ImfChannelList.h>
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
@@ -34,10 +34,10 @@ class MemoryStream : public Imf::OStream {
     std::size_t position_ = 0;
 };
 
-// One part of a file: channels, interleaved in memory.
+// One part of a file: interleaved channels in memory.
 struct Part {
     std::string name;
-    std::string_view channels;  // a letter each
+    std::string_view channels;  // one letter each
     const float* values;
     std::int32_t width, height;
 };
@@ -54,7 +54,7 @@ Imf::FrameBuffer frame_of(const Part& part) {
     Imf::FrameBuffer frame;
     const std::size_t pixel = part.channels.size() * sizeof(float);
     for (std::size_t c = 0; c < part.channels.size(); ++c) {
-        // The library only reads from the slices of an output file, but wants them writable.
+        // The library only reads from the slices of an output file, but requires pointers to non-const.
         auto* first = reinterpret_cast<char*>(const_cast<float*>(part.values + c));
         frame.insert(std::string(1, part.channels[c]),
                      Imf::Slice(Imf::FLOAT, first, pixel, pixel * static_cast<std::size_t>(part.width)));

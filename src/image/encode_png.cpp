@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// PNG (https://www.w3.org/TR/png-3/), RGB of 8 or 16 bits. Strips of a fixed height are filtered and
-// compressed on their own, each to a run of whole bytes of one deflate stream, so the file does not depend on
-// how many threads did it.
+// PNG (https://www.w3.org/TR/png-3/), RGB with 8 or 16 bits. Strips of a fixed height are filtered and
+// compressed separately, each to complete bytes of one deflate stream. So the file does not depend on the
+// number of threads.
 #include <zlib.h>
 
 #include <algorithm>
@@ -19,18 +19,18 @@ namespace {
 
 using Bytes = std::vector<std::uint8_t>;
 
-// Tall enough that a strip's own Huffman tables and empty history cost little, low enough to share a small
-// picture.
+// High enough that a strip's own Huffman tables and empty history cost little, low enough to use several
+// threads for a small picture.
 constexpr std::int32_t k_strip_rows = 32;
 
 void put32(std::uint8_t* out, std::uint32_t value) {
     for (int i = 0; i < 4; ++i) out[i] = static_cast<std::uint8_t>(value >> (24 - 8 * i));
 }
 
-// Bytes of a chunk around its data: length and type before, checksum after.
+// Bytes of a chunk before its data (length and type) and after it (checksum).
 constexpr std::size_t k_chunk_head = 8, k_chunk_tail = 4;
 
-// Fills in the head and the tail of a chunk whose data are already between them.
+// Writes the head and the tail of a chunk around its data.
 void seal_chunk(Bytes& chunk, std::string_view type) {
     const std::size_t length = chunk.size() - k_chunk_head - k_chunk_tail;
     put32(chunk.data(), static_cast<std::uint32_t>(length));
@@ -48,15 +48,15 @@ void append_chunk(Bytes& out, std::string_view type, const Bytes& data) {
 }
 
 struct Strip {
-    Bytes chunk;  // a whole IDAT chunk
+    Bytes chunk;  // a complete IDAT chunk
     uLong adler = 1;
     std::size_t length = 0;  // before compression
     Status status;
 };
 
-// Rows [first, last) with the filter Sub: a pixel minus its left neighbour. Measured on ray-traced pictures
-// it is, with runs alone (below), as small as fast matching with any filter, and faster; and a strip needs no
-// row of another's.
+// Filters rows [first, last) with Sub: a pixel minus its left neighbour. On ray-traced pictures, this with
+// runs alone (below) gives files as small as fast matching with any filter, and is faster; and strips do
+// not depend on each other.
 Bytes filter_rows(const Image& image, const EncodeOptions& options, std::int32_t first, std::int32_t last) {
     const std::size_t samples = std::size_t{3} * image.width;
     const std::size_t pixel_bytes = options.bits == 8 ? 3 : 6;
@@ -76,8 +76,8 @@ Bytes filter_rows(const Image& image, const EncodeOptions& options, std::int32_t
     return filtered;
 }
 
-// A zlib stream is a head, raw deflate blocks, and the checksum of all. Every strip but the last ends in an
-// empty stored block, which fills its last byte.
+// A zlib stream is a header, raw deflate blocks, and a checksum of all data. Every strip except the last ends
+// with an empty stored block, which completes its last byte.
 void compress_strip(const Bytes& data, bool is_first, bool is_last, Strip& strip) {
     z_stream z{};
     if (deflateInit2(&z, 1, Z_DEFLATED, -15, 9, Z_RLE) != Z_OK) throw std::bad_alloc();
@@ -94,7 +94,7 @@ void compress_strip(const Bytes& data, bool is_first, bool is_last, Strip& strip
     const int code = deflate(&z, is_last ? Z_FINISH : Z_SYNC_FLUSH);
     const bool whole = z.avail_in == 0 && z.avail_out != 0 && code == (is_last ? Z_STREAM_END : Z_OK);
     strip.chunk.resize(strip.chunk.size() - z.avail_out);
-    strip.chunk.shrink_to_fit();  // a large picture's strips wait for each other
+    strip.chunk.shrink_to_fit();  // all strips of a large picture are in memory together
     deflateEnd(&z);
     if (!whole) throw std::runtime_error("zlib did not compress");
     strip.length = data.size();
@@ -112,7 +112,7 @@ std::vector<std::uint8_t> encode_png(const Image& image, const EncodeOptions& op
             const auto last = std::min(first + k_strip_rows, image.height);
             const bool is_last = last == image.height;
             compress_strip(filter_rows(image, options, first, last), i == 0, is_last, strips[i]);
-            if (is_last) return;  // sealed below, when the checksum of all is known
+            if (is_last) return;  // sealed below, when the checksum of all data is known
             strips[i].chunk.resize(strips[i].chunk.size() + k_chunk_tail);
             seal_chunk(strips[i].chunk, "IDAT");
         });

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// PPM, the raw kind (P6): https://netpbm.sourceforge.net/doc/ppm.html
+// PPM, raw (P6): https://netpbm.sourceforge.net/doc/ppm.html
 #include <fmt/format.h>
 
 #include <algorithm>

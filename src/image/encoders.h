@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// One function a file format, for a picture and options that encode() has checked. They throw bad_alloc, and
-// what their libraries throw; encode() guards them.
+// One function per file format, for a picture and options that encode() has checked. They throw bad_alloc
+// and exceptions of their libraries; encode() catches them.
 #include "glint/conventions.h"
 #include "glint/image.h"
 #include "glint/layers.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The header of an OpenEXR file (https://openexr.com/en/latest/OpenEXRFileLayout.html): magic number and
-// version, then attributes of name, type, length and value until an empty name; of several parts, a header
-// each.
+// version, then attributes of name, type, length and value up to an empty name; a file of several parts has
+// one header for each.
 #include "image/exr_header.h"
 
 #include <string>
@@ -10,7 +10,7 @@
 namespace glint {
 namespace {
 
-// Types whose values have one length only.
+// Types whose values have a fixed length.
 struct FixedType {
     std::string_view name;
     std::uint32_t length;
@@ -51,7 +51,7 @@ class HeaderScan {
         if (bytes_.size() < 9) fail();
         at_ = 8;
         constexpr std::uint8_t k_multi_part =
-            0x10;  // of the version's second byte: headers until an empty one
+            0x10;  // in the second byte of the version: several headers, ended by an empty one
         do {
             check_part(options);
         } while ((bytes_[5] & k_multi_part) != 0 && at_ < bytes_.size() && bytes_[at_] != 0);
@@ -95,7 +95,7 @@ class HeaderScan {
         at_ = start;
     }
 
-    // Every tile has eight bytes in the file's table of places.
+    // Every tile has an entry of eight bytes in the file's table of offsets.
     void check_tiles() const {
         if (tile_width_ == 0 || tile_height_ == 0) return;
         const auto count = [](std::int64_t side, std::int64_t tile) { return (side + tile - 1) / tile; };
@@ -103,7 +103,7 @@ class HeaderScan {
         if (tiles > static_cast<std::int64_t>(bytes_.size() / 8)) fail();
     }
 
-    // Up to a 0 byte.
+    // Reads up to a 0 byte.
     std::string_view text() {
         const std::size_t start = at_;
         while (at_ < bytes_.size() && bytes_[at_] != 0) ++at_;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// What is wrong with a layer as a value.
+// Validation of a layer.
 #include <string>
 
 #include "glint/conventions.h"
@@ -8,7 +8,7 @@
 
 namespace glint {
 
-/// Why the layer's size, channels and values do not belong together, or an empty string.
+/// The reason why the layer's size, channels and values do not match, or an empty string.
 inline std::string layer_fault(const LayerImage& layer) {
     const auto number = static_cast<std::size_t>(layer.layer);
     if (number >= k_layers) return "there is no such layer";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Layers as pictures to look at.
+// Converts layers to pictures for display.
 #include "glint/layers.h"
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 namespace glint {
 namespace {
 
-// The least and the greatest finite value.
+// The smallest and the largest finite value.
 struct Range {
     float least = std::numeric_limits<float>::max(), greatest = std::numeric_limits<float>::lowest();
     void add(float value) {
@@ -20,13 +20,13 @@ struct Range {
         least = std::min(least, value);
         greatest = std::max(greatest, value);
     }
-    // From 0 to 1.
+    // Maps the value to 0 to 1.
     float place(float value) const {
         return greatest > least ? (value - least) / (greatest - least) : value < least ? 0.0f : 1.0f;
     }
 };
 
-// A colour of its own for every number but 0: neighbours in the scene differ.
+// A distinct colour for every number except 0; neighbours in the scene get different ones.
 void put_id(float id, float* rgb) {
     if (!(id >= 1 && id < 0x1p32f)) return;
     std::uint32_t bits = static_cast<std::uint32_t>(id);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// Pictures as the numbers that are compared.
+// Pictures in the form in which they are compared.
 #include <bit>
 #include <cstdint>
 #include <optional>
@@ -19,22 +19,22 @@ inline bool is_finite_pixel(const float* rgb) {
     return is_finite(rgb[0]) && is_finite(rgb[1]) && is_finite(rgb[2]);
 }
 
-/// Channels, 3 a pixel, row by row from the top: bytes (unit 1), or the floats as they are (unit 255), and 0
-/// for what is not finite.
+/// Channels, 3 per pixel, row by row from the top: bytes (unit 1), or unchanged floats (unit 255); 0
+/// for values that are not finite.
 struct Levels {
     std::vector<float> values;
-    double unit = 1;  ///< 255ths that a value of 1 stands for
+    double unit = 1;  ///< 255ths per unit of the values
     std::int32_t width = 0, height = 0;
 };
 Levels levels_of(const Image& image, bool as_floats, int threads);
 
-/// Why two pictures cannot be held against each other, or an empty string.
+/// The reason why two pictures cannot be compared, or an empty string.
 std::string pair_fault(const Image& a, const Image& b);
 
-/// One number a pixel: does it lie on an edge (k_edge_step)?
+/// One number per pixel: whether it is on an edge (k_edge_step).
 std::vector<std::uint8_t> find_edges(const Levels& levels, int threads);
 
-/// PictureDifference::ssim of two pictures' levels.
+/// PictureDifference::ssim for the levels of two pictures.
 std::optional<double> ssim(const Levels& a, const Levels& b, int threads);
 
 }  // namespace glint

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// From linear numbers to the whole numbers of a file.
+// Converts linear numbers to the whole numbers of a file.
 #include <cstddef>
 #include <cstdint>
 
@@ -9,11 +9,11 @@
 
 namespace glint {
 
-/// The sRGB transfer curve (IEC 61966-2-1) of a linear value; 0 and 1 stay, NaN and below are 0, above are 1.
+/// The sRGB transfer curve (IEC 61966-2-1); maps 0 to 0 and 1 to 1. Smaller values and NaN give 0, larger 1.
 double srgb_encode(double linear);
 
-/// The samples of `count` channel values as a file stores them: `bits` / 8 bytes each, big-endian. Nearest
-/// rounding, too.
+/// Converts `count` channel values to samples of a file: `bits` / 8 bytes each, big-endian, rounded to
+/// nearest.
 void quantize_row(const float* values, std::size_t count, int bits, Transfer transfer, std::uint8_t* out);
 
 }  // namespace glint

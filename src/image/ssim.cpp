@@ -27,7 +27,7 @@ Weights gaussian() {
     return weights;
 }
 
-// The sums of a window, or of a row of one.
+// The sums of a window, or of one row or column of it.
 struct Moments {
     double a = 0, b = 0, aa = 0, bb = 0, ab = 0;
     void add(double w, const Moments& m) {
@@ -58,7 +58,7 @@ std::optional<double> ssim(const Levels& a, const Levels& b, int threads) {
     const std::int32_t across = width - k_window + 1, down = height - k_window + 1;
     std::vector<double> rows(static_cast<std::size_t>(down));
     parallel_for(rows.size(), threads, [&](std::size_t y) {
-        // Down the window first: one column's moments, for every column of the picture.
+        // First down the window: the moments of every column of the picture.
         std::vector<Moments> columns(static_cast<std::size_t>(width));
         for (int i = 0; i < k_window; ++i) {
             const std::size_t start = 3 * (y + i) * width;
