@@ -13,7 +13,7 @@ help:
 	@echo 'make build    builds $(glint)'
 	@echo 'make install  installs the command and the library (PREFIX=$(PREFIX), DESTDIR=$(DESTDIR))'
 	@echo 'make playground  builds the web page (make web: to web/dist) and serves it on this machine'
-	@echo 'make bench    installs POV-Ray, Tachyon and Embree and measures glint beside them (docs/performance.md)'
+	@echo 'make bench    installs POV-Ray, Tachyon and Embree and compares glint with them (docs/performance.md)'
 	@echo 'make test-aarch64  cross-compiles for 64-bit ARM and runs tests under qemu'
 	@echo 'make test-blender  installs Blender (571 MB) and tests the add-on for it (docs/blender.md); make blender builds its zip'
 	@echo 'make release  writes the files of a release to build/release-files (tools/make-release)'

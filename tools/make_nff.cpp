@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Writes scenes as .nff, of any size: make_nff sphereflake [DEPTH] | pyramid [DEPTH] | fullerene
 //
-// sphereflake: every sphere carries nine a third as large, 1 + 9 + ... + 9^DEPTH in all (3: 820; 6: 597,871).
-// pyramid: a tetrahedron cut into its four corners again and again, 4^DEPTH in all. fullerene: 60 balls, 90
-// sticks.
+// sphereflake: every sphere has nine of a third its size: 1 + 9 + ... + 9^DEPTH (3: 820; 6: 597,871).
+// pyramid: a tetrahedron subdivided recursively, 4^DEPTH in all. fullerene: 60 spheres, 90
+// cylinders.
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -33,7 +33,7 @@ void floor_at(double z, double half) {
                 z, half, -half, z);
 }
 
-// The nine children of a sphere whose `up` points away from its parent: six around, three above.
+// The nine children of a sphere whose `up` points away from its parent: six around it, three above.
 void flake(Point center, double radius, Point up, int depth) {
     std::printf("s %.6g %.6g %.6g %.6g\n", center.x, center.y, center.z, radius);
     if (depth == 0) return;
@@ -92,7 +92,7 @@ void pyramid(int depth) {
     corner({1, 0, 0}, {-0.5, h, 0}, {-0.5, -h, 0}, {0, 0, std::sqrt(2.0)}, depth);
 }
 
-// The even permutations of three kinds of points with all signs; neighbours are 2 apart.
+// The even permutations of three kinds of points with all signs; neighbours have the distance 2.
 void fullerene() {
     std::puts("# Buckminsterfullerene: 60 atoms of carbon, 90 bonds.\nb 0.9 0.92 0.95");
     view({8, -13, 6}, {0, 0, 0}, 40);

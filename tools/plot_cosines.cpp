@@ -3,8 +3,8 @@
 //     plot_cosines powers > docs/images/plots/powers.svg      cos^n for several n
 //     plot_cosines models > docs/images/plots/models.svg      Phong and Blinn-Phong, with equal and with
 //     fourfold exponents
-// A test of tests/math makes them again and compares. With glint's own functions they are the same text on
-// every machine.
+// A test in tests/math generates them again and compares. With glint's own functions, the text is the same
+// on every machine.
 #include <cstdio>
 #include <cstring>
 #include <string>
@@ -43,7 +43,7 @@ void begin(const char* title, const char* axis) {
                 y_of(0) + 40, axis);
 }
 
-/// (cos of angle / divisor)^n over 0 to 90 degrees, labelled where it passes `label_at`.
+/// (cos of angle / divisor)^n over 0 to 90 degrees, labelled where it crosses `label_at`.
 void curve(double n, double divisor, const char* color, const char* dashes, const std::string& label,
            double label_at) {
     std::printf("<path fill=\"none\" stroke=\"%s\" stroke-width=\"2\" stroke-dasharray=\"%s\" d=\"", color,

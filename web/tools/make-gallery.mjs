@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Makes src/gallery/: the scenes of ../scenes as one list, and a thumbnail of each, drawn by glint itself.
+// Creates src/gallery/: a list of the scenes in ../scenes, and a thumbnail of each, rendered by glint.
 import {mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync} from 'node:fs';
 import {join, relative, sep} from 'node:path';
 import {fileURLToPath} from 'node:url';
@@ -18,7 +18,7 @@ const files = readdirSync(scenes, {recursive: true, withFileTypes: true})
 const read = (path) => ({name: path, text: readFileSync(join(scenes, path), 'utf8')});
 const includes = files.filter((path) => path.includes('/parts/')).map(read);
 
-/** One entry a picture: a file; two listings that are one scene; each scene of a file that has several. */
+/** One entry per picture: a file; two listings that form one scene; each scene of a file that has several. */
 function* entries() {
     for (const path of files) {
         if (path.includes('/parts/') || path.includes('only_lights')) continue;
@@ -34,7 +34,7 @@ function* entries() {
     }
 }
 
-/** The chunk of a PNG. */
+/** A chunk of a PNG. */
 function chunk(type, data) {
     const body = Buffer.concat([Buffer.from(type, 'latin1'), data]);
     const framed = Buffer.alloc(body.length + 8);
@@ -44,7 +44,7 @@ function chunk(type, data) {
     return framed;
 }
 
-/** The CRC of a chunk; node has one of its own only since version 20.15. */
+/** The CRC of a chunk; node has its own only since version 20.15. */
 function checksum(bytes) {
     if (crc32) return crc32(bytes);
     let sum = 0xffffffff;
@@ -83,7 +83,7 @@ list.forEach((entry, i) => {
     const long = 176;
     const scale = long / Math.max(report.width, report.height * 4 / 3);
     const width = Math.round(report.width * scale), height = Math.round(report.height * scale);
-    // A picture at one world unit a pixel cannot be drawn smaller.
+    // A picture at one world unit per pixel cannot be rendered at a smaller size.
     const whole = scene.info.settings.find((setting) => setting.name === 'pixel_sample').value === 'whole';
     const size = whole ? [report.width, report.height] : [width, height];
     scene.prepare({settings: {size: size.join('x'), ...(whole ? {} : {aa: '2'})}});
@@ -105,7 +105,7 @@ export interface GalleryScene {
 export const gallery: GalleryScene[] = [
 ${items.join('\n')}
 ];
-/** What the gallery's scenes include. */
+/** The texts that the gallery's scenes include. */
 export const parts: {name: string; text: string}[] = ${JSON.stringify(includes)};
 `);
 console.log(`${list.length} scenes, ${includes.length} parts`);

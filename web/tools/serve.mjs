@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// node serve.mjs FOLDER [PORT]: a plain static file server on this machine alone; prints its address.
+// node serve.mjs FOLDER [PORT]: a static file server for this machine only; prints its address.
 import {createReadStream, statSync} from 'node:fs';
 import {createServer} from 'node:http';
 import {extname, join, normalize, resolve} from 'node:path';
