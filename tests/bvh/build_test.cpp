@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What every hierarchy keeps to, whatever the boxes.
+// Properties of every hierarchy, for all kinds of boxes.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -12,7 +12,7 @@
 namespace glint::test {
 namespace {
 
-// Classes with leaves of several sizes and prices.
+// Classes with different leaf sizes and costs.
 constexpr std::array<LeafCost, 18> k_costs = [] {
     std::array<LeafCost, 18> costs{};
     for (int c = 0; c < 18; ++c) {
@@ -43,7 +43,7 @@ struct Built {
 
 bool same(const Aabb& a, const Aabb& b) { return std::memcmp(&a, &b, sizeof(Aabb)) == 0; }
 
-// Walks the tree: checks boxes, leaves and depth, and counts how often each item is met.
+// Traverses the tree: checks boxes, leaves and depth, and counts how often each item occurs.
 class Checker {
   public:
     Checker(const Input& input, const Built& built)
@@ -65,7 +65,8 @@ class Checker {
     std::size_t nodes() const { return nodes_; }
 
   private:
-    // The box of all that is below the node; checks that each child's is exactly that of what is in it.
+    // The bounds of everything below the node; checks that each child's box is exactly the bounds of its
+    // items.
     Aabb node(std::uint32_t index, int depth) {
         Aabb all;
         if (depth > 200 || index >= bvh_.nodes.size()) {
@@ -161,7 +162,7 @@ TEST(Bvh, PointsOnALineAndInAPlane) {
 }
 
 TEST(Bvh, ExponentiallySpacedBoxesStayWithinTheDepth) {
-    // The surface-area heuristic parts off the largest, one by one.
+    // The surface-area heuristic splits off the largest boxes one by one.
     for (const double ratio : {1.02, 1.5, 2.0, 3.0}) {
         Input input, of_many_classes;
         double at = 1e-18;
@@ -200,7 +201,7 @@ TEST(Bvh, TheSameForAnyNumberOfThreads) {
 }
 
 TEST(Bvh, PartsWhatIsApart) {
-    // Two heaps far apart: no child of the root's spans them.
+    // Two clusters far apart: no child of the root contains both.
     Random random(54);
     Input input;
     for (int i = 0; i < 200; ++i) {
@@ -215,7 +216,7 @@ TEST(Bvh, PartsWhatIsApart) {
 }
 
 TEST(Bvh, NodesAndLeavesAreFilled) {
-    // 28 bytes an item, also where classes alternate: those of a kind go together.
+    // 28 bytes per item, also if classes alternate: items of one class are put together.
     Random random(55);
     for (const int classes : {1, 2}) {
         Input input;
@@ -229,7 +230,7 @@ TEST(Bvh, NodesAndLeavesAreFilled) {
 }
 
 TEST(Bvh, CrossedBarsDoNotShareALeaf) {
-    // The box around two of them is a lot of nothing.
+    // The box around two of them is mostly empty.
     Input input;
     for (int i = 0; i < 12; ++i) {
         input.add({0, i * 0.1, 0}, i % 2 == 0 ? Vec3{5, 0.01, 0.01} : Vec3{0.01, 0.01, 5});

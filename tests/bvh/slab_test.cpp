@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The lanes after the last prepared ray, on every instruction set of this machine: a vector that begins at
+// The lanes after the last prepared ray, for every instruction set of this machine: a vector that starts at
 // any ray may read them.
 #include <gtest/gtest.h>
 
@@ -19,7 +19,7 @@ HWY_BEFORE_NAMESPACE();
 namespace glint {
 namespace HWY_NAMESPACE {
 
-// What lanes [count, count + k_ray_padding) hold when rays [0, count) are prepared in memory of all ones.
+// The contents of lanes [count, count + k_ray_padding) after preparing rays [0, count) in memory of all ones.
 struct Padding {
     std::vector<float> numbers;  // of all columns but t_max
     std::vector<float> t_max;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the command says to what it cannot do, and with which exit code.
+// The messages and exit codes for input that the command cannot handle.
 #include <gtest/gtest.h>
 
 #include "cli/process.h"

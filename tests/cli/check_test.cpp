@@ -58,7 +58,7 @@ TEST(Check, StrictFailsOnFindingsAndWarnings) {
     EXPECT_EQ(run(folder, {"check", "warned.cgfs", "--strict"}).code, 1);
 }
 
-// How a reader took what is no mistake is told, and does not fail.
+// The interpretation of valid input is a note; it is printed and is not a failure.
 TEST(Check, TheGalleryIsStrictlyClean) {
     namespace fs = std::filesystem;
     const Folder folder;
@@ -105,7 +105,7 @@ TEST(Check, TakesTheSceneOptionsOfRender) {
     EXPECT_TRUE(contains(run(folder, {"check", "-", "--format", "cgfs"}, input).out, "[shape-outside-view]"));
 }
 
-// What is wrong depends on how the scene is drawn.
+// The findings depend on the options of rendering.
 TEST(Check, TakesThePictureOptionsOfRender) {
     const Folder folder;
     folder.write("a.cgfs", std::string(k_clean) +

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// glint convert: which file is read, which is written, and what is never overwritten.
+// glint convert: the files that it reads and writes, and those that it must not overwrite.
 #include <gtest/gtest.h>
 
 #include "cli/process.h"
@@ -60,7 +60,7 @@ group { rotate = (0, 30, 0)  include "parts/b.glint"  include "parts/c.cgfs" }
         ASSERT_EQ(run(folder, {"render", name + ".glint", "-s", "40x30", "-o", name + ".exr"}).code, 0);
     }
     EXPECT_EQ(folder.read("a.exr"), folder.read("b.exr"));
-    // The included ones are not overwritten either.
+    // Included files are not overwritten either.
     EXPECT_EQ(run(folder, {"convert", "a.glint", "parts/b.glint"}).code, 2);
 }
 

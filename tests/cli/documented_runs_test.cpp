@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the documents show is what the command prints: every `    $ glint ...` of theirs is run, in the folder
-// of the project's scenes, and its output held against the lines below it. A line `...` stands for any number
-// of lines.
+// Documented output is the command's output: every `    $ glint ...` in the documents is run in the folder
+// of the project's scenes, and its output is compared with the lines below it. A line `...` matches any
+// number of lines.
 #include <gtest/gtest.h>
 
 #include "cli/process.h"
@@ -11,7 +11,7 @@ namespace {
 
 using Lines = std::vector<std::string>;
 
-// Without the blanks at the ends of lines, which documents do not keep.
+// Without trailing blanks, which documents do not keep.
 Lines lines_of(const std::string& text) {
     Lines lines;
     std::istringstream in(text);
@@ -53,7 +53,7 @@ TEST_P(DocumentedRuns, PrintWhatTheySay) {
         for (++i; i < doc.size() && doc[i].starts_with("    ") && !doc[i].starts_with(prompt); ++i)
             shown.push_back(doc[i].substr(4));
         const Finished r = run(folder, arguments);
-        // Of a picture that was drawn, the documents say nothing.
+        // The documents do not show the line about a rendered picture.
         const Lines printed = lines_of(r.out + (arguments.front() == "render" ? "" : r.err));
         EXPECT_TRUE(matches(shown, 0, printed, 0)) << command << "\nprints\n" << r.out << r.err;
         ++runs;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// glint explain: its forms, and what it answers to what cannot be explained. What it says is tests/explain's.
+// glint explain: its output formats and errors. tests/explain checks the contents.
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
@@ -39,7 +39,7 @@ TEST(Explain, TheBytesOfTheJsonAreTheFiles) {
                 static_cast<std::uint8_t>(ppm[pixels + 3 * static_cast<std::size_t>(80 * y + x) + c]);
             EXPECT_EQ(json["bytes"][c], byte) << at;
         }
-        // The same pixel, counted from below.
+        // The same pixel, with rows counted from the bottom.
         const std::string below = std::to_string(x) + "," + std::to_string(79 - y);
         EXPECT_EQ(run(folder, {"explain", k_castle, "-s", "80x80", "--shading", "phong", "--as", "json", "-p",
                                below, "--origin", "bottom-left"})
@@ -98,7 +98,7 @@ TEST(Explain, ListsTheSamples) {
                           "its samples"));
 }
 
-// CSC 473's layout, to the blank: a ball before nothing, in a mirror.
+// The exact layout of CSC 473: a sphere in front of nothing, in a mirror.
 TEST(Explain, PrintsRaysAsTheCourseDoes) {
     const Folder folder;
     folder.write("a.pov",

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The manual pages and completions of the source are what the command prints: `make generated` writes them.
+// The manual pages and completions in the source tree are the command's output: `make generated` writes them.
 #include <gtest/gtest.h>
 
 #include <regex>
@@ -28,7 +28,7 @@ bool has_program(const std::string& name) {
     return std::system(("command -v " + name + " >/dev/null 2>&1").c_str()) == 0;
 }
 
-// Runs a script in the folder; its exit code.
+// Runs a script in the folder; returns its exit code.
 int shell(const Folder& folder, const std::string& command) {
     return std::system(("cd '" + folder.path() + "' && " + command).c_str());
 }
@@ -52,7 +52,7 @@ TEST(Generated, CompletionsAreUpToDate) {
             << "run `make generated`";
 }
 
-// A page says what the help says: every option, with every word of its description.
+// A manual page contains every option of the help, with its whole description.
 TEST(Generated, ManualPagesSayWhatTheHelpSays) {
     const Folder folder;
     const auto names = commands(folder);
@@ -112,7 +112,7 @@ TEST(Generated, ZshCompletes) {
     const Folder folder;
     folder.write("_glint", source("tools/completions/glint.zsh"));
     EXPECT_EQ(shell(folder, "zsh -f -n _glint"), 0);
-    // What _arguments is told is what it can read: it is asked as at a prompt.
+    // Checks that _arguments can parse its specifications, by completing as at a prompt.
     folder.write("try.zsh", R"(zmodload zsh/zpty
 zpty glint zsh -f -i
 zpty -w glint 'PS1= ; unsetopt zle_bracketed_paste 2>/dev/null; fpath=($PWD $fpath); autoload -Uz compinit; compinit -u -D; bindkey "^I" complete-word; echo ready'

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// What the tests of glint grade have in common: a class's pictures, drawn and graded.
+// Shared by the tests of glint grade: the rendered and graded pictures of a class.
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
@@ -29,7 +29,7 @@ class Grade : public ::testing::Test {
         draw(name + "/castle_blinn.png", {"--no-shadows", "--reflections", "0"});
         draw(name + "/castle_shadows.png", {"--reflections", "0"});
         draw(name + "/castle_reflections.png", {});
-        // The ambient part alone: the scene with its lamps out.
+        // Only the ambient part: the scene without its other lights.
         std::ifstream in(k_castle);
         const std::string json{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
         const std::size_t lights = json.find("\"lights\"");

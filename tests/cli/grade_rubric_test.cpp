@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// glint grade --rubric: RT2's rubric, the worked example, and mistakes in rubrics.
+// glint grade --rubric: the rubric of RT2, the worked example, and errors in rubrics.
 #include "cli/grade.h"
 #include "image/read_png.h"
 
@@ -35,14 +35,14 @@ TEST_F(Grade, ByRt2sRubric) {
         << csv;
     EXPECT_TRUE(contains(csv, "\nada,5.00,15.00,10.00,10.00,5.00,25.00,20.00,90.00,90.00,")) << csv;
     EXPECT_EQ(read_png(folder.path("t.png")).error, "");
-    // One's own folder.
+    // A folder of one student.
     const auto own = graded({"in/ada", "--scene", k_castle, "--rubric", k_rubric, "--size", "96x72"});
     ASSERT_EQ(own.size(), 1u);
     EXPECT_EQ(own[0]["name"], "ada");
     EXPECT_EQ(own[0]["total"], 90);
 }
 
-// The worked example of docs/teaching.md, as it stands there: its commands, and the table that they print.
+// The worked example of docs/teaching.md: its commands print the table shown there.
 TEST_F(Grade, TheWorkedExample) {
     std::ifstream in(GLINT_SOURCE "/docs/teaching.md");
     std::string commands, table;
@@ -109,7 +109,7 @@ TEST_F(Grade, MistakesInARubricHaveTheirPlace) {
         EXPECT_TRUE(contains(r.err, message)) << message << "\n" << r.err;
     }
     EXPECT_FALSE(contains(r.err, "`size`")) << r.err;
-    // No more than anyone reads, and nothing that the terminal would take for an order.
+    // The message is short and contains no terminal control characters.
     std::string many;
     for (int i = 0; i < 1000; ++i) many += "part five \x1b[31m\x07*.png\n";
     folder.write("many.rubric", many);

@@ -40,7 +40,7 @@ TEST_F(Grade, PicturesAgainstAReference) {
     const Picture sheet = read_png(folder.path("t.png"));
     EXPECT_EQ(sheet.error, "");
     EXPECT_GT(sheet.width, 96 * 2);
-    // The scene's own picture is the reference if none is given.
+    // Without a reference, the scene's own picture is used.
     draw("in/zoe.png", {});
     const auto own = graded({"in", "--scene", k_castle, "--size", "96x72"});
     EXPECT_EQ(own[4]["equal"], 1);
@@ -61,7 +61,7 @@ TEST_F(Grade, SaysWhatNoCauseExplains) {
     EXPECT_TRUE(json[1]["causes"].empty());
 }
 
-// As bytes such pixels are black, and 'unlit' would explain them.
+// Compared as bytes, such pixels are black, and 'unlit' would explain them.
 TEST_F(Grade, WhatIsNotANumberIsSaidFirst) {
     const auto write = [&](const char* name, float value, int count) {
         Image image{20, 12, std::vector<float>(720, 0.5f)};
@@ -98,8 +98,8 @@ TEST_F(Grade, WhatIsNotANumberIsSaidFirst) {
     EXPECT_TRUE(part["cause"].is_null());
 }
 
-// One student's broken hand-in is a row, and the others are graded. (Root reads every folder: a name that is
-// too long for the system stands for one that cannot be read.)
+// An unreadable submission is a row of the table, and the others are graded. (Root can read every folder, so
+// the test uses a name that is too long for the system.)
 TEST_F(Grade, WhatCannotBeReadIsARow) {
     draw("right.png", {});
     draw("in/ada.png", {});
@@ -138,7 +138,7 @@ TEST_F(Grade, WhatCannotBeReadIsARow) {
     EXPECT_TRUE(contains(folders[2]["parts"][0]["error"], "Too many levels of symbolic links"));
     EXPECT_EQ(folders[3]["name"], "zoe");
     EXPECT_EQ(folders[3]["parts"][0]["error"], "a link to what is not there");
-    // One's own folder stays that, whatever else lies in it.
+    // The folder of one student stays one submission, whatever else is in it.
     std::filesystem::create_symlink("nowhere", folder.path("in/ben/notes"));
     const auto own = graded({"in/ben", "--scene", k_castle, "--rubric", "one.rubric", "--size", "96x72"});
     ASSERT_EQ(own.size(), 1u);
@@ -181,7 +181,7 @@ TEST_F(Grade, SheetsAreRefusedBeforeTheWork) {
     EXPECT_TRUE(contains(jpeg.err, "--sheet 's.jpg': expected a name that ends in .png")) << jpeg.err;
     EXPECT_FALSE(folder.has("s.jpg") || folder.has("t.csv"));
     EXPECT_EQ(grade({"in", "--reference", "right.png", "--sheet", "-", "--csv", "-"}).code, 2);
-    // More parts than a sheet is wide.
+    // More parts than fit the width of a sheet.
     std::string rubric;
     for (int i = 0; i < 1000; ++i) rubric += "all 1 *.png\n";
     folder.write("wide.rubric", rubric);
@@ -222,7 +222,7 @@ TEST_F(Grade, OutputsSpareWhatIsRead) {
     }
     for (std::size_t i = 0; i < names.size(); ++i) EXPECT_EQ(folder.read(names[i]), before[i]) << names[i];
     EXPECT_FALSE(folder.has("a") || folder.has("a.png") || folder.has("in/sheet.png"));
-    // A table lies among the pictures unharmed, and nothing is lost where nothing is kept.
+    // A table may be written among the pictures.
     EXPECT_EQ(grade({"in", "--reference", "right.png", "--csv", "in/t.csv"}).code, 0);
     EXPECT_EQ(grade({"in", "--reference", "right.png", "--csv", "/dev/null", "--json", "/dev/null"}).code, 0);
 }
@@ -246,7 +246,7 @@ TEST_F(Grade, BadInput) {
     EXPECT_EQ(grade({}).code, 2);
 }
 
-// A file's name is not to become a formula in a spreadsheet, nor to clear a terminal.
+// File names must not become formulas in a spreadsheet, and must not control the terminal.
 TEST_F(Grade, NamesAreText) {
     draw("right.png", {});
     draw("in/=1+2.png", {});
@@ -258,14 +258,14 @@ TEST_F(Grade, NamesAreText) {
     const std::string csv = folder.read("t.csv");
     EXPECT_TRUE(contains(csv, "\n'=1+2,")) << csv;
     EXPECT_TRUE(contains(csv, "\n\"a,\"\"b\"\"\",")) << csv;
-    // U+009B is ESC [ in one character, and the byte alone is so to some terminals.
+    // U+009B is ESC [ as one character, and some terminals treat the single byte alike.
     std::filesystem::rename(folder.path("in/=1+2.png"), folder.path("in/\xc2\x9b"
                                                                     "2J\xc3\xa9.png"));
     std::filesystem::rename(folder.path("in/a,\"b\".png"), folder.path("in/z\x9b.png"));
     const Finished c1 = grade({"in", "--reference", "right.png"});
     EXPECT_TRUE(contains(c1.out, "  ?2J\xc3\xa9 ")) << c1.out;
     EXPECT_TRUE(contains(c1.out, "  z? ")) << c1.out;
-    // So with what a rubric says: a part's name, and a file's that nobody handed in.
+    // The same for texts of a rubric: the name of a part, and of a missing file.
     std::filesystem::create_directory(folder.path("in/ada"));
     folder.write("names.rubric",
                  "\"p\xc2\x9b"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Ctrl-C: ended by the signal within a second, and no file.
+// Ctrl-C ends the command by the signal within a second, and leaves no file.
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
@@ -12,7 +12,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-// Whether the process has a handler of its own for the signal, by what the kernel says.
+// Whether the process has its own handler for the signal, as the kernel reports it.
 bool catches(int process, int signal) {
     std::ifstream status("/proc/" + std::to_string(process) + "/status");
     for (std::string line; std::getline(status, line);) {
@@ -48,7 +48,7 @@ TEST(Interrupt, WhileTracing) {
 }
 
 // A terminal sends the signal to the shell and to the command. bash ends its loop if the signal ended the
-// command, and goes on if the command ended by itself, whatever its exit code.
+// command, and continues if the command exited, with any exit code.
 TEST(Interrupt, EndsALoopOfTheShell) {
     const Folder folder;
     folder.write("a.cgfs", k_scene);
@@ -74,7 +74,7 @@ TEST(Interrupt, EndsALoopOfTheShell) {
     };
     for (int i = 0; i < 500 && (!folder.has("round1") || !catches(command_of_shell(), SIGINT)); ++i)
         std::this_thread::sleep_for(10ms);
-    // Whoever of the shell's children is there when the time is over is ended, too: no test hangs.
+    // At the timeout, all remaining child processes of the shell are ended, so that no test hangs.
     ::kill(-shell, SIGINT);
     int status = 0;
     bool ended = false;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A file appears whole or not at all.
+// A file is written completely or not at all.
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
@@ -47,7 +47,7 @@ TEST(Outputs, UnwritableTargets) {
     EXPECT_EQ(run(folder, {"info", "a.cgfs"}, full).code, 1);
 }
 
-// What is said beside the answer is lost; the answer is not.
+// Messages on standard error may be lost; the output is not.
 TEST(Outputs, StandardErrorThatCannotBeWritten) {
     const Folder folder;
     folder.write("a.cgfs", k_scene);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// An output never overwrites an input or another output, whatever the command.
+// No command overwrites an input or another output.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -107,7 +107,7 @@ TEST_F(Overwriting, OfALayerThatIsAScene) {
     EXPECT_FALSE(folder.has("s.png"));
 }
 
-// The file behind standard input is read, too.
+// The file behind standard input also counts as read.
 TEST_F(Overwriting, OfStandardInput) {
     const std::string command = "cd '" + folder.path() +
                                 "' && '" GLINT_COMMAND
@@ -134,7 +134,7 @@ TEST_F(Overwriting, OfOlderFilesAndOfNothingIsAllowed) {
     }
 }
 
-// A shell may send standard output to a file that is read, or that another option writes.
+// A shell may redirect standard output to a file that is read, or that another option writes.
 TEST_F(Overwriting, OfRedirectedStandardOutputIsRefused) {
     const auto shell = [&](const std::string& line) {
         const std::string command = "cd '" + folder.path() + "' && " GLINT_COMMAND " " + line;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The pictures of README.md and docs/: each is what the command beside it draws.
+// The pictures of README.md and docs/: each is the output of the command next to it.
 #include <gtest/gtest.h>
 
 #include <set>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// Running the real command as a user would: in a folder of its own, with its outputs caught.
+// Runs the real command as a user would: in its own folder, with its outputs captured.
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <poll.h>
@@ -33,7 +33,7 @@ struct RunOptions {
     std::string error_path{};  ///< standard error goes to this file instead
 };
 
-/// A temporary folder that is gone when this is.
+/// A temporary folder; the destructor removes it.
 class Folder {
   public:
     Folder() {
@@ -102,7 +102,7 @@ class Process {
 
     int id() const { return id_; }
 
-    /// Feeds standard input and reads both outputs to their ends.
+    /// Writes to standard input and reads both outputs to their ends.
     Finished finish() {
         Finished result;
         ::signal(SIGPIPE, SIG_IGN);

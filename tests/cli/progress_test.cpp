@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The progress bar, on terminals of several kinds.
+// The progress bar, on several kinds of terminals.
 #include <gtest/gtest.h>
 #include <sys/ioctl.h>
 
@@ -8,8 +8,8 @@
 namespace glint::test {
 namespace {
 
-// What `glint render` writes to a terminal in the first `seconds` of a long picture, or until it has said how
-// long the rest will take.
+// The output of `glint render` to a terminal in the first `seconds` of a long render, or until it contains an
+// estimate of the remaining time.
 std::string shown_on_terminal(const std::string& kind, unsigned short columns, int seconds) {
     const Folder folder;
     folder.write("a.cgfs", k_scene);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// glint render: what it draws, where it puts it and what it says.
+// glint render: the picture, its file and the messages.
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
@@ -55,7 +55,7 @@ TEST(Render, StrictDrawsNothingThatIsWarnedOf) {
     EXPECT_TRUE(folder.has("good.png"));
 }
 
-// Spheres of glass that mirror: more rays than a sample may have.
+// Spheres that are both glass and mirror: more rays than a sample may have.
 TEST(Render, StrictCountsRaysThatAreNotTraced) {
     const Folder folder;
     folder.write("cut.glint", R"(camera { position = (0, 0, 8)  look_at = (0, 0, 0)  fov_x = 50 }
@@ -109,7 +109,7 @@ TEST(Render, StandardInputAndOutput) {
     EXPECT_EQ(run(folder, {"render", "a.cgfs", "-s", "60x40", "-o", "/dev/stdout"}).out, expected);
     ASSERT_EQ(run(folder, {"render", "-", "--format", "cgfs", "-s", "60x40"}, with_input(k_scene)).code, 0);
     EXPECT_EQ(folder.read("picture.png"), expected);
-    // Standard output that is a file is written in place, not replaced.
+    // If standard output is a file, it is written in place, not replaced.
     const auto to_file = with_output_to(folder.path("b.png"));
     ASSERT_EQ(run(folder, {"render", "a.cgfs", "-s", "60x40", "-o", "-"}, to_file).code, 0);
     EXPECT_EQ(folder.read("b.png"), expected);

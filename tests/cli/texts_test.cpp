@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The small texts of the command line.
+// The text functions of the command.
 #include <gtest/gtest.h>
 
 #include "cli/foreign_flags.h"
@@ -66,7 +66,7 @@ TEST(Texts, Progress) {
     }
 }
 
-// Seconds, as the test has them.
+// The test's own clock, in seconds.
 int fake_time = 0;
 ProgressBar::Clock::time_point fake_now() {
     return ProgressBar::Clock::time_point(std::chrono::seconds(fake_time));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is said of a command line that makes no sense, and what asks for help.
+// The messages for command lines that are not valid, and requests for help.
 #include <gtest/gtest.h>
 
 #include "cli/process.h"
@@ -65,7 +65,7 @@ TEST(Usage, NamesWhatWasMeant) {
     EXPECT_EQ(folder.count(), 1);
 }
 
-// In glint's words, which name the option, what was expected and what was found.
+// The messages name the option, what was expected and what was found.
 TEST(Usage, InItsOwnWords) {
     const Folder folder;
     folder.write("a.cgfs", k_scene);

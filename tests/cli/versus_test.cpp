@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// glint versus: two drawings of one scene.
+// glint versus: two pictures of one scene.
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
@@ -35,7 +35,7 @@ TEST(Versus, ExplainsThePixelThatDiffersMost) {
         return nlohmann::json::parse(f.out);
     };
     const auto plain = figures({"--a", "shading=phong", "--b", "shading=blinn-phong", "--json"});
-    // The explanations are of the pixel that is named, and say what it is.
+    // The explanations are of the named pixel, and give its value.
     const auto& largest = plain["largest"];
     for (const std::size_t side : {0u, 1u}) {
         const auto& e = plain["explanations"][side];
@@ -49,7 +49,7 @@ TEST(Versus, ExplainsThePixelThatDiffersMost) {
 
 TEST(Versus, ProfilesAndNoDifference) {
     const Folder folder;
-    // Profiles have sizes of their own; both drawings have the scene's.
+    // Profiles have their own sizes; both pictures have the scene's.
     EXPECT_EQ(run(folder, {"versus", k_lights, "--a", "profile=epfl", "--b", "profile=cgfs"}).code, 0);
     const Finished r = run(folder, versus({"--a", "profile=epfl", "--b", "profile=cgfs"}));
     EXPECT_EQ(r.code, 0) << r.err;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What explain() says of a pixel is what render() draws, and adds up.
+// explain() describes the same pixel that render() gives, and its parts add up to it.
 #include "glint/explain.h"
 
 #include <gtest/gtest.h>
@@ -16,14 +16,14 @@
 namespace glint::test {
 namespace {
 
-// As the film has it: the mean, as a float.
+// The same as in the film: the mean, as a float.
 float film(double sum, int samples) {
     const double n = static_cast<double>(samples) * samples;
     const double mean = samples > 1 ? sum / n : sum;
     return static_cast<float>(std::fmin(std::fmax(std::isnan(mean) ? 0 : mean, -1e30), 1e30));
 }
 
-// The pixel's layers, added up from what the rays are said to add, in their order.
+// The pixel's layers, computed from the contributions of the rays, in their order.
 void add_up(const Explanation& e, float (&layers)[k_light_layers][3]) {
     double sums[k_light_layers][3] = {};
     const auto add = [&](Layer layer, Color c) {
@@ -46,7 +46,7 @@ void add_up(const Explanation& e, float (&layers)[k_light_layers][3]) {
         for (int c = 0; c < 3; ++c) layers[l][c] = film(sums[l][c], e.samples);
 }
 
-// All that a shadow ray meets and that casts shadows, from where it starts: the t's, by one brute walk.
+// All t at which a shadow ray hits shapes that cast shadows, by testing all shapes.
 std::vector<double> occluders(const World& world, const LightTerms& terms) {
     std::vector<double> met;
     double t_min = terms.t_min;
@@ -135,7 +135,7 @@ TEST(Explain, TenThousandPixelsAreThePicturesOwn) {
             auto scene = test::load_file(file, settings);
             ASSERT_TRUE(scene) << file;
             SCOPED_TRACE(file + " " + settings);
-            // Small enough to be quick, and of sides that tiles do not like.
+            // Small and fast, and not a multiple of the tile size.
             scene->settings.height = 97 * scene->settings.height / scene->settings.width;
             scene->settings.width = 97;
             const Result<World> world = prepare(*scene);
@@ -174,7 +174,7 @@ TEST(Explain, UnlitShadingsAndEveryInstructionSet) {
             << isa;
 }
 
-// The page of a book: the sum of a pixel by hand.
+// A page of a book: the sum of a pixel, computed by hand.
 TEST(Explain, APlaneUnderOneLight) {
     Scene scene;
     scene.materials.push_back({.ambient = {0.1, 0.1, 0.1}, .diffuse = {0.5, 0.5, 0.5}});
@@ -246,7 +246,7 @@ TEST(Explain, WhyThereIsNoHighlight) {
     Scene scene;
     scene.materials.push_back({.diffuse = {0, 0, 0}, .specular = {1, 1, 1}});
     scene.add(Plane{}, 0);
-    // Both are in front of the point and low: the mirrored light goes away from the eye.
+    // Both are low in front of the point: the reflected light points away from the eye.
     scene.lights.push_back({.position = {0, 0.5, 20}});
     scene.camera.position = {0, 0.5, 4};
     scene.camera.look_at = {0, 0, 2};

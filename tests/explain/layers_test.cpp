@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The layers of a picture: light that adds up to it, and the surfaces it shows.
+// The layers of a picture: their light adds up to it, and they describe the visible surfaces.
 #include "glint/layers.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// explain's JSON is what docs/explain.schema.json says: as much of JSON Schema as that file uses.
+// explain's JSON is valid by docs/explain.schema.json; supports the parts of JSON Schema that this file uses.
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
@@ -16,7 +16,7 @@ class Schema {
   public:
     explicit Schema(json root) : root_(std::move(root)) {}
 
-    // What is wrong with a value, or an empty string.
+    // An error message for a value, or an empty string.
     std::string fault(const json& value) const { return fault(value, root_, "$"); }
 
   private:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// What a fuzzer does with a text: load it and look at the answer.
+// The fuzzing of texts: load them and check the result.
 #include <string>
 #include <string_view>
 
@@ -8,7 +8,7 @@
 
 namespace glint::test {
 
-/// What a text may include: a part of itself, under any name. At most 200 bytes, as it may do so often.
+/// The texts that may be included: a part of the text itself, under any name. At most 200 bytes.
 class FuzzSources : public Sources {
   public:
     explicit FuzzSources(std::string_view text) : text_(text.substr(text.size() / 2, 200)) {}
@@ -21,7 +21,7 @@ class FuzzSources : public Sources {
     std::string_view text_;
 };
 
-/// Loads the text; an empty string, or what is wrong with the answer.
+/// Loads the text. Returns an empty string, or what is wrong with the result.
 inline std::string fuzz_load(std::string_view text, std::string format) {
     const SceneText texts[] = {{"fuzz", text, std::move(format)}};
     FuzzSources sources(text);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// What a fuzzer does with a picture file: read it and look at the answer.
+// The fuzzing of picture files: read them and check the result.
 #include <cmath>
 #include <span>
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace glint::test {
 
-/// Decodes the bytes, as a picture of few pixels; an empty string, or what is wrong with the answer.
+/// Decodes the bytes with a low limit of pixels. Returns an empty string, or what is wrong with the result.
 inline std::string fuzz_decode(std::span<const std::uint8_t> bytes) {
     DecodeOptions options;
     options.max_pixels = 1 << 16;

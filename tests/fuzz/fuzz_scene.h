@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// What a fuzzer does with a scene: write it as .glint and read that again; draw it.
+// The fuzzing of scenes: write them as .glint and read that again; render them.
 #include <cmath>
 #include <cstring>
 #include <string>
@@ -21,7 +21,7 @@ inline NamedText split_format(std::string_view data) {
     return {std::string(data.substr(0, end)), data.substr(std::min(end + 1, data.size()))};
 }
 
-/// Loads the text and, if it is a scene, writes it and loads that. An empty string, or what has changed.
+/// Loads the text; if it is a scene, writes and loads it. Returns an empty string, or what has changed.
 inline std::string fuzz_convert(std::string_view text, std::string format) {
     const SceneText texts[] = {{"fuzz", text, std::move(format)}};
     const Result<Scene> first = load(texts);
@@ -41,7 +41,7 @@ inline std::string fuzz_convert(std::string_view text, std::string format) {
     return again == written ? std::string() : "written again:\n" + written + "\nnow:\n" + again;
 }
 
-/// Takes some pixels of a picture apart. An empty string, or what is wrong.
+/// Explains some pixels of a picture. Returns an empty string, or what is wrong.
 inline std::string fuzz_explain(const Scene& scene, const World& world, const Image& image) {
     for (const int x : {0, image.width / 2, image.width - 1}) {
         const int y = x * (image.height - 1) / std::max(image.width - 1, 1);
@@ -56,8 +56,8 @@ inline std::string fuzz_explain(const Scene& scene, const World& world, const Im
     return {};
 }
 
-/// Loads the text and, if it is a scene, draws it with few pixels and explains some. An empty string, or what
-/// is wrong.
+/// Loads the text; if it is a scene, renders it with few pixels and explains some. Returns an empty string,
+/// or what is wrong.
 inline std::string fuzz_render(std::string_view text, std::string format) {
     const SceneText texts[] = {{"fuzz", text, std::move(format)}};
     Result<Scene> loaded = load(texts);

@@ -53,7 +53,7 @@ TEST(PictureCorpus, EveryFileHasAnAnswer) {
               10);
 }
 
-// A folder a reader, called as its format.
+// One folder per reader, with the name of its format.
 std::vector<std::string> readers() {
     std::vector<std::string> names;
     for (const glint::FormatInfo& format : glint::formats()) {

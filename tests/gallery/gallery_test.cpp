@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Every scene of the gallery: the same floats on every instruction set, for any threads, put together from
-// crops, and in every configuration that builds this test (g++, clang, sanitizers, debug); and the picture
-// that we looked at.
+// Every scene of the gallery gives the same floats for all instruction sets and numbers of threads, assembled
+// from crops, and in every configuration that builds this test (g++, clang, sanitizers, debug); and the
+// pictures are those that were inspected.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -23,7 +23,7 @@ struct GalleryPicture {
 
 void PrintTo(const GalleryPicture& p, std::ostream* out) { *out << p.scene << ' ' << p.settings; }
 
-// The hashes are of the pictures in golden/, which were looked at; they pin what 8 bits a channel cannot.
+// The hashes are of the inspected pictures in golden/; they also fix what 8 bits per channel do not show.
 const GalleryPicture k_gallery[] = {
     {"cgfs/from_the_side.cgfs", "size=160x160", 0xbe4d194263430b9d},
     {"cgfs/three_mirrors.cgfs", "size=160x160", 0xf15ca10dce6ead20},

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// Scenes of the gallery, by their files.
+// The scene files of the gallery.
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
@@ -43,7 +43,7 @@ inline std::vector<std::string> scene_files(const std::string& folder) {
     std::vector<std::string> paths;
     for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
         const std::string path = entry.path().string();
-        // Halves of one scene, and what other scenes include.
+        // Parts of scenes, and files that other scenes include.
         const bool is_part =
             path.find("/only_") != std::string::npos || path.find("/parts/") != std::string::npos;
         if (entry.is_regular_file() && !is_part) paths.push_back(path);

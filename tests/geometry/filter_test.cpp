@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The filters in single precision never reject what double hits.
+// The single-precision filters never reject a hit of the double-precision formula.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -22,7 +22,7 @@ HWY_BEFORE_NAMESPACE();
 namespace glint {
 namespace HWY_NAMESPACE {
 
-// columns: the shape's values, origin, direction. may[i] = what the filter says; count is a multiple of 16.
+// columns: the shape's values, origin, direction. may[i]: the filter's result; count is a multiple of 16.
 template <class Geometry>
 HWY_INLINE void filter_columns(const std::vector<float>* columns, std::size_t count, std::uint8_t* may) {
     constexpr int n = Geometry::k_values;
@@ -75,7 +75,7 @@ template <class Shape> struct Case {
     Vec3 origin, direction;
 };
 
-// The largest component is 1, as that of the directions that the filters get.
+// The largest component is 1, like that of the directions that filters receive.
 Vec3 scaled_to_1(Vec3 d) {
     return d / number::max(number::max(number::abs(d.x), number::abs(d.y)), number::abs(d.z));
 }
@@ -230,7 +230,7 @@ TEST(ConeFilter, NeverRejectsWhatDoubleHits) {
     EXPECT_GT(rejected, 0.02);
 }
 
-// The filter for rays of one origin, as a packet makes it: computed in double, then rounded.
+// The filter for rays with a common origin, as in a packet: computed in double, then rounded.
 plain::TriangleGeometry::Filter<float> one_origin_filter(const Triangle& triangle, const Vec3& origin) {
     double p[9];
     plain::TriangleGeometry::pack(triangle, p);
@@ -300,7 +300,7 @@ TEST(TriangleFilter, RejectsMostOfWhatMisses) {
 }
 
 TEST(SphereFilter, RejectsMostOfWhatMisses) {
-    // Rays past a unit sphere at twice its radius, from within 100 of it: that is what it is for.
+    // Rays past a unit sphere at twice its radius, from within 100 of it: the typical use.
     Random random(42);
     for (int i = 0; i < 10000; ++i) {
         const Vec3 d = unit_direction(random), c = point_in_cube(random, 100);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Each shape's formula against its own long double instantiation, and against what its shape says of its
-// points.
+// Each shape's formula is compared with its long double instantiation, and with the definition of the
+// shape.
 #include <gtest/gtest.h>
 
 #include <vector>
@@ -22,12 +22,12 @@ struct TestRay {
     Vec3 origin, direction;
 };
 
-/// Towards a shape of about `size` at `at`: from outside, inside, far away, tangent, along the axes, at its
+/// Rays to a shape of about `size` at `at`: from outside, inside, far away, tangent, along the axes, at its
 /// edge.
 TestRay random_ray(Random& random, Vec3 at, double size) {
     const Vec3 d = chance(random, 0.2) ? axis_direction(random) : unit_direction(random);
     const Vec3 aside = perpendicular(random, d);
-    // Much of it close to the silhouette.
+    // Many close to the silhouette.
     const double miss = chance(random, 0.3) ? 1 + std::ldexp(random.uniform(-1, 1), -below(random, 40))
                                             : random.uniform(0, 1.3);
     const double away =
@@ -52,8 +52,8 @@ TYPED_TEST(Hits, AreOnTheSurfaceAndWhereLongDoubleHasThem) {
         const auto got = formula_hit<Geometry, double>(p, o, d, 0);
         const auto exact = formula_hit<Geometry, Long>(p, o, d, 0);
         const double magnitude = length(o) + shape_case.magnitude() + (got.valid ? got.t * length(d) : 0);
-        // Where a surface bends much within its size (a cone, at its apex) a grazing ray's roots are that
-        // much less sure.
+        // Where a surface is strongly curved (a cone near its apex), the roots of a grazing ray are less
+        // accurate.
         const auto sure = [size](const Nearness& near) {
             return near.bend < Long(size) ? static_cast<double>(near.bend) / size : 1.0;
         };
@@ -72,12 +72,12 @@ TYPED_TEST(Hits, AreOnTheSurfaceAndWhereLongDoubleHasThem) {
             const Vec3 found = to_vec(triple_of<double>(o) + triple_of<double>(d) * got.t);
             const Vec3 n = to_vec(Geometry::normal(packed.data(), triple_of<double>(found)));
             EXPECT_NEAR(dot(n, n), 1, 8 * k_epsilon) << "case " << i;
-            // The direction of the normal of a point that is off by rounding, on a shape of this size.
+            // The normal's uncertainty for a point with rounding errors, on a shape of this size.
             const Long off_unit = plain::length(to_long(n) - near.outward);
             const double allowed =
                 64 * k_epsilon * (1 + magnitude / static_cast<double>(std::min<Long>(near.bend, size)));
             if (static_cast<double>(off_unit) > allowed && !std::is_same_v<Geometry, plain::SphereGeometry>) {
-                // At a rim either normal is right, provided the point is on both.
+                // At a rim both normals are right, if the point is on both surfaces.
                 const Long step = 1e3 * tolerance;
                 const Nearness there = shape_case.nearness(point + to_long(n) * step);
                 ASSERT_NEAR(static_cast<double>(there.distance / step), 1, 0.01)
@@ -88,7 +88,7 @@ TYPED_TEST(Hits, AreOnTheSurfaceAndWhereLongDoubleHasThem) {
             }
         }
         if (got.valid != exact.valid) {
-            // Only where rounding decides: the ray passes the silhouette, an edge, or starts on the surface.
+            // Only if rounding decides: the ray passes the silhouette or an edge, or starts on the surface.
             ++unsure;
             const Long t = got.valid ? Long(got.t) : exact.t;
             const LongVec point = to_long(o) + to_long(d) * t;
@@ -134,7 +134,7 @@ TYPED_TEST(Hits, NothingIsPassedOver) {
                 ASSERT_EQ(here > 0, start > 0) << "case " << i << ", " << k << "/16 of the way";
             }
             if (!first.valid) continue;
-            // And the next hit from there on is another one.
+            // The next hit from there must be another one.
             const auto second = formula_hit<Geometry, double>(p, o, d, first.t);
             if (second.valid) {
                 EXPECT_GT(second.t, first.t);
@@ -176,7 +176,7 @@ TEST(CylinderHits, AlongTheAxisAndThroughTheRim) {
         const auto hit = [&](Vec3 o, Vec3 d, double t_min = 0.0) {
             return formula_hit<plain::CylinderGeometry, double>(p, o, d, t_min);
         };
-        // Within and beside the axis, along it: only the caps.
+        // Parallel to the axis, inside and outside: only the caps.
         EXPECT_EQ(hit({0, 0, -3}, {0, 0, 1}).valid, caps);
         EXPECT_EQ(hit({0.5, 0, -3}, {0, -0.0, 1}).valid, caps);
         if (caps) {
@@ -187,14 +187,14 @@ TEST(CylinderHits, AlongTheAxisAndThroughTheRim) {
         }
         EXPECT_FALSE(hit({1.5, 0, -3}, {0, 0, 1}).valid);
         EXPECT_FALSE(hit({0, 0, 3}, {0, 0, 1}).valid);
-        // Across it: the ends belong to it.
+        // Perpendicular to it: the ends are part of it.
         EXPECT_EQ(hit({-3, 0, 0}, {1, 0, 0}).t, 2);
         EXPECT_EQ(hit({-3, 0, 2}, {1, 0, 0}).t, 2);
         EXPECT_FALSE(hit({-3, 0, 2.0000001}, {1, 0, 0}).valid);
-        // From within, and the far side.
+        // From inside, and the far side.
         EXPECT_EQ(hit({0, 0, 1}, {1, 0, 0}).t, 1);
         EXPECT_EQ(hit({-3, 0, 1}, {1, 0, 0}, 2.5).t, 4);
-        // Down through the open end onto the far side's inside; through the cap first, if there is one.
+        // Through the open end to the inside of the far side; through the cap first, if there is one.
         EXPECT_EQ(hit({-1, 0, 3}, {1, 0, -1}).t, caps ? 1 : 2);
         // Tangent.
         EXPECT_EQ(hit({-3, 1, 1}, {1, 0, 0}).t, 3);
@@ -203,7 +203,7 @@ TEST(CylinderHits, AlongTheAxisAndThroughTheRim) {
 }
 
 TEST(TriangleHits, AMeshHasNoGaps) {
-    // Rays through the vertices and edges of a bumpy square, which is closed by its neighbours.
+    // Rays through the vertices and edges of an uneven square, which its neighbours close.
     Random random(24);
     constexpr int n = 12;
     for (const double size : {1e-4, 1.0, 1e4}) {

@@ -14,7 +14,7 @@ inline int below(Random& random, int n) {
 }
 inline bool chance(Random& random, double probability) { return random.uniform(0, 1) < probability; }
 
-/// Every order of magnitude between lo and hi alike.
+/// Every order of magnitude between lo and hi with equal probability.
 inline double log_uniform(Random& random, double lo, double hi) {
     return std::exp(random.uniform(std::log(lo), std::log(hi)));
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rays that leave a surface: where they start under each convention, and that under glint's they never find
-// it again.
+// Rays that start at a surface: their origins by each convention, and that with glint's they never hit the
+// same surface again.
 #include "geometry/ray_offset-inl.h"
 
 #include <gtest/gtest.h>
@@ -59,7 +59,7 @@ TYPED_TEST(Reintersect, NeverUnderGlintsConvention) {
                                      : to + unit_direction(random) * log_uniform(random, 1e-3 * size, 1e6);
         Vec3 d = normalize(to - o);
         if (chance(random, 0.1)) {
-            // Everything near the world's origin, but for the shape's centre: large numbers cancel.
+            // All numbers are small, except the shape's centre: cancellation of large numbers.
             const double near = log_uniform(random, 1e-3, 1);
             at = unit_direction(random) * size;
             o = at * (-near / size);
@@ -70,7 +70,7 @@ TYPED_TEST(Reintersect, NeverUnderGlintsConvention) {
         shape_case.pack(p);
         const auto hit = formula_hit<Geometry, double>(p, o, d, 0);
         if (!hit.valid) continue;
-        // As trace/surface-inl.h does.
+        // The same as in trace/surface-inl.h.
         const plain::Triple<double> point = triple_of<double>(o) + triple_of<double>(d) * hit.t;
         plain::Triple<double> normal = Geometry::normal(p, point);
         if (plain::dot(normal, triple_of<double>(d)) > 0) normal = -normal;
@@ -78,7 +78,7 @@ TYPED_TEST(Reintersect, NeverUnderGlintsConvention) {
             point, normal, triple_of<double>(d),
             plain::max_abs(triple_of<double>(o)) + plain::max_abs(point) + shape_case.max_coordinate()};
         const Vec3 n = to_vec(normal);
-        // Anywhere, many of them grazing.
+        // Arbitrary directions, many of them grazing.
         Vec3 out = unit_direction(random);
         if (chance(random, 0.3))
             out = perpendicular(random, n) + n * std::ldexp(random.uniform(-1, 1), -below(random, 50));
@@ -90,7 +90,7 @@ TYPED_TEST(Reintersect, NeverUnderGlintsConvention) {
         const double reach = glint.epsilon * surface.magnitude;
         const Nearness near = shape_case.nearness(to_long(to_vec(point)));
         const LongVec outward = near.outward;
-        // At a cone's apex, within the rounding of its points, no normal is right.
+        // At a cone's apex, within the rounding of its points, no normal is correct.
         if (static_cast<double>(near.bend) < 1e-9 * surface.magnitude && near.bend < 1e-3L * Long(size))
             continue;
         // A ray along the surface is on the side that the normal shows.
@@ -100,7 +100,7 @@ TYPED_TEST(Reintersect, NeverUnderGlintsConvention) {
             ++outside;
             wrong = next.valid;  // all of them are convex
         } else if (next.valid) {
-            // Inside, the other side is a chord away; the same face is not to be found next to the point.
+            // Inside, the other side is a chord away; the same surface must not be hit next to the point.
             const LongVec there = shape_case.nearness(to_long(start) + to_long(out) * Long(next.t)).outward;
             wrong = next.t * length(out) < 100 * reach && std::fabs(dot(n, out)) > 1e-2 &&
                     reach < 1e-4 * static_cast<double>(std::min<Long>(near.bend, size)) &&

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// Shapes under test: their packed values, and what is known of them apart from the formulas that are tested.
+// The shapes under test: packed values, and properties that do not use the tested formulas.
 #include <algorithm>
 #include <array>
 #include <string>
@@ -18,7 +18,7 @@ inline LongVec to_long(Vec3 v) { return {v.x, v.y, v.z}; }
 template <class T> plain::Triple<T> triple_of(Vec3 v) { return {T(v.x), T(v.y), T(v.z)}; }
 inline Vec3 to_vec(plain::Triple<double> v) { return {v.x, v.y, v.z}; }
 
-/// A geometry's packed values in another kind of number.
+/// A geometry's packed values in another number type.
 template <class Geometry, class T> struct Packed {
     std::array<T, Geometry::k_values> values;
     explicit Packed(const double* p) {
@@ -32,8 +32,8 @@ template <class Geometry, class T> plain::Hit<T> formula_hit(const double* p, Ve
     return Geometry::hit(packed.data(), plain::Ray<T>{triple_of<T>(o), triple_of<T>(d)}, T(t_min));
 }
 
-/// How far a point is from the surface, at least as near as it is; and the outward direction there. By
-/// definition, not by the formulas under test.
+/// A lower bound of a point's distance from the surface, and the outward direction there. By
+/// definition, not by the tested formulas.
 struct Nearness {
     Long distance;  // 0 on the surface, negative inside where there is an inside
     LongVec outward;
@@ -98,7 +98,7 @@ template <bool caps> struct CylinderCase {
         const Long below = -along, above = along - height;
         const LongVec outward = across / from_axis;
         if (!caps) {
-            // Off the ends it is as far as the end is; its sign says nothing there.
+            // Beyond the ends it is the distance of the end; its sign is meaningless there.
             const Long off = below > 0 ? below : above > 0 ? above : 0;
             return {off > 0 ? plain::sqrt(off * off + side * side) : side, outward, from_axis};
         }
@@ -193,7 +193,7 @@ struct TriangleCase {
     Triangle shape;
     static TriangleCase make(Random& random, Vec3 at, double size) {
         const Vec3 n = unit_direction(random), x = perpendicular(random, n), y = cross(n, x);
-        // Of all shapes, but not slivers.
+        // Random shapes, except slivers.
         return {{{at - x * size, at + x * size + y * (size * random.uniform(-0.5, 0.5)),
                   at + y * (size * random.uniform(0.6, 1)) + x * (size * random.uniform(-1, 1))}}};
     }
@@ -212,13 +212,14 @@ struct TriangleCase {
             const LongVec edge = v[(i + 1) % 3] - v[i], aside = plain::normalize(plain::cross(edge, n));
             off = std::max(off, plain::dot(point - v[i], aside));
         }
-        // A grazing ray's t slides the point along the plane: that far beyond an edge is not held against it.
+        // The error of a grazing ray's t moves the point along the plane: that tolerance applies beyond an
+        // edge.
         const Long allowed = 1e-6L * plain::length(v[1] - v[0]);
         return {off > allowed ? plain::sqrt(off * off + along * along) : along, n};
     }
 };
 
-/// The unit sphere made an ellipsoid somewhere.
+/// The unit sphere, transformed to an ellipsoid.
 struct EllipsoidCase {
     using Geometry = plain::Transformed<plain::SphereGeometry>;
     static constexpr bool k_solid = true, k_convex = true;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The figures of a difference, by pictures whose figures are known.
+// The figures of a difference, for pictures with known figures.
 #include "glint/compare.h"
 
 #include <gtest/gtest.h>
@@ -86,7 +86,7 @@ TEST(Compare, LimitsIncludeThemselves) {
     EXPECT_EQ(d.all.within, 3u);
 }
 
-// As bytes what is clamped is the same; as floats the last bit counts.
+// Compared as bytes, clamped values are equal; compared as floats, the last bit counts.
 TEST(Compare, BytesAndFloats) {
     const Image b = flat(3, 3, 1.5f), a = flat(3, 3, std::nextafter(1.5f, 2.0f)), c = flat(3, 3, 2.5f);
     EXPECT_EQ(compare(a, b)->all.equal, 9u);
@@ -106,7 +106,7 @@ TEST(Compare, EdgesAreTheReferencesNeighbourhoods) {
     EXPECT_EQ(compare(b, b)->edges.pixels, 0u);
 }
 
-// By the definition, window by window, in long double.
+// By definition: window by window, in long double.
 TEST(Compare, SsimIsWangs) {
     const std::int32_t width = 23, height = 17;
     const Image a = test::make_picture(width, height), b = [&] {
@@ -198,7 +198,7 @@ TEST(ContactSheet, HoldsItsCells) {
     EXPECT_EQ(encode(contact_sheet({}, {20, 3, 0})).message, "");
 }
 
-// Cells as many as a class of ten thousand has, of the size that the layout asks for.
+// As many cells as for a class of ten thousand, with the size that the layout asks for.
 TEST(ContactSheet, IsNeverTooLargeForAFile) {
     const std::pair<std::size_t, int> tables[] = {{1, 160},   {17, 160},  {18, 160},
                                                   {100, 136}, {1500, 33}, {4000, 17}};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// decode(): what encode() writes comes back, what others write is read, and nothing is believed.
+// decode() reads the files of encode() and of other programs, and trusts no file.
 #include <ImfChannelList.h>
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
@@ -24,7 +24,7 @@ using test::make_png;
 
 Bytes bytes_of(const std::string& text) { return {text.begin(), text.end()}; }
 
-// The picture as bytes, 3 a pixel; the test fails if there is none.
+// The picture as bytes, 3 per pixel; the test fails if there is none.
 Bytes read_bytes_of(const Bytes& file) {
     const Result<DecodedImage> result = decode(file);
     EXPECT_EQ(result.message, "");
@@ -73,7 +73,7 @@ TEST(Decode, EveryKindOfPng) {
     EXPECT_EQ(read_bytes_of(make_png(2, {{0x2f}}, {PNG_COLOR_TYPE_PALETTE, 4})),
               (Bytes{32, 253, 2, 240, 240, 15}));
     EXPECT_EQ(read_bytes_of(make_png(8, grey, {PNG_COLOR_TYPE_GRAY, 1})).size(), 48u);
-    // Interlaced or not, the same.
+    // The same for interlaced files.
     Row rows;
     for (int y = 0; y < 13; ++y) {
         rows.emplace_back();
@@ -210,7 +210,7 @@ TEST(Decode, EveryCutOffFileIsRefused) {
     }
 }
 
-// Small files that claim to be large ones are answered at once, before memory is taken.
+// Small files that claim to be large are rejected at once, before memory is allocated.
 TEST(Decode, BombsAreAnswered) {
     EXPECT_NE(error_of(bytes_of("P6 65536 65536 255\n")).find("at most 67108864 in all"), std::string::npos);
     EXPECT_NE(error_of(bytes_of("P6 65537 1 255\n")).find("1 to 65536 a side"), std::string::npos);

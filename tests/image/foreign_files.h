@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// Picture files of kinds that glint reads and does not write, by the libraries themselves.
+// Picture files of kinds that glint reads but does not write, made with the libraries.
 #include <png.h>
 
 #include <cstdint>
@@ -48,7 +48,7 @@ inline Bytes make_png(int width, const std::vector<Bytes>& rows, const PngKind& 
     return out;
 }
 
-/// A JPEG of the best quality, of `components` (1 or 3) bytes a pixel.
+/// A JPEG of the best quality, with `components` (1 or 3) bytes per pixel.
 inline Bytes make_jpeg(int width, int height, int components, const Bytes& samples, bool progressive) {
     jpeg_compress_struct info{};
     jpeg_error_mgr errors{};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// Comparing pictures with golden ones: both the largest difference and the number of differing pixels are
+// Comparison with golden pictures: both the largest difference and the number of differing pixels are
 // limited, so that neither many small errors nor a small missing object passes.
 #include <gtest/gtest.h>
 
@@ -61,8 +61,8 @@ inline ::testing::AssertionResult compare(const Picture& golden, const Picture& 
            << worst % golden.width << ", y " << worst / golden.width << "; see " << difference_path;
 }
 
-/// A rendered image against the golden PNG at `golden_path`, as `encode` would write it. With
-/// GLINT_UPDATE_GOLDEN set in the environment the golden file is written instead (look at it before you
+/// Compares a rendered image with the golden PNG at `golden_path`, as `encode` would write it. With
+/// GLINT_UPDATE_GOLDEN set in the environment, the golden file is written instead (inspect it before you
 /// commit it).
 inline ::testing::AssertionResult matches_golden(const Image& image, const std::string& golden_path,
                                                  GoldenLimits limits = {}) {

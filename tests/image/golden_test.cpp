@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The judge of golden pictures must itself be able to fail.
+// The comparison with golden pictures must be able to fail.
 #include "image/golden.h"
 
 #include "image/pictures.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Layers: as the parts of an OpenEXR file, and as pictures.
+// Layers as parts of an OpenEXR file, and as pictures.
 #include "glint/layers.h"
 
 #include <ImfChannelList.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// Bytes as OpenEXR reads them.
+// A memory stream for OpenEXR.
 #include <ImfIO.h>
 
 #include <cstdint>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// From floats to the numbers of a file.
+// The conversion of floats to the numbers of a file.
 #include <gtest/gtest.h>
 
 #include <cfenv>

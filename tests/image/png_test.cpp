@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// PNG: what is read back is what was quantised, whatever the size and the threads.
+// PNG: decoding gives the quantised values, for all sizes and numbers of threads.
 #include <gtest/gtest.h>
 
 #include "image/pictures.h"

@@ -54,11 +54,12 @@ TEST(Includes, NoLibmBetweenTextAndPixel) {
     }
 }
 
-// Two classes of one name in one program are one to the linker, whatever they hold.
+// For the linker, two classes with the same name in one program are one class, even if they differ.
 TEST(Types, HaveNamesOfTheirOwn) {
     std::map<std::string, std::string> defined;  // the name, and where
     for (const File& file : read_sources({"include", "src", "tests", "bench"})) {
-        // Two test programs may have classes of the same name; what their headers define meets the library's.
+        // Test programs may have classes with equal names, but their headers are used together with the
+        // library's.
         if (!file.path.starts_with("include/") && !file.path.starts_with("src/") &&
             !file.path.ends_with(".h"))
             continue;

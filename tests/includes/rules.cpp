@@ -21,7 +21,7 @@ Names all_but(const Names& removed) {
     return names;
 }
 
-// Headers of the standard library that libc++ 14 for wasm32-wasi lacks, or that need a system below.
+// Headers of the standard library that libc++ 14 for wasm32-wasi lacks, or that need an operating system.
 const Names k_not_in_browser = {"thread", "mutex",   "shared_mutex", "condition_variable",
                                 "future", "fstream", "filesystem",   "source_location",
                                 "ranges", "format"};
@@ -33,7 +33,7 @@ bool starts_with_any(std::string_view name, const Names& prefixes) {
                        [&](std::string_view p) { return name.starts_with(p); });
 }
 
-// <vector> or <cstdint>: one word without a dot or a slash.
+// <vector> or <cstdint>: a name without a dot or a slash.
 bool is_standard(std::string_view name) {
     return std::all_of(name.begin(), name.end(), [](char c) { return (c >= 'a' && c <= 'z') || c == '_'; });
 }
@@ -57,7 +57,7 @@ std::optional<std::string> check_library(std::string_view path, const Module& mo
             return "the library never prints, but includes " + quoted(name);
         return std::nullopt;
     }
-    // The files that put the kernels of every instruction set together.
+    // The files that compile the kernels for every instruction set.
     if (path.starts_with("src/trace/") && path.ends_with("kernels.cpp") && name == "hwy/foreach_target.h")
         return std::nullopt;
     if (starts_with_any(name, module.libraries)) return std::nullopt;

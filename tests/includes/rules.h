@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// Which module may include what: the arrows of docs/architecture.md, as data.
+// Which module may include which: the arrows of docs/architecture.md, as data.
 #include <optional>
 #include <set>
 #include <string>
@@ -29,16 +29,16 @@ struct Include {
 /// The #include lines of a text.
 std::vector<Include> find_includes(std::string_view text);
 
-/// What is wrong with an include of the file at `path` (relative to the project: "src/bvh/build.cpp"), or
+/// The error of an include in the file at `path` (relative to the project: "src/bvh/build.cpp"), or
 /// nothing.
 std::optional<std::string> check_include(std::string_view path, const Include& include);
 
 /// The functions of libm that a text calls, by name: their bits differ between machines.
 std::vector<std::string> find_libm_calls(std::string_view text);
 
-/// The classes and enumerations that a text defines for other files to see, with their namespace
-/// ("glint::Scene"): not those of unnamed namespaces, nor those within others. The text is formatted as the
-/// project's is.
+/// The classes and enumerations that a text defines for other files, with their namespace
+/// ("glint::Scene"), except those of unnamed namespaces and nested ones. The text must be formatted like
+/// the project's.
 std::vector<std::string> find_types(std::string_view text);
 
 }  // namespace glint::test

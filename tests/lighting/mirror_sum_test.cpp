@@ -12,7 +12,7 @@
 namespace glint::test {
 namespace {
 
-/// What a ray meets: the local colours c_i and mirror coefficients a_i of its surfaces in order.
+/// The surfaces that a ray hits: their local colours c_i and mirror coefficients a_i, in order.
 struct Chain {
     std::vector<double> color, mirror;
 };
@@ -70,7 +70,7 @@ TEST(MirrorSum, has_two_readings_at_the_limit) {
     }
 }
 
-// A ray that goes +x, +y, -x, +y between four spheres, each of its colour whatever the light.
+// A ray with the directions +x, +y, -x, +y between four spheres, each with one colour in any light.
 Scene zigzag(const Chain& chain) {
     Scene scene;
     apply_profile(scene, "epfl");

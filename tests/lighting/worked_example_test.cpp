@@ -34,7 +34,7 @@ TEST(WorkedExample, of_light) {
     EXPECT_NEAR(cosines(n, l, v, rules).s, 0.6669, 0.5e-4);
 }
 
-// Along the plane of incidence H turns by half of what V does; across it, by 1 / (2 cos theta) of it.
+// In the plane of incidence, H rotates by half the angle of V; across it, by 1 / (2 cos theta) of it.
 TEST(HalfVector, angle_against_mirrored_angle) {
     LightingRules phong, blinn_phong;
     phong.shading = Shading::phong;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Lanes of every instruction set that this machine has compute the bits of the plain functions.
+// Lanes of every instruction set of this machine give the same bits as the plain functions.
 #include <gtest/gtest.h>
 
 #include <bit>

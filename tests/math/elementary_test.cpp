@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The elementary functions against the C library's long double, which is good to about 2^-63.
+// The elementary functions compared with the C library's long double, whose error is about 2^-63.
 #include "math/elementary.h"
 
 #include <gtest/gtest.h>
@@ -127,8 +127,8 @@ TEST(Pow, overflow_and_underflow) {
             ASSERT_TRUE(pow(x, y) == 0 || pow(x, y) >= DBL_MIN) << x << ' ' << y;
         }
     }
-    // Over the whole way down: never subnormal, and 0 exactly where the true value is below the least normal
-    // number.
+    // Over the whole range of underflow: never subnormal, and 0 exactly if the true value is below the
+    // smallest normal number.
     for (int i = 0; i < 100000; ++i) {
         const double y = 1020 + i * 4e-5;
         const double result = pow(0.5, y);
@@ -265,7 +265,7 @@ TEST(Degrees, error) {
     WorstError sines, cosines, tangents;
     const auto add = [&](double x) {
         if (std::fmod(x, 90) == 0) return;
-        // Reduced exactly first: the long double pi has no bits to spare for large angles.
+        // Reduced exactly first: the long double pi is not accurate enough for large angles.
         int quadrant = 0;
         const double degrees = std::remquo(x, 90, &quadrant);
         const long double r = degrees * (3.14159265358979323846264338L / 180);
@@ -301,7 +301,7 @@ TEST(Degrees, are_finite_and_within_one_for_any_angle) {
     }
 }
 
-// One number for the bits of many results: every compiler, and the browser build, must come to this one.
+// A checksum over the bits of many results: every compiler and the browser build must give this number.
 TEST(Elementary, has_the_same_bits_everywhere) {
     Random random(11);
     std::uint64_t hash = 0xcbf29ce484222325u;

@@ -90,7 +90,7 @@ TEST(Affine, inverse_knows_singular_maps) {
     EXPECT_FALSE(inverse(scaling({1e200, 1e200, 1e200})));
     // Rank 2, with a determinant that rounding makes 6.7e-16.
     EXPECT_FALSE(inverse({{{0.1, 0.2, 0.3, 0}, {0.4, 0.5, 0.6, 0}, {0.7, 0.8, 0.9, 0}}}));
-    // Small, flat and sheared is not singular.
+    // Small, flat and sheared, but not singular.
     EXPECT_TRUE(inverse(scaling({1e-90, 1e-90, 1e-90})));
     EXPECT_TRUE(inverse(compose(rotation_x(33), scaling({1, 1e-20, 1}))));
     EXPECT_TRUE(inverse(compose(scaling({1, 1e-20, 1}), rotation_x(33))));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// Errors in units of the last place, against long double.
+// Errors in units in the last place, relative to long double.
 #include <cmath>
 #include <cstdint>
 
@@ -14,7 +14,7 @@ inline double ulps(double got, long double exact) {
                                std::ldexp(1.0L, exponent - 53));
 }
 
-/// The greatest error seen and where.
+/// The largest error and its argument.
 struct WorstError {
     double ulp = 0, x = 0, y = 0;
     std::int64_t points = 0;

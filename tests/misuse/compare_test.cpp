@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Pictures that cannot be held against each other.
+// Pictures that cannot be compared.
 #include "misuse/misused.h"
 
 namespace glint::misuse {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Diagnostics that no function of glint makes.
+// Diagnostics that glint itself does not produce.
 #include "misuse/misused.h"
 
 namespace glint::misuse {
@@ -44,7 +44,7 @@ TEST(Misuse, OfCheck) {
     EXPECT_TRUE(has_errors(invalid.diagnostics));
     EXPECT_EQ(invalid.code, ErrorCode::invalid_scene);
 
-    // Texts and places that are not the scene's.
+    // Texts and places that do not belong to the scene.
     scene = some_scene();
     scene.materials.push_back({});  // no shape has it
     const std::size_t findings = check(scene).value().size();

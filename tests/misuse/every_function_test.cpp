@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The functions of the public headers, held against what the tests of misuse call.
+// The tests of misuse must call every function of the public headers.
 #include <filesystem>
 #include <fstream>
 #include <regex>
@@ -18,7 +18,7 @@ std::string read(const fs::path& path) {
     return {std::istreambuf_iterator<char>(file), {}};
 }
 
-// Free functions stand at the start of a line, members of a class after a type.
+// Free functions are at the start of a line, members of a class after a type.
 std::set<std::string> public_functions() {
     std::set<std::string> names;
     for (const auto& entry : fs::directory_iterator(fs::path(GLINT_PROJECT_DIR) / "include/glint")) {
@@ -41,7 +41,7 @@ TEST(Misuse, OfEveryPublicFunctionIsTested) {
         EXPECT_TRUE(names.contains(known)) << known;
     EXPECT_GE(names.size(), 45u);
     for (const std::string& name : names) {
-        // Sources' is the caller's, parts() the library's; fields() visits, and no more.
+        // Sources is implemented by the caller, parts() is for the library; fields() only visits.
         if (name == "read" || name == "parts" || name == "fields" || name == "operator") continue;
         EXPECT_TRUE(std::regex_search(tests, std::regex("\\b" + name + R"((<\w+>)?\()"))) << name;
     }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// explain() and what takes its answer, with a scene that was edited since prepare(), and with answers that
-// explain() does not give.
+// explain() and the functions that use its result, with a scene that was edited since prepare(), and with
+// results that explain() does not give.
 #include <functional>
 
 #include "misuse/misused.h"
@@ -25,7 +25,7 @@ TEST(Misuse, OfExplain) {
     EXPECT_NE(explain(scene, world, k_x, k_y, {-1, "avx9"}).message, "");
 }
 
-// What a scene may become while a World of it is about.
+// Changes to a scene while a World of it exists.
 const std::pair<const char*, std::function<void(Scene&)>> k_edits[] = {
     {"empty", [](Scene& s) { s = {}; }},
     {"moved from", [](Scene& s) { const Scene elsewhere = std::move(s); }},
@@ -71,7 +71,7 @@ TEST(Misuse, OfASceneEditedSincePrepare) {
     EXPECT_TRUE(draw_overlay(drawn, good, scene, world));
 }
 
-// Edits that leave every number a number of the scene: no error, and no crash.
+// Edits that keep every index valid: no error, and no crash.
 TEST(Misuse, OfASceneWithOtherValues) {
     Scene scene = some_scene();
     const World world = world_of(scene);
@@ -118,7 +118,7 @@ TEST(Misuse, OfExplanations) {
         for (std::size_t ray = 0; ray < e.rays.size(); ++ray) layer_of(e, ray);
         EXPECT_NE(sample_values(e).code, ErrorCode::internal) << what;
     }
-    // Rays with numbers that are none have no place in a picture.
+    // Rays with NaN or infinity have no place in a picture.
     Explanation e = good;
     for (ExplainedRay& ray : e.rays) {
         ray.origin = {k_nan, 1e300, -k_infinity};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Layers that are none, or whose values do not fit.
+// Invalid layers, and layers whose values do not fit.
 #include "misuse/misused.h"
 
 namespace glint::misuse {
@@ -31,7 +31,7 @@ std::vector<LayerImage> odd_layers() {
 
 TEST(Misuse, OfViewable) {
     for (const LayerImage& layer : odd_layers()) {
-        // Of the sizes of `wrong` channels one may be right.
+        // Among the sizes of `wrong` channels, one may be right.
         const auto number = static_cast<std::size_t>(layer.layer);
         const Result<Image> image = viewable(layer);
         const bool fits = number < layer_infos().size() && layer.width == 3 && layer.height == 2 &&
@@ -43,7 +43,7 @@ TEST(Misuse, OfViewable) {
         EXPECT_EQ(image->rgb.size(), 18u);
         EXPECT_EQ(image->width, 3);
     }
-    // Values that no rendering writes.
+    // Values that no render gives.
     for (const LayerInfo& info : layer_infos()) {
         const std::size_t channels = info.channels.size();
         LayerImage layer{info.layer, 5, 1, static_cast<int>(channels), {}};

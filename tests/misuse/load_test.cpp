@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// load() of what is no scene.
+// load() with texts that are not scenes.
 #include <stdexcept>
 
 #include "misuse/misused.h"
@@ -70,7 +70,7 @@ TEST(Misuse, OfLoadOptions) {
     expect_error(load({&two, 1}, options), "scene name");
 }
 
-// Sources that do what none should.
+// Sources with faulty implementations.
 struct OddSources : Sources {
     enum { throws, repeats, gives_noise, says_nothing } what = throws;
     Result<std::string> read(std::string_view, std::string_view) override {

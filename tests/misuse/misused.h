@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// What the tests of misuse begin with.
+// Shared by the tests of misuse.
 #include <gtest/gtest.h>
 
 #include <cstdint>
@@ -17,7 +17,7 @@ inline constexpr double k_odd_numbers[] = {k_nan, k_infinity, -k_infinity, 1e300
 inline constexpr std::int32_t k_odd_sizes[] = {0, -1, std::numeric_limits<std::int32_t>::min(),
                                                std::numeric_limits<std::int32_t>::max()};
 
-/// A number that no enumeration has.
+/// A value outside every enumeration.
 template <class Enum> constexpr Enum beyond() { return static_cast<Enum>(200); }
 
 /// A mirror, a glass ball and a triangle on a plane, under one light of each kind.
@@ -47,7 +47,7 @@ inline Image picture(std::int32_t width, std::int32_t height, float value = 0.5f
     return {width, height, std::vector<float>(std::size_t{3} * width * height, value)};
 }
 
-/// Pictures whose numbers are not those of their size.
+/// Pictures whose number of values does not fit their size.
 inline std::vector<Image> misfits() {
     std::vector<Image> images;
     for (const std::int32_t size : k_odd_sizes) {

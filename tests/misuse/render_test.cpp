@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// World to Image with options that cannot be had.
+// Rendering with invalid options.
 #include "misuse/misused.h"
 
 namespace glint::misuse {

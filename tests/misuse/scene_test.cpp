@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Scenes that hold what a scene may not, one fault at a time: validate() names it, and nobody draws or writes
-// it.
+// Invalid scenes, with one fault each: validate() reports it, and no function renders or writes
+// them.
 #include <functional>
 
 #include "misuse/misused.h"
@@ -62,7 +62,7 @@ TEST(Misuse, OfEnumerations) {
     EXPECT_EQ(to_string(beyond<ShapeKind>()), "unknown shape");
 }
 
-// Every double of a scene, by a function that finds it.
+// Every double of a scene, as a function that finds it.
 std::vector<std::function<double&(Scene&)>> numbers() {
     std::vector<std::function<double&(Scene&)>> all;
     const auto point = [&](std::function<Vec3&(Scene&)> at) {

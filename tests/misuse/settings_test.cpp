@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Keys, values and profiles that there are not.
+// Keys, values and profiles that do not exist.
 #include "misuse/misused.h"
 
 namespace glint::misuse {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Changes to a World, and rays of the caller's own, that cannot be.
+// Invalid changes to a World, and invalid rays.
 #include <functional>
 
 #include "misuse/misused.h"

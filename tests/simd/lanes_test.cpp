@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What moves lanes, on every instruction set of this machine and for every mask, beside the same in plain
-// code.
+// The functions that move lanes, for every instruction set of this machine and every mask, compared with
+// plain code.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -18,7 +18,7 @@ HWY_BEFORE_NAMESPACE();
 namespace glint {
 namespace HWY_NAMESPACE {
 
-// What came of it; columns have room for a vector.
+// The results; columns have room for a vector.
 struct Moved {
     int lanes;
     std::vector<double> compressed, expanded, gathered;
@@ -101,7 +101,7 @@ TEST(Lanes, AreMovedAsInPlainCode) {
 #endif
 }
 
-// What the library itself asks: a target less would be slower, one too many a crash.
+// The library's own check: a missing target would be slower, an additional one would crash.
 TEST(Lanes, InstructionSetsAreThoseThatHighwayFinds) {
     constexpr std::int64_t known = HWY_AVX3 | HWY_AVX2 | HWY_SSE4;
     EXPECT_EQ(supported_targets() & known, hwy::SupportedTargets() & known);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The browser build in node: the same bytes as the native build, tiles that make the whole, and bad input.
+// The browser build in node: the same bytes as the native build, tiles that form the whole picture, and bad input.
 // GLINT_WASM: glint.wasm; GLINT_PACKAGE: the npm package; GLINT_NATIVE_API: native_api of a native build; GLINT_SCENES: the
 // folder scenes/.
 import assert from 'node:assert/strict';
@@ -20,7 +20,7 @@ const files = readdirSync(process.env.GLINT_SCENES, {recursive: true, withFileTy
 const read = (path) => ({name: path, text: readFileSync(join(process.env.GLINT_SCENES, path), 'utf8')});
 const includes = files.filter((path) => path.includes('/parts/')).map(read);
 
-/** The request for files of scenes/, drawn at a size. */
+/** The request for files of scenes/, rendered at a size. */
 function request(paths, settings) {
     return {texts: paths.map(read), settings, includes};
 }
@@ -32,7 +32,7 @@ function open(...args) {
     return {scene, report};
 }
 
-/** What the same API answers natively. */
+/** The results of the same API natively. */
 function native(body, ...what) {
     return execFileSync(process.env.GLINT_NATIVE_API, what.map(String), {input: JSON.stringify(body), maxBuffer: 1 << 28});
 }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// The browser's API compiled for this machine, for the tests to compare. A request comes from standard
+// The browser's API, compiled natively for comparison. A request comes from standard
 // input:
 //   native_api render X Y WIDTH HEIGHT    writes the rectangle's floats to standard output
 //   native_api explain X Y                the pixel's explanation
-//   native_api info, native_api convert  what glint_info and glint_convert say
+//   native_api info, native_api convert  the results of glint_info and glint_convert
 #include <cstdio>
 #include <cstdlib>
 #include <iostream>

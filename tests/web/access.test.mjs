@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Without a mouse, on a small screen, in the dark.
+// The page without a mouse, on a small screen, and with the dark theme.
 import assert from 'node:assert/strict';
 import {test} from 'node:test';
 
@@ -58,7 +58,7 @@ test('everything that can be used has a name, and ids are unique', () => withPag
     assert.equal(new Set(ids).size, ids.length);
 }));
 
-/** Texts whose contrast with what is behind them is below AA's 4.5, and fields whose edge has less than 3. */
+/** Texts with less than AA's contrast of 4.5 to their background, and fields whose edge has less than 3. */
 function faintTexts(page) {
     return page.evaluate(() => {
         const canvas = document.createElement('canvas');

@@ -33,7 +33,7 @@ after(async () => {
 
 
 
-/** Opens the page for a test and checks afterwards that it complained of nothing. */
+/** Opens the page for a test, and checks afterwards that it reported no errors. */
 export async function withPage(use, {width = 1440, height = 900, scheme = 'light', offline = false, path = '', ...more} = {}) {
     const context = await browser.newContext({
         viewport: {width, height}, colorScheme: scheme, acceptDownloads: true, serviceWorkers: offline ? 'allow' : 'block', ...more,
@@ -42,7 +42,7 @@ export async function withPage(use, {width = 1440, height = 900, scheme = 'light
     const complaints = [];
     page.on('pageerror', (error) => complaints.push(error.message));
     page.on('console', (message) => {
-        // What comes of the tests' own doing.
+        // Messages that the tests themselves cause.
         const ours = /Service Worker registration blocked|willReadFrequently/.test(message.text());
         if (['error', 'warning'].includes(message.type()) && !ours) complaints.push(message.text());
     });
@@ -78,7 +78,7 @@ export async function picture(page, which = 0) {
     return {size: `${width}x${height}`, hash: Buffer.from(bytes).toString('hex')};
 }
 
-/** The same of what the native command draws. */
+/** The same for the picture of the native command. */
 export function native(...args) {
     const file = join(folder, 'native.ppm');
     execFileSync(join(project, 'build/release/glint'), ['render', ...args, '--quiet', '-o', file], {stdio: ['ignore', 'pipe', 'pipe']});
@@ -88,7 +88,7 @@ export function native(...args) {
     return {size: `${header[1]}x${header[2]}`, hash};
 }
 
-/** The same of a text. */
+/** The same for a text. */
 export function nativeText(name, text, ...args) {
     const file = join(folder, basename(name));
     writeFileSync(file, text);
@@ -126,7 +126,7 @@ export async function paste(page, text) {
     }, text);
 }
 
-/** What a button saves: its name and bytes. */
+/** The name and bytes of the file that a button saves. */
 export async function saved(page, act) {
     const [download] = await Promise.all([page.waitForEvent('download'), act()]);
     const file = join(folder, 'download');

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The camera: moved by mouse, fingers, wheel and buttons, in the text.
+// The camera, moved in the text by mouse, touch, wheel and buttons.
 import assert from 'node:assert/strict';
 import {test} from 'node:test';
 
@@ -52,7 +52,7 @@ test('what the camera looks at stays in the middle', () => withPage(async (page)
     assert.ok(Math.abs(distance - Math.hypot(1.4, 9) / 1.15) < 0.01, `${distance}`);
 }));
 
-/** Where the camera of acne.glint is. */
+/** The position of the camera of acne.glint. */
 async function eye(page) {
     return /camera {[^}]*position = \((.*?)\)/.exec(await sceneText(page))[1].split(', ').map(Number);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The controls: each edits its value in the text, or beside it, and the picture is the native one of that text.
+// The controls: each edits its value in the text or the overrides, and the picture equals the native one.
 import assert from 'node:assert/strict';
 import {readFileSync} from 'node:fs';
 import {cpus, loadavg} from 'node:os';
@@ -21,7 +21,7 @@ async function slide(page, slider, value) {
 
 const flip = (page, label) => page.getByRole('switch', {name: label, exact: true}).click({force: true});
 
-/** The control, what it does to the text of `still`, and that alone. */
+/** The control and its effect on the text of `still`; nothing else may change. */
 const edits = [
     ['shading', (page) => page.getByRole('combobox', {name: 'Shading'}).selectOption('normals'), / shading = normals /, null],
     ['reflections', (page) => slide(page, page.getByRole('slider', {name: 'Reflections'}), 2), /reflections = 2 /, /reflections = 5 /],
@@ -130,7 +130,7 @@ test('while the text has a mistake, a light’s control still finds its light', 
         await page.locator('[data-light="1"]').getByRole('button', {name: /^line/}).click();
         await page.waitForFunction((words) => document.querySelector('.editor').shadowRoot.querySelector('.cm-activeLine').textContent === words, expected);
     }
-    // Of what was deleted nothing can be changed.
+    // Deleted items cannot be changed.
     await paste(page, 'nothing of it is left');
     await settled(page, 'error');
     assert.equal(await page.locator('[data-light="1"] input:enabled').count(), 0);
@@ -156,7 +156,7 @@ for (const [scene, index, expected] of lights) {
 }
 
 test('dragging a slider shows more than 15 frames a second', () => withPage(async (page) => {
-    // Others that use the machine make it slower; it still has to move.
+    // Other processes on the machine make it slower; it still has to move.
     const least = loadavg()[0] > cpus().length + 1 ? 5 : 15;
     const figures = [];
     for (let attempt = 0; attempt < 3; ++attempt) {

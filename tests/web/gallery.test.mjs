@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Every scene of the gallery is drawn to the native bytes, by the page's own menu.
+// Every scene of the gallery, opened by the page's menu, gives the native bytes.
 import assert from 'node:assert/strict';
 import {readdirSync} from 'node:fs';
 import {join} from 'node:path';
@@ -11,7 +11,7 @@ const files = readdirSync(scenes, {withFileTypes: true})
     .flatMap((folder) => readdirSync(join(scenes, folder.name), {withFileTypes: true})
         .filter((entry) => entry.isFile()).map((entry) => `${folder.name}/${entry.name}`));
 
-/** What the page calls a scene, and the native command's arguments for it. */
+/** The page's name for a scene, and the native command's arguments for it. */
 function pictures(file) {
     const path = join(scenes, file);
     if (file.endsWith('only_lights.cgfs')) return [];
@@ -28,7 +28,7 @@ for (const family of ['cgfs', 'csc473', 'epfl', 'glint', 'nff', 'faults']) {
             await choose(page, name);
             assert.deepEqual(await picture(page), native(...args), name);
         }
-        // And the menu has no scene that this test does not know.
+        // The menu has no scene that is missing in this test.
         assert.equal(await page.locator('.thumb').count(), files.flatMap(pictures).length);
     }));
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The inspector: what it shows of a pixel adds up to it, and leads to the text.
+// The inspector: its numbers add up to the pixel, and its lines lead to the text.
 import assert from 'node:assert/strict';
 import {test} from 'node:test';
 
@@ -108,7 +108,7 @@ for (const [name, text] of Object.entries(balls)) {
         assert.ok(red + 20 < green, `red at ${red}, green at ${green}`);
         const light = page.locator('.top-frame line.light').first();
         assert.ok(Number(await light.getAttribute('x2')) > Number(await light.getAttribute('x1')) + 10);
-        // The camera ray goes up, from the camera.
+        // The camera ray starts at the camera and goes up.
         const ray = page.locator('.top-frame line.camera').first();
         assert.ok(Number(await ray.getAttribute('y2')) < Number(await ray.getAttribute('y1')) - 10);
     }));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Many edits, hostile texts, scenes that take for ever.
+// Many edits, hostile texts, scenes that take very long.
 import assert from 'node:assert/strict';
 import {readdirSync, readFileSync} from 'node:fs';
 import {join} from 'node:path';

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The text: mistakes are shown at their place, undo, conversion.
+// The text: errors are shown at their place; undo; conversion.
 import assert from 'node:assert/strict';
 import {readFileSync} from 'node:fs';
 import {join} from 'node:path';

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// Words of glint's own that the field has better ones for: retired in code, comments and documents.
+// Terms that glint no longer uses because the field has standard terms: not in code, comments or documents.
 #include <string_view>
 #include <vector>
 
@@ -9,7 +9,7 @@ namespace glint::test {
 struct RetiredWord {
     std::string_view pattern;  ///< an ECMAScript regular expression, upper and lower case told apart
     std::string_view instead;  ///< what to write
-    /// Paths that this word is looked for in, by their beginnings, with blanks between; empty: everywhere.
+    /// Prefixes of the paths that are searched, separated by blanks; empty: all paths.
     std::string_view within = {};
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Retired words (retired_words.h) come back neither in code nor in comments and documents.
+// Retired words (retired_words.h) must not occur in code, comments and documents.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -60,7 +60,7 @@ bool is_within(const std::string& path, std::string_view prefixes) {
     return false;
 }
 
-/// "src/a.h:3: beam: write ray packet", one a line that has the word.
+/// "src/a.h:3: beam: write ray packet", one for each line with the word.
 std::vector<std::string> find_word(const std::vector<Text>& texts, const RetiredWord& word) {
     const std::regex pattern{std::string(word.pattern)};
     std::vector<std::string> found;
@@ -84,7 +84,7 @@ TEST(Words, RetiredOnesAreGone) {
     }
 }
 
-// The rules themselves: each finds what it is for, where it is for.
+// Each rule finds its word in the paths that it applies to.
 TEST(Words, AreFound) {
     const auto at = [](const char* path, const char* line) {
         const std::vector<Text> texts = {{path, {line}}};

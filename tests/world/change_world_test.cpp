@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A World with other shading is the World of the scene so changed: for every scene of the gallery.
+// A World with changed shading equals the World of the changed scene, for every scene of the gallery.
 #include "gallery/scene_file.h"
 #include "trace/worlds.h"
 #include "world/same_pictures.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Shapes that are edited in a World: as the scene prepared anew, bit for bit, refitted or rebuilt.
+// Edited shapes of a World give the same bits as preparing the scene again, refitted or rebuilt.
 #include <numeric>
 #include <thread>
 
@@ -51,7 +51,7 @@ Scene lit(Scene scene, double half) {
 
 template <class T> T& parameters(Scene& scene, const Shape& shape) { return scene.get<T>()[shape.index]; }
 
-// Moves a shape, whatever it is, without changing how it is packed.
+// Moves a shape of any kind without changing how it is packed.
 void move(Scene& scene, std::uint32_t index, Vec3 by) {
     const Shape& shape = scene.shapes[index];
     const auto move_all = [&](std::initializer_list<Vec3*> points) {
@@ -91,7 +91,7 @@ void move(Scene& scene, std::uint32_t index, Vec3 by) {
     }
 }
 
-// The same hits for rays of all ways, whatever the two hierarchies are.
+// The same hits for rays in all directions, although the two hierarchies differ.
 void expect_same_hits(const World& a, const World& b, Random& random, double half) {
     std::vector<Ray> rays;
     for (int i = 0; i < 500; ++i) rays.push_back({point_in_cube(random, 1.5 * half), unit_direction(random)});
@@ -125,7 +125,7 @@ TEST(EditShapes, AFewOrAllMoved) {
             EXPECT_TRUE(draw_the_same(world, prepared(scene))) << round << ' ' << count;
             expect_same_hits(world, prepared(scene), random, half);
         }
-        // Other maps under the same shapes.
+        // Other transforms for the same shapes.
         std::vector<std::uint32_t> mapped;
         for (std::uint32_t i = 0; i < scene.shapes.size(); ++i)
             if (scene.shapes[i].transform != k_none) mapped.push_back(i);
@@ -267,7 +267,7 @@ TEST(EditShapes, RebuildsWhereTheStructureChanges) {
     expect_rebuilt("one less", sphere, [&](Scene& s) { s.shapes.pop_back(); });
 }
 
-// Triangles that nobody sees apart: a polygon of one piece is a triangle, and packed as one.
+// A polygon of one piece is packed as a triangle, so it can become one by refitting.
 TEST(EditShapes, ATriangleAsAPolygonIsRefitted) {
     Scene scene;
     scene.polygon_vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
@@ -287,10 +287,10 @@ TEST(EditShapes, RebuildsWhereRaysWouldCostTooMuch) {
     scene = lit(std::move(scene), 10);
     World world = prepared(scene);
     const std::vector<std::uint32_t> all = all_of(scene);
-    // The same cloud somewhere else, and larger.
+    // The same cloud, moved and enlarged.
     for (Sphere& s : scene.get<Sphere>()) s = {s.center * 2 + Vec3{3, 4, 5}, s.radius * 2};
     EXPECT_EQ(edit(world, scene, all), ShapeEdit::refitted);
-    // Everything changes places.
+    // All shapes exchange their places.
     for (Sphere& s : scene.get<Sphere>()) s.center = point_in_cube(random, 10);
     EXPECT_EQ(edit(world, scene, all), ShapeEdit::rebuilt);
     EXPECT_TRUE(draw_the_same(world, prepared(scene)));
@@ -299,7 +299,7 @@ TEST(EditShapes, RebuildsWhereRaysWouldCostTooMuch) {
     EXPECT_TRUE(draw_the_same(world, prepared(scene)));
 }
 
-// A bent polygon: its triangles differ in their normals, and rays along the cuts meet two at the same t.
+// A bent polygon: its triangles have different normals, and rays along the cuts hit two at the same t.
 TEST(EditShapes, TiesWithinAPolygonDoNotDependOnTheHierarchy) {
     Random random(206);
     int differing_orders = 0;
@@ -375,7 +375,7 @@ TEST(EditShapes, ShapesThatAreNotGivenKeepTheirMaterial) {
     ASSERT_TRUE(assign_material(world, shapes, 1));
     Scene expected = scene;
     expected.shapes[1].material = expected.shapes[2].material = 1;
-    // The scene itself was never told; shape 2 is taken from it.
+    // The scene itself does not have this change; shape 2 is taken from it.
     scene.shapes[2].material = expected.shapes[2].material = 0;
     scene.shapes[3] = scene.shapes[scene.add(Box{}, 2)];
     scene.shapes.pop_back();
@@ -385,7 +385,7 @@ TEST(EditShapes, ShapesThatAreNotGivenKeepTheirMaterial) {
     EXPECT_TRUE(draw_the_same(world, prepared(expected)));
 }
 
-// One thread draws a copy over and over while another changes the World.
+// One thread renders a copy repeatedly while another changes the World.
 TEST(EditShapes, ACopyStaysWhatItIsWhileItIsDrawn) {
     Random random(210);
     Scene scene = lit(random_scene(random, 60), 10);

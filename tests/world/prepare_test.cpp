@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Scene -> World: what is packed where, the boxes, the camera, and what does not depend on threads.
+// Scene -> World: packing, boxes, the camera, and independence of threads.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -240,7 +240,7 @@ TEST(Prepare, BoxesHoldTheirShapes) {
         const Aabb box = primitive_box(*world->parts().geometry, slot);
         for (int a = 0; a < 3; ++a) lo[a] = box.lo[a], hi[a] = box.hi[a];
         for (int i = 0; i < 20; ++i) {
-            // From well outside the box through a point of it.
+            // From far outside the box through a point inside.
             const Vec3 to{random.uniform(lo[0], hi[0]), random.uniform(lo[1], hi[1]),
                           random.uniform(lo[2], hi[2])};
             const double size = std::max({hi[0] - lo[0], hi[1] - lo[1], hi[2] - lo[2]});

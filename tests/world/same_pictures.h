@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// Whether two Worlds draw the same bits.
+// Whether two Worlds give the same bits.
 #include <gtest/gtest.h>
 
 #include <cstring>
@@ -14,7 +14,7 @@ inline bool same_bits(const std::vector<float>& a, const std::vector<float>& b) 
     return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(float)) == 0;
 }
 
-/// Every layer's, and as many rays of each kind.
+/// Every layer is compared, and the number of rays of each kind.
 inline ::testing::AssertionResult draw_the_same(const World& a, const World& b, int threads = 1) {
     RenderOptions options;
     options.threads = threads;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Polygons into triangles: the same area, on the same side, nothing twice.
+// Triangulation of polygons: the same area, on the same side, without overlap.
 #include "world/triangulate.h"
 
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@ Vec3 area_of(const Triangle& t) {
     return cross(t.vertices[1] - t.vertices[0], t.vertices[2] - t.vertices[0]) * 0.5;
 }
 
-/// Triangulates, and checks the count, the total area, and that no triangle is turned over.
+/// Triangulates, and checks the count, the total area, and that no triangle is reversed.
 void expect_triangles(const std::vector<Vec3>& polygon, Vec3 area) {
     std::vector<Triangle> triangles;
     triangulate(polygon, triangles);
@@ -33,7 +33,7 @@ void expect_triangles(const std::vector<Vec3>& polygon, Vec3 area) {
     EXPECT_NEAR(size, whole, 1e-9 * whole);
 }
 
-// Stars are seen whole from their middle: any radii do.
+// Stars with any radii: all of their boundary is visible from the middle.
 std::vector<Vec3> star(Random& random, int corners, Vec3 at, Vec3 n, double* area) {
     const Vec3 x = perpendicular(random, n), y = cross(n, x);
     std::vector<Vec3> polygon;
@@ -87,7 +87,8 @@ TEST(Triangulate, GearsAndCombs) {
 }
 
 TEST(Triangulate, BadPolygonsEnd) {
-    // Crossing themselves, on one line, on one point, with repeated corners: n - 2 triangles, and soon.
+    // Polygons that cross themselves, on one line, on one point, with repeated vertices: n - 2 triangles,
+    // quickly.
     Random random(122);
     const auto start = std::chrono::steady_clock::now();
     const int n = static_cast<int>(k_max_polygon_vertices);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a user of the library does: load, prepare, render, encode; and what bad input gives. Every public
-// function is linked. Exits with 1 and says why if something is not as the headers promise.
+// A typical user of the library: load, prepare, render, encode; and the results of bad input. Every public
+// function is linked. Exits with 1 and a message if the headers' promises are broken.
 #include <glint/glint.h>
 
 #include <atomic>
