@@ -1,32 +1,32 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// The checks, one a kind of mistake. Each reports to the context what it finds.
+// The checks, one per kind of mistake. Each reports its findings to the context.
 #include "check/context.h"
 #include "check/visible_hits.h"
 #include "math/number.h"
 
 namespace glint {
 
-/// A colour's greatest and its least channel.
+/// The largest and the smallest channel of a colour.
 inline double brightest(Color c) { return number::max(c.r, number::max(c.g, c.b)); }
 inline double least(Color c) { return number::min(c.r, number::min(c.g, c.b)); }
 
-/// Whether the camera is where it sees something. False if it sees no bounded shape although there are some:
-/// then nothing else of the picture is worth a word.
+/// Whether the camera sees anything. False if it sees no bounded shape although there are some: the other
+/// findings about the picture would then be useless.
 bool check_camera(CheckContext& context, const VisibleHits& visible);
-/// Lights that add nothing, and colours of lights that are none.
+/// Lights that add nothing, and unusual colours of lights.
 void check_lights(CheckContext& context, const VisibleHits& visible);
-/// Surfaces in the same place, and shapes written twice. Returns which shapes are named so, by index.
+/// Surfaces in the same place, and duplicate shapes. Returns the reported shapes, by index.
 std::vector<bool> check_coincident_shapes(CheckContext& context);
-/// Shapes that nobody sees, but for those whose reason is known.
+/// Shapes that no ray hits, except those whose reason is reported already.
 void check_shapes(CheckContext& context, const VisibleHits& visible, const std::vector<bool>& explained);
-/// Surfaces that turn their backs on the viewer, and vertex normals against their triangle's.
+/// Surfaces whose back faces the viewer, and vertex normals on the wrong side of their triangle.
 void check_normals(CheckContext& context, const VisibleHits& visible);
-/// Vectors that their source takes as unit vectors.
+/// Vectors that their source requires to be unit vectors.
 void check_vectors(CheckContext& context);
-/// Materials that nothing has, and their numbers.
+/// Unused materials, and unusual values of materials.
 void check_materials(CheckContext& context);
-/// What a small picture shows: black, one colour, clamped, epsilon, reflections.
+/// Findings from a small picture: black, one colour, clamped, epsilon, reflections.
 void check_picture(CheckContext& context, const VisibleHits& visible);
 
 }  // namespace glint
