@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// Pictures as the bytes that a file would hold: what causes are judged by.
+// Pictures as the bytes of a file; causes are judged by these.
 #include <cstdint>
 #include <vector>
 
@@ -11,7 +11,7 @@ namespace glint {
 
 struct BytePicture {
     std::int32_t width = 0, height = 0;
-    std::vector<std::uint8_t> rgb;  ///< as Image::rgb
+    std::vector<std::uint8_t> rgb;  ///< like Image::rgb
 
     const std::uint8_t* pixel(std::int32_t x, std::int32_t y) const {
         return &rgb[3 * (static_cast<std::size_t>(y) * width + x)];
@@ -24,14 +24,14 @@ struct BytePicture {
 /// The bytes that encode() writes. Throws bad_alloc.
 BytePicture to_bytes(const Image& image, int threads, Transfer transfer = Transfer::none);
 
-/// One number a pixel: does it lie on an edge (k_edge_step of glint/compare.h)? Throws bad_alloc.
+/// One number per pixel: whether it is on an edge (k_edge_step of glint/compare.h). Throws bad_alloc.
 std::vector<std::uint8_t> edges_of(const BytePicture& picture, int threads);
 
-/// Rows of a picture that something is done with, from the top down.
+/// The rows of a picture to process, from the top down.
 using Rows = std::vector<std::int32_t>;
 Rows all_rows(std::int32_t height);
-/// Of rows with more than `k_sample` pixels one of every few, each at another place among its few: no pattern
-/// of rows is missed. Else all of them.
+/// If there are more than `k_sample` pixels, one row of each group of rows, at varying positions in the group
+/// so that no pattern of rows is missed. Else all rows.
 inline constexpr std::size_t k_sample = std::size_t{1} << 20;
 Rows sample_of(const Rows& rows, std::int32_t width);
 
@@ -40,26 +40,24 @@ template <class Body> void for_each_row(const Rows& rows, int threads, Body&& bo
     parallel_for(rows.size(), threads, [&](std::size_t i) { body(rows[i]); });
 }
 
-/// Where two pictures are held against each other.
+/// The options for comparing two pictures.
 struct Area {
-    const std::vector<std::uint8_t>* edges = nullptr;  ///< of the reference, one a pixel
+    const std::vector<std::uint8_t>* edges = nullptr;  ///< of the reference, one per pixel
     Rows rows;
-    std::int32_t rim =
-        1;  ///< outermost pixels that are left out: what a shifted picture has there nobody knows
+    std::int32_t rim = 1;  ///< outermost pixels to ignore: unknown in a shifted picture
     int threads = 0;
 };
 
-/// Mean differences of two pictures' channels, in 255ths. They are means of absolute values, so that few
-/// large differences weigh no more than they are.
+/// Mean differences between two pictures' channels, in 255ths. Means of absolute values, so that a few
+/// large differences do not dominate.
 struct Distance {
     double all = 0;
-    double calm =
-        0;  ///< away from edges, and only what exceeds k_noise: the same whatever samples and roundings
+    double calm = 0;  ///< only away from edges and above k_noise, to ignore samples and rounding
 };
 inline constexpr int k_noise = 2;
 Distance distance(const BytePicture& a, const BytePicture& b, const Area& area);
 
-/// Are these rows the same?
+/// Whether these rows are equal.
 bool equal_rows(const BytePicture& a, const BytePicture& b, const Rows& rows);
 
 }  // namespace glint

@@ -9,11 +9,11 @@
 namespace glint {
 namespace {
 
-// A speck is darker by more than k_dark; k_calm neighbours of it differ by at most k_same. In 255ths.
+// A speck is darker by more than k_dark; k_calm of its neighbours differ by at most k_same. In 255ths.
 constexpr int k_dark = 8, k_same = 2, k_calm = 2;
 constexpr int k_step = static_cast<int>(k_edge_step);
 
-// Differences of a pixel: the darkest and the brightest channel of faulty - reference.
+// Differences of a pixel: the smallest and the largest channel of faulty - reference.
 struct Change {
     int least = 0, most = 0;
 };

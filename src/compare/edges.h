@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// Faults whose exact picture is not known, but within which limits every pixel lies.
+// Faults whose exact picture is unknown, but whose pixels have known bounds.
 #include <string>
 
 #include "compare/byte_picture.h"
@@ -10,15 +10,15 @@ namespace glint {
 /// "to the right and down".
 std::string direction_text(int dx, int dy);
 
-/// Every channel of `faulty`, moved no further than into the range that the reference has in the
-/// neighbourhood [x + left, x + right] x [y + up, y + down]. What a picture with other samples in its pixels
-/// can be: where two colours meet, anything between them, and elsewhere what it was.
+/// Clamps every channel of `faulty` to the range of the reference in the
+/// neighbourhood [x + left, x + right] x [y + up, y + down]. This is what other samples in the pixels
+/// could give: at the border of two colours anything between them, elsewhere the same colour.
 /// Fills these rows of `out`.
 void nearest_between(const BytePicture& reference, const BytePicture& faulty, int left, int right, int up,
                      int down, const Rows& rows, int threads, BytePicture& out);
 
-/// The reference, with those pixels of `faulty` that are specks: clearly darker, away from edges, among
-/// neighbours that are as in the reference. Fills these rows of `out`.
+/// The reference with those pixels of `faulty` that are specks: clearly darker, away from edges, and with
+/// neighbours equal to the reference. Fills these rows of `out`.
 void put_dark_specks(const BytePicture& reference, const BytePicture& faulty, const Rows& rows, int threads,
                      BytePicture& out);
 

@@ -10,10 +10,10 @@
 namespace glint {
 namespace {
 
-constexpr int k_sections = 10;  // of two octaves they leave 2%
+constexpr int k_sections = 10;  // the remaining interval is 2% of two octaves
 constexpr double k_golden = 0.6180339887498949;
 
-// To two digits: 1.52 is 1.5, and 0.33 is 1/3.
+// Rounds to two digits: 1.52 to 1.5, 0.33 to 1/3.
 double rounded(double factor) {
     if (factor < 1) return 1 / rounded(1 / factor);
     const double unit = factor < 10 ? 0.1 : 1;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Faults by which a pixel is another one's, or one between its neighbours.
+// Faults that replace a pixel by another one, or by a value between its neighbours.
 #include <algorithm>
 #include <array>
 
@@ -12,7 +12,7 @@ namespace {
 using Detail = std::optional<std::string>;
 using At = std::pair<std::int32_t, std::int32_t>;
 
-// Pixel (x, y) is the reference's pixel from(x, y), which lies within it.
+// Pixel (x, y) is the reference's pixel from(x, y), which is inside the picture.
 template <class From>
 void move_pixels(const PictureSource& s, const Rows& rows, BytePicture& made, From&& from) {
     for_each_row(rows, s.fit.threads, [&](std::int32_t y) {
@@ -43,7 +43,7 @@ template <class From> PictureFault turned(From&& from) {
     };
 }
 
-// Sideways and up or down before the diagonals.
+// Horizontal and vertical shifts before the diagonals.
 using Direction = std::pair<int, int>;
 constexpr std::array<Direction, 8> k_directions = {
     {{1, 0}, {-1, 0}, {0, 1}, {0, -1}, {1, 1}, {1, -1}, {-1, 1}, {-1, -1}}};
@@ -61,7 +61,7 @@ void half_shift_pixels(const PictureSource& s, Direction by, const Rows& rows, B
                     rows, s.fit.threads, made);
 }
 
-// How much each direction leaves of the difference, where faults are fitted.
+// The remaining difference for each direction, if faults are fitted.
 template <class Shift>
 std::array<double, 8> left_by_direction(const PictureSource& s, BytePicture& made, Shift&& shift) {
     std::array<double, 8> left{};
@@ -72,9 +72,9 @@ std::array<double, 8> left_by_direction(const PictureSource& s, BytePicture& mad
     return left;
 }
 
-// How a picture half a pixel away looks is not known, but each of its channels is between two neighbours of
-// the reference, or four by a diagonal. The more neighbours, the more they explain of anything: so a diagonal
-// has to leave much less than the sides, and a direction much less than its opposite (more samples a pixel
+// A picture shifted by half a pixel is unknown, but each of its channels is between two neighbours in
+// the reference, or four for a diagonal. More neighbours explain more of any difference, so a diagonal
+// must explain much more than the sides, and a direction much more than its opposite (more samples per pixel
 // have no direction).
 constexpr double k_diagonal_leaves = 0.3, k_opposite_leaves = 3;
 

@@ -11,13 +11,13 @@
 namespace glint {
 namespace {
 
-// Of the whole difference, what is between 0 and 1 has to be this part to be looked at.
+// The part of the difference between 0 and 1 must be at least this fraction to be examined.
 constexpr double k_min_visible = 0.1;
-// A factor has to explain this much, and be this far from 1.
+// A factor must explain at least this much, and differ from 1 by at least this.
 constexpr double k_min_fitted = 0.85, k_min_change = 0.0005;
 
 struct Sums {
-    double whole = 0, visible = 0;     // of |a - b|, and of the same clamped to 0 to 1
+    double whole = 0, visible = 0;     // of |a - b|, and of the values clamped to 0 to 1
     double products = 0, squares = 0;  // of a b, and of b b
     std::size_t count = 0;
 };

@@ -5,9 +5,9 @@
 
 namespace glint {
 
-/// If hardly anything of the difference of two pictures of one size is between 0 and 1, or none of it is
-/// large enough for a byte (`same_bytes`): fills in the report, by a factor if one explains it, else by a
-/// remark. Numbers that are not finite are passed over. False if causes are to be looked for in the bytes.
+/// If hardly any of the difference between two pictures of the same size is between 0 and 1, or all of it is
+/// too small for a byte (`same_bytes`): fills in the report, with a factor if one explains it, else with a
+/// remark. Ignores numbers that are not finite. False if causes must be searched in the bytes.
 bool is_beyond_bytes(const Image& a, const Image& b, bool same_bytes, CauseReport& report);
 
 }  // namespace glint

@@ -9,10 +9,10 @@
 namespace glint {
 namespace {
 
-// Fewer steps than this part of the pixels say nothing.
+// Fewer steps than this fraction of the pixels are not significant.
 constexpr double k_min_steps = 0.002;
 
-// One mark a pixel of a row: is there a step to the next?
+// One mark per pixel of a row: whether there is a step to the next.
 void mark_steps(const BytePicture& picture, std::int32_t y, std::vector<std::uint8_t>& marks) {
     for (std::int32_t x = 0; x + 1 < picture.width; ++x) {
         const std::uint8_t *here = picture.pixel(x, y), *next = picture.pixel(x + 1, y);
@@ -24,7 +24,7 @@ void mark_steps(const BytePicture& picture, std::int32_t y, std::vector<std::uin
 }
 
 struct Counts {
-    double steps = 0, near = 0, met = 0;  // steps, pixels within one of a step, the other's steps among them
+    double steps = 0, near = 0, met = 0;  // steps, pixels near a step, the other's steps among them
 };
 
 void count_steps(const std::vector<std::uint8_t>& mine, const std::vector<std::uint8_t>& others,
@@ -38,7 +38,7 @@ void count_steps(const std::vector<std::uint8_t>& mine, const std::vector<std::u
     }
 }
 
-// How many of the others' steps are near mine, beyond chance.
+// The fraction of the other's steps that are near this picture's, beyond chance.
 double agreement(const Counts& mine, const Counts& others, double pixels) {
     const double chance = mine.near / pixels;
     return chance < 1 ? (mine.met / others.steps - chance) / (1 - chance) : 0;
