@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// Blocks and settings as the book's listings write them: word { key = value ... } and word = value. glint's
-// own language has more: a name before the brace, blocks in blocks, and include "file".
+// Blocks and settings as in the book's listings: word { key = value ... } and word = value. glint's
+// own language adds names before the brace, nested blocks, and include "file".
 #include <fmt/format.h>
 
 #include <optional>
@@ -12,31 +12,31 @@
 
 namespace glint {
 
-/// What the texts of a format have beyond blocks and settings.
+/// The features that a format has in addition to blocks and settings.
 struct BlockSyntax {
-    std::string_view include;  ///< the word before a file's name; empty: there is none
+    std::string_view include;  ///< the word before a file name; empty: no includes
     bool names = false;        ///< word NAME { }, word "name" { }
 };
 
-/// Reads a text of blocks and settings. After a mistake it goes on at the next key or block, so that one run
-/// finds many.
+/// Reads a text of blocks and settings. After an error it continues at the next key or block, so that one run
+/// reports many errors.
 class BlockReader {
   public:
-    /// words: the blocks and settings that the format knows, or none: then the callbacks judge every word;
+    /// words: the known blocks and settings; if empty, the callbacks decide about every word;
     /// what: the same for messages, "`sphere` or `light`".
     BlockReader(Parser& parser, std::span<const std::string_view> words, std::string_view what,
                 BlockSyntax syntax = {})
         : p_(parser), words_(words), what_(what), syntax_(syntax) {}
 
-    /// The whole text. on_block(word, name) reads the fields of the block that begins at the parser's token;
-    /// on_setting(word, name) reads a value. Both return false before what is none, or if they do not know
+    /// Reads the whole text. on_block(word, name) reads the fields of the block at the parser's token;
+    /// on_setting(word, name) reads a value. Both return false if there is none, or if they do not know
     /// the name.
     template <class OnBlock, class OnSetting> void read(OnBlock&& on_block, OnSetting&& on_setting) {
         read(
             on_block, on_setting, [](const Token&) { return false; }, [] {});
     }
 
-    /// on_include(word) reads what follows the include's word, and on_close() ends the innermost open block.
+    /// on_include(word) reads the rest of an include, and on_close() ends the innermost open block.
     template <class OnBlock, class OnSetting, class OnInclude, class OnClose>
     void read(OnBlock&& on_block, OnSetting&& on_setting, OnInclude&& on_include, OnClose&& on_close) {
         if (p_.at_end()) p_.expected(what_);
@@ -73,8 +73,8 @@ class BlockReader {
         }
     }
 
-    /// The block that begins here holds blocks and settings of its own, until on_close. False if blocks are
-    /// nested too deep: nothing more is read.
+    /// The block that starts here contains blocks and settings, up to on_close. False if blocks are
+    /// nested too deeply: nothing more is read.
     bool open(const Token& block) {
         if (open_.size() == k_max_nesting) {
             p_.error(block, fmt::format("blocks are nested more than {} deep", k_max_nesting));
@@ -86,18 +86,18 @@ class BlockReader {
         return true;
     }
 
-    /// The blocks that are open, from the outermost.
+    /// The open blocks, from the outermost.
     std::span<const Token> open_blocks() const { return open_; }
 
     /// The name between the last block's word and its brace.
     const std::optional<Token>& label() const { return label_; }
 
-    /// Over the block that begins here.
+    /// Skips the block that starts here.
     void skip_block() {
         if (!p_.skip_value()) p_.skip_to_close('}');
     }
 
-    /// The keys and values of the block that begins here, `block` being its word. read_field(index, key)
+    /// Reads the keys and values of the block that starts here; `block` is its word. read_field(index, key)
     /// reads the value of field number `index` of the set. False if the block has no end.
     template <class ReadField> bool fields(FieldSet& set, const Token& block, ReadField&& read_field) {
         p_.expect('{');
@@ -142,7 +142,7 @@ class BlockReader {
             p_.take();
     }
 
-    // The word of a block or a setting, or nothing after what is none.
+    // The word of a block or a setting; nothing after an error.
     std::optional<Token> next_word() {
         if (pending_) {
             const Token word = *pending_;
@@ -166,7 +166,7 @@ class BlockReader {
         return false;
     }
 
-    // After a mistake: to the end of the block, or to a block that begins before it.
+    // After an error: skips to the end of the block, or to a block that starts before it.
     bool recover() {
         Token last;
         while (!p_.at_end() && !p_.accept('}')) {
@@ -179,7 +179,7 @@ class BlockReader {
         return false;
     }
 
-    // What stands where a value should: all before the next key, block, or end of this block.
+    // Skips a value: everything up to the next key, block, or end of this block.
     void skip_bad_value() {
         while (!p_.at_end() && !p_.at_closing_bracket() && !p_.peek().is('=') && !p_.peek().is('{')) {
             const bool in_brackets = p_.token().is('(');
@@ -203,7 +203,7 @@ class BlockReader {
     BlockSyntax syntax_;
     std::vector<Token> open_;
     std::optional<Token> label_;
-    std::optional<Token> pending_;  // the word of a block, taken when its `{` was met
+    std::optional<Token> pending_;  // the word of a block, taken when its `{` was read
 };
 
 }  // namespace glint

@@ -18,7 +18,7 @@ Dialect dialect_of(std::string_view format) {
     return {.hash_comments = true, .slash_comments = true};
 }
 
-// What begins a comment of this dialect, anywhere in the text, be it in a string: a quick look.
+// The start of a comment in this dialect, anywhere in the text, even in a string: a quick test.
 bool may_have_comments(std::string_view text, Dialect dialect) {
     return (dialect.hash_comments && text.find('#') != std::string_view::npos) ||
            (dialect.slash_comments && text.find("//") != std::string_view::npos) ||
@@ -34,7 +34,7 @@ std::string_view without_sign(std::string_view line, char sign) {
     return line;
 }
 
-// The lines of what stands between /* and */.
+// The lines between /* and */.
 void split_block(std::string_view text, std::vector<std::string_view>& lines) {
     const std::size_t first = lines.size();
     while (!text.empty()) {
@@ -56,7 +56,7 @@ struct SceneComments::Item {
     std::uint32_t index = 0;
 };
 
-// One pass over one text, beside its items in their order.
+// One pass over a text and its items in order.
 class SceneComments::Scanner {
   public:
     Scanner(SceneComments& to, std::string_view text, Dialect dialect, std::span<const Item> items)
@@ -136,7 +136,7 @@ class SceneComments::Scanner {
 
     bool inside_item() const { return current_ != nullptr && opened_ && !closed_; }
 
-    // The first comment: the item's that follows it at once, else the text's.
+    // The first comment belongs to the item directly below, else to the text.
     void flush_heading(bool is_item) {
         if (is_item && line_ <= last_comment_line_ + 1 && pending_.empty()) {
             for (const auto line : heading_) pending_.push_back({line, 0});
@@ -160,7 +160,7 @@ class SceneComments::Scanner {
             opened_ = true;
         } else if ((c == '}' || c == ']' || c == ')') && depth_ > 0) {
             --depth_;
-            // What was said in something else that ends here was not said of the next item.
+            // Comments in another block that ends here do not belong to the next item.
             std::erase_if(pending_, [&](const Pending& p) { return p.depth > (c == ')' ? depth_ : 0); });
             if (current_ != nullptr && opened_ && !closed_ && depth_ <= item_depth_) {
                 closed_ = true;
@@ -199,10 +199,10 @@ class SceneComments::Scanner {
     SceneComments& to_;
     const std::string_view text_;
     const Dialect dialect_;
-    std::span<const Item> items_;  // those not met yet
+    std::span<const Item> items_;  // those not reached yet
     const Item* current_ = nullptr;
     std::size_t item_depth_ = 0, depth_ = 0;
-    bool opened_ = false, closed_ = false;  // the current item's brackets
+    bool opened_ = false, closed_ = false;  // the brackets of the present item
     std::size_t at_ = 0, line_start_ = 0;
     std::uint32_t line_ = 1, end_line_ = 0, last_comment_line_ = 0;
     bool has_code_ = false;   // in this line, so far
@@ -211,7 +211,7 @@ class SceneComments::Scanner {
     std::vector<Pending> pending_;  // for the next item
 };
 
-// Where the comments of one text are looked for.
+// A text in which comments are searched.
 struct SceneComments::Source {
     std::string_view text;
     Dialect dialect;
@@ -249,7 +249,7 @@ SceneComments::SceneComments(const Scene& scene, std::span<const SceneText> text
     const auto add_all = [&](const ItemTexts& list, ItemKind kind) {
         for (std::size_t i = 0; i < list.places.size(); ++i) add(list.places[i], kind, i);
     };
-    // Of several in one place the first one counts.
+    // Of several in one place, the first counts.
     add_all(scene.shape_texts, ItemKind::shape);
     add_all(scene.light_texts, ItemKind::light);
     add(scene.camera_place, ItemKind::camera, 0);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// The comments of the texts that a scene was read from, and which of its items each stands by.
+// The comments of the texts that a scene was read from, and the items that they belong to.
 #include <cstdint>
 #include <span>
 #include <string_view>
@@ -14,26 +14,26 @@ namespace glint {
 
 enum class ItemKind : std::uint8_t { shape, light, camera, background, material };
 
-/// Views of the texts, a line each, without the comment's own signs.
+/// Views of the texts, one per line, without the comment signs.
 struct ItemComments {
-    std::vector<std::string_view> above;  ///< lines by themselves, before the item or within it
-    std::vector<std::string_view> after;  ///< behind the item or one of its parts
+    std::vector<std::string_view> above;  ///< on lines of their own, before the item or inside it
+    std::vector<std::string_view> after;  ///< after the item or one of its parts, on the same line
 };
 
-/// Which comments belong where. A comment by itself belongs to the item that follows; one within an item's
-/// brackets, or behind it in its last line, to that item. Where a material and a shape stand in one place,
-/// the shape has the comments. What is in the brackets of something else is left out.
+/// Assigns comments to items. A comment on its own line belongs to the next item; a comment inside an item's
+/// brackets, or after it on its last line, belongs to that item. If a material and a shape are in one place,
+/// the comments belong to the shape. Comments in other brackets are omitted.
 class SceneComments {
   public:
     SceneComments(const Scene& scene, std::span<const SceneText> texts);
 
-    /// Before all items of a text: the first comment, unless it stands right above an item.
+    /// The first comment of a text, before all items, unless it is directly above an item.
     const std::vector<std::string_view>& heading() const { return heading_; }
-    /// Behind all items.
+    /// Comments after all items.
     const std::vector<std::string_view>& tail() const { return tail_; }
     /// Null if there are none.
     const ItemComments* of(ItemKind kind, std::uint32_t index) const;
-    /// Ends the item's block, with its comments.
+    /// Ends the item's block and writes its comments.
     void end_block(BlockWriter& block, ItemKind kind, std::uint32_t index) const;
 
   private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// .pov as CSC 473 writes it: a right-handed, small part of POV-Ray's language. docs/formats/csc473.md.
+// .pov as used by CSC 473: a small, right-handed part of POV-Ray's language. docs/formats/csc473.md.
 #include "formats/csc473.h"
 
 #include <fmt/format.h>
@@ -63,7 +63,7 @@ class Csc473Reader {
         skip_to_block();
     }
 
-    // To the next thing that looks like a block, or a directive.
+    // Skips to the next token that looks like a block or a directive.
     void skip_to_block() {
         const auto is_beginning = [&] {
             return p_.token().is('#') || is_block(p_.token()) ||
@@ -78,7 +78,7 @@ class Csc473Reader {
         }
     }
 
-    // POV-Ray's own language is left-handed and far larger: drawing the rest would be drawing something else.
+    // POV-Ray's own language is left-handed and far larger: ignoring the rest would give another picture.
     void refuse_directive() {
         const Token hash = p_.take();
         const auto name = p_.text(p_.token());
@@ -173,7 +173,7 @@ class Csc473Reader {
                finish_shape(t, word);
     }
 
-    // Two opposite corners, whichever.
+    // Two opposite corners, in any order.
     bool read_box(const Token& word) {
         Vec3 a, b;
         if (!vector(a) || !vector(b)) return false;
@@ -209,7 +209,7 @@ class Csc473Reader {
         return true;
     }
 
-    // A mesh writes the same surface for every triangle: neighbours share it.
+    // In a mesh, every triangle has the same surface: neighbours share its material.
     std::uint32_t material_of(const PovColor& pigment, const PovFinish& f, const Token& word) {
         if (material_ != k_none && pigment == pigment_ && f == finish_) return material_;
         Material m;
@@ -234,14 +234,14 @@ class Csc473Reader {
     Scene& scene_;
     const ReadText& text_;
     Parser p_;
-    std::uint32_t material_ = k_none;  // the last one, made of these
+    std::uint32_t material_ = k_none;  // the last material, made from these
     PovColor pigment_;
     PovFinish finish_;
 };
 
 }  // namespace
 
-/// I_a is 1: k_a alone stands for the ambient term.
+/// I_a is 1: k_a alone gives the ambient term.
 void set_csc473_defaults(Scene& scene) {
     scene.camera.frame = CameraFrame{{1.33333, 0, 0}, {0, 1, 0}, {0, 0, -1}};
     Light ambient;

@@ -33,7 +33,7 @@ template <std::size_t N> bool knows(const std::string_view (&names)[N], std::str
     return std::find(std::begin(names), std::end(names), name) != std::end(names);
 }
 
-// <a, b, c>, or <a, b, c, d> with the fourth from 0 to 1. Course files have `rgbf` with three, too.
+// <a, b, c>, or <a, b, c, d> with the fourth from 0 to 1. Files of the course also have `rgbf` with three.
 bool read_numbers(Parser& p, double* values, int count, const Range& range) {
     const std::string_view how_many = count == 3 ? "three" : "four";
     if (!p.accept('<')) {

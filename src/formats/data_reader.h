@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// Objects and lists as JSON and JavaScript write them: unquoted keys, single quotes, comments and trailing
-// commas too.
+// Objects and lists as in JSON and JavaScript: also with unquoted keys, single quotes, comments and trailing
+// commas.
 #include <fmt/format.h>
 
 #include "formats/parser.h"
@@ -11,8 +11,8 @@ namespace glint {
 /// The dialect of JavaScript's data.
 inline constexpr Dialect k_javascript{.slash_comments = true, .block_comments = true, .single_quotes = true};
 
-/// Reads what begins at the parser's token. After a mistake it goes on at the next key or element, so that
-/// one run finds many; every function returns false only before what is not its kind at all, or has no end.
+/// Reads the value that starts at the parser's token. After an error it continues at the next key or element,
+/// so that one run reports many. Functions return false only if there is no such value, or if it has no end.
 class DataReader {
   public:
     explicit DataReader(Parser& parser) : p_(parser) { p_.refuse_code(); }
@@ -74,7 +74,7 @@ class DataReader {
     bool end_of_element(char close) {
         if (p_.accept(',') || p_.token().is(close) || p_.at_end()) return true;
         p_.expected(fmt::format("`,` or `{}`", close));
-        // A comma forgotten: what follows is the next element.
+        // A missing comma: the next token starts the next element.
         if (close == '}' ? is_key() && p_.peek().is(':') : p_.token().is('{')) return true;
         p_.skip_to_separator();
         return p_.accept(',') || p_.token().is(close) || p_.at_end();

@@ -14,7 +14,7 @@
 namespace glint {
 namespace {
 
-// A shape's material, looked up when the whole text is known.
+// The material of a shape; it is resolved when the whole text has been read.
 struct MaterialUse {
     std::uint32_t shape;
     std::uint32_t length;
@@ -30,7 +30,7 @@ class SceneReader {
         enum { k_name, k_camera, k_materials, k_lights, k_spheres, k_planes, k_cylinders };
         FieldSet set("scene", k_epfl_scene_fields);
         const Token begin = p_.token();
-        std::string name;  // needed only to choose among scenes
+        std::string name;  // only for choosing among scenes
         add_ambient_light();
         const bool whole = data_.object(set, [&](int field, const Token& key) {
             switch (field) {
@@ -59,7 +59,7 @@ class SceneReader {
     }
 
   private:
-    // RT2 has I_a = (1, 1, 1) for every scene.
+    // RT2 uses I_a = (1, 1, 1) for every scene.
     void add_ambient_light() {
         if (reading_.own_ambient_light) return;
         reading_.own_ambient_light = true;
@@ -231,7 +231,7 @@ class SceneReader {
                 }
             },
             [&] {
-                // The largest component first, so that no square underflows.
+                // Divides by the largest component first, so that no square underflows.
                 const double largest =
                     std::max({number::abs(axis.x), number::abs(axis.y), number::abs(axis.z)});
                 const Vec3 scaled = axis / largest;

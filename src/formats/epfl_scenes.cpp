@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// .json and .js: where the scenes of a text are, and which of them is read. JSON has one scene; the
-// homework's JavaScript has a list of them, between a little of the program around it.
+// .json and .js: finds the scenes of a text and selects one. JSON has one scene; the
+// homework's JavaScript has a list of scenes with some code of the program around it.
 #include <fmt/format.h>
 
 #include <vector>
@@ -16,10 +16,10 @@ namespace {
 struct FoundScene {
     std::size_t offset = 0;  // of its {
     std::string name;
-    bool is_scene = false;  // it has a key of a scene
+    bool is_scene = false;  // it has a key that only scenes have
 };
 
-// The objects that a text holds by themselves or in a list, found by brackets alone: nothing is reported
+// Finds the objects of a text, single or in a list, by brackets only: reports no errors
 // here.
 std::vector<FoundScene> find_scenes(std::string_view text) {
     std::vector<FoundScene> scenes;
@@ -77,7 +77,7 @@ class EpflReader {
   private:
     static constexpr std::size_t k_any = static_cast<std::size_t>(-1);
 
-    // Sets chosen_. False if the wanted scene is not there.
+    // Sets chosen_. False if the requested scene does not exist.
     bool choose(const std::string& wanted) {
         const auto scenes = find_scenes(text_.place.text);
         if (wanted.empty()) {
@@ -113,8 +113,8 @@ class EpflReader {
         return p_.token().kind == TokenKind::word && p_.text(p_.token()) == word;
     }
 
-    // `export`, `default`, `const NAME =`, `module.exports =`: what stands before data. False if data does
-    // not follow.
+    // Skips code before data: `export`, `default`, `const NAME =`, `module.exports =`. False if no data
+    // follows.
     bool skip_declaration() {
         while (is_word("export") || is_word("default")) p_.take();
         if (is_word("const") || is_word("let") || is_word("var")) {
@@ -156,7 +156,7 @@ class EpflReader {
             return p_.stop();
         }
         if (!read_data()) return p_.stop();
-        // `[...].map(...)` is not the data that stands here.
+        // `[...].map(...)` is not plain data.
         if (p_.token().kind == TokenKind::symbol && !p_.token().is(';')) {
             p_.expected("the end of the text");
             p_.stop();
@@ -183,7 +183,7 @@ class EpflReader {
     const ReadText& text_;
     Parser p_;
     DataReader data_;
-    std::size_t chosen_ = k_any;  // the offset of the scene to read; any: the first
+    std::size_t chosen_ = k_any;  // the offset of the scene to read; k_any: the first
     bool found_ = false;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The shapes of glint's own language: a block a shape.
+// The shapes of .glint: one block per shape.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 namespace glint {
 namespace {
 
-// A shape's own keys and those that all have.
+// The keys of one kind of shape, and those of all kinds.
 template <std::size_t N> constexpr auto with_item_fields(const Field (&own)[N]) {
     std::array<Field, N + std::size(k_item_fields)> all{};
     std::copy(std::begin(own), std::end(own), all.begin());
@@ -17,7 +17,7 @@ template <std::size_t N> constexpr auto with_item_fields(const Field (&own)[N]) 
     return all;
 }
 
-// The spelling hints of a shape and those of its material.
+// The spelling hints for a shape and its material.
 template <std::size_t N> std::span<const SpellingHint> with_material_hints(const SpellingHint (&own)[N]) {
     static const std::vector<SpellingHint> all = [&own] {
         std::vector<SpellingHint> list(std::begin(own), std::end(own));
@@ -32,7 +32,7 @@ class ShapeReader {
     ShapeReader(GlintText& t, const Token& word, GlintContext& context)
         : t_(t), word_(word), context_(context) {}
 
-    /// A kind whose fields are all there is to know.
+    /// A kind that consists only of the fields in fields().
     template <class Shape> void listed() {
         static const std::vector<Field> fields = [] {
             std::vector<Field> all;
@@ -89,7 +89,7 @@ class ShapeReader {
         const auto first = static_cast<std::uint32_t>(all.size());
         Polygon s{first, 0};
         if (!keys(fields, [&](int, const Token& key) {
-                all.resize(first);  // the last list holds
+                all.resize(first);  // the last list contains
                 s.count = 0;
                 return vertices(key, s);
             }))
@@ -97,7 +97,7 @@ class ShapeReader {
         add(s);
     }
 
-    // What a kind's fields() is visited with: for their names, ...
+    // Visitors for fields() of a kind: for the names of the fields, ...
     struct FieldNames {
         std::vector<Field>& names;
         void point(std::string_view name, const Vec3&) { names.push_back({name, true}); }
@@ -132,7 +132,7 @@ class ShapeReader {
         return whole && t_.p.check_required(set, word_);
     }
 
-    // A solid from one end of an axis to the other.
+    // Reads a solid between the two ends of an axis.
     template <class Shape, class ReadRadius> void axial(Shape& s, ReadRadius&& read_radius) {
         static constexpr auto fields =
             with_item_fields({{"from", true}, {"to", true}, {"radius", true}, {"caps"}});
@@ -201,7 +201,7 @@ class ShapeReader {
         return t_.p.number(value, k_length);
     }
 
-    // One number: a pointed cone.
+    // One number: a cone with an apex.
     bool cone_radius(Cone& cone) {
         cone.to_radius = 0;
         if (!t_.p.token().is('(')) return t_.p.number(cone.from_radius, k_not_negative);
@@ -269,7 +269,7 @@ concept Listed = requires(Shape shape, ShapeReader::FieldNames names) {
     Shape::fields(shape, names);
 };
 
-// How the shapes of a kind are read, if its fields are all there is to know.
+// Reads the shapes of a kind that consists only of the fields in fields().
 template <class Shape> constexpr void (ShapeReader::*listed_reader())() {
     if constexpr (Listed<Shape>) {
         return &ShapeReader::listed<Shape>;

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// include "file": a text that another one names.
+// include "file": reads another text.
 #include "formats/load_state.h"
 
 namespace glint {
 
-/// Reads the text `name`, as seen from the text `from`, by the format of its name's extension, and adds what
-/// it holds to the scene. Its camera and background hold only if no other text gives one; its settings never
-/// do. What is wrong with the include itself is an error at `at`.
+/// Reads the text `name`, relative to the text `from`, in the format of its extension, and adds its
+/// items to the scene. Its camera and background are used only if no other text has one; its settings
+/// are ignored. An error of the include itself is reported at `at`.
 void include_text(LoadState& reading, const ReadText& from, const Token& at, const std::string& name);
 
 }  // namespace glint

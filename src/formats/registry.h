@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// The formats: a new one adds its file and its row in registry.cpp.
+// The formats. A new format adds its file, and its row in registry.cpp.
 #include <span>
 
 #include "formats/load_state.h"
@@ -9,17 +9,17 @@ namespace glint {
 
 struct Format {
     FormatInfo info;
-    /// Sets what a scene of this format has without saying so (camera, background); called for the first
+    /// Sets the defaults of a scene in this format (camera, background); called for the first
     /// text.
     void (*set_defaults)(Scene&);
     void (*read)(LoadState&, const ReadText&);
-    /// What is left to do after the last text of a load; or null.
+    /// Completes the scene after the last text of a load; or null.
     void (*finish)(LoadState&) = nullptr;
 };
 
 std::span<const Format> all_formats();
 
-/// By the text's `format`, or else by the extension of its name. Null, and why, if there is none.
+/// The format by the text's `format`, or by the extension of its name. Null and the reason if there is none.
 const Format* find_format(const SceneText& text, std::string& why);
 
 void set_cgfs_defaults(Scene& scene);

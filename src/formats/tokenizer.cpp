@@ -36,12 +36,12 @@ const char* find(const char* from, const char* end, char c) {
     return at ? static_cast<const char*>(at) : end;
 }
 
-// Powers of ten that a double holds exactly.
+// Powers of ten that are exact in double.
 constexpr double k_tens[] = {1e0, 1e1, 1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
                              1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15};
 
-// [-] digits [. digits] of at most 15 digits: both the digits and the power of ten are exact, so that their
-// quotient is the nearest double. Most numbers of a large scene are such. Null for any other number.
+// [-] digits [. digits] with at most 15 digits: the digits and the power of ten are exact, so that their
+// quotient is the nearest double. Most numbers of large scenes have this form. Null for other numbers.
 const char* read_short_number(const char* from, const char* end, double& value) {
     const bool negative = *from == '-';
     const char* at = from + (negative ? 1 : 0);
@@ -155,7 +155,7 @@ void Tokenizer::read_number(Token& token) {
         return;
     }
     const auto [end, error] = fast_float::from_chars(from, end_, token.number);
-    // Versions of fast_float differ in whether they call this an error.
+    // Versions of fast_float differ in whether this is an error.
     if (error == std::errc::result_out_of_range && token.number != 0) {
         token.number = std::numeric_limits<double>::infinity();
     }
@@ -165,7 +165,7 @@ void Tokenizer::read_number(Token& token) {
     while (position_ != end_ && (is_word(*position_) || *position_ == '.')) ++position_;
 }
 
-// To the quote that ends it, or, without one, to the end of the line.
+// Reads up to the closing quote or, without one, to the end of the line.
 void Tokenizer::read_string(Token& token) {
     const char quote = *position_++;
     token.kind = TokenKind::open_string;
@@ -199,7 +199,7 @@ void append_utf8(std::string& out, std::uint32_t code) {
     }
 }
 
-// Four hexadecimal digits at text[at]; false if they are not there.
+// Reads four hexadecimal digits at text[at]; false if they are not there.
 bool hex4(std::string_view text, std::size_t at, std::uint32_t& code) {
     if (text.size() < at + 4) return false;
     code = 0;
@@ -258,7 +258,7 @@ std::string string_value(std::string_view token_text) {
                     code = 0x10000 + ((code - 0xd800) << 10) + (low - 0xdc00);
                     i += 6;
                 }
-                // A lone half of a pair is no character.
+                // Half of a surrogate pair is not a character.
                 append_utf8(out, code >= 0xd800 && code < 0xe000 ? 0xfffd : code);
                 break;
             default:

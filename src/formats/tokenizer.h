@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// Text to tokens, for every format. One pass, constant work a byte, places known at no cost.
+// Tokenizer for all formats. One pass with constant work per byte; places cost nothing.
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -8,15 +8,15 @@
 
 namespace glint {
 
-/// What differs between the formats' texts.
+/// The differences between the formats' texts.
 struct Dialect {
     bool hash_comments = false;   ///< # to the end of the line
-    bool slash_comments = false;  ///< // to the end of the line
+    bool slash_comments = false;  ///< // // to the end of the line
     bool block_comments = false;  ///< /* to */
-    bool single_quotes = false;   ///< 'strings' beside "strings"
+    bool single_quotes = false;   ///< 'strings' as well as "strings"
 };
 
-/// malformed: begins like a number and goes on like a word ("12abc"). The last three are mistakes of the text
+/// malformed: starts like a number and continues like a word ("12abc"). The last three are errors of the text
 /// itself.
 enum class TokenKind : std::uint8_t {
     end,
@@ -35,24 +35,24 @@ struct Token {
     char symbol = 0;           ///< the character of a symbol
     std::uint32_t line = 1;    ///< from 1
     std::uint32_t column = 1;  ///< in bytes from 1
-    std::size_t offset = 0;    ///< of its first byte
-    std::size_t length = 0;    ///< in bytes; strings with their quotes
-    double number = 0;         ///< of a number; infinite if it is out of a double's range
+    std::size_t offset = 0;    ///< of the first byte
+    std::size_t length = 0;    ///< in bytes; strings include their quotes
+    double number = 0;         ///< of a number; infinite if it is outside the range of double
 
     bool is(char c) const { return kind == TokenKind::symbol && symbol == c; }
 };
 
-/// A number is [+-] digits [. digits] [e [+-] digits], `4.` and `.5` included. A word is letters, digits, _,
-/// $ and all bytes above 127, with a sign before it if it has one (-inf). Every other printable character is
+/// A number is [+-] digits [. digits] [e [+-] digits], also `4.` and `.5`. A word is letters, digits, _,
+/// $ and all bytes above 127, with an optional sign before it (-inf). Every other printable character is
 /// a symbol.
 class Tokenizer {
   public:
     Tokenizer(std::string_view text, Dialect dialect);
 
-    /// The next token; at the end of the text, and after a bad byte, `end` for ever.
+    /// The next token. At the end of the text, and after an invalid byte, it is always `end`.
     Token next();
 
-    /// All tokens from here on are `end`.
+    /// All further tokens are `end`.
     void stop() { position_ = end_; }
 
   private:
@@ -68,8 +68,8 @@ class Tokenizer {
     Dialect dialect_;
 };
 
-/// The characters between a string token's quotes, escapes decoded (\n \t \" \\ \/ \b \f \r \' \uXXXX). An
-/// escape that means nothing stands for its character.
+/// The characters between a string token's quotes, with decoded escapes (\n \t \" \\ \/ \b \f \r \' \uXXXX).
+/// An unknown escape stands for its character.
 std::string string_value(std::string_view token_text);
 
 }  // namespace glint

@@ -119,7 +119,7 @@ class ShapeWriter {
         comments_.end_block(block_, ItemKind::shape, i);
     }
 
-    // The kinds whose fields are all there is to know.
+    // The kinds that consist only of the fields in fields().
     template <class T> void write_keys(const T& shape) { T::fields(shape, FieldWriter{block_}); }
     void write_keys(const Cylinder& c) {
         append(block_.key("from"), c.from);

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// The shapes of a scene as .glint writes them, in their order.
+// Writes the shapes of a scene to .glint, in their order.
 #include "formats/block_writer.h"
 #include "formats/comments.h"
 #include "formats/write_materials.h"
 
 namespace glint {
 
-/// Shapes that follow each other and have the same transform make a group.
+/// Consecutive shapes with the same transform form a group.
 void write_shapes(BlockWriter& block, const Scene& scene, const MaterialPlan& materials,
                   const SceneComments& comments);
 
