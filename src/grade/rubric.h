@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// A rubric: which parts of a picture give how many points, and which renderings show them (docs/teaching.md).
+// A rubric: the points for parts of a picture, and the renderings that show the parts (docs/teaching.md).
 #include <string>
 #include <string_view>
 #include <utility>
@@ -20,19 +20,19 @@ struct RubricRow {
     std::string part;
     double points = 0;
     std::string file;         ///< of a submission, with * and ?
-    RubricSettings settings;  ///< what the scene is drawn with
-    RubricSettings without;   ///< what takes the part away again, on top of `settings`; may be empty
+    RubricSettings settings;  ///< for rendering the scene
+    RubricSettings without;   ///< removes the part again, in addition to `settings`; may be empty
 };
 
 struct RubricResult {
-    std::vector<RubricRow> rows;          ///< of lines without faults
-    std::vector<Diagnostic> diagnostics;  ///< with line and column; reading ends after 20
+    std::vector<RubricRow> rows;          ///< of valid lines
+    std::vector<Diagnostic> diagnostics;  ///< with line and column; reading stops after 20
 };
 
 /// Reads a rubric. `name` is for messages.
 RubricResult read_rubric(std::string_view name, std::string_view text);
 
-/// The scene as a row draws it. The settings must be those of a read rubric.
+/// The scene with the settings of a row. They must be those of a rubric from read_rubric().
 Scene with_settings(const Scene& scene, const RubricSettings& settings);
 
 }  // namespace glint
