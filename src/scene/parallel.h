@@ -6,14 +6,14 @@
 
 namespace glint {
 
-// Sine of the angle under which two directions count as parallel, and the like for three.
+// The sine of the angle below which two directions count as parallel, and similarly for three.
 inline constexpr double k_parallel = 1e-9;
 
-// Dividing by the largest component keeps squares from underflowing: 1e-200 is a direction like any other.
+// Dividing by the largest component prevents underflow of squares: 1e-200 is a valid direction.
 inline Vec3 unit_or_zero(Vec3 v) {
     const double largest = number::max(number::max(number::abs(v.x), number::abs(v.y)), number::abs(v.z));
     if (!(largest > 0)) return {0, 0, 0};
-    // The smallest double's reciprocal is infinite; dividing is not.
+    // The smallest double's reciprocal is infinite, so this divides.
     v = v / largest;
     return v / number::sqrt(dot(v, v));
 }

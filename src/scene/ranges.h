@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// What the numbers of a scene may be: one table for the readers, which point at the number, and for
+// The valid ranges of a scene's numbers: one table for the readers, which point at the number, and for
 // validate().
 #include <string_view>
 
@@ -8,7 +8,7 @@
 
 namespace glint {
 
-/// The numbers from min to max. `open`: without min (and, if both_open, without max).
+/// The numbers from min to max. `open`: excluding min (and, if both_open, max).
 struct Range {
     double min, max;
     bool open, both_open;
@@ -20,11 +20,11 @@ struct Range {
     }
 };
 
-// Beyond these a double has no digits left for the shapes, or a square overflows on its way through the
+// Outside these ranges a double has too few digits for the shapes, or a square overflows in the
 // formulas.
 inline constexpr Range k_coordinate{-1e12, 1e12, false, false, "a number from -1e12 to 1e12"};
 inline constexpr Range k_length{0, 1e12, true, false, "a number > 0 and at most 1e12"};
-/// Channels of lights and materials. Negative ones are drawn as written.
+/// Channels of lights and materials. Negative ones are rendered as written.
 inline constexpr Range k_channel{-1e6, 1e6, false, false, "a number from -1e6 to 1e6"};
 inline constexpr Range k_tint{0, 1e6, false, false, "a number from 0 to 1e6"};
 inline constexpr Range k_fraction{0, 1, false, false, "a number from 0 to 1"};

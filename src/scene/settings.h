@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// The table of settings (conventions and render settings) as this module sees it.
+// The table of settings (conventions and render settings) inside this module.
 #include "glint/scene.h"
 
 namespace glint {

@@ -31,7 +31,7 @@ class ParameterCheck {
   private:
     void say(std::string mistake) { mistakes_.push_back(std::move(mistake)); }
 
-    // What a shape's fields() may hold.
+    // The valid values of a shape's fields().
     struct FieldCheck {
         std::vector<std::string>& mistakes;
         void say(std::string mistake) { mistakes.push_back(std::move(mistake)); }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// Whether a shape's parameters are what the formulas need.
+// Checks that a shape's parameters are valid for the formulas.
 #include <string>
 #include <vector>
 
@@ -8,14 +8,14 @@
 
 namespace glint {
 
-/// As messages write it: "(1, 2, 3)".
+/// The format of messages: "(1, 2, 3)".
 std::string text(Vec3 v);
 
 class ShapeCheck {
   public:
     explicit ShapeCheck(const Scene& scene) : scene_(scene) {}
 
-    /// What is wrong with the shape's parameters, until the next call: "radius: expected a number > 0, found
+    /// The error in the shape's parameters, valid until the next call: "radius: expected a number > 0, found
     /// -1".
     const std::vector<std::string>& mistakes(const Shape& shape);
 
