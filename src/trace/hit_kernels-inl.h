@@ -21,12 +21,12 @@ HWY_INLINE RaySpan from(const RaySpan& r, int first) {
             r.dy + first, r.dz + first, r.t_min + first, r.t_max + first};
 }
 
-/// A packet's directions differ by this much at most, relative to their size. Measured: nearest hits 0.05 to
-/// 1 within 10% of each other, with the best at 0.5; any hit 0.05 better than 0.5 by 15%.
+/// The directions of a packet differ by at most this, relative to their size. Measured: for nearest hits,
+/// values from 0.05 to 1 differ by 10%, 0.5 is best; for any hit, 0.05 is 15% better than 0.5.
 template <bool nearest> inline constexpr double k_spread = nearest ? 0.5 : 0.05;
 
-/// How many of rays [first, first + most) go nearly the way of the first: they walk together, since a packet
-/// meets every box that lies between its rays.
+/// The number of rays in [first, first + most) with nearly the first one's direction. They traverse together;
+/// rays in other directions would make the packet intersect every box between them.
 template <bool nearest> HWY_INLINE int count_coherent(const SlabRays& rays, int first, int most) {
     const auto& d = rays.direction;
     const Floats x(d[0][first]), y(d[1][first]), z(d[2][first]);

@@ -20,10 +20,10 @@ HWY_BEFORE_NAMESPACE();
 namespace glint {
 namespace HWY_NAMESPACE {
 
-/// Tests shapes against a packet, or one ray, of a chunk of rays.
+/// Tests shapes against a packet, or against one ray, of a chunk of rays.
 struct ShapeTests {
     const PackedGeometry& geometry;
-    const RaySpan& rays;  // the chunk's
+    const RaySpan& rays;  // of the chunk
     SlabRays& slab_rays;
     const HitResult& result;
     ShearedRays& sheared_rays;
@@ -51,7 +51,7 @@ struct ShapeTests {
         RayLeaf visitor{*this, shapes, ray, first, count};
         visit_geometry(shapes.kind, shapes.transformed, visitor);
     }
-    /// All shapes of an unbounded class, against rays [0, count) of the chunk: no boxes.
+    /// All shapes of an unbounded class, against rays [0, count) of the chunk: they have no boxes.
     HWY_INLINE void visit_unbounded(const ShapeClass& shapes, int count) {
         Unbounded visitor{*this, shapes, count};
         visit_geometry(shapes.kind, shapes.transformed, visitor);
@@ -110,7 +110,7 @@ struct ShapeTests {
         for (int k = 0; k < Geometry::k_values; ++k) p[k] = T(shapes.column(k)[slot - shapes.first]);
     }
 
-    /// The shape's formula, lanes are rays.
+    /// The shape's formula with rays in lanes.
     template <class Geometry> HWY_INLINE Hit<Doubles> formula(const Doubles* p, int i, Doubles t_min) {
         if constexpr (k_is_triangle<Geometry>) {
             const auto sheared = sheared_rays.lanes(i);
@@ -122,7 +122,7 @@ struct ShapeTests {
         }
         return Geometry::hit(p, ray_lanes(i), t_min);
     }
-    /// The same, lanes are shapes.
+    /// The same with shapes in lanes.
     template <class Geometry> HWY_INLINE Hit<Doubles> formula_of_one(const Doubles* p, int i, Doubles t_min) {
         if constexpr (k_is_triangle<Geometry>) {
             const auto sheared = sheared_rays.one(i);
@@ -133,8 +133,8 @@ struct ShapeTests {
         }
     }
 
-    /// Settles candidates of rays [i, i + lanes): bits says which may still hit; entry and exit are their box
-    /// intervals.
+    /// Decides candidates of rays [i, i + lanes): bits are those that may still hit; entry and exit are
+    /// their box intervals.
     template <class Geometry>
     HWY_INLINE void settle_rays(const Doubles* p, std::uint32_t slot, int i, std::uint32_t bits,
                                 Doubles entry, Doubles exit) {
@@ -144,7 +144,7 @@ struct ShapeTests {
         bits &= to_bits(hit.valid && t > t_min && t <= load(result.t + i));
         if (bits == 0) return;
         if (result.occluded == nullptr) {
-            // Strictly nearer ones all at once.
+            // All nearer hits in one step.
             const Doubles best = load(result.t + i);
             const auto nearer = t < best && from_bits<double>(bits);
             store(select(nearer, t, best), result.t + i);
@@ -243,7 +243,7 @@ struct ShapeTests {
         }
     }
 
-    /// The slab expression of ray i with a vector of the shapes' own boxes.
+    /// The slab expression of ray i with a vector of primitive bounds.
     struct RaySlab {
         std::uint32_t meets;
         alignas(64) float entry[lane_count<float>()], exit[lane_count<float>()];
@@ -263,7 +263,7 @@ struct ShapeTests {
         store(slab.exit, to.exit);
     }
 
-    /// Lanes are shapes.
+    /// Shapes in lanes.
     template <class Geometry>
     HWY_NOINLINE void ray_leaf(const ShapeClass& shapes, std::uint32_t first, std::uint32_t count, int i) {
         const Doubles t_min(rays.t_min[i]);
@@ -293,7 +293,7 @@ struct ShapeTests {
             store(t, lanes);
             for (; bits != 0; bits &= bits - 1) {
                 const int lane = __builtin_ctz(bits);
-                // The limit may have shrunk since.
+                // The limit may have decreased since.
                 if (lanes[lane] <= result.t[i])
                     result.accept(i, lanes[lane], slot + static_cast<std::uint32_t>(lane));
             }

@@ -2,7 +2,7 @@
 // The kernels, compiled once for every instruction set: foreach_target includes this file again for each.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "trace/kernels.cpp"
-#include <hwy/foreach_target.h>  // must come before what follows
+#include <hwy/foreach_target.h>  // must be the first include
 
 #include "simd/targets.h"
 #include "trace/kernels.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// What is compiled once for every instruction set, and chosen once a render.
+// The functions that are compiled for every instruction set and selected once per render.
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -17,24 +17,24 @@ namespace glint {
 struct Kernels {
     const char* isa;
 
-    /// For rays [0, count): the least t in (t_min, t_max) and the slot hit there (k_none: none; t is then
-    /// t_max). Of equal t the shape that is first in the scene. Rays walk in packets of `packet` (1 to
-    /// k_packet_size); the answer does not depend on it.
+    /// For rays [0, count): the smallest t in (t_min, t_max) and the slot hit there (k_none: no hit; t is
+    /// then t_max). Of equal t, the shape that is first in the scene. Packets have up to `packet` rays (1 to
+    /// k_packet_size); the result does not depend on it.
     void (*nearest_hit)(const WorldParts&, const RaySpan& rays, int count, int packet, double* t,
                         std::uint32_t* slot);
 
     /// occluded[i] = 1 if anything is hit in (t_min, t_max), else 0.
     void (*any_hit)(const WorldParts&, const RaySpan& rays, int count, int packet, std::uint8_t* occluded);
 
-    /// Draws one tile.
+    /// Renders one tile.
     void (*render_tile)(const WorldParts&, const TileJob&, TileScratch&);
 };
 
-/// The kernels that this machine can run, best first.
+/// The kernels that this machine supports, best first.
 const std::vector<Kernels>& available_kernels();
-/// Those of an instruction set (empty: the best), or null.
+/// The kernels of an instruction set (empty: the best), or null.
 const Kernels* find_kernels(std::string_view isa);
-/// What to say where there are none.
+/// The error message if there are none.
 std::string no_kernels_error(std::string_view isa);
 
 }  // namespace glint

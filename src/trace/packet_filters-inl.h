@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The shapes' filters in single precision, asked of a packet.
+// The shapes' single-precision filters for a packet.
 #if defined(GLINT_TRACE_PACKET_FILTERS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLINT_TRACE_PACKET_FILTERS_INL_H_
 #undef GLINT_TRACE_PACKET_FILTERS_INL_H_
@@ -15,11 +15,11 @@ HWY_BEFORE_NAMESPACE();
 namespace glint {
 namespace HWY_NAMESPACE {
 
-/// The filters of a vector of triangles for a packet whose rays share their origin: made once a leaf, not
-/// once a ray. Of other shapes nothing is kept.
+/// The filters of a vector of triangles for a packet whose rays have a common origin: computed once per leaf,
+/// not once per ray. Empty for other shapes.
 template <class Geometry> class SharedFilters {
   public:
-    /// Of slots [first, first + count), count <= lanes. Returns which some ray of the packet may hit.
+    /// For slots [first, first + count), count <= lanes. Returns those that any ray of the packet may hit.
     HWY_INLINE std::uint32_t prepare(const ShapeClass& shapes, const RayPacket& packet, const Vec3& origin,
                                      std::uint32_t first, int count) {
         int i = 0;
@@ -52,8 +52,8 @@ template <class Geometry> class SharedFilters {
     alignas(64) float value_[10][k_is_triangle<Geometry> ? lane_count<float>() : 1];
 };
 
-/// Which of the packet's rays `active` may hit the shape in a slot, number `lane` of those that `shared` is
-/// of.
+/// Which of the packet's rays `active` may hit the shape in a slot; `lane` is its number in
+/// `shared`.
 template <class Geometry>
 HWY_INLINE std::uint64_t filter_rays(const ShapeClass& shapes, const RayPacket& packet, std::uint64_t active,
                                      [[maybe_unused]] const SharedFilters<Geometry>& shared,

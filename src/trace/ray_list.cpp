@@ -9,7 +9,7 @@
 namespace glint {
 namespace {
 
-constexpr std::size_t k_chunk = 4096;  // rays of a task
+constexpr std::size_t k_chunk = 4096;  // rays per task
 
 }  // namespace
 
@@ -30,7 +30,7 @@ HitList nearest_hits(const WorldParts& world, const RayList& rays, int threads) 
     const Kernels& kernels = available_kernels().front();
     HitList hits{std::vector<double>(rays.size()), std::vector<std::uint32_t>(rays.size())};
     parallel_for((rays.size() + k_chunk - 1) / k_chunk, threads, [&](std::size_t chunk) {
-        // The kernels write whole vectors: a chunk's answers must not reach into its neighbour's.
+        // The kernels write whole vectors: results of one chunk must not overwrite those of the next.
         double t[k_chunk + k_ray_padding];
         std::uint32_t slot[k_chunk + k_ray_padding];
         const std::size_t first = chunk * k_chunk, count = std::min(k_chunk, rays.size() - first);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// Rays that are traced for a question of their own, by the renderer's own kernels.
+// Rays outside of a render (checks, explanations), traced with the renderer's kernels.
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -12,7 +12,7 @@
 
 namespace glint {
 
-/// Rays as columns, padded as the kernels want it.
+/// Rays as columns, padded as the kernels require.
 class RayList {  // NOLINT(bugprone-reserved-identifier): the compiler's own, in copying columns_
   public:
     RayList() {
@@ -31,13 +31,13 @@ class RayList {  // NOLINT(bugprone-reserved-identifier): the compiler's own, in
     std::vector<double> columns_[8];
 };
 
-/// The nearest hit of each ray; slot is k_none and t the ray's t_max where there is none.
+/// The nearest hit of each ray; without a hit, slot is k_none and t is the ray's t_max.
 struct HitList {
     std::vector<double> t;
     std::vector<std::uint32_t> slot;
 };
 HitList nearest_hits(const WorldParts& world, const RayList& rays, int threads);
-/// The nearest that casts a shadow.
+/// The nearest hit among shapes that cast shadows.
 HitList nearest_occluders(const WorldParts& world, const RayList& rays, int threads);
 
 }  // namespace glint

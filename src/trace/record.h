@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// What the stages of a tile of one pixel write down of it (trace/record-inl.h), for explain().
+// The data that the stages of a one-pixel tile record (trace/record-inl.h), for explain().
 #include <cstddef>
 #include <vector>
 
@@ -9,13 +9,13 @@
 namespace glint {
 
 struct TileRecord {
-    /// Light numbers are the World's, and a default material has the number after the last.
+    /// Light indices are the World's; the index of the default material follows the last one.
     std::vector<ExplainedRay> rays;
-    int sample = 0;        // at hand
-    int only = -1;         // the sample that is written down; -1: all
-    bool is_full = false;  // of all samples there were too many rays
+    int sample = 0;        // the present sample
+    int only = -1;         // the sample to record; -1: all
+    bool is_full = false;  // there were too many rays for all samples
 
-    /// Whether sample number `next` is written down.
+    /// Whether to record sample number `next`.
     bool begin(int next) {
         sample = next;
         is_full = is_full || (only < 0 && rays.size() > k_max_explained_rays);
@@ -23,13 +23,13 @@ struct TileRecord {
     }
 
     struct SpawnedRay {
-        int ray;  // it leaves this one's hit
+        int ray;  // the ray whose hit it starts from
         bool transmitted;
     };
-    std::vector<SpawnedRay> spawned;  // branches that were traced, in the order of their rays
-    std::size_t arrived = 0;          // the first of these whose ray has not come
+    std::vector<SpawnedRay> spawned;  // the secondary rays that were traced, in the order of their rays
+    std::size_t arrived = 0;          // the first of these whose ray has not been recorded
 
-    std::vector<std::size_t> batch;  // the rays of the hits of the batch at hand
+    std::vector<std::size_t> batch;  // the rays of the hits in the present batch
     ExplainedHit& hit(int h) { return *rays[batch[static_cast<std::size_t>(h)]].hit; }
 };
 

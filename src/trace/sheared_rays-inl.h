@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What triangles need of a ray, once a ray.
+// The values that triangle tests need, computed once per ray.
 #if defined(GLINT_TRACE_SHEARED_RAYS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLINT_TRACE_SHEARED_RAYS_INL_H_
 #undef GLINT_TRACE_SHEARED_RAYS_INL_H_
@@ -14,8 +14,8 @@ HWY_BEFORE_NAMESPACE();
 namespace glint {
 namespace HWY_NAMESPACE {
 
-/// The chunk's rays as triangles see them (TriangleGeometry::ShearedRay), computed for groups of rays when
-/// first asked for.
+/// The chunk's rays prepared for triangles (TriangleGeometry::ShearedRay), computed for groups of rays when
+/// first needed.
 class ShearedRays {
   public:
     explicit ShearedRays(const RaySpan& rays) : rays_(rays) {}
@@ -36,7 +36,7 @@ class ShearedRays {
                 load(column_[4] + i),
                 load(column_[5] + i)};
     }
-    /// The axis that ray i, or all of rays [i, i + lanes), mostly follow; -1 if they differ. Prepared before.
+    /// The major axis of ray i, or of rays [i, i + lanes); -1 if they differ. The rays must be prepared.
     HWY_INLINE int axis(int i) const { return axis_[i]; }
     HWY_INLINE int common_axis(int i) const {
         for (int k = 1; k < lane_count<double>(); ++k)
@@ -45,7 +45,7 @@ class ShearedRays {
     }
 
   private:
-    // The last ray's vector may end in the next group, whose rays must still be padding.
+    // The last ray's vector may end in the next group, whose rays must be valid padding.
     static constexpr int k_group = k_ray_padding / 2;
     static_assert(k_group % lane_count<double>() == 0);
 
