@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// Where `glint grade` writes.
+// The outputs of `glint grade`.
 #include <optional>
 #include <string>
 
@@ -8,22 +8,22 @@
 
 namespace glint::cli {
 
-/// As the user named them; empty: not asked for.
+/// As the user named them; empty: not requested.
 struct GradeOutputNames {
     std::string csv, json, sheet;
 };
 
-/// Where the results go besides standard output, found out before the work begins.
+/// The destinations of the results other than standard output; checked before the work begins.
 class GradeOutputs {
   public:
-    /// Throws Failure as OutputFile does, and of usage if the next run would take one for a picture of
-    /// `folder`.
+    /// Throws the errors of OutputFile, and a usage error if the next run would read an output as a picture
+    /// of `folder`.
     GradeOutputs(const GradeOutputNames& names, const std::string& folder);
     GradeOutputs(const GradeOutputs&) = delete;
     GradeOutputs& operator=(const GradeOutputs&) = delete;
 
     std::optional<OutputFile> csv, json, sheet;
-    bool table;  ///< for people, on standard output, where no file goes there
+    bool table;  ///< print the table on standard output, if no file goes there
 };
 
 }  // namespace glint::cli

@@ -10,17 +10,17 @@
 
 namespace glint::cli {
 
-/// The small pictures of the sheet, if one is asked for.
+/// The small pictures of the sheet, if one is requested.
 class GradeSheet {
   public:
-    /// `cells` of which `layout` says how they lie; nothing if they do not fit, and then it throws Failure,
-    /// unless no sheet is asked for.
+    /// `layout` arranges the `cells`; it is empty if they do not fit. Then throws Failure
+    /// if a sheet is requested.
     GradeSheet(const std::optional<OutputFile>& output, const std::optional<SheetLayout>& layout,
                std::size_t cells);
 
     void set_number(std::size_t cell, int number);
     void put(std::size_t cell, const Image& picture);
-    /// And below it four times its difference from what it should be.
+    /// Adds its difference from the reference, four times amplified, below the picture.
     void put(std::size_t cell, const Image& picture, const Image& wanted);
 
     void write(int threads) const;
@@ -28,7 +28,7 @@ class GradeSheet {
   private:
     const std::optional<OutputFile>& output_;
     SheetLayout layout_;
-    std::vector<SheetCell> cells_;  // none if no sheet is asked for
+    std::vector<SheetCell> cells_;  // empty if no sheet is requested
 };
 
 }  // namespace glint::cli
