@@ -39,7 +39,7 @@ const edits = [
     ['N·L not clamped', (page) => flip(page, 'N·L not clamped'), /conventions { clamp_cosines = false }/, null],
     ['no normalisation', (page) => flip(page, 'No normalisation'), /conventions { normalize = false }/, null],
     ['specular without gate', (page) => flip(page, 'Specular without gate'), /conventions { specular_gate = false }/, null],
-    ['shadows from behind the light', (page) => flip(page, 'Shadows from behind the light'), /conventions { shadow_stops_at_light = false }/, null],
+    ['shadows from beyond the light', (page) => flip(page, 'Shadows from beyond the light'), /conventions { shadow_stops_at_light = false }/, null],
     ['a convention', async (page) => {
         await page.getByText('Conventions', {exact: true}).click();
         await page.getByRole('combobox', {name: 'mirror', exact: true}).selectOption('add');

@@ -6,14 +6,14 @@ import type {LightText} from '../text/edit';
 import {isHere, offsetOf} from './places';
 import {format, info, services, text} from './state';
 
-/** How bright those lights were that are off. */
+/** The brightness of the lights that are switched off. */
 const lightsOff = new Map<number, number>();
 
 export function forgetLights() {
     lightsOff.clear();
 }
 
-/** A light of the scene as the text says it; null if it cannot be changed there. */
+/** A light of the scene as given in the text; null if it cannot be changed there. */
 export function lightText(index: number): LightText | null {
     const place = info.value?.lights[index]?.place;
     const offset = place && isHere(place) ? offsetOf(place) : null;

@@ -13,7 +13,7 @@ interface Entry {
 interface Block {
     word: string;
     from: number;
-    /** After the opening brace, and before the closing one. */
+    /** Offsets after the opening brace and before the closing one. */
     open: number;
     close: number;
     entries: Entry[];
@@ -26,7 +26,7 @@ interface Token {
     to: number;
 }
 
-/** The tokens from an offset on; `oneBlock`: up to the end of the first block. */
+/** The tokens from an offset on; `oneBlock`: only up to the end of the first block. */
 function tokenize(text: string, from = 0, oneBlock = false): Token[] {
     const tokens: Token[] = [];
     let depth = 0;
@@ -35,7 +35,7 @@ function tokenize(text: string, from = 0, oneBlock = false): Token[] {
     for (const match of text.matchAll(pattern)) {
         const [found] = match;
         if (found.startsWith('#') || found.startsWith('//')) continue;
-        const comment = found.indexOf('//');  // within what looks like a word
+        const comment = found.indexOf('//');  // inside a word
         if (comment > 0) continue;
         const first = found[0]!;
         const kind = first === '"' ? 'string' : '{}()='.includes(first) ? (first as Token['kind']) : 'word';
@@ -46,7 +46,7 @@ function tokenize(text: string, from = 0, oneBlock = false): Token[] {
     return tokens;
 }
 
-/** Reads what is well-formed; what is not is skipped, as the engine says what is wrong with it. */
+/** Reads the well-formed parts and skips the rest, because the engine reports errors. */
 function parse(text: string, tokens = tokenize(text)): Block {
     let i = 0;
     const value = (): [number, number] | null => {
@@ -102,7 +102,7 @@ function parse(text: string, tokens = tokenize(text)): Block {
     return root;
 }
 
-/** Sets a key of a block: in its value's place, or as a new last entry written as the others are. */
+/** Sets a key of a block: replaces its value, or appends an entry in the style of the others. */
 function set(text: string, block: Block, key: string, value: string): Edit[] {
     const said = block.entries.findLast((entry) => entry.key === key);
     if (said) return [{from: said.from, to: said.to, insert: value}];
@@ -136,7 +136,7 @@ function light(text: string, offset: number, canAdd: boolean): LightText | null 
     };
 }
 
-/** Where new lines at the top of a text go: after the comments and settings it begins with. */
+/** The position for new lines at the top of a text: after its first comments and settings. */
 function top(text: string, settings: string[]): number {
     const root = parse(text);
     const last = root.entries.findLast((entry) => settings.includes(entry.key));
@@ -174,7 +174,7 @@ export const glint: SceneFormat = {
     },
 };
 
-/** Edits at one and the same place become one: an editor takes them in any order. */
+/** Joins edits at the same position, because an editor applies them in any order. */
 function merged(edits: Edit[]): Edit[] {
     const result: Edit[] = [];
     for (const edit of edits) {

@@ -2,32 +2,32 @@
 // Changing a value in a scene's text, and nothing else in it.
 import type {CameraInfo, FieldInfo, Vec3} from 'glint-wasm';
 
-/** Replaces the text from `from` to `to`, in UTF-16 units as the editor counts. */
+/** Replaces the text between `from` and `to`, in UTF-16 units like the editor's offsets. */
 export interface Edit {
     from: number;
     to: number;
     insert: string;
 }
 
-/** A light as its text has it. */
+/** A light as given in its text. */
 export interface LightText {
-    /** The factor of its colour, or the largest channel where a format has no factor. */
+    /** The factor of its colour, or the largest channel if the format has no factor. */
     intensity: number;
     setIntensity(value: number): Edit[];
     /** Null if the format cannot say the field, or not in this text. */
     setField(field: FieldInfo, value: number | Vec3): Edit[] | null;
 }
 
-/** What a page may ask of a format's text. Null, or false: this format cannot say it. */
+/** The edits of one format's text. Null or false: this format cannot express it. */
 export interface SceneFormat {
     name: string;
-    /** Puts a setting's value into the text. */
+    /** Sets a setting in the text. */
     setting(text: string, key: string, value: string, isConvention: boolean): Edit[] | null;
-    /** The light whose text begins at an offset. */
+    /** The light at an offset of the text. */
     light(text: string, offset: number): LightText | null;
-    /** The names of the scenes in a text that may have several. */
+    /** The names of the scenes in a text, if it may have several. */
     scenes?(text: string): string[];
-    /** Moves the camera whose text begins at an offset; null as offset: there is none yet. */
+    /** Moves the camera at an offset of the text; offset null: adds one. */
     camera(text: string, offset: number | null, camera: CameraInfo): Edit[] | null;
 }
 
@@ -45,7 +45,7 @@ export function number(value: number): string {
 /** The length of a vector. */
 export const length = (v: Vec3) => Math.hypot(...v);
 
-/** Makes a colour's largest channel this; black becomes grey. */
+/** Scales a colour to this largest channel; black becomes grey. */
 export function withLargest(color: Vec3, value: number): Vec3 {
     const largest = Math.max(...color.map(Math.abs));
     return largest === 0 ? [value, value, value] : (color.map((c) => (c * value) / largest) as Vec3);

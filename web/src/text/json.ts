@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// .json and .js: the scenes of RT2, as JSON or as data of JavaScript.
+// .json and .js: the scenes of RT2, as JSON or as JavaScript data.
 import type {Vec3} from 'glint-wasm';
 
 import {type Edit, type SceneFormat, number, ofPosition, withLargest} from './edit';
@@ -11,7 +11,7 @@ interface Value {
     items?: Value[];
 }
 
-/** Reads the value that begins at an offset, leniently; null if there is none. */
+/** Reads the value at an offset, tolerating errors; null if there is none. */
 function parse(text: string, offset: number): Value | null {
     let at = offset;
     const skip = () => {
@@ -61,7 +61,7 @@ function parse(text: string, offset: number): Value | null {
     return value(0);
 }
 
-/** The objects that a text holds by themselves or in a list. */
+/** The objects of a text, single or in a list. */
 function* objects(text: string): Generator<Map<string, Value>> {
     const next = /\/\/.*|\/\*[^]*?\*\/|"(?:\\.|[^"\\\n])*"|'(?:\\.|[^'\\\n])*'|[{[]/g;
     for (let match = next.exec(text); match; match = next.exec(text)) {
@@ -88,7 +88,7 @@ export const json: SceneFormat = {
     name: '.json',
     setting: () => null,
     scenes(text) {
-        if (/^\s*{/.test(text)) return [];  // JSON has one
+        if (/^\s*{/.test(text)) return [];  // JSON has only one
         const names = [...objects(text)].map((one) => one.get('name')).filter((name) => name !== undefined);
         return names.map(({from, to}) => text.slice(from, to).replace(/^["']|["']$/g, ''));
     },

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// .nff: a line is a word and its numbers. .pov: vectors in angle brackets, in blocks.
+// .nff: each line is a word and its numbers. .pov: vectors in angle brackets, in blocks.
 import type {Vec3} from 'glint-wasm';
 
 import {type Edit, type SceneFormat, length, number, ofPosition, withLargest} from './edit';
 
-/** The first match of a pattern from an offset on, and where its first group stands. */
+/** The first match of a pattern from an offset on, and the offset of its first group. */
 function find(text: string, pattern: RegExp, offset: number, end = text.length): {from: number; to: number; found: string} | null {
     const match = new RegExp(pattern.source, 'dm').exec(text.slice(offset, end));
     const span = match?.indices?.[1];
@@ -26,7 +26,7 @@ export const nff: SceneFormat = {
         if (word !== 'l' || !values.every(Number.isFinite)) return null;
         if (values.length !== 3 && values.length !== 6) return null;
         const place = values.slice(0, 3) as Vec3;
-        // Without a colour, all lights together are as bright as the square root of their number.
+        // The total brightness of lights without a colour is the square root of their number.
         const count = text.match(/^l[ \t]/gm)?.length ?? 1;
         const color = (values.length === 6 ? values.slice(3) : Array(3).fill(1 / Math.sqrt(count))) as Vec3;
         const line = (p: Vec3, c: Vec3): Edit[] => [{from: offset, to: end, insert: `l ${plain(p)} ${plain(c)}`}];
@@ -52,7 +52,7 @@ function parseAngled(text: string): Vec3 | null {
     return list.length === 3 && list.every(Number.isFinite) ? (list as Vec3) : null;
 }
 
-/** The end of the block whose word stands at an offset. */
+/** The end of the block whose word is at an offset. */
 function endOfBlock(text: string, offset: number): number {
     const end = text.indexOf('}', offset);
     return end < 0 ? text.length : end;

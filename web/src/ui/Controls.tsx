@@ -20,7 +20,7 @@ function Outside() {
     if (names.length === 0) return null;
     return (
         <div class="outside" role="note">
-            <p>Set outside the text, which {format.value ? `${format.value.name} cannot say` : 'cannot say it'}:</p>
+            <p>Set outside the text, because {format.value ? `${format.value.name} cannot express it` : 'the format cannot express it'}:</p>
             <ul>
                 {names.map((name) => (
                     <li key={name}>
@@ -58,7 +58,7 @@ function PictureControls() {
             <Slider label="Reflections" value={Number(value('reflections'))} min={0} max={Math.max(10, Number(value('reflections')))} step={1}
                     set={(v) => setSetting('reflections', String(Math.round(v)))} />
             <Slider label="Samples" value={Number(value('aa'))} min={1} max={Math.max(4, Number(value('aa')))} step={1}
-                    text={`${value('aa')} by ${value('aa')} a pixel`} set={(v) => setSetting('aa', String(Math.round(v)))} />
+                    text={`${value('aa')} by ${value('aa')} per pixel`} set={(v) => setSetting('aa', String(Math.round(v)))} />
             <Size />
             <Switch label="Shadows" on={value('shadows') === 'true'} set={(on) => setSetting('shadows', String(on))} />
         </section>
@@ -131,21 +131,21 @@ function Light({light, index}: {light: LightInfo; index: number}) {
                     })}
                 </>
             ) : (
-                <p class="note">{!light.place ? 'This format has it without saying so. As .glint it can be changed here.'
-                    : isHere(light.place) ? 'It cannot be changed here as it stands in the text now.'
-                    : `Said in ${light.place.file}. As .glint it can be changed here.`}</p>
+                <p class="note">{!light.place ? 'This light is a part of the format. Convert to .glint to change it here.'
+                    : isHere(light.place) ? 'This light cannot be changed here in its present form in the text.'
+                    : `This light is in ${light.place.file}. Convert to .glint to change it here.`}</p>
             )}
         </fieldset>
     );
 }
 
-/** Values that teachers use: what happens if one forgets this? */
+/** Typical values for teaching: the effect of omitting something. */
 const faults = [
-    ['epsilon', '0', 'No epsilon', 'Shadow and mirror rays hit the surface they start from: acne'],
+    ['epsilon', '0', 'No epsilon', 'Shadow and mirror rays hit their own surface: acne'],
     ['clamp_cosines', 'false', 'N·L not clamped', 'Light from behind is subtracted'],
     ['normalize', 'false', 'No normalisation', 'L, V, R and H keep their lengths'],
     ['specular_gate', 'false', 'Specular without gate', 'Highlights on sides that face away from the light'],
-    ['shadow_stops_at_light', 'false', 'Shadows from behind the light', 'What is beyond the light casts shadows too'],
+    ['shadow_stops_at_light', 'false', 'Shadows from beyond the light', 'Shapes beyond the light cast shadows, too'],
 ] as const;
 
 function Faults() {
