@@ -22,10 +22,10 @@ namespace {
 
 constexpr auto k_examples = R"(Examples:
   glint compare mine.png reference.png                        figures, and the likeliest cause
-  glint compare mine.png castle.png --scene castle.json       tries many more causes, by rendering
+  glint compare mine.png castle.png --scene castle.json       tests many more causes, by rendering
   glint compare mine.png castle.png --within 2 --fail-percent 1    exit code 0 if 99% are within 2/255
   glint compare mine.png castle.png --diff difference.png
-  glint compare castle.json --vary reflections=0..6           from which on nothing changes)";
+  glint compare castle.json --vary reflections=0..6           the value after which nothing changes)";
 
 struct CompareArguments {
     std::vector<std::string> files;
@@ -123,7 +123,7 @@ int compare_command(CompareArguments& arguments) {
 
 Run add_compare(CLI::App& app) {
     CLI::App& command =
-        *app.add_subcommand("compare", "Compare a picture with a reference and say why they differ");
+        *app.add_subcommand("compare", "Compare a picture with a reference and explain the difference");
     const auto arguments = std::make_shared<CompareArguments>();
     CompareArguments& a = *arguments;
     command
@@ -137,10 +137,12 @@ Run add_compare(CLI::App& app) {
                     "A pixel may differ by N 255ths (default: 2 for the report; no limit)")
         ->check(number_between(0, 1e6))
         ->option_text("N");
-    command.add_option("--fail-percent", a.fail_percent, "P percent of the pixels may differ by more")
+    command
+        .add_option("--fail-percent", a.fail_percent,
+                    "P percent of the pixels may differ by more than --within")
         ->check(number_between(0, 100))
         ->option_text("P");
-    command.add_option("--hard-fail", a.hard_fail, "No pixel at all may differ by more than N 255ths")
+    command.add_option("--hard-fail", a.hard_fail, "No pixel may differ by more than N 255ths")
         ->check(number_between(0, 1e6))
         ->option_text("N");
     command
@@ -149,14 +151,13 @@ Run add_compare(CLI::App& app) {
         ->option_text("OUT.png");
     command
         .add_option("--vary", a.vary,
-                    "Draw a scene with each value of a setting: which steps change the picture")
+                    "Render a scene with each value of a setting; list the steps that change it")
         ->option_text("KEY=VALUES");
-    add_scene_option(command, a.scene,
-                     "The scene that draws B: causes are tried by rendering it with each; may be repeated");
+    add_scene_option(command, a.scene, "The scene of B: causes are tested by rendering it; may be repeated");
     add_threads_argument(command, a.threads);
-    command.add_flag("--no-causes", a.no_causes, "The figures alone: look for no causes");
+    command.add_flag("--no-causes", a.no_causes, "Print only the figures; do not search for causes");
     command.add_flag("--json", a.json, "Print JSON");
-    command.add_flag("-q,--quiet", a.quiet, "Say nothing but errors: the exit code is the answer");
+    command.add_flag("-q,--quiet", a.quiet, "Print only errors; the exit code is the result");
     command.footer(k_examples);
     return [arguments] { return compare_command(*arguments); };
 }

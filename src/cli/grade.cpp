@@ -235,29 +235,27 @@ int grade_command(GradeArguments& arguments) {
 
 Run add_grade(CLI::App& app) {
     CLI::App& command = *app.add_subcommand(
-        "grade", "Hold every picture of a folder against a reference, or a rubric's parts");
+        "grade", "Compare every picture of a folder with a reference, or with a rubric's parts");
     const auto arguments = std::make_shared<GradeArguments>();
     GradeArguments& a = *arguments;
     command.add_option("DIR", a.folder, "Pictures, or a folder for each submission")
         ->option_text(" ")
         ->required();
     command
-        .add_option(
-            "--reference", a.reference,
-            "The picture that is right; default: what the scene draws. With --rubric only its size counts")
+        .add_option("--reference", a.reference,
+                    "The right picture; default: the scene's own. With --rubric, only its size is used")
         ->option_text("PICTURE");
-    add_scene_option(command, a.scene, "The scene to be drawn: names the causes, and draws a rubric's parts");
+    add_scene_option(command, a.scene, "The scene of the task: for the causes and for a rubric's parts");
     command
         .add_option("--rubric", a.rubric,
-                    "Lines of PART POINTS FILE [KEY=VALUE...] (docs/teaching.md): points a part")
+                    "Lines of PART POINTS FILE [KEY=VALUE...] (docs/teaching.md): points per part")
         ->option_text("FILE");
     command.add_option("--csv", a.outputs.csv, "Write the table as CSV")->option_text("OUT");
     command.add_option("--json", a.outputs.json, "Write all figures and causes as JSON")->option_text("OUT");
     command
         .add_option("--sheet", a.outputs.sheet,
-                    "Write a PNG of all pictures, each above four times its difference, by the table's "
-                    "numbers; 0: the "
-                    "reference")
+                    "Write a PNG of all pictures, each above four times its difference, numbered as in "
+                    "the table; 0: the reference")
         ->option_text("OUT.png");
     add_threads_argument(command, a.threads);
     command.add_flag("-q,--quiet", a.quiet, "No warnings and no progress");

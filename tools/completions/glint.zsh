@@ -8,9 +8,9 @@ _glint() {
             'convert:Convert a scene of any format to .glint; its picture stays the same, bit for bit'
             'check:List a scene'\''s likely mistakes, each with its line and remedy'
             'explain:Explain the colour of a pixel'
-            'compare:Compare a picture with a reference and say why they differ'
+            'compare:Compare a picture with a reference and explain the difference'
             'versus:Render a scene with two sets of conventions, and explain the pixel that differs most'
-            'grade:Hold every picture of a folder against a reference, or a rubric'\''s parts'
+            'grade:Compare every picture of a folder with a reference, or with a rubric'\''s parts'
             'completion:Print a completion script for the shell'
             'help:Print the help of a command, like its --help'
             'version:Print the version, like --version'
@@ -110,11 +110,11 @@ _glint() {
                 '(-h --help)'{-h,--help}'[Print this help message and exit]' \
                 '*:FILE:_files' \
                 '--within[A pixel may differ by N 255ths (default: 2 for the report; no limit)]:N: ' \
-                '--fail-percent[P percent of the pixels may differ by more]:P: ' \
-                '--hard-fail[No pixel at all may differ by more than N 255ths]:N: ' \
+                '--fail-percent[P percent of the pixels may differ by more than --within]:P: ' \
+                '--hard-fail[No pixel may differ by more than N 255ths]:N: ' \
                 '--diff[Write |A - B| as a PNG, amplified so that the largest difference is white]:OUT.png:_files' \
-                '--vary[Draw a scene with each value of a setting: which steps change the picture]:KEY=VALUES:{compadd -S "" -- pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= min_weight= facing= cones= size= shading= shadows= reflections= aa=}' \
-                '*--scene[The scene that draws B: causes are tried by rendering it with each]:FILE:_files -g "*.(cgfs|json|js|pov|nff|glint)"' \
+                '--vary[Render a scene with each value of a setting]:KEY=VALUES:{compadd -S "" -- pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= min_weight= facing= cones= size= shading= shadows= reflections= aa=}' \
+                '*--scene[The scene of B: causes are tested by rendering it]:FILE:_files -g "*.(cgfs|json|js|pov|nff|glint)"' \
                 '--scene-name[The scene to use, if the file has several]:NAME: ' \
                 '--format[The scene'\''s format]:cgfs|epfl|csc473|nff|glint:(cgfs epfl csc473 nff glint)' \
                 '--profile[Conventions to start from instead of the format'\''s: cgfs, epfl, lecture5, light, csc473, nff and glint]:NAME|FILE:{compadd -- cgfs epfl lecture5 light csc473 nff glint; _files}' \
@@ -125,9 +125,9 @@ _glint() {
                 '--reflections[Largest number of successive reflections]:N: ' \
                 '--aa[N x N regular samples per pixel]:N: ' \
                 '(-t --threads)'{-t,--threads}'[Number of threads]:N: ' \
-                '--no-causes[The figures alone: look for no causes]' \
+                '--no-causes[Print only the figures]' \
                 '--json[Print JSON]' \
-                '(-q --quiet)'{-q,--quiet}'[Say nothing but errors: the exit code is the answer]' ;;
+                '(-q --quiet)'{-q,--quiet}'[Print only errors]' ;;
         versus)
             _arguments \
                 '(-h --help)'{-h,--help}'[Print this help message and exit]' \
@@ -150,8 +150,8 @@ _glint() {
             _arguments \
                 '(-h --help)'{-h,--help}'[Print this help message and exit]' \
                 ':DIR:_files -/' \
-                '--reference[The picture that is right]:PICTURE:_files' \
-                '*--scene[The scene to be drawn: names the causes, and draws a rubric'\''s parts]:FILE:_files -g "*.(cgfs|json|js|pov|nff|glint)"' \
+                '--reference[The right picture]:PICTURE:_files' \
+                '*--scene[The scene of the task: for the causes and for a rubric'\''s parts]:FILE:_files -g "*.(cgfs|json|js|pov|nff|glint)"' \
                 '--scene-name[The scene to use, if the file has several]:NAME: ' \
                 '--format[The scene'\''s format]:cgfs|epfl|csc473|nff|glint:(cgfs epfl csc473 nff glint)' \
                 '--profile[Conventions to start from instead of the format'\''s: cgfs, epfl, lecture5, light, csc473, nff and glint]:NAME|FILE:{compadd -- cgfs epfl lecture5 light csc473 nff glint; _files}' \
@@ -161,10 +161,10 @@ _glint() {
                 '--no-shadows[No shadows: every light reaches every surface]' \
                 '--reflections[Largest number of successive reflections]:N: ' \
                 '--aa[N x N regular samples per pixel]:N: ' \
-                '--rubric[Lines of PART POINTS FILE \[KEY=VALUE...\] (docs/teaching.md): points a part]:FILE:_files' \
+                '--rubric[Lines of PART POINTS FILE \[KEY=VALUE...\] (docs/teaching.md): points per part]:FILE:_files' \
                 '--csv[Write the table as CSV]:OUT:_files' \
                 '--json[Write all figures and causes as JSON]:OUT:_files' \
-                '--sheet[Write a PNG of all pictures, each above four times its difference, by the table'\''s numbers]:OUT.png:_files' \
+                '--sheet[Write a PNG of all pictures, each above four times its difference, numbered as in the table]:OUT.png:_files' \
                 '(-t --threads)'{-t,--threads}'[Number of threads]:N: ' \
                 '(-q --quiet)'{-q,--quiet}'[No warnings and no progress]' ;;
         completion)
