@@ -19,7 +19,7 @@ constexpr const char* k_scene =
     "light { type = ambient  intensity = 0.5 }\n"
     "sphere { center = (0, 0, 0)  radius = 1  color = (1, 1, 1)  ambient = 0.5  glow = (0.5, 0.125, 0) }\n";
 
-glint::LoadResult load(const std::string& scene) {
+glint::Result<glint::Scene> load(const std::string& scene) {
     const glint::SceneText text{"glow.glint", scene, ""};
     return glint::load({&text, 1});
 }
@@ -27,25 +27,24 @@ glint::LoadResult load(const std::string& scene) {
 }  // namespace
 
 int main() {
-    const glint::LoadResult loaded = load(k_scene);
-    expect(loaded.scene.has_value(), "read from .glint");
-    if (!loaded.scene) return 1;
-    const glint::WorldResult prepared = glint::prepare(*loaded.scene);
-    expect(prepared.world.has_value(), "prepared");
-    if (!prepared.world) return 1;
+    const glint::Result<glint::Scene> loaded = load(k_scene);
+    expect(loaded.has_value(), "read from .glint");
+    if (!loaded) return 1;
+    const glint::Result<glint::World> prepared = glint::prepare(*loaded);
+    expect(prepared.has_value(), "prepared");
+    if (!prepared) return 1;
     for (const std::string& isa : glint::isa_names()) {
         glint::RenderOptions options;
         options.isa = isa;
-        const glint::RenderResult result = glint::render(*prepared.world, options);
-        const float* middle = result.image ? &result.image->rgb[3 * 4] : nullptr;
+        const glint::Result<glint::Rendering> result = glint::render(*prepared, options);
+        const float* middle = result ? &result->image.rgb[3 * 4] : nullptr;
         expect(middle != nullptr && middle[0] == 0.75f && middle[1] == 0.375f && middle[2] == 0.25f,
                "k_a I_a + glow");
     }
-    const glint::LoadResult again = load(glint::write_glint(*loaded.scene));
-    expect(again.scene && again.scene->materials.at(0).glow == glint::Color{0.5, 0.125, 0},
-           "written and read again");
-    expect(!load("sphere { center = (0, 0, 0)  radius = 1  glow = (-1, 0, 0) }").scene, "a negative glow");
-    glint::Scene broken = *loaded.scene;
+    const glint::Result<glint::Scene> again = load(glint::write_glint(*loaded).value());
+    expect(again && again->materials.at(0).glow == glint::Color{0.5, 0.125, 0}, "written and read again");
+    expect(!load("sphere { center = (0, 0, 0)  radius = 1  glow = (-1, 0, 0) }"), "a negative glow");
+    glint::Scene broken = *loaded;
     broken.materials[0].glow.g = -1;
     const auto mistakes = glint::validate(broken);
     expect(mistakes.size() == 1 &&

@@ -44,13 +44,13 @@ glint::Light slanting_shaft() {
 
 void check_picture() {
     const glint::Light light = slanting_shaft();
-    const glint::WorldResult prepared = glint::prepare(floor_under(light));
-    if (!prepared.world) return expect(false, "no world");
+    const glint::Result<glint::World> prepared = glint::prepare(floor_under(light));
+    if (!prepared) return expect(false, "no world");
     for (const std::string& isa : glint::isa_names()) {
         glint::RenderOptions options;
         options.isa = isa;
-        const glint::RenderResult result = glint::render(*prepared.world, options);
-        if (!result.image) return expect(false, "no picture");
+        const glint::Result<glint::Rendering> result = glint::render(*prepared, options);
+        if (!result) return expect(false, "no picture");
         for (int y = 0; y < k_size; ++y) {
             for (int x = 0; x < k_size; ++x) {
                 const glint::Vec3 p{(x + 0.5 - k_size * 0.5) * k_width / k_size, 0,
@@ -58,7 +58,7 @@ void check_picture() {
                 const glint::Vec3 from_axis = cross(p - light.center, light.to_light / 5);
                 const double distance = std::sqrt(dot(from_axis, from_axis));
                 if (std::fabs(distance - light.shaft_radius) < 1e-6) continue;
-                const float lit = result.image->rgb[3 * static_cast<std::size_t>(y * k_size + x)];
+                const float lit = result->image.rgb[3 * static_cast<std::size_t>(y * k_size + x)];
                 expect(std::fabs(lit - (distance < light.shaft_radius ? 0.8 : 0)) < 1e-6, "the light", x, y);
             }
         }
@@ -67,15 +67,15 @@ void check_picture() {
 
 void check_explanation() {
     const glint::Scene scene = floor_under(slanting_shaft());
-    const glint::WorldResult prepared = glint::prepare(scene);
-    if (!prepared.world) return expect(false, "no world");
-    const glint::Explanation corner = glint::explain(scene, *prepared.world, 0, 0);
+    const glint::Result<glint::World> prepared = glint::prepare(scene);
+    if (!prepared) return expect(false, "no world");
+    const glint::Explanation corner = glint::explain(scene, *prepared, 0, 0).value();
     expect(corner.rays.size() == 1 && corner.rays[0].hit && corner.rays[0].hit->lights.size() == 1 &&
                glint::reason(corner.rays[0].hit->lights[0]) == glint::LightReason::faded,
            "why it is dark outside");
 }
 
-glint::LoadResult load(const std::string& light) {
+glint::Result<glint::Scene> load(const std::string& light) {
     const std::string scene =
         "camera { position = (0, 0, 5) }\nsphere { center = (0, 0, 0)  radius = 1 }\n" + light;
     const glint::SceneText text{"shaft.glint", scene, ""};
@@ -83,18 +83,18 @@ glint::LoadResult load(const std::string& light) {
 }
 
 void check_language() {
-    const glint::LoadResult loaded =
+    const glint::Result<glint::Scene> loaded =
         load("light { type = shaft  to_light = (0, 1, 0)  center = (1, 2, 3)  radius = 0.25 }\n");
-    if (!loaded.scene) return expect(false, glint::to_string(loaded.diagnostics.at(0)).c_str());
-    const std::string written = glint::write_glint(*loaded.scene);
+    if (!loaded) return expect(false, glint::to_string(loaded.diagnostics.at(0)).c_str());
+    const std::string written = glint::write_glint(*loaded).value();
     const glint::SceneText again{"again.glint", written, ""};
-    const glint::LoadResult reloaded = glint::load({&again, 1});
-    if (!reloaded.scene) return expect(false, "written and read again");
-    const glint::Light& light = reloaded.scene->lights.at(0);
+    const glint::Result<glint::Scene> reloaded = glint::load({&again, 1});
+    if (!reloaded) return expect(false, "written and read again");
+    const glint::Light& light = reloaded->lights.at(0);
     expect(light.kind == glint::LightKind::shaft && light.center == glint::Vec3{1, 2, 3} &&
                light.shaft_radius == 0.25,
            "the same light");
-    const auto says = [](const glint::LoadResult& result, const char* message) {
+    const auto says = [](const glint::Result<glint::Scene>& result, const char* message) {
         return !result.diagnostics.empty() && result.diagnostics[0].message == message;
     };
     expect(says(load("light { type = shaft  to_light = (0, 1, 0) }"), "expected `center` in the shaft light"),
