@@ -151,7 +151,7 @@ GLINT_API std::optional<Layer> layer_of(const Explanation& explanation, std::siz
 /// that is blocked red up to its blocker, dark from there. Every sample's rays are drawn. With an error
 /// nothing is drawn: the picture has another size, or the explanation or the world are not of this scene.
 /// Never throws.
-GLINT_API Status draw_overlay(Image& picture, const Explanation& explanation, const Scene& scene,
+GLINT_API Status render_overlay(Image& picture, const Explanation& explanation, const Scene& scene,
                               const World& world);
 
 /// The value of each sample, row after row: linear, not rounded; their mean is the pixel's value but for

@@ -145,7 +145,7 @@ int explain_command(ExplainArguments& arguments) {
     if (overlay) {
         check_memory(scene.settings.width, scene.settings.height);
         Image picture = render_or_fail(*prepared, 0, arguments.isa);
-        const Status drawn = draw_overlay(picture, explanation, scene, *prepared);
+        const Status drawn = render_overlay(picture, explanation, scene, *prepared);
         if (!drawn) throw_failure(drawn);
         write_png(picture, *overlay, style.file);
     }

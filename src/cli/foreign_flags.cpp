@@ -16,7 +16,7 @@ namespace {
 struct Answer {
     std::string_view name;  // of the command
     const HasOption& has_option;
-    std::string lines{};                 // "+A: glint says --aa 3"
+    std::string lines{};                 // "+A: use --aa 3"
     std::vector<std::string> command{};  // glint's own arguments
     std::string size_flags{}, width{}, height{};
 
@@ -32,7 +32,7 @@ struct Answer {
     }
     void use(std::string_view flag, const std::string& ours) {
         if (!can_use(flag, ours)) return;
-        add_line(flag, "glint says " + ours);
+        add_line(flag, "use " + ours);
         command.push_back(ours);
     }
     void dimension(const std::string& flag, std::string& which, std::string value) {
@@ -290,7 +290,7 @@ std::optional<std::string> answer_foreign_flags(std::span<const std::string> arg
         answer.command.push_back(size);
     }
     if (answer.command.empty()) answer.command.emplace_back("SCENE");
-    return fmt::format("{}so: glint {} {}", answer.lines, command, fmt::join(answer.command, " "));
+    return fmt::format("{}command: glint {} {}", answer.lines, command, fmt::join(answer.command, " "));
 }
 
 }  // namespace glint::cli

@@ -84,7 +84,7 @@ TEST_F(Overwriting, IsRefusedBeforeTheWork) {
         {{"grade", "in", "--reference", "a.png", "--csv", "-", "--json", "-"}, "cannot both"},
         // Links that name no file yet.
         {{"render", "s.cgfs", "-o", "new.png", "--stats", "to_new"},
-         "--output and --stats are one file, 'to_new'"},
+         "--output and --stats are the same file, 'to_new'"},
         {{"render", "s.cgfs", "-o", "to_new.png", "--stats", "to_new"}, one},
         {{"render", "s.cgfs", "-o", "to_to_new.png", "--stats", "in/../new.png"}, one},
         {{"grade", "in", "--reference", "a.png", "--csv", "new.png", "--json", "to_new"}, one},

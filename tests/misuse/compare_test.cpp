@@ -2,7 +2,7 @@
 // Pictures that cannot be compared.
 #include "misuse/misused.h"
 
-namespace glint::misuse {
+namespace glint::test {
 namespace {
 
 TEST(Misuse, OfCompare) {
@@ -84,4 +84,4 @@ TEST(Misuse, OfFindCauses) {
 }
 
 }  // namespace
-}  // namespace glint::misuse
+}  // namespace glint::test

@@ -2,7 +2,7 @@
 // Diagnostics that glint itself does not produce.
 #include "misuse/misused.h"
 
-namespace glint::misuse {
+namespace glint::test {
 namespace {
 
 TEST(Misuse, OfDiagnostics) {
@@ -62,4 +62,4 @@ TEST(Misuse, OfCheck) {
 }
 
 }  // namespace
-}  // namespace glint::misuse
+}  // namespace glint::test

@@ -5,7 +5,7 @@
 
 #include "misuse/misused.h"
 
-namespace glint::misuse {
+namespace glint::test {
 namespace {
 
 // The pixel of the glass ball.
@@ -55,7 +55,7 @@ TEST(Misuse, OfASceneEditedSincePrepare) {
         const Result<std::string> json = explanation_json(good, edited);
         EXPECT_TRUE(json || json.code == ErrorCode::invalid_argument) << what;
         const Image before = drawn;
-        EXPECT_EQ(draw_overlay(drawn, good, edited, world).code, ErrorCode::invalid_argument) << what;
+        EXPECT_EQ(render_overlay(drawn, good, edited, world).code, ErrorCode::invalid_argument) << what;
         EXPECT_EQ(drawn.rgb, before.rgb) << what;
         for (const ExplainedRay& ray : good.rays) {
             if (!ray.hit) continue;
@@ -68,7 +68,7 @@ TEST(Misuse, OfASceneEditedSincePrepare) {
         edit(edited);
         EXPECT_EQ(explanation_json(good, edited).code, ErrorCode::invalid_argument) << what;
     }
-    EXPECT_TRUE(draw_overlay(drawn, good, scene, world));
+    EXPECT_TRUE(render_overlay(drawn, good, scene, world));
 }
 
 // Edits that keep every index valid: no error, and no crash.
@@ -86,7 +86,7 @@ TEST(Misuse, OfASceneWithOtherValues) {
     const Explanation e = explain(scene, world, k_x, k_y).value();
     EXPECT_TRUE(explanation_json(e, scene));
     Image drawn = picture(16, 12);
-    EXPECT_TRUE(draw_overlay(drawn, e, scene, world));
+    EXPECT_TRUE(render_overlay(drawn, e, scene, world));
 }
 
 TEST(Misuse, OfExplanations) {
@@ -114,7 +114,7 @@ TEST(Misuse, OfExplanations) {
         Explanation e = good;
         edit(e);
         EXPECT_EQ(explanation_json(e, scene).code, ErrorCode::invalid_argument) << what;
-        EXPECT_EQ(draw_overlay(drawn, e, scene, world).code, ErrorCode::invalid_argument) << what;
+        EXPECT_EQ(render_overlay(drawn, e, scene, world).code, ErrorCode::invalid_argument) << what;
         for (std::size_t ray = 0; ray < e.rays.size(); ++ray) layer_of(e, ray);
         EXPECT_NE(sample_values(e).code, ErrorCode::internal) << what;
     }
@@ -126,13 +126,13 @@ TEST(Misuse, OfExplanations) {
         ray.t = k_nan;
         if (ray.hit) ray.hit->point = {k_infinity, k_nan, 1e300};
     }
-    EXPECT_TRUE(draw_overlay(drawn, e, scene, world));
+    EXPECT_TRUE(render_overlay(drawn, e, scene, world));
     EXPECT_TRUE(explanation_json(e, scene));
     e = good;
     e.x = std::numeric_limits<std::int32_t>::max();
-    EXPECT_EQ(draw_overlay(drawn, e, scene, world).code, ErrorCode::invalid_argument);
+    EXPECT_EQ(render_overlay(drawn, e, scene, world).code, ErrorCode::invalid_argument);
     for (Image& odd : misfits())
-        EXPECT_EQ(draw_overlay(odd, good, scene, world).code, ErrorCode::invalid_argument);
+        EXPECT_EQ(render_overlay(odd, good, scene, world).code, ErrorCode::invalid_argument);
 }
 
 TEST(Misuse, OfExplanationJson) {
@@ -194,4 +194,4 @@ TEST(Misuse, OfReasons) {
 }
 
 }  // namespace
-}  // namespace glint::misuse
+}  // namespace glint::test

@@ -2,7 +2,7 @@
 // Pictures to files and back.
 #include "misuse/misused.h"
 
-namespace glint::misuse {
+namespace glint::test {
 namespace {
 
 void expect_error(const Result<std::vector<std::uint8_t>>& result, const char* what) {
@@ -91,4 +91,4 @@ TEST(Misuse, OfDecode) {
 }
 
 }  // namespace
-}  // namespace glint::misuse
+}  // namespace glint::test

@@ -2,7 +2,7 @@
 // Invalid layers, and layers whose values do not fit.
 #include "misuse/misused.h"
 
-namespace glint::misuse {
+namespace glint::test {
 namespace {
 
 std::vector<LayerImage> odd_layers() {
@@ -74,4 +74,4 @@ TEST(Misuse, OfFindLayer) {
 }
 
 }  // namespace
-}  // namespace glint::misuse
+}  // namespace glint::test

@@ -4,7 +4,7 @@
 
 #include "misuse/misused.h"
 
-namespace glint::misuse {
+namespace glint::test {
 namespace {
 
 constexpr std::string_view k_text =
@@ -96,4 +96,4 @@ TEST(Misuse, OfSources) {
 }
 
 }  // namespace
-}  // namespace glint::misuse
+}  // namespace glint::test

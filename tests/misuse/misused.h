@@ -9,7 +9,7 @@
 
 #include "glint/glint.h"
 
-namespace glint::misuse {
+namespace glint::test {
 
 inline constexpr double k_nan = std::numeric_limits<double>::quiet_NaN();
 inline constexpr double k_infinity = std::numeric_limits<double>::infinity();
@@ -64,4 +64,4 @@ inline std::vector<Image> misfits() {
     return images;
 }
 
-}  // namespace glint::misuse
+}  // namespace glint::test

@@ -2,7 +2,7 @@
 // Rendering with invalid options.
 #include "misuse/misused.h"
 
-namespace glint::misuse {
+namespace glint::test {
 namespace {
 
 void expect_error(const Result<Rendering>& result, const char* what) {
@@ -114,4 +114,4 @@ TEST(Misuse, OfASceneThatIsGone) {
 }
 
 }  // namespace
-}  // namespace glint::misuse
+}  // namespace glint::test

@@ -5,7 +5,7 @@
 
 #include "misuse/misused.h"
 
-namespace glint::misuse {
+namespace glint::test {
 namespace {
 
 TEST(Misuse, OfResultsWithoutValue) {
@@ -61,4 +61,4 @@ TEST(Misuse, OfErrorCodes) {
 }
 
 }  // namespace
-}  // namespace glint::misuse
+}  // namespace glint::test

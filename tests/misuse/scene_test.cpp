@@ -5,7 +5,7 @@
 
 #include "misuse/misused.h"
 
-namespace glint::misuse {
+namespace glint::test {
 namespace {
 
 using Edit = std::function<void(Scene&)>;
@@ -215,4 +215,4 @@ TEST(Misuse, OfVectors) {
 }
 
 }  // namespace
-}  // namespace glint::misuse
+}  // namespace glint::test

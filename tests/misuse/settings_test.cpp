@@ -2,7 +2,7 @@
 // Keys, values and profiles that do not exist.
 #include "misuse/misused.h"
 
-namespace glint::misuse {
+namespace glint::test {
 namespace {
 
 TEST(Misuse, OfSettings) {
@@ -52,4 +52,4 @@ TEST(Misuse, OfProfiles) {
 }
 
 }  // namespace
-}  // namespace glint::misuse
+}  // namespace glint::test

@@ -4,7 +4,7 @@
 
 #include "misuse/misused.h"
 
-namespace glint::misuse {
+namespace glint::test {
 namespace {
 
 void expect_error(const Result<World>& result, const char* what) {
@@ -169,4 +169,4 @@ TEST(Misuse, OfRays) {
 }
 
 }  // namespace
-}  // namespace glint::misuse
+}  // namespace glint::test
