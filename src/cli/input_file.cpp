@@ -106,7 +106,7 @@ Result<std::string> FileSources::read(std::string_view name, std::string_view fr
     if (path.find('\0') != std::string::npos || path == "-") return unreadable("no such file");
     // A pipe would wait for who knows whom.
     struct stat about {};
-    if (::stat(path.c_str(), &about) == 0 && !S_ISREG(about.st_mode)) return unreadable("no regular file");
+    if (::stat(path.c_str(), &about) == 0 && !S_ISREG(about.st_mode)) return unreadable("not a regular file");
     try {
         std::string why;
         const std::optional<InputFile> file = InputFile::open(path, why);

@@ -186,7 +186,7 @@ int render_command(RenderArguments& arguments) {
     if (result->rays.cut > 0 && (!arguments.quiet || arguments.strict)) {
         print_error(
             "warning: {} mirror and glass rays were not traced: a sample of a pixel has at most {}; "
-            "--reflections or min_weight leave out the faintest first\n",
+            "a lower --reflections or a higher min_weight omits the faintest first\n",
             with_commas(result->rays.cut), k_max_sample_rays);
         if (arguments.strict) fail_strict(1);
     }
@@ -204,7 +204,7 @@ int render_command(RenderArguments& arguments) {
         fmt::print("{}", half_blocks(result->image, terminal_columns(STDOUT_FILENO), encoding.transfer));
     }
     if (!arguments.quiet) {
-        print_error("{}  {}x{}  {} rays  {:.3f} s  {:.1f} Mray/s  (whole {:.3f} s, {}, {}, {})\n", path,
+        print_error("{}  {}x{}  {} rays  {:.3f} s  {:.1f} Mray/s  (total {:.3f} s, {}, {}, {})\n", path,
                     result->image.width, result->image.height, with_commas(result->rays.total()), times.trace,
                     static_cast<double>(result->rays.total()) / times.trace / 1e6, seconds_since(start),
                     counted(std::uint64_t(result->threads), "thread"), result->isa,
