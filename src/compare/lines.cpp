@@ -78,7 +78,8 @@ std::optional<MissingLines> missing_lines(const BytePicture& reference, const By
         found.marks[line] = same[line] == 0;
         if (same[line] == 0) missing.push_back(line);
     }
-    if (missing.size() == found.marks.size()) return std::nullopt;
+    // What is within k_noise of one colour need not be so of another line's.
+    if (missing.empty() || missing.size() == found.marks.size()) return std::nullopt;
     found.text =
         fmt::format("{}, {} throughout", lines_text(missing, same, lines == Lines::rows ? "row" : "column"),
                     color_text(color));

@@ -152,6 +152,18 @@ TEST(CausesOfNothing, RowsAndColumnsThatAreMissing) {
     }
 }
 
+// A row of one colour in the picture, and of nearly that colour, though not of one, in the reference.
+TEST(CausesOfNothing, ARowThatIsNearlyOneColour) {
+    Image right = filled({8, 8, std::vector<float>(192)}, 0.4f, 0.4f, 0.4f), faulty = right;
+    for (int x = 0; x < 8; ++x) {
+        for (int c = 0; c < 3; ++c) {
+            right.rgb[24 + 3 * x + c] = static_cast<float>(x % 2 == 0 ? 100 : 104) / 255;
+            faulty.rgb[24 + 3 * x + c] = 102.0f / 255;
+        }
+    }
+    EXPECT_FALSE(names(find_causes(faulty, right), "rows-missing"));
+}
+
 // Not black from end to end, but darker: nothing that has a name here, and surely no acne.
 TEST(CausesOfNothing, DarkRowsAreNoAcne) {
     for (const TestScene& scene : scenes_to_test()) {
