@@ -51,9 +51,27 @@ void check_inside(CheckContext& context) {
     }
 }
 
+// Only CGFS looks along z with x to the right and y up.
+bool is_left_handed(const Scene& scene) { return scene.profile == "cgfs"; }
+
+void check_handedness(CheckContext& context) {
+    const Scene& scene = context.scene();
+    if (!scene.camera.frame) return;
+    const auto& [right, up, forward] = *scene.camera.frame;
+    const bool is_left = dot(cross(right, up), forward) > 0;
+    if (is_left == is_left_handed(scene)) return;
+    context.report(
+        "camera-mirrored", scene.camera_place,
+        fmt::format("the camera's right, up and forward are {}-handed, where the scene's profile, {}, is "
+                    "{}-handed: left and right are exchanged in the picture",
+                    is_left ? "left" : "right", scene.profile, is_left ? "right" : "left"),
+        "negate the camera's right vector");
+}
+
 }  // namespace
 
 bool check_camera(CheckContext& context, const VisibleHits& visible) {
+    check_handedness(context);
     if (context.scene().camera.projection == Projection::perspective) check_inside(context);
     const WorldParts& world = context.world();
     if (world.geometry->count == 0) return false;

@@ -14,6 +14,7 @@ namespace {
 constexpr CheckKind k_kinds[] = {
     {"camera-inside-shape", "the camera is inside a closed shape that holds nothing else"},
     {"camera-sees-nothing", "no shape is in the picture, or none but planes"},
+    {"camera-mirrored", "the camera's axes have not the handedness of the scene's profile"},
     {"camera-frame-skewed",
      "the camera's axes are not at right angles, or no rotation where one is asked for"},
     {"light-inside-shape", "a light that adds nothing is inside a closed shape"},

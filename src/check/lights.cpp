@@ -19,16 +19,31 @@ constexpr std::size_t k_full_looks = 8;    // more groups get smaller pictures
 constexpr std::size_t k_max_dark = 256;    // whose reasons are looked for
 constexpr std::size_t k_max_named = 5;
 constexpr double k_half_byte = 0.5 / 255;
+constexpr double k_max_leak = 0.01;  // of the picture, and of the points that face the light
 constexpr std::size_t k_max_points = 4096;
 constexpr double k_max_intensity = 10;  // without attenuation; 255 is a byte's
 
 bool is_black(Color c) { return c.r == 0 && c.g == 0 && c.b == 0; }
 
-double largest_difference(const Image& a, const Image& b) {
-    double most = 0;
-    for (std::size_t i = 0; i < a.rgb.size() && i < b.rgb.size(); ++i)
-        most = number::max(most, number::abs(static_cast<double>(a.rgb[i]) - static_cast<double>(b.rgb[i])));
-    return most;
+// How much two pictures differ.
+struct Effect {
+    double most = 0;   // in a channel of a pixel
+    double share = 0;  // of the pixels, where it is visible
+};
+
+Effect effect_of(const Image& a, const Image& b) {
+    Effect effect;
+    std::size_t visible = 0;
+    for (std::size_t i = 0; i + 2 < a.rgb.size() && i + 2 < b.rgb.size(); i += 3) {
+        double here = 0;
+        for (std::size_t c = i; c < i + 3; ++c)
+            here =
+                number::max(here, number::abs(static_cast<double>(a.rgb[c]) - static_cast<double>(b.rgb[c])));
+        effect.most = number::max(effect.most, here);
+        visible += here >= k_half_byte ? 1 : 0;
+    }
+    if (!a.rgb.empty()) effect.share = 3 * static_cast<double>(visible) / static_cast<double>(a.rgb.size());
+    return effect;
 }
 
 // What single lights do to the picture.
@@ -36,15 +51,15 @@ class Effects {
   public:
     explicit Effects(CheckContext& context) : context_(context) {}
 
-    /// The most that the lights together add to a channel of a pixel.
-    double of(std::span<const std::uint32_t> lights, std::int32_t longest) {
+    /// What the lights together add to the picture.
+    Effect of(std::span<const std::uint32_t> lights, std::int32_t longest) {
         const auto dark = dark_.find(longest);
         const Image& unlit = dark == dark_.end()
                                  ? dark_.emplace(longest, render_with({}, longest)).first->second
                                  : dark->second;
         std::vector<Light> list;
         for (const std::uint32_t index : lights) list.push_back(context_.scene().lights[index]);
-        return largest_difference(unlit, render_with(list, longest));
+        return effect_of(unlit, render_with(list, longest));
     }
 
   private:
@@ -120,6 +135,14 @@ std::uint32_t case_of(const CheckContext& context, const Light& light, const Blo
         if (!clear && !sees_in) return shape;
     }
     return k_none;
+}
+
+// Does next to nothing of what is seen get the light? A shadow ray that starts a little off its surface
+// leaves a shape where that touches another.
+bool is_shut_off(const CheckContext& context, const VisibleHits& visible, std::uint32_t index) {
+    const Blockage b = find_blockage(context, visible, context.scene().lights[index]);
+    return b.blocker != k_none &&
+           static_cast<double>(b.blocked) >= (1 - k_max_leak) * static_cast<double>(b.reflecting);
 }
 
 void report_dark(CheckContext& context, const VisibleHits& visible, std::uint32_t index) {
@@ -214,7 +237,7 @@ void check_ambient(CheckContext& context, std::uint32_t index) {
 // Lights each of which nobody would miss: a mistake unless they are the light of the scene together.
 void report_weak(CheckContext& context, Effects& effects, std::span<const std::uint32_t> weak) {
     if (weak.empty()) return;
-    const double effect = effects.of(weak, weak.size() == 1 ? k_second_look : k_first_look);
+    const double effect = effects.of(weak, weak.size() == 1 ? k_second_look : k_first_look).most;
     if (effect >= k_half_byte) return;
     const Scene& scene = context.scene();
     bool attenuated = true;
@@ -253,10 +276,15 @@ void check_lights(CheckContext& context, const VisibleHits& visible) {
     for (std::size_t g = 0; g < groups; ++g) {
         const std::size_t first = g * lights.size() / groups, end = (g + 1) * lights.size() / groups;
         const auto group = std::span<const std::uint32_t>(lights).subspan(first, end - first);
-        double effect = effects.of(group, longest);
-        if (effect >= k_half_byte) continue;
+        const Effect first_look = effects.of(group, longest);
+        if (first_look.most >= k_half_byte) {
+            if (group.size() == 1 && first_look.share < k_max_leak && is_shut_off(context, visible, group[0]))
+                report_dark(context, visible, group[0]);
+            continue;
+        }
         // A highlight may lie between the pixels of a small picture.
-        effect = effects.of(group, looked_twice++ < k_full_looks ? k_second_look : k_first_look);
+        const double effect =
+            effects.of(group, looked_twice++ < k_full_looks ? k_second_look : k_first_look).most;
         if (effect >= k_half_byte) continue;
         for (const std::uint32_t index : group) {
             if (effect == 0 && dark++ < k_max_dark)

@@ -30,6 +30,8 @@ void check_backs(CheckContext& context, const VisibleHits& visible) {
     std::vector<Views> views(scene.shapes.size());
     for (const SurfaceHit& h : visible.seen()) {
         if (h.turned || !is_sheet(scene.shapes[h.shape].kind)) continue;
+        // What has no diffuse term looks the same from both sides, its highlights apart.
+        if (brightest(context.material_of(h.shape).diffuse) <= 0) continue;
         ++(h.behind ? views[h.shape].behind : views[h.shape].front);
     }
     std::vector<std::uint32_t> backs;

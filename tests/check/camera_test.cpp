@@ -108,5 +108,19 @@ TEST(CheckCamera, SkewedFrame) {
               "");
 }
 
+TEST(CheckCamera, Mirrored) {
+    const auto pov = [](const char* right) {
+        return fmt::format(
+            "camera {{ location <0, 2, 9> up <0, 1, 0> right <{}, 0, 0> look_at <0, 1, 0> }}\n"
+            "light_source {{ <3, 8, 7> color rgb <0.7, 0.7, 0.7> }}\n"
+            "sphere {{ <0, 1, 0>, 1 pigment {{ color rgb <0.8, 0.3, 0.2> }} finish {{ ambient 0.2 diffuse "
+            "0.7 }} "
+            "}}\n",
+            right);
+    };
+    EXPECT_EQ(ids_of(pov("1.33333"), "a.pov"), "");
+    EXPECT_EQ(ids_of(pov("-1.33333"), "a.pov"), "camera-mirrored@1");
+}
+
 }  // namespace
 }  // namespace glint::test

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Mistakes of lights, planted, and what is none.
+#include <fstream>
+#include <iterator>
+
 #include "check/check_text.h"
 
 namespace glint::test {
@@ -24,6 +27,22 @@ TEST(CheckLights, BehindAnOpaquePlane) {
     const std::string text = k_clean + "light { position = (0, -3, 4)  intensity = 0.5 }\n";
     EXPECT_EQ(ids_of(text), "light-behind-plane@7");
     EXPECT_TRUE(has(only_message(text), "plane 1 (line 4)")) << only_message(text);
+}
+
+// The balls touch the floor, and shadow rays start 0.001 off it: a few pixels get the light.
+TEST(CheckLights, BelowTheFloorOfTheBook) {
+    std::ifstream file(GLINT_SOURCE_DIR "/scenes/cgfs/three_spheres.cgfs");
+    const std::string book{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+    EXPECT_EQ(ids_of(book, "book.cgfs"), "");
+    const std::pair<const char*, const char*> lights[] = {{"(0, -3, 3)", "light-blocked@34"},
+                                                          {"(2, -2, 0)", "light-inside-shape@34"},
+                                                          {"(2, 0, 4)", "light-inside-shape@34"},
+                                                          {"(0, -1, 3)", "light-too-weak@34"}};
+    for (const auto& [place, expected] : lights) {
+        const std::string text =
+            book + fmt::format("light {{ type = point  intensity = 0.4  position = {} }}\n", place);
+        EXPECT_EQ(ids_of(text, "book.cgfs"), expected) << place;
+    }
 }
 
 TEST(CheckLights, BehindEverything) {
