@@ -79,6 +79,7 @@ struct Cause {
     double explained = 0;     ///< fraction of the mean difference that it removes, k_min_explained to 1
     double remaining = 0;     ///< remaining mean difference, in 255ths
     bool rendered = false;    ///< found by rendering the scene with the fault
+    bool perhaps = false;     ///< likely, not sure: what remains is more than rounding
 };
 
 struct CauseReport {
@@ -88,6 +89,11 @@ struct CauseReport {
     /// An observation without a cause: "The picture is one colour throughout, (0, 0, 0)."; empty if none.
     std::string remark;
     std::vector<Cause> causes;  ///< the best first; none if no cause explains enough
+    /// Further causes, if one cause does not explain the whole difference: they explain it together with the
+    /// first. The fraction of each is that of all up to it.
+    std::vector<Cause> then;
+    /// With a scene, if no cause is sure: the shapes that show the difference, and how much of it.
+    std::string where;
     /// If there are no causes: the one that explains most, though too little. It may be unrelated.
     std::optional<Cause> nearest;
     int tried = 0;  ///< number of causes tried

@@ -44,10 +44,9 @@ void add_nearest(std::string& text, const CompareReport& report) {
                                     ? fmt::format("the nearest, {}, explains {}", causes.nearest->name,
                                                   share_text(causes.nearest->explained))
                                     : std::string("none explains any of it");
-    fmt::format_to(
-        std::back_inserter(text), "{}{}; {} were tried{}.\n",
-        causes.remark.empty() ? "No classic cause explains enough of the difference: " : "  Of the causes ",
-        nearest, causes.tried, report.with_scene ? "" : ", and --scene SCENE tries more");
+    fmt::format_to(std::back_inserter(text), "{}{}; {} were tried{}.\n",
+                   causes.remark.empty() ? "Nothing classic explains the difference: " : "  Of the causes ",
+                   nearest, causes.tried, report.with_scene ? "" : ", and --scene SCENE tries more");
 }
 
 void add_causes(std::string& text, const CompareReport& report) {
@@ -72,11 +71,17 @@ void add_causes(std::string& text, const CompareReport& report) {
     if (!causes.remark.empty()) text += causes.remark + "\n";
     if (causes.causes.empty()) {
         add_nearest(text, report);
+        if (!causes.where.empty()) text += "  " + causes.where + "\n";
         return;
     }
     const Cause& best = causes.causes.front();
-    fmt::format_to(out, "{}\n  ({}: explains {} of the difference{})\n", best.explanation, best.name,
-                   share_text(best.explained), causes.away_from_edges ? " away from edges" : "");
+    fmt::format_to(out, "{}{}\n  ({}: explains {} of the difference{})\n", best.perhaps ? "Perhaps: " : "",
+                   best.explanation, best.name, share_text(best.explained),
+                   causes.away_from_edges ? " away from edges" : "");
+    for (const Cause& cause : causes.then)
+        fmt::format_to(out, "And then also: {}\n  ({}: with it {} is explained)\n", cause.explanation,
+                       cause.name, share_text(cause.explained));
+    if (!causes.where.empty()) text += causes.where + "\n";
     // What leaves exactly the same cannot be told apart by these pictures.
     const auto lesser = std::find_if(causes.causes.begin() + 1, causes.causes.end(),
                                      [&](const Cause& c) { return c.remaining != best.remaining; });
@@ -97,11 +102,9 @@ template <class T> Json or_null(const std::optional<T>& value) {
 }
 
 Json cause_json(const Cause& cause) {
-    return {{"name", cause.name},
-            {"explanation", cause.explanation},
-            {"explained", cause.explained},
-            {"remaining", cause.remaining},
-            {"rendered", cause.rendered}};
+    return {{"name", cause.name},           {"explanation", cause.explanation},
+            {"explained", cause.explained}, {"remaining", cause.remaining},
+            {"rendered", cause.rendered},   {"perhaps", cause.perhaps}};
 }
 
 Json causes_json(const Result<CauseReport>& result) {
@@ -113,6 +116,9 @@ Json causes_json(const Result<CauseReport>& result) {
     if (!result) json["error"] = result.message;
     json["remark"] = report.remark.empty() ? Json(nullptr) : Json(report.remark);
     json["nearest"] = report.nearest ? cause_json(*report.nearest) : Json(nullptr);
+    json["where"] = report.where.empty() ? Json(nullptr) : Json(report.where);
+    json["then"] = Json::array();
+    for (const Cause& cause : report.then) json["then"].push_back(cause_json(cause));
     json["causes"] = Json::array();
     for (const Cause& cause : report.causes) json["causes"].push_back(cause_json(cause));
     return json;

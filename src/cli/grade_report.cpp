@@ -78,7 +78,7 @@ double share(std::uint64_t part, std::uint64_t whole) {
 }
 
 std::string cause_text(const Cause& cause) {
-    return fmt::format("{} ({})", cause.name, share_text(cause.explained));
+    return fmt::format("{}{} ({})", cause.perhaps ? "perhaps " : "", cause.name, share_text(cause.explained));
 }
 
 // Such pixels count as 0 in the figures, which look like a fault of the lighting.
@@ -92,12 +92,17 @@ std::string verdict(const GradedPicture& p) {
     if (p.not_finite > 0) return not_finite_text(p.not_finite);
     if (p.difference.all.equal == p.difference.all.pixels) return "identical";
     if (!p.causes_error.empty()) return p.causes_error;
-    if (!p.causes.causes.empty()) return cause_text(p.causes.causes.front());
-    return p.causes.remark.empty() ? "no classic cause" : p.causes.remark;
+    if (p.causes.causes.empty()) return p.causes.remark.empty() ? "no classic cause" : p.causes.remark;
+    std::string text = cause_text(p.causes.causes.front());
+    for (const Cause& cause : p.causes.then) text += " and then " + cause_text(cause);
+    return text;
 }
 
 Json cause_json(const Cause& cause) {
-    return {{"name", cause.name}, {"explained", cause.explained}, {"explanation", cause.explanation}};
+    return {{"name", cause.name},
+            {"explained", cause.explained},
+            {"explanation", cause.explanation},
+            {"perhaps", cause.perhaps}};
 }
 
 std::string points_text(double points) { return fmt::format("{:.4g}", points); }
@@ -201,6 +206,8 @@ std::string json_table(const std::vector<GradedPicture>& pictures) {
             item["largest"] = {{"value", d.largest.value}, {"x", d.largest.x}, {"y", d.largest.y}};
             item["causes"] = Json::array();
             for (const Cause& cause : p.causes.causes) item["causes"].push_back(cause_json(cause));
+            item["then"] = Json::array();
+            for (const Cause& cause : p.causes.then) item["then"].push_back(cause_json(cause));
             item["remark"] = p.not_finite > 0          ? Json(not_finite_text(p.not_finite))
                              : p.causes.remark.empty() ? Json(nullptr)
                                                        : Json(p.causes.remark);

@@ -2,6 +2,8 @@
 #include "compare/cause_ranking.h"
 
 #include <algorithm>
+#include <cmath>
+#include <cstdlib>
 
 #include "compare/step_agreement.h"
 
@@ -11,10 +13,19 @@ namespace {
 // Of causes that explain nearly the same (by this part of the difference) the simplest, which is the earliest
 // in the table, is named first.
 constexpr double k_tie = 0.003;
+// What one fitted number more must explain, of the whole difference.
+constexpr double k_parameter = 0.012;
 // What can be bent is dropped if something else explains this much.
-constexpr double k_explained_well = 0.9;
+constexpr double k_explained_well = 0.9, k_explained_partly = 0.7;
+// What does not show the picture's steps explains this: in a dark picture noise makes steps, too.
+constexpr double k_explained_strange = 0.85;
 // In 255ths: less is nothing to explain.
 constexpr double k_min_calm = 0.01;
+// An exact cause explains this much of the whole, or this much of what is away from edges if that is as much
+// as this, and leaves at most these parts of the structured pixels and of the picture.
+constexpr double k_exact = 0.9, k_exact_calm = 0.97, k_enough_calm = 0.05;
+constexpr double k_structure_left = 0.03, k_structure_of_picture = 0.0001;
+constexpr int k_group = 5;  // of the 9 pixels around one
 
 // Does a candidate of no more freedom explain this much?
 bool explains(const std::vector<CauseCandidate>& list, int freedom, double share) {
@@ -31,13 +42,16 @@ std::vector<CauseCandidate> explaining(const Search& search, bool calm) {
     for (CauseCandidate& c : list) {
         c.cause.remaining = calm ? c.left.calm : c.left.all;
         c.cause.explained = 1 - c.cause.remaining / whole;
+        c.cause.perhaps = !c.is_exact;
     }
     std::erase_if(list, [&](const CauseCandidate& c) {
         // A picture of one colour has no content that could speak for a cause which does not make just that.
         if (!search.has_content) return c.left.all > 0;
-        const double least = c.is_strange ? std::max(c.least, k_explained_partly) : c.least;
         // Of what can be bent, edges are what it bends.
-        return c.cause.explained < least || (calm && c.freedom > 0);
+        if (c.is_strange && !c.is_exact &&
+            c.cause.explained < (c.is_confirmed ? k_explained_strange : k_explained_partly))
+            return true;
+        return c.cause.explained < c.least || (calm && c.freedom > 0);
     });
     for (int freedom = 0; freedom < 2; ++freedom) {
         if (explains(list, freedom, k_explained_well))
@@ -46,12 +60,74 @@ std::vector<CauseCandidate> explaining(const Search& search, bool calm) {
     return list;
 }
 
+bool is_off(const std::uint8_t* a, const std::uint8_t* b) {
+    for (int c = 0; c < 3; ++c) {
+        if (std::abs(int{a[c]} - int{b[c]}) > k_noise) return true;
+    }
+    return false;
+}
+
+bool is_step(const std::uint8_t* a, const std::uint8_t* b) {
+    for (int c = 0; c < 3; ++c) {
+        if (std::abs(int{a[c]} - int{b[c]}) > static_cast<int>(k_edge_step)) return true;
+    }
+    return false;
+}
+
+// Is the pixel one of a group that differs, and not on an edge of `made`?
+bool is_structured(const BytePicture& made, const BytePicture& target, std::int32_t x, std::int32_t y) {
+    int off = 0;
+    for (std::int32_t v = y - 1; v <= y + 1; ++v) {
+        for (std::int32_t u = x - 1; u <= x + 1; ++u) {
+            if (is_step(made.pixel(u, v), made.pixel(x, y))) return false;
+            off += is_off(made.pixel(u, v), target.pixel(u, v));
+        }
+    }
+    return off >= k_group;
+}
+
 }  // namespace
+
+std::size_t structured_pixels(const BytePicture& made, const BytePicture& target, const Area& area) {
+    std::vector<std::size_t> counts(static_cast<std::size_t>(made.height));
+    for_each_row(area.rows, area.threads, [&](std::int32_t y) {
+        if (y < 1 || y >= made.height - 1) return;
+        const std::uint8_t* edges = &(*area.edges)[static_cast<std::size_t>(y) * made.width];
+        for (std::int32_t x = 1; x < made.width - 1; ++x) {
+            if (edges[x] == 0 && is_off(made.pixel(x, y), target.pixel(x, y)))
+                counts[static_cast<std::size_t>(y)] += is_structured(made, target, x, y);
+        }
+    });
+    std::size_t sum = 0;
+    for (const std::size_t count : counts) sum += count;
+    return sum;
+}
+
+double rated(const CauseCandidate& candidate, double remaining, double whole) {
+    return remaining + k_parameter * whole * candidate.parameters;
+}
+
+void Search::confirm(const BytePicture& made, CauseCandidate& candidate) const {
+    candidate.left = distance(made, *target, area);
+    candidate.is_estimated = false;
+    candidate.is_confirmed = true;
+    const bool explains_it =
+        candidate.left.all <= (1 - k_exact) * whole.all ||
+        (whole.calm > k_enough_calm && candidate.left.calm <= (1 - k_exact_calm) * whole.calm);
+    const auto check_view = [&] {
+        const auto agreement = step_agreement(made, *target, sample.rows);
+        candidate.is_strange = agreement && agreement->both_ways < k_same_view;
+    };
+    if (!explains_it) return check_view();
+    const double least = std::min(k_structure_left * static_cast<double>(structure),
+                                  2 + k_structure_of_picture * static_cast<double>(made.rgb.size() / 3));
+    candidate.is_exact = static_cast<double>(structured_pixels(made, *target, area)) <= least;
+    if (!candidate.is_exact) check_view();
+}
 
 void Search::add(const BytePicture& made, CauseCandidate candidate) {
     ++report.tried;
-    const double explained = 1 - candidate.left.all / whole.all;
-    if (!same_view && explained < k_explained_partly) {
+    if (!same_view) {
         const auto agreement = step_agreement(made, *target, sample.rows);
         candidate.is_strange = !agreement || agreement->both_ways < k_same_view;
         if (candidate.is_turn && agreement && agreement->one_way >= k_same_view &&
@@ -75,13 +151,18 @@ std::vector<CauseCandidate> ranked(const Search& search, bool& away_from_edges) 
             away_from_edges = true;
         }
     }
+    const auto rate = [&](const CauseCandidate& c) { return rated(c, c.cause.remaining, whole); };
     while (!found.empty()) {
-        const auto least = std::min_element(found.begin(), found.end(), [](const auto& x, const auto& y) {
-            return x.cause.remaining < y.cause.remaining;
+        const bool is_exact =
+            std::any_of(found.begin(), found.end(), [](const CauseCandidate& c) { return c.is_exact; });
+        double least = HUGE_VAL;
+        for (const CauseCandidate& c : found) {
+            if (c.is_exact == is_exact) least = std::min(least, rate(c));
+        }
+        const double limit = least + (least > 0 ? k_tie * whole : 0);
+        const auto best = std::find_if(found.begin(), found.end(), [&](const CauseCandidate& c) {
+            return c.is_exact == is_exact && rate(c) <= limit;
         });
-        const double limit = least->cause.remaining + (least->cause.remaining > 0 ? k_tie * whole : 0);
-        const auto best = std::find_if(found.begin(), found.end(),
-                                       [&](const auto& c) { return c.cause.remaining <= limit; });
         list.push_back(*best);
         std::erase_if(found, [&](const CauseCandidate& c) { return c.cause.name == list.back().cause.name; });
     }
@@ -99,7 +180,9 @@ void name_causes(Search& search) {
         report.remark = "Another scene or another view: nothing classic explains it.";
     for (const CauseCandidate& c : search.found) {
         const double explained = 1 - c.left.all / search.whole.all;
-        if (c.freedom > 0 || explained <= (report.nearest ? report.nearest->explained : 0)) continue;
+        if (c.freedom > 0 || c.parameters > 1 ||
+            explained <= (report.nearest ? report.nearest->explained : 0))
+            continue;
         report.nearest = c.cause;
         report.nearest->explained = explained;
         report.nearest->remaining = c.left.all;

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "compare/byte_picture.h"
+#include "compare/scene_renderer.h"
 #include "glint/compare.h"
 
 namespace glint {
@@ -13,11 +14,26 @@ struct CauseCandidate {
     double least = k_min_explained;
     int freedom = 0;     ///< PictureCause::freedom
     Distance left = {};  ///< from the picture to explain
-    /// If only a sample of rows has been looked at, by which `left` is estimated: the place in
-    /// picture_causes().
-    std::optional<std::size_t> unconfirmed = {};
-    bool is_turn = false;     ///< PictureCause::is_turn
-    bool is_strange = false;  ///< what it makes does not show what the picture shows: it has to explain more
+    /// Seen in the pictures alone: the place in picture_causes(). Then `left` may be estimated by a sample of
+    /// rows.
+    std::optional<std::size_t> of_pictures = {};
+    bool is_estimated = false;
+    bool is_turn = false;       ///< PictureCause::is_turn
+    bool is_strange = false;    ///< what it makes does not show what the picture shows
+    int parameters = 0;         ///< numbers that are fitted to the picture
+    bool is_confirmed = false;  ///< by Search::confirm, or past it
+    bool is_exact = false;      ///< what it leaves has no structure
+    MakePicture make = {};      ///< of a scene
+    FaultEdit edit = {};        ///< the same as a change of the scene, if it is one
+
+    void set_edit(FaultEdit put) {
+        edit = put;
+        make = [put = std::move(put)](const FaultyScene& base, const DrawFaulty& draw) {
+            FaultyScene scene = base;
+            put(scene);
+            return draw(scene);
+        };
+    }
 };
 
 /// One picture to explain, and what has been found about it.
@@ -29,6 +45,9 @@ struct Search {
     Status status;   ///< why there is no report
     Distance whole;  ///< what there is to explain
     std::vector<CauseCandidate> found;
+
+    /// Pixels with a difference that is no rounding, in groups: what there is to explain.
+    std::size_t structure = 0;
 
     bool same_view = true;    ///< picture and reference show the same things
     bool has_content = true;  ///< neither of them is one colour throughout
@@ -44,10 +63,17 @@ struct Search {
     }
     /// The same, of a candidate whose `left` is known.
     void add(const BytePicture& made, CauseCandidate candidate);
+    /// Sets what a candidate leaves of the whole picture, and whether that has structure.
+    void confirm(const BytePicture& made, CauseCandidate& candidate) const;
 };
 
-/// What a cause has to explain that does not show what the picture shows.
-inline constexpr double k_explained_partly = 0.7;
+/// The pixels in which the pictures differ by more than k_noise, away from edges of either, and most of their
+/// neighbours, too.
+std::size_t structured_pixels(const BytePicture& made, const BytePicture& target, const Area& area);
+
+/// How much of the difference a candidate leaves, with something added for each number that is fitted: of two
+/// that leave about the same, what has fewer of them is more likely.
+double rated(const CauseCandidate& candidate, double remaining, double whole);
 
 /// What explains enough, the best first, one of each name. `away_from_edges` becomes
 /// CauseReport::away_from_edges.

@@ -12,7 +12,7 @@
 #include "compare/float_difference.h"
 #include "compare/lines.h"
 #include "compare/picture_causes.h"
-#include "compare/scene_search.h"
+#include "compare/scene_trials.h"
 #include "compare/step_agreement.h"
 #include "glint/compare.h"
 #include "image/levels.h"
@@ -27,6 +27,8 @@ constexpr double k_same_part = 0.1;
 // sample has not about as much of the difference as the whole, by this factor, it is of rows that differ.
 constexpr std::size_t k_confirmed = 5;
 constexpr double k_fair_sample = 2;
+// With no more than this left away from edges there is no second cause, if there was as much as that.
+constexpr double k_calm_left = 0.01, k_min_calm = 0.1;
 // Smaller pictures are done before another thread has begun.
 constexpr std::int64_t k_min_for_threads = 1 << 18;
 
@@ -68,6 +70,7 @@ class CauseFinder {
             std::erase_if(differing, [&](std::int32_t y) { return equal_rows(search.faulty, bytes_, {y}); });
             search.sample.rows = sample_of(differing, reference_.width);
         }
+        search.structure = structured_pixels(bytes_, search.faulty, search.area);
         look_at(search);
         return search;
     }
@@ -77,22 +80,16 @@ class CauseFinder {
         const auto open =
             std::count_if(searches.begin(), searches.end(), [](const Search& s) { return s.is_open(); });
         if (open == 0) return;
-        if (scene_ != nullptr) try_scene_causes(searches);
-        steps_ = static_cast<std::size_t>(open) * picture_causes().size() +
-                 (scene_search_ ? scene_search_->size() : 0);
+        if (scene_ != nullptr) draw_scene(searches);
+        steps_ = static_cast<std::size_t>(open) * picture_causes().size() + (trials_ ? trials_->steps() : 0);
         made_ = bytes_;
         for (Search& search : searches) {
             if (search.is_open() && search.has_content) try_pictures(search);
         }
-        for (std::size_t i = 0; scene_search_ && i < scene_search_->size() && !is_cancelled(); ++i) {
-            scene_search_->try_cause(i, searches);
-            step();
-        }
+        if (trials_) trials_->run(searches, [&] { step(); });
         for (Search& search : searches) {
             if (is_cancelled() && search.is_open()) search.status = cancelled();
-            if (!search.is_open()) continue;
-            if (search.sample.rows.size() < search.area.rows.size()) confirm(search);
-            name_causes(search);
+            if (search.is_open()) name(search);
         }
     }
 
@@ -118,9 +115,9 @@ class CauseFinder {
         if (options_.progress) options_.progress(static_cast<double>(done_) / static_cast<double>(steps_));
     }
 
-    void try_scene_causes(std::vector<Search>& searches) {
-        scene_search_ = std::make_unique<SceneSearch>(*scene_, reference_.width, reference_.height, options_);
-        const auto& rendered = scene_search_->rendered();
+    void draw_scene(std::vector<Search>& searches) {
+        trials_ = std::make_unique<SceneTrials>(*scene_, bytes_, edges_, options_);
+        const auto& rendered = trials_->rendered();
         for (Search& search : searches) {
             if (!search.is_open()) continue;
             if (!rendered) {
@@ -144,10 +141,10 @@ class CauseFinder {
     // if it draws this very picture.
     PictureSource source(const Search& search, const Rows& rows) const {
         const CauseReport& report = search.report;
-        const bool by_scene = scene_search_ && scene_search_->rendered() &&
+        const bool by_scene = trials_ && trials_->rendered() &&
                               (report.swapped || *report.scene_from_b < k_same_part * report.difference);
-        return {by_scene ? scene_search_->rendered()->image : reference_,
-                by_scene ? scene_search_->rendered()->bytes : bytes_,
+        return {by_scene ? trials_->rendered()->image : reference_,
+                by_scene ? trials_->rendered()->bytes : bytes_,
                 *search.target,
                 search.sample,
                 rows,
@@ -171,11 +168,12 @@ class CauseFinder {
                 cause.freedom,
                 distance(made_, *search.target, search.sample)};
             candidate.is_turn = cause.is_turn;
+            candidate.of_pictures = i;
             if (is_sample) {
                 Distance& left = candidate.left;
                 left = {estimate(left.all, of_sample.all, search.whole.all),
                         estimate(left.calm, of_sample.calm, search.whole.calm)};
-                candidate.unconfirmed = i;
+                candidate.is_estimated = true;
             }
             search.add(made_, std::move(candidate));
         }
@@ -189,14 +187,50 @@ class CauseFinder {
         const PictureSource from = source(search, search.area.rows);
         for (CauseCandidate& candidate : search.found) {
             const auto is_it = [&](const CauseCandidate& c) {
-                return c.unconfirmed == candidate.unconfirmed;
+                return c.of_pictures == candidate.of_pictures;
             };
-            if (!candidate.unconfirmed || std::none_of(first.begin(), first.end(), is_it)) continue;
-            picture_causes()[*candidate.unconfirmed].make(from, made_);
-            candidate.left = distance(made_, *search.target, search.area);
-            candidate.unconfirmed.reset();
+            if (!candidate.of_pictures || std::none_of(first.begin(), first.end(), is_it)) continue;
+            picture_causes()[*candidate.of_pictures].make(from, made_);
+            search.confirm(made_, candidate);
         }
-        std::erase_if(search.found, [](const CauseCandidate& c) { return c.unconfirmed.has_value(); });
+        std::erase_if(search.found, [](const CauseCandidate& c) { return c.is_estimated; });
+        for (CauseCandidate& c : search.found) c.is_confirmed = true;
+    }
+
+    void name(Search& search) {
+        confirm(search);
+        const bool is_explained =
+            std::any_of(search.found.begin(), search.found.end(),
+                        [](const CauseCandidate& c) { return c.is_exact && c.freedom == 0; });
+        // Another renderer's edges are no second fault; nor is another scene.
+        const bool is_calm =
+            search.whole.calm > k_min_calm &&
+            std::any_of(search.found.begin(), search.found.end(), [&](const CauseCandidate& c) {
+                return c.freedom == 0 && c.left.calm <= k_calm_left * search.whole.calm;
+            });
+        const bool may_be_two = !is_explained && !is_calm && (search.same_view || search.turn);
+        CauseCandidate first, second;
+        const bool is_pair =
+            may_be_two && trials_ && trials_->rendered() && trials_->find_pair(search, first, second);
+        name_causes(search);
+        CauseReport& report = search.report;
+        if (is_pair) name_pair(search, first, second);
+        if (trials_ && (report.causes.empty() || report.causes.front().perhaps))
+            report.where = trials_->where_text(search);
+    }
+
+    static void name_pair(Search& search, CauseCandidate& first, CauseCandidate& second) {
+        CauseReport& report = search.report;
+        for (CauseCandidate* c : {&first, &second}) {
+            c->cause.remaining = c->left.all;
+            c->cause.explained = 1 - c->left.all / search.whole.all;
+            c->cause.perhaps = !second.is_exact;
+        }
+        std::erase_if(report.causes, [&](const Cause& c) { return c.name == first.cause.name; });
+        report.causes.insert(report.causes.begin(), first.cause);
+        report.then = {second.cause};
+        report.remark.clear();
+        report.nearest.reset();
     }
 
     const Image& reference_;
@@ -204,7 +238,7 @@ class CauseFinder {
     const std::vector<std::uint8_t> edges_;
     const Scene* const scene_;
     const CauseOptions& options_;
-    std::unique_ptr<SceneSearch> scene_search_;
+    std::unique_ptr<SceneTrials> trials_;
     BytePicture made_;  // what a cause makes, one after the other
     std::size_t steps_ = 0, done_ = 0;
 };

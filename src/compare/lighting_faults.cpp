@@ -28,28 +28,54 @@ std::string other_model_text(double factor, bool about) {
         "The other model of the highlight (Phong for Blinn-Phong, or the reverse), with {} the exponent.",
         factor_text(factor, about));
 }
+void scale_light(Light& light, double factor) {
+    light.color = light.color * factor;
+    light.specular_color = light.specular_color * factor;
+}
+void scale_all_lights(Scene& s, double factor) {
+    for (Light& light : s.lights) scale_light(light, factor);
+}
+void scale_lights(Scene& s, double factor) {
+    for_each_light(s, [=](Light& l) { scale_light(l, factor); });
+}
+void scale_ambient(Scene& s, double factor) {
+    for (Light& light : s.lights) {
+        if (is_ambient(light)) scale_light(light, factor);
+    }
+}
+void scale_diffuse(Scene& s, double factor) {
+    for_each_material(s, [=](Material& m) { m.diffuse = m.diffuse * factor; });
+}
+void scale_specular(Scene& s, double factor) {
+    for_each_material(s, [=](Material& m) { m.specular = m.specular * factor; });
+}
 double largest(const Color& c) { return std::max({c.r, c.g, c.b}); }
 
 constexpr SceneFault k_lighting[] = {
     {"ambient-missing", [](const Scene& s) { return any_light(s, is_ambient); },
      [](Scene& s) { std::erase_if(s.lights, is_ambient); },
      "The ambient term is missing: add k_a I_a to every surface that is hit, once, also in shadow.",
-     "the ambient term", "ambient-scaled"},
+     "the ambient term", "ambient-scaled", scale_ambient},
     {"diffuse-missing", is_lit,
      [](Scene& s) { for_each_material(s, [](Material& m) {
                         m.diffuse = {0, 0, 0};
                     }); },
      "The diffuse term is missing: add k_d I (N.L) for every light that reaches the point.",
-     "the diffuse term", "diffuse-scaled"},
+     "the diffuse term", "diffuse-scaled", scale_diffuse},
     {"specular-missing", has_highlights,
      [](Scene& s) { for_each_material(s, [](Material& m) {
                         m.specular = {0, 0, 0};
                     }); },
      "The specular term is missing: add k_s I (R.V)^n, or (N.H)^n, for every light that reaches the point.",
-     "the specular term", "specular-scaled"},
+     "the specular term", "specular-scaled", scale_specular},
     {"unlit", is_lit, [](Scene& s) { std::erase_if(s.lights, [](const Light&) { return true; }); },
      "No light arrives at all: surfaces that are hit are black.", "the light of all lights together",
-     "light-intensity"},
+     "light-intensity", scale_all_lights},
+    {"normals-reversed", [](const Scene& s) { return is_lit(s) && any_light(s, is_ambient); },
+     [](Scene& s) { std::erase_if(s.lights, [](const Light& l) { return !is_ambient(l); }); },
+     "Only the ambient term arrives. N or L is reversed, so that N.L is below 0 where the surface is lit (a "
+     "sphere's N is P - C, not C - P, and L goes from P to the light), or no light is added at all.",
+     "the light of all lights but the ambient one", "light-intensity", scale_lights},
     {"shadows-missing", has_shadows, [](Scene& s) { s.settings.shadows = false; },
      "Shadows are missing: before a light adds anything, see whether a ray from the point to it hits "
      "something."},
@@ -116,7 +142,7 @@ constexpr SceneFault k_lighting[] = {
      "Vectors are not of unit length: normalise L, V, R (or H) before taking dot products."},
     {"back-sides-lit", [](const Scene& s) { return is_lit(s) && s.conventions.clamp_cosines; },
      [](Scene& s) { s.conventions.clamp_cosines = false; },
-     "Light from behind a surface is counted (negative): take max(0, N.L) and max(0, R.V)."},
+     "Light from behind a surface is subtracted: N.L is negative there. Take max(0, N.L) and max(0, R.V)."},
     {"highlight-behind", [](const Scene& s) { return has_highlights(s) && s.conventions.specular_gate; },
      [](Scene& s) { s.conventions.specular_gate = false; },
      "Highlights appear on sides that face away from the light: add the specular term only where N.L > 0."},

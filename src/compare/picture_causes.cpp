@@ -20,20 +20,20 @@ const std::vector<PictureCause>& picture_causes() {
          "The picture is upside down: rows are counted from the bottom where the file counts from the top "
          "(or y "
          "points the other way). Write row H - 1 - y.",
-         k_moved, upside_down(), 0, true},
+         k_moved, upside_down(), 0, true, true},
         {"mirrored",
          "The picture is mirrored left to right: the camera's x axis points the other way (handedness). Swap "
          "the "
          "factors of the cross product that makes it, or negate x.",
-         k_moved, mirrored(), 0, true},
+         k_moved, mirrored(), 0, true, true},
         {"rotated", "The picture is turned by half a turn: both x and y count the wrong way.", k_moved,
-         rotated(), 0, true},
+         rotated(), 0, true, true},
         {"transposed", "Rows and columns are swapped: the pixel (x, y) was written to (y, x).", k_moved,
-         transposed(), 0, true},
+         transposed(), 0, true, true},
         {"transposed",
          "Rows and columns are swapped and both count the wrong way: the pixel (x, y) was written to "
          "(H - 1 - y, W - 1 - x).",
-         k_moved, transposed_back(), 0, true},
+         k_moved, transposed_back(), 0, true, true},
         {"turned-left",
          "The picture is turned by a quarter turn to the left (counterclockwise): the pixel (x, y) was "
          "written "
@@ -52,9 +52,9 @@ const std::vector<PictureCause>& picture_causes() {
          k_moved, unwritten(Lines::columns)},
         {"red-blue-swapped",
          "Red and blue are swapped: the file wants R, G, B and was given B, G, R (or the other way round).",
-         k_moved, permuted(2, 1, 0)},
-        {"red-green-swapped", "Red and green are swapped.", k_moved, permuted(1, 0, 2)},
-        {"green-blue-swapped", "Green and blue are swapped.", k_moved, permuted(0, 2, 1)},
+         k_moved, permuted(2, 1, 0), 0, false, true},
+        {"red-green-swapped", "Red and green are swapped.", k_moved, permuted(1, 0, 2), 0, false, true},
+        {"green-blue-swapped", "Green and blue are swapped.", k_moved, permuted(0, 2, 1), 0, false, true},
         {"channels-rotated", "The channels have moved on by one: R, G, B arrive as G, B, R.", k_moved,
          permuted(1, 2, 0)},
         {"channels-rotated", "The channels have moved on by one: R, G, B arrive as B, R, G.", k_moved,
@@ -105,6 +105,15 @@ const std::vector<PictureCause>& picture_causes() {
          "apply "
          "it once, at the very end.",
          k_curved, curved([](double v) { return pow(v, 2.2); })},
+        {"gamma-twice",
+         "The sRGB curve was applied twice more than in the reference: leave it out (or, if the reference "
+         "has "
+         "it, apply it once, at the very end).",
+         k_curved, curved([](double v) { return srgb_encode(srgb_encode(v)); })},
+        {"gamma-twice",
+         "A gamma of 1/2.2 was applied twice more than in the reference: leave it out (or, if the reference "
+         "has it, apply it once, at the very end).",
+         k_curved, curved([](double v) { return pow(v, 1 / (2.2 * 2.2)); })},
         {"rounded-down",
          "Bytes are cut off and not rounded: write floor(255 v + 0.5). The difference is 1/255 at most.",
          k_curved, whole_part(255, false)},

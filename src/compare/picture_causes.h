@@ -14,7 +14,8 @@ struct PictureCause {
     PictureFault make;
     int freedom =
         0;  ///< how much it can be bent to fit anything: named only if nothing of less explains well
-    bool is_turn = false;  ///< the whole picture, flipped or turned
+    bool is_turn = false;         ///< the whole picture, flipped or turned
+    bool is_own_inverse = false;  ///< twice is nothing
 };
 
 /// The table, simple causes first: of two that explain the same, the earlier is named.

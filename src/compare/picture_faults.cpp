@@ -17,6 +17,10 @@ namespace {
 
 using Detail = std::optional<std::string>;
 
+// Of a fit: after the first, weights make it one of absolute values, which another fault of a few pixels
+// hardly changes.
+constexpr int k_rounds = 5;
+
 // Every channel value of the reference by change(value), as bytes.
 template <class Change> void change_values(const PictureSource& s, BytePicture& made, Change&& change) {
     for_each_row(s.rows, s.fit.threads, [&](std::int32_t y) {
@@ -238,20 +242,27 @@ PictureFault recolored() {
 
 std::optional<double> fit_factor(const std::vector<float>& rest, const std::vector<float>& part,
                                  const BytePicture& bytes, const BytePicture& faulty, const Rows& rows) {
-    double products = 0, squares = 0;
+    std::vector<std::pair<double, double>> values;  // what is wanted, and what a factor of 1 gives
     for (const std::int32_t y : rows) {
         const std::size_t first = 3 * static_cast<std::size_t>(y) * bytes.width;
         for (std::size_t i = first; i < first + 3 * static_cast<std::size_t>(bytes.width); ++i) {
             const int was = bytes.rgb[i], is = faulty.rgb[i];
             if (is == was || is == 0 || is == 255 || was == 0 || was == 255) continue;
-            const auto p = static_cast<double>(part[i]);
-            const double wanted = is / 255.0 - (rest.empty() ? 0 : static_cast<double>(rest[i]));
-            products += wanted * p;
-            squares += p * p;
+            values.emplace_back(is / 255.0 - (rest.empty() ? 0 : static_cast<double>(rest[i])),
+                                static_cast<double>(part[i]));
         }
     }
-    if (!(squares > 0)) return std::nullopt;
-    const double factor = products / squares;
+    double factor = 0;
+    for (int round = 0; round < k_rounds; ++round) {
+        double products = 0, squares = 0;
+        for (const auto& [wanted, p] : values) {
+            const double weight = round == 0 ? 1 : 1 / std::max(std::fabs(wanted - factor * p), 0.5 / 255);
+            products += weight * wanted * p;
+            squares += weight * p * p;
+        }
+        if (!(squares > 0)) return std::nullopt;
+        factor = products / squares;
+    }
     if (std::fabs(factor - 1) < 0.005 || factor <= 0) return std::nullopt;
     return factor;
 }

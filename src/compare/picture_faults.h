@@ -66,9 +66,10 @@ PictureFault whole_part(double scale, bool wraps);
 /// One colour is another: of the different pixels, what most have.
 PictureFault recolored();
 
-/// The factor k by which `part` must be multiplied for rest + k part to be `faulty`, by least squares over
-/// the channels of these rows that differ from `bytes` and are clamped in neither; nothing if that is 1 or
-/// not above 0, or there are too few. `rest` may be empty: 0. The vectors are as Image::rgb.
+/// The factor k by which `part` must be multiplied for rest + k part to be `faulty`, by least
+/// absolute differences over the channels of these rows that differ from `bytes` and are clamped in neither;
+/// nothing if that is 1 or not above 0, or there are too few. `rest` may be empty: 0. The vectors are as
+/// Image::rgb.
 std::optional<double> fit_factor(const std::vector<float>& rest, const std::vector<float>& part,
                                  const BytePicture& bytes, const BytePicture& faulty, const Rows& rows);
 

@@ -36,10 +36,11 @@ void add_half_shifts(const Scene& scene, std::vector<SceneCause>& causes) {
     }
 }
 
-// "light 2 (\"lamp\")": lights other than ambient count from 1.
-std::string light_text(const Scene& scene, std::uint32_t index, int number) {
+// "light 2 (\"lamp\")": by its place among all lights, as everywhere.
+std::string light_text(const Scene& scene, std::uint32_t index) {
     const std::string_view name = scene.light_texts.name(index);
-    return name.empty() ? fmt::format("light {}", number) : fmt::format("light {} (\"{}\")", number, name);
+    return name.empty() ? fmt::format("light {}", index + 1)
+                        : fmt::format("light {} (\"{}\")", index + 1, name);
 }
 
 constexpr int k_max_lights = 8;  // tried one by one
@@ -51,24 +52,74 @@ void add_single_lights(const Scene& scene, std::vector<SceneCause>& causes) {
     }
     if (!is_lit(scene) || lights.size() < 2 || lights.size() > k_max_lights) return;
     for (std::size_t k = 0; k < lights.size(); ++k) {
-        const std::string text = light_text(scene, lights[k], static_cast<int>(k) + 1);
+        const std::string text = light_text(scene, lights[k]);
         causes.push_back(
             {"light-missing",
              fmt::format("The light of {} is missing, or never arrives: sum over all lights.", text),
-             [i = lights[k]](Scene& s) { s.lights.erase(s.lights.begin() + i); }, text, "light-scaled"});
+             [i = lights[k]](Scene& s) { s.lights.erase(s.lights.begin() + i); }, text, "light-scaled",
+             [i = lights[k]](Scene& s, double factor) {
+                 s.lights[i].color = s.lights[i].color * factor;
+                 s.lights[i].specular_color = s.lights[i].specular_color * factor;
+             }});
     }
     for (std::size_t k = 0; lights.size() > 2 && k < lights.size(); ++k) {
         causes.push_back(
             {"light-alone",
              fmt::format("Only {} shines: add up the lights (a sum that is overwritten keeps the "
                          "last, a return inside the loop the first).",
-                         light_text(scene, lights[k], static_cast<int>(k) + 1)),
+                         light_text(scene, lights[k])),
              [i = lights[k]](Scene& s) {
                  const Light kept = s.lights[i];
                  std::erase_if(s.lights, [](const Light& l) { return !is_ambient(l); });
                  s.lights.push_back(kept);
              }});
     }
+}
+
+bool has_diffuse_light(const Scene& scene) {
+    return is_lit(scene) && any_material(scene, [](const Material& m) { return !is_zero(m.diffuse); });
+}
+
+// The diffuse term of lights behind surfaces, as it would be above 0: what is drawn with max(0, N.L) less
+// what is drawn with N.L.
+std::optional<Image> diffuse_from_behind(Scene scene, const DrawScene& draw) {
+    std::erase_if(scene.lights, is_ambient);
+    for_each_material(scene, [](Material& m) { m.specular = {0, 0, 0}; });
+    scene.background = {0, 0, 0};
+    scene.conventions.clamp_cosines = true;
+    std::optional<Image> clamped = draw(scene);
+    scene.conventions.clamp_cosines = false;
+    const std::optional<Image> signed_sum = draw(scene);
+    if (!clamped || !signed_sum) return std::nullopt;
+    for (std::size_t i = 0; i < clamped->rgb.size(); ++i) clamped->rgb[i] -= signed_sum->rgb[i];
+    return clamped;
+}
+
+// Faults of N.L that no setting makes. Light is a sum, so their pictures are.
+void add_turned_cosines(const Scene& scene, std::vector<SceneCause>& causes) {
+    if (!has_diffuse_light(scene) || !scene.conventions.clamp_cosines) return;
+    const auto add = [&](const char* name, const char* explanation, bool lit) {
+        SceneCause cause{name, explanation, {}};
+        cause.compose = [lit](const Scene& s, const DrawScene& draw) -> std::optional<Image> {
+            Scene base = s;
+            if (!lit) std::erase_if(base.lights, [](const Light& l) { return !is_ambient(l); });
+            std::optional<Image> sum = draw(base);
+            const std::optional<Image> behind = diffuse_from_behind(s, draw);
+            if (!sum || !behind) return std::nullopt;
+            for (std::size_t i = 0; i < sum->rgb.size(); ++i) sum->rgb[i] += behind->rgb[i];
+            return sum;
+        };
+        causes.push_back(std::move(cause));
+    };
+    add("abs-cosine",
+        "Light from behind a surface is added as if it came from the front: |N.L| is taken in place of "
+        "max(0, N.L).",
+        true);
+    add("normals-reversed",
+        "Surfaces are lit from behind and dark in front: N is reversed (a sphere's N is P - C, not C - P), "
+        "or "
+        "L is.",
+        false);
 }
 
 constexpr int k_max_levels = 8;  // of reflection that are tried one by one
@@ -91,6 +142,7 @@ void add_sample_counts(const Scene& scene, std::vector<SceneCause>& causes) {
              fmt::format("Only edges differ: {} x {} samples in a pixel, where the scene asks for {} x {}.",
                          n, n, scene.settings.samples, scene.settings.samples),
              [n](Scene& s) { s.settings.samples = n; }});
+        causes.back().is_of_samples = true;
     }
 }
 
@@ -101,12 +153,13 @@ std::vector<SceneCause> scene_causes(const Scene& scene) {
     const auto add = [&](std::span<const SceneFault> rows) {
         for (const SceneFault& row : rows) {
             if (row.applies(scene))
-                causes.push_back(
-                    {row.name, row.explanation, row.put, row.part, row.scaled, row.scale, row.scale_text});
+                causes.push_back({row.name, row.explanation, row.put, row.part, row.scaled, row.scale_part,
+                                  row.scale, row.scale_text});
         }
     };
     add_single_lights(scene, causes);
     add(lighting_faults());
+    add_turned_cosines(scene, causes);
     add(tracing_faults());
     add_reflection_levels(scene, causes);
     add_half_shifts(scene, causes);

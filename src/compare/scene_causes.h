@@ -2,23 +2,31 @@
 #pragma once
 // The causes that are tried by drawing the scene with a fault.
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
-#include "glint/scene.h"
+#include "compare/scene_renderer.h"
 
 namespace glint {
+
+/// Draws a changed scene, for a cause whose picture is a sum of several.
+using DrawScene = std::function<std::optional<Image>(const Scene&)>;
 
 struct SceneCause {
     std::string name, explanation;
     std::function<void(Scene&)> put;  ///< puts the fault into a copy of the scene
     /// If the fault takes away a part of the sum of light: that part's name, "the ambient term". Then a
-    /// multiple of it is tried, too, as the cause `scaled`.
+    /// multiple of it is tried, too, as the cause `scaled`, which `scale_part` puts into a scene.
     std::string part = {}, scaled = {};
+    std::function<void(Scene&, double)> scale_part = {};
     /// If a number of the scene is a multiple of what it should be (after `put`, which may be empty): makes
     /// it one, and says so, of a factor that is fitted. There is no other explanation then.
     std::function<void(Scene&, double)> scale = {};
     std::function<std::string(double factor, bool about)> scale_text = {};
+    /// If no setting of the scene is the fault: makes its picture of others. `put` is empty then.
+    std::function<std::optional<Image>(const Scene&, const DrawScene&)> compose = {};
+    bool is_of_samples = false;  ///< shows at edges only: needs all pixels
 };
 
 /// The causes that can make a difference to this scene, simple ones first.

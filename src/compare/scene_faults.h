@@ -16,6 +16,7 @@ struct SceneFault {
     const char* explanation = "";
     const char* part = "";
     const char* scaled = "";
+    void (*scale_part)(Scene&, double) = nullptr;
     void (*scale)(Scene&, double) = nullptr;  ///< then the cause is a factor, and the next its explanation
     std::string (*scale_text)(double, bool) = nullptr;
 };

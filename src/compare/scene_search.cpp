@@ -7,7 +7,6 @@
 
 #include "compare/factor_search.h"
 #include "compare/picture_faults.h"
-#include "compare/render_scene.h"
 
 namespace glint {
 namespace {
@@ -23,65 +22,65 @@ std::string capital(std::string text) {
     return text;
 }
 
-// Shapes without a material get one of the scene's, so that faults of materials reach them.
-void name_default_material(Scene& scene) {
-    const auto index = static_cast<std::uint32_t>(scene.materials.size());
-    bool used = false;
-    for (Shape& shape : scene.shapes) {
-        if (shape.material != k_none) continue;
-        shape.material = index;
-        used = true;
-    }
-    if (used) scene.materials.emplace_back();
+FaultEdit edit_of(const SceneCause& cause) {
+    return [put = cause.put](FaultyScene& s) { put(s.shading); };
 }
 
-void drop_shapes(Scene& scene) {
-    scene.shapes = {};
-    scene.transforms = {};
-    scene.polygon_vertices = {};
-    scene.parameters = {};
-    scene.shape_texts = {};
+FaultEdit edit_of(const SceneCause& cause, double factor) {
+    return [put = cause.put, scale = cause.scale, factor](FaultyScene& s) {
+        if (put) put(s.shading);
+        scale(s.shading, factor);
+    };
 }
 
 }  // namespace
 
-SceneSearch::SceneSearch(const Scene& scene, std::int32_t width, std::int32_t height,
-                         const CauseOptions& options)
-    : scene_(scene), options_(options) {
-    scene_.settings.width = width;
-    scene_.settings.height = height;
-    name_default_material(scene_);
-    world_ = prepare(scene_, {.threads = options_.threads});
-    if (!world_) return;
-    causes_ = scene_causes(scene_);
-    drop_shapes(scene_);
-    rendered_ = render(scene_);
-    if (!rendered_) causes_.clear();
+SceneSearch::SceneSearch(const SceneRenderer& renderer, const PixelGrid& grid, const FaultyScene& scene)
+    : renderer_(renderer), grid_(grid), scene_(scene) {
+    rendered_ = renderer_.render(scene_, grid_);
+    if (rendered_) causes_ = scene_causes(scene_.shading);
 }
 
-bool SceneSearch::is_cancelled() const {
-    return options_.cancel != nullptr && options_.cancel->load(std::memory_order_relaxed);
+std::optional<RenderedScene> SceneSearch::render(const FaultEdit& edit) const {
+    FaultyScene scene = scene_;
+    edit(scene);
+    return renderer_.render(scene, grid_);
 }
 
-std::optional<RenderedScene> SceneSearch::render(const Scene& shading) const {
-    Result<Rendering> result = render_scene(*world_, shading, options_.threads, options_.cancel);
-    if (!result) return std::nullopt;
-    RenderedScene rendered{std::move(result->image), {}};
-    rendered.bytes = to_bytes(rendered.image, options_.threads);
+std::optional<RenderedScene> SceneSearch::draw_cause(std::size_t i) const {
+    const SceneCause& cause = causes_[i];
+    if (cause.scale || (cause.is_of_samples && grid_.step > 1)) return std::nullopt;
+    if (!cause.compose) return render(edit_of(cause));
+    std::optional<Image> image = candidate(i).make(scene_, [&](const FaultyScene& s) {
+        std::optional<RenderedScene> drawn = renderer_.render(s, grid_);
+        return drawn ? std::optional(std::move(drawn->image)) : std::nullopt;
+    });
+    if (!image) return std::nullopt;
+    RenderedScene rendered{std::move(*image), {}};
+    rendered.bytes = to_bytes(rendered.image, 1);
     return rendered;
 }
 
-void SceneSearch::try_cause(std::size_t i, std::vector<Search>& searches) const {
+CauseCandidate SceneSearch::candidate(std::size_t i) const {
+    const SceneCause& cause = causes_[i];
+    CauseCandidate candidate{{cause.name, cause.explanation, 0, 0, true}};
+    if (!cause.compose) {
+        candidate.set_edit(edit_of(cause));
+        return candidate;
+    }
+    candidate.make = [compose = cause.compose](const FaultyScene& base, const DrawFaulty& draw) {
+        return compose(base.shading, [&](const Scene& scene) { return draw({scene, base.spheres}); });
+    };
+    return candidate;
+}
+
+void SceneSearch::try_cause(std::size_t i, const std::vector<Search*>& searches) const {
     const SceneCause& cause = causes_[i];
     if (cause.scale) return try_factors(searches, cause);
-    Scene scene = scene_;
-    cause.put(scene);
-    const std::optional<RenderedScene> made = render(scene);
+    const std::optional<RenderedScene> made = draw_cause(i);
     // What changes nothing in this scene explains nothing.
     if (!made || made->bytes.rgb == rendered_->bytes.rgb) return;
-    for (Search& search : searches) {
-        if (search.is_open()) search.judge(made->bytes, {{cause.name, cause.explanation, 0, 0, true}});
-    }
+    for (Search* search : searches) search->judge(made->bytes, candidate(i));
     if (!cause.part.empty()) try_multiples(searches, cause, *made);
 }
 
@@ -93,26 +92,22 @@ struct SceneSearch::Walk {
 };
 
 std::optional<RenderedScene> SceneSearch::render_scaled(const SceneCause& cause, double factor) const {
-    Scene scene = scene_;
-    if (cause.put) cause.put(scene);
-    cause.scale(scene, factor);
-    return render(scene);
+    return render(edit_of(cause, factor));
 }
 
 // A number of the scene by a factor that is fitted: from 1 by powers of two as long as it gets better,
 // then to the bottom of the valley.
-void SceneSearch::try_factors(std::vector<Search>& searches, const SceneCause& cause) const {
+void SceneSearch::try_factors(const std::vector<Search*>& searches, const SceneCause& cause) const {
     const std::optional<RenderedScene> one = render_scaled(cause, 1);
     if (!one) return;
     std::vector<Walk> walks(searches.size());
     for (std::size_t i = 0; i < searches.size(); ++i) {
-        if (!searches[i].is_open()) continue;
-        walks[i].at_one = distance(one->bytes, *searches[i].target, searches[i].area);
+        walks[i].at_one = distance(one->bytes, *searches[i]->target, searches[i]->area);
         walks[i].best = {1, walks[i].at_one.all};
     }
     for (const double step : {2.0, 0.5}) walk(searches, cause, one->bytes, step, walks);
-    for (std::size_t i = 0; i < searches.size() && !is_cancelled(); ++i) {
-        Search& search = searches[i];
+    for (std::size_t i = 0; i < searches.size() && !renderer_.is_cancelled(); ++i) {
+        Search& search = *searches[i];
         const double enough = k_enough * search.whole.all;
         const bool is_explained =
             std::any_of(search.found.begin(), search.found.end(),
@@ -129,26 +124,28 @@ void SceneSearch::try_factors(std::vector<Search>& searches, const SceneCause& c
         }
         const std::optional<RenderedScene> made = render_scaled(cause, best.factor);
         if (!made || made->bytes.rgb == one->bytes.rgb) continue;
-        search.judge(
-            made->bytes,
-            {{cause.name, cause.scale_text(best.factor, best.left > enough), 0, 0, true}, k_min_factor});
+        CauseCandidate candidate{{cause.name, cause.scale_text(best.factor, best.left > enough), 0, 0, true},
+                                 k_min_factor};
+        candidate.parameters = 1;
+        candidate.set_edit(edit_of(cause, best.factor));
+        search.judge(made->bytes, std::move(candidate));
     }
 }
 
 // A picture lies on the way from `one` to a factor as far as going there is no detour.
-void SceneSearch::walk(std::vector<Search>& searches, const SceneCause& cause, const BytePicture& one,
+void SceneSearch::walk(const std::vector<Search*>& searches, const SceneCause& cause, const BytePicture& one,
                        double step, std::vector<Walk>& walks) const {
-    for (std::size_t i = 0; i < searches.size(); ++i) walks[i].goes_on = searches[i].is_open();
+    for (std::size_t i = 0; i < searches.size(); ++i) walks[i].goes_on = true;
     const auto goes_on = [](const Walk& w) { return w.goes_on; };
     for (double factor = step; factor <= k_max_factor && factor * k_max_factor >= 1; factor *= step) {
-        if (std::none_of(walks.begin(), walks.end(), goes_on) || is_cancelled()) return;
+        if (std::none_of(walks.begin(), walks.end(), goes_on) || renderer_.is_cancelled()) return;
         const std::optional<RenderedScene> made = render_scaled(cause, factor);
         if (!made || made->bytes.rgb == one.rgb) return;
         for (std::size_t i = 0; i < searches.size(); ++i) {
             Walk& w = walks[i];
             if (!w.goes_on) continue;
-            const Distance moved = distance(made->bytes, one, searches[i].area),
-                           left = distance(made->bytes, *searches[i].target, searches[i].area);
+            const Distance moved = distance(made->bytes, one, searches[i]->area),
+                           left = distance(made->bytes, *searches[i]->target, searches[i]->area);
             const auto is_on_the_way = [](double from_one, double way, double rest) {
                 return (from_one + way - rest) / 2 > k_min_explained * from_one;
             };
@@ -162,22 +159,24 @@ void SceneSearch::walk(std::vector<Search>& searches, const SceneCause& cause, c
 
 // The part of the light that is missing in `without`, by a factor that is fitted. Light is a sum, so the
 // picture with any multiple of a part is known from those with and without it.
-void SceneSearch::try_multiples(std::vector<Search>& searches, const SceneCause& cause,
+void SceneSearch::try_multiples(const std::vector<Search*>& searches, const SceneCause& cause,
                                 const RenderedScene& without) const {
     std::vector<float> part = rendered_->image.rgb;
     for (std::size_t i = 0; i < part.size(); ++i) part[i] -= without.image.rgb[i];
-    for (Search& search : searches) {
-        if (!search.is_open()) continue;
+    for (Search* search : searches) {
         const auto factor =
-            fit_factor(without.image.rgb, part, rendered_->bytes, *search.target, search.sample.rows);
+            fit_factor(without.image.rgb, part, rendered_->bytes, *search->target, search->area.rows);
         if (!factor) continue;
         Image image = without.image;
         for (std::size_t i = 0; i < part.size(); ++i) image.rgb[i] += static_cast<float>(*factor) * part[i];
-        search.judge(
-            to_bytes(image, options_.threads),
-            {{cause.scaled,
-              fmt::format("{} is {:.3g} times what it should be.", capital(cause.part), *factor), 0, 0, true},
-             k_min_fitted});
+        CauseCandidate candidate{
+            {cause.scaled, fmt::format("{} is {:.3g} times what it should be.", capital(cause.part), *factor),
+             0, 0, true},
+            k_min_fitted};
+        candidate.parameters = 1;
+        candidate.set_edit(
+            [scale = cause.scale_part, by = *factor](FaultyScene& s) { scale(s.shading, by); });
+        search->judge(to_bytes(image, 1), std::move(candidate));
     }
 }
 

@@ -3,44 +3,43 @@
 // The causes that are tried by drawing the scene with each.
 #include <functional>
 #include <optional>
+#include <vector>
 
 #include "compare/cause_ranking.h"
 #include "compare/scene_causes.h"
-#include "glint/world.h"
 
 namespace glint {
 
-struct RenderedScene {
-    Image image;
-    BytePicture bytes;
-};
-
+/// Tries the causes of lighting and tracing on a scene that may have a fault already.
 class SceneSearch {
   public:
-    /// Draws the scene at this size. Throws bad_alloc.
-    SceneSearch(const Scene& scene, std::int32_t width, std::int32_t height, const CauseOptions& options);
+    SceneSearch(const SceneRenderer& renderer, const PixelGrid& grid, const FaultyScene& scene);
 
-    /// Nothing if it cannot be drawn.
+    /// What the scene draws on the grid; nothing if it cannot be drawn.
     const std::optional<RenderedScene>& rendered() const { return rendered_; }
     std::size_t size() const { return causes_.size(); }
-    /// Tries cause i, below size(), for all searches that are open.
-    void try_cause(std::size_t i, std::vector<Search>& searches) const;
+    /// Tries cause i, below size(), for all searches that are open. Their pictures are of the grid's pixels.
+    void try_cause(std::size_t i, const std::vector<Search*>& searches) const;
+    /// The picture of cause i; nothing if it has none without a picture to fit it to.
+    std::optional<RenderedScene> draw_cause(std::size_t i) const;
+    const SceneCause& cause(std::size_t i) const { return causes_[i]; }
+    /// The candidate of cause i, whose `left` is still to be filled in.
+    CauseCandidate candidate(std::size_t i) const;
 
   private:
     struct Walk;
 
-    bool is_cancelled() const;
-    std::optional<RenderedScene> render(const Scene& shading) const;
+    std::optional<RenderedScene> render(const FaultEdit& edit) const;
     std::optional<RenderedScene> render_scaled(const SceneCause& cause, double factor) const;
-    void try_factors(std::vector<Search>& searches, const SceneCause& cause) const;
-    void walk(std::vector<Search>& searches, const SceneCause& cause, const BytePicture& one, double step,
-              std::vector<Walk>& walks) const;
-    void try_multiples(std::vector<Search>& searches, const SceneCause& cause,
+    void try_factors(const std::vector<Search*>& searches, const SceneCause& cause) const;
+    void walk(const std::vector<Search*>& searches, const SceneCause& cause, const BytePicture& one,
+              double step, std::vector<Walk>& walks) const;
+    void try_multiples(const std::vector<Search*>& searches, const SceneCause& cause,
                        const RenderedScene& without) const;
 
-    Scene scene_;  // without its shapes: causes leave them as they are
-    Result<World> world_;
-    const CauseOptions& options_;
+    const SceneRenderer& renderer_;
+    const PixelGrid grid_;
+    const FaultyScene scene_;
     std::optional<RenderedScene> rendered_;
     std::vector<SceneCause> causes_;
 };

@@ -1,9 +1,24 @@
 // SPDX-License-Identifier: Apache-2.0
 // Faults of rays: of shadows, mirrors, glass and the camera.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "compare/factor_search.h"
 #include "compare/scene_faults.h"
 
 namespace glint {
 namespace {
+
+constexpr int k_usual_reflections = 4;
+
+void scale_mirrors(Scene& s, double factor) {
+    for_each_material(s, [=](Material& m) { m.mirror = std::min(m.mirror * factor, 1.0); });
+}
+std::string mirror_text(double factor, bool about) {
+    return fmt::format("The mirrors' coefficient is {} what it should be: {} is reflected.",
+                       factor_text(factor, about), factor < 1 ? "too little" : "too much");
+}
 
 constexpr SceneFault k_tracing[] = {
     {"acne", has_shadows, [](Scene& s) { s.conventions.epsilon = 0; },
@@ -25,6 +40,14 @@ constexpr SceneFault k_tracing[] = {
     {"reflections-missing", has_mirrors, [](Scene& s) { s.settings.reflections = 0; },
      "Mirrors are missing: follow the ray reflected at N and mix what it sees with the surface's own "
      "colour."},
+    {"reflections-added",
+     [](const Scene& s) {
+         return s.settings.reflections == 0 &&
+                any_material(s, [](const Material& m) { return m.mirror > 0; });
+     },
+     [](Scene& s) { s.settings.reflections = k_usual_reflections; },
+     "There are mirrors where the reference has none: this part of the task is without reflections."},
+    {.name = "mirror-scaled", .applies = has_mirrors, .scale = scale_mirrors, .scale_text = mirror_text},
     {"reflections-one-fewer", [](const Scene& s) { return has_mirrors(s) && s.settings.reflections > 1; },
      [](Scene& s) { --s.settings.reflections; },
      "One level of reflection too few: the recursion stops one mirror early."},

@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "compare/parameter_fit.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace glint {
+namespace {
+
+constexpr int k_iterations = 4, k_dampings = 3;
+constexpr double k_first_damping = 0.01, k_damping_factor = 8;
+constexpr double k_min_gain = 0.01;       // of the squared difference: else the next blur
+constexpr double k_enough = 0.01;         // mean difference in 255ths that is rounding
+constexpr double k_rounding_costs = 0.1;  // as much of what stays may be added by rounding a number
+constexpr std::size_t k_max_values = 4;
+
+// Radii of the blur for a picture of this many columns, the last one none.
+std::array<int, 5> radii(std::int32_t columns) {
+    const int first = std::max(columns / 16, 2);
+    return {first, first / 2, first / 4, 1, 0};
+}
+
+// The mean of 2 radius + 1 numbers around each, `step` apart; beyond the ends there are zeros.
+void blur_line(float* line, std::ptrdiff_t count, std::ptrdiff_t step, int radius,
+               std::vector<float>& scratch) {
+    scratch.resize(static_cast<std::size_t>(count) + 1);
+    double sum = 0;
+    scratch[0] = 0;
+    for (std::ptrdiff_t i = 0; i < count; ++i) {
+        sum += static_cast<double>(line[i * step]);
+        scratch[static_cast<std::size_t>(i) + 1] = static_cast<float>(sum);
+    }
+    for (std::ptrdiff_t i = 0; i < count; ++i) {
+        const std::ptrdiff_t first = std::max<std::ptrdiff_t>(i - radius, 0),
+                             end = std::min<std::ptrdiff_t>(i + radius + 1, count);
+        line[i * step] = (scratch[static_cast<std::size_t>(end)] - scratch[static_cast<std::size_t>(first)]) /
+                         static_cast<float>(2 * radius + 1);
+    }
+}
+
+double product(const std::vector<float>& a, const std::vector<float>& b) {
+    double sum = 0;
+    for (std::size_t i = 0; i < a.size(); ++i) sum += static_cast<double>(a[i]) * static_cast<double>(b[i]);
+    return sum;
+}
+
+// Solves a x = b by Gaussian elimination; zeros where a is singular.
+std::vector<double> solved(std::vector<std::vector<double>> a, std::vector<double> b) {
+    const std::size_t n = b.size();
+    for (std::size_t i = 0; i < n; ++i) {
+        std::size_t pivot = i;
+        for (std::size_t k = i + 1; k < n; ++k) {
+            if (std::fabs(a[k][i]) > std::fabs(a[pivot][i])) pivot = k;
+        }
+        if (!(std::fabs(a[pivot][i]) > 0)) return std::vector<double>(n);
+        std::swap(a[i], a[pivot]);
+        std::swap(b[i], b[pivot]);
+        for (std::size_t k = i + 1; k < n; ++k) {
+            const double factor = a[k][i] / a[i][i];
+            for (std::size_t j = i; j < n; ++j) a[k][j] -= factor * a[i][j];
+            b[k] -= factor * b[i];
+        }
+    }
+    for (std::size_t i = n; i-- > 0;) {
+        for (std::size_t j = i + 1; j < n; ++j) b[i] -= a[i][j] * b[j];
+        b[i] /= a[i][i];
+    }
+    return b;
+}
+
+}  // namespace
+
+// The normal equations of one step.
+struct ParameterFit::Step {
+    std::vector<std::vector<double>> squares;
+    std::vector<double> products;
+    double error = 0;  // squared
+
+    std::vector<double> change(double damping) const {
+        std::vector<std::vector<double>> damped = squares;
+        double most = 0;
+        for (std::size_t i = 0; i < damped.size(); ++i) most = std::max(most, squares[i][i]);
+        for (std::size_t i = 0; i < damped.size(); ++i)
+            damped[i][i] += damping * squares[i][i] + 1e-6 * damping * most + 1e-30;
+        return solved(std::move(damped), products);
+    }
+};
+
+ParameterFit::ParameterFit(const SceneRenderer& renderer, const PixelGrid& grid, const FaultyScene& base,
+                           const RenderedScene& drawn, const BytePicture& target)
+    : renderer_(renderer), grid_(grid), base_(base), drawn_(drawn.image.rgb) {
+    for (float& v : drawn_) v = std::clamp(v, 0.0f, 1.0f);
+    target_.reserve(target.rgb.size());
+    for (const std::uint8_t v : target.rgb) target_.push_back(static_cast<float>(v) / 255);
+}
+
+std::optional<std::vector<float>> ParameterFit::draw(const FittedCause& cause,
+                                                     std::span<const double> values) const {
+    FaultyScene scene = base_;
+    cause.put(scene, values);
+    std::optional<RenderedScene> made = renderer_.render(scene, grid_);
+    if (!made) return std::nullopt;
+    for (float& v : made->image.rgb) v = std::clamp(v, 0.0f, 1.0f);
+    return std::move(made->image.rgb);
+}
+
+std::vector<float> ParameterFit::blurred_difference(const std::vector<float>& to,
+                                                    const std::vector<float>& from, int radius) const {
+    std::vector<float> difference(to.size());
+    for (std::size_t i = 0; i < to.size(); ++i) difference[i] = to[i] - from[i];
+    if (radius == 0) return difference;
+    const std::ptrdiff_t columns = grid_.columns(), rows = grid_.rows();
+    std::vector<float> scratch;
+    for (std::ptrdiff_t c = 0; c < 3; ++c) {
+        for (std::ptrdiff_t y = 0; y < rows; ++y)
+            blur_line(&difference[static_cast<std::size_t>(3 * y * columns + c)], columns, 3, radius,
+                      scratch);
+        for (std::ptrdiff_t x = 0; x < columns; ++x)
+            blur_line(&difference[static_cast<std::size_t>(3 * x + c)], rows, 3 * columns, radius, scratch);
+    }
+    return difference;
+}
+
+std::optional<ParameterFit::Step> ParameterFit::step_from(const FittedCause& cause,
+                                                          std::span<const double> values,
+                                                          const std::vector<float>& drawn, int radius) const {
+    const std::vector<float> error = blurred_difference(target_, drawn, radius);
+    std::vector<std::vector<float>> slopes;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        std::vector<double> beside(values.begin(), values.end());
+        const double by = std::max(1.0, radius / 2.0);
+        beside[i] += by * cause.units[i];
+        const auto made = draw(cause, beside);
+        if (!made) return std::nullopt;
+        slopes.push_back(blurred_difference(*made, drawn, radius));
+        for (float& v : slopes.back()) v /= static_cast<float>(by);
+    }
+    Step step{{}, {}, product(error, error)};
+    for (const auto& a : slopes) {
+        step.products.push_back(product(a, error));
+        step.squares.emplace_back();
+        for (const auto& b : slopes) step.squares.back().push_back(product(a, b));
+    }
+    return step;
+}
+
+double ParameterFit::promise(const FittedCause& cause) const {
+    const std::vector<double> zeros(cause.units.size());
+    const auto step = step_from(cause, zeros, drawn_, radii(grid_.columns())[1]);
+    if (!step || !(step->error > 0)) return 0;
+    const std::vector<double> change = step->change(k_first_damping);
+    double gain = 0;
+    for (std::size_t i = 0; i < change.size(); ++i) gain += change[i] * step->products[i];
+    return gain / step->error;
+}
+
+double ParameterFit::left_of(const std::vector<float>& drawn) const {
+    double sum = 0;
+    for (std::size_t i = 0; i < drawn.size(); ++i) {
+        const double byte = std::floor(255 * static_cast<double>(drawn[i]) + 0.5);
+        sum += std::fabs(byte - 255 * static_cast<double>(target_[i]));
+    }
+    return sum / static_cast<double>(drawn.size());
+}
+
+std::optional<Fit> ParameterFit::fit(const FittedCause& cause) const {
+    if (cause.units.size() > k_max_values) return std::nullopt;
+    std::vector<double> values(cause.units.size());
+    std::vector<float> drawn = drawn_;
+    Fit best{values, left_of(drawn)};
+    double damping = k_first_damping;
+    for (const int radius : radii(grid_.columns())) {
+        for (int iteration = 0; iteration < k_iterations && best.left > k_enough; ++iteration) {
+            const auto step = step_from(cause, values, drawn, radius);
+            if (!step) return std::nullopt;
+            double gain = 0;
+            for (int i = 0; i < k_dampings && gain <= 0; ++i) {
+                std::vector<double> change = step->change(damping), next = values;
+                const double most = 4 * std::max(radius, 1);
+                for (std::size_t k = 0; k < next.size(); ++k)
+                    next[k] += std::clamp(change[k], -most, most) * cause.units[k];
+                auto made = draw(cause, next);
+                if (!made) return std::nullopt;
+                const std::vector<float> error = blurred_difference(target_, *made, radius);
+                gain = 1 - product(error, error) / step->error;
+                damping = gain > 0 ? damping / k_damping_factor : damping * k_damping_factor;
+                if (gain <= 0) continue;
+                values = std::move(next);
+                drawn = std::move(*made);
+                const double left = left_of(drawn);
+                if (left < best.left) best = {values, left};
+            }
+            if (gain < k_min_gain) break;
+        }
+        damping = std::clamp(damping, 1e-6, k_first_damping);
+    }
+    return rounded(cause, best);
+}
+
+// Numbers with as few digits as draw nearly the same.
+Fit ParameterFit::rounded(const FittedCause& cause, Fit found) const {
+    for (const double unit : {0.1, 0.05, 0.01}) {
+        Fit near = found;
+        for (double& v : near.values) v = std::floor(v / unit + 0.5) * unit;
+        if (const auto made = draw(cause, near.values)) {
+            near.left = left_of(*made);
+            if (near.left <= found.left * (1 + k_rounding_costs)) return near;
+        }
+    }
+    return found;
+}
+
+}  // namespace glint

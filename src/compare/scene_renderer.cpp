@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "compare/scene_renderer.h"
+
+#include <array>
+
+#include "compare/render_scene.h"
+
+namespace glint {
+namespace {
+
+constexpr std::size_t k_max_shapes = 1000;  // of a scene whose spheres are moved
+
+// Shapes without a material get one of the scene's, so that faults of materials reach them.
+void name_default_material(Scene& scene) {
+    const auto index = static_cast<std::uint32_t>(scene.materials.size());
+    bool used = false;
+    for (Shape& shape : scene.shapes) {
+        if (shape.material != k_none) continue;
+        shape.material = index;
+        used = true;
+    }
+    if (used) scene.materials.emplace_back();
+}
+
+void drop_shapes(Scene& scene) {
+    scene.shapes = {};
+    scene.transforms = {};
+    scene.polygon_vertices = {};
+    scene.parameters = {};
+    scene.shape_texts = {};
+}
+
+}  // namespace
+
+SceneRenderer::SceneRenderer(const Scene& scene, std::int32_t width, std::int32_t height,
+                             const CauseOptions& options)
+    : scene_{scene, {}}, options_(options) {
+    Scene& named = scene_.shading;
+    named.settings.width = width;
+    named.settings.height = height;
+    name_default_material(named);
+    if (Result<World> prepared = prepare(named, {.threads = options_.threads})) world_ = *std::move(prepared);
+    if (named.shapes.size() <= k_max_shapes) with_shapes_ = named;
+    drop_shapes(named);
+}
+
+bool SceneRenderer::is_cancelled() const {
+    return options_.cancel != nullptr && options_.cancel->load(std::memory_order_relaxed);
+}
+
+std::optional<RenderedScene> SceneRenderer::render(const FaultyScene& faulty, const PixelGrid& grid) const {
+    World world = *world_;
+    Scene moved;
+    if (!faulty.spheres.empty()) moved = *with_shapes_;
+    for (const SphereChange& change : faulty.spheres) {
+        Sphere& sphere = moved.get<Sphere>()[moved.shapes[change.shape].index];
+        sphere.center = sphere.center + change.by;
+        sphere.radius = sphere.radius * change.radius_factor;
+        const std::array shapes{change.shape};
+        const Result<ShapeEdit> edit = edit_shapes(world, moved, shapes);
+        if (!edit || *edit == ShapeEdit::none) return std::nullopt;
+    }
+    Scene shading = faulty.shading;
+    draw_grid(shading, grid);
+    Result<Rendering> result = render_scene(world, shading, options_.threads, options_.cancel);
+    if (!result) return std::nullopt;
+    RenderedScene rendered{std::move(result->image), {}};
+    rendered.bytes = to_bytes(rendered.image, options_.threads);
+    return rendered;
+}
+
+}  // namespace glint

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+// A scene that is drawn again and again, with one fault or another.
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "compare/pixel_grid.h"
+#include "glint/compare.h"
+#include "glint/world.h"
+
+namespace glint {
+
+struct RenderedScene {
+    Image image;
+    BytePicture bytes;
+};
+
+/// A sphere elsewhere, or of another size.
+struct SphereChange {
+    std::uint32_t shape = 0;  ///< into Scene::shapes
+    Vec3 by{0, 0, 0};
+    double radius_factor = 1;
+};
+
+/// What faults change: a scene whose shapes are not looked at, and its spheres.
+struct FaultyScene {
+    Scene shading;
+    std::vector<SphereChange> spheres;
+};
+
+/// Puts a fault into a scene.
+using FaultEdit = std::function<void(FaultyScene&)>;
+using DrawFaulty = std::function<std::optional<Image>(const FaultyScene&)>;
+/// Makes the picture that a scene has with a fault.
+using MakePicture = std::function<std::optional<Image>(const FaultyScene&, const DrawFaulty&)>;
+
+class SceneRenderer {
+  public:
+    /// The scene at this size. Throws bad_alloc.
+    SceneRenderer(const Scene& scene, std::int32_t width, std::int32_t height, const CauseOptions& options);
+
+    bool is_prepared() const { return world_.has_value(); }
+    /// The scene without its shapes, each of which had a material.
+    const FaultyScene& scene() const { return scene_; }
+    /// With its shapes; nothing of scenes of so many that none is moved.
+    const std::optional<Scene>& with_shapes() const { return with_shapes_; }
+    const World& world() const { return *world_; }
+    /// Nothing if it cannot be drawn, or the search was cancelled.
+    std::optional<RenderedScene> render(const FaultyScene& faulty, const PixelGrid& grid) const;
+    bool is_cancelled() const;
+    int threads() const { return options_.threads; }
+
+  private:
+    FaultyScene scene_;
+    std::optional<Scene> with_shapes_;
+    std::optional<World> world_;
+    const CauseOptions& options_;
+};
+
+}  // namespace glint

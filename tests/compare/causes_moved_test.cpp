@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: Apache-2.0
+// Causes whose numbers are fitted, two causes at once, and what is not named.
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "compare/planted_faults.h"
+
+namespace glint::test {
+namespace {
+
+const std::string k_scene = R"(
+background = (0.2, 0.3, 0.5)
+camera { position = (0.5, 2, 7)  look_at = (0, 0.8, 0)  fov_x = 48 }
+light { type = ambient  intensity = 0.9 }
+light "lamp" { type = point  position = (3, 5, 4)  intensity = 0.6 }
+light { type = point  position = (-4, 4, 5)  intensity = 0.4 }
+material red { color = (0.9, 0.2, 0.2)  ambient = 0.2  specular = 0.4  shininess = 20 }
+material steel { color = (0.5, 0.6, 0.7)  ambient = 0.2  specular = 0.6  shininess = 40  mirror = 0.4 }
+plane { point = (0, 0, 0)  normal = (0, 1, 0)  color = (0.6, 0.6, 0.5)  ambient = 0.2 }
+sphere "ball" { center = (-1.1, 1, 0)  radius = 1  material = red }
+sphere { center = (1.2, 0.8, 0.5)  radius = 0.8  material = steel }
+render { size = 60 x 45  shading = phong  reflections = 2 }
+)";
+
+struct Moved {
+    const char *pattern, *with;  // in the scene's text
+    const char *cause, *text;    // what is named first, and a part of what it says
+};
+
+const Moved k_moved[] = {
+    {"position = \\(3, 5, 4\\)", "position = (3.4, 5, 4)", "light-moved",
+     "Light 2 (\"lamp\", line 5) stands at (3.4, 5, 4)"},
+    {"position = \\(-4, 4, 5\\)", "position = (-4, 5, 5)", "light-moved",
+     "Light 3 (line 6) stands at (-4, 5, 5)"},
+    {"fov_x = 48", "fov_x = 53", "field-of-view-scaled",
+     "The field of view is 53 degrees, and in the reference 48."},
+    {"position = \\(0.5, 2, 7\\)", "position = (0.7, 2, 7)", "camera-moved",
+     "stands at (0.7, 2, 7), and in the reference at (0.5, 2, 7)"},
+    {"center = \\(-1.1, 1, 0\\)", "center = (-1.1, 1.3, 0)", "shape-moved",
+     "Sphere 2 (\"ball\", line 10) has its centre at (-1.1, 1.3, 0)"},
+    {"color = \\(0.9, 0.2, 0.2\\)", "color = (0.3, 0.5, 0.2)", "material-color",
+     "has the colour (0.3, 0.5, 0.2), and in the reference (0.9, 0.2, 0.2)"},
+    {"mirror = 0.4", "mirror = 0.6", "mirror-scaled", "1.5 times"},
+    {"intensity = 0.4", "intensity = 0.2", "light-scaled", "Light 3 is 0.5 times"},
+};
+
+TEST(CausesMoved, AreFittedAndReportedWithObjectAndLine) {
+    const Scene scene = read_scene(k_scene);
+    const Image right = draw_text(k_scene);
+    for (const Moved& m : k_moved) {
+        const CauseReport report =
+            find_causes(draw_text(replaced(k_scene, m.pattern, m.with)), right, &scene);
+        EXPECT_EQ(first_cause(report), m.cause) << all_causes(report);
+        if (report.causes.empty()) continue;
+        const Cause& cause = report.causes.front();
+        EXPECT_NE(cause.explanation.find(m.text), std::string::npos) << cause.explanation;
+        EXPECT_FALSE(cause.perhaps) << cause.explanation << cause.explained;
+    }
+}
+
+TEST(CausesMoved, MirrorsWhereTheReferenceHasNone) {
+    const std::string plain = replaced(k_scene, "reflections = 2", "reflections = 0");
+    const Scene scene = read_scene(plain);
+    const CauseReport report = find_causes(draw_text(k_scene), draw_text(plain), &scene);
+    EXPECT_EQ(first_cause(report), "reflections-added") << all_causes(report);
+}
+
+TEST(CausesMoved, GammaTwice) {
+    const Image right = draw_text(k_scene);
+    Image faulty = right;
+    for (float& v : faulty.rgb) v = std::pow(v, static_cast<float>(1 / (2.2 * 2.2)));
+    EXPECT_EQ(first_cause(find_causes(as_file(faulty), right)), "gamma-twice");
+}
+
+TEST(CausesMoved, TwoAtOnceAreBothNamed) {
+    const Scene scene = read_scene(k_scene);
+    const Image right = draw_text(k_scene);
+    const std::string dark = replaced(k_scene, "light \\{ type = ambient[^}]*\\}", "");
+    const Image both = draw_text(replaced(dark, "shading = phong", "shading = phong  shadows = false"));
+    Image flipped = draw_text(dark);
+    for (std::ptrdiff_t y = 0; y < 45 / 2; ++y)
+        std::swap_ranges(flipped.rgb.begin() + 180 * y, flipped.rgb.begin() + 180 * (y + 1),
+                         flipped.rgb.begin() + 180 * (44 - y));
+    for (const auto& [picture, other] : {std::pair{both, "shadows-missing"}, {flipped, "upside-down"}}) {
+        const CauseReport report = find_causes(picture, right, &scene);
+        ASSERT_EQ(report.causes.empty(), false);
+        ASSERT_EQ(report.then.size(), 1u) << all_causes(report);
+        const std::set<std::string> names = {first_cause(report), report.then[0].name};
+        EXPECT_EQ(names, (std::set<std::string>{"ambient-missing", other})) << all_causes(report);
+        EXPECT_FALSE(report.then[0].perhaps);
+        EXPECT_GT(report.then[0].explained, 0.99);
+    }
+}
+
+// Light reversed from a lamp is no fault of the tables: nothing is sure, and it is said where.
+TEST(CausesMoved, WhatIsNotSureIsPerhapsAndSaysWhere) {
+    const Scene scene = read_scene(k_scene);
+    const Image right = draw_text(k_scene);
+    Image faulty = draw_text(replaced(k_scene, "shading = phong", "shading = phong  shadows = false"));
+    for (int y = 25; y < 45; ++y)  // a gradient over the lower half besides
+        for (int i = 0; i < 180; ++i) faulty.rgb[180 * y + i] *= 1 - 0.02f * static_cast<float>(y - 24);
+    const CauseReport report = find_causes(as_file(faulty), right, &scene);
+    for (const Cause& cause : report.causes) EXPECT_TRUE(cause.perhaps) << all_causes(report);
+    EXPECT_NE(report.where.find("plane 1 (line 9)"), std::string::npos) << report.where;
+}
+
+}  // namespace
+}  // namespace glint::test
