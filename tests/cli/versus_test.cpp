@@ -35,12 +35,16 @@ TEST(Versus, ExplainsThePixelThatDiffersMost) {
         return nlohmann::json::parse(f.out);
     };
     const auto plain = figures({"--a", "shading=phong", "--b", "shading=blinn-phong", "--json"});
-    // The explanations are of the named pixel, and give its value.
+    // The explanations are of the named pixel, which is inside an object, and give its value.
     const auto& largest = plain["largest"];
     for (const std::size_t side : {0u, 1u}) {
         const auto& e = plain["explanations"][side];
         EXPECT_EQ(e["pixel"], (nlohmann::json{largest["x"], largest["y"]}));
     }
+    // On an edge that moved by half a pixel the two would be of different objects.
+    const auto moved = figures({"--a", "pixel_sample=corner", "--json"});
+    EXPECT_NE(moved["explanations"][0]["pixel"],
+              (nlohmann::json{moved["largest"]["x"], moved["largest"]["y"]}));
     const auto matched =
         figures({"--a", "shading=phong", "--b", "shading=blinn-phong", "--match-exponents", "--json"});
     EXPECT_LT(matched["mean"].get<double>(), 0.2 * plain["mean"].get<double>())
