@@ -134,7 +134,8 @@ class PartGrader {
     PartGrader(const RubricRow& row, const Scene& scene, const GradeArguments& arguments)
         : row_(row), arguments_(arguments), wanted_(render_wanted(scene, row, arguments.threads)) {
         if (!wanted_.error.empty())
-            throw Failure(k_bad_input, fmt::format("part {}: {}", glint::quoted(row.part), wanted_.error));
+            throw Failure(k_bad_input, fmt::format("{}:{}: part {}: {}", arguments.rubric, row.line,
+                                                   glint::quoted(row.part), wanted_.error));
     }
 
     const Image& wanted() const { return wanted_.image; }

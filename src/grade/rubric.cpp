@@ -64,7 +64,7 @@ class LineReader {
         if (!split(words) || words.empty()) return;
         if (words[0].text.empty()) return fail(words[0], "the part has no name");
         if (words.size() < 3) return fail(words.back(), "expected PART POINTS FILE [KEY=VALUE...]");
-        RubricRow row{std::string(words[0].text), 0, std::string(words[2].text), {}, {}};
+        RubricRow row{std::string(words[0].text), 0, std::string(words[2].text), {}, {}, line_number()};
         const std::string_view points = words[1].text;
         const auto [end, error] =
             fast_float::from_chars(points.data(), points.data() + points.size(), row.points);
@@ -127,6 +127,10 @@ class LineReader {
         return true;
     }
 
+    std::uint32_t line_number() const {
+        return static_cast<std::uint32_t>(1 + std::count(whole_.text.data(), line_.data(), '\n'));
+    }
+
     void fail(const Word& word, std::string message) {
         diagnostics_.error(whole_, word.at, word.text.size(), std::move(message));
     }
@@ -159,6 +163,7 @@ RubricResult read_rubric(std::string_view name, std::string_view text) {
     if (result.rows.empty() && result.diagnostics.empty()) {
         Diagnostic d;
         d.file = name;
+        d.line = d.column = 1;
         d.message = "the rubric has no parts: expected lines of PART POINTS FILE [KEY=VALUE...]";
         result.diagnostics.push_back(std::move(d));
     }

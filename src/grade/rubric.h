@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 // A rubric: the points for parts of a picture, and the renderings that show the parts (docs/teaching.md).
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -22,6 +23,7 @@ struct RubricRow {
     std::string file;         ///< of a submission, with * and ?
     RubricSettings settings;  ///< for rendering the scene
     RubricSettings without;   ///< removes the part again, in addition to `settings`; may be empty
+    std::uint32_t line = 0;   ///< in the rubric, from 1
 };
 
 struct RubricResult {

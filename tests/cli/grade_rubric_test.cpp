@@ -122,7 +122,7 @@ TEST_F(Grade, MistakesInARubricHaveTheirPlace) {
     folder.write("empty.rubric", "# nothing\n\n");
     const Finished empty = grade({"in", "--scene", k_castle, "--rubric", "empty.rubric"});
     EXPECT_EQ(empty.code, 1);
-    EXPECT_TRUE(contains(empty.err, "the rubric has no parts")) << empty.err;
+    EXPECT_TRUE(contains(empty.err, "empty.rubric:1:1: error: the rubric has no parts")) << empty.err;
 }
 
 TEST_F(Grade, AByteOrderMarkIsNoPartOfARubric) {

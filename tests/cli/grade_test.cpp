@@ -276,7 +276,8 @@ TEST_F(Grade, NamesAreText) {
     EXPECT_FALSE(contains(parts.out, "\x1b") || contains(parts.out, "\x9b")) << parts.out;
     folder.write("names.rubric", "\"p\x1b[2J\" 5 *.png lights=all without lights=all\n");
     const Finished nothing = grade({"in", "--scene", k_castle, "--rubric", "names.rubric", "--size", "9x7"});
-    EXPECT_TRUE(contains(nothing.err, "part 'p\\x1b[2J': this part shows nothing")) << nothing.err;
+    EXPECT_TRUE(contains(nothing.err, "names.rubric:1: part 'p\\x1b[2J': this part shows nothing"))
+        << nothing.err;
 }
 
 }  // namespace
