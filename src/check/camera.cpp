@@ -61,7 +61,7 @@ void check_handedness(CheckContext& context) {
     const bool is_left = dot(cross(right, up), forward) > 0;
     if (is_left == is_left_handed(scene)) return;
     context.report(
-        "camera-mirrored", scene.camera_place,
+        "camera-mirrored", context.at_camera(),
         fmt::format("the camera's right, up and forward are {}-handed, where the scene's profile, {}, is "
                     "{}-handed: left and right are exchanged in the picture",
                     is_left ? "left" : "right", scene.profile, is_left ? "right" : "left"),

@@ -191,6 +191,9 @@ std::string json_report(const CompareReport& report) {
                        {"a", d.largest.a},
                        {"b", d.largest.b}};
     json["diagnosis"] = report.causes ? causes_json(*report.causes) : Json(nullptr);
+    if (!report.explanations.empty())
+        json["explained"] = {
+            {"value", report.explained.value}, {"x", report.explained.x}, {"y", report.explained.y}};
     for (const std::string& text : report.explanations) json["explanations"].push_back(Json::parse(text));
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

@@ -20,8 +20,9 @@ struct CompareReport {
     bool with_scene = false;
     bool passes = false;
     std::string reference = "the reference";  ///< what the text calls B
-    /// Of the pixel that differs most, as JSON, in A and in B; or none.
+    /// Of the pixel that is explained, as JSON, in A and in B; or none.
     std::vector<std::string> explanations;
+    LargestDifference explained;  ///< that pixel: the one inside an object that differs most
 };
 
 std::string text_report(const CompareReport& report);

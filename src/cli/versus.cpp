@@ -196,6 +196,7 @@ int versus_command(VersusArguments& arguments) {
     report.within = CompareOptions{}.within;
     report.difference = difference;
     const LargestDifference inside = largest_inside(a.image, b.image, difference.largest);
+    report.explained = inside;
     const bool same = difference.all.equal == difference.all.pixels;
     report.passes = same;
     report.reference = "B";

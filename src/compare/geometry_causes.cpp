@@ -10,6 +10,7 @@
 #include "compare/scene_faults.h"
 #include "math/elementary.h"
 #include "math/transform.h"
+#include "trace/camera_rays-inl.h"
 #include "world/prepare_camera.h"
 
 namespace glint {
@@ -245,13 +246,17 @@ std::vector<std::uint32_t> shapes_of_pixels(const SceneRenderer& renderer, const
     const PreparedCamera camera = prepare_camera(scene.camera, scene.settings);
     std::vector<Ray> rays;
     for (std::int32_t y = 0; y < grid.rows(); ++y) {
-        for (std::int32_t x = 0; x < grid.columns(); ++x)
-            rays.push_back(
-                camera.ray_through((x + 0.5) / grid.columns() - 0.5, 0.5 - (y + 0.5) / grid.rows()));
+        for (std::int32_t x = 0; x < grid.columns(); ++x) {
+            const auto ray = HWY_NAMESPACE::viewport_ray(camera, (x + 0.5) / grid.columns() - 0.5,
+                                                         0.5 - (y + 0.5) / grid.rows());
+            rays.push_back({ray.origin, ray.direction});
+        }
     }
-    const RayHits hits = nearest_hits(renderer.world(), rays, renderer.threads());
+    const Result<std::vector<RayHit>> hits = nearest_hits(renderer.world(), rays, renderer.threads());
     std::vector<std::uint32_t> shapes;
-    for (const RayHit& hit : hits.hits) shapes.push_back(hit.shape);
+    if (hits) {
+        for (const RayHit& hit : *hits) shapes.push_back(hit.shape);
+    }
     shapes.resize(rays.size(), k_none);
     return shapes;
 }

@@ -50,7 +50,7 @@ TEST(CausesMoved, AreFittedAndReportedWithObjectAndLine) {
     const Image right = draw_text(k_scene);
     for (const Moved& m : k_moved) {
         const CauseReport report =
-            find_causes(draw_text(replaced(k_scene, m.pattern, m.with)), right, &scene);
+            *find_causes(draw_text(replaced(k_scene, m.pattern, m.with)), right, &scene);
         EXPECT_EQ(first_cause(report), m.cause) << all_causes(report);
         if (report.causes.empty()) continue;
         const Cause& cause = report.causes.front();
@@ -62,7 +62,7 @@ TEST(CausesMoved, AreFittedAndReportedWithObjectAndLine) {
 TEST(CausesMoved, MirrorsWhereTheReferenceHasNone) {
     const std::string plain = replaced(k_scene, "reflections = 2", "reflections = 0");
     const Scene scene = read_scene(plain);
-    const CauseReport report = find_causes(draw_text(k_scene), draw_text(plain), &scene);
+    const CauseReport report = *find_causes(draw_text(k_scene), draw_text(plain), &scene);
     EXPECT_EQ(first_cause(report), "reflections-added") << all_causes(report);
 }
 
@@ -70,7 +70,7 @@ TEST(CausesMoved, GammaTwice) {
     const Image right = draw_text(k_scene);
     Image faulty = right;
     for (float& v : faulty.rgb) v = std::pow(v, static_cast<float>(1 / (2.2 * 2.2)));
-    EXPECT_EQ(first_cause(find_causes(as_file(faulty), right)), "gamma-twice");
+    EXPECT_EQ(first_cause(*find_causes(as_file(faulty), right)), "gamma-twice");
 }
 
 TEST(CausesMoved, TwoAtOnceAreBothNamed) {
@@ -83,7 +83,7 @@ TEST(CausesMoved, TwoAtOnceAreBothNamed) {
         std::swap_ranges(flipped.rgb.begin() + 180 * y, flipped.rgb.begin() + 180 * (y + 1),
                          flipped.rgb.begin() + 180 * (44 - y));
     for (const auto& [picture, other] : {std::pair{both, "shadows-missing"}, {flipped, "upside-down"}}) {
-        const CauseReport report = find_causes(picture, right, &scene);
+        const CauseReport report = *find_causes(picture, right, &scene);
         ASSERT_EQ(report.causes.empty(), false);
         ASSERT_EQ(report.then.size(), 1u) << all_causes(report);
         const std::set<std::string> names = {first_cause(report), report.then[0].name};
@@ -100,7 +100,7 @@ TEST(CausesMoved, WhatIsNotSureIsPerhapsAndSaysWhere) {
     Image faulty = draw_text(replaced(k_scene, "shading = phong", "shading = phong  shadows = false"));
     for (int y = 25; y < 45; ++y)  // a gradient over the lower half besides
         for (int i = 0; i < 180; ++i) faulty.rgb[180 * y + i] *= 1 - 0.02f * static_cast<float>(y - 24);
-    const CauseReport report = find_causes(as_file(faulty), right, &scene);
+    const CauseReport report = *find_causes(as_file(faulty), right, &scene);
     for (const Cause& cause : report.causes) EXPECT_TRUE(cause.perhaps) << all_causes(report);
     EXPECT_NE(report.where.find("plane 1 (line 9)"), std::string::npos) << report.where;
 }

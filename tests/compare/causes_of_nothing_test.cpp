@@ -161,7 +161,7 @@ TEST(CausesOfNothing, ARowThatIsNearlyOneColour) {
             faulty.rgb[24 + 3 * x + c] = 102.0f / 255;
         }
     }
-    EXPECT_FALSE(names(find_causes(faulty, right), "rows-missing"));
+    EXPECT_FALSE(names(*find_causes(faulty, right), "rows-missing"));
 }
 
 // Not black from end to end, but darker: nothing that has a name here, and surely no acne.
