@@ -2,9 +2,12 @@
 // The camera: inside a shape, or where it sees nothing.
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "check/checks.h"
 #include "math/number.h"
 #include "math/transform.h"
+#include "scene/settings.h"
 #include "world/primitive_bounds-inl.h"
 
 namespace glint {
@@ -51,8 +54,12 @@ void check_inside(CheckContext& context) {
     }
 }
 
-// Only CGFS looks along z with x to the right and y up.
-bool is_left_handed(const Scene& scene) { return scene.profile == "cgfs"; }
+bool is_left_handed(const Scene& scene) {
+    const auto all = profiles();
+    const auto profile =
+        std::find_if(all.begin(), all.end(), [&](const Profile& p) { return p.name == scene.profile; });
+    return profile != all.end() && profile->left_handed;
+}
 
 void check_handedness(CheckContext& context) {
     const Scene& scene = context.scene();

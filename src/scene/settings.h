@@ -10,6 +10,7 @@ struct Profile {
     std::string_view name;
     Conventions conventions;
     RenderSettings settings;
+    bool left_handed = false;  ///< handedness of the camera's right, up and forward
 };
 
 /// All profiles, in the order of profile_names().
