@@ -59,7 +59,7 @@ OutputFile::OutputFile(const std::string& option, std::string path) : path_(std:
     if (::stat(folder.c_str(), &about) != 0) {
         if (errno != ENOENT) fail(path_, errno);
         throw Failure(k_bad_input,
-                      fmt::format("cannot write '{}': there is not a folder '{}'", path_, folder));
+                      fmt::format("cannot write '{}': there is no folder '{}'", path_, folder));
     }
     if (!S_ISDIR(about.st_mode)) {
         throw Failure(k_bad_input, fmt::format("cannot write '{}': '{}' is not a folder", path_, folder));

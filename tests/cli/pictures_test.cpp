@@ -61,6 +61,7 @@ TEST(Pictures, AreWhatTheirCommandsDraw) {
     for (const auto& entry : std::filesystem::recursive_directory_iterator(k_root + "/docs/images")) {
         const std::string path = entry.path().string().substr(k_root.size() + 1);
         if (path.starts_with("docs/images/playground")) continue;  // the page's own tests make these
+        if (path.starts_with("docs/images/blender_")) continue;    // screenshots of Blender
         EXPECT_TRUE(!path.ends_with(".png") || drawn.contains(path)) << path << ": no command draws it";
     }
 }
@@ -68,7 +69,10 @@ TEST(Pictures, AreWhatTheirCommandsDraw) {
 TEST(Pictures, OfEveryPageExist) {
     for (const std::string& page : pages()) {
         std::ifstream in(page);
-        const std::string text{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+        std::string text;
+        for (std::string line; std::getline(in, line);) {
+            if (!line.starts_with("    ")) text += line + '\n';  // code may have "](", which is no link there
+        }
         const std::string folder = page.substr(0, page.rfind('/') + 1);
         for (std::size_t at = text.find("]("); at != std::string::npos; at = text.find("](", at + 1)) {
             std::string target = text.substr(at + 2, text.find(')', at) - at - 2);
