@@ -152,7 +152,7 @@ GLINT_API std::optional<Layer> layer_of(const Explanation& explanation, std::siz
 /// nothing is drawn: the picture has another size, or the explanation or the world are not of this scene.
 /// Never throws.
 GLINT_API Status render_overlay(Image& picture, const Explanation& explanation, const Scene& scene,
-                              const World& world);
+                                const World& world);
 
 /// The value of each sample, row after row: linear, not rounded; their mean is the pixel's value but for
 /// roundings. The explanation must be of all samples. An error if its rays are not of samples that it has.

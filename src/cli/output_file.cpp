@@ -58,8 +58,7 @@ OutputFile::OutputFile(const std::string& option, std::string path) : path_(std:
     const std::string folder = folder_of(target_);
     if (::stat(folder.c_str(), &about) != 0) {
         if (errno != ENOENT) fail(path_, errno);
-        throw Failure(k_bad_input,
-                      fmt::format("cannot write '{}': there is no folder '{}'", path_, folder));
+        throw Failure(k_bad_input, fmt::format("cannot write '{}': there is no folder '{}'", path_, folder));
     }
     if (!S_ISDIR(about.st_mode)) {
         throw Failure(k_bad_input, fmt::format("cannot write '{}': '{}' is not a folder", path_, folder));

@@ -77,7 +77,7 @@ void add_lights(const Scene& scene, std::vector<FittedCause>& causes) {
         if (is_ambient(light)) continue;
         ++count;
         const std::string name = capital(item_text(scene, "light", i, scene.light_texts));
-        const bool is_point = light.kind == LightKind::point;
+        const bool is_point = light.has_position();
         const Vec3 was = is_point ? light.position : normalize(light.to_light);
         const double far = is_point ? length(light.position - scene.camera.look_at) : 1;
         const double unit = k_light_unit * std::max(far, 1e-3);

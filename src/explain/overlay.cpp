@@ -172,7 +172,8 @@ void draw_rays(Image& picture, const Explanation& explanation, const Scene& scen
 
 }  // namespace
 
-Status render_overlay(Image& picture, const Explanation& explanation, const Scene& scene, const World& world) {
+Status render_overlay(Image& picture, const Explanation& explanation, const Scene& scene,
+                      const World& world) {
     return result_of([&]() -> Status {
         std::string fault = overlay_fault(picture, explanation, scene, world);
         if (!fault.empty()) return invalid_argument(std::move(fault));

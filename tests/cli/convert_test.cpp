@@ -92,7 +92,7 @@ TEST(Convert, WhatItCannotDo) {
         {{"convert", "a.cgfs", "-o", "a.json"}, 2, "'a.json': glint writes scenes as .glint only"},
         {{"convert", "none.cgfs", "b.glint"}, 1, "none.cgfs: no such file"},
         {{"convert", "bad.cgfs", "b.glint"}, 1, "bad.cgfs:1:"},
-        {{"convert", "a.cgfs", "none/b.glint"}, 1, "there is not a folder 'none'"},
+        {{"convert", "a.cgfs", "none/b.glint"}, 1, "there is no folder 'none'"},
         {{"convert", "a.cgfs", "-o", "/dev/full"}, 1, "No space left"},
     };
     for (const auto& [arguments, code, message] : cases) {

@@ -31,7 +31,7 @@ TEST(Outputs, UnwritableTargets) {
     folder.write("a.cgfs", k_scene);
     std::filesystem::create_directory(folder.path("folder.png"));
     const std::pair<const char*, const char*> cases[] = {{"/dev/full", "No space left"},
-                                                         {"none/a.png", "there is not a folder 'none'"},
+                                                         {"none/a.png", "there is no folder 'none'"},
                                                          {"/proc/a.png", "cannot write '/proc/a.png'"},
                                                          {"folder.png", "is a folder"},
                                                          {"a.cgfs/a.png", "'a.cgfs' is not a folder"}};
