@@ -24,7 +24,6 @@ constexpr double k_view_unit = 0.01, k_color_unit = 0.05;
 constexpr double k_said = 0.05;  // a part of a way that is worth a word
 
 Vec3 vec_of(Values v) { return {v[0], v[1], v[2]}; }
-double largest(const Color& c) { return std::max({c.r, c.g, c.b}); }
 
 // Numbers that a reader can take in.
 std::string text_of(double v) { return fmt::format("{:.3g}", std::fabs(v) < 0.0005 ? 0 : v); }

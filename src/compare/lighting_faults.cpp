@@ -49,7 +49,6 @@ void scale_diffuse(Scene& s, double factor) {
 void scale_specular(Scene& s, double factor) {
     for_each_material(s, [=](Material& m) { m.specular = m.specular * factor; });
 }
-double largest(const Color& c) { return std::max({c.r, c.g, c.b}); }
 
 constexpr SceneFault k_lighting[] = {
     {"ambient-missing", [](const Scene& s) { return any_light(s, is_ambient); },

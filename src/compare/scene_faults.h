@@ -28,6 +28,8 @@ std::span<const SceneFault> tracing_faults();
 // ---- What rows ask of a scene, and do to it ----
 
 inline bool is_ambient(const Light& light) { return light.is_ambient(); }
+/// The largest channel.
+inline double largest(const Color& c) { return std::max({c.r, c.g, c.b}); }
 inline bool is_zero(const Color& c) { return c == Color{0, 0, 0}; }
 
 template <class Test> bool any_light(const Scene& s, Test&& test) {

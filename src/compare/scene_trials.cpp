@@ -142,15 +142,18 @@ void SceneTrials::fit_geometry(const PixelGrid& grid, const RenderedScene& drawn
     }
 }
 
+std::optional<Image> SceneTrials::draw_image(const CauseCandidate& candidate, const FaultyScene& base) const {
+    const PixelGrid all{grid_.width, grid_.height, 1};
+    return candidate.make(base, [&](const FaultyScene& scene) -> std::optional<Image> {
+        std::optional<RenderedScene> drawn = renderer_.render(scene, all);
+        if (!drawn) return std::nullopt;
+        return std::move(drawn->image);
+    });
+}
+
 std::optional<BytePicture> SceneTrials::draw_whole(const CauseCandidate& candidate,
                                                    const FaultyScene& base) const {
-    const PixelGrid all{grid_.width, grid_.height, 1};
-    const std::optional<Image> image =
-        candidate.make(base, [&](const FaultyScene& scene) -> std::optional<Image> {
-            std::optional<RenderedScene> drawn = renderer_.render(scene, all);
-            if (!drawn) return std::nullopt;
-            return std::move(drawn->image);
-        });
+    const std::optional<Image> image = draw_image(candidate, base);
     if (!image) return std::nullopt;
     return to_bytes(*image, renderer_.threads());
 }
@@ -227,13 +230,7 @@ std::optional<BytePicture> SceneTrials::draw_pair(const Pair& pair, const Search
         pair.first.edit(base);
         return draw_whole(pair.second, base);
     }
-    const PixelGrid all{grid_.width, grid_.height, 1};
-    const std::optional<Image> image =
-        pair.second.make(base, [&](const FaultyScene& scene) -> std::optional<Image> {
-            std::optional<RenderedScene> drawn = renderer_.render(scene, all);
-            if (!drawn) return std::nullopt;
-            return std::move(drawn->image);
-        });
+    const std::optional<Image> image = draw_image(pair.second, base);
     if (!image) return std::nullopt;
     const BytePicture bytes = to_bytes(*image, renderer_.threads());
     BytePicture made = bytes;

@@ -44,6 +44,7 @@ class SceneTrials {
     void run_on(const PixelGrid& grid, std::vector<GridSearch>& searches, const std::function<void()>& step);
     void fit_geometry(const PixelGrid& grid, const RenderedScene& drawn, GridSearch& search);
     void confirm(GridSearch& search) const;
+    std::optional<Image> draw_image(const CauseCandidate& candidate, const FaultyScene& base) const;
     std::optional<BytePicture> draw_whole(const CauseCandidate& candidate, const FaultyScene& base) const;
     void pairs_of_scene(const CauseCandidate& first, GridSearch& search, std::vector<Pair>& pairs) const;
     void pairs_of_pictures(const CauseCandidate& first, GridSearch& search, std::vector<Pair>& pairs);
