@@ -67,7 +67,7 @@ struct Light {
     Color specular_color{1, 1, 1};  ///< I_l,s; ambient lights have none
     Attenuation attenuation{};      ///< point lights
 
-    // What the kind decides: nobody else asks for `kind`. A compiler warns about a kind that a switch lacks.
+    // What the kind decides; other code calls these. The compiler warns if a switch lacks a kind.
 
     /// Adds k_a I_a to every surface alike: it has no direction, and casts no shadow.
     constexpr bool is_ambient() const {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// glint compare: a picture held against a reference, and why they differ.
+// glint compare: compares a picture with a reference, and says why they differ.
 #include <fmt/format.h>
 
 #include <memory>

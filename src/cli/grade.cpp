@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// glint grade: every picture of a folder held against a reference, or every part of a rubric.
+// glint grade: compares every picture of a folder with a reference, or with the parts of a rubric.
 #include <fmt/format.h>
 
 #include <memory>

@@ -11,7 +11,7 @@
 
 namespace glint::cli {
 
-/// A picture that was held against the reference.
+/// A picture that was compared with the reference.
 struct GradedPicture {
     std::string name, path;
     std::string error;             ///< why there are no figures

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// A scene's picture, for what holds pictures against each other.
+// Renders a scene, for the modules that compare pictures.
 #include <atomic>
 
 #include "glint/render.h"

@@ -197,7 +197,7 @@ class NffReader {
         scene_.add(shape, material_);
     }
 
-    // A negative radius turns the normals inward, which nobody sees: both sides are lit.
+    // A negative radius turns the normals inward, which has no effect: both sides are lit.
     bool radius(double& value) {
         if (!number(value, k_any_radius)) return false;
         value = number::abs(value);
