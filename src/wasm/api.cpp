@@ -4,11 +4,11 @@
 #include <cstdlib>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "math/quantize.h"
 #include "wasm/describe.h"
+#include "wasm/judge.h"
 #include "wasm/request.h"
 
 using nlohmann::json;
@@ -17,10 +17,7 @@ using nlohmann::ordered_json;
 struct GlintScene {
     glint::wasm::RequestTexts texts;
     std::optional<glint::Scene> scene;  // as it is rendered: as opened, with the changes of glint_prepare
-    glint::Camera camera;               // as opened, like the next two
-    glint::Conventions conventions;
-    glint::RenderSettings settings;
-    std::vector<glint::SettingOrigin> origins;
+    glint::wasm::Changeable opened;     // what glint_prepare can change, as opened
     std::optional<glint::World> world;
     glint::Image image;
     glint::RayCounts rays;
@@ -28,10 +25,15 @@ struct GlintScene {
     ordered_json report;
     std::string report_text, answer;
 
-    void write_report() { report_text = to_text(report); }
-    void fail(const std::string& why) {
-        report["error"] = why;
-        write_report();
+    /// Writes the report of a request, with the reason if it failed.
+    void write_report(const std::string& why = {}) {
+        report.erase("error");
+        if (!why.empty()) report["error"] = why;
+        if (scene) {
+            report["width"] = scene->settings.width;
+            report["height"] = scene->settings.height;
+        }
+        report_text = to_text(report);
     }
     static std::string to_text(const ordered_json& value) {
         return value.dump(-1, ' ', false, ordered_json::error_handler_t::replace);
@@ -47,21 +49,20 @@ GlintScene* glint_open(const char* request, std::uint32_t length) {
     scene->report = {{"ready", false}, {"diagnostics", json::array()}};
     const json parsed = json::parse(request, request + length, nullptr, false);
     if (parsed.is_discarded()) {
-        scene->fail("the request is not JSON");
+        scene->write_report("the request is not JSON");
         return scene;
     }
     scene->texts = glint::wasm::read_texts(parsed);
-    glint::Result<glint::Scene> loaded = glint::wasm::load(scene->texts, parsed);
+    std::vector<std::string> missing;
+    glint::Result<glint::Scene> loaded = glint::wasm::load(scene->texts, parsed, missing);
+    if (!missing.empty()) scene->report["missing"] = missing;
     for (const glint::Diagnostic& d : loaded.diagnostics)
         scene->report["diagnostics"].push_back(glint::wasm::to_json(d));
     if (loaded) {
         scene->scene = *std::move(loaded);
-        scene->camera = scene->scene->camera;
-        scene->conventions = scene->scene->conventions;
-        scene->settings = scene->scene->settings;
-        scene->origins = scene->scene->origins;
-        scene->report["width"] = scene->settings.width;
-        scene->report["height"] = scene->settings.height;
+        scene->opened = glint::wasm::Changeable(*scene->scene);
+        scene->report["width"] = scene->scene->settings.width;  // its place among the keys
+        scene->report["height"] = scene->scene->settings.height;
         // What prepare() says, load() has said: it validates too.
         if (glint::Result<glint::World> prepared = glint::prepare(*scene->scene, {.threads = 1}))
             scene->world = *std::move(prepared);
@@ -75,31 +76,26 @@ void glint_close(GlintScene* scene) { delete scene; }
 
 std::int32_t glint_prepare(GlintScene* scene, const char* request, std::uint32_t length) {
     if (!scene->scene) return 0;
-    // If this fails, nothing can be rendered.
-    const std::optional<glint::World> before = std::exchange(scene->world, std::nullopt);
-    scene->scene->camera = scene->camera;
-    scene->scene->conventions = scene->conventions;
-    scene->scene->settings = scene->settings;
-    scene->scene->origins = scene->origins;
-    const std::string wrong =
+    const glint::wasm::Changeable before(*scene->scene);
+    scene->opened.restore(*scene->scene);
+    std::string wrong =
         glint::wasm::apply(json::parse(request, request + length, nullptr, false), *scene->scene);
-    if (!wrong.empty()) {
-        scene->fail(wrong);
-        return 0;
+    if (wrong.empty()) {
+        glint::Result<glint::World> prepared;
+        if (scene->world) prepared = glint::with_camera(*scene->world, scene->scene->camera);
+        if (prepared)
+            prepared = glint::with_rules(*prepared, scene->scene->conventions, scene->scene->settings);
+        // What these cannot change, and what is wrong where, prepare() knows.
+        if (!prepared) prepared = glint::prepare(*scene->scene, {.threads = 1});
+        if (prepared) {
+            scene->world = *std::move(prepared);
+        } else {
+            wrong = prepared.message;
+        }
     }
-    glint::Result<glint::World> prepared;
-    if (before) prepared = glint::with_camera(*before, scene->scene->camera);
-    if (prepared) {
-        prepared = glint::with_rules(*prepared, scene->scene->conventions, scene->scene->settings);
-    }
-    // What these cannot change, and what is wrong where, prepare() knows.
-    if (!prepared) prepared = glint::prepare(*scene->scene, {.threads = 1});
-    if (!prepared) {
-        scene->fail(prepared.message);
-        return 0;
-    }
-    scene->world = *std::move(prepared);
-    return 1;
+    if (!wrong.empty()) before.restore(*scene->scene);
+    scene->write_report(wrong);
+    return wrong.empty() ? 1 : 0;
 }
 
 const char* glint_report(const GlintScene* scene) { return scene->report_text.c_str(); }
@@ -117,9 +113,9 @@ const float* glint_render(GlintScene* scene, std::int32_t x, std::int32_t y, std
     options.threads = 1;
     options.crop = glint::Crop{width, height, x, y};
     glint::Result<glint::Rendering> result = glint::render(*scene->world, options);
+    if (!result || scene->report.contains("error")) scene->write_report(result.message);
     if (!result) {
         scene->image = {};
-        scene->fail(result.message);
         return nullptr;
     }
     scene->image = std::move(result->image);
@@ -157,7 +153,23 @@ const char* glint_explain(GlintScene* scene, std::int32_t x, std::int32_t y) {
 }
 
 const char* glint_convert(GlintScene* scene) {
-    scene->answer = scene->scene ? glint::write_glint(*scene->scene, scene->texts.all()).value_or({}) : "";
+    scene->answer = scene->scene
+                        ? glint::write_glint(*scene->scene, scene->texts.read_by(*scene->scene)).value_or({})
+                        : "";
+    return scene->answer.c_str();
+}
+
+const char* glint_compare(GlintScene* scene, GlintScene* reference, std::int32_t with_causes) {
+    scene->answer = GlintScene::to_text(glint::wasm::comparison(
+        scene->world, reference->world, with_causes != 0 && reference->scene ? &*reference->scene : nullptr));
+    return scene->answer.c_str();
+}
+
+const char* glint_check(GlintScene* scene) {
+    scene->answer =
+        scene->scene
+            ? GlintScene::to_text(glint::wasm::findings(*scene->scene, scene->texts.read_by(*scene->scene)))
+            : "[]";
     return scene->answer.c_str();
 }
 

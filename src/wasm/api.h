@@ -30,13 +30,15 @@ void GLINT_WASM_EXPORT(glint_close)(GlintScene* scene);
 /// Prepares the scene with changes. The request is JSON: {"settings": {"size":
 /// "64x48"}, "camera": {"position": [x, y, z], "right", "up", "forward"}}. The camera, if given, is
 /// orthographic: right and up have the picture's width and height in world units. Everything that a request
-/// omits is as opened. Returns 0 on failure: "error" of glint_report then gives the reason, and nothing
-/// can be rendered until a request succeeds.
+/// omits is as opened. Returns 0 on failure: "error" of glint_report then gives the reason, and the scene
+/// stays as it was.
 std::int32_t GLINT_WASM_EXPORT(glint_prepare)(GlintScene* scene, const char* request, std::uint32_t length);
 
 /// The result of reading, as JSON: {"ready": true, "width": 640, "height": 480, "diagnostics":
 /// [{"severity", "file", "line", "column", "length", "message", "text"}]}; lines and columns as in
-/// Diagnostic, text as from to_string(). A note is reported as a "warning".
+/// Diagnostic, text as from to_string(). A note is reported as a "warning". Width and height are those of
+/// the last glint_prepare; "missing" lists the included texts that the request does not have; "error" is
+/// there if the last open, prepare or render failed.
 const char* GLINT_WASM_EXPORT(glint_report)(const GlintScene* scene);
 
 /// The scene's contents as JSON (glint.d.mts, SceneInfo): size, counts, bounds, camera, lights, and every
@@ -60,6 +62,15 @@ const char* GLINT_WASM_EXPORT(glint_explain)(GlintScene* scene, std::int32_t x, 
 
 /// The scene as .glint, with its settings in force; empty if it is not ready.
 const char* GLINT_WASM_EXPORT(glint_convert)(GlintScene* scene);
+
+/// How the picture of a scene differs from that of a reference, as JSON (glint.d.mts, Comparison); both are
+/// rendered as they are prepared. with_causes other than 0: also the causes, found by rendering the
+/// reference with each fault, which takes as long as some hundred pictures. {"error"} if it is impossible.
+const char* GLINT_WASM_EXPORT(glint_compare)(GlintScene* scene, GlintScene* reference,
+                                             std::int32_t with_causes);
+
+/// The scene's likely mistakes as a JSON array (glint.d.mts, Finding); empty if the scene is not ready.
+const char* GLINT_WASM_EXPORT(glint_check)(GlintScene* scene);
 
 /// The version, such as "0.2.0".
 const char* GLINT_WASM_EXPORT(glint_version)();

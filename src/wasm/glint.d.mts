@@ -48,10 +48,13 @@ export interface PrepareRequest {
 export interface Report {
     /** True if the scene can be rendered. */
     ready: boolean;
+    /** Of the picture, as the scene was prepared last. */
     width?: number;
     height?: number;
     diagnostics: Diagnostic[];
-    /** The error of the last request. */
+    /** The names of texts that the scene includes and that the request does not have. */
+    missing?: string[];
+    /** Why the last open, prepare or render failed. */
     error?: string;
 }
 
@@ -223,7 +226,6 @@ export interface Explanation {
     pixel: [number, number];
     /** n for n x n samples. */
     samples: number;
-    error?: string;
     value: Vec3;
     /** The transfer of the file with these bytes. */
     transfer: 'none';
@@ -232,28 +234,80 @@ export interface Explanation {
     rays: ExplainedRay[];
 }
 
+/** How a picture differs from a reference. Differences are in 255ths, of bytes as in a PNG. */
+export interface Comparison {
+    /** Numbers of pixels; an equal pixel is also within 1 (`within`: 2). */
+    pixels: number;
+    equal: number;
+    within_1: number;
+    within: number;
+    mean: number;
+    rms: number;
+    /** Null for equal pictures. */
+    psnr: number | null;
+    /** Null for pictures of less than 11 pixels. */
+    ssim: number | null;
+    largest: {value: number; x: number; y: number};
+    /** The following are there if causes were asked for (docs/compare.md). */
+    remark?: string;
+    /** The best first. */
+    causes?: Cause[];
+    /** Further causes, which explain the difference together with the first. */
+    then?: Cause[];
+    /** The shapes that show the difference, if no cause is sure. */
+    where?: string;
+}
+
+export interface Cause {
+    name: string;
+    explanation: string;
+    /** The fraction of the difference that it explains. */
+    explained: number;
+    perhaps: boolean;
+}
+
+/** A likely mistake of a scene (docs/checks.md). */
+export interface Finding extends Diagnostic {
+    id: string;
+    remedy: string;
+}
+
+/** The host's WebAssembly.Module, where its types are known. */
+export type CompiledModule = typeof globalThis extends {WebAssembly: {Module: {prototype: infer Module}}} ? Module : object;
+/** The array that `new Uint8ClampedArray(n)` makes. */
+export type Bytes = InstanceType<typeof Uint8ClampedArray>;
+
 /** Creates an instance of glint from a compiled WebAssembly.Module of glint.wasm. */
-export function instantiate(module: WebAssembly.Module): Promise<Glint>;
+export function instantiate(module: CompiledModule): Promise<Glint>;
 
 export interface Glint {
     readonly version: string;
     /** Bytes of memory that the instance has allocated from its host. It never frees them. */
     readonly memoryBytes: number;
-    /** Reads and prepares a scene. Close it when it is no longer needed. */
+    /** Reads and prepares a scene. Close it when it is no longer needed. Throws if a string has a lone surrogate. */
     open(request: OpenRequest | string): Scene;
 }
 
+/** All but close() throw after close(). Numbers of pixels must be whole. */
 export interface Scene {
     readonly report: Report;
     /** Null if the scene is not ready. */
     readonly info: SceneInfo | null;
-    /** Prepares the scene with changes. Throws if that is impossible. */
+    /** Prepares the scene with changes. Throws if that is impossible; the scene then stays as it was. */
     prepare(request: PrepareRequest): void;
-    /** The linear RGB floats of a rectangle, row by row from the top. Throws if the scene is not ready. */
+    /** The linear RGB floats of a rectangle, row by row from the top. Throws if the scene is not ready, or does not contain it. */
     render(x: number, y: number, width: number, height: number): Float32Array;
     /** The same as bytes (red, green, blue, 255), and the number of rays. */
-    renderPixels(x: number, y: number, width: number, height: number): {pixels: Uint8ClampedArray<ArrayBuffer>; rays: number};
+    renderPixels(x: number, y: number, width: number, height: number): {pixels: Bytes; rays: number};
+    /** Null if the scene is not ready. Throws for a pixel outside the picture. */
     explain(x: number, y: number): Explanation | null;
+    /**
+     * Compares the scene's picture with that of a reference of the same instance and size. Causes take as long as some hundred
+     * pictures. Throws if one is not ready, or the sizes differ.
+     */
+    compare(reference: Scene, options?: {causes?: boolean}): Comparison;
+    /** The scene's likely mistakes, which `glint check` prints. */
+    check(): Finding[];
     /** The scene as .glint; empty if it is not ready. */
     toGlint(): string;
     close(): void;

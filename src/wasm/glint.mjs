@@ -39,7 +39,7 @@ class Glint {
     }
 
     get version() {
-        return this.#text(this.#exports.glint_version());
+        return textAt(this.#exports, this.#exports.glint_version());
     }
 
     /** Bytes of memory that the instance has allocated from its host. */
@@ -51,10 +51,6 @@ class Glint {
     open(request) {
         return new Scene(this.#exports, withText(this.#exports, request, (at, length) => this.#exports.glint_open(at, length)));
     }
-
-    #text(from) {
-        return textAt(this.#exports, from);
-    }
 }
 
 /** The text with a final zero at an address of the instance's memory. */
@@ -63,9 +59,25 @@ function textAt(exports, from) {
     return new TextDecoder().decode(memory.slice(from, memory.indexOf(0, from)));
 }
 
+/** Half of a surrogate pair, which no UTF-8 text can have. */
+const loneSurrogate = /\p{Surrogate}/u;
+
+/** Throws if a string of the request has a lone surrogate. */
+function checkStrings(value) {
+    if (typeof value === 'string') {
+        const lone = loneSurrogate.exec(value);
+        if (!lone) return;
+        const line = value.slice(0, lone.index).split('\n').length;
+        throw new TypeError(`line ${line} of a text: expected characters, found half of a surrogate pair, U+${lone[0].charCodeAt(0).toString(16).toUpperCase()}`);
+    }
+    if (typeof value === 'object' && value !== null) Object.values(value).forEach(checkStrings);
+}
+
 /** Calls `use` with the address and length of a request in the instance's memory. */
 function withText(exports, request, use) {
-    const bytes = new TextEncoder().encode(typeof request === 'string' ? request : JSON.stringify(request));
+    const text = typeof request === 'string' ? request : JSON.stringify(request);
+    checkStrings(request);
+    const bytes = new TextEncoder().encode(text);
     const at = exports.glint_allocate(bytes.length + 1);
     if (at === 0) throw new Error('out of memory');
     new Uint8Array(exports.memory.buffer).set(bytes, at);
@@ -74,44 +86,83 @@ function withText(exports, request, use) {
     return result;
 }
 
+/** Throws unless all are whole numbers of 32 bits; WebAssembly would cut others. */
+function checkWhole(numbers) {
+    for (const [name, value] of Object.entries(numbers)) {
+        if ((value | 0) !== value) throw new TypeError(`${name}: expected a whole number, found ${String(value)}`);
+    }
+}
+
 class Scene {
     #exports;
-    #handle;
+    /** Zero if the scene is closed. */
+    #address;
 
-    constructor(exports, handle) {
+    constructor(exports, address) {
         this.#exports = exports;
-        this.#handle = handle;
+        this.#address = address;
+    }
+
+    get #handle() {
+        if (this.#address === 0) throw new Error('the scene is closed');
+        return this.#address;
+    }
+
+    #json(text) {
+        return JSON.parse(textAt(this.#exports, text));
     }
 
     get report() {
-        return JSON.parse(textAt(this.#exports, this.#exports.glint_report(this.#handle)));
+        return this.#json(this.#exports.glint_report(this.#handle));
     }
 
     get info() {
-        return JSON.parse(textAt(this.#exports, this.#exports.glint_info(this.#handle)));
+        return this.#json(this.#exports.glint_info(this.#handle));
     }
 
     prepare(request) {
-        const done = withText(this.#exports, request, (at, length) => this.#exports.glint_prepare(this.#handle, at, length));
+        const handle = this.#handle;
+        const done = withText(this.#exports, request, (at, length) => this.#exports.glint_prepare(handle, at, length));
         if (done === 0) throw new Error(this.report.error ?? 'the scene has errors');
     }
 
-    render(x, y, width, height) {
-        const at = this.#exports.glint_render(this.#handle, x, y, width, height);
+    #render(x, y, width, height) {
+        const handle = this.#handle;
+        checkWhole({x, y, width, height});
+        const at = this.#exports.glint_render(handle, x, y, width, height);
         if (at === 0) throw new Error(this.report.error ?? 'the scene has errors');
+        return at;
+    }
+
+    render(x, y, width, height) {
+        const at = this.#render(x, y, width, height);
         return new Float32Array(this.#exports.memory.buffer, at, 3 * width * height).slice();
     }
 
     renderPixels(x, y, width, height) {
-        if (this.#exports.glint_render(this.#handle, x, y, width, height) === 0)
-            throw new Error(this.report.error ?? 'the scene has errors');
+        this.#render(x, y, width, height);
         const at = this.#exports.glint_pixels(this.#handle);
         const pixels = new Uint8ClampedArray(this.#exports.memory.buffer, at, 4 * width * height).slice();
         return {pixels, rays: this.#exports.glint_rays(this.#handle)};
     }
 
     explain(x, y) {
-        return JSON.parse(textAt(this.#exports, this.#exports.glint_explain(this.#handle, x, y)));
+        const handle = this.#handle;
+        checkWhole({x, y});
+        const explanation = this.#json(this.#exports.glint_explain(handle, x, y));
+        if (explanation?.error) throw new Error(explanation.error);
+        return explanation;
+    }
+
+    compare(reference, {causes = false} = {}) {
+        if (reference.#exports !== this.#exports) throw new TypeError('the reference is a scene of another instance');
+        const comparison = this.#json(this.#exports.glint_compare(this.#handle, reference.#handle, causes ? 1 : 0));
+        if (comparison.error) throw new Error(comparison.error);
+        return comparison;
+    }
+
+    check() {
+        return this.#json(this.#exports.glint_check(this.#handle));
     }
 
     toGlint() {
@@ -119,6 +170,8 @@ class Scene {
     }
 
     close() {
-        this.#exports.glint_close(this.#handle);
+        if (this.#address === 0) return;
+        this.#exports.glint_close(this.#address);
+        this.#address = 0;
     }
 }

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "wasm/request.h"
 
+#include <algorithm>
 #include <map>
 #include <optional>
 #include <string_view>
+#include <utility>
 
 namespace glint::wasm {
 namespace {
@@ -51,8 +53,12 @@ class Includes : public Sources {
         const std::string folder(from.substr(0, from.rfind('/') + 1));
         const auto at = texts_.find(folder + std::string(name));
         if (at != texts_.end()) return std::string(at->second);
+        if (std::find(missing.begin(), missing.end(), folder + std::string(name)) == missing.end())
+            missing.push_back(folder + std::string(name));
         return Status{ErrorCode::io, "no such text is among the request's includes", {}};
     }
+
+    std::vector<std::string> missing;
 
   private:
     std::map<std::string, std::string_view> texts_;
@@ -70,10 +76,12 @@ std::optional<Vec3> vec3_member(const json& object, const char* name) {
 
 }  // namespace
 
-std::vector<SceneText> RequestTexts::all() const {
+std::vector<SceneText> RequestTexts::read_by(const Scene& scene) const {
     std::vector<SceneText> list = views(texts);
-    const std::vector<SceneText> more = views(includes);
-    list.insert(list.end(), more.begin(), more.end());
+    for (const SceneText& text : views(includes)) {
+        if (std::find(scene.files.begin(), scene.files.end(), text.name) != scene.files.end())
+            list.push_back(text);
+    }
     return list;
 }
 
@@ -81,7 +89,7 @@ RequestTexts read_texts(const json& request) {
     return {owned_texts(member(request, "texts")), owned_texts(member(request, "includes"))};
 }
 
-Result<Scene> load(const RequestTexts& texts, const json& request) {
+Result<Scene> load(const RequestTexts& texts, const json& request, std::vector<std::string>& missing) {
     LoadOptions options;
     options.profile = string_member(request, "profile");
     options.scene_name = string_member(request, "scene");
@@ -90,7 +98,9 @@ Result<Scene> load(const RequestTexts& texts, const json& request) {
         for (const auto& [key, value] : settings.items()) options.settings.emplace_back(key, text_of(value));
     }
     Includes includes(texts.includes);
-    return load(views(texts.texts), options, &includes);
+    Result<Scene> loaded = load(views(texts.texts), options, &includes);
+    missing = std::move(includes.missing);
+    return loaded;
 }
 
 std::string apply(const json& request, Scene& scene) {

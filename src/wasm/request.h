@@ -20,13 +20,35 @@ struct OwnedText {
 /// The texts of a request, then its includes.
 struct RequestTexts {
     std::vector<OwnedText> texts, includes;
-    /// All texts, for write_glint(); they refer to this object.
-    std::vector<SceneText> all() const;
+    /// The texts, and of the includes those that the scene was read from; they refer to this object.
+    std::vector<SceneText> read_by(const Scene& scene) const;
 };
 RequestTexts read_texts(const nlohmann::json& request);
 
-/// Reads the scene that a request of glint_open names.
-Result<Scene> load(const RequestTexts& texts, const nlohmann::json& request);
+/// Reads the scene that a request of glint_open names. `missing`: the included texts that it does not have.
+Result<Scene> load(const RequestTexts& texts, const nlohmann::json& request,
+                   std::vector<std::string>& missing);
+
+/// What a request of glint_prepare can change.
+struct Changeable {
+    Camera camera;
+    Conventions conventions;
+    RenderSettings settings;
+    std::vector<SettingOrigin> origins;
+
+    Changeable() = default;
+    explicit Changeable(const Scene& scene)
+        : camera(scene.camera),
+          conventions(scene.conventions),
+          settings(scene.settings),
+          origins(scene.origins) {}
+    void restore(Scene& scene) const {
+        scene.camera = camera;
+        scene.conventions = conventions;
+        scene.settings = settings;
+        scene.origins = origins;
+    }
+};
 
 /// Applies a request to glint_prepare. Returns an error message, or an empty string.
 std::string apply(const nlohmann::json& request, Scene& scene);

@@ -128,8 +128,12 @@ test('a scene is prepared otherwise, and as it was again', () => {
     assert.notDeepEqual(pixels().pixels, whole.pixels);
     for (const bad of ['{', '3', {settings: {size: '0x0'}}, {settings: {no: '1'}}, {camera: {position: [1, 2]}},
                        {camera: {position: [0, 0, 0], right: [1, 0, 0], up: [0, 1, 0], forward: [1, 0, 0]}}]) {
+        const before = pixels(), {info} = scene;
         assert.throws(() => scene.prepare(bad), /./, JSON.stringify(bad));
-        assert.throws(() => scene.render(0, 0, 1, 1), /./);
+        assert.match(scene.report.error, /./);
+        assert.deepEqual(pixels(), before, 'a refused request changes nothing');
+        assert.deepEqual(scene.info, info);
+        assert.equal(scene.report.error, undefined, 'the last request succeeded');
     }
     scene.prepare({});
     assert.deepEqual(pixels(), whole);
@@ -158,6 +162,90 @@ test('bad scenes have messages with places', () => {
     assert.match(diagnostics[0].text, /^bad\.cgfs:1:23: error: .*\n.*oops.*\n +\^/);
     assert.throws(() => scene.render(0, 0, 1, 1), /errors/);
     scene.close();
+});
+
+test('a closed scene says so, and leaves the instance as it was', () => {
+    const {scene} = open(...tiled);
+    const other = open(...tiled).scene;
+    const before = other.renderPixels(0, 0, 20, 20);
+    scene.close();
+    scene.close();
+    for (const use of [() => scene.report, () => scene.info, () => scene.render(0, 0, 1, 1), () => scene.renderPixels(0, 0, 1, 1),
+                       () => scene.prepare({}), () => scene.explain(0, 0), () => scene.toGlint(), () => scene.check(),
+                       () => other.compare(scene)])
+        assert.throws(use, /^Error: the scene is closed$/);
+    assert.deepEqual(other.renderPixels(0, 0, 20, 20), before);
+    other.close();
+});
+
+test('rectangles, pixels and texts that are none are refused', () => {
+    const {scene} = open(...tiled);
+    const before = scene.renderPixels(0, 0, 160, 160);
+    for (const numbers of [[0.5, 0, 10.5, 10], [0, 0, NaN, 10], [0, 0, 2 ** 32 + 1, 1], [0, 0, '1', 1], [0, 0, 1]]) {
+        assert.throws(() => scene.render(...numbers), /expected a whole number/);
+        assert.throws(() => scene.renderPixels(...numbers), /expected a whole number/);
+    }
+    for (const numbers of [[-1, 0, 1, 1], [0, 0, 0, 1], [0, 0, 1, -1], [0, 0, 161, 1], [2147483647, 0, 2147483647, 1]])
+        assert.throws(() => scene.renderPixels(...numbers), /./);
+    assert.throws(() => scene.explain(NaN, 5), /expected a whole number/);
+    for (const pixel of [[-1, 5], [160, 5], [5, 160]]) assert.throws(() => scene.explain(...pixel), /./);
+    assert.throws(() => scene.prepare({camera: {position: [NaN, 0, 0], right: [1, 0, 0], up: [0, 1, 0], forward: [0, 0, 1]}}), /camera/);
+    const text = '# half of a sun: \ud83c\nsphere';
+    assert.throws(() => glint.open({texts: [{name: 'a.cgfs', text}]}), /line 1 .*U\+D83C/);
+    assert.throws(() => glint.open(text), /U\+D83C/);
+    assert.throws(() => scene.prepare({settings: {size: '\udc00'}}), /U\+DC00/);
+    assert.deepEqual(scene.renderPixels(0, 0, 160, 160), before);
+    scene.close();
+});
+
+test('missing texts are named, so that they can be supplied', () => {
+    const texts = [{name: 'my/main.glint', text: 'include "parts/ball.glint"\ninclude "other.glint"\n'}];
+    const scene = glint.open({texts, includes: [{name: 'my/other.glint', text: 'light { type = ambient }\n'}]});
+    assert.deepEqual(scene.report.missing, ['my/parts/ball.glint']);
+    scene.close();
+    const whole = glint.open({texts, includes: [{name: 'my/other.glint', text: ''}, {name: 'my/parts/ball.glint', text: ''}]});
+    assert.equal(whole.report.missing, undefined);
+    whole.close();
+});
+
+test('the report is that of the last request', () => {
+    const {scene} = open(...tiled);
+    assert.throws(() => scene.render(0, 0, 500, 1), /./);
+    assert.match(scene.report.error, /./);
+    scene.prepare({settings: {size: '40x30'}});
+    assert.deepEqual([scene.report.width, scene.report.height, scene.report.error], [40, 30, undefined]);
+    scene.close();
+});
+
+test('pictures are compared, and causes found', () => {
+    const reference = open(['cgfs/three_mirrors.cgfs'], {size: '60x60'}).scene;
+    const text = read('cgfs/three_mirrors.cgfs').text;
+    const other = glint.open({texts: [{name: 'a.cgfs', text: text.replace(/light { type = ambient.*/, '')}], settings: {size: '60x60'}});
+    assert.deepEqual(reference.compare(reference), {
+        pixels: 3600, equal: 3600, within_1: 3600, within: 3600, mean: 0, rms: 0, psnr: null, ssim: 1, largest: {value: 0, x: 0, y: 0}});
+    const {equal, mean, causes} = other.compare(reference, {causes: true});
+    assert.ok(equal < 3600 && mean > 5);
+    assert.equal(causes[0].name, 'ambient-missing');
+    const small = open(['cgfs/three_mirrors.cgfs'], {size: '50x60'}).scene;
+    assert.throws(() => small.compare(reference), /./);
+    for (const scene of [reference, other, small]) scene.close();
+});
+
+test('likely mistakes are found, as natively', () => {
+    const {scene} = open(['faults/black.glint']);
+    const found = scene.check();
+    assert.deepEqual(found, JSON.parse(native(request(['faults/black.glint']), 'check')));
+    assert.ok(found.length > 0 && found[0].remedy && found[0].line > 0);
+    scene.close();
+});
+
+test('a converted scene names the texts that it was read from', () => {
+    const {scene} = open(['cgfs/three_mirrors.cgfs']);
+    assert.match(scene.toGlint(), /^# Converted from three_mirrors\.cgfs \(cgfs\) by glint/);
+    const temple = open(['glint/temple.glint']).scene;
+    assert.match(temple.toGlint(), /^# Converted from temple\.glint \(glint\), column\.glint \(glint\) by glint/);
+    scene.close();
+    temple.close();
 });
 
 test('requests that are none are answered', () => {

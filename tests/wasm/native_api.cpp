@@ -3,7 +3,7 @@
 // input:
 //   native_api render X Y WIDTH HEIGHT    writes the rectangle's floats to standard output
 //   native_api explain X Y                the pixel's explanation
-//   native_api info, native_api convert  the results of glint_info and glint_convert
+//   native_api info, convert, check       the results of glint_info, glint_convert and glint_check
 #include <cstdio>
 #include <cstdlib>
 #include <iostream>
@@ -35,6 +35,7 @@ int main(int argc, char** argv) {
     if (what == "render") done = render(scene, number(2), number(3), number(4), number(5));
     if (what == "explain") done = write(glint_explain(scene, number(2), number(3)));
     if (what == "info") done = write(glint_info(scene));
+    if (what == "check") done = write(glint_check(scene));
     if (what == "convert") done = write(glint_convert(scene));
     glint_close(scene);
     return done ? 0 : 1;

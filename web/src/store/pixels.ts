@@ -23,7 +23,7 @@ async function ask(at: readonly [number, number], side: Side): Promise<Explanati
     try {
         const explanation = await services.pool.run(
             {view: side, key, request: content.request, prepare, task: {what: 'explain', x: at[0], y: at[1]}}, true);
-        return explanation && !explanation.error ? explanation : null;
+        return explanation;
     } catch {
         return null;
     }

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "wasm/judge.h"
+
+#include "wasm/describe.h"
+
+namespace glint::wasm {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json cause_json(const Cause& cause) {
+    return {{"name", cause.name},
+            {"explanation", cause.explanation},
+            {"explained", cause.explained},
+            {"perhaps", cause.perhaps}};
+}
+
+Json causes_json(const std::vector<Cause>& causes) {
+    Json list = Json::array();
+    for (const Cause& cause : causes) list.push_back(cause_json(cause));
+    return list;
+}
+
+}  // namespace
+
+Json comparison(const std::optional<World>& world, const std::optional<World>& reference,
+                const Scene* faults) {
+    if (!world || !reference) return {{"error", "one of the scenes has errors"}};
+    const Result<Rendering> a = render(*world, {.threads = 1}), b = render(*reference, {.threads = 1});
+    if (!a || !b) return {{"error", a ? b.message : a.message}};
+    const Result<PictureDifference> difference = compare(a->image, b->image, {.threads = 1});
+    if (!difference) return {{"error", difference.message}};
+    const PixelCounts& all = difference->all;
+    Json json = {
+        {"pixels", all.pixels},
+        {"equal", all.equal},
+        {"within_1", all.within_1},
+        {"within", all.within},
+        {"mean", difference->mean},
+        {"rms", difference->rms},
+        {"psnr", difference->psnr ? Json(*difference->psnr) : Json()},
+        {"ssim", difference->ssim ? Json(*difference->ssim) : Json()},
+        {"largest",
+         {{"value", difference->largest.value}, {"x", difference->largest.x}, {"y", difference->largest.y}}}};
+    if (faults == nullptr) return json;
+    const Result<CauseReport> report = find_causes(a->image, b->image, faults, {.threads = 1});
+    if (!report) return {{"error", report.message}};
+    json["remark"] = report->remark;
+    json["causes"] = causes_json(report->causes);
+    json["then"] = causes_json(report->then);
+    json["where"] = report->where;
+    return json;
+}
+
+Json findings(const Scene& scene, const std::vector<SceneText>& texts) {
+    Json list = Json::array();
+    const Result<std::vector<Finding>> found = check(scene, {.threads = 1, .texts = texts});
+    if (!found) return list;
+    for (const Finding& finding : *found) {
+        Json json = to_json(finding.diagnostic);
+        json["id"] = finding.id;
+        json["remedy"] = finding.remedy;
+        list.push_back(std::move(json));
+    }
+    return list;
+}
+
+}  // namespace glint::wasm
