@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Saves the page's files.
-import {comparison, fileName, settingOf} from './store/state';
+import {comparison, fileName, isPictureOfScene, notice, settingOf} from './store/state';
 
 function save(blob: Blob, name: string) {
     const anchor = document.createElement('a');
     anchor.href = URL.createObjectURL(blob);
-    anchor.download = name;
+    anchor.download = name.length > 120 ? name.slice(-120) : name;
     anchor.click();
     setTimeout(() => URL.revokeObjectURL(anchor.href), 10_000);
 }
@@ -21,6 +21,10 @@ export function pictureName(): string {
 }
 
 export function savePicture(canvas: HTMLCanvasElement) {
+    if (!isPictureOfScene.value) {
+        notice.value = 'There is no picture of this scene yet.';
+        return;
+    }
     const name = pictureName();
     canvas.toBlob((blob) => {
         if (blob) save(blob, name);

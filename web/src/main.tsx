@@ -2,7 +2,8 @@
 import {render} from 'preact';
 
 import {startPool} from './engine/start';
-import {openFirst} from './store/scene';
+import {keepPage} from './store/memory';
+import {openFirst, openLink} from './store/scene';
 import {failure, services, state} from './store/state';
 import {App} from './ui/App';
 import {connectViews} from './ui/pictures';
@@ -12,11 +13,14 @@ try {
     services.pool = await startPool();
     connectViews(services.pool);
     await openFirst();
+    keepPage();
 } catch (error) {
     failure.value = `The engine could not be started: ${error instanceof Error ? error.message : String(error)}`;
     state.value = 'error';
 }
-addEventListener('hashchange', () => void openFirst());
+addEventListener('hashchange', () => {
+    if (location.hash !== '') void openLink(location.hash);
+});
 if (import.meta.env.PROD && 'serviceWorker' in navigator) {
     navigator.serviceWorker.register('./sw.js').catch(() => {
         // Without the service worker, the page needs its server the next time it is opened.

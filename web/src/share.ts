@@ -11,6 +11,8 @@ export interface Shared {
     compare?: {key: string; a: string; b: string} | undefined;
 }
 
+class TooLarge extends Error {}
+
 async function through(bytes: Uint8Array<ArrayBuffer>, stream: CompressionStream | DecompressionStream, most = Infinity) {
     const reader = new Blob([bytes]).stream().pipeThrough(stream).getReader();
     const parts: BlobPart[] = [];
@@ -19,11 +21,17 @@ async function through(bytes: Uint8Array<ArrayBuffer>, stream: CompressionStream
         const {done, value} = await reader.read();
         if (done) break;
         total += value.length;
-        if (total > most) throw new Error('the link contains too much data');
+        if (total > most) {
+            void reader.cancel();
+            throw new TooLarge();
+        }
         parts.push(value as Uint8Array<ArrayBuffer>);
     }
     return new Uint8Array(await new Blob(parts).arrayBuffer());
 }
+
+/** The largest scene of a link, in bytes. */
+const largest = 4e6;
 
 /** The fragment of a link, without #. */
 export async function toFragment(shared: Shared): Promise<string> {
@@ -33,17 +41,17 @@ export async function toFragment(shared: Shared): Promise<string> {
     return `1=${btoa(binary).replaceAll('+', '-').replaceAll('/', '_').replace(/=+$/, '')}`;
 }
 
-/** Decodes a fragment; null if it is not from this page. */
-export async function fromFragment(fragment: string): Promise<Shared | null> {
+/** Decodes a fragment: a scene, or why there is none; null if it is not from this page. */
+export async function fromFragment(fragment: string): Promise<Shared | string | null> {
     const match = /^#?1=([\w-]+)$/.exec(fragment);
     if (!match) return null;
     try {
         const binary = atob(match[1]!.replaceAll('-', '+').replaceAll('_', '/'));
         const bytes = Uint8Array.from(binary, (c) => c.charCodeAt(0));
-        const value: unknown = JSON.parse(new TextDecoder().decode(await through(bytes, new DecompressionStream('deflate-raw'), 64e6)));
+        const value: unknown = JSON.parse(new TextDecoder().decode(await through(bytes, new DecompressionStream('deflate-raw'), largest)));
         return checked(value);
-    } catch {
-        return null;
+    } catch (error) {
+        return error instanceof TooLarge ? 'The scene of the link is larger than 4 MB.' : null;
     }
 }
 

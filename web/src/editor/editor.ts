@@ -15,11 +15,25 @@ import {languageOf} from './language';
 
 /** The parts of a scene that are not in its text; undo restores them with the text. */
 export interface DocumentState {
+    /** Another scene has another number; a changed or converted one keeps it. */
+    id: number;
     name: string;
     scene: string | undefined;
     overrides: Record<string, string>;
     /** The texts that it may include. */
     includes: SceneText[];
+}
+/** The longest line that the editor can show; longer ones block the page. */
+export const longestLine = 20_000;
+
+/** The number of a line that is too long, or 0. */
+export function tooLongLine(text: string): number {
+    for (let from = 0, line = 1; from <= text.length; ++line) {
+        const end = text.indexOf('\n', from) < 0 ? text.length : text.indexOf('\n', from);
+        if (end - from > longestLine) return line;
+        from = end + 1;
+    }
+    return 0;
 }
 const documentStateChanged = StateEffect.define<DocumentState>();
 
@@ -28,11 +42,13 @@ export interface EditorEvents {
     changed(text: string, documentState: DocumentState | null, canUndo: boolean, canRedo: boolean): void;
     /** The present document state. */
     documentState(): DocumentState;
+    /** A change was refused because a line would be too long. */
+    refused(): void;
 }
 
 const theme = EditorView.theme({
     '&': {height: '100%', color: 'var(--text)', backgroundColor: 'var(--field)', fontSize: '13px'},
-    '.cm-scroller': {fontFamily: 'var(--mono)', lineHeight: '1.55'},
+    '.cm-scroller': {overscrollBehavior: 'contain', fontFamily: 'var(--mono)', lineHeight: '1.55'},
     '.cm-content': {caretColor: 'var(--text)', padding: '8px 0'},
     '.cm-line': {paddingLeft: '30px', textIndent: '-24px'},
     '.cm-cursor': {borderLeftColor: 'var(--text)', borderLeftWidth: '2px'},
@@ -77,7 +93,16 @@ export class Editor {
                 lineNumbers(), history(), drawSelection(), bracketMatching(), EditorView.lineWrapping, highlightActiveLine(), highlightActiveLineGutter(),
                 lintGutter(), indentUnit.of('    '), keymap.of([...defaultKeymap, ...historyKeymap]), theme,
                 this.#language.of(languageOf(name)),
-                EditorView.contentAttributes.of({'aria-label': 'Scene text', spellcheck: 'false', autocapitalize: 'off'}),
+                EditorView.contentAttributes.of({'aria-label': 'Scene text', tabindex: '0', spellcheck: 'false', autocapitalize: 'off'}),
+                EditorState.changeFilter.of(({changes, newDoc}) => {
+                    let isTooLong = false;
+                    changes.iterChangedRanges((_from, _to, from, to) => {
+                        for (const lines = newDoc.iterLines(newDoc.lineAt(from).number, newDoc.lineAt(to).number + 1); !lines.next().done;)
+                            isTooLong ||= lines.value.length > longestLine;
+                    });
+                    if (isTooLong) this.events.refused();
+                    return !isTooLong;
+                }),
                 invertedEffects.of((transaction) =>
                     transaction.effects.some((one) => one.is(documentStateChanged)) ? [documentStateChanged.of(this.events.documentState())] : []),
                 EditorView.updateListener.of((update) => {

@@ -2,6 +2,7 @@
 // A picture that is rendered coarse to fine; a change of its content restarts it.
 import type {OpenRequest, PrepareRequest, SceneInfo} from 'glint-wasm';
 
+import {type Level, isSameLevel, levelsOf, place, strips, tiles} from './levels';
 import {type Pool, Stopped} from './pool';
 import type {Opened, Rect, Tile} from './protocol';
 
@@ -10,7 +11,8 @@ export interface ViewContent {
     request: OpenRequest;
     /** Changes to the scene, such as another camera. */
     prepare: PrepareRequest;
-    /** The version of the text, for the caller. */
+    /** For the caller: the document, and the version of its text. */
+    document?: number | undefined;
     version?: number | undefined;
 }
 
@@ -28,31 +30,16 @@ export interface ViewEvents {
     /** A picture of this size starts. */
     sized(width: number, height: number): void;
     /** Pixels for a rectangle of the picture; coarse ones are stretched to it. */
-    painted(tile: ImageData, to: Rect, stretched: boolean): void;
+    painted(tile: ImageData, to: Rect, stretched: boolean, content: ViewContent): void;
     progress(progress: Progress): void;
-    /** The picture is complete. */
+    /** The picture is complete; perhaps that of the last scene without errors, after one with errors. */
     done(progress: Progress, key: number): void;
-    failed(why: string, key: number): void;
+    failed(why: string, content: ViewContent): void;
 }
 
 /** The time for a first, coarse picture, in milliseconds, so that dragging stays smooth. */
 const frameTime = 35;
 const tileTime = 12;
-/** Pixels of the largest picture that the page renders; larger ones are rendered at a smaller size. */
-const maxPixels = 4096 * 4096;
-
-interface Level {
-    width: number;
-    height: number;
-    prepare: PrepareRequest;
-    /** Samples per pixel. */
-    samples: number;
-    final: boolean;
-}
-
-function setting(info: SceneInfo, name: string): string {
-    return info.settings.find((one) => one.name === name)?.value ?? '';
-}
 
 /** Shared by all views: the workers identify open content by its key. */
 let lastKey = 0;
@@ -69,6 +56,9 @@ export class View {
     #quick = 0;
     #coarseShown = false;
     #sampleTime = 0.001;
+    /** The last, finest level of the current picture if it is not complete. */
+    #missing: Level | null = null;
+    #isStopped = false;
 
     constructor(private readonly pool: Pool, readonly name: string, private readonly events: ViewEvents) {}
 
@@ -82,6 +72,7 @@ export class View {
         this.#quick = now - this.#shownAt < 500 ? this.#quick + 1 : 0;
         this.#shownAt = now;
         this.#pending = content;
+        this.#isStopped = false;
         if (!this.#busy) {
             void this.#work();
         } else if (this.#coarseShown || now - this.#since > 300) {
@@ -93,6 +84,7 @@ export class View {
     /** Stops rendering. */
     stop() {
         this.#pending = null;
+        this.#isStopped = true;
         this.pool.cancel(this.name, this.#key);
     }
 
@@ -109,31 +101,47 @@ export class View {
             } catch (error) {
                 const stopped = error instanceof Stopped && error.message === '';
                 this.pool.cancel(this.name, key);
-                if (!stopped && !this.#pending) this.events.failed(error instanceof Error ? error.message : String(error), key);
+                if (!stopped && !this.#pending) this.events.failed(error instanceof Error ? error.message : String(error), content);
             }
+            await this.#finish(content);
         }
         this.#busy = false;
+    }
+
+    /** After a content with errors, completes the picture of the one before: it stays visible. */
+    async #finish(after: ViewContent) {
+        const {current} = this, level = this.#missing;
+        if (!current || !level || this.#pending || this.#isStopped) return;
+        if (current.content === after || current.content.document !== after.document) return;
+        this.#key = current.key = ++lastKey;
+        this.#coarseShown = true;
+        try {
+            await this.#renderLevel(current.content, current.key, level, level, null);
+        } catch {
+            this.pool.cancel(this.name, current.key);
+        }
     }
 
     async #render(content: ViewContent, key: number) {
         const affordable = this.#affordable();  // used to predict the cost and to check it
         // While something is dragged, contents are similar, so the cost of the next one can be predicted.
-        const expected = this.#quick >= 2 && this.current ? this.#levels(content, this.current.info, affordable)[0]! : null;
+        const expected = this.#quick >= 2 && this.current ? levelsOf(content, this.current.info, affordable)[0]! : null;
         const opening = (expected && !expected.final && await this.#openAndRender(content, key, expected)) || await this.#open(content, key);
         this.events.opened(opening.opened, content);
         const {info} = opening.opened;
         if (!info) return;
-        let levels = this.#levels(content, info, affordable);
+        let levels = levelsOf(content, info, affordable);
         const last = levels.at(-1)!;
         this.current = {content, key, info, prepare: last.prepare};
+        this.#missing = last;
         this.events.sized(last.width, last.height);
         if (expected && opening.picture && isSameLevel(expected, levels[0]!)) {
-            this.events.painted(opening.picture, {x: 0, y: 0, width: last.width, height: last.height}, true);
+            this.events.painted(opening.picture, {x: 0, y: 0, width: last.width, height: last.height}, true, content);
             this.#coarseShown = true;
             levels.shift();
         } else if (levels.length > 1) {
             await this.#probe(content, key, info, last);
-            levels = this.#levels(content, info, this.#affordable());
+            levels = levelsOf(content, info, this.#affordable());
         }
         const samplesOf = (level: Level) => level.width * level.height * level.samples;
         const all = levels.reduce((sum, level) => sum + samplesOf(level), 0);
@@ -155,7 +163,7 @@ export class View {
     /** Renders a few samples to measure their time; they are shown if that time was long. */
     async #probe(content: ViewContent, key: number, info: SceneInfo, last: Level) {
         const start = performance.now();
-        const level = this.#levels(content, info, this.#affordable() / 16)[0]!;
+        const level = levelsOf(content, info, this.#affordable() / 16)[0]!;
         const picture = new ImageData(level.width, level.height);
         let spent = 0;
         await Promise.all(tiles(level.width, level.height, 32).map(async (rect) => {
@@ -166,7 +174,7 @@ export class View {
         }));
         this.#sampleTime = Math.max(1e-6, spent / (level.width * level.height));
         if (performance.now() - start < 100) return;
-        this.events.painted(picture, {x: 0, y: 0, width: last.width, height: last.height}, true);
+        this.events.painted(picture, {x: 0, y: 0, width: last.width, height: last.height}, true, content);
         this.#coarseShown = true;
     }
 
@@ -202,31 +210,8 @@ export class View {
         if (area >= 256) this.#sampleTime += 0.15 * (measured - this.#sampleTime);
     }
 
-    #levels(content: ViewContent, info: SceneInfo, affordable: number): Level[] {
-        const asked = content.prepare.settings?.['size']?.split('x').map(Number) ?? [info.width, info.height];
-        const [wholeWidth, wholeHeight] = asked as [number, number];
-        const shrink = Math.min(1, Math.sqrt(maxPixels / (wholeWidth * wholeHeight)));
-        const n = Number(content.prepare.settings?.['aa'] ?? setting(info, 'aa'));
-        const level = (scale: number, aa: number): Level => {
-            const width = Math.max(1, Math.round(wholeWidth * scale)), height = Math.max(1, Math.round(wholeHeight * scale));
-            const settings: Record<string, string> = {...content.prepare.settings};
-            if (scale !== 1 || aa !== n) settings['size'] = `${width}x${height}`;
-            if (aa !== n) settings['aa'] = String(aa);
-            return {width, height, samples: aa * aa, prepare: {...content.prepare, settings}, final: false};
-        };
-        const full = {...level(shrink, n), final: true};
-        // At one world unit per pixel, fewer pixels would show less of the scene.
-        if (setting(info, 'pixel_sample') === 'whole') return [full];
-        const pixels = full.width * full.height;
-        if (pixels * full.samples <= affordable) return [full];
-        const coarse = Math.max(Math.min(1, 16 / Math.min(full.width, full.height)), Math.min(1, Math.sqrt(affordable / pixels)));
-        const levels = coarse > 0.9 ? [] : [level(coarse * shrink, 1)];
-        if (coarse < 0.3) levels.push(level(0.5 * shrink, 1));
-        if (full.samples > 1) levels.push(level(shrink, 1));
-        return [...levels, full];
-    }
-
-    async #renderLevel(content: ViewContent, key: number, level: Level, last: Level, fractionAt: (share: number) => number) {
+    async #renderLevel(content: ViewContent, key: number, level: Level, last: Level,
+                       fractionAt: ((share: number) => number) | null) {
         const start = performance.now();
         const pixels = Math.max(16, tileTime / (this.#sampleTime * level.samples));
         const perWorker = (level.width * level.height) / (2 * this.pool.size);
@@ -235,7 +220,7 @@ export class View {
         // A coarse picture is shown as a whole; the tiles of the last one appear as they are ready.
         const whole = level.final ? null : new ImageData(level.width, level.height);
         let done = 0, rays = 0;
-        const progress = () => ({fraction: fractionAt(done / (level.width * level.height)), rays, milliseconds: performance.now() - start});
+        const progress = () => ({fraction: fractionAt?.(done / (level.width * level.height)) ?? 1, rays, milliseconds: performance.now() - start});
         const take = (rect: Rect, tile: Tile) => {
             const area = rect.width * rect.height;
             done += area;
@@ -244,50 +229,22 @@ export class View {
             if (whole) {
                 place(tile, rect, whole);
             } else {
-                this.events.painted(new ImageData(tile.pixels, rect.width, rect.height), rect, false);
+                this.events.painted(new ImageData(tile.pixels, rect.width, rect.height), rect, false, content);
             }
-            this.events.progress(progress());
+            if (fractionAt) this.events.progress(progress());
         };
         await Promise.all(tiles(level.width, level.height, step).map(async (rect) => {
             const job = {view: this.name, key, request: content.request, prepare: level.prepare};
             take(rect, await this.pool.run({...job, task: {what: 'tile', rect}}));
         }));
-        if (whole) this.events.painted(whole, {x: 0, y: 0, width: last.width, height: last.height}, true);
-        if (level.final && !this.#pending) this.events.done(progress(), key);
+        if (whole) this.events.painted(whole, {x: 0, y: 0, width: last.width, height: last.height}, true, content);
+        if (!level.final || this.#pending) return;
+        this.#missing = null;
+        this.events.done(progress(), key);
     }
 }
 
 interface Opening {
     opened: Opened;
     picture: ImageData | null;
-}
-
-function isSameLevel(a: Level, b: Level): boolean {
-    return a.width === b.width && a.height === b.height && JSON.stringify(a.prepare) === JSON.stringify(b.prepare);
-}
-
-/** Copies a tile's pixels into a picture. */
-function place(tile: Tile, rect: Rect, picture: ImageData) {
-    for (let row = 0; row < rect.height; ++row) {
-        picture.data.set(tile.pixels.subarray(4 * row * rect.width, 4 * (row + 1) * rect.width),
-                         4 * ((rect.y + row) * picture.width + rect.x));
-    }
-}
-
-/** Splits a picture into vertical strips: left and right differ less in cost than top and bottom. */
-function strips(width: number, height: number, count: number): Rect[] {
-    const n = Math.min(count, width);
-    const edge = (i: number) => Math.round((i * width) / n);
-    return Array.from({length: n}, (_, i) => ({x: edge(i), y: 0, width: edge(i + 1) - edge(i), height}));
-}
-
-/** The rectangles of a picture, from the middle outwards, where users look first. */
-function tiles(width: number, height: number, step: number): Rect[] {
-    const list: Rect[] = [];
-    for (let y = 0; y < height; y += step) {
-        for (let x = 0; x < width; x += step)
-            list.push({x, y, width: Math.min(step, width - x), height: Math.min(step, height - y)});
-    }
-    const distance = (rect: Rect) => Math.hypot(rect.x + rect.width / 2 - width / 2, rect.y + rect.height / 2 - height / 2);
-    return list.sort((a, b) => distance(a) - distance(b));
 }

@@ -4,7 +4,7 @@ import {batch} from '@preact/signals';
 import type {Explanation} from 'glint-wasm';
 
 import {
-    type Side, comparison, difference, hovered, services, pinned, pinnedIn, pixel, selected, settingIn, size, split, tab,
+    type Side, comparison, difference, documentId, hovered, services, pinned, pinnedIn, pixel, selected, settingIn, size, split, tab,
 } from './state';
 
 let asking = false;
@@ -18,7 +18,7 @@ function sideAt([x]: readonly [number, number]): Side {
 
 async function ask(at: readonly [number, number], side: Side): Promise<Explanation | null> {
     const current = services[side]?.current;
-    if (!current || !services.pool) return null;
+    if (!current || !services.pool || current.content.document !== documentId.value) return null;
     const {content, key, prepare} = current;
     try {
         const explanation = await services.pool.run(
@@ -63,9 +63,23 @@ export async function pin(at: [number, number] | null) {
     });
 }
 
+let pinNext: [number, number] | null = null;
+
+/** Pins a pixel as soon as the picture is complete. */
+export function pinLater(at: [number, number]) {
+    pinNext = at;
+}
+
 /** A picture changed: explains its pixels again. */
 export async function explainAgain(side: Side) {
     if (pixel.value && sideAt(pixel.value) === side) void hover(pixel.value);
+    if (pinNext && side === 'first') {
+        const next = pinNext, before = tab.value;
+        pinNext = null;
+        await pin(next);
+        tab.value = before;
+        return;
+    }
     const at = pinned.value?.pixel;
     const facts = services[side]?.current?.info;
     if (!at || !facts || pinnedIn.value.side !== side) return;

@@ -16,7 +16,7 @@ export function offsetOf(place: {line: number; column: number}): number | null {
 
 function select(from: number) {
     const end = text.value.indexOf('\n', from);
-    if (matchMedia('(max-width: 1099px)').matches) tab.value = 'text';
+    if (matchMedia('(max-width: 1011px)').matches) tab.value = 'text';
     // After the editor's panel has become visible.
     requestAnimationFrame(() => services.editor?.reveal(from, end < 0 ? text.value.length : end));
 }

@@ -3,14 +3,17 @@
 import {batch} from '@preact/signals';
 import type {OpenRequest, SceneText} from 'glint-wasm';
 
-import type {DocumentState} from '../editor/editor';
+import {type DocumentState, longestLine, tooLongLine} from '../editor/editor';
 import {gallery, parts} from '../gallery';
 import {type Shared, fromFragment, toFragment} from '../share';
 import {extensions, formatOf} from '../text/formats';
 import {forgetLights} from './lights';
+import {keptPage, presentScene, remember} from './memory';
+import {pinLater} from './pixels';
 import {
-    type Comparison, currentDocumentState, comparison, comparisonFailure, fileName, history, hovered, includes, services as page, notice,
-    overrides, pinned, pinnedIn, pixel, sceneName, state, text,
+    type Comparison, currentDocumentState, comparison, comparisonFailure, documentId, fileName, history, hovered, includes, isFirstVisit, missing,
+    services as page, notice,
+    overrides, pinned, pinnedIn, pixel, sceneName, state, tab, text,
 } from './state';
 
 function requestWith(extra: Record<string, string>): OpenRequest {
@@ -26,9 +29,9 @@ function requestWith(extra: Record<string, string>): OpenRequest {
 export function render() {
     const compare = comparison.value;
     state.value = 'rendering';
-    page.first?.show({request: requestWith(compare ? {[compare.key]: compare.a} : {}), prepare: {}, version: page.editor?.version});
+    page.first?.show({request: requestWith(compare ? {[compare.key]: compare.a} : {}), prepare: {}, document: documentId.value, version: page.editor?.version});
     if (compare) {
-        page.second?.show({request: requestWith({[compare.key]: compare.b}), prepare: {}});
+        page.second?.show({request: requestWith({[compare.key]: compare.b}), prepare: {}, document: documentId.value});
     } else {
         page.second?.stop();
     }
@@ -41,7 +44,11 @@ export function setComparison(compare: Comparison | null) {
     render();
 }
 
+let lastId = 0;
+const newId = () => ++lastId;
+
 function take(documentState: DocumentState) {
+    documentId.value = documentState.id;
     fileName.value = documentState.name;
     sceneName.value = documentState.scene;
     overrides.value = documentState.overrides;
@@ -63,9 +70,15 @@ export function textChanged(now: string, documentState: DocumentState | null, ca
     render();
 }
 
+/** A file's name without its folders, for a message. */
+function shortName(name: string): string {
+    const own = name.split('/').at(-1)!;
+    return own.length > 60 ? `${own.slice(0, 40)}…${own.slice(-15)}` : own;
+}
+
 /** Selects one of several scenes in the text. */
 export function chooseScene(name: string) {
-    page.editor?.setDocumentState({...currentDocumentState(), scene: name});
+    page.editor?.setDocumentState({...currentDocumentState(), id: newId(), scene: name});
 }
 
 export interface SceneToOpen {
@@ -79,9 +92,17 @@ export interface SceneToOpen {
 
 /** Opens a scene in place of the previous one, which undo restores. */
 export function openScene(scene: SceneToOpen) {
+    const tooLong = tooLongLine(scene.text);
+    if (tooLong > 0) {
+        notice.value = `${shortName(scene.name)} is not opened: line ${tooLong} has more than ${longestLine} characters.`;
+        return;
+    }
+    if (fileName.value !== '') remember(presentScene());
     const documentState: DocumentState = {
-        name: scene.name, scene: scene.scene, overrides: scene.overrides ?? {}, includes: scene.includes ?? parts,
+        id: newId(), name: scene.name, scene: scene.scene, overrides: scene.overrides ?? {},
+        includes: scene.includes ?? parts,
     };
+    isFirstVisit.value = false;
     batch(() => {
         comparison.value = scene.compare ?? null;
         comparisonFailure.value = '';
@@ -99,31 +120,64 @@ export function openScene(scene: SceneToOpen) {
     render();
 }
 
-/** The scene of the address, or that of the book. */
+const bookScene = () => gallery.find((scene) => scene.name === 'cgfs/three_mirrors.cgfs')!;
+
+export const openBookScene = () => openScene(bookScene());
+
+/** The scene of the address; without one the page as it was, or the scene of the book. */
 export async function openFirst() {
-    const shared = location.hash ? await fromFragment(location.hash) : null;
-    openScene(shared ?? gallery.find((scene) => scene.name === 'cgfs/three_mirrors.cgfs')!);
-    if (location.hash && !shared) notice.value = 'The link contains no scene. This is the default scene.';
+    const kept = keptPage();
+    const {hash} = location;
+    if (kept && (hash === '' || hash === kept.hash) && tooLongLine(kept.text) === 0) {
+        tab.value = kept.tab;
+        openScene(kept);
+        if (kept.pixel) pinLater(kept.pixel);
+        return;
+    }
+    if (kept) remember(kept);
+    if (hash === '') {
+        openBookScene();
+        isFirstVisit.value = !kept;
+    } else {
+        await openLink(hash);
+    }
+}
+
+/** The address was changed to another link. */
+export async function openLink(hash: string) {
+    const shared = await fromFragment(hash);
+    const isScene = typeof shared === 'object' && shared !== null && tooLongLine(shared.text) === 0;
+    if (isScene || fileName.value === '') openScene(isScene ? shared : bookScene());
+    if (isScene) return;
+    const why = typeof shared === 'string' ? shared : shared ? `The scene of the link has a line of more than ${longestLine} characters.` : 'The link contains no scene.';
+    notice.value = `${why} This is the ${fileName.value === bookScene().name ? 'default' : 'same'} scene.`;
 }
 
 export async function link(): Promise<string> {
-    const own = includes.value === parts ? undefined : includes.value;
-    const shared: Shared = {
-        name: fileName.value, text: text.value, scene: sceneName.value, includes: own,
-        overrides: Object.keys(overrides.value).length > 0 ? overrides.value : undefined,
-        compare: comparison.value ?? undefined,
-    };
+    const shared: Shared = presentScene();
     const url = new URL(location.href);
     url.hash = await toFragment(shared);
     return url.href;
 }
 
-/** Files were dropped: opens the first scene; it may include the other files. */
+/** The name of a file without its folders. */
+const ownName = (name: string) => name.split('/').at(-1)!;
+
+/**
+ * Files were dropped: supplies those that the present scene includes and does not have; else opens the first scene, which may
+ * include the other files.
+ */
 export async function openFiles(files: File[]) {
     const read = await Promise.all(files.map(async (file) => ({name: file.name, text: await file.text()})));
+    const supplied = missing.value.flatMap((name) => read.filter((file) => ownName(file.name) === ownName(name)).map(({text: found}) => ({name, text: found})));
+    if (supplied.length > 0) {
+        const others = includes.value.filter((one) => !supplied.some(({name}) => name === one.name));
+        page.editor?.setDocumentState({...currentDocumentState(), includes: [...others, ...supplied]});
+        return;
+    }
     const main = read.find((file) => formatOf(file.name));
     if (!main) {
-        notice.value = `Not a scene: ${files.map((file) => file.name).join(', ')}. Scenes end in .${extensions.join(', .')}.`;
+        notice.value = `Not a scene: ${files.map((file) => shortName(file.name)).join(', ')}. Scenes end in .${extensions.join(', .')}.`;
         return;
     }
     openScene({...main, includes: read.filter((file) => file !== main)});
@@ -145,5 +199,5 @@ export async function convertToGlint() {
     }
     const name = fileName.value.replace(/\.\w+$/, '') + '.glint';
     page.editor?.setDocumentState({...currentDocumentState(), name, scene: undefined, overrides: {}}, converted);
-    notice.value = `The scene is now ${name.split('/').at(-1)}; undo restores the old text.`;
+    notice.value = `The scene is now ${shortName(name)}; undo restores the old text.`;
 }

@@ -9,6 +9,10 @@ import type {Pool} from '../engine/pool';
 import type {Progress, View} from '../engine/view';
 import {formatOf} from '../text/formats';
 
+/** The number of the scene: another scene, another number. */
+export const documentId = signal(0);
+/** That of the scene in the picture, and of `info`. */
+export const shownId = signal(0);
 export const fileName = signal('');
 export const text = signal('');
 export const sceneName = signal<string | undefined>(undefined);
@@ -20,6 +24,8 @@ export const history = signal({canUndo: false, canRedo: false});
 /** Of the last scene that could be rendered. */
 export const info = signal<SceneInfo | null>(null);
 export const diagnostics = signal<Diagnostic[]>([]);
+/** Texts that the scene includes and that are not there, by name. */
+export const missing = signal<string[]>([]);
 /** Why rendering failed, if the text is not the reason. */
 export const failure = signal('');
 export const state = signal<'starting' | 'rendering' | 'done' | 'error'>('starting');
@@ -44,15 +50,20 @@ export const pinned = signal<Explanation | null>(null);
 export const pinnedIn = signal<{side: Side; isPhong: boolean}>({side: 'first', isPhong: true});
 /** The ray and light that the inspector's diagram shows. */
 export const selected = signal<{ray: number; light: number}>({ray: 0, light: 0});
-export const tab = signal<'text' | 'controls' | 'inspect' | 'compare'>('controls');
+export type Tab = 'text' | 'controls' | 'inspect' | 'compare';
+export const tab = signal<Tab>('controls');
+/** The line that says what this page is is shown. */
+export const isFirstVisit = signal(false);
 
+/** True if the picture is one of the present scene: not of one that was opened before. */
+export const isPictureOfScene = computed(() => shownId.value === documentId.value);
 export const format = computed(() => formatOf(fileName.value));
 
 /** Objects that are created once, when the page starts. */
 export const services: {editor?: Editor; pool?: Pool; first?: View; second?: View} = {};
 
 export const currentDocumentState = (): DocumentState => ({
-    name: fileName.value, scene: sceneName.value, overrides: overrides.value, includes: includes.value,
+    id: documentId.value, name: fileName.value, scene: sceneName.value, overrides: overrides.value, includes: includes.value,
 });
 
 export function settingIn(facts: SceneInfo | null | undefined, name: string): Setting | undefined {

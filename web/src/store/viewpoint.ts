@@ -4,7 +4,20 @@ import type {CameraInfo} from 'glint-wasm';
 
 import {type Move, moved} from '../camera';
 import {isHere, offsetOf} from './places';
-import {format, info, services, notice, text} from './state';
+import {documentId, format, info, services, notice, text} from './state';
+
+/** The camera of each scene when it was opened: the last one. */
+let original: {id: number; camera: CameraInfo} | null = null;
+
+/** A scene was read without errors. */
+export function wasOpened(camera: CameraInfo, id: number) {
+    if (original?.id !== id) original = {id, camera};
+}
+
+/** Moves the camera to where it was when the scene was opened. */
+export function resetCamera() {
+    if (original?.id === documentId.value) moveCamera(original.camera, 1);
+}
 
 /** The camera after a move, until the scene is read again. */
 let aimed: {text: string; camera: CameraInfo} | null = null;

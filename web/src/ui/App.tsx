@@ -3,13 +3,15 @@ import {useEffect} from 'preact/hooks';
 
 import {savePicture} from '../files';
 import {openFiles} from '../store/scene';
-import {services, notice, pinned, tab} from '../store/state';
+import {services, pinned, tab} from '../store/state';
+import {layout} from '../store/layout';
 import {canvases} from './pictures';
 import {Compare} from './Compare';
 import {Controls} from './Controls';
 import {Header} from './Header';
 import {Inspector} from './Inspector';
 import {Stage} from './Stage';
+import {Welcome} from './Welcome';
 import {TextPane} from './TextPane';
 
 const tabs = [
@@ -106,7 +108,8 @@ export function App() {
     return (
         <div class="shell" data-tab={tab.value}>
             <Header />
-            <main class="columns">
+            <Welcome />
+            <main class="columns" style={{'--left': `${layout.value.left}%`, '--right': `${layout.value.right}%`}}>
                 <TextPane />
                 <Stage />
                 <section class="side" aria-label="Panels">
@@ -116,14 +119,6 @@ export function App() {
                     <div {...panel('compare')}><Compare /></div>
                 </section>
             </main>
-            {notice.value && (
-                <div class="notice" role="status">
-                    <span>{notice.value}</span>
-                    <button class="quiet" aria-label="Dismiss" onClick={() => {
-                        notice.value = '';
-                    }}>✕</button>
-                </div>
-            )}
         </div>
     );
 }

@@ -5,33 +5,13 @@ import {useSignal} from '@preact/signals';
 
 import {fieldValue, lightText, setField, setIntensity, switchLight} from '../store/lights';
 import {isHere, reveal} from '../store/places';
-import {convertToGlint} from '../store/scene';
-import {dropOverride, setSetting} from '../store/settings';
-import {format, info, overrides, settingOf} from '../store/state';
+import {setSetting} from '../store/settings';
+import {info, settingOf} from '../store/state';
 import {Choice, NumberField, Slider, Switch} from './fields';
 
 /** The words of "a | b | c", or nothing. */
 export function wordsOf(setting: Setting): string[] | null {
     return setting.values.includes(' | ') ? setting.values.split(' | ') : null;
-}
-
-function Outside() {
-    const names = Object.keys(overrides.value);
-    if (names.length === 0) return null;
-    return (
-        <div class="outside" role="note">
-            <p>Set outside the text, because {format.value ? `${format.value.name} cannot express it` : 'the format cannot express it'}:</p>
-            <ul>
-                {names.map((name) => (
-                    <li key={name}>
-                        <code>{name} = {overrides.value[name]}</code>
-                        <button class="quiet" aria-label={`Drop ${name}`} onClick={() => dropOverride(name)}>✕</button>
-                    </li>
-                ))}
-            </ul>
-            <button class="button" onClick={() => void convertToGlint()}>Convert to .glint, with these in it</button>
-        </div>
-    );
 }
 
 function Size() {
@@ -43,8 +23,8 @@ function Size() {
             <NumberField label="Width" hidden value={width} min={1} max={65536} step={1} set={(w) => set(w, height)} />
             <span aria-hidden="true">×</span>
             <NumberField label="Height" hidden value={height} min={1} max={65536} step={1} set={(h) => set(width, h)} />
-            <button class="quiet" aria-label="Half as large" title="Half as large" onClick={() => set(width / 2, height / 2)} disabled={Math.min(width, height) < 64}>½</button>
-            <button class="quiet" aria-label="Twice as large" title="Twice as large" onClick={() => set(width * 2, height * 2)} disabled={Math.max(width, height) > 4096}>×2</button>
+            <button class="quiet" aria-label="½: half as large" title="Half as large" onClick={() => set(width / 2, height / 2)} disabled={Math.min(width, height) < 64}>½</button>
+            <button class="quiet" aria-label="×2: twice as large" title="Twice as large" onClick={() => set(width * 2, height * 2)} disabled={Math.max(width, height) > 4096}>×2</button>
         </fieldset>
     );
 }
@@ -57,8 +37,8 @@ function PictureControls() {
             <Choice label="Shading" value={value('shading')} values={wordsOf(settingOf('shading')!)!} set={(v) => setSetting('shading', v)} />
             <Slider label="Reflections" value={Number(value('reflections'))} min={0} max={Math.max(10, Number(value('reflections')))} step={1}
                     set={(v) => setSetting('reflections', String(Math.round(v)))} />
-            <Slider label="Samples" value={Number(value('aa'))} min={1} max={Math.max(4, Number(value('aa')))} step={1}
-                    text={`${value('aa')} by ${value('aa')} per pixel`} set={(v) => setSetting('aa', String(Math.round(v)))} />
+            <Slider label="Samples n×n" value={Number(value('aa'))} min={1} max={Math.max(4, Number(value('aa')))} step={1}
+                    text={`${value('aa')} by ${value('aa')}: ${Number(value('aa')) ** 2} per pixel`} set={(v) => setSetting('aa', String(Math.round(v)))} />
             <Size />
             <Switch label="Shadows" on={value('shadows') === 'true'} set={(on) => setSetting('shadows', String(on))} />
         </section>
@@ -191,7 +171,6 @@ export function Controls() {
     const shapes = Object.entries(facts.shapes).map(([kind, n]) => `${n} ${kind.replace('_', ' ')}${n === 1 ? '' : kind === 'box' ? 'es' : 's'}`);
     return (
         <>
-            <Outside />
             <PictureControls />
             <section>
                 <h2>Lights</h2>

@@ -4,8 +4,10 @@ import {useRef} from 'preact/hooks';
 
 import {savePicture, saveScene} from '../files';
 import {gallery} from '../gallery';
-import {link, openFiles, openScene} from '../store/scene';
+import {recent} from '../store/memory';
+import {link, openScene} from '../store/scene';
 import {fileName, history, services, notice, sceneName, text} from '../store/state';
+import {FileButton} from './fields';
 import {canvases} from './pictures';
 
 const families: [string, string][] = [
@@ -17,8 +19,12 @@ const families: [string, string][] = [
     ['faults', 'Faults: find the mistake'],
 ];
 
+/** Scenes to find the mistake of: their names would give it away. */
+const isFault = ({name}: {name: string}) => name.startsWith('faults/');
+const faultNumber = (name: string) => gallery.filter(isFault).findIndex((scene) => scene.name === name) + 1;
+
 const title = (scene: {name: string; scene?: string | undefined}) =>
-    (scene.scene ?? scene.name.split('/').at(-1)!.replace(/\.\w+$/, '')).replaceAll('_', ' ');
+    isFault(scene) ? `fault ${faultNumber(scene.name)}` : (scene.scene ?? scene.name.split('/').at(-1)!.replace(/\.\w+$/, '')).replaceAll('_', ' ');
 
 function SceneMenu() {
     const dialog = useRef<HTMLDialogElement>(null);
@@ -30,14 +36,10 @@ function SceneMenu() {
                 <div class="menu-body">
                     <div class="menu-head">
                         <h2>Scenes</h2>
-                        <label class="button file">Open a file…
-                            <input type="file" multiple onChange={(event) => {
-                                void openFiles([...(event.currentTarget.files ?? [])]);
-                                dialog.current?.close();
-                            }} />
-                        </label>
+                        <FileButton label="Open a file…" opened={() => dialog.current?.close()} />
                         <button class="quiet" aria-label="Close" onClick={() => dialog.current?.close()}>✕</button>
                     </div>
+                    <Recent done={() => dialog.current?.close()} />
                     {families.map(([folder, family]) => (
                         <section key={folder}>
                             <h3>{family}</h3>
@@ -61,6 +63,24 @@ function SceneMenu() {
                 </div>
             </dialog>
         </>
+    );
+}
+
+/** The user's own scenes. */
+function Recent({done}: {done: () => void}) {
+    if (recent.value.length === 0) return null;
+    return (
+        <section>
+            <h3>Recent</h3>
+            <div class="presets">
+                {recent.value.map((scene) => (
+                    <button key={scene.name + (scene.scene ?? '')} class="button recent" title={scene.name} onClick={() => {
+                        openScene(scene);
+                        done();
+                    }}>{scene.name.split('/').at(-1)}</button>
+                ))}
+            </div>
+        </section>
     );
 }
 

@@ -4,22 +4,42 @@ import {useSignal} from '@preact/signals';
 import {useLayoutEffect, useRef} from 'preact/hooks';
 
 import type {Move} from '../camera';
+import {layout} from '../store/layout';
 import {reveal} from '../store/places';
 import {
-    comparison, comparisonFailure, diagnostics, difference, failure, hovered, pinned, pixel, progress, size, split, state,
+    comparison, comparisonFailure, diagnostics, difference, failure, hovered, info, isPictureOfScene, notice, pinned, pixel, progress, size, split, state,
 } from '../store/state';
-import {cameraNow, moveCamera} from '../store/viewpoint';
+import {cameraNow, moveCamera, resetCamera} from '../store/viewpoint';
 import {Difference} from './Compare';
-import {keyPressed, lookDistance, usePointers, useWheel} from './gestures';
+import {keyPressed, lookDistance, usePointers, useWheel, zoom} from './gestures';
 import {RayLines} from './RayLines';
+import {Splitter} from './Splitter';
 import {hex, itemName} from './words';
 import {canvases} from './pictures';
 
-/** The picture's size on the page: as large as possible; small pictures are enlarged by a whole number. */
+/** The picture's size on the page. */
 function fit(box: {width: number; height: number}, picture: {width: number; height: number}) {
-    const scale = Math.min(box.width / picture.width, box.height / picture.height);
-    const used = scale >= 2 ? Math.floor(scale) : scale >= 1 ? 1 : scale;
-    return {width: picture.width * used, height: picture.height * used, enlarged: used >= 2};
+    const scale = layout.value.zoom === 'whole' ? 1 : Math.min(box.width / picture.width, box.height / picture.height);
+    return {width: picture.width * scale, height: picture.height * scale, enlarged: scale >= 2};
+}
+
+function ZoomButtons() {
+    const {zoom: now} = layout.value;
+    const set = (to: typeof now) => {
+        layout.value = {...layout.value, zoom: to};
+    };
+    return (
+        <div class="camera-buttons" role="group" aria-label="Size on the page">
+            <button class="quiet" aria-pressed={now === 'fit'} title="As large as its space" onClick={() => set('fit')}>Fit</button>
+            <button class="quiet" aria-pressed={now === 'whole'} title="Each pixel of the picture is one of the page" onClick={() => set('whole')}>100%</button>
+            <button class="quiet" aria-label="Full screen" title="Full screen" onClick={(event) => {
+                const stage = (event.currentTarget as Element).closest('.stage')!;
+                void (document.fullscreenElement ? document.exitFullscreen() : stage.requestFullscreen());
+            }}>
+                <svg class="icon" viewBox="0 0 14 14" aria-hidden="true"><path d="M1 5V1h4M9 1h4v4M13 9v4H9M5 13H1V9" /></svg>
+            </button>
+        </div>
+    );
 }
 
 function Canvas({canvas, label}: {canvas: HTMLCanvasElement; label: string}) {
@@ -50,8 +70,9 @@ function CameraButtons() {
                 <button key={way} class="quiet" aria-label={`Turn ${way}`} title={`Turn ${way} (or drag); with Shift: go ${way}`}
                         onClick={(event) => act(event.shiftKey ? {kind: 'pan', x, y} : {kind: 'orbit', x, y})}>{sign}</button>
             ))}
-            <button class="quiet" aria-label="Nearer" title="Nearer (or turn the wheel)" onClick={() => act({kind: 'zoom', factor: 1 / 1.15})}>+</button>
-            <button class="quiet" aria-label="Farther" title="Farther (or turn the wheel)" onClick={() => act({kind: 'zoom', factor: 1.15})}>−</button>
+            <button class="quiet" aria-label="Reset the camera" title="The camera as the scene was opened" onClick={resetCamera}>⟲</button>
+            <button class="quiet" aria-label="Nearer" title="Nearer (or turn the wheel)" onClick={() => zoom(1 / 1.15)}>+</button>
+            <button class="quiet" aria-label="Farther" title="Farther (or turn the wheel)" onClick={() => zoom(1.15)}>−</button>
         </div>
     );
 }
@@ -79,18 +100,24 @@ function Status() {
     const {width, height} = size.value;
     const first = diagnostics.value.find((one) => one.severity === 'error');
     const mistake = first && `${first.line > 0 ? `${first.line}:${first.column} ` : ''}${first.message}`;
+    // Pictures of more pixels than the page can hold are rendered smaller.
+    const asked = info.value && isPictureOfScene.value && info.value.width * info.value.height > width * height ? info.value : null;
+    const reduced = asked ? ` (reduced from ${asked.width}×${asked.height})` : '';
     const words = {
         starting: 'starting',
-        rendering: fraction > 0 && fraction < 1 ? `rendering · ${Math.round(100 * fraction)}% · ${rate}` : 'rendering',
-        done: `${width}×${height} · ${Math.round(milliseconds)} ms · ${rate}`,
+        rendering: fraction > 0 && fraction < 1 ? `rendering${reduced} · ${Math.round(100 * fraction)}% · ${rate}` : 'rendering',
+        done: `${width}×${height}${reduced} · ${Math.round(milliseconds)} ms · ${rate}`,
         error: `not rendered: ${failure.value || mistake}`,
     }[state.value];
     return (
         <div class="status">
-            <PixelLine />
+            <div class="figures-line">
+                <PixelLine />
+                <ZoomButtons />
+            </div>
             <div class="figures-line">
                 <progress value={state.value === 'done' ? 1 : state.value === 'error' ? 0 : fraction} max={1} aria-label="Progress of the picture" />
-                <span class="mono words" data-state={state.value} title={state.value === 'error' ? words : undefined}>{words}</span>
+                <span class="mono words" data-state={state.value} title={words}>{words}</span>
                 <span class="for-readers" role="status">{{starting: '', rendering: '', done: 'Rendered', error: 'Not rendered'}[state.value]}</span>
                 <CameraButtons />
             </div>
@@ -120,9 +147,11 @@ export function Stage() {
     const percent = (n: number, of: number) => `${(100 * n) / of}%`;
     return (
         <section class="stage" aria-label="Picture">
+            <Splitter side="left" />
+            <Splitter side="right" />
             <div class="stage-area" ref={area}>
                 <div
-                    ref={frame} class={`frame${shown.enlarged ? ' enlarged' : ''}`} tabIndex={0} role="application"
+                    ref={frame} class={`frame${shown.enlarged ? ' enlarged' : ''}${isPictureOfScene.value ? '' : state.value === 'error' ? ' without' : ' before'}`} tabIndex={0} role="application"
                     aria-label="Picture. Arrow keys point at a pixel, Enter explains it, S saves."
                     style={{width: `${shown.width}px`, height: `${shown.height}px`}} onKeyDown={keyPressed} {...pointers}
                 >
@@ -138,6 +167,7 @@ export function Stage() {
                         </>
                     )}
                     {compare && difference.value && <Difference />}
+                    {!isPictureOfScene.value && state.value === 'error' && <p class="no-picture">There is no picture: the text has errors.</p>}
                     <RayLines />
                     {pixel.value && pinned.value?.pixel.join() !== pixel.value.join() && (
                         <div class="cursor" style={{left: percent(x, size.value.width), top: percent(y, size.value.height),
@@ -146,6 +176,14 @@ export function Stage() {
                 </div>
             </div>
             <Status />
+            {notice.value && (
+                <div class="notice" role="status">
+                    <span>{notice.value}</span>
+                    <button class="quiet" aria-label="Dismiss" onClick={() => {
+                        notice.value = '';
+                    }}>✕</button>
+                </div>
+            )}
         </section>
     );
 }

@@ -2,12 +2,13 @@
 import {computed, effect} from '@preact/signals';
 import {useLayoutEffect, useRef} from 'preact/hooks';
 
-import {Editor} from '../editor/editor';
+import {Editor, longestLine} from '../editor/editor';
 import {revealMistake} from '../store/places';
 import {chooseScene, convertToGlint, textChanged} from '../store/scene';
-import {currentDocumentState, diagnostics, failure, fileName, format, services, sceneName, text} from '../store/state';
+import {currentDocumentState, diagnostics, failure, fileName, format, missing, notice, services, sceneName, text} from '../store/state';
 import {spanOf} from '../text/places';
-import {Choice} from './fields';
+import {Choice, FileButton} from './fields';
+import {Outside} from './Outside';
 
 const scenes = computed(() => format.value?.scenes?.(text.value) ?? []);
 
@@ -15,7 +16,12 @@ export function TextPane() {
     const host = useRef<HTMLDivElement>(null);
     // Before the first scene is opened.
     useLayoutEffect(() => {
-        const editor = new Editor(host.current!, {changed: textChanged, documentState: currentDocumentState});
+        const editor = new Editor(host.current!, {
+            changed: textChanged, documentState: currentDocumentState,
+            refused: () => queueMicrotask(() => {
+                notice.value = `Not inserted: a line would have more than ${longestLine} characters.`;
+            }),
+        });
         services.editor = editor;
         return effect(() => {
             const here = diagnostics.value.filter((one) => one.line > 0 && one.file === fileName.value);
@@ -29,7 +35,7 @@ export function TextPane() {
     return (
         <section class="text-pane" aria-label="Scene text" id="panel-text">
             <div class="pane-head">
-                <h2>{fileName.value.split('/').at(-1)}</h2>
+                <h2 title={fileName.value}>{fileName.value.split('/').at(-1)}</h2>
                 {scenes.value.length > 1 && (
                     <Choice label="Scene of this file" hidden value={sceneName.value ?? scenes.value[0]!} values={scenes.value} set={chooseScene} />
                 )}
@@ -38,6 +44,7 @@ export function TextPane() {
                 )}
             </div>
             <div class="editor" ref={host} />
+            <Outside />
             <Messages />
         </section>
     );
@@ -48,6 +55,11 @@ function Messages() {
     if (list.length === 0 && !failure.value) return <div class="messages" aria-live="polite" />;
     return (
         <div class="messages" aria-live="polite">
+            {missing.value.length > 0 && (
+                <p class="message">
+                    {missing.value.join(', ')} {missing.value.length === 1 ? 'is' : 'are'} not here. Drop {missing.value.length === 1 ? 'it' : 'them'} onto the page, or <FileButton label="choose the file…" />
+                </p>
+            )}
             {failure.value && <p class="message error">{failure.value}</p>}
             {list.slice(0, 20).map((one, i) => (
                 <button key={i} class={`message ${one.severity}`} onClick={() => revealMistake(one)}>

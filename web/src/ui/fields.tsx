@@ -4,6 +4,8 @@ import {useSignal} from '@preact/signals';
 import type {ComponentChildren} from 'preact';
 import {useId} from 'preact/hooks';
 
+import {openFiles} from '../store/scene';
+
 export function Switch({label, on, set, disabled, hint}: {
     label: ComponentChildren; on: boolean; set: (on: boolean) => void; disabled?: boolean; hint?: string;
 }) {
@@ -83,6 +85,19 @@ export function TextField({label, value, set}: {label: string; value: string; se
                        set(event.currentTarget.value);
                    }} />
         </div>
+    );
+}
+
+/** Opens files of the user. */
+export function FileButton({label, opened}: {label: string; opened?: () => void}) {
+    return (
+        <label class="button file">{label}
+            <input type="file" multiple onChange={(event) => {
+                void openFiles([...(event.currentTarget.files ?? [])]);
+                event.currentTarget.value = '';
+                opened?.();
+            }} />
+        </label>
     );
 }
 

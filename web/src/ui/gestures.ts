@@ -3,7 +3,7 @@
 import type {CameraInfo} from 'glint-wasm';
 import {useEffect, useRef} from 'preact/hooks';
 
-import {sub} from '../camera';
+import {dot, moved, sub} from '../camera';
 import {hover, pin} from '../store/pixels';
 import {hovered, info, pinned, pixel, size} from '../store/state';
 import {cameraNow, moveCamera} from '../store/viewpoint';
@@ -19,6 +19,19 @@ export function lookDistance(): number {
     if (hit && camera) return length(sub(hit.point, camera.position));
     const bounds = info.value?.bounds;
     return bounds ? Math.min(10, length(sub(bounds.max, bounds.min))) : 5;
+}
+
+/** Moves the camera nearer or farther, but never through the object that is seen. */
+export function zoom(factor: number) {
+    const camera = cameraNow();
+    if (!camera) return;
+    const next = moved(camera, {kind: 'zoom', factor}, lookDistance());
+    const seen = (hovered.value ?? pinned.value)?.rays[0]?.hit?.point;
+    const way = sub(next.position, camera.position);
+    // The part of the way to the object that the step takes.
+    const share = seen && factor < 1 ? dot(way, way) / Math.max(1e-12, dot(way, sub(seen, camera.position))) : 0;
+    const allowed = share > 0.5 ? 1 - ((1 - factor) * 0.5) / share : factor;
+    moveCamera(camera, lookDistance(), {kind: 'zoom', factor: allowed});
 }
 
 /** The gesture in progress: its start, and the camera then. */
@@ -100,11 +113,10 @@ export function useWheel(frame: Frame) {
     useEffect(() => {
         const element = frame.current!;
         const turned = (event: WheelEvent) => {
-            const camera = cameraNow();
-            if (!camera) return;
+            if (!cameraNow()) return;
             event.preventDefault();
             const lines = event.deltaY / (event.deltaMode === 0 ? 100 : 3);
-            moveCamera(camera, lookDistance(), {kind: 'zoom', factor: 1.1 ** Math.max(-5, Math.min(5, lines))});
+            zoom(1.1 ** Math.max(-5, Math.min(5, lines)));
         };
         element.addEventListener('wheel', turned, {passive: false});
         return () => element.removeEventListener('wheel', turned);

@@ -6,14 +6,15 @@ import type {Pool} from '../engine/pool';
 import type {Opened, Rect} from '../engine/protocol';
 import {type ViewContent, View, type ViewEvents} from '../engine/view';
 import {explainAgain} from '../store/pixels';
-import {comparison, comparisonFailure, diagnostics, failure, info, services, progress, size, state} from '../store/state';
+import {wasOpened} from '../store/viewpoint';
+import {comparison, comparisonFailure, diagnostics, failure, hovered, info, missing, pinned, services, progress, shownId, size, state} from '../store/state';
 
 export const canvases = {first: document.createElement('canvas'), second: document.createElement('canvas')};
 /** The number of completed second pictures, for the difference. */
 export const secondDone = signal(0);
 export const firstDone = signal(0);
 
-function painter(canvas: HTMLCanvasElement, resized?: (width: number, height: number) => void) {
+function painter(canvas: HTMLCanvasElement, resized?: (width: number, height: number) => void, isPainted?: (content: ViewContent) => void) {
     const context = canvas.getContext('2d', {alpha: false})!;
     let next: {width: number; height: number} | null = null;
     const coarse = document.createElement('canvas');
@@ -22,7 +23,8 @@ function painter(canvas: HTMLCanvasElement, resized?: (width: number, height: nu
         sized(width: number, height: number) {
             next = width === canvas.width && height === canvas.height ? null : {width, height};
         },
-        painted(tile: ImageData, to: Rect, stretched: boolean) {
+        painted(tile: ImageData, to: Rect, stretched: boolean, content: ViewContent) {
+            isPainted?.(content);
             if (next) {
                 canvas.width = next.width;
                 canvas.height = next.height;
@@ -41,24 +43,37 @@ function painter(canvas: HTMLCanvasElement, resized?: (width: number, height: nu
     };
 }
 
-function opened({report, info: facts}: Opened, {version}: ViewContent) {
+function opened({report, info: facts}: Opened, content: ViewContent) {
+    const {version} = content;
     if (facts && version !== undefined) services.editor?.wasRead(version);
     batch(() => {
         failure.value = facts ? '' : (report.error ?? '');
         diagnostics.value = report.diagnostics;
+        missing.value = report.missing ?? [];
         if (facts) {
+            wasOpened(facts.camera, content.document ?? 0);
             info.value = facts;
             state.value = 'rendering';
         } else {
             state.value = 'error';
+            forgetOther(content);
         }
     });
 }
 
-function failed(why: string) {
+/** The scene has errors: shows nothing of a scene that was open before. */
+function forgetOther({document}: ViewContent) {
+    if (document === shownId.value) return;
+    info.value = null;
+    hovered.value = null;
+    pinned.value = null;
+}
+
+function failed(why: string, content: ViewContent) {
     batch(() => {
         failure.value = why;
         state.value = 'error';
+        forgetOther(content);
     });
 }
 
@@ -66,6 +81,8 @@ export function connectViews(pool: Pool) {
     const first: ViewEvents = {
         ...painter(canvases.first, (width, height) => {
             size.value = {width, height};
+        }, ({document}) => {
+            shownId.value = document ?? 0;
         }),
         opened,
         progress: (now) => {
@@ -74,7 +91,7 @@ export function connectViews(pool: Pool) {
         done: (now) => {
             batch(() => {
                 progress.value = now;
-                state.value = 'done';
+                if (state.value !== 'error') state.value = 'done';
                 firstDone.value += 1;
             });
             void explainAgain('first');

@@ -20,8 +20,9 @@ export function lightName(light: LightTerms['light']): string {
 export function short(value: number | null | undefined): string {
     if (value === null || value === undefined) return '–';
     if (value === 0) return '0';
+    // With a hyphen-minus, so that a copied number is one in a scene's text.
     const text = Math.abs(value) >= 1e5 || Math.abs(value) < 1e-4 ? value.toExponential(1) : String(Number(value.toPrecision(4)));
-    return text.replace('-', '−');
+    return text;
 }
 
 /** A vector, or one number for a grey. */

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: Apache-2.0
+// Keeps the page's state in the browser, so that a reload comes back as it was; and the user's recent scenes. Nothing leaves
+// the browser. Without storage (a private window, a full disk) the page works without this.
+import {effect, signal} from '@preact/signals';
+import type {SceneText} from 'glint-wasm';
+
+import {gallery, parts} from '../gallery';
+import {
+    type Comparison, type Tab, comparison, fileName, includes, overrides, pinned, sceneName, tab, text,
+} from './state';
+
+/** A scene with all that belongs to it. */
+export interface KeptScene {
+    name: string;
+    text: string;
+    scene?: string | undefined;
+    /** Absent: those of the gallery. */
+    includes?: SceneText[] | undefined;
+    overrides?: Record<string, string> | undefined;
+    compare?: Comparison | undefined;
+}
+interface KeptPage extends KeptScene {
+    tab: Tab;
+    pixel?: [number, number] | undefined;
+    /** The address's fragment then: another one is another scene. */
+    hash: string;
+}
+
+const largest = 2e6;
+const mostRecent = 8;
+
+function read<T>(storage: Storage, key: string): T | null {
+    try {
+        return JSON.parse(storage.getItem(key) ?? 'null') as T | null;
+    } catch {
+        return null;
+    }
+}
+
+function write(storage: Storage, key: string, value: unknown) {
+    try {
+        const json = JSON.stringify(value);
+        if (json.length <= largest) {
+            storage.setItem(key, json);
+        } else {
+            storage.removeItem(key);
+        }
+    } catch {
+        // There is no storage, or no room in it.
+    }
+}
+
+const pageKey = 'glint.page', recentKey = 'glint.recent';
+
+/** The present scene, to be opened again. */
+export function presentScene(): KeptScene {
+    return {
+        name: fileName.value, text: text.value, scene: sceneName.value,
+        includes: includes.value === parts ? undefined : includes.value,
+        overrides: Object.keys(overrides.value).length > 0 ? overrides.value : undefined,
+        compare: comparison.value ?? undefined,
+    };
+}
+
+/** The page as it was: of this tab, else of the last one. */
+export const keptPage = () => read<KeptPage>(sessionStorage, pageKey) ?? read<KeptPage>(localStorage, pageKey);
+
+/** The newest first. */
+export const recent = signal<KeptScene[]>(read<KeptScene[]>(localStorage, recentKey) ?? []);
+
+/** Remembers a scene that is the user's own: not one of the gallery. */
+export function remember(scene: KeptScene) {
+    const isGallery = gallery.some((one) => one.name === scene.name && one.text === scene.text) && !scene.overrides;
+    if (scene.name === '' || isGallery) return;
+    const others = recent.value.filter((one) => one.name !== scene.name || one.scene !== scene.scene);
+    recent.value = [{...scene, compare: undefined}, ...others].slice(0, mostRecent);
+    while (JSON.stringify(recent.value).length > largest) recent.value = recent.value.slice(0, -1);
+    write(localStorage, recentKey, recent.value);
+}
+
+/** Keeps the page from now on. */
+export function keepPage() {
+    let timer = 0;
+    const keep = () => {
+        clearTimeout(timer);
+        timer = 0;
+        const page: KeptPage = {...presentScene(), tab: tab.value, pixel: pinned.value?.pixel, hash: location.hash};
+        write(sessionStorage, pageKey, page);
+        write(localStorage, pageKey, page);
+    };
+    effect(() => {
+        presentScene();
+        void [tab.value, pinned.value];
+        timer ||= window.setTimeout(keep, 400);
+    });
+    addEventListener('pagehide', keep);
+    addEventListener('visibilitychange', keep);
+}
