@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import {test} from 'node:test';
 
-import {choose, clickPicture, drop, settled, withPage} from './browser.mjs';
+import {choose, clickPicture, drop, nativeText, picture, sceneText, settled, withPage} from './browser.mjs';
 
 /** The numbers of a table's row. */
 async function numbers(row) {
@@ -177,4 +177,49 @@ test('pointing at a pixel says what is there; a changed scene is explained anew'
     await settled(page);
     await page.getByRole('tab', {name: 'Inspect'}).click();
     await page.waitForFunction((text) => document.querySelector('[data-sum]').innerText !== text, before);
+}));
+
+test('the inspector begins with a sentence, and its curves mark the present angle', () => withPage(async (page) => {
+    await choose(page, 'cgfs/three_mirrors.cgfs');
+    const sentenceAt = async (x, y, pattern) => {
+        await clickPicture(page, x, y);
+        await page.waitForFunction((source) => new RegExp(source).test(document.querySelector('.sentence')?.textContent), pattern);
+    };
+    await sentenceAt(0.5, 0.62, 'red (diffuse|ambient) light.*% is the .* in the mirror');
+    await sentenceAt(0.5, 0.02, '^The ray hits nothing: this is the background\\.$');
+    await drop(page, {name: 'plot.glint', text: `render { size = 100 x 100  shading = phong }
+camera { position = (0, 0, 6) look_at = (0, 0, 0) }
+light { position = (0, 0, 6) }
+light "high" { position = (0, 9, 0) }
+sphere { center = (0, 0, 0) radius = 2 color = (0, 1, 0) specular_color = (1, 1, 1) shininess = 7 }
+sphere "lid" { center = (0, 5, 0.5) radius = 2 }\n`});
+    await page.waitForFunction(() => document.querySelector('.file-name').textContent === 'plot.glint');
+    await settled(page);
+    await sentenceAt(0.502, 0.35, 'green diffuse light; the light “high” is blocked by the sphere “lid”');
+    const captions = await page.locator('.plot figcaption').allInnerTexts();
+    const angles = await page.locator('.angles dd').allInnerTexts();
+    assert.equal(captions.length, 2);
+    assert.match(captions[1], /\(R·V\)\^7/);
+    assert.ok(captions[0].includes(angles[0]) && captions[1].includes(angles[2]), `${captions} ${angles}`);
+    assert.equal(await page.locator('.plot .now').count(), 2);
+}));
+
+test('the object that is clicked has controls, which change its numbers in the text', () => withPage(async (page) => {
+    const text = `render { size = 100 x 100 }
+camera { position = (0, 0, 6) look_at = (0, 0, 0) }
+light { position = (0, 0, 6) }
+material red { color = rgb255(200, 30, 20)  shininess = 7 }
+sphere "ball" { center = (0, 0, 0)  radius = 2  material = red }\n`;
+    await drop(page, {name: 'object.glint', text});
+    await page.waitForFunction(() => document.querySelector('.file-name').textContent === 'object.glint');
+    await settled(page);
+    await clickPicture(page, 0.5, 0.5);
+    const controls = page.locator('.object-controls');
+    await controls.getByRole('spinbutton', {name: 'sphere: radius'}).fill('1.5');
+    await settled(page);
+    await controls.getByRole('spinbutton', {name: 'material red: color 2'}).fill('90');
+    await settled(page);
+    const now = text.replace('radius = 2', 'radius = 1.5').replace('200, 30, 20', '200, 90, 20');
+    assert.equal(await sceneText(page), now);
+    assert.deepEqual(await picture(page), nativeText('object.glint', now));
 }));

@@ -4,13 +4,13 @@ import type {FieldInfo, Vec3} from 'glint-wasm';
 
 import {type Edit, type LightText, type SceneFormat, length, number} from './edit';
 
-interface Entry {
+export interface Entry {
     key: string;
     /** The value's text. */
     from: number;
     to: number;
 }
-interface Block {
+export interface Block {
     word: string;
     from: number;
     /** Offsets after the opening brace and before the closing one. */
@@ -116,8 +116,14 @@ function set(text: string, block: Block, key: string, value: string): Edit[] {
 
 const vector = (v: Vec3) => `(${v.map(number).join(', ')})`;
 
+/** The block that begins at an offset. */
+export function anyBlockAt(text: string, offset: number): Block | null {
+    return parse(text, tokenize(text, offset, true)).blocks.find((block) => block.from === offset) ?? null;
+}
+
 function blockAt(text: string, offset: number, word: string): Block | null {
-    return parse(text, tokenize(text, offset, true)).blocks.find((block) => block.word === word && block.from === offset) ?? null;
+    const block = anyBlockAt(text, offset);
+    return block?.word === word ? block : null;
 }
 
 /** `canAdd`: a field that the text does not say can be said in a new key. */

@@ -6,6 +6,9 @@ import type {ComponentChildren} from 'preact';
 import {reveal} from '../store/places';
 import {comparison, pinned, pinnedIn, selected} from '../store/state';
 import {Diagram} from './Diagram';
+import {ObjectControls} from './ObjectControls';
+import {Plots} from './Plots';
+import {sentence} from './sentence';
 import {TopView} from './TopView';
 import {css, hex, highlights, isBlack, itemName, layerNames, lightName, reasons, short, shortColor, shortVector} from './words';
 
@@ -159,8 +162,10 @@ export function Inspector() {
                 }}>✕</button>
             </div>
             {compare && <p class="note">In the {side === 'first' ? 'left' : 'right'} picture: {compare.key} = {side === 'first' ? compare.a : compare.b}.</p>}
+            <p class="sentence">{sentence(explanation)}</p>
             <Sum explanation={explanation} />
             <Diagram explanation={explanation} />
+            <Plots explanation={explanation} />
             <section class="tree" aria-label="Rays">
                 <h3>Rays</h3>
                 {roots.slice(0, 64).map(({ray, i}) => (
@@ -171,6 +176,7 @@ export function Inspector() {
                 ))}
                 {roots.length > 64 && <p class="note">And {roots.length - 64} more samples.</p>}
             </section>
+            <ObjectControls explanation={explanation} />
             <TopView explanation={explanation} />
         </div>
     );

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+// One plain sentence about a pixel, from its explanation.
+import type {Explanation, ExplainedHit, Vec3} from 'glint-wasm';
+
+import {itemName, layerNames, lightName} from './words';
+
+const hues = ['red', 'orange', 'yellow', 'green', 'green', 'green', 'cyan', 'blue', 'blue', 'violet', 'magenta', 'red'];
+
+/** A plain name of a colour: "dark red" is red, greys are grey, black or white by their brightness. */
+export function colorName(color: Vec3): string {
+    const high = Math.max(...color), low = Math.min(...color);
+    if (high <= 0.02) return 'black';
+    if (high - low < 0.15 * high) return high > 0.8 ? 'white' : 'grey';
+    const [r, g, b] = color, range = high - low;
+    const sixth = high === r ? ((g - b) / range + 6) % 6 : high === g ? (b - r) / range + 2 : (r - g) / range + 4;
+    return hues[Math.round(sixth * 2) % 12]!;
+}
+
+const sum = (color: Vec3) => color.reduce((a, b) => a + Math.max(0, b), 0);
+
+/** The object that a mirror or glass shows first. */
+function seenIn(explanation: Explanation, hit: ExplainedHit, side: 'reflected' | 'transmitted'): string {
+    const ray = hit[side].ray === undefined ? undefined : explanation.rays[hit[side].ray];
+    if (!ray) return 'nothing';
+    return ray.hit ? `the ${itemName(ray.hit.shape)}` : 'the background';
+}
+
+/** "Mostly green diffuse light; 22% is the sphere, line 8, in the mirror; the point light, line 12, is blocked by ..." */
+export function sentence(explanation: Explanation): string {
+    const hit = explanation.rays[0]?.hit;
+    if (!hit) return 'The ray hits nothing: this is the background.';
+    const {layers} = explanation;
+    const total = layerNames.reduce((all, name) => all + sum(layers[name]), 0);
+    const parts: string[] = [];
+    if (total <= 1e-6) {
+        parts.push('black: nothing adds light here');
+    } else {
+        const share = (name: (typeof layerNames)[number]) => sum(layers[name]) / total;
+        const local = (['ambient', 'diffuse', 'specular'] as const).reduce((a, b) => (share(b) > share(a) ? b : a));
+        const words = {ambient: 'ambient light', diffuse: 'diffuse light', specular: 'highlight'}[local];
+        if (share(local) > 0.02) {
+            const amount = share(local) > 0.9 ? 'almost all' : share(local) > 0.5 ? 'mostly' : `${Math.round(100 * share(local))}%`;
+            parts.push(`${amount} ${colorName(layers[local])} ${words}`);
+        }
+        if (share('reflection') > 0.005) parts.push(`${Math.round(100 * share('reflection'))}% is ${seenIn(explanation, hit, 'reflected')} in the mirror`);
+        if (share('transmission') > 0.005) parts.push(`${Math.round(100 * share('transmission'))}% is ${seenIn(explanation, hit, 'transmitted')} through the glass`);
+    }
+    for (const {light, reason, blocker} of hit.lights) {
+        if (reason === 'blocked') parts.push(`the ${lightName(light).replace(/^“/, 'light “')} is blocked${blocker ? ` by the ${itemName(blocker.shape)}` : ''}`);
+        if (reason === 'behind') parts.push(`the ${lightName(light).replace(/^“/, 'light “')} is behind the surface`);
+    }
+    const text = parts.join('; ');
+    return `${text[0]!.toUpperCase()}${text.slice(1)}.`;
+}
