@@ -102,4 +102,4 @@ generated: build
 	@tools/write-generated $(glint)
 
 clean:
-	rm -rf build web/dist web/node_modules web/src/gallery
+	rm -rf build web/dist web/node_modules web/src/gallery web/src/lessons

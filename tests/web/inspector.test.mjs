@@ -185,7 +185,7 @@ test('the inspector begins with a sentence, and its curves mark the present angl
         await clickPicture(page, x, y);
         await page.waitForFunction((source) => new RegExp(source).test(document.querySelector('.sentence')?.textContent), pattern);
     };
-    await sentenceAt(0.5, 0.62, 'red (diffuse|ambient) light.*% is the .* in the mirror');
+    await sentenceAt(0.0508, 0.6342, 'green (diffuse|ambient) light.*% is the sphere on line 9 in the mirror');
     await sentenceAt(0.5, 0.02, '^The ray hits nothing: this is the background\\.$');
     await drop(page, {name: 'plot.glint', text: `render { size = 100 x 100  shading = phong }
 camera { position = (0, 0, 6) look_at = (0, 0, 0) }

@@ -2,6 +2,7 @@
 import {render} from 'preact';
 
 import {startPool} from './engine/start';
+import {followLessons} from './store/learning';
 import {keepPage} from './store/memory';
 import {openFirst, openLink} from './store/scene';
 import {failure, services, state} from './store/state';
@@ -14,6 +15,7 @@ try {
     connectViews(services.pool);
     await openFirst();
     keepPage();
+    followLessons();
 } catch (error) {
     failure.value = `The engine could not be started: ${error instanceof Error ? error.message : String(error)}`;
     state.value = 'error';

@@ -9,6 +9,17 @@ export interface Shared {
     includes?: SceneText[] | undefined;
     overrides?: Record<string, string> | undefined;
     compare?: {key: string; a: string; b: string} | undefined;
+    /** A challenge of a teacher: make this scene's picture equal to the target's. */
+    challenge?: SharedChallenge | undefined;
+}
+
+export interface SharedChallenge {
+    task: string;
+    /** The text of the target, of the same name, and its settings outside the text. */
+    target: string;
+    overrides?: Record<string, string> | undefined;
+    /** Only lines with one of these words may be changed. */
+    may?: string[] | undefined;
 }
 
 class TooLarge extends Error {}
@@ -55,10 +66,22 @@ export async function fromFragment(fragment: string): Promise<Shared | string | 
     }
 }
 
+function checkedChallenge(value: unknown): SharedChallenge | undefined {
+    if (typeof value !== 'object' || value === null) return undefined;
+    const {task, target, overrides, may} = value as Record<string, unknown>;
+    if (typeof task !== 'string' || typeof target !== 'string') return undefined;
+    return {
+        task: task.slice(0, 1000), target,
+        overrides: typeof overrides === 'object' && overrides !== null && Object.values(overrides).every((v) => typeof v === 'string')
+            ? (overrides as Record<string, string>) : undefined,
+        may: Array.isArray(may) && may.every((word) => typeof word === 'string') ? may : undefined,
+    };
+}
+
 /** A link may come from anyone: only values of the right types are accepted. */
 function checked(value: unknown): Shared | null {
     if (typeof value !== 'object' || value === null) return null;
-    const {name, text, scene, includes, overrides, compare} = value as Record<string, unknown>;
+    const {name, text, scene, includes, overrides, compare, challenge} = value as Record<string, unknown>;
     if (typeof name !== 'string' || typeof text !== 'string') return null;
     const strings = (o: unknown): o is Record<string, string> =>
         typeof o === 'object' && o !== null && Object.values(o).every((v) => typeof v === 'string');
@@ -72,5 +95,6 @@ function checked(value: unknown): Shared | null {
         compare: strings(compare) && 'key' in compare && 'a' in compare && 'b' in compare
             ? (compare as {key: string; a: string; b: string})
             : undefined,
+        challenge: checkedChallenge(challenge),
     };
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The messages between the page and its workers.
-import type {Explanation, OpenRequest, PrepareRequest, Report, SceneInfo} from 'glint-wasm';
+import type {Comparison, Explanation, OpenRequest, PrepareRequest, Report, SceneInfo} from 'glint-wasm';
 
 export interface Rect {
     x: number;
@@ -14,7 +14,9 @@ export type Task =
     | {what: 'open'; rect?: Rect}
     | {what: 'tile'; rect: Rect}
     | {what: 'explain'; x: number; y: number}
-    | {what: 'convert'};
+    | {what: 'convert'}
+    /** Against the picture of another scene. */
+    | {what: 'compare'; reference: OpenRequest; causes: boolean};
 
 /** One job. A worker keeps one open scene per view; `request` is sent if it has not opened `key` yet. */
 export interface Job {
@@ -45,6 +47,7 @@ export interface Answers {
     tile: Tile;
     explain: Explanation | null;
     convert: string;
+    compare: Comparison;
 }
 
 /** broken: the instance ran out of memory or trapped; all its open scenes are lost. */

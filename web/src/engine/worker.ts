@@ -54,6 +54,14 @@ async function work(job: JobMessage): Promise<Answers[keyof Answers]> {
     prepare(open, job.prepare);
     if (task.what === 'explain') return scene.explain(task.x, task.y);
     if (task.what === 'convert') return scene.toGlint();
+    if (task.what === 'compare') {
+        const reference = glint!.open(task.reference);
+        try {
+            return scene.compare(reference, {causes: task.causes});
+        } finally {
+            reference.close();
+        }
+    }
     return tile(open, task.rect);
 }
 
@@ -67,7 +75,7 @@ addEventListener('message', async ({data}: MessageEvent<ToWorker>) => {
     try {
         const answer = await work(data);
         if (answer && typeof answer === 'object') {
-            if ('pixels' in answer) transfer.push(answer.pixels.buffer);
+            if ('milliseconds' in answer) transfer.push(answer.pixels.buffer);
             if ('tile' in answer && answer.tile) transfer.push(answer.tile.pixels.buffer);
         }
         reply = {id: data.id, answer};

@@ -5,13 +5,13 @@ import type {OpenRequest, SceneText} from 'glint-wasm';
 
 import {type DocumentState, longestLine, tooLongLine} from '../editor/editor';
 import {gallery, parts} from '../gallery';
-import {type Shared, fromFragment, toFragment} from '../share';
+import {type Shared, type SharedChallenge, fromFragment, toFragment} from '../share';
 import {extensions, formatOf} from '../text/formats';
 import {forgetLights} from './lights';
 import {keptPage, presentScene, remember} from './memory';
 import {pinLater} from './pixels';
 import {
-    type Comparison, currentDocumentState, comparison, comparisonFailure, documentId, fileName, history, hovered, includes, isFirstVisit, missing,
+    type Comparison, currentDocumentState, comparison, comparisonFailure, documentId, fileName, history, hovered, includes, isFirstVisit, givenChallenge, missing,
     services as page, notice,
     overrides, pinned, pinnedIn, pixel, sceneName, state, tab, text,
 } from './state';
@@ -24,6 +24,9 @@ function requestWith(extra: Record<string, string>): OpenRequest {
         settings: {...overrides.value, ...extra},
     };
 }
+
+/** The request that opens the present scene. */
+export const presentRequest = () => requestWith({});
 
 /** Renders the present scene. */
 export function render() {
@@ -148,13 +151,15 @@ export async function openLink(hash: string) {
     const shared = await fromFragment(hash);
     const isScene = typeof shared === 'object' && shared !== null && tooLongLine(shared.text) === 0;
     if (isScene || fileName.value === '') openScene(isScene ? shared : bookScene());
+    if (isScene && shared.challenge) givenChallenge.value = {...shared.challenge, name: shared.name, start: shared.text};
     if (isScene) return;
     const why = typeof shared === 'string' ? shared : shared ? `The scene of the link has a line of more than ${longestLine} characters.` : 'The link contains no scene.';
     notice.value = `${why} This is the ${fileName.value === bookScene().name ? 'default' : 'same'} scene.`;
 }
 
-export async function link(): Promise<string> {
-    const shared: Shared = presentScene();
+/** The address of the present scene, or of a challenge that starts with it. */
+export async function link(challenge?: SharedChallenge): Promise<string> {
+    const shared: Shared = {...presentScene(), challenge};
     const url = new URL(location.href);
     url.hash = await toFragment(shared);
     return url.href;

@@ -7,6 +7,7 @@ import type {Diagnostic, Explanation, SceneInfo, SceneText, Setting} from 'glint
 import type {DocumentState, Editor} from '../editor/editor';
 import type {Pool} from '../engine/pool';
 import type {Progress, View} from '../engine/view';
+import type {SharedChallenge} from '../share';
 import {formatOf} from '../text/formats';
 
 /** The number of the scene: another scene, another number. */
@@ -50,8 +51,10 @@ export const pinned = signal<Explanation | null>(null);
 export const pinnedIn = signal<{side: Side; isPhong: boolean}>({side: 'first', isPhong: true});
 /** The ray and light that the inspector's diagram shows. */
 export const selected = signal<{ray: number; light: number}>({ray: 0, light: 0});
-export type Tab = 'text' | 'controls' | 'inspect' | 'compare';
+export type Tab = 'learn' | 'text' | 'controls' | 'inspect' | 'compare';
 export const tab = signal<Tab>('controls');
+/** The challenge of the link that was opened. */
+export const givenChallenge = signal<(SharedChallenge & {name: string; start: string}) | null>(null);
 /** The line that says what this page is is shown. */
 export const isFirstVisit = signal(false);
 

@@ -10,11 +10,13 @@ import {Compare} from './Compare';
 import {Controls} from './Controls';
 import {Header} from './Header';
 import {Inspector} from './Inspector';
+import {Learn} from './Learn';
 import {Stage} from './Stage';
 import {Welcome} from './Welcome';
 import {TextPane} from './TextPane';
 
 const tabs = [
+    ['learn', 'Learn'],
     ['text', 'Text'],
     ['controls', 'Controls'],
     ['inspect', 'Inspect'],
@@ -114,6 +116,7 @@ export function App() {
                 <Stage />
                 <section class="side" aria-label="Panels">
                     <Tabs />
+                    <div {...panel('learn')}>{tab.value === 'learn' && <Learn />}</div>
                     <div {...panel('controls')}><Controls /></div>
                     <div {...panel('inspect')}>{tab.value === 'inspect' && <Inspector />}</div>
                     <div {...panel('compare')}><Compare /></div>

@@ -14,7 +14,8 @@ export const canvases = {first: document.createElement('canvas'), second: docume
 export const secondDone = signal(0);
 export const firstDone = signal(0);
 
-function painter(canvas: HTMLCanvasElement, resized?: (width: number, height: number) => void, isPainted?: (content: ViewContent) => void) {
+/** Draws tiles and coarse pictures on a canvas. */
+export function painter(canvas: HTMLCanvasElement, resized?: (width: number, height: number) => void, isPainted?: (content: ViewContent) => void) {
     const context = canvas.getContext('2d', {alpha: false})!;
     let next: {width: number; height: number} | null = null;
     const coarse = document.createElement('canvas');

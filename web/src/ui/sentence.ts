@@ -16,16 +16,19 @@ export function colorName(color: Vec3): string {
     return hues[Math.round(sixth * 2) % 12]!;
 }
 
+/** "the sphere on line 8", "the light “lamp”". */
+const phrase = (name: string) => `the ${name.replace(/^“/, 'light “').replace(/, line (\d+)$/, ' on line $1')}`;
+
 const sum = (color: Vec3) => color.reduce((a, b) => a + Math.max(0, b), 0);
 
 /** The object that a mirror or glass shows first. */
 function seenIn(explanation: Explanation, hit: ExplainedHit, side: 'reflected' | 'transmitted'): string {
     const ray = hit[side].ray === undefined ? undefined : explanation.rays[hit[side].ray];
     if (!ray) return 'nothing';
-    return ray.hit ? `the ${itemName(ray.hit.shape)}` : 'the background';
+    return ray.hit ? phrase(itemName(ray.hit.shape)) : 'the background';
 }
 
-/** "Mostly green diffuse light; 22% is the sphere, line 8, in the mirror; the point light, line 12, is blocked by ..." */
+/** "Mostly green diffuse light; 22% is the sphere on line 8 in the mirror; the point light on line 12 is blocked by ..." */
 export function sentence(explanation: Explanation): string {
     const hit = explanation.rays[0]?.hit;
     if (!hit) return 'The ray hits nothing: this is the background.';
@@ -46,8 +49,8 @@ export function sentence(explanation: Explanation): string {
         if (share('transmission') > 0.005) parts.push(`${Math.round(100 * share('transmission'))}% is ${seenIn(explanation, hit, 'transmitted')} through the glass`);
     }
     for (const {light, reason, blocker} of hit.lights) {
-        if (reason === 'blocked') parts.push(`the ${lightName(light).replace(/^“/, 'light “')} is blocked${blocker ? ` by the ${itemName(blocker.shape)}` : ''}`);
-        if (reason === 'behind') parts.push(`the ${lightName(light).replace(/^“/, 'light “')} is behind the surface`);
+        if (reason === 'blocked') parts.push(`${phrase(lightName(light))} is blocked${blocker ? ` by ${phrase(itemName(blocker.shape))}` : ''}`);
+        if (reason === 'behind') parts.push(`${phrase(lightName(light))} is behind the surface`);
     }
     const text = parts.join('; ');
     return `${text[0]!.toUpperCase()}${text.slice(1)}.`;

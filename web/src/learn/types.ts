@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+// Lessons and challenges, as tools/make-lessons.mjs makes them.
+
+export interface Step {
+    title: string;
+    html: string;
+    /** Opened when the step begins; null: the scene stays. */
+    scene: {name: string; text: string} | null;
+    /** All of them make the step done; see checks.ts. */
+    checks: string[];
+    solution: string;
+}
+
+export interface Lesson {
+    id: string;
+    title: string;
+    html: string;
+    scene: {name: string; text: string};
+    steps: Step[];
+}
+
+export interface Challenge {
+    id: string;
+    task: string;
+    /** The name of both scenes; its extension is their format. */
+    name: string;
+    target: string;
+    start: string;
+    /** If given: only lines with one of these words may be changed. */
+    may?: string[] | undefined;
+}

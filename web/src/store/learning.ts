@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: Apache-2.0
+// The lesson or challenge that is open, and what of it is done.
+import {effect, signal} from '@preact/signals';
+import type {Comparison, OpenRequest} from 'glint-wasm';
+
+import {holdsCheck} from '../learn/checks';
+import type {Challenge, Lesson} from '../learn/types';
+import {openScene, presentRequest} from './scene';
+import {
+    documentId, givenChallenge, info, isFirstVisit, overrides, pinned, services, shownId, size, state, tab, text,
+} from './state';
+
+/** Loaded when they are first needed. */
+export const lessons = signal<Lesson[]>([]);
+export const challenges = signal<Challenge[]>([]);
+/** The open lesson, and the number of its step; or the open challenge. */
+export const lesson = signal<Lesson | null>(null);
+export const step = signal(0);
+export const challenge = signal<(Challenge & {overrides?: Record<string, string> | undefined}) | null>(null);
+/** The difference of the picture from the challenge's target, or why there is none. */
+export const difference = signal<Comparison | string | null>(null);
+/** The causes of the difference, once they are asked for. */
+export const hints = signal<string[] | null>(null);
+export const isSearching = signal(false);
+
+const key = 'glint.done';
+
+function kept(): string[] {
+    try {
+        const list: unknown = JSON.parse(localStorage.getItem(key) ?? '[]');
+        return Array.isArray(list) ? list.filter((one) => typeof one === 'string') : [];
+    } catch {
+        return [];
+    }
+}
+
+/** Steps and challenges: "01_ambient/0", "c01". */
+export const done = signal<ReadonlySet<string>>(new Set(kept()));
+
+function setDone(id: string) {
+    if (done.value.has(id)) return;
+    done.value = new Set([...done.value, id]);
+    try {
+        localStorage.setItem(key, JSON.stringify([...done.value]));
+    } catch {
+        // It is then done for this visit.
+    }
+}
+
+export const stepId = (of: Lesson, number: number) => `${of.id}/${number}`;
+
+export async function loadLessons() {
+    if (lessons.value.length > 0) return;
+    const [first, second] = await Promise.all([import('../lessons/lessons'), import('../lessons/challenges')]);
+    lessons.value = first.lessons;
+    challenges.value = second.challenges;
+}
+
+export async function openLesson(id: string) {
+    await loadLessons();
+    const found = lessons.value.find((one) => one.id === id) ?? lessons.value[0]!;
+    leave();
+    openScene(found.scene);
+    lesson.value = found;
+    step.value = 0;
+    tab.value = 'learn';
+}
+
+export function goToStep(number: number) {
+    const scene = lesson.value?.steps[number]?.scene;
+    if (scene) openScene(scene);
+    pinned.value = null;  // of the step before
+    step.value = number;
+}
+
+function begin(wanted: Challenge & {overrides?: Record<string, string> | undefined}) {
+    lesson.value = null;
+    challenge.value = wanted;
+    difference.value = null;
+    hints.value = null;
+    tab.value = 'learn';
+}
+
+export async function openChallenge(id: string) {
+    await loadLessons();
+    const found = challenges.value.find((one) => one.id === id) ?? challenges.value[0]!;
+    leave();
+    openScene({name: found.name, text: found.start});
+    begin(found);
+}
+
+export function leave() {
+    lesson.value = null;
+    challenge.value = null;
+}
+
+/** The request that opens a challenge's target. */
+export const targetRequest = (of: NonNullable<typeof challenge.value>): OpenRequest =>
+    ({texts: [{name: of.name, text: of.target}], settings: of.overrides ?? {}});
+
+/** The numbers of the lines that may not be changed and are. */
+export function forbiddenLines(of: Challenge, now: string): number[] {
+    const {may} = of;
+    if (!may || may.length === 0) return [];
+    const lines = now.split('\n'), before = of.start.split('\n');
+    const isFree = (line: string | undefined) => may.some((word) => line?.includes(word));
+    return Array.from({length: Math.max(lines.length, before.length)}, (_, i) => i)
+        .filter((i) => lines[i] !== before[i] && !(isFree(before[i]) || (before[i] === undefined && isFree(lines[i])))).map((i) => i + 1);
+}
+
+/** A challenge is met if the pictures are equal but for rounding. */
+export const isMet = (found: Comparison | string | null) => typeof found === 'object' && found !== null && found.mean <= 0.1 && found.within >= 0.999 * found.pixels;
+
+let last = 0;
+
+async function compare(causes: boolean): Promise<Comparison | string> {
+    const current = challenge.value!;
+    try {
+        return await services.pool!.run({
+            view: 'challenge', key: ++last, request: presentRequest(), prepare: {},
+            task: {what: 'compare', reference: targetRequest(current), causes},
+        }, !causes);
+    } catch (error) {
+        return error instanceof Error ? error.message : String(error);
+    }
+}
+
+/** Asks glint for the causes of the difference. */
+export async function askForHints() {
+    isSearching.value = true;
+    const found = await compare(true);
+    isSearching.value = false;
+    if (typeof found === 'string') {
+        hints.value = [found];
+        return;
+    }
+    const causes = [...(found.causes ?? []), ...(found.then ?? [])];
+    hints.value = causes.length > 0 ? causes.slice(0, 3).map((cause) => (cause.perhaps ? `Perhaps: ${cause.explanation}` : cause.explanation))
+        : [found.remark || found.where || 'glint finds no single cause. Compare shapes, lights and materials one by one.'];
+}
+
+async function checkStep() {
+    const now = lesson.value, number = step.value, facts = info.value;
+    const current = services.first?.current;
+    if (!now || !facts || !current || !services.pool) return;
+    const {content, key: opened, prepare} = current;
+    const situation = {
+        info: facts, text: text.value, pinned: pinned.value,
+        explain: (x: number, y: number) => services.pool!.run({
+            view: 'first', key: opened, request: content.request, prepare,
+            task: {what: 'explain', x: Math.floor(x * size.value.width), y: Math.floor(y * size.value.height)},
+        }, true),
+    };
+    try {
+        for (const check of now.steps[number]!.checks) {
+            if (!(await holdsCheck(check, situation))) return;
+        }
+    } catch {
+        return;  // the scene has been replaced meanwhile
+    }
+    if (lesson.value === now && step.value === number) setDone(stepId(now, number));
+}
+
+let checks = 0;
+
+async function checkChallenge() {
+    const now = challenge.value, number = ++checks;
+    const found = await compare(false);
+    if (challenge.value !== now || !now || number !== checks) return;  // of an older picture
+    difference.value = found;
+    if (isMet(found) && forbiddenLines(now, text.value).length === 0) setDone(now.id);
+}
+
+/** Checks the open step or challenge whenever a picture is complete or a pixel is pinned. */
+export function followLessons() {
+    requestIdleCallback(() => void loadLessons());  // the page makes no connections later
+    effect(() => {
+        const isReady = state.value === 'done' && shownId.value === documentId.value;
+        void [pinned.value, info.value, step.value, overrides.value];
+        if (!isReady) return;
+        if (lesson.value) void checkStep();
+        if (challenge.value) void checkChallenge();
+    });
+    effect(() => {
+        const given = givenChallenge.value;
+        if (!given) return;
+        begin({id: `link:${given.task}`, ...given});
+        isFirstVisit.value = false;
+    });
+}

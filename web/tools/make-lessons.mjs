@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: Apache-2.0
+// Creates src/lessons/: the lessons of ../docs/lessons as HTML, with formulas as MathML, and the challenges of challenges/.
+// docs/lessons/README.md describes the syntax of a lesson.
+import {mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync} from 'node:fs';
+import {join} from 'node:path';
+import {fileURLToPath} from 'node:url';
+
+import katex from 'katex';
+import {Marked} from 'marked';
+
+const web = fileURLToPath(new URL('..', import.meta.url));
+const lessons = join(web, '..', 'docs', 'lessons');
+const challenges = join(web, 'challenges');
+const out = join(web, 'src', 'lessons');
+
+const mathml = (tex, displayMode) => katex.renderToString(tex, {output: 'mathml', displayMode, throwOnError: true})
+    .replace(/^<span class="katex">|<\/span>$/g, '').replace(/<annotation.*?<\/annotation>/gs, '');
+
+/** $...$ and $$...$$. */
+const formulas = {
+    name: 'formula', level: 'inline',
+    start: (text) => text.indexOf('$'),
+    tokenizer(text) {
+        const match = /^\$\$([^$]+)\$\$|^\$([^$\n]+)\$/.exec(text);
+        if (match) return {type: 'formula', raw: match[0], tex: match[1] ?? match[2], display: match[1] !== undefined};
+    },
+    renderer: ({tex, display}) => mathml(tex, display),
+};
+
+const marked = new Marked({extensions: [formulas]});
+
+/** The blocks of a lesson: its fenced blocks are taken out by the language of each. */
+function split(markdown, where) {
+    const tokens = marked.lexer(markdown);
+    const title = tokens.find((token) => token.type === 'heading' && token.depth === 1)?.text;
+    if (!title) throw new Error(`${where}: a lesson begins with its title`);
+    const parts = [{title, tokens: [], scene: null, checks: [], solution: null}];
+    for (const token of tokens) {
+        const part = parts.at(-1);
+        if (token.type === 'heading' && token.depth === 1) continue;
+        if (token.type === 'heading' && token.depth === 2) {
+            parts.push({title: token.text, tokens: [], scene: null, checks: [], solution: null});
+        } else if (token.type === 'code' && token.lang) {
+            const [what, name] = token.lang.split(/\s+/);
+            if (what === 'scene') part.scene = {name, text: `${token.text}\n`};
+            else if (what === 'check') part.checks.push(...token.text.split('\n').filter((line) => line.trim()));
+            else if (what === 'solution') part.solution = token.text;
+            else throw new Error(`${where}: unknown block '${token.lang}'`);
+        } else {
+            part.tokens.push(token);
+        }
+    }
+    return parts;
+}
+
+function lesson(file) {
+    const [intro, ...steps] = split(readFileSync(join(lessons, file), 'utf8'), file);
+    if (!intro.scene || steps.length < 3 || steps.length > 6) throw new Error(`${file}: a lesson has a scene and 3 to 6 steps`);
+    const html = (part) => marked.parser(part.tokens).trim();
+    return {
+        id: file.replace(/\.md$/, ''), title: intro.title, html: html(intro), scene: intro.scene,
+        steps: steps.map((step) => {
+            if (step.checks.length === 0 || !step.solution) throw new Error(`${file}: step '${step.title}' needs a check and a solution`);
+            return {title: step.title, html: html(step), scene: step.scene, checks: step.checks, solution: step.solution};
+        }),
+    };
+}
+
+/** A file of challenges/: the task in its first line, then the target and the start, divided by a line of ---. */
+function challenge(file) {
+    const [task, ...rest] = readFileSync(join(challenges, file), 'utf8').split('\n');
+    const [target, start] = rest.join('\n').split(/^---\n/m);
+    return {id: file.replace(/\.\w+$/, ''), task: task.replace(/^#\s*/, ''), name: file, target, start};
+}
+
+const list = readdirSync(lessons).filter((file) => /^\d.*\.md$/.test(file)).sort().map(lesson);
+const pictures = readdirSync(challenges).sort().map(challenge);
+rmSync(out, {recursive: true, force: true});
+mkdirSync(out, {recursive: true});
+const data = (name, type, value) => writeFileSync(join(out, `${name}.ts`),
+    `// Made by tools/make-lessons.mjs.\nimport type {${type}} from '../learn/types';\n\nexport const ${name}: ${type}[] = ${JSON.stringify(value, null, 1)};\n`);
+data('lessons', 'Lesson', list);
+data('challenges', 'Challenge', pictures);
+console.log(`${list.length} lessons, ${pictures.length} challenges`);
