@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: Apache-2.0
+// axe-core finds no violation in any view, in both themes, wide and narrow; and the page is small.
+import assert from 'node:assert/strict';
+import {readdirSync, readFileSync} from 'node:fs';
+import {createRequire} from 'node:module';
+import {join} from 'node:path';
+import {test} from 'node:test';
+import {gzipSync} from 'node:zlib';
+
+import {clickPicture, drop, project, settled, shoot, withPage} from './browser.mjs';
+
+const axe = readFileSync(createRequire(new URL('../../web/package.json', import.meta.url)).resolve('axe-core/axe.min.js'), 'utf8');
+
+/** The violations of the present view. */
+async function violations(page) {
+    const {list} = await page.evaluate(async () => {
+        const found = await globalThis.axe.run(document, {
+            runOnly: ['wcag2a', 'wcag2aa', 'wcag21a', 'wcag21aa', 'wcag22aa', 'best-practice'],
+            rules: {'label-content-name-mismatch': {enabled: true}, 'target-size': {enabled: true}},
+            resultTypes: ['violations'],
+        });
+        return {list: found.violations.map(({id, nodes}) => `${id}: ${nodes.slice(0, 3).map((node) => `${node.target} ${node.html.slice(0, 90)}`).join(' | ')} (${nodes.length})`)};
+    });
+    return list;
+}
+
+const views = [
+    ['the first visit', () => {}],
+    ['a message', async (page) => {
+        await drop(page, {name: 'notes.txt', text: ''});
+        await page.locator('.notice').waitFor();
+    }],
+    ['Inspect', async (page) => {
+        await page.getByRole('button', {name: 'Dismiss'}).last().click();
+        await clickPicture(page, 0.5, 0.62);
+        await page.locator('.inspector').waitFor();
+    }],
+    ['Controls', async (page) => {
+        await page.getByRole('tab', {name: 'Controls'}).click();
+        await page.getByText('Conventions', {exact: true}).click();
+        await page.getByRole('combobox', {name: 'Shading'}).selectOption('blinn-phong');
+        await settled(page);
+    }],
+    ['Compare', async (page) => {
+        await page.getByRole('tab', {name: 'Compare'}).click();
+        await page.getByRole('button', {name: '0 | 3 reflections'}).click();
+        await settled(page);
+    }],
+    ['Learn', async (page) => {
+        await page.getByRole('button', {name: 'End the comparison'}).click();
+        await page.getByRole('tab', {name: 'Learn'}).click();
+        await page.getByText('Your own challenge').click();
+    }],
+    ['a lesson', async (page) => {
+        await page.locator('[data-lesson="05_attenuation"]').click();
+        await page.locator('.lesson').waitFor();
+        await settled(page);
+        await page.getByText('Solution').click();
+    }],
+    ['a challenge', async (page) => {
+        await page.getByRole('button', {name: 'All lessons and challenges'}).click();
+        await page.locator('[data-challenge="case_01"]').click();
+        await page.waitForFunction(() => /differ/.test(document.querySelector('.difference')?.textContent));
+    }],
+    ['Scenes', async (page) => {
+        await page.getByRole('button', {name: 'Scenes', exact: true}).click();
+    }],
+    ['errors', async (page) => {
+        await page.keyboard.press('Escape');
+        await drop(page, {name: 'bad.glint', text: `include "gone.glint"\nsphere { oops = 1 }\n${'oops\n'.repeat(30)}`});
+        await settled(page, 'error');
+        if (page.viewportSize().width < 1012) await page.getByRole('tab', {name: 'Text'}).click();
+    }],
+];
+
+for (const scheme of ['light', 'dark']) {
+    for (const width of [1440, 360]) {
+        test(`no violation: ${scheme}, ${width} pixels`, {timeout: 120_000}, () => withPage(async (page) => {
+            await page.evaluate(axe);
+            const found = [];
+            for (const [name, open] of views) {
+                await open(page);
+                found.push(...(await violations(page)).map((one) => `${name}: ${one}`));
+                await shoot(page, `view_${scheme}_${width}_${name.replaceAll(' ', '_')}.png`);
+            }
+            assert.deepEqual(found, []);
+        }, {scheme, width, height: width === 360 ? 740 : 900}));
+    }
+}
+
+test('page, editor and engine are under a megabyte, compressed', () => {
+    const dist = join(project, 'web/dist');
+    const files = readdirSync(dist, {recursive: true}).map(String).filter((name) => /\.(html|js|css|wasm|svg)$/.test(name));
+    assert.ok(files.some((name) => name.endsWith('.wasm')) && files.length > 5);
+    const size = files.reduce((sum, name) => sum + gzipSync(readFileSync(join(dist, name)), {level: 9}).length, 0);
+    console.log(`# ${size} bytes`);
+    assert.ok(size < 1e6, `${size} bytes`);
+});
