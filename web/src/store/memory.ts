@@ -29,21 +29,24 @@ interface KeptPage extends KeptScene {
 const largest = 2e6;
 const mostRecent = 8;
 
-function read<T>(storage: Storage, key: string): T | null {
+/** Of this tab, or of the browser. Where storage is forbidden, naming it throws. */
+type Where = 'sessionStorage' | 'localStorage';
+
+function read<T>(where: Where, key: string): T | null {
     try {
-        return JSON.parse(storage.getItem(key) ?? 'null') as T | null;
+        return JSON.parse(globalThis[where].getItem(key) ?? 'null') as T | null;
     } catch {
         return null;
     }
 }
 
-function write(storage: Storage, key: string, value: unknown) {
+function write(where: Where, key: string, value: unknown) {
     try {
         const json = JSON.stringify(value);
         if (json.length <= largest) {
-            storage.setItem(key, json);
+            globalThis[where].setItem(key, json);
         } else {
-            storage.removeItem(key);
+            globalThis[where].removeItem(key);
         }
     } catch {
         // There is no storage, or no room in it.
@@ -63,10 +66,10 @@ export function presentScene(): KeptScene {
 }
 
 /** The page as it was: of this tab, else of the last one. */
-export const keptPage = () => read<KeptPage>(sessionStorage, pageKey) ?? read<KeptPage>(localStorage, pageKey);
+export const keptPage = () => read<KeptPage>('sessionStorage', pageKey) ?? read<KeptPage>('localStorage', pageKey);
 
 /** The newest first. */
-export const recent = signal<KeptScene[]>(read<KeptScene[]>(localStorage, recentKey) ?? []);
+export const recent = signal<KeptScene[]>(read<KeptScene[]>('localStorage', recentKey) ?? []);
 
 /** Remembers a scene that is the user's own: not one of the gallery. */
 export function remember(scene: KeptScene) {
@@ -75,7 +78,7 @@ export function remember(scene: KeptScene) {
     const others = recent.value.filter((one) => one.name !== scene.name || one.scene !== scene.scene);
     recent.value = [{...scene, compare: undefined}, ...others].slice(0, mostRecent);
     while (JSON.stringify(recent.value).length > largest) recent.value = recent.value.slice(0, -1);
-    write(localStorage, recentKey, recent.value);
+    write('localStorage', recentKey, recent.value);
 }
 
 /** Keeps the page from now on. */
@@ -85,8 +88,8 @@ export function keepPage() {
         clearTimeout(timer);
         timer = 0;
         const page: KeptPage = {...presentScene(), tab: tab.value, pixel: pinned.value?.pixel, hash: location.hash};
-        write(sessionStorage, pageKey, page);
-        write(localStorage, pageKey, page);
+        write('sessionStorage', pageKey, page);
+        write('localStorage', pageKey, page);
     };
     effect(() => {
         presentScene();

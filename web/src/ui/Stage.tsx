@@ -149,7 +149,7 @@ export function Stage() {
         <section class="stage" aria-label="Picture">
             <Splitter side="left" />
             <Splitter side="right" />
-            <div class="stage-area" ref={area}>
+            <div class={`stage-area${layout.value.zoom === 'whole' ? ' whole' : ''}`} ref={area}>
                 <div
                     ref={frame} class={`frame${shown.enlarged ? ' enlarged' : ''}${isPictureOfScene.value ? '' : state.value === 'error' ? ' without' : ' before'}`} tabIndex={0} role="application"
                     aria-label="Picture. Arrow keys point at a pixel, Enter explains it, S saves."
