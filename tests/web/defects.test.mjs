@@ -140,7 +140,18 @@ test('the numbers of the inspector can be pasted into a text, and names are told
     await page.getByRole('button', {name: 'Scenes', exact: true}).click();
     const titles = await page.locator('.thumb').allInnerTexts();
     assert.equal(new Set(titles).size, titles.length, 'no two scenes of one name');
-    await page.keyboard.press('Escape');
+    // Neither the name nor the text of a fault says what it is.
+    await page.locator('[data-scene$="faults/grey.cgfs"]').click();
+    await settled(page);
+    assert.match(await page.locator('.file-name').innerText(), /^fault_\d\.cgfs$/);
+    assert.doesNotMatch(await sceneText(page), /#/);
+}));
+
+test('the convention of the book is no fault in the book’s scene', () => withPage(async (page) => {
+    await page.getByRole('switch', {name: 'No epsilon'}).waitFor();
+    assert.equal(await page.getByRole('switch', {name: 'Specular without gate'}).count(), 0);
+    await choose(page, 'epfl/castle.json');
+    assert.equal(await page.getByRole('switch', {name: 'Specular without gate'}).isChecked(), false);
 }));
 
 test('a control that is used does not move', () => withPage(async (page) => {

@@ -20,6 +20,7 @@ const includes = files.filter((path) => path.includes('/parts/')).map(read);
 
 /** One entry per picture: a file; two listings that form one scene; each scene of a file that has several. */
 function* entries() {
+    let faults = 0;
     for (const path of files) {
         if (path.includes('/parts/') || path.includes('only_lights')) continue;
         const {name, text} = read(path);
@@ -28,6 +29,10 @@ function* entries() {
             yield {name: 'cgfs/two_listings.cgfs', text: `${text}\n${lights.text}`};
         } else if (path.endsWith('two_scenes.js')) {
             for (const scene of text.matchAll(/^ {8}name: '(\w+)'/gm)) yield {name, text, scene: scene[1]};
+        } else if (path.startsWith('faults/')) {
+            // To be found: neither the name nor the first comment says it.
+            ++faults;
+            yield {id: name, name: `faults/fault_${faults}.${name.split('.').at(-1)}`, text: text.replace(/^((#|\/\/).*\n)+/, '')};
         } else {
             yield {name, text};
         }
@@ -97,6 +102,8 @@ writeFileSync(join(out, 'index.ts'), `// Made by tools/make-gallery.mjs.
 ${imports.join('\n')}
 
 export interface GalleryScene {
+    /** The path of its file, if that is not its name. */
+    id?: string;
     name: string;
     text: string;
     scene?: string;

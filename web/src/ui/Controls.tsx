@@ -134,10 +134,10 @@ function Faults() {
             <h2>Classic faults</h2>
             {faults.map(([key, fault, label, hint]) => {
                 const setting = settingOf(key)!;
-                const isUsual = setting.profile_value === fault;
+                if (setting.profile_value === fault) return null;  // the scene's own convention is no fault
                 return (
                     <Switch key={key} label={label} hint={hint} on={setting.value === fault}
-                            set={(on) => setSetting(key, on ? fault : isUsual ? (fault === '0' ? '0.001' : 'true') : setting.profile_value)} />
+                            set={(on) => setSetting(key, on ? fault : setting.profile_value)} />
                 );
             })}
         </section>

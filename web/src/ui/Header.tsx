@@ -19,12 +19,8 @@ const families: [string, string][] = [
     ['faults', 'Faults: find the mistake'],
 ];
 
-/** Scenes to find the mistake of: their names would give it away. */
-const isFault = ({name}: {name: string}) => name.startsWith('faults/');
-const faultNumber = (name: string) => gallery.filter(isFault).findIndex((scene) => scene.name === name) + 1;
-
 const title = (scene: {name: string; scene?: string | undefined}) =>
-    isFault(scene) ? `fault ${faultNumber(scene.name)}` : (scene.scene ?? scene.name.split('/').at(-1)!.replace(/\.\w+$/, '')).replaceAll('_', ' ');
+    (scene.scene ?? scene.name.split('/').at(-1)!.replace(/\.\w+$/, '')).replaceAll('_', ' ');
 
 function SceneMenu() {
     const dialog = useRef<HTMLDialogElement>(null);
@@ -46,7 +42,7 @@ function SceneMenu() {
                             <div class="thumbs">
                                 {gallery.filter((scene) => scene.name.startsWith(`${folder}/`)).map((scene) => (
                                     <button
-                                        key={title(scene)} class="thumb" data-scene={scene.scene ?? scene.name}
+                                        key={title(scene)} class="thumb" data-scene={scene.scene ?? scene.id ?? scene.name}
                                         aria-current={scene.name === fileName.value && scene.scene === sceneName.value}
                                         onClick={() => {
                                             openScene(scene);
