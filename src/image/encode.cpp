@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 // Selects the encoder.
+#include <algorithm>
 #include <cstddef>
 #include <utility>
 
+#include "base/parallel_for.h"
 #include "base/status.h"
+#include "glint/conventions.h"
 #include "glint/image.h"
 #include "image/encoders.h"
 #include "image/layer_fault.h"
+#include "image/memory_file.h"
 
 namespace glint {
 namespace {
@@ -45,7 +49,64 @@ Status not_built(const char* format) {
     return invalid_argument("this build writes no " + std::string(format));
 }
 
+// Strips in parallel: all are in memory together.
+std::vector<std::uint8_t> encode_strips(const Image& image, const EncodeOptions& options) {
+    std::vector<std::uint8_t> bytes;
+    MemoryFile file(bytes);
+    const std::unique_ptr<StripEncoder> encoder =
+        make_strip_encoder(image.width, image.height, options, file);
+    const std::size_t strip_floats =
+        std::size_t{3} * static_cast<std::size_t>(image.width) * std::size_t{k_strip_rows};
+    std::vector<EncodedStrip> strips(static_cast<std::size_t>(count_strips(image.height)));
+    std::vector<Status> statuses(strips.size());
+    parallel_for(strips.size(), options.threads, [&](std::size_t i) {
+        statuses[i] = status_of([&] {
+            const std::size_t first = i * strip_floats;
+            const std::span<const float> rows(image.rgb.data() + first,
+                                              std::min(strip_floats, image.rgb.size() - first));
+            strips[i] = encoder->encode(static_cast<std::int32_t>(i), rows);
+        });
+    });
+    std::size_t total = 0;
+    for (std::size_t i = 0; i < strips.size(); ++i) {
+        if (!statuses[i].ok()) throw StatusError(statuses[i]);
+        total += strips[i].bytes.size();
+    }
+    bytes.reserve(bytes.size() + total + 100);
+    for (EncodedStrip& strip : strips) encoder->append(std::move(strip));
+    encoder->finish();
+    return bytes;
+}
+
 }  // namespace
+
+std::unique_ptr<StripEncoder> make_strip_encoder(std::int32_t width, std::int32_t height,
+                                                 const EncodeOptions& options, ByteFile& file) {
+    switch (options.format) {
+        case FileFormat::png:
+#if defined(GLINT_WITH_PNG)
+            return make_png_encoder(width, height, options, file);
+#else
+            return nullptr;
+#endif
+        case FileFormat::ppm:
+            return make_ppm_encoder(width, height, options, file);
+        case FileFormat::exr:
+#if defined(GLINT_WITH_EXR)
+            return make_exr_encoder(width, height, file);
+#else
+            break;
+#endif
+    }
+    return nullptr;
+}
+
+#if !defined(GLINT_WITH_EXR)
+std::unique_ptr<PartsEncoder> make_parts_encoder(std::int32_t, std::int32_t, std::span<const Layer>,
+                                                 ByteFile&) {
+    return nullptr;
+}
+#endif
 
 Result<std::vector<std::uint8_t>> encode(const Image& image, const EncodeOptions& options) {
     return result_of([&]() -> Result<std::vector<std::uint8_t>> {
@@ -54,12 +115,12 @@ Result<std::vector<std::uint8_t>> encode(const Image& image, const EncodeOptions
         switch (options.format) {
             case FileFormat::png:
 #if defined(GLINT_WITH_PNG)
-                return encode_png(image, options);
+                return encode_strips(image, options);
 #else
                 return not_built("PNG");
 #endif
             case FileFormat::ppm:
-                return encode_ppm(image, options);
+                return encode_strips(image, options);
             case FileFormat::exr:
 #if defined(GLINT_WITH_EXR)
                 return encode_exr(image);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// OpenEXR: linear float RGB, written to memory. On one thread: more would need the library's global pool.
+// OpenEXR: linear float RGB. On one thread: more would need the library's global pool.
 #include <ImfChannelList.h>
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
@@ -9,96 +9,170 @@
 #include <ImfOutputPart.h>
 #include <ImfPartType.h>
 
-#include <algorithm>
-#include <cstring>
+#include <cstdint>
+#include <exception>
+#include <optional>
+#include <string>
 
 #include "image/encoders.h"
+#include "image/memory_file.h"
 
 namespace glint {
 namespace {
 
-class MemoryStream : public Imf::OStream {
+// The library's view of a ByteFile. The library ignores errors at the end of a file, so the first one is
+// kept.
+class Stream : public Imf::OStream {
   public:
-    explicit MemoryStream(std::vector<std::uint8_t>& bytes) : Imf::OStream("memory"), bytes_(bytes) {}
+    explicit Stream(ByteFile& file) : Imf::OStream("file"), file_(file) {}
     void write(const char data[], int count) override {
-        const std::size_t end = position_ + static_cast<std::size_t>(count);
-        if (end > bytes_.size()) bytes_.resize(end);
-        std::memcpy(bytes_.data() + position_, data, static_cast<std::size_t>(count));
-        position_ = end;
+        keep([&] {
+            file_.write({reinterpret_cast<const std::uint8_t*>(data), static_cast<std::size_t>(count)});
+        });
     }
-    uint64_t tellp() override { return position_; }
-    void seekp(uint64_t position) override { position_ = position; }
+    uint64_t tellp() override { return file_.position(); }
+    void seekp(uint64_t position) override {
+        keep([&] { file_.seek(position); });
+    }
+    void rethrow() const {
+        if (failure_) std::rethrow_exception(failure_);
+    }
 
   private:
-    std::vector<std::uint8_t>& bytes_;
-    std::size_t position_ = 0;
+    template <class Body> void keep(Body&& body) {
+        try {
+            body();
+        } catch (...) {
+            failure_ = std::current_exception();
+            throw;
+        }
+    }
+    ByteFile& file_;
+    std::exception_ptr failure_;
 };
 
-// One part of a file: interleaved channels in memory.
-struct Part {
-    std::string name;
-    std::string_view channels;  // one letter each
-    const float* values;
-    std::int32_t width, height;
-};
-
-Imf::Header header_of(const Part& part) {
-    Imf::Header header(part.width, part.height);
+Imf::Header header_of(std::string_view channels, std::int32_t width, std::int32_t height) {
+    Imf::Header header(width, height);
     header.compression() = Imf::ZIP_COMPRESSION;
-    for (const char channel : part.channels)
+    for (const char channel : channels)
         header.channels().insert(std::string(1, channel), Imf::Channel(Imf::FLOAT));
     return header;
 }
 
-Imf::FrameBuffer frame_of(const Part& part) {
+// Interleaved channels in memory, of the rows from `first_row`.
+Imf::FrameBuffer frame_of(std::string_view channels, const float* values, std::int32_t width,
+                          std::int32_t first_row) {
     Imf::FrameBuffer frame;
-    const std::size_t pixel = part.channels.size() * sizeof(float);
-    for (std::size_t c = 0; c < part.channels.size(); ++c) {
-        // The library only reads from the slices of an output file, but requires pointers to non-const.
-        auto* first = reinterpret_cast<char*>(const_cast<float*>(part.values + c));
-        frame.insert(std::string(1, part.channels[c]),
-                     Imf::Slice(Imf::FLOAT, first, pixel, pixel * static_cast<std::size_t>(part.width)));
+    const std::size_t pixel = channels.size() * sizeof(float);
+    const std::size_t row = pixel * static_cast<std::size_t>(width);
+    for (std::size_t c = 0; c < channels.size(); ++c) {
+        // The library only reads from the slices of an output file, but requires pointers to non-const. It
+        // counts rows from the top of the picture. The address is computed as a number, because it may lie
+        // outside the memory of the rows.
+        const auto address =
+            reinterpret_cast<std::uintptr_t>(values + c) - row * static_cast<std::size_t>(first_row);
+        frame.insert(std::string(1, channels[c]),
+                     Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(address), pixel, row));
     }
     return frame;
 }
 
+class ExrEncoder : public StripEncoder {
+  public:
+    ExrEncoder(std::int32_t width, std::int32_t height, ByteFile& file)
+        : width_(width), stream_(file), file_(std::in_place, stream_, header_of("RGB", width, height), 0) {}
+
+    EncodedStrip encode(std::int32_t, std::span<const float> values) const override {
+        EncodedStrip strip;
+        strip.values.assign(values.begin(), values.end());
+        return strip;
+    }
+    void append(EncodedStrip strip) override { append_rows(strip.values); }
+
+    void append_rows(std::span<const float> values) {
+        const auto rows = static_cast<std::int32_t>(values.size() / 3 / static_cast<std::size_t>(width_));
+        file_->setFrameBuffer(frame_of("RGB", values.data(), width_, done_));
+        file_->writePixels(rows);
+        done_ += rows;
+    }
+    void finish() override {
+        file_.reset();  // writes the table of lines
+        stream_.rethrow();
+    }
+
+  private:
+    const std::int32_t width_;
+    std::int32_t done_ = 0;
+    Stream stream_;
+    std::optional<Imf::OutputFile> file_;
+};
+
+class ExrPartsEncoder : public PartsEncoder {
+  public:
+    ExrPartsEncoder(std::int32_t width, std::int32_t height, std::span<const Layer> layers, ByteFile& file)
+        : width_(width), stream_(file), channels_{"RGB"} {
+        std::vector<Imf::Header> headers;
+        const auto add = [&](std::string_view name, std::string_view channels) {
+            headers.push_back(header_of(channels, width, height));
+            headers.back().setName(std::string(name));
+            headers.back().setType(Imf::SCANLINEIMAGE);
+        };
+        add("beauty", "RGB");
+        for (const Layer layer : layers) {
+            const LayerInfo& info = layer_infos()[static_cast<std::size_t>(layer)];
+            channels_.push_back(info.channels);
+            add(info.name, info.channels);
+        }
+        file_.emplace(stream_, headers.data(), static_cast<int>(headers.size()), false, 0);
+    }
+
+    void append(std::size_t part, std::int32_t first_row, std::int32_t rows, const float* values) override {
+        Imf::OutputPart output(*file_, static_cast<int>(part));
+        output.setFrameBuffer(frame_of(channels_[part], values, width_, first_row));
+        output.writePixels(rows);
+    }
+    void finish() override {
+        file_.reset();
+        stream_.rethrow();
+    }
+
+  private:
+    const std::int32_t width_;
+    Stream stream_;
+    std::vector<std::string_view> channels_;
+    std::optional<Imf::MultiPartOutputFile> file_;
+};
+
 }  // namespace
+
+std::unique_ptr<StripEncoder> make_exr_encoder(std::int32_t width, std::int32_t height, ByteFile& file) {
+    return std::make_unique<ExrEncoder>(width, height, file);
+}
+
+std::unique_ptr<PartsEncoder> make_parts_encoder(std::int32_t width, std::int32_t height,
+                                                 std::span<const Layer> layers, ByteFile& file) {
+    return std::make_unique<ExrPartsEncoder>(width, height, layers, file);
+}
 
 std::vector<std::uint8_t> encode_exr(const Image& image) {
     std::vector<std::uint8_t> bytes;
-    const Part part{"", "RGB", image.rgb.data(), image.width, image.height};
-    {
-        MemoryStream stream(bytes);
-        Imf::OutputFile file(stream, header_of(part), 0);
-        file.setFrameBuffer(frame_of(part));
-        file.writePixels(part.height);
-    }  // the file's end writes its table of lines
+    MemoryFile file(bytes);
+    ExrEncoder encoder(image.width, image.height, file);
+    encoder.append_rows(image.rgb);
+    encoder.finish();
     return bytes;
 }
 
 std::vector<std::uint8_t> encode_exr_layers(const Image& picture, std::span<const LayerImage> layers) {
-    std::vector<Part> parts{{"beauty", "RGB", picture.rgb.data(), picture.width, picture.height}};
-    for (const LayerImage& layer : layers) {
-        const LayerInfo& info = layer_infos()[static_cast<std::size_t>(layer.layer)];
-        parts.push_back(
-            {std::string(info.name), info.channels, layer.values.data(), layer.width, layer.height});
-    }
-    std::vector<Imf::Header> headers;
-    for (const Part& part : parts) {
-        headers.push_back(header_of(part));
-        headers.back().setName(part.name);
-        headers.back().setType(Imf::SCANLINEIMAGE);
-    }
     std::vector<std::uint8_t> bytes;
-    {
-        MemoryStream stream(bytes);
-        Imf::MultiPartOutputFile file(stream, headers.data(), static_cast<int>(headers.size()), false, 0);
-        for (std::size_t i = 0; i < parts.size(); ++i) {
-            Imf::OutputPart output(file, static_cast<int>(i));
-            output.setFrameBuffer(frame_of(parts[i]));
-            output.writePixels(parts[i].height);
-        }
-    }
+    MemoryFile file(bytes);
+    std::vector<Layer> kinds;
+    for (const LayerImage& layer : layers) kinds.push_back(layer.layer);
+    ExrPartsEncoder encoder(picture.width, picture.height, kinds, file);
+    encoder.append(0, 0, picture.height, picture.rgb.data());
+    for (std::size_t i = 0; i < layers.size(); ++i)
+        encoder.append(i + 1, 0, picture.height, layers[i].values.data());
+    encoder.finish();
     return bytes;
 }
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// PNG (https://www.w3.org/TR/png-3/), RGB with 8 or 16 bits. Strips of a fixed height are filtered and
-// compressed separately, each to complete bytes of one deflate stream. So the file does not depend on the
-// number of threads.
+// PNG (https://www.w3.org/TR/png-3/), RGB with 8 or 16 bits. Strips are filtered and compressed separately,
+// each to complete bytes of one deflate stream. So the file does not depend on the number of threads.
 #include <zlib.h>
 
 #include <algorithm>
@@ -9,8 +8,6 @@
 #include <stdexcept>
 #include <string_view>
 
-#include "base/parallel_for.h"
-#include "base/status.h"
 #include "image/encoders.h"
 #include "image/quantize.h"
 
@@ -18,10 +15,6 @@ namespace glint {
 namespace {
 
 using Bytes = std::vector<std::uint8_t>;
-
-// High enough that a strip's own Huffman tables and empty history cost little, low enough to use several
-// threads for a small picture.
-constexpr std::int32_t k_strip_rows = 32;
 
 void put32(std::uint8_t* out, std::uint32_t value) {
     for (int i = 0; i < 4; ++i) out[i] = static_cast<std::uint8_t>(value >> (24 - 8 * i));
@@ -39,33 +32,25 @@ void seal_chunk(Bytes& chunk, std::string_view type) {
     put32(chunk.data() + k_chunk_head + length, static_cast<std::uint32_t>(crc));
 }
 
-void append_chunk(Bytes& out, std::string_view type, const Bytes& data) {
-    Bytes chunk(k_chunk_head);
-    chunk.insert(chunk.end(), data.begin(), data.end());
-    chunk.resize(chunk.size() + k_chunk_tail);
+void write_chunk(ByteFile& file, std::string_view type, const Bytes& data) {
+    Bytes chunk(k_chunk_head + data.size() + k_chunk_tail);
+    std::copy(data.begin(), data.end(), chunk.begin() + k_chunk_head);
     seal_chunk(chunk, type);
-    out.insert(out.end(), chunk.begin(), chunk.end());
+    file.write(chunk);
 }
 
-struct Strip {
-    Bytes chunk;  // a complete IDAT chunk
-    uLong adler = 1;
-    std::size_t length = 0;  // before compression
-    Status status;
-};
-
-// Filters rows [first, last) with Sub: a pixel minus its left neighbour. On ray-traced pictures, this with
+// Filters rows with Sub: a pixel minus its left neighbour. On ray-traced pictures, this with
 // runs alone (below) gives files as small as fast matching with any filter, and is faster; and strips do
 // not depend on each other.
-Bytes filter_rows(const Image& image, const EncodeOptions& options, std::int32_t first, std::int32_t last) {
-    const std::size_t samples = std::size_t{3} * image.width;
+Bytes filter_rows(std::span<const float> rows, std::int32_t width, const EncodeOptions& options) {
+    const std::size_t samples = std::size_t{3} * width;
     const std::size_t pixel_bytes = options.bits == 8 ? 3 : 6;
-    const std::size_t row_bytes = pixel_bytes * image.width;
+    const std::size_t row_bytes = pixel_bytes * width;
     Bytes row(row_bytes);
-    Bytes filtered((row_bytes + 1) * (last - first));
+    Bytes filtered((row_bytes + 1) * (rows.size() / samples));
     std::uint8_t* out = filtered.data();
-    for (std::int32_t y = first; y < last; ++y) {
-        quantize_row(&image.rgb[y * samples], samples, options.bits, options.transfer, row.data());
+    for (std::size_t first = 0; first < rows.size(); first += samples) {
+        quantize_row(&rows[first], samples, options.bits, options.transfer, row.data());
         *out++ = 1;
         std::memcpy(out, row.data(), pixel_bytes);
         for (std::size_t i = pixel_bytes; i < row_bytes; ++i) {
@@ -78,74 +63,83 @@ Bytes filter_rows(const Image& image, const EncodeOptions& options, std::int32_t
 
 // A zlib stream is a header, raw deflate blocks, and a checksum of all data. Every strip except the last ends
 // with an empty stored block, which completes its last byte.
-void compress_strip(const Bytes& data, bool is_first, bool is_last, Strip& strip) {
+EncodedStrip compress_strip(const Bytes& data, bool is_first, bool is_last) {
     z_stream z{};
     if (deflateInit2(&z, 1, Z_DEFLATED, -15, 9, Z_RLE) != Z_OK) throw std::bad_alloc();
     const std::size_t head = k_chunk_head + (is_first ? 2 : 0);
-    strip.chunk.resize(head + deflateBound(&z, data.size()) + 16);
+    EncodedStrip strip;
+    Bytes& chunk = strip.bytes;
+    chunk.resize(head + deflateBound(&z, data.size()) + 16);
     if (is_first) {
-        strip.chunk[k_chunk_head] = 0x78;
-        strip.chunk[k_chunk_head + 1] = 0x01;
+        chunk[k_chunk_head] = 0x78;
+        chunk[k_chunk_head + 1] = 0x01;
     }
     z.next_in = const_cast<Bytef*>(data.data());
     z.avail_in = static_cast<uInt>(data.size());
-    z.next_out = strip.chunk.data() + head;
-    z.avail_out = static_cast<uInt>(strip.chunk.size() - head);
+    z.next_out = chunk.data() + head;
+    z.avail_out = static_cast<uInt>(chunk.size() - head);
     const int code = deflate(&z, is_last ? Z_FINISH : Z_SYNC_FLUSH);
     const bool whole = z.avail_in == 0 && z.avail_out != 0 && code == (is_last ? Z_STREAM_END : Z_OK);
-    strip.chunk.resize(strip.chunk.size() - z.avail_out);
-    strip.chunk.shrink_to_fit();  // all strips of a large picture are in memory together
+    chunk.resize(chunk.size() - z.avail_out);
+    chunk.shrink_to_fit();  // all strips of a picture may be in memory together
     deflateEnd(&z);
     if (!whole) throw std::runtime_error("zlib did not compress");
     strip.length = data.size();
-    strip.adler = adler32_z(1, data.data(), data.size());
+    strip.adler = static_cast<std::uint32_t>(adler32_z(1, data.data(), data.size()));
+    return strip;
 }
+
+class PngEncoder : public StripEncoder {
+  public:
+    PngEncoder(std::int32_t width, std::int32_t height, const EncodeOptions& options, ByteFile& file)
+        : width_(width), strips_(count_strips(height)), options_(options), file_(file) {
+        constexpr std::uint8_t signature[] = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
+        file_.write(signature);
+        Bytes header(
+            13);  // width, height, bits, colour type 2 (RGB), deflate, filters by row, not interlaced
+        put32(header.data(), static_cast<std::uint32_t>(width));
+        put32(header.data() + 4, static_cast<std::uint32_t>(height));
+        header[8] = static_cast<std::uint8_t>(options.bits);
+        header[9] = 2;
+        write_chunk(file_, "IHDR", header);
+        if (options.transfer == Transfer::srgb) write_chunk(file_, "sRGB", {0});
+    }
+
+    EncodedStrip encode(std::int32_t strip, std::span<const float> values) const override {
+        const bool is_last = strip == strips_ - 1;
+        EncodedStrip encoded = compress_strip(filter_rows(values, width_, options_), strip == 0, is_last);
+        if (is_last) return encoded;  // sealed when the checksum of all data is known
+        encoded.bytes.resize(encoded.bytes.size() + k_chunk_tail);
+        seal_chunk(encoded.bytes, "IDAT");
+        return encoded;
+    }
+
+    void append(EncodedStrip strip) override {
+        adler_ = adler32_combine(adler_, strip.adler, static_cast<z_off_t>(strip.length));
+        Bytes& chunk = strip.bytes;
+        if (++appended_ == strips_) {
+            chunk.resize(chunk.size() + 4 + k_chunk_tail);
+            put32(chunk.data() + chunk.size() - 4 - k_chunk_tail, static_cast<std::uint32_t>(adler_));
+            seal_chunk(chunk, "IDAT");
+        }
+        file_.write(chunk);
+    }
+
+    void finish() override { write_chunk(file_, "IEND", {}); }
+
+  private:
+    const std::int32_t width_, strips_;
+    const EncodeOptions options_;
+    ByteFile& file_;
+    uLong adler_ = 1;
+    std::int32_t appended_ = 0;
+};
 
 }  // namespace
 
-std::vector<std::uint8_t> encode_png(const Image& image, const EncodeOptions& options) {
-    const std::int32_t count = (image.height + k_strip_rows - 1) / k_strip_rows;
-    std::vector<Strip> strips(count);
-    parallel_for(count, options.threads, [&](std::size_t i) {
-        strips[i].status = status_of([&] {
-            const auto first = static_cast<std::int32_t>(i) * k_strip_rows;
-            const auto last = std::min(first + k_strip_rows, image.height);
-            const bool is_last = last == image.height;
-            compress_strip(filter_rows(image, options, first, last), i == 0, is_last, strips[i]);
-            if (is_last) return;  // sealed below, when the checksum of all data is known
-            strips[i].chunk.resize(strips[i].chunk.size() + k_chunk_tail);
-            seal_chunk(strips[i].chunk, "IDAT");
-        });
-    });
-    uLong adler = 1;
-    std::size_t total = 0;
-    for (const Strip& strip : strips) {
-        if (!strip.status.ok()) throw StatusError(strip.status);
-        adler = adler32_combine(adler, strip.adler, static_cast<z_off_t>(strip.length));
-        total += strip.chunk.size();
-    }
-    Bytes& last = strips.back().chunk;
-    last.resize(last.size() + 4 + k_chunk_tail);
-    put32(last.data() + last.size() - 4 - k_chunk_tail, static_cast<std::uint32_t>(adler));
-    seal_chunk(last, "IDAT");
-
-    Bytes bytes;
-    bytes.reserve(total + 100);
-    constexpr std::uint8_t signature[] = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
-    bytes.assign(std::begin(signature), std::end(signature));
-    Bytes header(13);  // width, height, bits, colour type 2 (RGB), deflate, filters by row, not interlaced
-    put32(header.data(), static_cast<std::uint32_t>(image.width));
-    put32(header.data() + 4, static_cast<std::uint32_t>(image.height));
-    header[8] = static_cast<std::uint8_t>(options.bits);
-    header[9] = 2;
-    append_chunk(bytes, "IHDR", header);
-    if (options.transfer == Transfer::srgb) append_chunk(bytes, "sRGB", {0});
-    for (Strip& strip : strips) {
-        bytes.insert(bytes.end(), strip.chunk.begin(), strip.chunk.end());
-        Bytes().swap(strip.chunk);
-    }
-    append_chunk(bytes, "IEND", {});
-    return bytes;
+std::unique_ptr<StripEncoder> make_png_encoder(std::int32_t width, std::int32_t height,
+                                               const EncodeOptions& options, ByteFile& file) {
+    return std::make_unique<PngEncoder>(width, height, options, file);
 }
 
 }  // namespace glint

@@ -1,15 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// One function per file format, for a picture and options that encode() has checked. They throw bad_alloc
-// and exceptions of their libraries; encode() catches them.
-#include "glint/conventions.h"
+// One encoder per file format, for a picture and options that encode() has checked. They throw bad_alloc and
+// exceptions of their libraries; encode() catches them.
 #include "glint/image.h"
 #include "glint/layers.h"
+#include "image/strip_encoder.h"
 
 namespace glint {
 
-std::vector<std::uint8_t> encode_png(const Image& image, const EncodeOptions& options);
-std::vector<std::uint8_t> encode_ppm(const Image& image, const EncodeOptions& options);
+std::unique_ptr<StripEncoder> make_png_encoder(std::int32_t width, std::int32_t height,
+                                               const EncodeOptions& options, ByteFile& file);
+std::unique_ptr<StripEncoder> make_ppm_encoder(std::int32_t width, std::int32_t height,
+                                               const EncodeOptions& options, ByteFile& file);
+std::unique_ptr<StripEncoder> make_exr_encoder(std::int32_t width, std::int32_t height, ByteFile& file);
+
 std::vector<std::uint8_t> encode_exr(const Image& image);
 /// Of several parts; the layers have the picture's size.
 std::vector<std::uint8_t> encode_exr_layers(const Image& picture, std::span<const LayerImage> layers);
