@@ -14,6 +14,7 @@
 #include "glint/result.h"
 #include "glint/scene.h"
 #include "glint/shapes.h"
+#include "glint/tiles.h"
 #include "glint/vec.h"
 #include "glint/version.h"
 #include "glint/world.h"

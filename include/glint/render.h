@@ -14,9 +14,14 @@
 #include "glint/layers.h"
 #include "glint/result.h"
 #include "glint/scene.h"
+#include "glint/tiles.h"
 #include "glint/world.h"
 
 namespace glint {
+
+/// Raised whenever a change of glint changes the pixels of any picture. Tiles of programs with the same
+/// number belong together.
+inline constexpr std::uint32_t k_picture_version = 1;
 
 struct RayCounts {
     std::uint64_t camera = 0, shadow = 0, mirror = 0, transmitted = 0;
@@ -24,11 +29,22 @@ struct RayCounts {
     std::uint64_t total() const { return camera + shadow + mirror + transmitted; }
 };
 
+/// A layer of a tile.
+struct TileLayer {
+    Layer layer = Layer::background;
+    int channels = 3;
+    const float* values = nullptr;  ///< the channels of its top-left pixel, then those to the right of it
+    std::size_t row_floats = 0;     ///< from a pixel's first channel to that of the pixel below it
+};
+
 /// A rectangle of the picture whose pixels are final.
 struct FinishedTile {
-    Crop area;                   ///< in the whole picture, whatever the crop is
-    const float* rgb = nullptr;  ///< r, g, b of its top-left pixel, then those to the right of it
-    std::size_t row_floats = 0;  ///< from a pixel's r to that of the pixel below it
+    std::uint32_t number = 0;           ///< of count_tiles() of the picture or of the crop
+    Crop area;                          ///< in the whole picture, whatever the crop is
+    const float* rgb = nullptr;         ///< r, g, b of its top-left pixel, then those to the right of it
+    std::size_t row_floats = 0;         ///< from a pixel's r to that of the pixel below it
+    std::span<const TileLayer> layers;  ///< in the order of RenderOptions::layers
+    RayCounts rays;                     ///< traced for this tile
 };
 
 struct RenderOptions {
@@ -36,6 +52,13 @@ struct RenderOptions {
     std::string isa = {};            ///< one of isa_names(); empty: the best
     std::optional<Crop> crop = {};   ///< only this part of the picture; the Image has the crop's size
     std::vector<Layer> layers = {};  ///< what else is wanted, each once
+    /// Where the threads get the numbers of tiles to render (glint/tiles.h), each number once, until it
+    /// returns nothing; the other pixels are not written to. Threads call it at the same time, and it may
+    /// wait. Must not throw. None: all tiles.
+    std::function<std::optional<std::uint32_t>()> next_tile = {};
+    /// false: the pixels go to on_tile only. The Rendering's image and layers have sizes and no numbers, and
+    /// the memory does not depend on the picture's size.
+    bool keep_image = true;
     /// The caller's memory for the picture, 3 width height floats of the picture or of the crop: an error if
     /// it has another size. It is written to until render() returns; after a failure some tiles are drawn.
     std::optional<std::span<float>> pixels = {};
@@ -49,7 +72,7 @@ struct RenderOptions {
 // and wait if they have something to report meanwhile.
 
 struct Rendering {
-    Image image;                     ///< its size, and without numbers if RenderOptions::pixels has them
+    Image image;  ///< its size; no numbers with RenderOptions::pixels or without keep_image
     std::vector<LayerImage> layers;  ///< in the order of RenderOptions::layers
     RayCounts rays;
     std::string isa;  ///< the instruction set used

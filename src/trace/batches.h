@@ -11,12 +11,12 @@
 
 #include "bvh/rays.h"
 #include "glint/layers.h"
+#include "glint/tiles.h"
 #include "glint/vec.h"
 #include "trace/columns.h"
 
 namespace glint {
 
-inline constexpr int k_tile_side = 32;
 inline constexpr int k_tile_pixels = k_tile_side * k_tile_side;
 /// Rays that are traced together, at most: a stream.
 inline constexpr int k_stream_size = k_tile_pixels;

@@ -45,18 +45,51 @@ std::vector<LayerImage> empty_layers(const std::vector<Layer>& wanted, const Cro
     for (const Layer layer : wanted) {
         const std::size_t channels = layer_infos()[static_cast<std::size_t>(layer)].channels.size();
         layers.push_back({layer, crop.width, crop.height, static_cast<int>(channels), {}});
-        layers.back().values.resize(channels * static_cast<std::size_t>(crop.width) *
-                                    static_cast<std::size_t>(crop.height));
     }
     return layers;
 }
 
-// Where a tile's layers go whose first pixel has this number in the image.
-LayerTargets targets_at(std::vector<LayerImage>& layers, std::size_t pixel) {
-    LayerTargets targets;
+void claim_values(std::vector<LayerImage>& layers) {
     for (LayerImage& layer : layers) {
-        targets.data[static_cast<std::size_t>(layer.layer)] =
-            layer.values.data() + static_cast<std::size_t>(layer.channels) * pixel;
+        layer.values.resize(static_cast<std::size_t>(layer.channels) * static_cast<std::size_t>(layer.width) *
+                            static_cast<std::size_t>(layer.height));
+    }
+}
+
+// Where the kernels write a tile.
+struct TileTargets {
+    float* rgb = nullptr;
+    int row_pixels = 0;
+    LayerTargets layers;
+    std::vector<TileLayer> parts;  // the same as on_tile gets them
+
+    void add(const LayerImage& layer, float* values) {
+        layers.data[static_cast<std::size_t>(layer.layer)] = values;
+        parts.push_back({layer.layer, layer.channels, values,
+                         static_cast<std::size_t>(layer.channels) * static_cast<std::size_t>(row_pixels)});
+    }
+};
+
+// In the image, of which the tile's first pixel has this number.
+TileTargets targets_in_image(float* rgb, std::vector<LayerImage>& layers, const Crop& crop,
+                             std::size_t pixel) {
+    TileTargets targets{rgb + 3 * pixel, crop.width, {}, {}};
+    for (LayerImage& layer : layers)
+        targets.add(layer, layer.values.data() + static_cast<std::size_t>(layer.channels) * pixel);
+    return targets;
+}
+
+// In memory of the thread's own, which the thread's next tile uses again.
+TileTargets targets_in_thread(std::vector<LayerImage>& layers) {
+    thread_local std::vector<float> memory;
+    std::size_t floats = 3;
+    for (const LayerImage& layer : layers) floats += static_cast<std::size_t>(layer.channels);
+    memory.resize(floats * k_tile_pixels);
+    TileTargets targets{memory.data(), k_tile_side, {}, {}};
+    float* next = memory.data() + 3 * k_tile_pixels;
+    for (const LayerImage& layer : layers) {
+        targets.add(layer, next);
+        next += static_cast<std::size_t>(layer.channels) * k_tile_pixels;
     }
     return targets;
 }
@@ -88,6 +121,7 @@ std::vector<float> claim_pixels(std::size_t numbers, int threads) {
 
 // Why the picture cannot go into the caller's memory, or nothing.
 std::string pixels_error(const RenderOptions& options, const Crop& crop) {
+    if (options.pixels && !options.keep_image) return "pixels are given, and keep_image is false";
     if (!options.pixels || options.pixels->size() == count_numbers(crop)) return {};
     return "the memory for the picture has " + std::to_string(options.pixels->size()) +
            " numbers, and a picture of " + std::to_string(crop.width) + "x" + std::to_string(crop.height) +
@@ -122,42 +156,67 @@ Result<Rendering> render_picture(const WorldParts& world, const RenderOptions& o
     result.threads = thread_count(options.threads);
     result.image.width = crop.width;
     result.image.height = crop.height;
-    if (!options.pixels) result.image.rgb = claim_pixels(count_numbers(crop), result.threads);
+    if (!options.pixels && options.keep_image)
+        result.image.rgb = claim_pixels(count_numbers(crop), result.threads);
     float* const rgb = options.pixels ? options.pixels->data() : result.image.rgb.data();
 
-    const int across = (crop.width + k_tile_side - 1) / k_tile_side,
-              down = (crop.height + k_tile_side - 1) / k_tile_side;
-    const auto tiles = static_cast<std::size_t>(across) * static_cast<std::size_t>(down);
+    const std::size_t tiles = count_tiles(crop);
     result.layers = empty_layers(options.layers, crop);
+    if (options.keep_image) claim_values(result.layers);
     AtomicCounts rays;
-    std::atomic<std::size_t> done{0};
+    std::atomic<bool> stopped{false};
+    std::atomic<std::int64_t> no_tile{-1};  // a number that next_tile gave and no tile has
     Reporter reporter(options, tiles);
     const auto cancelled = [&] {
-        return options.cancel != nullptr && options.cancel->load(std::memory_order_relaxed);
+        if (options.cancel != nullptr && options.cancel->load(std::memory_order_relaxed)) stopped = true;
+        return stopped.load(std::memory_order_relaxed);
     };
-    parallel_for(tiles, result.threads, [&](std::size_t tile) {
-        if (cancelled()) return;
-        const int column = static_cast<int>(tile % static_cast<std::size_t>(across)) * k_tile_side;
-        const int row = static_cast<int>(tile / static_cast<std::size_t>(across)) * k_tile_side;
+    const auto render_one = [&](std::size_t tile) {
+        const Crop area = tile_area(crop, tile);
         TileJob job;
-        job.x = crop.x + column;
-        job.y = crop.y + row;
-        job.width = std::min(k_tile_side, crop.width - column);
-        job.height = std::min(k_tile_side, crop.height - row);
-        const std::size_t first = static_cast<std::size_t>(row) * static_cast<std::size_t>(crop.width) +
-                                  static_cast<std::size_t>(column);
-        job.rgb = rgb + 3 * first;
-        job.row_pixels = crop.width;
-        const LayerTargets targets = targets_at(result.layers, first);
-        if (!result.layers.empty()) job.layers = &targets;
+        job.x = area.x;
+        job.y = area.y;
+        job.width = area.width;
+        job.height = area.height;
+        const std::size_t first =
+            static_cast<std::size_t>(area.y - crop.y) * static_cast<std::size_t>(crop.width) +
+            static_cast<std::size_t>(area.x - crop.x);
+        const TileTargets targets = options.keep_image ? targets_in_image(rgb, result.layers, crop, first)
+                                                       : targets_in_thread(result.layers);
+        job.rgb = targets.rgb;
+        job.row_pixels = targets.row_pixels;
+        if (!result.layers.empty()) job.layers = &targets.layers;
         TileScratch& scratch = thread_scratch();
         scratch.counts = {};
         kernels.render_tile(world, job, scratch);
         rays.add(scratch.counts);
-        ++done;
-        reporter.report({{job.width, job.height, job.x, job.y}, job.rgb, 3 * std::size_t(crop.width)});
-    });
-    if (done < tiles) return glint::cancelled();
+        reporter.report({static_cast<std::uint32_t>(tile), area, job.rgb,
+                         3 * static_cast<std::size_t>(job.row_pixels), targets.parts, scratch.counts});
+    };
+    if (options.next_tile) {
+        const auto threads = static_cast<std::size_t>(result.threads);
+        parallel_for(threads, result.threads, [&](std::size_t) {
+            while (!cancelled()) {
+                const std::optional<std::uint32_t> tile = options.next_tile();
+                if (!tile) return;
+                if (*tile >= tiles) {
+                    no_tile = *tile;
+                    stopped = true;
+                    return;
+                }
+                render_one(*tile);
+            }
+        });
+    } else {
+        parallel_for(tiles, result.threads, [&](std::size_t tile) {
+            if (!cancelled()) render_one(tile);
+        });
+    }
+    if (no_tile >= 0) {
+        return invalid_argument("next_tile gave " + std::to_string(no_tile) + ", and the picture has " +
+                                std::to_string(tiles) + " tiles");
+    }
+    if (stopped) return glint::cancelled();
     result.rays = rays.get();
     return result;
 }

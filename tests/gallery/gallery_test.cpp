@@ -58,6 +58,33 @@ const GalleryPicture k_gallery[] = {
     {"nff/sphereflake.nff", "size=160x160", 0x521febdf13037dff},
 };
 
+// Some of them as they were when k_picture_version was last raised.
+constexpr std::uint32_t k_recorded_version = 1;
+const GalleryPicture k_recorded[] = {
+    {"cgfs/three_mirrors.cgfs", "size=160x160", 0xf15ca10dce6ead20},
+    {"csc473/glass_ball.pov", "size=160x120 aa=2", 0x57275ad9a58b76e9},
+    {"epfl/castle.json", "size=160x160", 0x8b84a0ab0157c45f},
+    {"glint/attenuation.glint", "size=160x42", 0x38950e9e0091f670},
+    {"glint/caffeine.glint", "size=160x120", 0x2a831db41c33aa3a},
+    {"glint/hall_of_mirrors.glint", "size=160x120", 0x04e811f38623f931},
+    {"glint/temple.glint", "size=160x160", 0xb8bd77e115244a2c},
+    {"nff/sphereflake.nff", "size=160x160", 0x521febdf13037dff},
+};
+
+// Otherwise a journal of an older glint would be continued with other pixels.
+TEST(PictureVersion, IsRaisedWhenAPictureChanges) {
+    EXPECT_EQ(k_picture_version, k_recorded_version) << "record the values of k_gallery here again";
+    for (const GalleryPicture& recorded : k_recorded) {
+        for (const GalleryPicture& p : k_gallery) {
+            if (std::string_view(p.scene) != recorded.scene ||
+                std::string_view(p.settings) != recorded.settings)
+                continue;
+            EXPECT_EQ(p.float_bits, recorded.float_bits)
+                << p.scene << " has changed: raise k_picture_version (glint/render.h)";
+        }
+    }
+}
+
 std::string file_name(const GalleryPicture& p) {
     std::string name = std::string(p.scene) + ' ' + p.settings;
     for (char& c : name) c = std::isalnum(static_cast<unsigned char>(c)) ? c : '_';

@@ -47,6 +47,15 @@ TEST(Misuse, OfRender) {
     }
     options.pixels = std::span<float>();
     expect_error(render(world, options), "no pixels");
+    options.pixels = std::span(memory).first(3 * 16 * 12);
+    EXPECT_TRUE(render(world, options));
+    options.keep_image = false;
+    expect_error(render(world, options), "keep_image");
+    for (const std::uint32_t tile : {1u, k_none}) {  // the picture has one tile
+        options = {};
+        options.next_tile = [tile] { return tile; };
+        expect_error(render(world, options), "next_tile");
+    }
     const std::atomic<bool> cancel{true};
     options = {};
     options.cancel = &cancel;
@@ -54,6 +63,22 @@ TEST(Misuse, OfRender) {
     EXPECT_EQ(cancelled.code, ErrorCode::cancelled);
     EXPECT_FALSE(cancelled);
     EXPECT_FALSE(isa_names().empty());
+}
+
+TEST(Misuse, OfTiles) {
+    const std::int32_t most = std::numeric_limits<std::int32_t>::max(),
+                       least = std::numeric_limits<std::int32_t>::min();
+    for (const Crop none : {Crop{}, Crop{0, 5, 0, 0}, Crop{5, -1, 0, 0}, Crop{least, least, 0, 0}}) {
+        EXPECT_EQ(count_tiles(none), 0u);
+        EXPECT_EQ(tile_area(none, 0).width, 0);
+    }
+    EXPECT_EQ(count_tiles({most, most, 0, 0}), std::size_t{1} << 52);
+    const Crop crop{33, 32, 5, 6};
+    EXPECT_EQ(count_tiles(crop), 2u);
+    EXPECT_EQ(tile_area(crop, 1).width, 1);
+    EXPECT_EQ(tile_area(crop, 1).x, 37);
+    EXPECT_EQ(tile_area(crop, 2).width, 0);
+    EXPECT_EQ(tile_area(crop, std::numeric_limits<std::size_t>::max()).height, 0);
 }
 
 TEST(Misuse, OfPrepare) {

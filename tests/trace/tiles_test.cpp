@@ -113,6 +113,91 @@ TEST_P(Tiles, AreWhatACancelledRenderLeaves) {
     EXPECT_LT(drawn, memory.size());
 }
 
+TEST_P(Tiles, OfASubsetAreThoseOfTheWhole) {
+    const World world = some_world();
+    for (const Crop& crop : {Crop{k_width, k_height, 0, 0}, Crop{97, 71, 23, 40}}) {
+        RenderOptions options;
+        options.threads = GetParam();
+        options.crop = crop;
+        options.layers = {Layer::diffuse, Layer::depth};
+        const Rendering whole = *render(world, options);
+        std::vector<std::uint32_t> wanted;
+        for (std::uint32_t tile = 1; tile < count_tiles(crop); tile += 3) wanted.push_back(tile);
+        std::vector<float> memory(whole.image.rgb.size(), -7);
+        options.pixels = memory;
+        std::atomic<std::size_t> next{0};
+        options.next_tile = [&]() -> std::optional<std::uint32_t> {
+            const std::size_t i = next++;
+            if (i >= wanted.size()) return std::nullopt;
+            return wanted[i];
+        };
+        std::vector<std::uint32_t> handed_over;
+        RayCounts rays;
+        options.on_tile = [&](const FinishedTile& tile) {
+            handed_over.push_back(tile.number);
+            EXPECT_EQ(tile.area.x, tile_area(crop, tile.number).x);
+            EXPECT_EQ(tile.layers.size(), 2u);
+            rays.camera += tile.rays.camera;
+        };
+        const Rendering part = *render(world, options);
+        std::sort(handed_over.begin(), handed_over.end());
+        EXPECT_EQ(handed_over, wanted);
+        EXPECT_EQ(rays.camera, part.rays.camera);
+        std::vector<char> inside(memory.size() / 3);
+        for (const std::uint32_t tile : wanted) {
+            const Crop area = tile_area(crop, tile);
+            for (int y = area.y - crop.y; y < area.y - crop.y + area.height; ++y) {
+                for (int x = area.x - crop.x; x < area.x - crop.x + area.width; ++x)
+                    inside[static_cast<std::size_t>(y * crop.width + x)] = 1;
+            }
+        }
+        for (std::size_t i = 0; i < memory.size(); ++i)
+            ASSERT_EQ(memory[i], inside[i / 3] ? whole.image.rgb[i] : -7) << i;
+        for (std::size_t i = 0; i < inside.size(); ++i)
+            ASSERT_EQ(part.layers[1].values[i], inside[i] ? whole.layers[1].values[i] : 0) << i;
+    }
+}
+
+TEST_P(Tiles, WithoutAnImage) {
+    const World world = some_world();
+    const Crop crop{97, 71, 23, 40};
+    RenderOptions options;
+    options.threads = GetParam();
+    options.crop = crop;
+    options.layers = {Layer::position, Layer::depth};
+    const Rendering whole = *render(world, options);
+    std::size_t pixels = 0;
+    options.keep_image = false;
+    options.on_tile = [&](const FinishedTile& tile) {
+        ASSERT_EQ(tile.layers.size(), 2u);
+        EXPECT_EQ(tile.layers[0].layer, Layer::position);
+        EXPECT_EQ(tile.layers[1].channels, 1);
+        const auto expect_row = [&](const float* values, std::size_t row_floats, std::size_t channels,
+                                    const std::vector<float>& expected, std::int32_t y) {
+            const std::size_t first =
+                static_cast<std::size_t>((tile.area.y - crop.y + y) * crop.width + tile.area.x - crop.x);
+            values += static_cast<std::size_t>(y) * row_floats;
+            for (std::size_t i = 0; i < channels * static_cast<std::size_t>(tile.area.width); ++i)
+                ASSERT_EQ(values[i], expected[channels * first + i]);
+        };
+        for (std::int32_t y = 0; y < tile.area.height; ++y) {
+            expect_row(tile.rgb, tile.row_floats, 3, whole.image.rgb, y);
+            for (std::size_t l = 0; l < 2; ++l) {
+                expect_row(tile.layers[l].values, tile.layers[l].row_floats,
+                           static_cast<std::size_t>(tile.layers[l].channels), whole.layers[l].values, y);
+            }
+            pixels += static_cast<std::size_t>(tile.area.width);
+        }
+    };
+    const Rendering none = *render(world, options);
+    EXPECT_EQ(pixels, 97u * 71u);
+    EXPECT_EQ(none.image.width, crop.width);
+    EXPECT_TRUE(none.image.rgb.empty());
+    ASSERT_EQ(none.layers.size(), 2u);
+    EXPECT_TRUE(none.layers[1].values.empty());
+    EXPECT_EQ(none.rays.total(), whole.rays.total());
+}
+
 INSTANTIATE_TEST_SUITE_P(Threads, Tiles, testing::Values(1, 3));
 
 }  // namespace
