@@ -6,6 +6,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "fuzz/fuzz_journal.h"
 #include "fuzz/fuzz_load.h"
 #include "fuzz/fuzz_picture.h"
 #include "fuzz/fuzz_scene.h"
@@ -49,6 +50,14 @@ TEST(PictureCorpus, EveryFileHasAnAnswer) {
                             [](const std::string& bytes, const std::string& path) {
                                 const auto* data = reinterpret_cast<const std::uint8_t*>(bytes.data());
                                 EXPECT_EQ(glint::test::fuzz_decode({data, bytes.size()}), "") << path;
+                            }),
+              10);
+}
+
+TEST(JournalCorpus, EveryFileHasAnAnswer) {
+    EXPECT_GE(for_each_text("journal",
+                            [](const std::string& bytes, const std::string& path) {
+                                EXPECT_EQ(glint::test::fuzz_journal(bytes), "") << path;
                             }),
               10);
 }

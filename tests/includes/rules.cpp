@@ -15,7 +15,7 @@ Names all_but(const Names& removed) {
     Names names;
     for (const std::string_view name :
          {"base", "math", "simd", "scene", "formats", "geometry", "lighting", "bvh", "world", "trace",
-          "explain", "check", "compare", "grade", "image", "cli", "wasm"}) {
+          "explain", "check", "compare", "grade", "image", "journal", "cli", "mpi", "wasm"}) {
         if (!removed.contains(name)) names.insert(name);
     }
     return names;
@@ -49,7 +49,7 @@ std::optional<std::string> check_public(const Include& include) {
 std::optional<std::string> check_library(std::string_view path, const Module& module,
                                          const Include& include) {
     const std::string_view name = include.name;
-    const bool is_face = module.name == "cli" || module.name == "wasm";
+    const bool is_face = module.name == "cli" || module.name == "mpi" || module.name == "wasm";
     if (is_standard(name)) {
         if (module.in_browser && k_not_in_browser.contains(name))
             return quoted(name) + " does not exist in the browser build";
@@ -77,26 +77,32 @@ const std::vector<Module>& modules() {
         {"scene", {"base", "math"}, {"fmt/", "fast_float/"}},
         {"formats", {"base", "math", "scene"}, {"fmt/", "fast_float/"}},
         {"world",
-         all_but({"trace", "explain", "check", "compare", "grade", "image", "cli", "wasm"}),
+         all_but({"trace", "explain", "check", "compare", "grade", "image", "journal", "cli", "mpi", "wasm"}),
          {"fmt/"}},
-        {"trace", all_but({"explain", "check", "compare", "grade", "image", "cli", "wasm"}), {"fmt/"}},
+        {"trace",
+         all_but({"explain", "check", "compare", "grade", "image", "journal", "cli", "mpi", "wasm"}),
+         {"fmt/"}},
         {"explain",
-         all_but({"check", "compare", "grade", "image", "cli", "wasm"}),
+         all_but({"check", "compare", "grade", "image", "journal", "cli", "mpi", "wasm"}),
          {"fmt/", "fast_float/", "nlohmann/"}},
         {"check",
-         all_but({"explain", "compare", "grade", "image", "cli", "wasm"}),
+         all_but({"explain", "compare", "grade", "image", "journal", "cli", "mpi", "wasm"}),
          {"fmt/", "fast_float/", "nlohmann/"}},
         {"compare",
-         all_but({"explain", "check", "grade", "cli", "wasm"}),
+         all_but({"explain", "check", "grade", "journal", "cli", "mpi", "wasm"}),
          {"fmt/", "fast_float/", "nlohmann/"}},
-        {"grade", all_but({"explain", "check", "cli", "wasm"}), {"fmt/", "fast_float/", "nlohmann/"}},
+        {"grade",
+         all_but({"explain", "check", "journal", "cli", "mpi", "wasm"}),
+         {"fmt/", "fast_float/", "nlohmann/"}},
         {"image", {"base", "math"}, {"fmt/", "zlib.h", "png.h", "jpeglib.h", "Imf", "Imath"}, false},
+        {"journal", {"base"}, {"fmt/", "zlib.h", "xxhash.h"}, false},
         {"cli",
-         all_but({"wasm"}),
+         all_but({"mpi", "wasm"}),
          {"fmt/", "nlohmann/", "CLI/", "sys/", "unistd.h", "fcntl.h", "fnmatch.h", "csignal", "signal.h",
           "termios.h"},
          false},
-        {"wasm", all_but({"cli"}), {"fmt/", "nlohmann/"}},
+        {"mpi", all_but({"wasm"}), {"fmt/", "CLI/", "mpi.h"}, false},
+        {"wasm", all_but({"journal", "cli", "mpi"}), {"fmt/", "nlohmann/"}},
     };
     return list;
 }
