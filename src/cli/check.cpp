@@ -51,7 +51,7 @@ std::string json_text(const std::vector<Diagnostic>& messages, const std::vector
 }
 
 int check_command(CheckArguments& arguments) {
-    add_settings(arguments.picture, false, arguments.scene);
+    add_settings(arguments.picture, PictureMemory::some, arguments.scene);
     LoadedScene loaded = load_scene(arguments.scene);
     std::vector<SceneText> texts = loaded.texts;
     const std::vector<InputFile> included = open_included(loaded, texts);

@@ -11,6 +11,8 @@
 
 namespace glint::cli {
 
+struct RenderHooks;
+
 /// Runs a command that has been parsed; returns the exit code. Throws Failure.
 using Run = std::function<int()>;
 
@@ -23,6 +25,8 @@ const CLI::App* find_command(const CLI::App& app, std::string_view name);
 std::vector<const CLI::App*> shown_commands(const CLI::App& app);
 
 Run add_render(CLI::App& app);
+/// In a program of several processes; the hooks must outlive what is returned.
+Run add_render(CLI::App& app, const RenderHooks& hooks);
 Run add_info(CLI::App& app);
 Run add_convert(CLI::App& app);
 Run add_check(CLI::App& app);
@@ -30,6 +34,7 @@ Run add_explain(CLI::App& app);
 Run add_compare(CLI::App& app);
 Run add_versus(CLI::App& app);
 Run add_grade(CLI::App& app);
+Run add_join(CLI::App& app);
 Run add_completion(CLI::App& app);
 Run add_man(CLI::App& app);
 Run add_help(CLI::App& app);

@@ -102,7 +102,7 @@ int explain_command(ExplainArguments& arguments) {
             throw Failure(k_usage, "--overlay and the explanation cannot both go to standard output");
     }
     check_isa(arguments.isa);
-    add_settings(arguments.picture, false, arguments.scene);
+    add_settings(arguments.picture, PictureMemory::some, arguments.scene);
     LoadedScene loaded = load_scene(arguments.scene);
     const Scene& scene = loaded.scene;
     const Pair pixel = pixel_of(arguments, scene.settings);

@@ -12,6 +12,7 @@
 
 #include "cli/failure.h"
 #include "cli/overwriting.h"
+#include "journal/hash.h"
 
 namespace glint::cli {
 namespace {
@@ -53,6 +54,15 @@ std::string read_all(int descriptor, bool binary, std::string& text) {
 }  // namespace
 
 std::optional<InputFile> InputFile::open(const std::string& path, std::string& why, bool binary) {
+    return open(path, why, binary, false);
+}
+
+std::optional<InputFile> InputFile::open_own(const std::string& path, std::string& why) {
+    return open(path, why, true, true);
+}
+
+std::optional<InputFile> InputFile::open(const std::string& path, std::string& why, bool binary,
+                                         bool is_own) {
     const Descriptor file(path == "-" ? STDIN_FILENO : ::open(path.c_str(), O_RDONLY | O_CLOEXEC));
     struct stat about {};
     if (file.number() < 0 || ::fstat(file.number(), &about) != 0) {
@@ -63,7 +73,7 @@ std::optional<InputFile> InputFile::open(const std::string& path, std::string& w
         why = "is a folder";
         return std::nullopt;
     }
-    note_input(file.number());
+    if (!is_own) note_input(file.number());
     InputFile input;
     if (path != "-" && S_ISREG(about.st_mode) && about.st_size > 0) {
         const auto size = static_cast<std::size_t>(about.st_size);
@@ -76,6 +86,12 @@ std::optional<InputFile> InputFile::open(const std::string& path, std::string& w
     }
     why = read_all(file.number(), binary, input.read_);
     if (!why.empty()) return std::nullopt;
+    return input;
+}
+
+InputFile InputFile::of_text(std::string text) {
+    InputFile input;
+    input.read_ = std::move(text);
     return input;
 }
 
@@ -99,18 +115,30 @@ std::string_view InputFile::text() const {
     return mapped_ != nullptr ? std::string_view(static_cast<const char*>(mapped_), mapped_size_) : read_;
 }
 
+void InputFile::release() const {
+    if (mapped_ != nullptr) ::madvise(mapped_, mapped_size_, MADV_DONTNEED);
+}
+
+std::optional<InputFile> TextReader::open(const std::string& path, bool included, std::string& why) {
+    // A pipe would wait for a writer.
+    struct stat about {};
+    if (included && ::stat(path.c_str(), &about) == 0 && !S_ISREG(about.st_mode)) {
+        why = "not a regular file";
+        return std::nullopt;
+    }
+    return InputFile::open(path, why);
+}
+
 Result<std::string> FileSources::read(std::string_view name, std::string_view from) {
     const auto unreadable = [](std::string why) { return Status{ErrorCode::io, std::move(why), {}}; };
     std::string path(name);
     if (!name.starts_with('/')) path.insert(0, from.substr(0, from.rfind('/') + 1));
     if (path.find('\0') != std::string::npos || path == "-") return unreadable("no such file");
-    // A pipe would wait for who knows whom.
-    struct stat about {};
-    if (::stat(path.c_str(), &about) == 0 && !S_ISREG(about.st_mode)) return unreadable("not a regular file");
     try {
         std::string why;
-        const std::optional<InputFile> file = InputFile::open(path, why);
+        const std::optional<InputFile> file = reader_.open(path, true, why);
         if (!file) return unreadable(std::move(why));
+        hashes_.emplace_back(path, hash_of(file->text()));
         return std::string(file->text());
     } catch (const Failure& e) {
         failure_ = std::current_exception();

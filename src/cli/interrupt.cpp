@@ -14,8 +14,12 @@ namespace glint::cli {
 namespace {
 
 // Read by a signal handler, so not a std::string.
-char unfinished_path[4200];
-std::atomic<bool> has_unfinished{false};
+constexpr int k_unfinished = 4;
+struct Unfinished {
+    char path[4200];
+    std::atomic<bool> is_used{false}, is_there{false};
+} unfinished[k_unfinished];
+char interrupt_advice[201];
 std::atomic<bool> progress_shown{false};
 static_assert(std::atomic<bool>::is_always_lock_free);
 
@@ -27,13 +31,19 @@ void write_to_stderr(std::string_view text) {
 // Uses only async-signal-safe calls. Loading, preparing and rendering hold nothing that outlives the
 // process, so they need no request to stop.
 void end_at_once(int signal) {
-    if (has_unfinished) ::unlink(unfinished_path);
+    for (const Unfinished& file : unfinished) {
+        if (file.is_there) ::unlink(file.path);
+    }
     if (progress_shown) write_to_stderr("\r\x1b[K");
     if (signal == SIGBUS) {
         write_to_stderr("glint: a scene file became shorter while it was read\n");
         ::_exit(k_bad_input);
     }
-    if (signal == SIGINT) write_to_stderr("glint: interrupted\n");
+    if (signal == SIGINT) {
+        write_to_stderr("glint: interrupted");
+        write_to_stderr(interrupt_advice);
+        write_to_stderr("\n");
+    }
     // Ends by the signal itself: a shell ends its loop only if a signal ended the child process.
     ::signal(signal, SIG_DFL);
     sigset_t set;
@@ -61,12 +71,24 @@ void handle_signals() {
 }
 
 UnfinishedFile::UnfinishedFile(const std::string& path) {
-    if (path.size() >= sizeof unfinished_path) return;
-    std::memcpy(unfinished_path, path.c_str(), path.size() + 1);
-    has_unfinished = true;
+    if (path.size() >= sizeof unfinished[0].path) return;
+    for (int slot = 0; slot < k_unfinished && slot_ < 0; ++slot) {
+        if (!unfinished[slot].is_used.exchange(true)) slot_ = slot;
+    }
+    if (slot_ < 0) return;
+    std::memcpy(unfinished[slot_].path, path.c_str(), path.size() + 1);
+    unfinished[slot_].is_there = true;
 }
 
-UnfinishedFile::~UnfinishedFile() { has_unfinished = false; }
+UnfinishedFile::~UnfinishedFile() {
+    if (slot_ < 0) return;
+    unfinished[slot_].is_there = false;
+    unfinished[slot_].is_used = false;
+}
+
+void set_interrupt_advice(const std::string& advice) {
+    std::strncpy(interrupt_advice, advice.c_str(), sizeof interrupt_advice - 1);
+}
 
 void set_progress_shown(bool shown) { progress_shown = shown; }
 

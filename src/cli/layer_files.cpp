@@ -4,10 +4,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "base/text.h"
 #include "cli/failure.h"
+#include "cli/strip_file.h"
 #include "cli/text.h"
+#include "image/layer_preview.h"
 
 namespace glint::cli {
 namespace {
@@ -41,6 +44,13 @@ std::vector<Layer> parse(const std::string& aov) {
     return layers;
 }
 
+// The transfer curve applies to light only, not to normals and other numbers.
+EncodeOptions encoding_of(Layer layer, EncodeOptions encoding) {
+    const bool is_light = static_cast<int>(layer) < k_light_layers || layer == Layer::albedo;
+    if (!is_light) encoding.transfer = Transfer::none;
+    return encoding;
+}
+
 }  // namespace
 
 void add_layer_argument(CLI::App& command, std::optional<std::string>& aov) {
@@ -53,9 +63,13 @@ void add_layer_argument(CLI::App& command, std::optional<std::string>& aov) {
         ->option_text("LAYERS");
 }
 
-LayerFiles::LayerFiles(const std::optional<std::string>& aov, const std::string& picture, FileFormat format,
+std::vector<Layer> parse_layers(const std::optional<std::string>& aov) {
+    return aov ? parse(*aov) : std::vector<Layer>{};
+}
+
+LayerFiles::LayerFiles(std::vector<Layer> wanted, const std::string& picture, FileFormat format,
                        bool is_stream)
-    : wanted_(aov ? parse(*aov) : std::vector<Layer>{}) {
+    : wanted_(std::move(wanted)) {
     if (wanted_.empty() || format == FileFormat::exr) return;
     if (is_stream)
         throw Failure(k_usage, "--aov: standard output holds one picture; name a file with --output");
@@ -77,16 +91,28 @@ double LayerFiles::bytes_a_pixel() const {
 
 void LayerFiles::write(const std::vector<LayerImage>& layers, const EncodeOptions& encoding) const {
     for (std::size_t i = 0; i < files_.size(); ++i) {
-        // The transfer curve applies to light only, not to normals and other numbers.
-        EncodeOptions options = encoding;
-        const bool is_light =
-            static_cast<int>(layers[i].layer) < k_light_layers || layers[i].layer == Layer::albedo;
-        if (!is_light) options.transfer = Transfer::none;
         const Result<Image> picture = viewable(layers[i]);
         if (!picture) throw Failure(k_bad_input, fmt::format("cannot show a layer: {}", picture.message));
-        const auto encoded = encode(*picture, options);
+        const auto encoded = encode(*picture, encoding_of(layers[i].layer, encoding));
         if (!encoded) throw Failure(k_bad_input, fmt::format("cannot encode a layer: {}", encoded.message));
         files_[i].write(*encoded);
+    }
+}
+
+void LayerFiles::write(const JournalPicture& picture, const EncodeOptions& encoding) const {
+    const Crop& size = picture.header().picture;
+    for (std::size_t i = 0; i < files_.size(); ++i) {
+        LayerPreview preview(wanted_[i]);
+        if (preview.needs_scan())
+            picture.for_each_strip(i + 1, 1, [&](auto, auto values) { preview.scan(values); });
+        StripFile file(files_[i], encoding_of(wanted_[i], encoding), size.width, size.height);
+        picture.for_each_strip(i + 1, encoding.threads,
+                               [&](std::int32_t strip, std::span<const float> values) {
+                                   std::vector<float> rgb(3 * values.size() / picture.channels(i + 1));
+                                   preview.convert(values, rgb.data());
+                                   file.put(strip, rgb);
+                               });
+        file.finish(true);
     }
 }
 

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/journal_picture.h"
 #include "cli/output_file.h"
 #include "glint/glint.h"
 
@@ -15,20 +16,25 @@ namespace glint::cli {
 /// Adds --aov.
 void add_layer_argument(CLI::App& command, std::optional<std::string>& aov);
 
-/// The layers that --aov asks for; checked before rendering begins.
+/// The layers of --aov: names separated by commas, or `all`; none: no layers. Throws Failure.
+std::vector<Layer> parse_layers(const std::optional<std::string>& aov);
+
+/// The files of layers; checked before rendering begins.
 class LayerFiles {
   public:
-    /// aov: layer names separated by commas, or `all`; none: no layers. In an OpenEXR file they are parts of
-    /// the file; with a PNG or PPM `castle.png` they are the files `castle.normal.png` and so on. Throws
-    /// Failure.
-    LayerFiles(const std::optional<std::string>& aov, const std::string& picture, FileFormat format,
-               bool is_stream);
+    /// No layers.
+    LayerFiles() = default;
+
+    /// In an OpenEXR file layers are parts of the file; with a PNG or PPM `castle.png` they are the files
+    /// `castle.normal.png` and so on. Throws Failure.
+    LayerFiles(std::vector<Layer> wanted, const std::string& picture, FileFormat format, bool is_stream);
 
     const std::vector<Layer>& wanted() const { return wanted_; }
     /// Bytes per pixel of the picture and the layers together.
     double bytes_a_pixel() const;
-    /// Writes the layers that have files of their own.
+    /// Writes the layers that have files of their own; those of journals are on the disk when it returns.
     void write(const std::vector<LayerImage>& layers, const EncodeOptions& encoding) const;
+    void write(const JournalPicture& picture, const EncodeOptions& encoding) const;
 
   private:
     std::vector<Layer> wanted_;

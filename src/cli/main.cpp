@@ -64,6 +64,7 @@ int run(const std::vector<std::string>& arguments) {
         {"compare", add_compare(app)},
         {"versus", add_versus(app)},
         {"grade", add_grade(app)},
+        {"join", add_join(app)},
         {"completion", add_completion(app)},
         {"help", add_help(app)},
         {"version", add_version(app)},

@@ -2,10 +2,21 @@
 #pragma once
 // Files that are written completely or not at all.
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <string>
 
+#include "image/strip_encoder.h"
+
 namespace glint::cli {
+
+/// A file while it is written. All functions throw Failure.
+class FileInProgress : public ByteFile {
+  public:
+    /// Ends the file. If this is not called, there is no file. durable: returns when the bytes are on the
+    /// disk.
+    virtual void commit(bool durable) = 0;
+};
 
 /// The destination of a file's bytes; checked before the work begins.
 class OutputFile {
@@ -20,17 +31,34 @@ class OutputFile {
     bool is_stream() const { return direct_; }
 
     /// Writes the bytes. A regular file is written to a temporary file in the same folder, which replaces it
-    /// when complete; pipes and devices are written directly. Throws Failure; then no new file exists, and an
-    /// old one is unchanged.
+    /// when complete; pipes and devices are written directly. Throws Failure;
+    /// then no new file exists, and an old one is unchanged.
     void write(std::span<const std::uint8_t> bytes) const;
 
+    /// The same in pieces: those of a regular file go to the temporary file, others are kept in memory until
+    /// the end. This object must outlive it.
+    std::unique_ptr<FileInProgress> begin() const;
+
+    /// The regular file that write() replaces, with links followed.
+    const std::string& target() const { return target_; }
+
   private:
+    class Replacement;
+    class Direct;
     void write_directly(std::span<const std::uint8_t> bytes) const;
-    void replace(std::span<const std::uint8_t> bytes) const;
 
     std::string path_;    // as the user named it
     std::string target_;  // with symbolic links followed
     bool standard_output_ = false, direct_ = false;
 };
+
+/// The folder of a path: "." if it has none.
+std::string folder_of(const std::string& path);
+
+/// A name for a temporary file in the folder of `target`, which no other process uses.
+std::string temporary_beside(const std::string& target);
+
+/// Makes the names of a folder's files survive a loss of power.
+void sync_folder(const std::string& folder);
 
 }  // namespace glint::cli

@@ -61,11 +61,14 @@ void add_picture_arguments(CLI::App& command, PictureArguments& a) {
     command.add_option("--aa", a.aa, "N x N regular samples per pixel")->option_text("N");
 }
 
-void add_settings(const PictureArguments& arguments, bool is_whole, SceneArguments& scene) {
+void add_settings(const PictureArguments& arguments, PictureMemory memory, SceneArguments& scene) {
     auto& settings = scene.settings;
     if (!arguments.size.empty()) {
         const auto size = parse_size(arguments.size);
-        if (size && size->width > 0 && size->height > 0 && is_whole) {
+        const bool is_checked =
+            memory == PictureMemory::whole ||
+            (memory == PictureMemory::rows && size && std::max(size->width, size->height) > k_max_size);
+        if (size && size->width > 0 && size->height > 0 && is_checked) {
             check_memory(static_cast<double>(size->width), static_cast<double>(size->height));
         }
         settings.emplace_back("size", arguments.size);

@@ -16,10 +16,13 @@ struct PictureArguments {
 /// Adds --size, --shading, --no-shadows, --reflections and --aa.
 void add_picture_arguments(CLI::App& command, PictureArguments& arguments);
 
+/// What of a picture is in memory: some of its pixels, rows of it, or all.
+enum class PictureMemory { some, rows, whole };
+
 /// Adds the arguments to the settings that load_scene applies. Checks first that there is enough memory for
-/// a picture of that size, so that the message for a huge size names the memory needed. is_whole: the whole
-/// picture is kept in memory.
-void add_settings(const PictureArguments& arguments, bool is_whole, SceneArguments& scene);
+/// a picture of that size, so that the message for a huge size names the memory needed. A picture of rows
+/// needs that memory only beyond the largest size.
+void add_settings(const PictureArguments& arguments, PictureMemory memory, SceneArguments& scene);
 
 /// How the picture's numbers are written to a file.
 struct NumberArguments {

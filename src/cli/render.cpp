@@ -1,24 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
 // glint render: renders a scene to a picture file.
 #include <fmt/format.h>
-#include <sys/resource.h>
 #include <unistd.h>
 
 #include <chrono>
-#include <cstdio>
 #include <memory>
-#include <nlohmann/json.hpp>
 
 #include "base/text.h"
 #include "cli/commands.h"
 #include "cli/failure.h"
 #include "cli/half_blocks.h"
+#include "cli/journal_header.h"
 #include "cli/layer_files.h"
-#include "cli/output_file.h"
-#include "cli/picture_arguments.h"
-#include "cli/print_error.h"
 #include "cli/progress.h"
-#include "cli/scene_arguments.h"
+#include "cli/render_arguments.h"
+#include "cli/render_report.h"
+#include "cli/render_target.h"
 #include "cli/submissions.h"
 #include "cli/terminal.h"
 #include "cli/text.h"
@@ -35,38 +32,13 @@ constexpr auto k_examples = R"(Examples:
   glint render castle.json --crop 100x80+320+200        a part, as in the whole picture
   glint render castle.json --convention limit=drop      one convention changed
   glint render - --format cgfs -o - < a.cgfs > a.png    from standard input to standard output
+  glint render castle.json --resume                     continues an interrupted run
+  glint render castle.json --part 2/4 -o 2.tiles        a quarter of the tiles, for `glint join`
   glint render castle.json --show                       also show it in the terminal)";
-
-struct RenderArguments {
-    SceneArguments scene;
-    PictureArguments picture;
-    NumberArguments numbers;
-    std::optional<std::string> aov;
-    std::string output, crop, isa, stats;
-    bool strict = false, show = false, quiet = false;
-    int threads = 0;
-};
 
 using Clock = std::chrono::steady_clock;
 double seconds_since(Clock::time_point start) {
     return std::chrono::duration<double>(Clock::now() - start).count();
-}
-
-struct Times {
-    double load = 0, prepare = 0, trace = 0, encode = 0;
-};
-
-FileFormat format_of(const std::string& path, const OutputFile& output) {
-    const std::string ending = extension(path);
-    if (ending == ".png") return FileFormat::png;
-    if (ending == ".ppm") return FileFormat::ppm;
-    if (ending == ".exr") return FileFormat::exr;
-    if (output.is_stream()) return FileFormat::png;
-    throw Failure(k_usage, fmt::format("--output '{}': glint writes .png, .ppm and .exr", path));
-}
-
-std::string default_output(const std::string& scene_file) {
-    return scene_file == "-" ? "picture.png" : stem(scene_file) + ".png";
 }
 
 std::optional<Crop> crop_of(const RenderArguments& arguments, const RenderSettings& settings) {
@@ -83,34 +55,8 @@ std::optional<Crop> crop_of(const RenderArguments& arguments, const RenderSettin
     return crop;
 }
 
-std::string stats_text(const Rendering& rendering, const Times& times) {
-    rusage usage{};
-    ::getrusage(RUSAGE_SELF, &usage);
-    nlohmann::ordered_json stats = {
-        {"load_s", times.load},
-        {"prepare_s", times.prepare},
-        {"trace_s", times.trace},
-        {"encode_s", times.encode},
-        {"threads", rendering.threads},
-        {"isa", rendering.isa},
-        {"rays",
-         {{"camera", rendering.rays.camera},
-          {"shadow", rendering.rays.shadow},
-          {"mirror", rendering.rays.mirror},
-          {"transmitted", rendering.rays.transmitted},
-          {"cut", rendering.rays.cut}}},
-        {"peak_rss_bytes", std::uint64_t(usage.ru_maxrss) * 1024},
-    };
-    return stats.dump(2) + "\n";
-}
-
 std::span<const std::uint8_t> bytes_of(const std::string& text) {
     return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
-}
-
-[[noreturn]] void fail_strict(std::size_t warnings) {
-    throw Failure(k_bad_input,
-                  fmt::format("--strict: {}, so no picture is written", counted(warnings, "warning")));
 }
 
 // Detects `glint render castle.json out.png`, where a picture is given as a scene.
@@ -129,93 +75,81 @@ void check_scenes(const SceneArguments& scene) {
                               glint::quoted(pictures.front()), fmt::join(scenes, " "), pictures.front()));
 }
 
-int render_command(RenderArguments& arguments) {
-    const auto start = Clock::now();
-    check_scenes(arguments.scene);
-    const std::string path =
-        arguments.output.empty() ? default_output(arguments.scene.files.front()) : arguments.output;
-    const OutputFile output("--output", path);
-    EncodeOptions encoding = encoding_of(arguments.numbers);
-    encoding.format = format_of(path, output);
-    encoding.threads = arguments.threads;
-    if (output.is_standard_output()) {
-        if (arguments.show)
-            throw Failure(k_usage, "--show and the picture cannot both go to standard output");
-        if (is_terminal(STDOUT_FILENO)) {
-            throw Failure(k_usage, "standard output is a terminal: redirect it to a file, or use --show");
-        }
-    }
-    std::optional<OutputFile> stats;
-    if (!arguments.stats.empty()) stats.emplace("--stats", arguments.stats);
-    check_isa(arguments.isa);
-    const LayerFiles layers(arguments.aov, path, encoding.format, output.is_stream());
-    add_settings(arguments.picture, arguments.crop.empty(), arguments.scene);
-
-    Times times;
-    LoadedScene loaded = load_scene(arguments.scene);
-    times.load = seconds_since(start);
-    RenderOptions options;
-    options.crop = crop_of(arguments, loaded.scene.settings);
-    const Crop rendered =
-        options.crop ? *options.crop : Crop{loaded.scene.settings.width, loaded.scene.settings.height};
-    check_memory(rendered.width, rendered.height, layers.bytes_a_pixel());
-
-    auto stage = Clock::now();
-    const Result<World> prepared = prepare(loaded.scene, {.threads = arguments.threads});
-    times.prepare = seconds_since(stage);
+// The world of a scene whose warnings are printed. Throws Failure.
+World prepare_scene(RenderArguments& arguments, LoadedScene& loaded) {
+    Result<World> prepared = prepare(loaded.scene, {.threads = arguments.threads});
     add_warnings(loaded.warnings, prepared.diagnostics);
     const std::size_t warnings = count_warnings(loaded.warnings);
     const bool refused = arguments.strict && warnings > 0;
     if (!arguments.quiet || !prepared || refused) print(loaded.warnings);
     if (!prepared) throw_failure(prepared);
     if (refused) fail_strict(warnings);
+    return *std::move(prepared);
+}
+
+int render_command(RenderArguments& arguments, const RenderHooks& hooks) {
+    const auto start = Clock::now();
+    check_scenes(arguments.scene);
+    RenderOptions options;
+    options.layers = parse_layers(arguments.aov);
+    options.threads = arguments.threads;
+    options.isa = arguments.isa;
+    std::optional<RenderTarget> target;
+    std::optional<OutputFile> stats;
+    if (hooks.is_writer) {
+        target.emplace(arguments);
+        if (!arguments.stats.empty()) stats.emplace("--stats", arguments.stats);
+        target->set_layers(options.layers);
+    } else {
+        arguments.quiet = true;
+    }
+    check_isa(arguments.isa);
+    add_settings(arguments.picture, PictureMemory::rows, arguments.scene);
+
+    Times times;
+    TextReader disk;
+    LoadedScene loaded = load_scene(arguments.scene, hooks.reader != nullptr ? *hooks.reader : disk);
+    times.load = seconds_since(start);
+    if (hooks.loaded) hooks.loaded();
+    options.crop = crop_of(arguments, loaded.scene.settings);
+    const Crop rendered =
+        options.crop ? *options.crop : Crop{loaded.scene.settings.width, loaded.scene.settings.height};
+    if (target) target->check_memory(rendered);
+
+    auto stage = Clock::now();
+    const World world = prepare_scene(arguments, loaded);
+    times.prepare = seconds_since(stage);
+
+    JournalHeader header;
+    if (hooks.render || target->needs_header(rendered))
+        header = journal_header(arguments.scene, loaded, rendered, options.layers);
+    if (target && !target->begin(rendered, header, static_cast<bool>(hooks.render))) return k_done;
 
     stage = Clock::now();
-    Result<Rendering> result;
-    {
+    Rendering result = [&] {
         ProgressBar bar(!arguments.quiet);
-        options.threads = arguments.threads;
-        options.isa = arguments.isa;
-        options.layers = layers.wanted();
         options.progress = [&](double fraction) { bar.update(fraction); };
-        result = render(*prepared, options);
-    }
+        Result<Rendering> rendering = target ? target->render(world, std::move(options), header, hooks)
+                                             : hooks.render(world, std::move(options), header, nullptr);
+        if (!rendering) throw_failure(rendering);
+        return *std::move(rendering);
+    }();
     times.trace = seconds_since(stage);
-    if (!result) throw_failure(result);
+    if (!target) return k_done;
+    report_cut_rays(arguments, result.rays);
 
-    if (result->rays.cut > 0 && (!arguments.quiet || arguments.strict)) {
-        print_error(
-            "warning: {} mirror and glass rays were not traced: a sample of a pixel has at most {}; "
-            "a lower --reflections or a higher min_weight omits the faintest first\n",
-            with_commas(result->rays.cut), k_max_sample_rays);
-        if (arguments.strict) fail_strict(1);
-    }
-
-    stage = Clock::now();
-    const auto encoded = encoding.format == FileFormat::exr && !result->layers.empty()
-                             ? encode_layers(result->image, result->layers)
-                             : encode(result->image, encoding);
-    times.encode = seconds_since(stage);
-    if (!encoded) throw Failure(k_bad_input, fmt::format("cannot encode the picture: {}", encoded.message));
-    output.write(*encoded);
-    layers.write(result->layers, encoding);
-    if (stats) stats->write(bytes_of(stats_text(*result, times)));
-    if (arguments.show) {
-        fmt::print("{}", half_blocks(result->image, terminal_columns(STDOUT_FILENO), encoding.transfer));
-    }
-    if (!arguments.quiet) {
-        print_error("{}  {}x{}  {} rays  {:.3f} s  {:.1f} Mray/s  (total {:.3f} s, {}, {}, {})\n", path,
-                    result->image.width, result->image.height, with_commas(result->rays.total()), times.trace,
-                    static_cast<double>(result->rays.total()) / times.trace / 1e6, seconds_since(start),
-                    counted(std::uint64_t(result->threads), "thread"), result->isa,
-                    counted(warnings, "warning"));
-    }
+    times.encode = target->write(result);
+    if (stats) stats->write(bytes_of(stats_text(result, times)));
+    if (arguments.show)
+        fmt::print("{}", half_blocks(result.image, terminal_columns(STDOUT_FILENO), target->transfer()));
+    print_result(arguments, target->path(), target->size_text(), result, times, seconds_since(start),
+                 count_warnings(loaded.warnings));
     return k_done;
 }
 
 }  // namespace
 
-Run add_render(CLI::App& app) {
+Run add_render(CLI::App& app, const RenderHooks& hooks) {
     CLI::App& command = *app.add_subcommand("render", "Render a scene");
     const auto arguments = std::make_shared<RenderArguments>();
     RenderArguments& a = *arguments;
@@ -237,13 +171,27 @@ Run add_render(CLI::App& app) {
         .add_option("--isa", a.isa,
                     "Instruction set (`glint info --isa` lists them). The picture does not depend on it")
         ->option_text("NAME");
+    command.add_flag(
+        "--resume", a.resume,
+        "Keep finished tiles in OUT.journal, and go on with it if it is there; it is removed when "
+        "the picture is written");
+    command
+        .add_option("--part", a.part,
+                    "Render only every Nth tile, beginning with the Kth, to OUT.tiles; `glint join` makes a "
+                    "picture of all parts")
+        ->option_text("K/N");
     command.add_option("--stats", a.stats, "Write times, rays and memory as JSON")->option_text("FILE.json");
     command.add_flag("--strict", a.strict,
                      "Treat warnings as errors: exit code 1, and no picture is written");
     command.add_flag("--show", a.show, "Also show the picture in the terminal, in 24-bit colours");
     command.add_flag("-q,--quiet", a.quiet, "Print only errors");
     command.footer(k_examples);
-    return [arguments] { return render_command(*arguments); };
+    return [arguments, &hooks] { return render_command(*arguments, hooks); };
+}
+
+Run add_render(CLI::App& app) {
+    static const RenderHooks none;
+    return add_render(app, none);
 }
 
 }  // namespace glint::cli

@@ -45,14 +45,15 @@ void add_conventions(const SceneArguments& arguments, LoadOptions& options) {
 }
 
 // --profile NAME, or a file of `key = value` lines; `file` keeps its text.
-void add_profile(const std::string& profile, LoadOptions& options, std::optional<InputFile>& file) {
+void add_profile(const std::string& profile, LoadOptions& options, TextReader& reader,
+                 std::optional<InputFile>& file) {
     const auto names = profile_names();
     if (profile.empty() || std::find(names.begin(), names.end(), profile) != names.end()) {
         options.profile = profile;
         return;
     }
     std::string why;
-    file = InputFile::open(profile, why);
+    file = reader.open(profile, false, why);
     if (!file) {
         fail_usage(fmt::format("--profile: {} is neither a profile nor a readable file ({}){}",
                                glint::quoted(profile), why, suggestion(profile, names)));
@@ -103,11 +104,11 @@ void add_convention_arguments(CLI::App& command, SceneArguments& arguments) {
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
 }
 
-LoadedScene load_scene(const SceneArguments& arguments) {
+LoadedScene load_scene(const SceneArguments& arguments, TextReader& reader) {
     LoadOptions options;
     options.scene_name = arguments.scene_name;
     std::optional<InputFile> profile_file;
-    add_profile(arguments.profile, options, profile_file);
+    add_profile(arguments.profile, options, reader, profile_file);
     add_conventions(arguments, options);
     const auto inputs = std::count(arguments.files.begin(), arguments.files.end(), "-");
     if (inputs > 1) fail_usage("standard input can be read only once");
@@ -118,7 +119,7 @@ LoadedScene load_scene(const SceneArguments& arguments) {
     std::string problems;
     for (const std::string& name : arguments.files) {
         std::string why;
-        std::optional<InputFile> file = InputFile::open(name, why);
+        std::optional<InputFile> file = reader.open(name, false, why);
         if (!file) {
             problems += fmt::format("{}{}: {}", problems.empty() ? "" : "\n", name, why);
             continue;
@@ -129,14 +130,20 @@ LoadedScene load_scene(const SceneArguments& arguments) {
     for (std::size_t i = 0; i < files.size(); ++i) {
         texts.push_back({arguments.files[i], files[i].text(), arguments.format});
     }
-    FileSources sources;
+    FileSources sources(reader);
     Result<Scene> result = load(texts, options, &sources);
     sources.rethrow();
     if (!result) {
         print(result.diagnostics);
         throw_failure(result);
     }
-    return {std::move(*result), std::move(result.diagnostics), std::move(files), std::move(texts)};
+    return {std::move(*result), std::move(result.diagnostics), std::move(files), std::move(texts),
+            sources.hashes()};
+}
+
+LoadedScene load_scene(const SceneArguments& arguments) {
+    TextReader reader;
+    return load_scene(arguments, reader);
 }
 
 std::vector<InputFile> open_included(const LoadedScene& loaded, std::vector<SceneText>& texts) {

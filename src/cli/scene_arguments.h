@@ -33,10 +33,13 @@ struct LoadedScene {
     std::vector<Diagnostic> warnings;
     std::vector<InputFile> files;
     std::vector<SceneText> texts;  ///< one for each of `files`
+    /// Name and hash of each text that these include.
+    std::vector<std::pair<std::string, std::string>> included;
 };
 
 /// Reads the files as one scene. Throws a usage error for a setting that is invalid for every scene. Prints
 /// the errors of the scene and throws Failure (bad input).
+LoadedScene load_scene(const SceneArguments& arguments, TextReader& reader);
 LoadedScene load_scene(const SceneArguments& arguments);
 
 /// Opens the files that the scene includes again, and adds their texts to `texts`. The texts are valid as

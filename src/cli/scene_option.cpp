@@ -16,7 +16,7 @@ void add_scene_option(CLI::App& command, SceneOption& option, const char* descri
 
 std::optional<LoadedScene> load_scene_option(SceneOption& option, bool quiet) {
     if (option.scene.files.empty()) return std::nullopt;
-    add_settings(option.picture, true, option.scene);
+    add_settings(option.picture, PictureMemory::whole, option.scene);
     LoadedScene loaded = load_scene(option.scene);
     if (!quiet) print(loaded.warnings);
     return loaded;

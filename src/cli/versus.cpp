@@ -181,7 +181,7 @@ int versus_command(VersusArguments& arguments) {
     if (arguments.a.empty() && arguments.b.empty())
         throw Failure(k_usage,
                       "expected --a KEY=VALUE or --b KEY=VALUE: the difference between the pictures");
-    add_settings(arguments.picture, true, arguments.scene);
+    add_settings(arguments.picture, PictureMemory::whole, arguments.scene);
     const Side a = render_side(arguments, arguments.a, "--a", size_of_scene(arguments));
     const Side b = render_side(arguments, arguments.b, "--b", a.loaded.scene.settings);
     print(a.loaded.warnings);

@@ -27,7 +27,7 @@ TEST(Documented, EveryOption) {
     const Folder folder;
     const std::pair<const char*, std::size_t> commands[] = {{"render", 20},  {"info", 8},    {"convert", 9},
                                                             {"explain", 17}, {"versus", 17}, {"compare", 21},
-                                                            {"grade", 17},   {"check", 9}};
+                                                            {"grade", 17},   {"check", 9},   {"join", 9}};
     for (const auto& [command, at_least] : commands) {
         const std::size_t begin = docs.find(std::string("\n## glint ") + command + "\n");
         ASSERT_NE(begin, std::string::npos) << command;
@@ -63,11 +63,20 @@ TEST(Documented, EveryExitCode) {
 
 TEST(Documented, EveryHelpHasExamples) {
     const Folder folder;
-    const std::vector<std::vector<std::string>> helps = {
-        {"--help"},          {"render", "--help"},     {"info", "--help"},   {"convert", "--help"},
-        {"check", "--help"}, {"explain", "--help"},    {"versus", "--help"}, {"compare", "--help"},
-        {"grade", "--help"}, {"completion", "--help"}, {"help", "--help"},   {"version", "--help"},
-        {"man", "--help"}};
+    const std::vector<std::vector<std::string>> helps = {{"--help"},
+                                                         {"render", "--help"},
+                                                         {"info", "--help"},
+                                                         {"convert", "--help"},
+                                                         {"check", "--help"},
+                                                         {"explain", "--help"},
+                                                         {"versus", "--help"},
+                                                         {"compare", "--help"},
+                                                         {"grade", "--help"},
+                                                         {"join", "--help"},
+                                                         {"completion", "--help"},
+                                                         {"help", "--help"},
+                                                         {"version", "--help"},
+                                                         {"man", "--help"}};
     for (const auto& arguments : helps) {
         const Finished r = run(folder, arguments);
         EXPECT_EQ(r.code, 0);

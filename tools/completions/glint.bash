@@ -4,12 +4,12 @@ _glint() {
     local options='' words='' kind=''
     COMPREPLY=()
     if [[ $COMP_CWORD == 1 ]]; then
-        mapfile -t COMPREPLY < <(compgen -W 'render info convert check explain compare versus grade completion help version --help --version' -- "$word")
+        mapfile -t COMPREPLY < <(compgen -W 'render info convert check explain compare versus grade join completion help version --help --version' -- "$word")
         return
     fi
     case $command in
         render)
-            options='-h --help --scene --format --profile --convention -o --output -s --size --shading --no-shadows --reflections --aa --aov --crop --transfer --bits -t --threads --isa --stats --strict --show -q --quiet'
+            options='-h --help --scene --format --profile --convention -o --output -s --size --shading --no-shadows --reflections --aa --aov --crop --transfer --bits -t --threads --isa --resume --part --stats --strict --show -q --quiet'
             [[ $word == -* ]] || case $before in
                 --scene) return ;;
                 --format) words='cgfs epfl csc473 nff glint' ;;
@@ -26,6 +26,7 @@ _glint() {
                 --bits) words='8 16' ;;
                 -t|--threads) return ;;
                 --isa) words=$(glint info --isa 2>/dev/null) ;;
+                --part) return ;;
                 --stats) kind=file ;;
                 *) kind=scene ;;
             esac ;;
@@ -140,6 +141,14 @@ _glint() {
                 -t|--threads) return ;;
                 *) kind=folder ;;
             esac ;;
+        join)
+            options='-h --help -o --output --transfer --bits --partial -q --quiet'
+            [[ $word == -* ]] || case $before in
+                -o|--output) kind=file ;;
+                --transfer) words='none srgb' ;;
+                --bits) words='8 16' ;;
+                *) kind=file ;;
+            esac ;;
         completion)
             options='-h --help'
             [[ $word == -* ]] || case $before in
@@ -148,7 +157,7 @@ _glint() {
         help)
             options='-h --help'
             [[ $word == -* ]] || case $before in
-                *) words='render info convert check explain compare versus grade completion help version' ;;
+                *) words='render info convert check explain compare versus grade join completion help version' ;;
             esac ;;
         version)
             options='-h --help'

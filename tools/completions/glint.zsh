@@ -11,6 +11,7 @@ _glint() {
             'compare:Compare a picture with a reference and explain the difference'
             'versus:Render a scene with two sets of conventions, and explain the pixel that differs most'
             'grade:Compare every picture of a folder with a reference, or with a rubric'\''s parts'
+            'join:Make a picture of the parts that render --part wrote'
             'completion:Print a completion script for the shell'
             'help:Print the help of a command, like its --help'
             'version:Print the version, like --version'
@@ -43,6 +44,8 @@ _glint() {
                 '--bits[Bits per channel of PNG and PPM: 8 (default) or 16]:8|16:(8 16)' \
                 '(-t --threads)'{-t,--threads}'[Number of threads]:N: ' \
                 '--isa[Instruction set (`glint info --isa` lists them)]:NAME:{compadd -- $(glint info --isa 2>/dev/null)}' \
+                '--resume[Keep finished tiles in OUT.journal, and go on with it if it is there]' \
+                '--part[Render only every Nth tile, beginning with the Kth, to OUT.tiles]:K/N: ' \
                 '--stats[Write times, rays and memory as JSON]:FILE.json:_files' \
                 '--strict[Treat warnings as errors: exit code 1, and no picture is written]' \
                 '--show[Also show the picture in the terminal, in 24-bit colours]' \
@@ -167,6 +170,15 @@ _glint() {
                 '--sheet[Write a PNG of all pictures, each above four times its difference, numbered as in the table]:OUT.png:_files' \
                 '(-t --threads)'{-t,--threads}'[Number of threads]:N: ' \
                 '(-q --quiet)'{-q,--quiet}'[No warnings and no progress]' ;;
+        join)
+            _arguments \
+                '(-h --help)'{-h,--help}'[Print this help message and exit]' \
+                '*:FILE:_files' \
+                '(-o --output)'{-o,--output}'[The picture: .png, .ppm or .exr]:OUT:_files' \
+                '--transfer[none: the numbers as computed (default)]:none|srgb:(none srgb)' \
+                '--bits[Bits per channel of PNG and PPM: 8 (default) or 16]:8|16:(8 16)' \
+                '--partial[Write the picture even if tiles are missing]' \
+                '(-q --quiet)'{-q,--quiet}'[Say nothing but errors]' ;;
         completion)
             _arguments \
                 '(-h --help)'{-h,--help}'[Print this help message and exit]' \
@@ -174,7 +186,7 @@ _glint() {
         help)
             _arguments \
                 '(-h --help)'{-h,--help}'[Print this help message and exit]' \
-                ':COMMAND:(render info convert check explain compare versus grade completion help version)' ;;
+                ':COMMAND:(render info convert check explain compare versus grade join completion help version)' ;;
         version)
             _arguments \
                 '(-h --help)'{-h,--help}'[Print this help message and exit]' ;;

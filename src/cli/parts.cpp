@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/parts.h"
+
+#include <fmt/format.h>
+#include <sys/stat.h>
+
+#include <algorithm>
+#include <charconv>
+#include <utility>
+
+#include "base/text.h"
+#include "cli/failure.h"
+#include "cli/picture_output.h"
+
+namespace glint::cli {
+
+std::optional<Part> parse_part(const std::string& text) {
+    if (text.empty()) return std::nullopt;
+    Part part;
+    const char *const first = text.data(), *const end = first + text.size();
+    const auto number = std::from_chars(first, end, part.number);
+    const bool has_slash = number.ec == std::errc() && number.ptr != end && *number.ptr == '/';
+    const auto parts = std::from_chars(number.ptr + (has_slash ? 1 : 0), end, part.parts);
+    if (!has_slash || parts.ec != std::errc() || parts.ptr != end || part.number < 1 ||
+        part.number > part.parts) {
+        throw Failure(k_usage, fmt::format("--part: expected K/N with K from 1 to N, as 2/4, found {}",
+                                           glint::quoted(text)));
+    }
+    return part;
+}
+
+OutputFile tiles_output(const std::string& path, bool shows) {
+    if (shows) throw Failure(k_usage, "--show needs a picture, and --part renders only some of its tiles");
+    if (is_picture_path(path)) {
+        throw Failure(k_usage, fmt::format("--output {}: --part writes tiles, no picture; name it FILE.tiles",
+                                           glint::quoted(path)));
+    }
+    OutputFile output("--output", path);
+    if (output.is_stream()) throw Failure(k_usage, "--part writes a regular file: name it with --output");
+    return output;
+}
+
+bool has_all_tiles(const std::string& path, const JournalHeader& header) {
+    struct stat about {};
+    std::string why;
+    if (::stat(path.c_str(), &about) != 0 || !S_ISREG(about.st_mode)) return false;
+    auto file = InputFile::open_own(path, why);
+    if (!file) return false;
+    const Result<JournalInput> input = read_journal(path, std::move(*file));
+    if (!input || !header_difference(input->journal.header, header).empty()) return false;
+    std::vector<std::uint32_t> numbers;
+    for (const JournalTile& tile : input->journal.tiles) numbers.push_back(tile.number);
+    std::sort(numbers.begin(), numbers.end());
+    const std::vector<std::uint32_t> wanted = tiles_of_part(header);
+    return std::includes(numbers.begin(), numbers.end(), wanted.begin(), wanted.end());
+}
+
+Result<Rendering> render_missing(const World& world, RenderOptions options, JournalFile& journal) {
+    const std::vector<std::uint32_t>& missing = journal.missing();
+    std::atomic<std::size_t> next{0}, done{0};
+    options.next_tile = [&]() -> std::optional<std::uint32_t> {
+        const std::size_t i = next++;
+        if (i >= missing.size()) return std::nullopt;
+        return missing[i];
+    };
+    options.keep_image = false;
+    const auto progress = std::exchange(options.progress, {});
+    options.on_tile = [&](const FinishedTile& tile) {
+        journal.append(record_bytes(tile));
+        const std::size_t there = journal.expected() - missing.size() + ++done;
+        if (progress) progress(static_cast<double>(there) / static_cast<double>(journal.expected()));
+    };
+    options.cancel = &journal.failed();
+    Result<Rendering> result = render(world, options);
+    journal.rethrow();
+    if (result) add_rays(result->rays, journal.rays_before());
+    return result;
+}
+
+}  // namespace glint::cli

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+// The arguments of `glint render`.
+#include <optional>
+#include <string>
+
+#include "cli/picture_arguments.h"
+#include "cli/scene_arguments.h"
+
+namespace glint::cli {
+
+struct RenderArguments {
+    SceneArguments scene;
+    PictureArguments picture;
+    NumberArguments numbers;
+    std::optional<std::string> aov;
+    std::string output, crop, isa, stats, part;
+    bool resume = false, strict = false, show = false, quiet = false;
+    int threads = 0;
+};
+
+}  // namespace glint::cli
