@@ -3,7 +3,7 @@
 PREFIX ?= /usr/local
 glint = build/release/glint
 
-.PHONY: help deps demo test test-all test-aarch64 test-blender blender build install release web playground tidy fuzz bench format generated clean
+.PHONY: help deps demo test test-all test-aarch64 test-blender test-mpi blender build install release web playground tidy fuzz bench format generated clean
 
 help:
 	@echo 'make demo     installs what is missing, builds glint, renders castle.png and explains one of its pixels'
@@ -15,6 +15,7 @@ help:
 	@echo 'make playground  builds the web page (make web: to web/dist) and serves it on this machine'
 	@echo 'make bench    installs POV-Ray, Tachyon and Embree and compares glint with them (docs/performance.md)'
 	@echo 'make test-aarch64  cross-compiles for 64-bit ARM and runs tests under qemu'
+	@echo 'make test-mpi  installs Open MPI, Dask and GNU parallel and tests rendering on many processes (docs/scale_out.md)'
 	@echo 'make test-blender  installs Blender (571 MB) and tests the add-on for it (docs/blender.md); make blender builds its zip'
 	@echo 'make release  writes the files of a release to build/release-files (tools/make-release)'
 	@echo 'make tidy     runs clang-tidy; make format, clang-format; make fuzz, the fuzzers'
@@ -43,6 +44,11 @@ test-all:
 test-aarch64:
 	@tools/install-dependencies aarch64
 	@tools/run-tests aarch64
+
+# On many processes: MPI, GNU parallel, Dask.
+test-mpi:
+	@tools/install-dependencies mpi
+	@tools/run-tests mpi
 
 # The add-on, in Blender itself.
 test-blender:

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-# Packages made by cpack: the Debian packages glint (the command, its documents and scenes) and libglint-dev (headers
-# and a static library). tools/make-release calls it.
+# Packages made by cpack: the Debian packages glint (the command, its documents and scenes), libglint-dev (headers and a
+# static library) and, if an MPI was found, glint-mpi. tools/make-release calls it.
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME glint)
 set(CPACK_PACKAGE_VENDOR "The glint authors")
@@ -10,6 +10,9 @@ set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
 
 set(CPACK_COMPONENTS_ALL command development)
+if(TARGET glint_mpi)
+  list(APPEND CPACK_COMPONENTS_ALL mpi)
+endif()
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_PRIORITY optional)
@@ -26,11 +29,18 @@ list(JOIN GLINT_DEBIAN_DEPENDS ", " CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS)
 set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION
   "The library of the ray tracer glint: headers, a static library, and its packages for CMake and pkg-config.")
 
+set(CPACK_DEBIAN_MPI_PACKAGE_NAME glint-mpi)
+set(CPACK_DEBIAN_MPI_PACKAGE_SECTION graphics)
+set(CPACK_DEBIAN_MPI_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_MPI_PACKAGE_RECOMMENDS openmpi-bin)
+set(CPACK_COMPONENT_MPI_DESCRIPTION
+  "The ray tracer glint on many processes: glint-mpi renders one picture on all processes of an MPI job.")
+
 # Debian requires this name for the licence.
 file(READ NOTICE notice)
 file(READ LICENSE licence)
 file(WRITE ${PROJECT_BINARY_DIR}/package/copyright "${notice}\n${licence}")
-foreach(component command development)
+foreach(component ${CPACK_COMPONENTS_ALL})
   string(TOUPPER ${component} upper)
   install(FILES ${PROJECT_BINARY_DIR}/package/copyright
     DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/${CPACK_DEBIAN_${upper}_PACKAGE_NAME} COMPONENT ${component})

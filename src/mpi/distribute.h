@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+// Tiles to processes: each asks rank 0 for tiles while it still has some to render, so that it does not wait.
+#include "cli/journal_file.h"
+#include "glint/glint.h"
+#include "journal/header.h"
+
+namespace glint::mpi {
+
+/// What the distribution cost rank 0.
+struct Costs {
+    std::uint64_t received_bytes = 0, received_tiles = 0;
+    double busy_seconds = 0;  ///< of the thread that hands out tiles and takes in records
+};
+
+/// Rank 0: hands out the tiles that the journal lacks, or all of the picture's, renders some itself, and
+/// puts the picture together. `journal` may be null.
+Result<Rendering> lead(const World& world, RenderOptions options, const JournalHeader& header,
+                       cli::JournalFile* journal, Costs& costs);
+
+/// The others: render what rank 0 hands out until there is no more. The result is empty. Fails if this
+/// process would render another picture than rank 0.
+Result<Rendering> follow(const World& world, RenderOptions options, const JournalHeader& header);
+
+/// Rank 0, if it has nothing to render: releases those that follow.
+void dismiss();
+
+}  // namespace glint::mpi
