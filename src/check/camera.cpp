@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The camera: inside a shape, or where it sees nothing.
+// The camera: inside a shape, mirrored, or where it sees nothing.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -48,7 +48,7 @@ void check_inside(CheckContext& context) {
     for (const std::uint32_t shape : shapes_around(context, scene.camera.position)) {
         if (is_enclosure(context.world(), shape)) continue;
         context.report("camera-inside-shape", context.at_camera(),
-                       fmt::format("the camera at {} is inside {}: its picture is of the shape's inside",
+                       fmt::format("the camera at {} is inside {}: the picture shows the inside of the shape",
                                    vector_text(scene.camera.position), context.shape_and_line(shape)),
                        "move the camera out of the shape, or make the shape smaller");
     }
@@ -69,7 +69,7 @@ void check_handedness(CheckContext& context) {
     if (is_left == is_left_handed(scene)) return;
     context.report(
         "camera-mirrored", context.at_camera(),
-        fmt::format("the camera's right, up and forward are {}-handed, where the scene's profile, {}, is "
+        fmt::format("the camera's right, up and forward are {}-handed, but the scene's profile, {}, is "
                     "{}-handed: left and right are exchanged in the picture",
                     is_left ? "left" : "right", scene.profile, is_left ? "right" : "left"),
         "negate the camera's right vector");
@@ -104,13 +104,13 @@ bool check_camera(CheckContext& context, const VisibleHits& visible) {
     context.report(
         "camera-sees-nothing", place,
         fmt::format(
-            "the camera sees none of the scene's shapes{}: it looks along {} from {}, and the middle of "
-            "what there is, {}, lies {}",
+            "the camera sees none of the scene's shapes{}: it looks along {} from {}; the centre of the "
+            "shapes, {}, is {}",
             planes ? " but planes" : "", vector_text(normalize(world.camera.forward)),
             vector_text(world.camera.position), vector_text(middle),
-            away ? "behind it" : fmt::format("{:.4g} before it", along)),
-        fmt::format("let it look at {}{}", vector_text(middle),
-                    planes && !away ? ", and see that no plane hides the shapes" : ""));
+            away ? "behind it" : fmt::format("{:.4g} in front of it", along)),
+        fmt::format("point the camera at {}{}", vector_text(middle),
+                    planes && !away ? ", and check that no plane hides the shapes" : ""));
     return false;
 }
 

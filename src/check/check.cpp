@@ -12,31 +12,31 @@ namespace glint {
 namespace {
 
 constexpr CheckKind k_kinds[] = {
-    {"camera-inside-shape", "the camera is inside a closed shape that holds nothing else"},
-    {"camera-sees-nothing", "no shape is in the picture, or none but planes"},
-    {"camera-mirrored", "the camera's axes have not the handedness of the scene's profile"},
+    {"camera-inside-shape", "the camera is inside a closed shape that contains nothing else"},
+    {"camera-sees-nothing", "no shape is in the picture, or only planes are"},
+    {"camera-mirrored", "the camera's axes do not have the handedness of the scene's profile"},
     {"camera-frame-skewed",
-     "the camera's axes are not at right angles, or no rotation where one is asked for"},
+     "the camera's axes are not at right angles, or not a rotation where the source needs one"},
     {"light-inside-shape", "a light that adds nothing is inside a closed shape"},
     {"light-behind-everything", "a light is behind every surface that the camera sees"},
-    {"light-behind-plane", "a plane stands between a light and all that the camera sees"},
+    {"light-behind-plane", "a plane is between a light and all that the camera sees"},
     {"light-blocked", "every shadow ray to a light is blocked"},
     {"light-adds-nothing", "no material reflects a light"},
     {"light-too-weak", "a light adds less than half of 1/255 to any pixel"},
     {"light-without-color", "a light is black"},
-    {"light-negative", "a light takes light away"},
+    {"light-negative", "a channel of a light is below 0"},
     {"light-color-255", "a light's colour looks like bytes"},
     {"shape-outside-view", "shapes are outside the picture"},
     {"shape-hidden", "shapes are hidden behind or inside others"},
     {"shape-too-small", "shapes are smaller than a pixel"},
     {"shape-written-twice", "two shapes are the same and in the same place"},
-    {"faces-coincide", "faces of two shapes of different looks are in one place, and seen"},
-    {"seen-from-behind", "flat surfaces are seen from behind, where nothing turns their normals"},
+    {"faces-coincide", "faces of two shapes with different materials coincide, and are visible"},
+    {"seen-from-behind", "flat surfaces are seen from behind, and the conventions do not turn their normals"},
     {"normals-against-winding", "vertex normals point against the triangle's winding"},
     {"normals-on-both-sides", "a triangle's vertex normals point to both sides of it"},
-    {"normal-not-unit", "a normal is not of length 1, where the scene's format takes it so"},
-    {"direction-not-unit", "a light's direction is not of length 1, and is not normalised"},
-    {"material-unused", "no shape has a material"},
+    {"normal-not-unit", "a normal's length is not 1, but the scene's format uses it as a unit vector"},
+    {"direction-not-unit", "a light's direction does not have length 1, and is not normalised"},
+    {"material-unused", "no shape uses a material"},
     {"material-color-255", "a material's colour looks like bytes"},
     {"material-negative", "light makes a material darker"},
     {"material-almost-black", "a material's colour is below 1/255"},
@@ -44,8 +44,8 @@ constexpr CheckKind k_kinds[] = {
     {"picture-black", "the whole picture is black"},
     {"picture-one-color", "the whole picture has one colour"},
     {"picture-clamped", "much of the picture is brighter than 1"},
-    {"epsilon-too-small", "rays meet the surface that they leave: shadow acne"},
-    {"epsilon-too-large", "rays start beyond what is near"},
+    {"epsilon-too-small", "rays intersect the surface that they leave: shadow acne"},
+    {"epsilon-too-large", "rays start beyond nearby objects"},
     {"reflections-too-few", "one reflection more changes much of the picture"},
 };
 
@@ -87,9 +87,9 @@ Result<std::vector<Finding>> run_checks(const Scene& scene, const World& world, 
     run_if_seen([&] { check_lights(context, *visible); });
     run_if_seen([&] { check_shapes(context, *visible, check_coincident_shapes(context)); });
     run_if_seen([&] { check_normals(context, *visible); });
-    run_if_seen([&] { check_picture(context, *visible); });
     steps.run([&] { check_vectors(context); });
     steps.run([&] { check_materials(context); });
+    run_if_seen([&] { check_picture(context, *visible); });
     if (steps.is_cancelled()) return cancelled();
     return context.take();
 }

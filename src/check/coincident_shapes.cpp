@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Surfaces in one place, where the camera sees them, and shapes that are written twice.
+// Visible surfaces that coincide, and shapes that are written twice.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -15,14 +15,14 @@ namespace glint {
 namespace {
 
 constexpr std::int32_t k_longest = 400;
-// Where in their pixels the rays pass: off every symmetry, so that none runs along an edge that two faces
+// The positions of the rays in their pixels: off every symmetry, so that no ray hits an edge that two faces
 // share.
 constexpr double k_beside_x = 0.2371, k_beside_y = -0.1893;
 constexpr double k_min_share = 1e-4;  // of the picture; a ball that touches the floor has less
 constexpr std::size_t k_max_reported = 5;
 constexpr double k_parallel = 1e-10, k_grazing = 0.02;  // 1 - cosine; cosine
 
-// All that makes a shape what it is, materials apart.
+// All parameters of a shape except its material.
 void append(std::vector<double>& to, Vec3 v) { to.insert(to.end(), {v.x, v.y, v.z}); }
 
 std::vector<double> values_of(const Scene& scene, const Shape& shape) {
@@ -72,7 +72,7 @@ std::vector<double> values_of(const Scene& scene, const Shape& shape) {
             for (std::uint32_t i = 0; i < s.count; ++i) append(v, scene.polygon_vertices[s.first + i]);
             break;
         }
-        default:  // a kind that was added: like no other of its kind
+        default:  // a kind that was added later: never equal to another shape
             v.push_back(static_cast<double>(shape.index));
     }
     if (shape.transform != k_none && !(scene.transforms[shape.transform] == Affine{})) {
@@ -114,10 +114,10 @@ void check_twins(CheckContext& context, std::vector<bool>& covered) {
         const std::size_t more = i + 1 == k_max_reported ? twins.size() - k_max_reported : 0;
         context.report(
             "shape-written-twice", context.at_shape(later),
-            fmt::format("{} is in the very place of {}: only the earlier one is seen{}", context.shape(later),
-                        context.shape_and_line(earlier),
+            fmt::format("{} has the same parameters as {}: only the earlier one is visible{}",
+                        context.shape(later), context.shape_and_line(earlier),
                         more == 0 ? "" : fmt::format("; and {} more shapes are written twice", more)),
-            "leave one of them out, or move it to where it belongs");
+            "remove one of them, or move it to its intended place");
     }
 }
 
@@ -139,10 +139,57 @@ class Coincidences {
   public:
     explicit Coincidences(CheckContext& context) : context_(context), world_(context.world()) {}
 
+    /// Looks along the camera's rays and, of mirrors, along the reflected rays of the first generations.
     void find() {
-        const SmallSize size = context_.grid(k_longest);
-        const RayList rays = camera_rays(world_, size, k_beside_x, k_beside_y);
+        RayList rays = camera_rays(world_, context_.grid(k_longest), k_beside_x, k_beside_y);
         rays_ = rays.size();
+        const int most = std::min(world_.settings.reflections, k_max_generations);
+        for (int generation = 0; rays.size() > 0; ++generation) {
+            const std::vector<SurfaceHit> hits = find_along(rays);
+            if (generation == most) break;
+            rays = secondary_rays(world_, hits, Followed::mirrors);
+        }
+    }
+
+    /// Marks the shapes whose faces coincide with another's.
+    void report(std::vector<bool>& covered) const {
+        std::vector<std::pair<std::size_t, Pair>> list;
+        std::size_t all = 0;
+        for (const auto& [pair, pixels] : pixels_) {
+            if (are_twins(context_.scene(), pair.earlier, pair.later)) continue;
+            list.emplace_back(pixels, pair);
+            all += pixels;
+        }
+        const double least = k_min_share * static_cast<double>(rays_);
+        if (static_cast<double>(all) <= least) return;
+        std::stable_sort(list.begin(), list.end(),
+                         [](const auto& a, const auto& b) { return a.first > b.first; });
+        for (const auto& [pixels, pair] : list) covered[pair.earlier] = covered[pair.later] = true;
+        // Of thousands of small pairs, none may be large enough by itself.
+        std::size_t named = 1;
+        while (named < list.size() && named<k_max_reported&& static_cast<double>(list[named].first)> least)
+            ++named;
+        for (std::size_t i = 0; i < named; ++i) {
+            const auto& [pixels, pair] = list[i];
+            const std::size_t more = i + 1 == named ? list.size() - named : 0;
+            context_.report("faces-coincide", context_.at_shape(pair.later),
+                            fmt::format("{} has a face that coincides with one of {}, visible in {:.2g}% of "
+                                        "the picture: the order in "
+                                        "the file or rounding decides which one a pixel shows{}",
+                                        context_.shape(pair.later), context_.shape_and_line(pair.earlier),
+                                        100 * static_cast<double>(pixels) / static_cast<double>(rays_),
+                                        more == 0 ? ""
+                                                  : fmt::format("; in {:.2g}% of it {} pairs of shapes do so",
+                                                                100 * static_cast<double>(all) /
+                                                                    static_cast<double>(rays_),
+                                                                list.size())),
+                            "move one of them by more than epsilon, or remove the covered one");
+        }
+    }
+
+  private:
+    // Counts the coinciding faces that these rays meet first; returns the nearest hits.
+    std::vector<SurfaceHit> find_along(const RayList& rays) {
         const HitList first = nearest_hits(world_, rays, context_.threads());
         // Of two that are hit at the same t, the later.
         World from_behind = context_.prepared();
@@ -150,10 +197,11 @@ class Coincidences {
         const HitList last = nearest_hits(from_behind.parts(), rays, context_.threads());
 
         RayList beyond;
-        std::vector<SurfaceHit> before;
+        std::vector<SurfaceHit> hits, before;
         for (std::size_t i = 0; i < rays.size(); ++i) {
             if (first.slot[i] == k_none) continue;
             const SurfaceHit hit = surface_hit(world_, rays, first, i);
+            hits.push_back(hit);
             if (last.slot[i] != first.slot[i]) {
                 consider(hit, surface_hit(world_, rays, last, i));
                 continue;
@@ -168,52 +216,16 @@ class Coincidences {
         const HitList second = nearest_hits(world_, beyond, context_.threads());
         for (std::size_t i = 0; i < beyond.size(); ++i)
             if (second.slot[i] != k_none) consider(before[i], surface_hit(world_, beyond, second, i));
+        return hits;
     }
 
-    /// Marks the shapes whose faces are not seen for another's sake.
-    void report(std::vector<bool>& covered) const {
-        std::vector<std::pair<std::size_t, Pair>> list;
-        std::size_t all = 0;
-        for (const auto& [pair, pixels] : pixels_) {
-            if (are_twins(context_.scene(), pair.earlier, pair.later)) continue;
-            list.emplace_back(pixels, pair);
-            all += pixels;
-        }
-        const double least = k_min_share * static_cast<double>(rays_);
-        if (static_cast<double>(all) <= least) return;
-        std::stable_sort(list.begin(), list.end(),
-                         [](const auto& a, const auto& b) { return a.first > b.first; });
-        for (const auto& [pixels, pair] : list) covered[pair.earlier] = covered[pair.later] = true;
-        // Of thousands of small ones none may be large enough by itself.
-        std::size_t named = 1;
-        while (named < list.size() && named<k_max_reported&& static_cast<double>(list[named].first)> least)
-            ++named;
-        for (std::size_t i = 0; i < named; ++i) {
-            const auto& [pixels, pair] = list[i];
-            const std::size_t more = i + 1 == named ? list.size() - named : 0;
-            context_.report(
-                "faces-coincide", context_.at_shape(pair.later),
-                fmt::format(
-                    "{} has a face in the place of one of {}, seen in {:.2g}% of the picture: the order in "
-                    "the file or rounding decides which one a pixel shows{}",
-                    context_.shape(pair.later), context_.shape_and_line(pair.earlier),
-                    100 * static_cast<double>(pixels) / static_cast<double>(rays_),
-                    more == 0 ? ""
-                              : fmt::format("; in {:.2g}% of it {} pairs of shapes do so",
-                                            100 * static_cast<double>(all) / static_cast<double>(rays_),
-                                            list.size())),
-                "move one of them by more than epsilon, or leave out what is covered");
-        }
-    }
-
-  private:
     void consider(const SurfaceHit& a, const SurfaceHit& b) {
         if (a.shape == b.shape) return;
         const double along = dot(a.normal, b.normal);
         if (number::abs(along) < 1 - k_parallel) return;
         const double* first = values(a.material);
         const double* second = values(b.material);
-        // Two faces of one look show no difference, unless light goes through them.
+        // Two faces of equal materials show no difference, unless light goes through them.
         const bool same = along > 0 && std::equal(first, first + k_material_values, second);
         if (same && !(first[k_transmission] > 0)) return;
         ++pixels_[{std::min(a.shape, b.shape), std::max(a.shape, b.shape)}];

@@ -123,6 +123,17 @@ void CheckContext::report(std::string_view id, FindingPlace about, std::string m
     findings_.emplace_back(place, std::move(finding));
 }
 
+bool CheckContext::is_reported(std::string_view id) const {
+    return std::any_of(findings_.begin(), findings_.end(), [&](const auto& f) { return f.second.id == id; });
+}
+
+bool CheckContext::is_reported(std::string_view id, SceneItem item, std::uint32_t index) const {
+    return std::any_of(findings_.begin(), findings_.end(), [&](const auto& f) {
+        const Diagnostic& d = f.second.diagnostic;
+        return f.second.id == id && d.item == item && d.index == index;
+    });
+}
+
 std::vector<Finding> CheckContext::take() {
     std::stable_sort(findings_.begin(), findings_.end(), [](const auto& a, const auto& b) {
         const SourcePlace &p = a.first, &q = b.first;

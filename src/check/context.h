@@ -52,6 +52,9 @@ class CheckContext {
     Image render_small(const Result<World>& world, std::int32_t longest);
 
     void report(std::string_view id, FindingPlace about, std::string message, std::string remedy);
+    /// Whether there is a finding with this id, about any item or about this one.
+    bool is_reported(std::string_view id) const;
+    bool is_reported(std::string_view id, SceneItem item, std::uint32_t index) const;
     FindingPlace at_camera() const { return {scene_.camera_place, SceneItem::camera}; }
     FindingPlace at_background() const { return {scene_.background_place, SceneItem::background}; }
     FindingPlace at_light(std::uint32_t i) const {
@@ -88,7 +91,7 @@ class CheckContext {
     const Scene& scene_;
     const World prepared_;
     const CheckOptions& options_;
-    double rays_per_pixel_ = 0;  // of the scene as it is, once drawn
+    double rays_per_pixel_ = 0;  // of the scene as it is; 0: not rendered yet
     const double shapes_per_ray_;
     std::vector<std::pair<SourcePlace, Finding>> findings_;
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Lights that add nothing to the picture, found by drawing it with each of them alone; and why.
+// Lights that add nothing to the picture, found by rendering it with each of them alone; and the reason.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -14,9 +14,10 @@ namespace glint {
 namespace {
 
 constexpr std::int32_t k_first_look = 160, k_second_look = 480;  // longest side, pixels
-constexpr std::size_t k_max_groups = 256;  // of lights that are drawn together: one each, of up to 256
-constexpr std::size_t k_full_looks = 8;    // more groups get smaller pictures
-constexpr std::size_t k_max_dark = 256;    // whose reasons are looked for
+constexpr std::size_t k_max_groups =
+    256;  // of lights that are rendered together: one light each, if there are at most 256
+constexpr std::size_t k_full_looks = 8;  // more groups get smaller pictures
+constexpr std::size_t k_max_dark = 256;  // whose reasons are looked for
 constexpr std::size_t k_max_named = 5;
 constexpr double k_half_byte = 0.5 / 255;
 constexpr double k_max_leak = 0.01;  // of the picture, and of the points that face the light
@@ -71,7 +72,7 @@ class Effects {
     std::map<std::int32_t, Image> dark_;  // by longest side
 };
 
-// Why points that the camera sees get nothing of a light.
+// Why points that the camera sees get no light from a light.
 struct Blockage {
     std::size_t points = 0, facing = 0, reflecting = 0, blocked = 0;
     std::uint32_t blocker = k_none;  // the shape that most shadow rays of reflecting points meet
@@ -117,7 +118,7 @@ Blockage find_blockage(const CheckContext& context, const VisibleHits& visible, 
     return found;
 }
 
-// The closed shape that keeps a light to itself, or k_none: the light is in it and what is seen is not.
+// The closed shape that encloses a light, or k_none: the light is inside and the visible points are not.
 std::uint32_t case_of(const CheckContext& context, const Light& light, const Blockage& b) {
     const Scene& scene = context.scene();
     if (!light.has_position() || !context.world().settings.shadows || b.beyond) return k_none;
@@ -137,8 +138,8 @@ std::uint32_t case_of(const CheckContext& context, const Light& light, const Blo
     return k_none;
 }
 
-// Does next to nothing of what is seen get the light? A shadow ray that starts a little off its surface
-// leaves a shape where that touches another.
+// True if almost no visible point gets the light. A shadow ray that starts a little off its surface can pass
+// the blocker where two shapes touch, so a few points may be lit.
 bool is_shut_off(const CheckContext& context, const VisibleHits& visible, std::uint32_t index) {
     const Blockage b = find_blockage(context, visible, context.scene().lights[index]);
     return b.blocker != k_none &&
@@ -154,7 +155,7 @@ void report_dark(CheckContext& context, const VisibleHits& visible, std::uint32_
     if (around != k_none) {
         return context.report(
             "light-inside-shape", place,
-            fmt::format("{} is inside {}, which keeps its light from all that the camera sees", name,
+            fmt::format("{} is inside {}, which blocks its light from all that the camera sees", name,
                         context.shape_and_line(around)),
             "move the light out of the shape");
     }
@@ -164,15 +165,15 @@ void report_dark(CheckContext& context, const VisibleHits& visible, std::uint32_
             fmt::format("{} is behind every surface that the camera sees: N.L <= 0 at all of {} points", name,
                         b.points),
             light.has_position() ? "move the light to the side of the surfaces that the camera sees"
-                                 : "turn the direction around: it goes from the surface towards the light");
+                                 : "negate the direction: it points from the surface towards the light");
     }
-    // The picture without the light is of other rays: one of many may get past an edge.
+    // The rays of the small picture differ from these: a few may pass an edge.
     if (b.blocker == k_none || 2 * b.blocked < b.reflecting) {
         return context.report(
             "light-adds-nothing", place,
             fmt::format(
                 "{} adds nothing to the picture: no material that the camera sees reflects its colour", name),
-            "give the materials diffuse or specular coefficients, or leave the light out");
+            "give the materials diffuse or specular coefficients, or remove the light");
     }
     if (b.beyond) {
         return context.report(
@@ -183,42 +184,41 @@ void report_dark(CheckContext& context, const VisibleHits& visible, std::uint32_
             "set shadow_stops_at_light = true");
     }
     const bool plane = context.scene().shapes[b.blocker].kind == ShapeKind::plane;
-    context.report(
-        plane ? "light-behind-plane" : "light-blocked", place,
-        fmt::format("{} lights nothing that the camera sees: {} stands between it and {} of {} points", name,
-                    context.shape_and_line(b.blocker), b.by_blocker, b.reflecting),
-        plane ? "move the light to the other side of the plane" : "move the light, or the shape before it");
+    context.report(plane ? "light-behind-plane" : "light-blocked", place,
+                   fmt::format("{} lights nothing that the camera sees: {} is between it and {} of {} points",
+                               name, context.shape_and_line(b.blocker), b.by_blocker, b.reflecting),
+                   plane ? "move the light to the other side of the plane"
+                         : "move the light, or the shape that blocks it");
 }
 
-// Colours and intensities that can hardly be meant. True if the light has none.
+// Colours and intensities that are probably mistakes. True if the light is black.
 bool check_color(CheckContext& context, std::uint32_t index) {
     const Light& light = context.scene().lights[index];
     const FindingPlace place = context.at_light(index);
     if (is_black(light.color) && (!light.has_specular_color() || is_black(light.specular_color))) {
         context.report("light-without-color", place,
                        fmt::format("{} is black: it adds nothing", context.light(index)),
-                       "give it a colour or an intensity, or leave it out");
+                       "give it a colour or an intensity, or remove it");
         return true;
     }
     if (least(light.color) < 0) {
         context.report("light-negative", place,
-                       fmt::format("{} has the colour ({:.4g}, {:.4g}, {:.4g}): it takes light away",
+                       fmt::format("{} has the colour ({:.4g}, {:.4g}, {:.4g}): it removes light",
                                    context.light(index), light.color.r, light.color.g, light.color.b),
                        "give it a colour and an intensity of 0 or more");
     }
     if (brightest(light.color) > k_max_intensity && !light.falls_off()) {
-        context.report(
-            "light-color-255", place,
-            fmt::format(
-                "{} has the colour ({:.4g}, {:.4g}, {:.4g}), where 1 is full and nothing weakens it: are "
-                "these bytes from 0 to 255?",
-                context.light(index), light.color.r, light.color.g, light.color.b),
-            "divide the colour by 255");
+        context.report("light-color-255", place,
+                       fmt::format("{} has the colour ({:.4g}, {:.4g}, {:.4g}), where 1 is the maximum, and "
+                                   "has no attenuation: are "
+                                   "these bytes from 0 to 255?",
+                                   context.light(index), light.color.r, light.color.g, light.color.b),
+                       "divide the colour by 255");
     }
     return false;
 }
 
-// An ambient light that the format implies has no place in a scene whose other items have.
+// An ambient light that the format implies has no place in the file, although other lights have one.
 bool is_implied(const Scene& scene, std::uint32_t index) {
     return !scene.light_texts.places.empty() && scene.light_texts.place(index).line == 0;
 }
@@ -231,10 +231,10 @@ void check_ambient(CheckContext& context, std::uint32_t index) {
     context.report(
         "light-adds-nothing", context.at_light(index),
         fmt::format("{} adds nothing: no shape's material has an ambient coefficient", context.light(index)),
-        "give the materials `ambient`, or leave the light out");
+        "give the materials `ambient`, or remove the light");
 }
 
-// Lights each of which nobody would miss: a mistake unless they are the light of the scene together.
+// Lights each of which adds too little to be visible: a mistake unless their sum is visible.
 void report_weak(CheckContext& context, Effects& effects, std::span<const std::uint32_t> weak) {
     if (weak.empty()) return;
     const double effect = effects.of(weak, weak.size() == 1 ? k_second_look : k_first_look).most;
@@ -249,9 +249,10 @@ void report_weak(CheckContext& context, Effects& effects, std::span<const std::u
             what += (i == 0 ? "" : ", ") + context.light(weak[i]);
         what += weak.size() > k_max_named ? "...) add together" : ") add together";
     }
-    context.report("light-too-weak", context.at_light(weak[0]),
-                   fmt::format("{} {:.2g} of 255 to the brightest pixel: nobody sees it", what, effect * 255),
-                   attenuated ? "raise the intensity, or weaken the attenuation" : "raise the intensity");
+    context.report(
+        "light-too-weak", context.at_light(weak[0]),
+        fmt::format("{} {:.2g} of 255 to the brightest pixel, which is not visible", what, effect * 255),
+        attenuated ? "raise the intensity, or reduce the attenuation" : "raise the intensity");
 }
 
 }  // namespace
@@ -287,7 +288,8 @@ void check_lights(CheckContext& context, const VisibleHits& visible) {
             effects.of(group, looked_twice++ < k_full_looks ? k_second_look : k_first_look).most;
         if (effect >= k_half_byte) continue;
         for (const std::uint32_t index : group) {
-            if (effect == 0 && dark++ < k_max_dark)
+            const bool is_dark = effect == 0 || (group.size() == 1 && is_shut_off(context, visible, index));
+            if (is_dark && dark++ < k_max_dark)
                 report_dark(context, visible, index);
             else
                 weak.push_back(index);

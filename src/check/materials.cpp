@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Materials that nothing has, and numbers of materials that can hardly be meant.
+// Unused materials, and numbers of materials that are probably mistakes.
 #include <fmt/format.h>
 
 #include "check/checks.h"
@@ -7,8 +7,8 @@
 namespace glint {
 namespace {
 
-constexpr double k_max_color = 20;         // 1 is full; a lamp of one's own may glow several times as bright
-constexpr double k_min_color = 1.5 / 255;  // a colour of 0 to 1 where 0 to 255 was asked for
+constexpr double k_max_color = 20;  // 1 is the maximum; a surface that glows may have several times as much
+constexpr double k_min_color = 1.5 / 255;  // a colour from 0 to 1 where the format uses 0 to 255
 
 void check_color(CheckContext& context, std::uint32_t index) {
     const Material& m = context.scene().materials[index];
@@ -24,7 +24,7 @@ void check_color(CheckContext& context, std::uint32_t index) {
     if (most > k_max_color) {
         context.report(
             "material-color-255", place,
-            fmt::format("{} has a colour of {:.4g}, where 1 is full: are these bytes from 0 to 255?",
+            fmt::format("{} has a colour of {:.4g}, where 1 is the maximum: are these bytes from 0 to 255?",
                         context.material(index), most),
             "divide the colour by 255");
     } else if (most > 0 && most <= k_min_color) {
@@ -32,7 +32,7 @@ void check_color(CheckContext& context, std::uint32_t index) {
             "material-almost-black", place,
             fmt::format("{} has a colour of at most {:.2g}, which is no more than 1 of 255: it looks black",
                         context.material(index), most),
-            "give the colour on the format's scale: where 255 is full, 1 is black");
+            "give the colour on the format's scale: where 255 is the maximum, 1 is almost black");
     }
 }
 
@@ -48,8 +48,8 @@ void check_materials(CheckContext& context) {
     for (std::uint32_t i = 0; i < scene.materials.size(); ++i) {
         const FindingPlace place = context.at_material(i);
         if (!used[i]) {
-            context.report("material-unused", place, fmt::format("{} is of no shape", context.material(i)),
-                           "give it to a shape, or leave it out");
+            context.report("material-unused", place, fmt::format("no shape uses {}", context.material(i)),
+                           "assign it to a shape, or remove it");
             continue;
         }
         const Material& m = scene.materials[i];

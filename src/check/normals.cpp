@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Surfaces that turn their backs on the viewer where nothing turns them around, and vertex normals against
+// Surfaces that are seen from behind where the conventions do not turn normals, and vertex normals against
 // their triangle's winding.
 #include <fmt/format.h>
 
@@ -17,7 +17,7 @@ struct Views {
     bool mostly_behind() const { return behind > 9 * front && behind > 0; }
 };
 
-// Not those that enclose a space: their insides are meant to be dark.
+// Shapes that enclose a space are not sheets: their insides are dark on purpose.
 bool is_sheet(ShapeKind kind) {
     return kind == ShapeKind::plane || kind == ShapeKind::disc || kind == ShapeKind::triangle ||
            kind == ShapeKind::smooth_triangle || kind == ShapeKind::polygon;
@@ -30,7 +30,7 @@ void check_backs(CheckContext& context, const VisibleHits& visible) {
     std::vector<Views> views(scene.shapes.size());
     for (const SurfaceHit& h : visible.seen()) {
         if (h.turned || !is_sheet(scene.shapes[h.shape].kind)) continue;
-        // What has no diffuse term looks the same from both sides, its highlights apart.
+        // A surface without a diffuse term looks the same from both sides, except for its highlights.
         if (brightest(context.material_of(h.shape).diffuse) <= 0) continue;
         ++(h.behind ? views[h.shape].behind : views[h.shape].front);
     }
@@ -46,11 +46,11 @@ void check_backs(CheckContext& context, const VisibleHits& visible) {
     context.report(
         "seen-from-behind", context.at_shape(backs.front()),
         fmt::format(
-            "{} {} seen from behind, in {:.2g}% of the picture, where the lights of the viewer's side do not "
-            "reach: these conventions turn no normals ({} flat shapes are seen from the front)",
+            "{} {} seen from behind, in {:.2g}% of the picture, where the lights on the viewer's side have "
+            "no effect: these conventions do not turn normals ({} flat shapes are seen from the front)",
             context.some_shapes(backs), backs.size() == 1 ? "is" : "are",
             100 * static_cast<double>(pixels) / static_cast<double>(visible.rays()), fronts),
-        "turn the normal around, or the order of the vertices: the front is where they go counter-clockwise");
+        "reverse the normal, or the order of the vertices: from the front they are counter-clockwise");
 }
 
 void check_vertex_normals(CheckContext& context) {
@@ -61,7 +61,7 @@ void check_vertex_normals(CheckContext& context) {
         const Shape& shape = scene.shapes[i];
         if (shape.kind != ShapeKind::smooth_triangle) continue;
         ++smooth;
-        // As it is written: a mirroring would turn the winding around, but no normals.
+        // As written in the file: a transform that mirrors would reverse the winding, but not the normals.
         const SmoothTriangle& t = scene.get<SmoothTriangle>()[shape.index];
         const Vec3 face = cross(t.vertices[1] - t.vertices[0], t.vertices[2] - t.vertices[0]);
         const auto backward = std::count_if(std::begin(t.normals), std::end(t.normals),
@@ -72,10 +72,10 @@ void check_vertex_normals(CheckContext& context) {
     if (!against.empty()) {
         context.report(
             "normals-against-winding", context.at_shape(against.front()),
-            fmt::format("the vertex normals of {} of {} smooth triangles point to the side where their "
-                        "vertices go clockwise: {}",
+            fmt::format("the vertex normals of {} of {} smooth triangles point to the side from which their "
+                        "vertices are clockwise: {}",
                         against.size(), smooth, context.some_shapes(against)),
-            "turn the normals around, or the order of the vertices");
+            "reverse the normals, or the order of the vertices");
     }
     if (!mixed.empty()) {
         context.report(
@@ -83,7 +83,7 @@ void check_vertex_normals(CheckContext& context) {
             fmt::format("the vertex normals of {} of {} smooth triangles point to different sides of "
                         "them: {}",
                         mixed.size(), smooth, context.some_shapes(mixed)),
-            "let the three normals of a triangle point to one side of it");
+            "make the three normals of a triangle point to one side of it");
     }
 }
 

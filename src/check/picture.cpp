@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a small picture shows: black, of one colour, clamped, of another epsilon, of one more reflection.
+// Findings from a small picture: black, one colour, clamped, changed by another epsilon or one more
+// reflection.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -15,13 +16,13 @@ namespace {
 constexpr std::int32_t k_longest = 160;
 constexpr double k_half_byte = 0.5 / 255, k_over = 1 + k_half_byte;
 constexpr double k_visible = 8.0 / 255;  // differences in a channel that count
-// Shares of the picture. The gallery's scenes have up to 0.1 of clamped lamplight, 0.0006 where epsilons of
-// the sources differ from ours, and 0.005 that another reflection changes.
+// Shares of the picture. In the gallery's scenes up to 0.1 is clamped, the sources' epsilons change up to
+// 0.0006, and another reflection changes up to 0.005.
 constexpr double k_max_clamped = 0.125, k_max_acne = 0.005, k_max_changed = 0.0075;
-constexpr double k_min_shape = 0.002;    // of the picture: a shape that covers so much is looked at by itself
+constexpr double k_min_shape = 0.002;    // of the picture: smaller shapes are not examined one by one
 constexpr std::int32_t k_max_more = 64;  // reflections that are tried
 
-// The share of pixels of which test(first number) says so.
+// The share of pixels for which test(index of the first channel) is true.
 template <class Test> double share(const Image& image, Test test) {
     if (image.rgb.empty()) return 0;
     std::size_t count = 0;
@@ -44,7 +45,7 @@ bool is_over(const Image& image, std::size_t i) {
     return image.rgb[i] > k_over || image.rgb[i + 1] > k_over || image.rgb[i + 2] > k_over;
 }
 
-// True if the picture is black, or of one colour: then there is no more to say about it.
+// True if the picture is black, or has one colour: then no other finding about it is useful.
 bool check_one_color(CheckContext& context, const Image& picture) {
     float least[3] = {picture.rgb[0], picture.rgb[1], picture.rgb[2]},
           most[3] = {least[0], least[1], least[2]};
@@ -55,21 +56,23 @@ bool check_one_color(CheckContext& context, const Image& picture) {
     for (int c = 0; c < 3; ++c)
         if (clamped(most[c]) - clamped(least[c]) > k_half_byte) return false;
     if (clamped(most[0]) < k_half_byte && clamped(most[1]) < k_half_byte && clamped(most[2]) < k_half_byte) {
-        context.report("picture-black", {}, "the whole picture is black, though shapes are in it",
-                       "see that a light reaches them, and that their colours and coefficients are above 0");
+        context.report(
+            "picture-black", {}, "the whole picture is black, although shapes are in it",
+            "check that a light reaches them, and that their colours and coefficients are above 0");
     } else {
         context.report(
             "picture-one-color", {},
-            fmt::format("the whole picture has one colour, ({:.3g}, {:.3g}, {:.3g}), though shapes are in "
+            fmt::format("the whole picture has one colour, ({:.3g}, {:.3g}, {:.3g}), although shapes are in "
                         "it",
                         most[0], most[1], most[2]),
-            "see that what is before the camera differs from the background, and that the light is not so "
-            "strong that all of it is white");
+            "check that the shapes differ from the background, and that the light is not so strong that all "
+            "of "
+            "the picture is white");
     }
     return true;
 }
 
-// What a material can come to at most: k_a I_a + the sum over the lights of k_d I_d + k_s I_s.
+// The maximum of a material: k_a I_a + the sum over the lights of k_d I_d + k_s I_s.
 double bound_of(const WorldParts& world, std::uint32_t material) {
     const double* m = world.material(material);
     const Color ambient{m[k_ambient], m[k_ambient + 1], m[k_ambient + 2]};
@@ -81,14 +84,21 @@ double bound_of(const WorldParts& world, std::uint32_t material) {
     return number::max(sum.r, number::max(sum.g, sum.b));
 }
 
-// Whether a material is meant to glow: its ambient term alone is above 1.
+// True if a material glows on purpose: its ambient term alone is above 1.
 bool glows(const WorldParts& world, std::uint32_t material) {
     const double* m = world.material(material);
     const Color glow = Color{m[k_ambient], m[k_ambient + 1], m[k_ambient + 2]} * world.ambient;
     return number::max(glow.r, number::max(glow.g, glow.b)) > k_over;
 }
 
-// Shapes that are clamped on most of their pixels. over_at: by the number of a camera ray.
+// Whether a finding about the material's own numbers says why it is clamped.
+bool is_explained(const CheckContext& context, std::uint32_t material) {
+    return context.is_reported("material-color-255", SceneItem::material, material) ||
+           context.is_reported("shininess-zero", SceneItem::material, material);
+}
+
+// Shapes that are clamped on most of their pixels; one finding for those of one material. over_at: by the
+// number of a camera ray.
 template <class Test>
 void check_clamped_shapes(CheckContext& context, const VisibleHits& visible, Test over_at) {
     struct Count {
@@ -102,23 +112,39 @@ void check_clamped_shapes(CheckContext& context, const VisibleHits& visible, Tes
         ++count.all;
         count.over += over_at(h.ray) ? 1 : 0;
     }
+    struct Clamped {
+        std::vector<std::uint32_t> shapes;
+        std::size_t all = 0, over = 0;
+    };
+    std::map<std::uint32_t, Clamped> materials;
     for (const auto& [shape, count] : counts) {
         if (static_cast<double>(count.all) < k_min_shape * static_cast<double>(visible.rays())) continue;
-        if (2 * count.over <= count.all || glows(context.world(), count.material)) continue;
+        if (2 * count.over <= count.all || glows(context.world(), count.material) ||
+            is_explained(context, count.material))
+            continue;
+        Clamped& clamped = materials[count.material];
+        clamped.shapes.push_back(shape);
+        clamped.all += count.all;
+        clamped.over += count.over;
+    }
+    for (const auto& [material, clamped] : materials) {
+        const bool single = clamped.shapes.size() == 1;
         context.report(
-            "picture-clamped", context.at_shape(shape),
+            "picture-clamped", context.at_shape(clamped.shapes.front()),
             fmt::format(
-                "{} is brighter than 1 and is clamped on {:.2g}% of what is seen of it: its k_a I_a + "
-                "the sum over the lights of k_d I_d + k_s I_s can come to {:.3g}",
-                context.shape(shape), 100 * static_cast<double>(count.over) / static_cast<double>(count.all),
-                bound_of(context.world(), count.material)),
-            "lower the lights' intensities or the material's coefficients, until their sum is about 1");
+                "{} {} brighter than 1 and {} clamped on {:.2g}% of what is visible of {}: the k_a I_a + "
+                "the sum over the lights of k_d I_d + k_s I_s of {} can come to {:.3g}",
+                single ? context.shape(clamped.shapes.front()) : context.some_shapes(clamped.shapes),
+                single ? "is" : "are", single ? "is" : "are",
+                100 * static_cast<double>(clamped.over) / static_cast<double>(clamped.all),
+                single ? "it" : "them", context.material(material), bound_of(context.world(), material)),
+            "lower the lights' intensities or the material's coefficients until their sum is about 1");
     }
 }
 
 void check_clamped(CheckContext& context, const VisibleHits& visible, const Image& picture) {
     const double over = share(picture, [&](std::size_t i) { return is_over(picture, i); });
-    if (over == 0) return;
+    if (over == 0 || context.is_reported("light-color-255")) return;
     const Scene& scene = context.scene();
     const auto columns = static_cast<std::size_t>(visible.size.width),
                rows = static_cast<std::size_t>(visible.size.height);
@@ -142,19 +168,20 @@ void check_clamped(CheckContext& context, const VisibleHits& visible, const Imag
     const std::string what =
         fmt::format("{:.2g}% of the picture is brighter than 1 and is clamped", 100 * over);
     if (background > pixels[most]) {
-        context.report("picture-clamped", context.at_background(), what + ", the background most of all",
+        context.report("picture-clamped", context.at_background(), what + ", most of it background",
                        "darken the background");
         return;
     }
+    if (is_explained(context, most)) return;
     context.report(
         "picture-clamped", context.at_material(most),
         fmt::format("{}, {} most of all: its k_a I_a + the sum over the lights of k_d I_d + k_s I_s can come "
                     "to {:.3g}",
                     what, context.material(most), bound_of(context.world(), most)),
-        "lower the lights' intensities or the material's coefficients, until their sum is about 1");
+        "lower the lights' intensities or the material's coefficients until their sum is about 1");
 }
 
-// One that is far below the scene's size and far above rounding, in the offset's own unit.
+// An epsilon that is far below the scene's size and far above rounding errors, in the offset's unit.
 double trusted_epsilon(const CheckContext& context, const VisibleHits& visible) {
     const Conventions& rules = context.scene().conventions;
     if (rules.offset == Offset::scale) return 1e-9;
@@ -176,7 +203,7 @@ void check_epsilon(CheckContext& context, const VisibleHits& visible, const Imag
     const Image other = render_with(trusted);
     const double differs = share_that_differs(picture, other, k_visible);
     if (differs < k_max_acne) return;
-    // Where mirrors make chaos of any small change, no epsilon is better than another.
+    // Where mirrors amplify any small change, no epsilon is better than another.
     if (epsilon > trusted && share_that_differs(other, render_with(trusted / 8), k_visible) >= k_max_acne)
         return;
     const FindingPlace place = context.at_setting("epsilon");
@@ -188,15 +215,16 @@ void check_epsilon(CheckContext& context, const VisibleHits& visible, const Imag
         context.report(
             "epsilon-too-small", place,
             fmt::format("epsilon = {:.3g} is too small for this scene: {:.2g}% of the picture is in shadow "
-                        "acne, where rays meet the surface that they leave",
+                        "acne, where rays intersect the surface that they leave",
                         epsilon, 100 * differs),
             remedy);
     } else {
         context.report(
             "epsilon-too-large", place,
-            fmt::format("epsilon = {:.3g} is too large for this scene: {:.2g}% of the picture is not what "
-                        "epsilon = {:.2g} gives, where rays start beyond what is near",
-                        epsilon, 100 * differs, trusted),
+            fmt::format(
+                "epsilon = {:.3g} is too large for this scene: {:.2g}% of the picture differs from that with "
+                "epsilon = {:.2g}, because rays start beyond nearby objects",
+                epsilon, 100 * differs, trusted),
             remedy + "; or make the scene larger");
     }
 }

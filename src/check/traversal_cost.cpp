@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a camera ray costs.
+// The cost of a camera ray.
 #include <algorithm>
 
 #include "check/visible_hits.h"
@@ -9,9 +9,9 @@ namespace glint {
 namespace {
 
 constexpr std::int32_t k_longest = 16;        // rays a side
-constexpr std::uint32_t k_max_boxes = 20000;  // of more, some are looked at
+constexpr std::uint32_t k_max_boxes = 20000;  // of more, evenly spaced ones are tested
 
-// Whether the ray is in the box anywhere before t.
+// Whether the ray intersects the box before t.
 bool meets(const Bounds& box, Vec3 origin, Vec3 direction, double t) {
     double from = 0, to = t;
     const auto narrow = [&](double lo, double hi, double o, double d) {

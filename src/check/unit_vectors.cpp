@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Vectors that are taken as unit vectors and are none, and camera frames that distort.
+// Vectors that are used as unit vectors and are not, and camera frames that distort.
 #include <fmt/format.h>
 
 #include "check/checks.h"
@@ -9,7 +9,7 @@
 namespace glint {
 namespace {
 
-constexpr double k_slack = 0.01;  // people write (0.62, -0.78, 0)
+constexpr double k_slack = 0.01;  // files round: (0.62, -0.78, 0)
 
 bool is_unit(Vec3 v) { return number::abs(length(v) - 1) <= k_slack; }
 
@@ -36,7 +36,7 @@ void check_shape_normals(CheckContext& context) {
         "normal-not-unit", context.at_shape(found.front()),
         fmt::format("the normal {} of {} has the length {:.4g}: {}{}", vector_text(example),
                     context.shape(found.front()), length(example), source.reason,
-                    found.size() == 1 ? "" : fmt::format("; so it is with {} shapes", found.size())),
+                    found.size() == 1 ? "" : fmt::format("; {} shapes have such normals", found.size())),
         fmt::format("write {}", vector_text(unit)));
 }
 
@@ -48,10 +48,11 @@ void check_light_directions(CheckContext& context) {
         if (!light.has_direction() || is_unit(light.to_light)) continue;
         context.report(
             "direction-not-unit", context.at_light(i),
-            fmt::format("the direction {} of {} has the length {:.4g}, and normalize = false leaves it so: "
-                        "the light is {:.4g} times as strong",
-                        vector_text(light.to_light), context.light(i), length(light.to_light),
-                        length(light.to_light)),
+            fmt::format(
+                "the direction {} of {} has the length {:.4g}, and normalize = false does not change it: "
+                "the light is {:.4g} times as strong",
+                vector_text(light.to_light), context.light(i), length(light.to_light),
+                length(light.to_light)),
             fmt::format("write {}", vector_text(normalize(light.to_light))));
     }
 }
@@ -61,7 +62,7 @@ void check_frame(CheckContext& context) {
     if (!scene.camera.frame) return;
     const CameraFrame& f = *scene.camera.frame;
     const double skew = number::abs(dot(normalize(f.right), normalize(f.up)));
-    // Where a ray is as long as the viewport's point makes it, the frame is a rotation of a unit viewport.
+    // Where the viewport's point gives the length of a ray, the frame must be a rotation of a unit viewport.
     const bool rotation = scene.conventions.ray_direction == RayDirection::viewport;
     const bool turned = rotation && (number::abs(dot(normalize(f.right), normalize(f.forward))) > k_slack ||
                                      number::abs(dot(normalize(f.up), normalize(f.forward))) > k_slack ||
@@ -70,9 +71,9 @@ void check_frame(CheckContext& context) {
     context.report("camera-frame-skewed", context.at_camera(),
                    fmt::format("the camera's right {}, up {} and forward {} {}: the picture is distorted",
                                vector_text(f.right), vector_text(f.up), vector_text(f.forward),
-                               skew > k_slack ? "are not at right angles" : "are no rotation"),
+                               skew > k_slack ? "are not at right angles" : "are not a rotation"),
                    rotation ? "give three unit vectors at right angles to each other"
-                            : "let up be perpendicular to right");
+                            : "make up perpendicular to right");
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Shapes that nobody sees: not directly, not in the first mirrors, not by their shadows.
+// Shapes that are not visible: neither directly, nor in the first mirrors, nor by their shadows.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -15,11 +15,11 @@ namespace glint {
 namespace {
 
 constexpr std::size_t k_max_lights = 16;
-constexpr std::size_t k_by_hand = 64;  // shapes of a scene that is written, not computed
+constexpr std::size_t k_by_hand = 64;  // shapes of a scene that is written by hand, not computed
 constexpr std::size_t k_max_enclosed = 8;
-constexpr std::size_t k_max_points = 20000;  // a generation, whose shadows are followed
+constexpr std::size_t k_max_points = 20000;  // of a generation, whose shadow rays are traced
 
-// Which shapes cast a shadow on what is seen: the first that a light meets on its way there.
+// Marks the shapes that cast a shadow on visible points: those that shadow rays hit first.
 void mark_shadows(const CheckContext& context, const VisibleHits& visible, std::vector<bool>& seen) {
     const WorldParts& world = context.world();
     if (!world.settings.shadows) return;
@@ -30,13 +30,13 @@ void mark_shadows(const CheckContext& context, const VisibleHits& visible, std::
     }
 }
 
-// Where things are in the picture.
+// The position of shapes in the picture.
 class Frame {
   public:
     Frame(const PreparedCamera& camera, const RenderSettings& settings)
         : camera_(camera), projection_(camera), width_(settings.width), height_(settings.height) {}
 
-    enum class Place : std::uint8_t { not_drawn, outside, tiny, inside };
+    enum class Place : std::uint8_t { not_rendered, outside, tiny, inside };
     Place place_of(const Bounds& box) const {
         int out[5] = {};
         Extent pixels;
@@ -59,7 +59,7 @@ class Frame {
         return tiny ? Place::tiny : Place::inside;
     }
 
-    /// Whether any of the picture's rays could meet the plane, were there nothing else.
+    /// Whether any camera ray would hit the plane if it were the only shape.
     bool may_see(Vec3 point, Vec3 normal) const {
         for (int i = 0; i < 25; ++i) {
             const auto ray = HWY_NAMESPACE::viewport_ray(camera_, i % 5 * 0.25 - 0.5, i / 5 * 0.25 - 0.5);
@@ -76,14 +76,14 @@ class Frame {
 
 struct Unseen {
     std::vector<std::uint32_t> outside, hidden, tiny;
-    std::size_t shapes = 0;  // that are drawn at all
+    std::size_t shapes = 0;  // that are rendered at all
 };
 
 Unseen find_unseen(const WorldParts& world, const std::vector<bool>& seen) {
     using Place = Frame::Place;
     const Frame frame(world.camera, world.settings);
-    // Of a polygon's triangles the best placed one counts.
-    std::vector<Place> places(seen.size(), Place::not_drawn);
+    // A polygon has the place of its most visible triangle.
+    std::vector<Place> places(seen.size(), Place::not_rendered);
     for (std::uint32_t slot = 0; slot < world.geometry->count; ++slot) {
         Place& place = places[world.geometry->shape_index[slot]];
         if (slot < world.geometry->bounded) {
@@ -98,7 +98,7 @@ Unseen find_unseen(const WorldParts& world, const std::vector<bool>& seen) {
     }
     Unseen unseen;
     for (std::uint32_t shape = 0; shape < seen.size(); ++shape) {
-        if (places[shape] == Place::not_drawn) continue;
+        if (places[shape] == Place::not_rendered) continue;
         ++unseen.shapes;
         if (seen[shape]) continue;
         auto& list = places[shape] == Place::outside ? unseen.outside
@@ -109,8 +109,9 @@ Unseen find_unseen(const WorldParts& world, const std::vector<bool>& seen) {
     return unseen;
 }
 
-// In a scene written by hand every shape is meant to be seen. A model of hundreds has backs and insides, and
-// goes on outside the picture: only its named shapes count, or where half of it is not there.
+// In a scene written by hand every shape should be visible. A model of hundreds of shapes has backs and
+// insides, and continues outside the picture: only its named shapes count, or all if half of them are not
+// visible.
 std::vector<std::uint32_t> worth_naming(const Scene& scene, const Unseen& unseen,
                                         const std::vector<std::uint32_t>& list, bool half_counts) {
     if (unseen.shapes <= k_by_hand || (half_counts && list.size() > unseen.shapes / 2)) return list;
@@ -120,7 +121,7 @@ std::vector<std::uint32_t> worth_naming(const Scene& scene, const Unseen& unseen
     return named;
 }
 
-// What is inside of what, of the first few.
+// Which of the first few shapes is inside which other shape.
 std::string enclosure(const CheckContext& context, const WorldParts& world,
                       const std::vector<std::uint32_t>& list) {
     for (std::size_t i = 0; i < list.size() && i < k_max_enclosed; ++i) {
@@ -152,7 +153,7 @@ void check_shapes(CheckContext& context, const VisibleHits& visible, const std::
         deep == 0 ? ""
                   : fmt::format("; nor is anything in the first {} of mirrors and glass",
                                 deep == 1 ? "generation" : fmt::format("{} generations", deep));
-    // Where lights were left out, nothing is known of their shadows.
+    // The shadows of the lights that were not traced are unknown.
     const bool knows_shadows = !world.settings.shadows || world.lights->size() <= k_max_lights;
     const std::string coarse = context.coarse_grid(VisibleHits::k_longest);
     const auto report = [&](std::string_view id, const std::vector<std::uint32_t>& all,
@@ -164,16 +165,16 @@ void check_shapes(CheckContext& context, const VisibleHits& visible, const std::
                                    unseen.shapes == 1 ? "1 shape" : fmt::format("{} shapes", unseen.shapes),
                                    list.size() == 1 ? "is" : "are", where,
                                    !knows_shadows     ? ""
-                                   : list.size() == 1 ? ", and no shadow of it is seen"
-                                                      : ", and no shadow of them is seen",
+                                   : list.size() == 1 ? ", and no shadow of it is visible"
+                                                      : ", and no shadow of them is visible",
                                    mirrors, context.some_shapes(list),
                                    (hidden ? enclosure(context, world, list) : "") + coarse),
                        std::move(remedy));
     };
     report("shape-outside-view", unseen.outside, "outside the picture", false,
-           "move what is outside, or the camera, or widen its view");
+           "move the shapes or the camera, or widen its view");
     report("shape-hidden", unseen.hidden, "hidden behind or inside others", true,
-           "move what is hidden, or what hides it, or leave it out");
+           "move the shape or what hides it, or remove it");
     report("shape-too-small", unseen.tiny, "smaller than a pixel", false,
            "make the shape larger, or the picture, or bring the camera nearer");
 }

@@ -18,7 +18,6 @@ namespace {
 using namespace HWY_NAMESPACE;
 
 constexpr std::size_t k_max_followed = 65536;  // mirror and glass rays of a generation
-constexpr int k_max_generations = 4;
 
 Triple<double> triple_of(Vec3 v) { return {v.x, v.y, v.z}; }
 Vec3 vec_of(Triple<double> v) { return {v.x, v.y, v.z}; }
@@ -27,42 +26,6 @@ double largest(Vec3 v) { return max_abs(triple_of(v)); }
 
 SurfacePoint<double> surface_point(const SurfaceHit& h) {
     return {triple_of(h.point), triple_of(h.normal), triple_of(h.incoming), h.magnitude};
-}
-
-// The mirror and glass rays that leave some hits, as the renderer's own, weights apart.
-RayList secondary_rays(const WorldParts& world, const std::vector<SurfaceHit>& hits) {
-    const Conventions& rules = world.conventions;
-    const auto leaves = [&](const SurfaceHit& h) {
-        const double* m = world.material(h.material);
-        return std::pair{m[k_mirror] > 0, m[k_transmission] > 0};
-    };
-    std::size_t count = 0;
-    for (const SurfaceHit& h : hits) count += leaves(h).first || leaves(h).second ? 1 : 0;
-    const std::size_t step = count / k_max_followed + 1;
-    RayList rays;
-    std::size_t number = 0;
-    for (const SurfaceHit& h : hits) {
-        const auto [mirror, glass] = leaves(h);
-        if ((!mirror && !glass) || number++ % step != 0) continue;
-        const SurfacePoint<double> surface = surface_point(h);
-        const auto add = [&](Triple<double> origin, Triple<double> direction) {
-            rays.add(vec_of(origin), vec_of(direction), offset_t_min(rules.offset, rules.epsilon));
-        };
-        bool reflects = mirror;
-        if (glass) {
-            const double ior = world.material(h.material)[k_ior];
-            const auto on = refracted_ray(surface, h.behind, ior, rules);
-            if (on.fresnel < 1)
-                add(offset_transmitted_origin(surface, on.direction, rules.offset, rules.epsilon),
-                    on.direction);
-            reflects = mirror || on.fresnel > 0;
-        }
-        if (reflects) {
-            const auto back = mirrored_ray(surface, glass, rules);
-            add(back.origin, back.direction);
-        }
-    }
-    return rays;
 }
 
 std::vector<SurfaceHit> surface_hits(const WorldParts& world, const RayList& rays, int threads) {
@@ -96,6 +59,43 @@ SurfaceHit surface_hit(const WorldParts& world, const RayList& rays, const HitLi
     return h;
 }
 
+RayList secondary_rays(const WorldParts& world, const std::vector<SurfaceHit>& hits, Followed followed) {
+    const Conventions& rules = world.conventions;
+    const auto leaves = [&](const SurfaceHit& h) {
+        const double* m = world.material(h.material);
+        const bool glass = m[k_transmission] > 0;
+        return followed == Followed::mirrors ? std::pair{m[k_mirror] > 0 && !glass, false}
+                                             : std::pair{m[k_mirror] > 0, glass};
+    };
+    std::size_t count = 0;
+    for (const SurfaceHit& h : hits) count += leaves(h).first || leaves(h).second ? 1 : 0;
+    const std::size_t step = count / k_max_followed + 1;
+    RayList rays;
+    std::size_t number = 0;
+    for (const SurfaceHit& h : hits) {
+        const auto [mirror, glass] = leaves(h);
+        if ((!mirror && !glass) || number++ % step != 0) continue;
+        const SurfacePoint<double> surface = surface_point(h);
+        const auto add = [&](Triple<double> origin, Triple<double> direction) {
+            rays.add(vec_of(origin), vec_of(direction), offset_t_min(rules.offset, rules.epsilon));
+        };
+        bool reflects = mirror;
+        if (glass) {
+            const double ior = world.material(h.material)[k_ior];
+            const auto on = refracted_ray(surface, h.behind, ior, rules);
+            if (on.fresnel < 1)
+                add(offset_transmitted_origin(surface, on.direction, rules.offset, rules.epsilon),
+                    on.direction);
+            reflects = mirror || on.fresnel > 0;
+        }
+        if (reflects) {
+            const auto back = mirrored_ray(surface, glass, rules);
+            add(back.origin, back.direction);
+        }
+    }
+    return rays;
+}
+
 RayList camera_rays(const WorldParts& world, SmallSize size, double x, double y) {
     const PreparedCamera& camera = world.camera;
     const PixelSample where = world.conventions.pixel_sample;
@@ -122,7 +122,7 @@ VisibleHits::VisibleHits(const CheckContext& context) : size(context.grid(k_long
     generations.push_back({surface_hits(world, rays, threads)});
     const int most = std::min(world.settings.reflections, k_max_generations);
     for (int g = 0; g < most; ++g) {
-        rays = secondary_rays(world, generations.back().hits);
+        rays = secondary_rays(world, generations.back().hits, Followed::mirrors_and_glass);
         if (rays.size() == 0) break;
         generations.push_back({surface_hits(world, rays, threads)});
     }

@@ -26,6 +26,14 @@ struct Generation {
     std::vector<SurfaceHit> hits;
 };
 
+/// The secondary rays that leave some hits as the renderer traces them, without their weights. Of more than
+/// 65536 hits, evenly spaced ones.
+enum class Followed : std::uint8_t { mirrors, mirrors_and_glass };
+RayList secondary_rays(const WorldParts& world, const std::vector<SurfaceHit>& hits, Followed followed);
+
+/// Generations of secondary rays that the checks trace.
+inline constexpr int k_max_generations = 4;
+
 /// The camera rays at `size`, each moved by (x, y) pixels from the renderer's.
 RayList camera_rays(const WorldParts& world, SmallSize size, double x, double y);
 

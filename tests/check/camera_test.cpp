@@ -60,8 +60,8 @@ sphere { center = (0, 0, 0)  radius = 1 }
 )");
     EXPECT_TRUE(has(message, "scene.glint:2:1: warning: ")) << message;
     EXPECT_TRUE(has(message, "[camera-sees-nothing]")) << message;
-    EXPECT_TRUE(has(message, "lies behind it")) << message;
-    EXPECT_TRUE(has(message, "  remedy: let it look at (0, 0, 0)")) << message;
+    EXPECT_TRUE(has(message, "is behind it")) << message;
+    EXPECT_TRUE(has(message, "  remedy: point the camera at (0, 0, 0)")) << message;
 }
 
 TEST(CheckCamera, SeesOnlyPlanes) {

@@ -41,7 +41,7 @@ TEST(CheckList, ASceneMadeInCodeHasNoPlaces) {
     scene.materials.push_back({});
     EXPECT_EQ(ids(check_loaded(scene)), "material-unused@0");
     const std::string text = to_string(check_loaded(scene)[0]);
-    EXPECT_EQ(text.rfind("materials[0]: warning: material 1 is of no shape [material-unused]\n  remedy: ", 0),
+    EXPECT_EQ(text.rfind("materials[0]: warning: no shape uses material 1 [material-unused]\n  remedy: ", 0),
               0u)
         << text;
 }

@@ -49,6 +49,33 @@ sphere { center = (0, 0, 0)  radius = 1  color = (1, 1, 1)  ambient = 1  diffuse
         "");
 }
 
+TEST(CheckPicture, ShapesOfOneMaterialAreOneFinding) {
+    const std::string three =
+        "material chalk { color = (1, 1, 1)  ambient = 1  diffuse = 4 }\n"
+        "sphere { center = (0, 0.4, 3)  radius = 0.4  material = chalk }\n"
+        "sphere { center = (1, 0.4, 3)  radius = 0.4  material = chalk }\n"
+        "sphere { center = (2, 0.4, 3)  radius = 0.4  material = chalk }\n";
+    EXPECT_EQ(ids_of(k_clean + three), "picture-clamped@8");
+    EXPECT_TRUE(
+        has(only_message(k_clean + three), "sphere 4 (line 8), sphere 5 (line 9) and sphere 6 (line 10) are"))
+        << only_message(k_clean + three);
+    // Two materials are two findings.
+    EXPECT_EQ(
+        ids_of(
+            k_clean + three +
+            "sphere { center = (-1, 0.4, 3)  radius = 0.4  color = (1, 1, 1)  ambient = 1  diffuse = 5 }\n"),
+        "picture-clamped@8 picture-clamped@11");
+    // A mistake in the material's own numbers explains it.
+    EXPECT_EQ(ids_of(k_clean +
+                     "sphere { center = (0, 0.4, 3)  radius = 0.4  color = (255, 255, 255)  diffuse = 1 }\n"),
+              "material-color-255@7");
+    EXPECT_EQ(
+        ids_of(k_clean +
+               "sphere { center = (0, 0.4, 3)  radius = 0.4  color = (1, 1, 1)  diffuse = 1  specular = 1 "
+               " shininess = 0 }\n"),
+        "shininess-zero@7");
+}
+
 TEST(CheckPicture, AHighlightMayBeClamped) {
     // About 1% of the picture.
     EXPECT_EQ(ids_of(k_clean + "sphere { center = (0, 1.3, 2)  radius = 1.3  color = (1, 1, 1)  ambient = 1\n"

@@ -107,6 +107,30 @@ TEST(CheckFaces, CoplanarAndSeen) {
     EXPECT_TRUE(has(only_message(k_clean + k_planted[0]), "plane 1 (line 4)"));
 }
 
+TEST(CheckFaces, SeenOnlyInAMirror) {
+    // A mat behind the camera, flat on a wall there; the mirror at the back shows it.
+    const std::string mirror =
+        "plane { point = (0, 0, -6)  normal = (0, 0, 1)  color = (0.1, 0.1, 0.1)  diffuse = 0.3  mirror = "
+        "0.8 }\n";
+    const std::string wall =
+        "box { min = (-4, 0, 12)  max = (4, 5, 13)  color = (0.6, 0.6, 0.4)  ambient = 1  diffuse = 0.6 }\n";
+    const auto mat = [](double z) {
+        return fmt::format(
+            "disc {{ center = (2, 2, {})  normal = (0, 0, -1)  radius = 1  color = (1, 0, 0)  ambient = 1 "
+            "}}\n",
+            z);
+    };
+    EXPECT_EQ(ids_of(k_clean + mirror + wall + mat(11.9)), "");
+    EXPECT_EQ(ids_of(k_clean + mirror + wall + mat(12)), "faces-coincide@9");
+    // The same without mirrors: not visible, so only that is reported.
+    EXPECT_FALSE(has(ids_of(k_clean + wall + mat(12)), "faces-coincide"));
+    // A box that stands on a mirror: the bottom is not visible.
+    EXPECT_EQ(
+        ids_of(k_clean + "disc { center = (0, 0.001, 2)  normal = (0, 1, 0)  radius = 1.2  mirror = 0.6 }\n"
+                         "box { min = (-0.2, 0.001, 1.8)  max = (0.2, 0.5, 2.2)  color = (1, 0, 0) }\n"),
+        "");
+}
+
 TEST(CheckFaces, WithinEpsilonAlsoByOtherConventions) {
     const std::string mat =
         "disc { center = (0, 0.0005, 2)  normal = (0, 1, 0)  radius = 1  color = (1, 0, 0) }\n";
