@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// A scene's likely mistakes: what can be drawn, and is hardly what was meant. docs/checks.md explains each.
+// A scene's likely mistakes: what can be rendered, but is probably not intended. docs/checks.md explains
+// each.
 #include <atomic>
 #include <functional>
 #include <span>
@@ -21,7 +22,7 @@ struct CheckOptions {
     /// The texts that the scene was read from, for the source lines in the findings; each under its name in
     /// Scene::files. They need not be all.
     std::span<const SceneText> texts = {};
-    /// Called from any thread, now and then, with the fraction done (0 to 1). Must not throw.
+    /// Called on the calling thread, at intervals, with the fraction done (0 to 1). Must not throw.
     std::function<void(double)> progress = {};
     const std::atomic<bool>* cancel = nullptr;  ///< looked at now and then
 };
@@ -33,11 +34,11 @@ struct Finding {
     std::string remedy;     ///< how to correct it
 };
 
-/// Looks for mistakes: traces the camera's rays, follows them into mirrors and glass, and draws small
-/// pictures, with and without what is under suspicion. Findings are in the order of the text; what has no
-/// place comes last. They do not depend on threads or machine. The diagnostics are what validate() says; with
-/// an error among them nothing is checked. The time is that of a few pictures, n log n in the number of
-/// shapes. Never throws.
+/// Looks for mistakes: traces the camera's rays, follows them into mirrors and glass, and renders
+/// small pictures with and without a light, with another epsilon, with one reflection more. Findings are in
+/// the order of the text; those without a place are last. They do not depend on threads or machine. The
+/// diagnostics are what validate() says; with an error among them nothing is checked. The time is that of a
+/// few pictures, n log n in the number of shapes. Never throws.
 GLINT_API Result<std::vector<Finding>> check(const Scene& scene, const CheckOptions& options = {});
 
 /// A kind of finding.

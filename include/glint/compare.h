@@ -111,7 +111,7 @@ struct CauseOptions {
     /// explained only by a factor. Otherwise the pictures are compared as bytes.
     bool as_floats = false;
     int threads = 0;
-    /// Called now and then with the fraction done (0 to 1). Must not throw.
+    /// Called on the calling thread, at intervals, with the fraction done (0 to 1). Must not throw.
     std::function<void(double)> progress = {};
     const std::atomic<bool>* cancel = nullptr;  ///< looked at between causes
 };

@@ -42,7 +42,8 @@ struct LoadOptions {
     /// The text of a profile file (`key = value` lines) applied after `profile`, and its name for messages.
     std::optional<SceneText> profile_text = {};
     std::uint32_t max_errors = 20;  ///< reading stops after this many
-    /// Called now and then with the fraction of the texts that is read (0 to 1). Must not throw.
+    /// Called on the calling thread, at intervals, with the fraction of the texts that is read (0 to 1). Must
+    /// not throw.
     std::function<void(double)> progress = {};
     const std::atomic<bool>* cancel = nullptr;  ///< looked at now and then
 };

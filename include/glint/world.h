@@ -40,7 +40,7 @@ class World {
 
 struct PrepareOptions {
     int threads = 0;  ///< 0: one per processor
-    /// Called from any thread, at intervals, with the fraction done (0 to 1). Must not throw.
+    /// Called on the calling thread, at intervals, with the fraction done (0 to 1). Must not throw.
     std::function<void(double)> progress = {};
     const std::atomic<bool>* cancel = nullptr;  ///< checked at intervals
 };

@@ -9,6 +9,7 @@
 #include "cli/commands.h"
 #include "cli/failure.h"
 #include "cli/picture_arguments.h"
+#include "cli/progress.h"
 #include "cli/scene_arguments.h"
 #include "cli/text.h"
 
@@ -24,7 +25,7 @@ constexpr auto k_examples = R"(Examples:
 struct CheckArguments {
     SceneArguments scene;
     PictureArguments picture;
-    bool strict = false, json = false;
+    bool strict = false, json = false, quiet = false;
     int threads = 0;
 };
 
@@ -58,7 +59,10 @@ int check_command(CheckArguments& arguments) {
     CheckOptions options;
     options.threads = arguments.threads;
     options.texts = texts;
+    auto bar = std::make_unique<ProgressBar>(!arguments.quiet);
+    options.progress = [&](double fraction) { bar->update(fraction); };
     const Result<std::vector<Finding>> result = check(loaded.scene, options);
+    bar.reset();  // its line is free again
     add_warnings(loaded.warnings, result.diagnostics);
     print(loaded.warnings);
     if (!result) throw_failure(result);
@@ -89,6 +93,7 @@ Run add_check(CLI::App& app) {
     command.add_flag("--strict", arguments->strict,
                      "Exit code 1 if there is any finding or warning; notes do not count");
     command.add_flag("--json", arguments->json, "Print the findings as a JSON array");
+    command.add_flag("-q,--quiet", arguments->quiet, "No progress");
     command.footer(k_examples);
     return [arguments] { return check_command(*arguments); };
 }
