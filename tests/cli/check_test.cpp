@@ -140,7 +140,7 @@ TEST(Check, AFindingInAnIncludedFileShowsItsLine) {
                  "camera { position = (0, 0, 8)  look_at = (0, 0, 0) }\n"
                  "light { position = (3, 3, 8)  intensity = 0.7 }\ninclude \"part.glint\"\n");
     const Finished r = run(folder, {"check", "a.glint"});
-    EXPECT_TRUE(contains(r.out, "part.glint:3:1: warning: material 'spare'")) << r.out << r.err;
+    EXPECT_TRUE(contains(r.out, "part.glint:3:1: warning: no shape uses material 'spare'")) << r.out << r.err;
     EXPECT_TRUE(contains(r.out, "\n  material spare { color = (1, 0, 0) }\n")) << r.out;
 }
 
