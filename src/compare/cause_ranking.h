@@ -45,6 +45,7 @@ struct Search {
     Status status;   ///< why there is no report
     Distance whole;  ///< what there is to explain
     std::vector<CauseCandidate> found;
+    std::vector<CauseCandidate> pair;  ///< the two that are named, if they are two
 
     /// Pixels with a difference that is no rounding, in groups: what there is to explain.
     std::size_t structure = 0;

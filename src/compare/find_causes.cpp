@@ -11,6 +11,7 @@
 #include "compare/cause_ranking.h"
 #include "compare/float_difference.h"
 #include "compare/lines.h"
+#include "compare/named_faults.h"
 #include "compare/picture_causes.h"
 #include "compare/scene_trials.h"
 #include "compare/step_agreement.h"
@@ -226,6 +227,7 @@ class CauseFinder {
             c->cause.explained = 1 - c->left.all / search.whole.all;
             c->cause.perhaps = !second.is_exact;
         }
+        search.pair = {first, second};
         std::erase_if(report.causes, [&](const Cause& c) { return c.name == first.cause.name; });
         report.causes.insert(report.causes.begin(), first.cause);
         report.then = {second.cause};
@@ -243,11 +245,32 @@ class CauseFinder {
     std::size_t steps_ = 0, done_ = 0;
 };
 
+// The candidates that the report names first.
+std::vector<NamedFault> named_faults(const Search& search) {
+    std::vector<NamedFault> faults;
+    const auto add = [&](const CauseCandidate& c) {
+        NamedFault fault{c.cause, c.edit, {}, c.of_pictures};
+        if (!fault.edit) fault.make = c.make;
+        faults.push_back(std::move(fault));
+    };
+    if (!search.pair.empty()) {
+        for (const CauseCandidate& c : search.pair) add(c);
+        return faults;
+    }
+    if (search.report.causes.empty()) return faults;
+    const Cause& first = search.report.causes.front();
+    const auto it = std::find_if(search.found.begin(), search.found.end(), [&](const CauseCandidate& c) {
+        return c.cause.name == first.name && c.cause.explanation == first.explanation;
+    });
+    if (it != search.found.end()) add(*it);
+    return faults;
+}
+
 }  // namespace
 
-std::vector<Result<CauseReport>> find_causes(std::span<const Image> pictures, const Image& b,
+std::vector<Result<FaultReport>> find_faults(std::span<const Image> pictures, const Image& b,
                                              const Scene* scene, const CauseOptions& options) {
-    std::vector<Result<CauseReport>> results(pictures.size());
+    std::vector<Result<FaultReport>> results(pictures.size());
     const Status status = result_of([&]() -> Status {
         const DefaultFpEnvironment environment;
         if (b.width < 1 || b.height < 1 || b.rgb.size() != std::size_t{3} * b.width * b.height)
@@ -258,7 +281,8 @@ std::vector<Result<CauseReport>> find_causes(std::span<const Image> pictures, co
         finder.find(searches);
         for (std::size_t i = 0; i < searches.size(); ++i) {
             if (searches[i].status.ok()) {
-                results[i] = std::move(searches[i].report);
+                std::vector<NamedFault> faults = named_faults(searches[i]);
+                results[i] = FaultReport{std::move(searches[i].report), std::move(faults)};
             } else {
                 results[i] = std::move(searches[i].status);
             }
@@ -266,7 +290,19 @@ std::vector<Result<CauseReport>> find_causes(std::span<const Image> pictures, co
         return {};
     });
     if (!status.ok()) {
-        for (Result<CauseReport>& result : results) result = status;
+        for (Result<FaultReport>& result : results) result = status;
+    }
+    return results;
+}
+
+std::vector<Result<CauseReport>> find_causes(std::span<const Image> pictures, const Image& b,
+                                             const Scene* scene, const CauseOptions& options) {
+    std::vector<Result<CauseReport>> results;
+    for (Result<FaultReport>& found : find_faults(pictures, b, scene, options)) {
+        if (found)
+            results.emplace_back(std::move(found->report));
+        else
+            results.emplace_back(Status(found));
     }
     return results;
 }
