@@ -7,6 +7,7 @@
 #include "base/text.h"
 #include "cli/commands.h"
 #include "cli/failure.h"
+#include "cli/grade_by_rubric.h"
 #include "cli/grade_outputs.h"
 #include "cli/grade_report.h"
 #include "cli/grade_sheet.h"
@@ -14,6 +15,7 @@
 #include "cli/progress.h"
 #include "cli/scene_option.h"
 #include "cli/submissions.h"
+#include "grade/part_renderer.h"
 
 namespace glint::cli {
 namespace {
@@ -21,7 +23,8 @@ namespace {
 constexpr auto k_examples = R"(Examples:
   glint grade handed_in --scene castle.json --reference castle.png
   glint grade handed_in --scene castle.json --csv grades.csv --sheet sheet.png
-  glint grade handed_in --scene castle.json --rubric rt2.rubric --csv grades.csv)";
+  glint grade handed_in --scene castle.json --rubric rt2.rubric --csv grades.csv
+  glint grade ada --scene castle.json --rubric rt2.rubric --gradescope results.json)";
 
 constexpr std::size_t k_batch = 32;  // pictures in memory at a time
 
@@ -37,12 +40,6 @@ void write_text(const std::optional<OutputFile>& file, const std::string& text) 
     if (file) file->write({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
 }
 
-std::string size_fault(const Image& picture, const Image& wanted) {
-    if (picture.width == wanted.width && picture.height == wanted.height) return {};
-    return fmt::format("{}x{} pixels, expected {}x{}", picture.width, picture.height, wanted.width,
-                       wanted.height);
-}
-
 CauseOptions cause_options(int threads, std::function<void(double)> progress) {
     CauseOptions options;
     options.threads = threads;
@@ -51,7 +48,7 @@ CauseOptions cause_options(int threads, std::function<void(double)> progress) {
 }
 
 Image render_reference(const Scene& scene, int threads) {
-    WantedPicture wanted = render_wanted(scene, {}, threads);
+    WantedPicture wanted = PartRenderer(scene, threads).render(RubricRow{});
     if (!wanted.error.empty()) throw Failure(k_bad_input, wanted.error);
     return std::move(wanted.image);
 }
@@ -66,6 +63,7 @@ int grade_pictures(const GradeArguments& arguments, const Scene* scene, const Im
     const std::size_t count = submissions.size();
     std::vector<GradedPicture> graded;
     GradeSheet sheet(outputs.sheet, lay_out_list(count + 1), count + 1);
+    sheet.set_label(0, "0 reference");
     sheet.put(0, reference);
     auto bar = std::make_unique<ProgressBar>(!arguments.quiet);
     for (std::size_t first = 0; first < count; first += k_batch) {
@@ -82,7 +80,7 @@ int grade_pictures(const GradeArguments& arguments, const Scene* scene, const Im
                 read = try_picture(entry.path);
                 entry.error = read ? size_fault(read->image, reference) : read.message;
             }
-            sheet.set_number(i + 1, static_cast<int>(i + 1));
+            sheet.set_label(i + 1, fmt::format("{} {}", i + 1, entry.name));
             if (read && !entry.error.empty()) sheet.put(i + 1, read->image);
             if (entry.error.empty()) {
                 CompareOptions options;
@@ -128,86 +126,28 @@ std::vector<RubricRow> load_rubric(const std::string& path) {
     return std::move(rubric.rows);
 }
 
-// One part of all submissions.
-class PartGrader {
-  public:
-    PartGrader(const RubricRow& row, const Scene& scene, const GradeArguments& arguments)
-        : row_(row), arguments_(arguments), wanted_(render_wanted(scene, row, arguments.threads)) {
-        if (!wanted_.error.empty())
-            throw Failure(k_bad_input, fmt::format("{}:{}: part {}: {}", arguments.rubric, row.line,
-                                                   glint::quoted(row.part), wanted_.error));
+int grade_rubric(const GradeArguments& arguments, const Scene& scene, const std::vector<RubricRow>& rows,
+                 const GradeOutputs& outputs) {
+    const std::vector<Submission> submissions =
+        outputs.gradescope ? std::vector{Submission{arguments.folder, arguments.folder, {}}}
+                           : list_folders(arguments.folder);
+    const std::size_t cells = (submissions.size() + 1) * rows.size();
+    GradeSheet sheet(outputs.sheet, lay_out_table(submissions.size(), rows.size()), cells);
+    for (std::size_t i = 0; i < cells; ++i) {
+        const std::size_t row = i / rows.size();
+        sheet.set_label(i, row == 0 ? rows[i].part : fmt::format("{} {}", row, submissions[row - 1].name));
     }
-
-    const Image& wanted() const { return wanted_.image; }
-
-    // Grades submissions [first, last) into their part k, the column of the sheet.
-    void grade_batch(const std::vector<Submission>& submissions, std::size_t first, std::size_t last,
-                     std::size_t k, std::vector<GradedSubmission>& graded, GradeSheet& sheet) const {
-        std::vector<Image> faulty;
-        std::vector<std::size_t> whose;
-        for (std::size_t i = first; i < last; ++i) {
-            GradedPart& part = graded[i].parts[k];
-            FoundFile found = find_file(submissions[i], row_.file);
-            part.path = std::move(found.path);
-            part.error = std::move(found.error);
-            if (!part.error.empty()) continue;
-            Result<DecodedImage> read = try_picture(part.path);
-            if (!read) {
-                part.error = read.message;
-                continue;
-            }
-            part.error = size_fault(read->image, wanted_.image);
-            const std::size_t cell = (i + 1) * graded[i].parts.size() + k;
-            if (!part.error.empty()) {
-                sheet.put(cell, read->image);
-                continue;
-            }
-            part.score = grade(read->image, wanted_, row_.points, arguments_.threads);
-            sheet.put(cell, read->image, wanted_.image);
-            if (part.score.points < row_.points && part.score.not_finite == 0) {
-                faulty.push_back(std::move(read->image));
-                whose.push_back(i);
-            }
-        }
-        auto reports =
-            find_causes(faulty, wanted_.image, &wanted_.scene, cause_options(arguments_.threads, {}));
-        for (std::size_t i = 0; i < reports.size(); ++i) {
-            if (reports[i] && !reports[i]->causes.empty())
-                graded[whose[i]].parts[k].cause = std::move(reports[i]->causes.front());
-        }
-    }
-
-  private:
-    const RubricRow& row_;
-    const GradeArguments& arguments_;
-    WantedPicture wanted_;
-};
-
-int grade_by_rubric(const GradeArguments& arguments, const Scene& scene, const std::vector<RubricRow>& rows,
-                    const GradeOutputs& outputs) {
-    const std::vector<Submission> submissions = list_folders(arguments.folder);
-    const std::size_t count = submissions.size(), columns = rows.size();
-    std::vector<GradedSubmission> graded;
-    graded.reserve(submissions.size());
-    for (const Submission& s : submissions) graded.push_back({s.name, std::vector<GradedPart>(columns)});
-    const std::size_t cells = (count + 1) * columns;
-    GradeSheet sheet(outputs.sheet, lay_out_table(count, columns), cells);
-    for (std::size_t i = 0; i < cells; ++i) sheet.set_number(i, static_cast<int>(i / columns));
     auto bar = std::make_unique<ProgressBar>(!arguments.quiet);
-    for (std::size_t k = 0; k < columns; ++k) {
-        const PartGrader grader(rows[k], scene, arguments);
-        sheet.put(k, grader.wanted());
-        for (std::size_t first = 0; first < count; first += k_batch) {
-            const std::size_t last = std::min(first + k_batch, count);
-            grader.grade_batch(submissions, first, last, k, graded, sheet);
-            bar->update((static_cast<double>(k) + static_cast<double>(last) / static_cast<double>(count)) /
-                        static_cast<double>(columns));
-        }
-    }
+    const RubricGrading grading{
+        scene, rows, arguments.rubric, submissions, arguments.threads, [&](double fraction) {
+            bar->update(fraction);
+        }};
+    const std::vector<GradedSubmission> graded = grade_by_rubric(grading, sheet);
     bar.reset();  // its line is free again
     if (outputs.table) fmt::print("{}", text_table(rows, graded));
     write_text(outputs.csv, csv_table(rows, graded));
     write_text(outputs.json, json_table(rows, graded));
+    if (outputs.gradescope) write_text(outputs.gradescope, gradescope_results(rows, graded.front()));
     sheet.write(arguments.threads);
     return k_done;
 }
@@ -216,7 +156,9 @@ int grade_command(GradeArguments& arguments) {
     if (arguments.reference.empty() && arguments.scene.scene.files.empty())
         throw Failure(k_usage, "expected --scene FILE, or --reference PICTURE, or both");
     if (!arguments.rubric.empty() && arguments.scene.scene.files.empty())
-        throw Failure(k_usage, "--rubric needs --scene FILE, which draws its parts");
+        throw Failure(k_usage, "--rubric needs --scene FILE, which its parts are rendered from");
+    if (!arguments.outputs.gradescope.empty() && arguments.rubric.empty())
+        throw Failure(k_usage, "--gradescope needs --rubric FILE, whose parts are the tests");
     const GradeOutputs outputs(arguments.outputs, arguments.folder);
     std::vector<RubricRow> rows;
     if (!arguments.rubric.empty()) rows = load_rubric(arguments.rubric);
@@ -227,7 +169,7 @@ int grade_command(GradeArguments& arguments) {
         loaded->scene.settings.width = reference.width;
         loaded->scene.settings.height = reference.height;
     }
-    if (!rows.empty()) return grade_by_rubric(arguments, loaded->scene, rows, outputs);
+    if (!rows.empty()) return grade_rubric(arguments, loaded->scene, rows, outputs);
     if (reference.rgb.empty()) reference = render_reference(loaded->scene, arguments.threads);
     return grade_pictures(arguments, loaded ? &loaded->scene : nullptr, reference, outputs);
 }
@@ -254,9 +196,13 @@ Run add_grade(CLI::App& app) {
     command.add_option("--csv", a.outputs.csv, "Write the table as CSV")->option_text("OUT");
     command.add_option("--json", a.outputs.json, "Write all figures and causes as JSON")->option_text("OUT");
     command
+        .add_option("--gradescope", a.outputs.gradescope,
+                    "Write Gradescope's results.json; DIR is the folder of one submission. Needs --rubric")
+        ->option_text("OUT");
+    command
         .add_option("--sheet", a.outputs.sheet,
-                    "Write a PNG of all pictures, each above four times its difference, numbered as in "
-                    "the table; 0: the reference")
+                    "Write a PNG of all pictures, each above four times its difference, with the table's "
+                    "numbers and names; 0: the reference")
         ->option_text("OUT.png");
     add_threads_argument(command, a.threads);
     command.add_flag("-q,--quiet", a.quiet, "No warnings and no progress");

@@ -27,10 +27,12 @@ bool is_handed_in(const std::string& path, const std::string& folder) {
 GradeOutputs::GradeOutputs(const GradeOutputNames& names, const std::string& folder) {
     if (!names.csv.empty()) csv.emplace("--csv", names.csv);
     if (!names.json.empty()) json.emplace("--json", names.json);
+    if (!names.gradescope.empty()) gradescope.emplace("--gradescope", names.gradescope);
     if (!names.sheet.empty()) sheet.emplace(png_output("--sheet", names.sheet));
     table = true;
     for (const auto& [option, path, file] : {std::tuple("--csv", &names.csv, &csv),
                                              {"--json", &names.json, &json},
+                                             {"--gradescope", &names.gradescope, &gradescope},
                                              {"--sheet", &names.sheet, &sheet}}) {
         if (!*file) continue;
         if ((*file)->is_standard_output()) table = false;

@@ -10,7 +10,7 @@ namespace glint::cli {
 
 /// As the user named them; empty: not requested.
 struct GradeOutputNames {
-    std::string csv, json, sheet;
+    std::string csv, json, gradescope, sheet;
 };
 
 /// The destinations of the results other than standard output; checked before the work begins.
@@ -22,7 +22,7 @@ class GradeOutputs {
     GradeOutputs(const GradeOutputs&) = delete;
     GradeOutputs& operator=(const GradeOutputs&) = delete;
 
-    std::optional<OutputFile> csv, json, sheet;
+    std::optional<OutputFile> csv, json, gradescope, sheet;
     bool table;  ///< print the table on standard output, if no file goes there
 };
 

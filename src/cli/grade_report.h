@@ -14,11 +14,11 @@ namespace glint::cli {
 /// A picture that was compared with the reference.
 struct GradedPicture {
     std::string name, path;
-    std::string error;             ///< why there are no figures
-    std::uint64_t not_finite = 0;  ///< its pixels that are NaN or infinite; then no cause is looked for
+    std::string error;             ///< the reason why there are no figures
+    std::uint64_t not_finite = 0;  ///< its pixels that are NaN or infinite; then no causes are searched
     PictureDifference difference;
     CauseReport causes;
-    std::string causes_error;  ///< why there are none
+    std::string causes_error;  ///< the reason why there are none
 };
 
 std::string text_table(const std::vector<GradedPicture>& pictures);
@@ -28,9 +28,14 @@ std::string json_table(const std::vector<GradedPicture>& pictures);
 /// One part of a rubric, of one submission.
 struct GradedPart {
     std::string path;   ///< of the picture; empty: none was handed in
-    std::string error;  ///< why there are no points: "no file *phong*.png"
+    std::string error;  ///< the reason why there are no points: "no file *phong*.png"
     PartScore score;
-    std::optional<Cause> cause;  ///< of what is wrong
+    std::optional<Cause> cause;  ///< of the difference
+    std::vector<Cause> then;     ///< further causes, together with the first
+    /// The causes of earlier parts with which the picture was judged, because that gives more points; none if
+    /// it was judged as it is.
+    std::vector<std::string> followed;
+    double points_alone = 0;  ///< the points without them
 };
 
 struct GradedSubmission {
@@ -42,5 +47,7 @@ struct GradedSubmission {
 std::string text_table(const std::vector<RubricRow>& rows, const std::vector<GradedSubmission>& submissions);
 std::string csv_table(const std::vector<RubricRow>& rows, const std::vector<GradedSubmission>& submissions);
 std::string json_table(const std::vector<RubricRow>& rows, const std::vector<GradedSubmission>& submissions);
+/// The file that Gradescope reads: a test for each part.
+std::string gradescope_results(const std::vector<RubricRow>& rows, const GradedSubmission& submission);
 
 }  // namespace glint::cli

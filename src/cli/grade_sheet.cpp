@@ -27,8 +27,14 @@ GradeSheet::GradeSheet(const std::optional<OutputFile>& output, const std::optio
     cells_.resize(cells);
 }
 
-void GradeSheet::set_number(std::size_t cell, int number) {
-    if (!cells_.empty()) cells_[cell].number = number;
+void GradeSheet::set_label(std::size_t cell, const std::string& label) {
+    if (!cells_.empty()) cells_[cell].label = label;
+}
+
+void GradeSheet::copy(std::size_t from, std::size_t to) {
+    if (cells_.empty()) return;
+    cells_[to].picture = cells_[from].picture;
+    cells_[to].difference = cells_[from].difference;
 }
 
 void GradeSheet::put(std::size_t cell, const Image& picture) {

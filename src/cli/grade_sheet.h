@@ -18,10 +18,12 @@ class GradeSheet {
     GradeSheet(const std::optional<OutputFile>& output, const std::optional<SheetLayout>& layout,
                std::size_t cells);
 
-    void set_number(std::size_t cell, int number);
+    void set_label(std::size_t cell, const std::string& label);
     void put(std::size_t cell, const Image& picture);
     /// Adds its difference from the reference, four times amplified, below the picture.
     void put(std::size_t cell, const Image& picture, const Image& wanted);
+
+    void copy(std::size_t from, std::size_t to);
 
     void write(int threads) const;
 

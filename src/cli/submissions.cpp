@@ -148,6 +148,12 @@ std::vector<Submission> list_folders(const std::string& folder) {
     return found;
 }
 
+std::string size_fault(const Image& picture, const Image& wanted) {
+    if (picture.width == wanted.width && picture.height == wanted.height) return {};
+    return fmt::format("{}x{} pixels, expected {}x{}", picture.width, picture.height, wanted.width,
+                       wanted.height);
+}
+
 FoundFile find_file(const Submission& submission, const std::string& pattern) {
     if (!submission.error.empty()) return {{}, submission.error};
     const Listing listing = list(submission.path);

@@ -5,6 +5,8 @@
 #include <string_view>
 #include <vector>
 
+#include "glint/image.h"
+
 namespace glint::cli {
 
 struct Submission {
@@ -31,6 +33,9 @@ struct FoundFile {
     std::string path;   ///< empty if no file matches
     std::string error;  ///< "no file *phong*.png", or why the folder cannot be read
 };
+
+/// Why a picture of this size cannot be graded; empty if it can.
+std::string size_fault(const Image& picture, const Image& wanted);
 
 /// The first file of a submission, by name, that matches the pattern (* and ?). Case does not matter.
 FoundFile find_file(const Submission& submission, const std::string& pattern);

@@ -17,17 +17,18 @@ inline constexpr double k_full_share = 0.99, k_no_share = 0.5;
 
 /// The picture that a row of a rubric requires.
 struct WantedPicture {
-    std::string error;  ///< the reason why the scene cannot be rendered
-    Image image;        ///< as a file with 8 bits
-    Scene scene;        ///< the scene that gives it
+    std::string error;      ///< the reason why the scene cannot be rendered
+    Image image;            ///< as a file with 8 bits
+    Scene scene;            ///< the scene that gives it
+    bool has_scene = true;  ///< false: no single scene gives it
     BytePicture bytes;
     std::vector<std::uint8_t> counts;  ///< one per pixel: it is away from edges
     std::vector<std::uint8_t>
         shows;  ///< one per pixel: counts, and changes with the part; empty: all that count
 };
 
-/// Renders the scene as the row requires, in the scene's size, and again without the part.
-WantedPicture render_wanted(const Scene& scene, const RubricRow& row, int threads);
+/// Whether two pixels, as bytes, differ by at most k_right_within.
+bool is_right(const std::uint8_t* a, const std::uint8_t* b);
 
 struct PartScore {
     double share = 0;              ///< fraction of right pixels among those that count

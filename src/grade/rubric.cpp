@@ -141,13 +141,6 @@ class LineReader {
     Diagnostics& diagnostics_;
 };
 
-void keep_lights(Scene& scene, std::string_view which) {
-    const int count =
-        which == "ambient" ? 0 : light_count(which).value_or(static_cast<int>(scene.lights.size()));
-    int seen = 0;
-    std::erase_if(scene.lights, [&](const Light& light) { return !light.is_ambient() && seen++ >= count; });
-}
-
 }  // namespace
 
 RubricResult read_rubric(std::string_view name, std::string_view text) {
@@ -170,15 +163,32 @@ RubricResult read_rubric(std::string_view name, std::string_view text) {
     return result;
 }
 
-Scene with_settings(const Scene& scene, const RubricSettings& settings) {
-    Scene changed = scene;
+std::vector<bool> kept_lights(const Scene& scene, const RubricSettings& settings) {
+    std::vector<bool> kept(scene.lights.size(), true);
     for (const auto& [key, value] : settings) {
-        if (key == "lights") {
-            keep_lights(changed, value);
-        } else if (const auto index = find_setting(key)) {
-            set_setting(changed, *index, value, {SettingOrigin::Kind::command, {}});
+        if (key != "lights") continue;
+        int left = value == "ambient" ? 0 : light_count(value).value_or(static_cast<int>(kept.size()));
+        for (std::size_t i = 0; i < kept.size(); ++i) {
+            if (kept[i] && !scene.lights[i].is_ambient()) kept[i] = left-- > 0;
         }
     }
+    return kept;
+}
+
+void set_all_but_lights(Scene& scene, const RubricSettings& settings) {
+    for (const auto& [key, value] : settings) {
+        if (key == "lights") continue;
+        if (const auto index = find_setting(key))
+            set_setting(scene, *index, value, {SettingOrigin::Kind::command, {}});
+    }
+}
+
+Scene with_settings(const Scene& scene, const RubricSettings& settings) {
+    Scene changed = scene;
+    const std::vector<bool> kept = kept_lights(scene, settings);
+    std::size_t i = 0;
+    std::erase_if(changed.lights, [&](const Light&) { return !kept[i++]; });
+    set_all_but_lights(changed, settings);
     return changed;
 }
 

@@ -36,5 +36,9 @@ RubricResult read_rubric(std::string_view name, std::string_view text);
 
 /// The scene with the settings of a row. They must be those of a rubric from read_rubric().
 Scene with_settings(const Scene& scene, const RubricSettings& settings);
+/// The same in place, without the keys `lights`.
+void set_all_but_lights(Scene& scene, const RubricSettings& settings);
+/// By light of the scene: whether the settings keep it.
+std::vector<bool> kept_lights(const Scene& scene, const RubricSettings& settings);
 
 }  // namespace glint

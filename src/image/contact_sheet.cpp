@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <string>
+#include <string_view>
 
 namespace glint {
 namespace {
@@ -12,17 +13,29 @@ constexpr std::int32_t k_gap = 6, k_wide_gap = 18;         // pixels: between ce
 constexpr std::int32_t k_min_side = 16, k_max_side = 160;  // pixels on the side of a picture
 constexpr float k_paper = 0.15f, k_frame = 0.35f;
 
-// Digits of 3 x 5 dots, one row in three bits, for the numbers of the table.
-constexpr std::array<std::array<std::uint8_t, 5>, 10> k_digits = {{{7, 5, 5, 5, 7},
-                                                                   {2, 6, 2, 2, 7},
-                                                                   {7, 1, 7, 4, 7},
-                                                                   {7, 1, 3, 1, 7},
-                                                                   {5, 5, 7, 1, 1},
-                                                                   {7, 4, 7, 1, 7},
-                                                                   {7, 4, 7, 5, 7},
-                                                                   {7, 1, 2, 2, 2},
-                                                                   {7, 5, 7, 5, 7},
-                                                                   {7, 5, 7, 1, 7}}};
+// A character of 3 x 5 dots: five rows of three bits, the first row in the highest bits.
+struct Glyph {
+    char character;
+    std::uint16_t dots;
+};
+constexpr Glyph k_glyphs[] = {
+    {'A', 025755}, {'B', 065656}, {'C', 034443}, {'D', 065556}, {'E', 074647}, {'F', 074644}, {'G', 034553},
+    {'H', 055755}, {'I', 072227}, {'J', 011152}, {'K', 055655}, {'L', 044447}, {'M', 057755}, {'N', 065555},
+    {'O', 025552}, {'P', 065644}, {'Q', 025573}, {'R', 065655}, {'S', 034216}, {'T', 072222}, {'U', 055557},
+    {'V', 055552}, {'W', 055775}, {'X', 055255}, {'Y', 055222}, {'Z', 071247}, {'0', 075557}, {'1', 026227},
+    {'2', 071747}, {'3', 071717}, {'4', 055711}, {'5', 074717}, {'6', 074757}, {'7', 071222}, {'8', 075757},
+    {'9', 075717}, {'-', 000700}, {'_', 000007}, {'.', 000002}, {',', 000024}, {'/', 011244}, {'(', 012221},
+    {')', 042224}, {'+', 002720}, {'@', 025743}, {'?', 071202}};
+
+// Capitals stand for small letters, and "?" for characters that have no glyph. Spaces have no dots.
+std::uint16_t dots_of(char c) {
+    if (c == ' ') return 0;
+    if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
+    for (const Glyph& glyph : k_glyphs) {
+        if (glyph.character == c) return glyph.dots;
+    }
+    return dots_of('?');
+}
 
 void fill(Image& sheet, std::int32_t x, std::int32_t y, std::int32_t width, std::int32_t height,
           float value) {
@@ -44,17 +57,25 @@ void put_frame(Image& sheet, std::int32_t x, std::int32_t y, std::int32_t width,
     fill(sheet, x + 1, y + 1, width - 2, height - 2, k_paper);
 }
 
-// Draws a number with dots of two pixels if the cell is wide enough.
-void put_number(Image& sheet, int number, std::int32_t x, std::int32_t y, std::int32_t cell_width) {
-    const std::string text = std::to_string(number);
-    const std::int32_t dots = 4 * static_cast<std::int32_t>(text.size()) + 1,
-                       dot = 2 * dots <= cell_width ? 2 : 1;
-    fill(sheet, x, y, dot * dots, dot * 7, 0);
+// Writes a label with dots of two pixels if the cell is wide enough, else of one; what does not fit is cut
+// off.
+void put_label(Image& sheet, std::string_view label, std::int32_t x, std::int32_t y,
+               std::int32_t cell_width) {
+    std::string text;  // one "?" for each character that is not ASCII
+    for (const char c : label) {
+        if ((static_cast<unsigned char>(c) & 0xc0) != 0x80) text += c;
+    }
+    const auto width_of = [](std::size_t characters) {
+        return 4 * static_cast<std::int32_t>(characters) + 1;
+    };
+    const std::int32_t dot = 2 * width_of(text.size()) <= cell_width ? 2 : 1;
+    while (!text.empty() && dot * width_of(text.size()) > cell_width) text.pop_back();
+    fill(sheet, x, y, dot * width_of(text.size()), dot * 7, 0);
     for (std::size_t i = 0; i < text.size(); ++i) {
-        const auto& digit = k_digits[static_cast<std::size_t>(text[i] - '0')];
+        const std::uint16_t dots = dots_of(text[i]);
         for (std::int32_t row = 0; row < 5; ++row) {
             for (std::int32_t column = 0; column < 3; ++column) {
-                if ((digit[row] >> (2 - column) & 1) == 0) continue;
+                if ((dots >> (14 - 3 * row - column) & 1) == 0) continue;
                 fill(sheet, x + dot * (1 + column + 4 * static_cast<std::int32_t>(i)), y + dot * (1 + row),
                      dot, dot, 1);
             }
@@ -158,7 +179,7 @@ Image contact_sheet(const std::vector<SheetCell>& cells, const SheetLayout& layo
         if (cell.picture.rgb.empty()) put_frame(sheet, x, y, width, height);
         put(sheet, cell.picture, x, y);
         put(sheet, cell.difference, x, y + height + k_gap / 2);
-        if (cell.number >= 0) put_number(sheet, cell.number, x, y, width + k_gap);
+        if (!cell.label.empty()) put_label(sheet, cell.label, x, y, width + k_gap);
     };
     for (std::size_t i = 0; i < cells.size(); ++i) {
         const std::size_t row = i / grid.columns, column = i % grid.columns;

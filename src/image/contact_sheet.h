@@ -3,6 +3,7 @@
 // A sheet of many small pictures.
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "glint/image.h"
@@ -11,9 +12,9 @@ namespace glint {
 
 /// A picture, and below it its difference from the reference, both scaled down.
 struct SheetCell {
-    Image picture;     ///< without pixels: no picture was handed in; the cell is an empty frame
-    Image difference;  ///< without pixels: there is no difference
-    int number = 0;    ///< shown in the corner; negative: no number
+    Image picture;      ///< without pixels: no picture was handed in; the cell is an empty frame
+    Image difference;   ///< without pixels: there is no difference
+    std::string label;  ///< shown in the top left corner, in capitals; cut off at the width of the picture
 };
 
 /// The picture scaled down by averaging to at most `side` pixels in width and height; never enlarged.

@@ -36,6 +36,7 @@ class DocumentedRuns : public testing::TestWithParam<const char*> {};
 TEST_P(DocumentedRuns, PrintWhatTheySay) {
     const Folder folder;
     std::filesystem::create_symlink(GLINT_SOURCE "/scenes", folder.path("scenes"));
+    std::filesystem::create_symlink(GLINT_SOURCE "/docs", folder.path("docs"));
     std::ifstream file(std::string(GLINT_SOURCE "/") + GetParam());
     const Lines doc = lines_of({std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()});
     const std::string prompt = "    $ glint ";
@@ -62,7 +63,8 @@ TEST_P(DocumentedRuns, PrintWhatTheySay) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Docs, DocumentedRuns,
-                         testing::Values("README.md", "docs/explain.md", "docs/finding_out_why.md"));
+                         testing::Values("README.md", "docs/explain.md", "docs/finding_out_why.md",
+                                         "docs/teaching.md"));
 
 }  // namespace
 }  // namespace glint::test

@@ -242,6 +242,9 @@ TEST_F(Grade, BadInput) {
         EXPECT_TRUE(contains(r.err, message)) << r.err;
     }
     EXPECT_EQ(grade({"empty"}).code, 2);
+    const Finished tests = grade({"empty", "--scene", k_castle, "--gradescope", "r.json"});
+    EXPECT_EQ(tests.code, 2);
+    EXPECT_TRUE(contains(tests.err, "--gradescope needs --rubric FILE")) << tests.err;
     EXPECT_EQ(grade({"empty", "--reference", "right.png", "--rubric", k_rubric}).code, 2);
     EXPECT_EQ(grade({}).code, 2);
 }

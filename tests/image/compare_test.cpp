@@ -189,13 +189,34 @@ TEST(ContactSheet, HoldsItsCells) {
     const Image small = flat(7, 5, 1);
     EXPECT_EQ(scaled_down(small, 20).rgb, small.rgb);
     const std::vector<SheetCell> cells = {
-        {flat(30, 20, 0.5f), {}, 0}, {flat(30, 20, 0.5f), flat(30, 20, 1), 1234567890}, {{}, {}, 3}};
+        {flat(30, 20, 0.5f), {}, "0"},
+        {flat(30, 20, 0.5f), flat(30, 20, 1), "1234567890 a very long name \xc3\xa9"},
+        {{}, {}, "3 ada"}};
     for (const std::size_t columns : {1, 2, 3, 100}) {
         const Image sheet = contact_sheet(cells, {20, columns, 0});
         EXPECT_EQ(sheet.rgb.size(), std::size_t{3} * sheet.width * sheet.height);
         EXPECT_EQ(encode(sheet).message, "");
     }
     EXPECT_EQ(encode(contact_sheet({}, {20, 3, 0})).message, "");
+}
+
+// The dots of the first character of a label, row by row from the top left.
+std::string dots_of_label(const std::string& label) {
+    const Image sheet = contact_sheet({{flat(60, 40, 0.25f), {}, label}}, {60, 1, 0});
+    std::string dots;
+    for (int y = 0; y < 5; ++y) {
+        for (int x = 0; x < 3; ++x) dots += sheet.pixel(6 + 2 * (1 + x), 6 + 2 * (1 + y)).r > 0.5 ? '#' : '.';
+        dots += ' ';
+    }
+    return dots;
+}
+
+TEST(ContactSheet, LabelsAreText) {
+    EXPECT_EQ(dots_of_label("A1"), ".#. #.# ### #.# #.# ");
+    EXPECT_EQ(dots_of_label("a1"), dots_of_label("A1"));
+    EXPECT_EQ(dots_of_label("7"), "### ..# .#. .#. .#. ");
+    EXPECT_EQ(dots_of_label("\xc3\xa9t\xc3\xa9"), dots_of_label("?")) << "no glyph";
+    EXPECT_NE(dots_of_label("B"), dots_of_label("8"));
 }
 
 // As many cells as for a class of ten thousand, with the size that the layout asks for.
@@ -207,14 +228,14 @@ TEST(ContactSheet, IsNeverTooLargeForAFile) {
         ASSERT_TRUE(layout) << rows;
         EXPECT_EQ(layout->side, side) << rows;
         std::vector<SheetCell> cells((rows + 1) * 7);
-        for (SheetCell& cell : cells) cell = {flat(layout->side, layout->side, 0.5f), {}, 12345};
+        for (SheetCell& cell : cells) cell = {flat(layout->side, layout->side, 0.5f), {}, "12345"};
         const Image sheet = contact_sheet(cells, *layout);
         EXPECT_LE(std::max(sheet.width, sheet.height), k_sheet_side) << rows;
     }
     for (const std::size_t count : {1, 2, 30, 1000, 30000}) {
         const auto layout = lay_out_list(count);
         ASSERT_TRUE(layout) << count;
-        std::vector<SheetCell> cells(count, {flat(layout->side, layout->side, 0.5f), {}, 1});
+        std::vector<SheetCell> cells(count, {flat(layout->side, layout->side, 0.5f), {}, "1"});
         const Image sheet = contact_sheet(cells, *layout);
         EXPECT_LE(std::max(sheet.width, sheet.height), k_sheet_side) << count;
     }
@@ -224,7 +245,7 @@ TEST(ContactSheet, IsNeverTooLargeForAFile) {
 }
 
 TEST(ContactSheet, WhatIsMissingIsAFrame) {
-    const Image sheet = contact_sheet({{flat(20, 10, 1), {}, -1}, {{}, {}, -1}}, {20, 2, 0});
+    const Image sheet = contact_sheet({{flat(20, 10, 1), {}, ""}, {{}, {}, ""}}, {20, 2, 0});
     const auto at = [&](int x, int y) {
         return sheet.rgb[3 * static_cast<std::size_t>(y * sheet.width + x)];
     };
@@ -236,7 +257,7 @@ TEST(ContactSheet, WhatIsMissingIsAFrame) {
 
 TEST(ContactSheet, ALongTableGoesOnBesideItself) {
     std::vector<SheetCell> cells;  // a head and five rows of two columns
-    for (int i = 0; i < 12; ++i) cells.push_back({flat(20, 20, i < 2 ? 1.0f : 0.5f), {}, -1});
+    for (int i = 0; i < 12; ++i) cells.push_back({flat(20, 20, i < 2 ? 1.0f : 0.5f), {}, ""});
     const Image sheet = contact_sheet(cells, {20, 2, 3});
     ASSERT_EQ(sheet.height, 32 + 3 * 52 + 6);  // two blocks of three rows and two, each below the head
     ASSERT_EQ(sheet.width, 2 * (2 * 26 + 18) - 18 + 6);

@@ -50,7 +50,7 @@ _glint() {
                 *) kind=scene ;;
             esac ;;
         check)
-            options='-h --help --scene --format --profile --convention -s --size --shading --no-shadows --reflections --aa -t --threads --strict --json'
+            options='-h --help --scene --format --profile --convention -s --size --shading --no-shadows --reflections --aa -t --threads --strict --json -q --quiet'
             [[ $word == -* ]] || case $before in
                 --scene) return ;;
                 --format) words='cgfs epfl csc473 nff glint' ;;
@@ -122,7 +122,7 @@ _glint() {
                 *) kind=scene ;;
             esac ;;
         grade)
-            options='-h --help --reference --scene --scene-name --format --profile --convention -s --size --shading --no-shadows --reflections --aa --rubric --csv --json --sheet -t --threads -q --quiet'
+            options='-h --help --reference --scene --scene-name --format --profile --convention -s --size --shading --no-shadows --reflections --aa --rubric --csv --json --gradescope --sheet -t --threads -q --quiet'
             [[ $word == -* ]] || case $before in
                 --reference) kind=file ;;
                 --scene) kind=scene ;;
@@ -137,6 +137,7 @@ _glint() {
                 --rubric) kind=file ;;
                 --csv) kind=file ;;
                 --json) kind=file ;;
+                --gradescope) kind=file ;;
                 --sheet) kind=file ;;
                 -t|--threads) return ;;
                 *) kind=folder ;;

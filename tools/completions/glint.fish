@@ -68,6 +68,7 @@ complete -c glint -n '__fish_seen_subcommand_from check' -l aa -x -d 'N x N regu
 complete -c glint -n '__fish_seen_subcommand_from check' -s t -l threads -x -d 'Number of threads'
 complete -c glint -n '__fish_seen_subcommand_from check' -l strict -d 'Exit code 1 if there is any finding or warning'
 complete -c glint -n '__fish_seen_subcommand_from check' -l json -d 'Print the findings as a JSON array'
+complete -c glint -n '__fish_seen_subcommand_from check' -s q -l quiet -d 'No progress'
 complete -c glint -n '__fish_seen_subcommand_from explain' -s h -l help -d 'Print this help message and exit'
 complete -c glint -n '__fish_seen_subcommand_from explain' -F
 complete -c glint -n '__fish_seen_subcommand_from explain' -l scene -x -d 'The scene to use, if the file has several'
@@ -141,7 +142,8 @@ complete -c glint -n '__fish_seen_subcommand_from grade' -l aa -x -d 'N x N regu
 complete -c glint -n '__fish_seen_subcommand_from grade' -l rubric -r -F -d 'Lines of PART POINTS FILE [KEY=VALUE...] (docs/teaching.md): points per part'
 complete -c glint -n '__fish_seen_subcommand_from grade' -l csv -r -F -d 'Write the table as CSV'
 complete -c glint -n '__fish_seen_subcommand_from grade' -l json -r -F -d 'Write all figures and causes as JSON'
-complete -c glint -n '__fish_seen_subcommand_from grade' -l sheet -r -F -d 'Write a PNG of all pictures, each above four times its difference, numbered as in the table'
+complete -c glint -n '__fish_seen_subcommand_from grade' -l gradescope -r -F -d 'Write Gradescope\'s results.json'
+complete -c glint -n '__fish_seen_subcommand_from grade' -l sheet -r -F -d 'Write a PNG of all pictures, each above four times its difference, with the table\'s numbers and names'
 complete -c glint -n '__fish_seen_subcommand_from grade' -s t -l threads -x -d 'Number of threads'
 complete -c glint -n '__fish_seen_subcommand_from grade' -s q -l quiet -d 'No warnings and no progress'
 complete -c glint -n '__fish_seen_subcommand_from join' -s h -l help -d 'Print this help message and exit'

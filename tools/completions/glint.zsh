@@ -85,7 +85,8 @@ _glint() {
                 '--aa[N x N regular samples per pixel]:N: ' \
                 '(-t --threads)'{-t,--threads}'[Number of threads]:N: ' \
                 '--strict[Exit code 1 if there is any finding or warning]' \
-                '--json[Print the findings as a JSON array]' ;;
+                '--json[Print the findings as a JSON array]' \
+                '(-q --quiet)'{-q,--quiet}'[No progress]' ;;
         explain)
             _arguments \
                 '(-h --help)'{-h,--help}'[Print this help message and exit]' \
@@ -167,7 +168,8 @@ _glint() {
                 '--rubric[Lines of PART POINTS FILE \[KEY=VALUE...\] (docs/teaching.md): points per part]:FILE:_files' \
                 '--csv[Write the table as CSV]:OUT:_files' \
                 '--json[Write all figures and causes as JSON]:OUT:_files' \
-                '--sheet[Write a PNG of all pictures, each above four times its difference, numbered as in the table]:OUT.png:_files' \
+                '--gradescope[Write Gradescope'\''s results.json]:OUT:_files' \
+                '--sheet[Write a PNG of all pictures, each above four times its difference, with the table'\''s numbers and names]:OUT.png:_files' \
                 '(-t --threads)'{-t,--threads}'[Number of threads]:N: ' \
                 '(-q --quiet)'{-q,--quiet}'[No warnings and no progress]' ;;
         join)

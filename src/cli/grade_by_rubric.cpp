@@ -1,0 +1,256 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/grade_by_rubric.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <memory>
+#include <numeric>
+
+#include "base/text.h"
+#include "cli/failure.h"
+#include "cli/picture_file.h"
+#include "grade/part_renderer.h"
+
+namespace glint::cli {
+namespace {
+
+constexpr std::size_t k_batch = 32;  // pictures in memory at a time
+
+using Wanted = std::shared_ptr<const WantedPicture>;
+
+// A picture that does not get all points.
+struct Faulty {
+    std::size_t submission = 0;
+    Image picture;
+    Wanted judged_by;  // the picture with the faults of earlier parts; null: the plain one
+};
+
+class RubricGrader {
+  public:
+    RubricGrader(const RubricGrading& grading, GradeSheet& sheet)
+        : g_(grading),
+          sheet_(sheet),
+          renderer_(grading.scene, grading.threads),
+          chains_(grading.submissions.size()) {
+        for (const Submission& s : g_.submissions)
+            graded_.push_back({s.name, std::vector<GradedPart>(g_.rows.size())});
+    }
+
+    std::vector<GradedSubmission> run() {
+        for (std::size_t k = 0; k < g_.rows.size(); ++k) {
+            const std::size_t same = first_like(k);
+            if (same < k)
+                copy_part(same, k);
+            else
+                grade_part(k);
+            with_faults_.clear();
+        }
+        return std::move(graded_);
+    }
+
+  private:
+    std::size_t cell(std::size_t submission, std::size_t k) const {
+        return (submission + 1) * g_.rows.size() + k;
+    }
+
+    // The first row with the same pictures.
+    std::size_t first_like(std::size_t k) const {
+        const RubricRow& row = g_.rows[k];
+        const auto is_like = [&](const RubricRow& r) {
+            return r.file == row.file && r.settings == row.settings && r.without == row.without;
+        };
+        return static_cast<std::size_t>(std::find_if(g_.rows.begin(), g_.rows.end(), is_like) -
+                                        g_.rows.begin());
+    }
+
+    void copy_part(std::size_t from, std::size_t to) {
+        sheet_.copy(from, to);
+        for (std::size_t i = 0; i < graded_.size(); ++i) {
+            GradedPart& part = graded_[i].parts[to];
+            part = graded_[i].parts[from];
+            const double factor = g_.rows[to].points / g_.rows[from].points;
+            part.score.points *= factor;
+            part.points_alone *= factor;
+            sheet_.copy(cell(i, from), cell(i, to));
+        }
+    }
+
+    void grade_part(std::size_t k) {
+        const RubricRow& row = g_.rows[k];
+        const WantedPicture plain = renderer_.render(row);
+        if (!plain.error.empty())
+            throw Failure(k_bad_input, fmt::format("{}:{}: part {}: {}", g_.rubric, row.line,
+                                                   glint::quoted(row.part), plain.error));
+        sheet_.put(k, plain.image);
+        const std::size_t count = graded_.size();
+        for (std::size_t first = 0; first < count; first += k_batch) {
+            const std::size_t last = std::min(first + k_batch, count);
+            std::map<Wanted, std::vector<Faulty>> groups;
+            for (std::size_t i = first; i < last; ++i) {
+                if (auto faulty = grade_one(i, k, plain))
+                    groups[faulty->judged_by].push_back(*std::move(faulty));
+            }
+            std::size_t done = 0, all = 0;
+            for (const auto& [judged_by, group] : groups) all += group.size();
+            for (auto& [judged_by, group] : groups) {
+                const double start = static_cast<double>(first) + share(last - first, done, all),
+                             part = share(last - first, group.size(), all);
+                find_causes_of(group, k, plain, [&](double fraction) { report(k, start + fraction * part); });
+                done += group.size();
+            }
+            report(k, static_cast<double>(last));
+        }
+    }
+
+    static double share(std::size_t whole, std::size_t part, std::size_t of) {
+        return static_cast<double>(whole) * static_cast<double>(part) / static_cast<double>(of);
+    }
+    void report(std::size_t k, double submissions) const {
+        g_.progress((static_cast<double>(k) + submissions / static_cast<double>(graded_.size())) /
+                    static_cast<double>(g_.rows.size()));
+    }
+
+    // The picture, if its causes are to be searched.
+    std::optional<Faulty> grade_one(std::size_t i, std::size_t k, const WantedPicture& plain) {
+        const RubricRow& row = g_.rows[k];
+        GradedPart& part = graded_[i].parts[k];
+        FoundFile found = find_file(g_.submissions[i], row.file);
+        part.path = std::move(found.path);
+        part.error = std::move(found.error);
+        if (!part.error.empty()) return std::nullopt;
+        Result<DecodedImage> read = try_picture(part.path);
+        if (!read) {
+            part.error = read.message;
+            return std::nullopt;
+        }
+        Faulty faulty{i, std::move(read->image), nullptr};
+        part.error = size_fault(faulty.picture, plain.image);
+        if (!part.error.empty()) {
+            sheet_.put(cell(i, k), faulty.picture);
+            return std::nullopt;
+        }
+        part.score = grade(faulty.picture, plain, row.points, g_.threads);
+        part.points_alone = part.score.points;
+        sheet_.put(cell(i, k), faulty.picture, plain.image);
+        if (part.score.points < row.points && !chains_[i].empty()) {
+            const Wanted with_faults = judge_with(chains_[i], faulty.picture, i, k, plain);
+            if (with_faults && with_faults->has_scene) faulty.judged_by = with_faults;
+        }
+        if (part.score.points >= row.points || part.score.not_finite > 0) return std::nullopt;
+        return faulty;
+    }
+
+    // The row's picture with the faults: the same for all students with equal faults.
+    Wanted render_with(const FaultChain& chain, const Image& picture, std::size_t k) {
+        const auto render = [&]() -> Wanted {
+            auto made = renderer_.render(g_.rows[k], chain, picture);
+            return made ? std::make_shared<WantedPicture>(*std::move(made)) : nullptr;
+        };
+        if (chain.needs_picture()) return render();
+        const auto [at, is_new] = with_faults_.try_emplace(chain.key());
+        if (is_new) at->second = render();
+        return at->second;
+    }
+
+    // Judges the part by the picture with the faults if that gives more points, or as many and more right
+    // pixels, and returns that picture.
+    Wanted judge_with(const FaultChain& chain, const Image& picture, std::size_t i, std::size_t k,
+                      const WantedPicture& plain) {
+        const Wanted wanted = render_with(chain, picture, k);
+        if (!wanted || !still_shows(*wanted, plain)) return nullptr;
+        GradedPart& part = graded_[i].parts[k];
+        const PartScore score = grade(picture, *wanted, g_.rows[k].points, g_.threads);
+        const bool is_better = score.points > part.score.points ||
+                               (score.points == part.score.points && score.share > part.score.share);
+        if (!is_better) return nullptr;
+        part.score = score;
+        part.followed.clear();
+        for (const NamedFault& fault : chain.faults) part.followed.push_back(fault.cause.name);
+        return wanted;
+    }
+
+    void find_causes_of(std::vector<Faulty>& group, std::size_t k, const WantedPicture& plain,
+                        const std::function<void(double)>& progress) {
+        const Wanted judged_by = group.front().judged_by;
+        const WantedPicture& wanted = judged_by ? *judged_by : plain;
+        std::vector<Image> pictures;
+        for (Faulty& faulty : group) pictures.push_back(std::move(faulty.picture));
+        CauseOptions options;
+        options.threads = g_.threads;
+        options.progress = progress;
+        auto reports = find_faults(pictures, wanted.image, &wanted.scene, options);
+        for (std::size_t n = 0; n < reports.size(); ++n) {
+            if (!reports[n] || reports[n]->report.causes.empty()) continue;
+            const std::size_t i = group[n].submission;
+            GradedPart& part = graded_[i].parts[k];
+            part.cause = reports[n]->report.causes.front();
+            part.then = reports[n]->report.then;
+            adopt(reports[n]->faults, judged_by != nullptr, pictures[n], i, k, plain);
+        }
+    }
+
+    // Whether the picture is right by the row's picture with the faults.
+    bool is_explained(const FaultChain& chain, const Image& picture, std::size_t k) {
+        const Wanted wanted = render_with(chain, picture, k);
+        return wanted && grade(picture, *wanted, 1, g_.threads).share >= k_full_share;
+    }
+
+    // Takes the faults that were found in part k for those of the student's program. A fault that has cost an
+    // earlier part its points does not cost this one.
+    void adopt(const std::vector<NamedFault>& faults, bool found_with_chain, const Image& picture,
+               std::size_t i, std::size_t k, const WantedPicture& plain) {
+        if (faults.empty()) return;
+        FaultChain& chain = chains_[i];
+        const FaultChain alone{faults, renderer_.lights_of(g_.rows[k])};
+        FaultChain both = chain;
+        both.faults.insert(both.faults.end(), faults.begin(), faults.end());
+        const bool may_join = chain.empty() || found_with_chain ||
+                              (chain.lights == alone.lights && renderer_.keeps_lights(chain));
+        if (chain.empty()) both = alone;
+        if (may_join && is_explained(both, picture, k)) {
+            chain = std::move(both);
+        } else if (is_explained(alone, picture, k)) {
+            chain = alone;
+        } else if (may_join && !faults.front().cause.perhaps) {
+            chain = std::move(both);
+        } else {
+            return;
+        }
+        if (has_cost_earlier_part(alone, picture, i, k)) judge_with(chain, picture, i, k, plain);
+    }
+
+    // Whether the faults alone would have cost an earlier part all its points, which was not handed in.
+    bool has_cost_earlier_part(const FaultChain& chain, const Image& picture, std::size_t i, std::size_t k) {
+        for (std::size_t j = 0; j < k; ++j) {
+            const GradedPart& part = graded_[i].parts[j];
+            if (!part.path.empty() || part.error.empty()) continue;
+            const auto [at, is_new] = costs_all_.try_emplace({j, chain.key()}, false);
+            if (is_new) {
+                const auto with_faults = renderer_.render(g_.rows[j], chain, picture);
+                at->second =
+                    with_faults &&
+                    grade(with_faults->image, renderer_.render(g_.rows[j]), 1, g_.threads).points == 0;
+            }
+            if (at->second) return true;
+        }
+        return false;
+    }
+
+    const RubricGrading& g_;
+    GradeSheet& sheet_;
+    const PartRenderer renderer_;
+    std::vector<GradedSubmission> graded_;
+    std::vector<FaultChain> chains_;             // by submission
+    std::map<std::string, Wanted> with_faults_;  // of this part, by the chain's key
+    std::map<std::pair<std::size_t, std::string>, bool> costs_all_;
+};
+
+}  // namespace
+
+std::vector<GradedSubmission> grade_by_rubric(const RubricGrading& grading, GradeSheet& sheet) {
+    return RubricGrader(grading, sheet).run();
+}
+
+}  // namespace glint::cli
