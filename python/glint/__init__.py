@@ -1,0 +1,47 @@
+# SPDX-License-Identifier: Apache-2.0
+"""glint: a deterministic Phong and Blinn-Phong ray tracer for learning and teaching.
+
+    import glint
+
+    scene = glint.load("castle.json")
+    scene.lights[0].intensity *= 2
+    scene.render(size=(640, 480)).save("castle.png")
+
+docs/python.md is the guide.
+"""
+
+from ._errors import GlintError, GlintWarning
+from ._glint import (
+    Box,
+    Camera,
+    CameraFrame,
+    Cone,
+    Cylinder,
+    Diagnostic,
+    Disc,
+    Light,
+    Material,
+    Plane,
+    Polygon,
+    Shape,
+    SmoothTriangle,
+    Sphere,
+    Triangle,
+    isa_names,
+)
+from ._glint import version as __version__
+from ._grading import Graded, GradedPart, grade
+from ._image import Image
+from ._reports import Comparison, Explanation, Record
+from ._scene import Hits, Scene
+from ._settings import profiles, setting_infos
+from ._tools import Finding, Versus, check, compare, convert, explain, load, loads, versus
+from ._values import Attenuation, Color, ColorLike, Vec3, VectorLike
+
+__all__ = [
+    "Attenuation", "Box", "Camera", "CameraFrame", "Color", "ColorLike", "Comparison", "Cone", "Cylinder",
+    "Diagnostic", "Disc", "Explanation", "Finding", "GlintError", "GlintWarning", "Graded", "GradedPart", "Hits",
+    "Image", "Light", "Material", "Plane", "Polygon", "Record", "Scene", "Shape", "SmoothTriangle", "Sphere",
+    "Triangle", "Vec3", "VectorLike", "Versus", "check", "compare", "convert", "explain", "grade", "isa_names",
+    "load", "loads", "profiles", "setting_infos", "versus",
+]

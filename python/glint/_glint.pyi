@@ -1,0 +1,396 @@
+# SPDX-License-Identifier: Apache-2.0
+# Types of the extension module. The fields of lights, materials and cameras are those of src/scene/*_fields.h;
+# a test compares this file with the module.
+from typing import Any, Callable, Dict, List, Optional, Sequence, Tuple
+
+import numpy as np
+import numpy.typing as npt
+
+from ._values import Attenuation, Color, ColorLike, Vec3, VectorLike
+
+version: str
+_Report = Optional[Callable[[float], object]]
+_Settings = Sequence[Tuple[str, str]]
+
+# Attributes that take more than they give: any three numbers, and give a Vec3 or a Color.
+class _VectorField:
+    def __get__(self, owner: object, kind: Optional[type] = ...) -> Vec3: ...
+    def __set__(self, owner: object, value: VectorLike) -> None: ...
+
+class _ColorField:
+    def __get__(self, owner: object, kind: Optional[type] = ...) -> Color: ...
+    def __set__(self, owner: object, value: ColorLike) -> None: ...
+
+class _AttenuationField:
+    def __get__(self, owner: object, kind: Optional[type] = ...) -> Attenuation: ...
+    def __set__(self, owner: object, value: VectorLike) -> None: ...
+
+class _OptionalVectorField:
+    def __get__(self, owner: object, kind: Optional[type] = ...) -> Optional[Vec3]: ...
+    def __set__(self, owner: object, value: Optional[VectorLike]) -> None: ...
+
+class _PointsField:
+    def __get__(self, owner: object, kind: Optional[type] = ...) -> npt.NDArray[np.float64]: ...
+    def __set__(self, owner: object, value: Any) -> None: ...
+
+class _MatrixField:
+    def __get__(self, owner: object, kind: Optional[type] = ...) -> Optional[npt.NDArray[np.float64]]: ...
+    def __set__(self, owner: object, value: Any) -> None: ...
+
+class Diagnostic:
+    @property
+    def severity(self) -> str: ...
+    @property
+    def file(self) -> str: ...
+    @property
+    def line(self) -> int: ...
+    @property
+    def column(self) -> int: ...
+    @property
+    def message(self) -> str: ...
+    @property
+    def item(self) -> str: ...
+
+class Light:
+    def __init__(
+        self,
+        kind: str = ...,
+        *,
+        name: str = ...,
+        intensity: float = ...,
+        color: ColorLike = ...,
+        specular_color: ColorLike = ...,
+        position: VectorLike = ...,
+        to_light: VectorLike = ...,
+        attenuation: VectorLike = ...,
+    ) -> None: ...
+    name: str
+    kind: str
+    intensity: float
+    color: _ColorField
+    specular_color: _ColorField
+    position: _VectorField
+    to_light: _VectorField
+    attenuation: _AttenuationField
+    def __eq__(self, other: object) -> bool: ...
+    def __copy__(self) -> Light: ...
+    def __deepcopy__(self, memo: Dict[Any, Any]) -> Light: ...
+    __hash__: None  # type: ignore[assignment]
+
+class Material:
+    def __init__(
+        self,
+        *,
+        name: str = ...,
+        color: ColorLike = ...,
+        ambient: ColorLike = ...,
+        diffuse: ColorLike = ...,
+        specular: ColorLike = ...,
+        shininess: float = ...,
+        mirror: float = ...,
+        mirror_tint: ColorLike = ...,
+        transmission: float = ...,
+        transmission_tint: ColorLike = ...,
+        ior: float = ...,
+    ) -> None: ...
+    name: str
+    color: _ColorField
+    ambient: _ColorField
+    diffuse: _ColorField
+    specular: _ColorField
+    shininess: float
+    mirror: float
+    mirror_tint: _ColorField
+    transmission: float
+    transmission_tint: _ColorField
+    ior: float
+    def __eq__(self, other: object) -> bool: ...
+    def __copy__(self) -> Material: ...
+    def __deepcopy__(self, memo: Dict[Any, Any]) -> Material: ...
+    __hash__: None  # type: ignore[assignment]
+
+class CameraFrame:
+    def __init__(self, *, right: VectorLike = ..., up: VectorLike = ..., forward: VectorLike = ...) -> None: ...
+    right: _VectorField
+    up: _VectorField
+    forward: _VectorField
+    def __eq__(self, other: object) -> bool: ...
+    def __copy__(self) -> CameraFrame: ...
+    def __deepcopy__(self, memo: Dict[Any, Any]) -> CameraFrame: ...
+    __hash__: None  # type: ignore[assignment]
+
+class Camera:
+    def __init__(
+        self,
+        *,
+        position: VectorLike = ...,
+        look_at: VectorLike = ...,
+        up: VectorLike = ...,
+        fov: float = ...,
+        width: float = ...,
+        lighting_eye: Optional[VectorLike] = ...,
+        projection: str = ...,
+        fov_axis: str = ...,
+        frame: Optional[CameraFrame] = ...,
+    ) -> None: ...
+    position: _VectorField
+    look_at: _VectorField
+    up: _VectorField
+    fov: float
+    width: float
+    lighting_eye: _OptionalVectorField
+    projection: str
+    fov_axis: str
+    frame: Optional[CameraFrame]
+    def __eq__(self, other: object) -> bool: ...
+    def __copy__(self) -> Camera: ...
+    def __deepcopy__(self, memo: Dict[Any, Any]) -> Camera: ...
+    __hash__: None  # type: ignore[assignment]
+
+class Shape:
+    material: Optional[Material]
+    transform: _MatrixField
+    name: str
+    @property
+    def kind(self) -> str: ...
+    def __eq__(self, other: object) -> bool: ...
+    def __copy__(self) -> Shape: ...
+    def __deepcopy__(self, memo: Dict[Any, Any]) -> Shape: ...
+    __hash__: None  # type: ignore[assignment]
+
+class Sphere(Shape):
+    def __init__(
+        self,
+        center: VectorLike = ...,
+        radius: float = ...,
+        *,
+        material: Optional[Material] = ...,
+        transform: Any = ...,
+        name: str = ...,
+    ) -> None: ...
+    center: _VectorField
+    radius: float
+
+class Plane(Shape):
+    def __init__(
+        self,
+        point: VectorLike = ...,
+        normal: VectorLike = ...,
+        *,
+        material: Optional[Material] = ...,
+        transform: Any = ...,
+        name: str = ...,
+    ) -> None: ...
+    point: _VectorField
+    normal: _VectorField
+
+class Cylinder(Shape):
+    def __init__(
+        self,
+        from_: VectorLike = ...,
+        to: VectorLike = ...,
+        radius: float = ...,
+        caps: bool = ...,
+        *,
+        material: Optional[Material] = ...,
+        transform: Any = ...,
+        name: str = ...,
+    ) -> None: ...
+    from_: _VectorField
+    to: _VectorField
+    radius: float
+    caps: bool
+
+class Cone(Shape):
+    def __init__(
+        self,
+        from_: VectorLike = ...,
+        to: VectorLike = ...,
+        from_radius: float = ...,
+        to_radius: float = ...,
+        caps: bool = ...,
+        *,
+        material: Optional[Material] = ...,
+        transform: Any = ...,
+        name: str = ...,
+    ) -> None: ...
+    from_: _VectorField
+    to: _VectorField
+    from_radius: float
+    to_radius: float
+    caps: bool
+
+class Disc(Shape):
+    def __init__(
+        self,
+        center: VectorLike = ...,
+        normal: VectorLike = ...,
+        radius: float = ...,
+        *,
+        material: Optional[Material] = ...,
+        transform: Any = ...,
+        name: str = ...,
+    ) -> None: ...
+    center: _VectorField
+    normal: _VectorField
+    radius: float
+
+class Box(Shape):
+    def __init__(
+        self,
+        min: VectorLike = ...,
+        max: VectorLike = ...,
+        *,
+        material: Optional[Material] = ...,
+        transform: Any = ...,
+        name: str = ...,
+    ) -> None: ...
+    min: _VectorField
+    max: _VectorField
+
+class Triangle(Shape):
+    def __init__(
+        self, vertices: Any = ..., *, material: Optional[Material] = ..., transform: Any = ..., name: str = ...
+    ) -> None: ...
+    vertices: _PointsField
+
+class SmoothTriangle(Shape):
+    def __init__(
+        self,
+        vertices: Any = ...,
+        normals: Any = ...,
+        *,
+        material: Optional[Material] = ...,
+        transform: Any = ...,
+        name: str = ...,
+    ) -> None: ...
+    vertices: _PointsField
+    normals: _PointsField
+
+class Polygon(Shape):
+    def __init__(
+        self, vertices: Any, *, material: Optional[Material] = ..., transform: Any = ..., name: str = ...
+    ) -> None: ...
+    vertices: _PointsField
+
+class Rendering:
+    def __init__(self, array: npt.NDArray[np.float32]) -> None: ...
+    @staticmethod
+    def decode(data: bytes) -> Rendering: ...
+    @property
+    def width(self) -> int: ...
+    @property
+    def height(self) -> int: ...
+    @property
+    def isa(self) -> str: ...
+    @property
+    def threads(self) -> int: ...
+    @property
+    def rays(self) -> Dict[str, int]: ...
+    def array(self) -> npt.NDArray[np.float32]: ...
+    def layer_names(self) -> List[str]: ...
+    def layer(self, name: str) -> npt.NDArray[np.float32]: ...
+    def viewable(self, name: str) -> Rendering: ...
+    def copy(self) -> Rendering: ...
+    def encode(self, format: str, bits: int, transfer: str) -> bytes: ...
+
+class SceneState:
+    def __init__(self) -> None: ...
+    def light_count(self) -> int: ...
+    def light(self, index: int) -> Light: ...
+    def light_named(self, name: str) -> Light: ...
+    def set_lights(self, lights: List[Light]) -> None: ...
+    def add_light(self, light: Light) -> int: ...
+    def material_count(self) -> int: ...
+    def material(self, index: int) -> Material: ...
+    def material_named(self, name: str) -> Material: ...
+    def set_material(self, index: int, material: Material) -> None: ...
+    def add_material(self, material: Material) -> int: ...
+    def shape_count(self) -> int: ...
+    def shape(self, index: int) -> Shape: ...
+    def shape_named(self, name: str) -> Shape: ...
+    def set_shape(self, index: int, shape: Shape) -> None: ...
+    def remove_shapes(self, shapes: List[int]) -> None: ...
+    def add_shape(self, shape: Shape) -> int: ...
+    def get_setting(self, key: str) -> str: ...
+    def set_setting(self, key: str, value: str) -> None: ...
+    def apply_profile(self, name: str) -> None: ...
+    @property
+    def profile(self) -> str: ...
+    @property
+    def files(self) -> List[str]: ...
+    background: _ColorField
+    camera: Camera
+    def add_spheres(self, centers: Any, radii: Any, colors: Any, material: Optional[Material]) -> range: ...
+    def add_cylinders(
+        self, from_: Any, to: Any, radii: Any, colors: Any, material: Optional[Material], caps: bool
+    ) -> range: ...
+    def add_triangles(
+        self, vertices: Any, faces: Any, normals: Any, colors: Any, material: Optional[Material]
+    ) -> range: ...
+    def cast_rays(
+        self, origins: Any, directions: Any, t_min: float, t_max: float, progress: _Report
+    ) -> Tuple[
+        npt.NDArray[np.float64], npt.NDArray[np.int64], npt.NDArray[np.float64], npt.NDArray[np.float64]
+    ]: ...
+    def load_texts(
+        self,
+        texts: Sequence[Tuple[str, bytes, str]],
+        scene_name: str,
+        profile: str,
+        profile_text: Optional[Tuple[str, bytes]],
+        settings: _Settings,
+        read: Callable[[str, str], bytes],
+        progress: _Report,
+    ) -> None: ...
+    def render(
+        self,
+        settings: _Settings,
+        layers: List[str],
+        crop: Optional[Tuple[int, int, int, int]],
+        threads: int,
+        isa: str,
+        progress: _Report,
+    ) -> Rendering: ...
+    def explain(
+        self, x: int, y: int, settings: _Settings, sample: Optional[int], progress: _Report
+    ) -> Tuple[str, str]: ...
+    def check(self, progress: _Report) -> List[Tuple[str, Diagnostic, str, str]]: ...
+    def write_glint(self) -> str: ...
+    def validate(self) -> List[Diagnostic]: ...
+    def equals(self, other: SceneState) -> bool: ...
+    def copy_from(self, other: SceneState) -> None: ...
+
+class RubricPart:
+    @property
+    def name(self) -> str: ...
+    @property
+    def points(self) -> float: ...
+    @property
+    def file(self) -> str: ...
+    def wanted(self) -> Rendering: ...
+    def grade(self, picture: Rendering) -> Tuple[float, float, float]: ...
+    def causes(self, pictures: List[Rendering], progress: _Report) -> List[Optional[Tuple[str, str, float]]]: ...
+
+def isa_names() -> List[str]: ...
+def formats() -> List[Tuple[str, str, str]]: ...
+def check_kinds() -> Dict[str, str]: ...
+def setting_keys() -> List[Tuple[str, str, str, bool]]: ...
+def profile_names() -> List[str]: ...
+def layer_infos() -> List[Tuple[str, str, str]]: ...
+def compare(
+    a: Rendering,
+    b: Rendering,
+    name_a: str,
+    name_b: str,
+    scene: Optional[SceneState],
+    causes: bool,
+    as_floats: bool,
+    within: float,
+    progress: _Report,
+) -> Tuple[str, str]: ...
+def difference(a: Rendering, b: Rendering, gain: float) -> Rendering: ...
+def find_causes(
+    pictures: List[Rendering], reference: Rendering, scene: Optional[SceneState], progress: _Report
+) -> List[Optional[Tuple[str, str, float]]]: ...
+def rubric_parts(scene: SceneState, name: str, text: bytes, progress: _Report) -> List[RubricPart]: ...

@@ -1,0 +1,159 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Pictures."""
+
+from __future__ import annotations
+
+import os
+from typing import Any, Dict, Iterator, List, Mapping, Optional, Tuple, Union
+
+import numpy as np
+import numpy.typing as npt
+
+from . import _glint
+
+FloatArray = npt.NDArray[np.float32]
+PathLike = Union[str, "os.PathLike[str]"]
+
+
+class _Layers(Mapping[str, FloatArray]):
+    def __init__(self, rendering: _glint.Rendering) -> None:
+        self._rendering = rendering
+
+    def __getitem__(self, name: str) -> FloatArray:
+        return self._rendering.layer(name)
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._rendering.layer_names())
+
+    def __len__(self) -> int:
+        return len(self._rendering.layer_names())
+
+
+class Image:
+    """A picture: linear RGB floats, row by row from the top.
+
+    Image(array) copies height x width x 3 (or 4) numbers, or height x width greys; of integers, the type's
+    largest is 1. A PIL image is accepted as well. Image.open() reads a PNG, PPM, JPEG or OpenEXR file.
+    """
+
+    def __init__(self, picture: Any) -> None:
+        self._rendering = _glint.Rendering(_to_array(picture))
+
+    @classmethod
+    def _of(cls, rendering: _glint.Rendering) -> Image:
+        image = cls.__new__(cls)
+        image._rendering = rendering
+        return image
+
+    @classmethod
+    def open(cls, path: PathLike) -> Image:
+        """The picture of a file. Integers v are v / maximum; gamma is not decoded."""
+        with open(path, "rb") as file:
+            return cls._of(_glint.Rendering.decode(file.read()))
+
+    @property
+    def array(self) -> FloatArray:
+        """A view of the picture's floats, (height, width, 3), without a copy. Values are not limited to 1."""
+        return self._rendering.array()
+
+    def __array__(self, dtype: Optional[npt.DTypeLike] = None) -> npt.NDArray[Any]:
+        return self.array if dtype is None else self.array.astype(dtype)
+
+    @property
+    def width(self) -> int:
+        """In pixels."""
+        return self._rendering.width
+
+    @property
+    def height(self) -> int:
+        """In pixels."""
+        return self._rendering.height
+
+    @property
+    def size(self) -> Tuple[int, int]:
+        """(width, height) in pixels."""
+        return self.width, self.height
+
+    @property
+    def layers(self) -> Mapping[str, FloatArray]:
+        """The layers that render(aov=...) was asked for, by name: views of (height, width, channels)."""
+        return _Layers(self._rendering)
+
+    def viewable(self, layer: str) -> Image:
+        """A layer as a picture to look at: normals as colors, depth from white to dark."""
+        return Image._of(self._rendering.viewable(layer))
+
+    @property
+    def rays(self) -> Dict[str, int]:
+        """How many rays were traced: camera, shadow, mirror, transmitted, and cut ones, which were not."""
+        return self._rendering.rays
+
+    @property
+    def isa(self) -> str:
+        """The instruction set that it was rendered with; the picture does not depend on it."""
+        return self._rendering.isa
+
+    def to_bytes(self, format: str = "png", *, bits: int = 8, transfer: str = "none") -> bytes:
+        """The bytes of a file: 'png', 'ppm' or 'exr'. bits: 8 or 16 a channel; transfer: 'none' or 'srgb'."""
+        return self._rendering.encode(format, bits, transfer)
+
+    def save(self, path: PathLike, *, bits: int = 8, transfer: str = "none") -> None:
+        """Writes .png, .ppm or .exr; an .exr holds the layers, too."""
+        name = os.fspath(path)
+        ending = os.path.splitext(name)[1].lower()
+        if ending not in (".png", ".ppm", ".exr"):
+            raise ValueError(f"{name!r}: glint writes .png, .ppm and .exr")
+        content = self.to_bytes(ending[1:], bits=bits, transfer=transfer)
+        with open(name, "wb") as file:
+            file.write(content)
+
+    def to_pil(self) -> Any:
+        """The same picture for PIL, with 8 bits a channel."""
+        import io
+
+        import PIL.Image  # type: ignore[import]
+
+        return PIL.Image.open(io.BytesIO(self.to_bytes()))
+
+    def _repr_png_(self) -> bytes:
+        return self.to_bytes()
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Image) and np.array_equal(self.array, other.array)
+
+    __hash__ = None  # type: ignore[assignment]
+
+    def __copy__(self) -> Image:
+        return Image._of(self._rendering.copy())
+
+    def __deepcopy__(self, memo: Dict[int, Any]) -> Image:
+        return self.__copy__()
+
+    def __repr__(self) -> str:
+        layers: List[str] = self._rendering.layer_names()
+        return f"<glint.Image {self.width}x{self.height}{', layers ' + ', '.join(layers) if layers else ''}>"
+
+
+def _to_array(picture: Any) -> FloatArray:
+    if not isinstance(picture, np.ndarray) and hasattr(picture, "convert") and hasattr(picture, "mode"):
+        picture = picture.convert("RGB")  # PIL's
+    array = np.asarray(picture)
+    if array.dtype.kind in "ui":
+        array = array.astype(np.float32) / np.float32(np.iinfo(array.dtype).max)
+    if array.ndim == 2:
+        array = np.repeat(array[:, :, np.newaxis], 3, axis=2)
+    if array.ndim == 3 and array.shape[2] == 4:
+        array = array[:, :, :3]
+    if array.ndim != 3 or array.shape[2] != 3:
+        shape = " x ".join(map(str, array.shape))
+        raise ValueError(f"a picture is an array of height x width x 3 numbers, found {shape or 'one number'}")
+    return np.ascontiguousarray(array, dtype=np.float32)
+
+
+def to_image(picture: Any) -> Image:
+    """Of an Image, the path of a file, a PIL image or an array."""
+    if isinstance(picture, Image):
+        return picture
+    if isinstance(picture, (str, os.PathLike)):
+        return Image.open(picture)
+    return Image(picture)

@@ -1,0 +1,336 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The scene."""
+
+from __future__ import annotations
+
+import dataclasses
+from typing import Any, Dict, Iterable, List, Mapping, Optional, Sequence, Tuple, TypeVar, Union, overload
+
+import numpy as np
+import numpy.typing as npt
+
+from . import _accept, _glint
+from ._glint import Camera, Light, Material, Shape
+from ._image import Image
+from ._lists import Lights, Materials, Shapes
+from ._progress import Progress, reporting
+from ._settings import Settings, to_list
+from ._values import Color, ColorLike
+
+Added = TypeVar("Added", bound=Union[Light, Material, Shape])
+Arrays = Any
+"""Numbers as NumPy arrays or what NumPy makes arrays of."""
+
+
+@dataclasses.dataclass(frozen=True)
+class Hits:
+    """What rays hit first, by ray."""
+
+    t: npt.NDArray[np.float64]
+    """(N,): the hit is at origin + t direction; infinity if there is none."""
+    shape: npt.NDArray[np.int64]
+    """(N,): an index in scene.shapes; -1 if there is no hit."""
+    point: npt.NDArray[np.float64]
+    """(N, 3): the hit; NaN if there is none."""
+    normal: npt.NDArray[np.float64]
+    """(N, 3): the shape's own unit normal; 0 if there is no hit."""
+
+    @property
+    def hit(self) -> npt.NDArray[np.bool_]:
+        """(N,): whether there is a hit."""
+        return self.shape >= 0
+
+    def __len__(self) -> int:
+        return len(self.t)
+
+
+class Scene:
+    """Shapes, materials, lights, a camera, conventions and settings.
+
+    The next picture prepares only what has changed since the last one: a new light, material or camera takes
+    microseconds. Any thread may change the scene while another one renders it; a picture shows the scene as
+    it was when render() was called.
+    """
+
+    def __init__(
+        self,
+        *items: Any,
+        size: Optional[Tuple[int, int]] = None,
+        background: Optional[ColorLike] = None,
+        camera: Optional[Camera] = None,
+    ) -> None:
+        self._state = _glint.SceneState()
+        if size is not None:
+            self.settings["size"] = size
+        if background is not None:
+            self.background = background  # type: ignore[assignment]
+        if camera is not None:
+            self.camera = camera
+        for item in items:
+            self.add(item)
+
+    # ---- Contents ----
+
+    @property
+    def lights(self) -> Lights:
+        """The lights, by number or by name: scene.lights['key'].intensity *= 2."""
+        return Lights(self._state)
+
+    @lights.setter
+    def lights(self, lights: Iterable[Light]) -> None:
+        self._state.set_lights(list(lights))
+
+    @property
+    def materials(self) -> Materials:
+        """The materials, by number or by name."""
+        return Materials(self._state)
+
+    @property
+    def shapes(self) -> Shapes:
+        """The shapes, by number or by name."""
+        return Shapes(self._state)
+
+    @property
+    def camera(self) -> Camera:
+        """The camera: scene.camera.position = (0, 1, 5)."""
+        return self._state.camera
+
+    @camera.setter
+    def camera(self, camera: Camera) -> None:
+        self._state.camera = camera
+
+    @property
+    def background(self) -> Color:
+        """The color where nothing is hit, linear RGB."""
+        return self._state.background
+
+    @background.setter
+    def background(self, color: ColorLike) -> None:
+        self._state.background = color
+
+    @property
+    def conventions(self) -> Settings:
+        """The rules on which sources disagree, by key (docs/conventions.md); can be changed."""
+        return Settings(self._state, True)
+
+    @property
+    def settings(self) -> Settings:
+        """size, shading, shadows, reflections and aa, where render() is not told otherwise; can be changed."""
+        return Settings(self._state, False)
+
+    @property
+    def profile(self) -> str:
+        """The source whose conventions it began with: 'glint', 'epfl', ..."""
+        return self._state.profile
+
+    def use_profile(self, name: str) -> None:
+        """Sets all conventions and settings to those of a source, one of glint.profiles."""
+        self._state.apply_profile(name)
+
+    @property
+    def files(self) -> List[str]:
+        """The names of the files that it was read from."""
+        return self._state.files
+
+    @overload
+    def add(self, item: Added) -> Added: ...
+    @overload
+    def add(self, item: Camera) -> Camera: ...
+    @overload
+    def add(self, item: Any, **options: Any) -> Any: ...
+    def add(self, item: Any, **options: Any) -> Any:
+        """Adds a shape, a light, a material or a camera, and returns it: later changes of it are seen.
+
+        Of other packages, ASE's atoms (see atoms()) and objects with `vertices` and `faces` (see mesh());
+        these return the range of their shapes' numbers.
+        """
+        if isinstance(item, Light):
+            self._state.add_light(item)
+        elif isinstance(item, Material):
+            self._state.add_material(item)
+        elif isinstance(item, Shape):
+            self._state.add_shape(item)
+        elif isinstance(item, Camera):
+            self.camera = item
+        elif _accept.is_atoms(item):
+            return self.atoms(item, **options)
+        elif _accept.is_mesh(item):
+            return self.mesh(item, **options)
+        else:
+            raise TypeError(f"glint cannot add {type(item).__name__!r} to a scene")
+        return item
+
+    # ---- Many shapes at once ----
+
+    def spheres(
+        self,
+        centers: Arrays,
+        radii: Arrays = 1.0,
+        colors: Any = None,
+        *,
+        material: Optional[Material] = None,
+        colormap: Any = None,
+    ) -> range:
+        """Adds N spheres and returns the range of their numbers.
+
+        centers: (N, 3), in the scene's units; radii: one number or (N,), > 0; colors: one color, or (N, 3), or
+        None for the material's; material: what all have but for the color. With a colormap (matplotlib's, or
+        its name), colors is one number for each sphere.
+        """
+        return self._state.add_spheres(centers, radii, _accept.to_colors(colors, colormap), material)
+
+    def cylinders(
+        self,
+        from_: Arrays,
+        to: Arrays,
+        radii: Arrays = 1.0,
+        colors: Any = None,
+        *,
+        material: Optional[Material] = None,
+        colormap: Any = None,
+        caps: bool = True,
+    ) -> range:
+        """Adds N cylinders between points (N, 3) and (N, 3). caps: their ends are closed. See spheres()."""
+        colors = _accept.to_colors(colors, colormap)
+        return self._state.add_cylinders(from_, to, radii, colors, material, caps)
+
+    def triangles(
+        self,
+        vertices: Arrays,
+        faces: Optional[Arrays] = None,
+        colors: Any = None,
+        *,
+        normals: Optional[Arrays] = None,
+        material: Optional[Material] = None,
+        colormap: Any = None,
+    ) -> range:
+        """Adds N triangles: vertices (N, 3, 3), or vertices (V, 3) and their indices, faces (N, 3).
+
+        normals: of the vertices, in the same form, for smooth shading. colors: one, or (N, 3). See spheres().
+        """
+        colors = _accept.to_colors(colors, colormap)
+        return self._state.add_triangles(vertices, faces, normals, colors, material)
+
+    def mesh(
+        self, mesh: Any, colors: Any = None, *, material: Optional[Material] = None, smooth: bool = True
+    ) -> range:
+        """Adds an object with `vertices` and `faces` (of three or more corners); smooth: by its `normals`."""
+        vertices, faces, normals = _accept.mesh_arrays(mesh)
+        return self.triangles(
+            vertices, faces, colors, normals=normals if smooth else None, material=material
+        )
+
+    def atoms(
+        self,
+        atoms: Any,
+        *,
+        scale: float = 0.5,
+        bonds: Union[bool, Arrays] = True,
+        bond_radius: float = 0.12,
+        bond_color: ColorLike = (0.6, 0.6, 0.6),
+        material: Optional[Material] = None,
+    ) -> range:
+        """Adds ASE's atoms: a sphere of `scale` times the covalent radius for each, in Jmol's colors.
+
+        bonds: cylinders between atoms that are near enough, or pairs (M, 2) of indices, or False. Lengths are
+        in angstrom, as in ASE. Returns the range of the atoms' numbers.
+        """
+        positions, radii, colors = _accept.atom_arrays(atoms)
+        added = self.spheres(positions, scale * radii, colors, material=material)
+        if bonds is not False:
+            pairs = _accept.find_bonds(positions, radii) if bonds is True else np.asarray(bonds)
+            if len(pairs):
+                ends = positions[pairs[:, 0]], positions[pairs[:, 1]]
+                self.cylinders(*ends, bond_radius, bond_color, material=material, caps=False)
+        return added
+
+    # ---- Pictures and questions ----
+
+    def render(
+        self,
+        *,
+        size: Union[None, Tuple[int, int], str] = None,
+        aa: Optional[int] = None,
+        shading: Optional[str] = None,
+        reflections: Optional[int] = None,
+        shadows: Optional[bool] = None,
+        convention: Optional[Mapping[str, object]] = None,
+        aov: Union[str, Sequence[str]] = (),
+        crop: Optional[Tuple[int, int, int, int]] = None,
+        threads: int = 0,
+        isa: str = "",
+        progress: Progress = None,
+    ) -> Image:
+        """The picture. The keywords are the options of the command; None is what scene.settings has.
+
+        size: (width, height) in pixels; aa: N x N samples a pixel; shading: 'phong', 'blinn-phong', 'diffuse',
+        'color' or 'normals'; reflections: the largest number in succession; convention: changes for this
+        picture alone; aov: names of layers, or 'all'; crop: (width, height, x, y), a part of the picture;
+        threads: 0 for all, which changes nothing in the picture. progress: True for a bar, or a function that
+        is called with the fraction done. Ctrl-C stops it.
+        """
+        settings = to_list(
+            dict(size=size, aa=aa, shading=shading, reflections=reflections, shadows=shadows)
+        ) + to_list(convention or {})
+        if aov == "all":
+            aov = [info[0] for info in _glint.layer_infos()]
+        elif isinstance(aov, str):
+            aov = aov.split(",")
+        with reporting(progress) as report:
+            return Image._of(
+                self._state.render(settings, list(aov), crop, threads, isa, report)
+            )
+
+    def cast(
+        self, origins: Arrays, directions: Arrays, *, t_min: float = 0.0, t_max: float = float("inf")
+    ) -> Hits:
+        """What rays hit first: origins and directions are (N, 3), or (3,) for one that all share.
+
+        A hit is at origin + t direction with t_min < t < t_max; directions have any length but 0.
+        """
+        return Hits(*self._state.cast_rays(origins, directions, t_min, t_max, None))
+
+    def to_glint(self) -> str:
+        """The scene in glint's own language (docs/formats/glint.md): load() makes the same picture of it."""
+        return self._state.write_glint()
+
+    def copy(self) -> Scene:
+        """A scene of its own, with objects of its own; what was prepared is shared."""
+        copy = type(self).__new__(type(self))
+        copy._state = _glint.SceneState()
+        copy._state.copy_from(self._state)
+        return copy
+
+    def __copy__(self) -> Scene:
+        return self.copy()
+
+    def __deepcopy__(self, memo: Dict[int, Any]) -> Scene:
+        return self.copy()
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Scene) and self._state.equals(other._state)
+
+    __hash__ = None  # type: ignore[assignment]
+
+    def __repr__(self) -> str:
+        def counted(count: int, noun: str) -> str:
+            return f"{count} {noun}{'' if count == 1 else 's'}"
+
+        state = self._state
+        name = ", ".join(self.files)
+        contents = ", ".join(
+            (
+                counted(state.shape_count(), "shape"),
+                counted(state.material_count(), "material"),
+                counted(state.light_count(), "light"),
+            )
+        )
+        return f"<glint.Scene {name + ': ' if name else ''}{contents}>"
+
+    def _repr_png_(self) -> bytes:
+        width, height = self.settings["size"]
+        factor = min(1.0, 320 / max(width, height))
+        size = max(1, round(factor * width)), max(1, round(factor * height))
+        return self.render(size=size).to_bytes()
+
+

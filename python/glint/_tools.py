@@ -1,0 +1,218 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Reading scenes, and questions about scenes and pictures."""
+
+from __future__ import annotations
+
+import dataclasses
+import json
+import os
+import pathlib
+from typing import Any, List, Mapping, Optional, Tuple, Union
+
+from . import _glint
+from ._image import Image, PathLike, to_image
+from ._progress import Progress, reporting
+from ._reports import Comparison, Explanation
+from ._scene import Scene
+from ._settings import profiles, to_list
+
+SceneLike = Union[Scene, PathLike]
+
+
+def _read(name: str, origin: str) -> bytes:
+    """A file that a scene includes, relative to the one that includes it."""
+    path = os.path.join(os.path.dirname(origin), name)
+    if not os.path.exists(path):
+        raise OSError("no such file")
+    if not os.path.isfile(path):
+        raise OSError("not a regular file")
+    with open(path, "rb") as file:
+        return file.read()
+
+
+def _load(
+    texts: List[Tuple[str, bytes, str]],
+    scene_name: str,
+    profile: str,
+    settings: Mapping[str, object],
+    convention: Optional[Mapping[str, object]],
+    progress: Progress,
+) -> Scene:
+    profile_text = None
+    if profile and profile not in profiles:
+        profile_text = profile, pathlib.Path(profile).read_bytes()
+        profile = ""
+    scene = Scene()
+    with reporting(progress) as report:
+        scene._state.load_texts(
+            texts, scene_name, profile, profile_text, to_list(convention or {}) + to_list(settings), _read, report
+        )
+    return scene
+
+
+def load(
+    *paths: PathLike,
+    format: str = "",
+    scene_name: str = "",
+    profile: str = "",
+    convention: Optional[Mapping[str, object]] = None,
+    size: Union[None, Tuple[int, int], str] = None,
+    aa: Optional[int] = None,
+    shading: Optional[str] = None,
+    reflections: Optional[int] = None,
+    shadows: Optional[bool] = None,
+    progress: Progress = None,
+) -> Scene:
+    """The scene of one file, or of several together: .cgfs, .json, .js, .pov, .nff or .glint.
+
+    The keywords are the options of the command. format: if the file's name does not tell; scene_name: of a
+    file that holds several; profile: one of glint.profiles, or a file of `key = value` lines.
+    Raises GlintError with the place of each mistake, and FileNotFoundError.
+    """
+    if not paths:
+        raise TypeError("load() needs the path of a scene")
+    texts = [(os.fspath(path), pathlib.Path(path).read_bytes(), format) for path in paths]
+    settings = dict(size=size, aa=aa, shading=shading, reflections=reflections, shadows=shadows)
+    return _load(texts, scene_name, profile, settings, convention, progress)
+
+
+def loads(text: str, format: str = "glint", *, name: str = "text", scene_name: str = "", profile: str = "") -> Scene:
+    """The scene of a text: 'cgfs', 'epfl', 'csc473', 'nff' or 'glint'. name: for messages."""
+    return _load([(name, text.encode(), format)], scene_name, profile, {}, None, None)
+
+
+def to_scene(scene: SceneLike) -> Scene:
+    return scene if isinstance(scene, Scene) else load(scene)
+
+
+def explain(
+    scene: SceneLike,
+    x: int,
+    y: int,
+    *,
+    size: Union[None, Tuple[int, int], str] = None,
+    aa: Optional[int] = None,
+    shading: Optional[str] = None,
+    reflections: Optional[int] = None,
+    shadows: Optional[bool] = None,
+    convention: Optional[Mapping[str, object]] = None,
+    sample: Optional[int] = None,
+) -> Explanation:
+    """Why pixel (x, y), from the top left, has its color: its rays and each term of their light.
+
+    The result has them as attributes, and as the text that `glint explain` prints. The other keywords are those
+    of Scene.render(). sample: which of N x N the text is about; default: the middle one.
+    """
+    settings = dict(size=size, aa=aa, shading=shading, reflections=reflections, shadows=shadows)
+    listed = to_list(settings) + to_list(convention or {})
+    data, text = to_scene(scene)._state.explain(x, y, listed, sample, None)
+    return Explanation(json.loads(data), text)
+
+
+@dataclasses.dataclass(frozen=True)
+class Finding:
+    """A likely mistake of a scene."""
+
+    id: str
+    """Such as 'camera-inside-shape'; docs/checks.md explains each."""
+    message: str
+    remedy: str
+    diagnostic: _glint.Diagnostic
+    """Its place."""
+    text: str
+
+    def __str__(self) -> str:
+        return self.text
+
+
+def check(scene: SceneLike, *, progress: Progress = None) -> List[Finding]:
+    """The scene's likely mistakes: what can be rendered, and is hardly what was meant."""
+    with reporting(progress) as report:
+        found = to_scene(scene)._state.check(report)
+    return [Finding(id, d.message, remedy, d, text) for id, d, remedy, text in found]
+
+
+def compare(
+    a: Any,
+    b: Any,
+    scene: Optional[SceneLike] = None,
+    *,
+    causes: bool = True,
+    as_floats: bool = False,
+    within: float = 2.0,
+    progress: Progress = None,
+) -> Comparison:
+    """How picture a differs from the reference b, and why: Images, paths, PIL images or arrays.
+
+    scene: which renders b; with it, more causes are tried. as_floats: compares floats, not bytes. within: in
+    255ths, for the figures.
+    """
+    first, second = to_image(a), to_image(b)
+    names = [str(p) if isinstance(p, (str, os.PathLike)) else n for p, n in ((a, "a"), (b, "b"))]
+    with reporting(progress) as report:
+        data, text = _glint.compare(
+            first._rendering,
+            second._rendering,
+            names[0],
+            names[1],
+            None if scene is None else to_scene(scene)._state,
+            causes,
+            as_floats,
+            within,
+            report,
+        )
+    comparison = Comparison(json.loads(data), text)
+    comparison.difference = Image._of(_glint.difference(first._rendering, second._rendering, 0.0))
+    return comparison
+
+
+@dataclasses.dataclass(frozen=True)
+class Versus:
+    """A scene by two sets of rules."""
+
+    a: Image
+    b: Image
+    comparison: Comparison
+    explanations: Tuple[Explanation, Explanation]
+    """Of the pixel that differs most."""
+
+    def __str__(self) -> str:
+        return f"{self.comparison}\nA: {self.explanations[0]}\nB: {self.explanations[1]}"
+
+
+def versus(scene: SceneLike, a: Mapping[str, object] = {}, b: Mapping[str, object] = {}) -> Versus:
+    """Renders a scene with two sets of settings and conventions, and explains the pixel that differs most.
+
+    a, b: mappings such as {'shading': 'phong'} or {'profile': 'cgfs'}; a profile replaces all of the scene's
+    rules, but not its size.
+    """
+    scene = to_scene(scene)
+    sides = []
+    for settings in (a, b):
+        side = scene.copy()
+        profile = settings.get("profile")
+        if profile is not None:
+            size = side.settings["size"]
+            side.use_profile(str(profile))
+            side.settings["size"] = size
+        for key, value in settings.items():
+            if key != "profile":
+                side._state.set_setting(key, to_list({key: value})[0][1])
+        sides.append(side)
+    images = [side.render() for side in sides]
+    comparison = compare(images[0], images[1], causes=False)
+    at = comparison.data["largest"]
+    return Versus(
+        images[0],
+        images[1],
+        comparison,
+        (explain(sides[0], at["x"], at["y"]), explain(sides[1], at["x"], at["y"])),
+    )
+
+
+def convert(source: SceneLike, target: PathLike) -> None:
+    """Writes a scene in glint's own language to a .glint file."""
+    name = os.fspath(target)
+    if not name.endswith(".glint"):
+        raise ValueError(f"{name!r}: glint writes .glint")
+    pathlib.Path(name).write_text(to_scene(source).to_glint(), encoding="utf-8")

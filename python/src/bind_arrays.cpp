@@ -1,0 +1,290 @@
+// SPDX-License-Identifier: Apache-2.0
+// Many shapes from NumPy arrays, and hits of many rays as arrays.
+#include <fmt/format.h>
+
+#include <bit>
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+#include "errors.h"
+#include "scene_state.h"
+
+namespace glint::python {
+namespace {
+
+using Doubles = py::array_t<double, py::array::c_style | py::array::forcecast>;
+using Indices = py::array_t<std::int64_t, py::array::c_style | py::array::forcecast>;
+
+std::string shape_text(const py::array& array) {
+    std::string text;
+    for (py::ssize_t i = 0; i < array.ndim(); ++i)
+        text += fmt::format("{}{}", i == 0 ? "" : " x ", array.shape(i));
+    return text.empty() ? "one number" : text;
+}
+
+Doubles doubles(const py::handle& value, std::string_view name) {
+    Doubles array = Doubles::ensure(value);
+    if (!array) {
+        PyErr_Clear();
+        throw py::value_error(fmt::format("{}: expected an array of numbers", name));
+    }
+    return array;
+}
+
+// An array of N x 3 numbers, each a coordinate.
+Doubles points(const py::handle& value, std::string_view name) {
+    Doubles array = doubles(value, name);
+    if (array.ndim() != 2 || array.shape(1) != 3)
+        throw py::value_error(
+            fmt::format("{}: expected an array of N x 3 numbers, found {}", name, shape_text(array)));
+    const double* x = array.data();
+    for (py::ssize_t i = 0; i < array.size(); ++i)
+        if (!k_coordinate.contains(x[i]))
+            throw py::value_error(
+                fmt::format("{}[{}]: expected {}, found {}", name, i / 3, k_coordinate.text, x[i]));
+    return array;
+}
+
+Vec3 point(const Doubles& array, std::size_t i) {
+    const double* p = array.data() + 3 * i;
+    return {p[0], p[1], p[2]};
+}
+
+// One number for all, or one for each.
+class Lengths {
+  public:
+    Lengths(const py::handle& value, std::string_view name, std::size_t count)
+        : array_(doubles(value, name)) {
+        if (array_.ndim() > 1 || (array_.ndim() == 1 && static_cast<std::size_t>(array_.size()) != count))
+            throw py::value_error(
+                fmt::format("{}: expected one number or {}, found {}", name, count, shape_text(array_)));
+        for (py::ssize_t i = 0; i < array_.size(); ++i)
+            if (!k_length.contains(array_.data()[i]))
+                throw py::value_error(
+                    fmt::format("{}[{}]: expected {}, found {}", name, i, k_length.text, array_.data()[i]));
+        step_ = array_.ndim() == 0 ? 0 : 1;
+    }
+    double operator[](std::size_t i) const { return array_.data()[step_ * i]; }
+
+  private:
+    Doubles array_;
+    std::size_t step_ = 0;
+};
+
+// Numbers for colors, the same for equal ones.
+class ColorTable {
+  public:
+    explicit ColorTable(std::size_t most)
+        : slots_(std::bit_ceil(2 * std::max<std::size_t>(most, 8)), k_none) {}
+
+    std::uint32_t number(const Color& color) {
+        std::size_t slot = hash(color) & (slots_.size() - 1);
+        for (; slots_[slot] != k_none; slot = (slot + 1) & (slots_.size() - 1))
+            if (colors_[slots_[slot]] == color) return slots_[slot];
+        slots_[slot] = static_cast<std::uint32_t>(colors_.size());
+        colors_.push_back(color);
+        return slots_[slot];
+    }
+    const std::vector<Color>& colors() const { return colors_; }
+
+  private:
+    static std::size_t hash(const Color& c) {
+        std::uint64_t h = 0;
+        for (const double x : {c.r, c.g, c.b}) {
+            h = (h ^ std::bit_cast<std::uint64_t>(x + 0.0)) * 0x9e3779b97f4a7c15u;
+            h ^= h >> 29;
+        }
+        return static_cast<std::size_t>(h ^ (h >> 32));
+    }
+
+    std::vector<Color> colors_;
+    std::vector<std::uint32_t> slots_;
+};
+
+// The material of each new shape.
+class Materials {
+  public:
+    Materials(SceneState& state, const py::object& colors, const py::object& material, std::size_t count) {
+        const auto box = material.is_none() ? nullptr : material.cast<std::shared_ptr<MaterialBox>>();
+        if (colors.is_none()) {
+            one_ = state.add(box);
+            return;
+        }
+        Material base = box ? box->value : Material{};
+        const auto array =
+            is_number(colors) || py::isinstance<py::str>(colors) ? Doubles() : doubles(colors, "colors");
+        if (array.ndim() != 2) {
+            set_color(base, to_color(colors, "colors", k_channel));
+            one_ = state.add(std::make_shared<MaterialBox>(MaterialBox{base, {}}));
+            return;
+        }
+        const auto channels = static_cast<std::size_t>(array.shape(1));
+        if (static_cast<std::size_t>(array.shape(0)) != count || (channels != 3 && channels != 4))
+            throw py::value_error(
+                fmt::format("colors: expected one color or an array of {} x 3 numbers, found {}", count,
+                            shape_text(array)));
+        const double* c = array.data();
+        for (py::ssize_t i = 0; i < array.size(); ++i)
+            if (!k_channel.contains(c[i]))
+                throw py::value_error(fmt::format("colors[{}]: expected {}, found {}",
+                                                  static_cast<std::size_t>(i) / channels, k_channel.text,
+                                                  c[i]));
+        Scene& scene = state.change_shapes();
+        state.change_materials();
+        ColorTable table(count);
+        const auto first = static_cast<std::uint32_t>(scene.materials.size());
+        indices_.resize(count);
+        for (std::size_t i = 0; i < count; ++i, c += channels)
+            indices_[i] = first + table.number({c[0], c[1], c[2]});
+        // One material for each color.
+        scene.materials.resize(first + table.colors().size(), base);
+        for (std::size_t i = 0; i < table.colors().size(); ++i)
+            set_color(scene.materials[first + i], table.colors()[i]);
+    }
+    std::uint32_t operator[](std::size_t i) const { return indices_.empty() ? one_ : indices_[i]; }
+
+  private:
+    std::uint32_t one_ = k_none;
+    std::vector<std::uint32_t> indices_;
+};
+
+// Adds `count` shapes; make(i) gives the parameters of each. Returns range(first, last).
+template <class T, class Make>
+py::object add_shapes(SceneState& state, std::size_t count, const py::object& colors,
+                      const py::object& material, const Make& make) {
+    if (count + state.scene().shapes.size() >= k_none) throw py::value_error("too many shapes");
+    const Materials materials(state, colors, material, count);
+    Scene& scene = state.change_shapes();
+    auto& parameters = scene.get<T>();
+    const std::size_t first = scene.shapes.size(), start = parameters.size();
+    parameters.resize(start + count);
+    scene.shapes.resize(first + count);
+    for (std::size_t i = 0; i < count; ++i) {
+        parameters[start + i] = make(i);
+        scene.shapes[first + i] = {ShapeKindOf<T>::value, static_cast<std::uint32_t>(start + i), materials[i],
+                                   k_none};
+    }
+    return py::module_::import("builtins").attr("range")(first, first + count);
+}
+
+py::object add_spheres(SceneState& state, const py::object& centers, const py::object& radii,
+                       const py::object& colors, const py::object& material) {
+    const Doubles at = points(centers, "centers");
+    const auto count = static_cast<std::size_t>(at.shape(0));
+    const Lengths radius(radii, "radii", count);
+    return add_shapes<Sphere>(state, count, colors, material, [&](std::size_t i) {
+        return Sphere{point(at, i), radius[i]};
+    });
+}
+
+py::object add_cylinders(SceneState& state, const py::object& from, const py::object& to,
+                         const py::object& radii, const py::object& colors, const py::object& material,
+                         bool caps) {
+    const Doubles a = points(from, "from_"), b = points(to, "to");
+    if (a.shape(0) != b.shape(0))
+        throw py::value_error(fmt::format("from_ has {} points, to has {}", a.shape(0), b.shape(0)));
+    const auto count = static_cast<std::size_t>(a.shape(0));
+    const Lengths radius(radii, "radii", count);
+    return add_shapes<Cylinder>(state, count, colors, material, [&](std::size_t i) {
+        return Cylinder{point(a, i), point(b, i), radius[i], caps};
+    });
+}
+
+// The triangles' corners: N x 3 x 3 numbers, or points and the indices of three for each.
+Doubles corners(const py::object& values, const py::object& faces, std::string_view name) {
+    if (faces.is_none()) {
+        const Doubles array = doubles(values, name);
+        if (array.ndim() != 3 || array.shape(1) != 3 || array.shape(2) != 3)
+            throw py::value_error(
+                fmt::format("{}: expected an array of N x 3 x 3 numbers, or N x 3 and faces, found {}", name,
+                            shape_text(array)));
+        return array;
+    }
+    const Doubles all = points(values, name);
+    const Indices three = Indices::ensure(faces);
+    if (!three) PyErr_Clear();
+    if (!three || three.ndim() != 2 || three.shape(1) != 3)
+        throw py::value_error("faces: expected an array of N x 3 indices");
+    Doubles array({three.shape(0), py::ssize_t{3}, py::ssize_t{3}});
+    double* to = array.mutable_data();
+    for (py::ssize_t i = 0; i < three.size(); ++i) {
+        const std::int64_t at = three.data()[i];
+        if (at < 0 || at >= all.shape(0))
+            throw py::index_error(fmt::format("faces[{}]: there is no vertex {}", i / 3, at));
+        std::copy_n(all.data() + 3 * at, 3, to + 3 * i);
+    }
+    return array;
+}
+
+py::object add_triangles(SceneState& state, const py::object& vertices, const py::object& faces,
+                         const py::object& normals, const py::object& colors, const py::object& material) {
+    const Doubles at = corners(vertices, faces, "vertices");
+    const auto count = static_cast<std::size_t>(at.shape(0));
+    for (py::ssize_t i = 0; i < at.size(); ++i)
+        if (!k_coordinate.contains(at.data()[i]))
+            throw py::value_error(fmt::format("vertices[{}]: expected {}", i / 9, k_coordinate.text));
+    if (normals.is_none()) {
+        return add_shapes<Triangle>(state, count, colors, material, [&](std::size_t i) {
+            return Triangle{{point(at, 3 * i), point(at, 3 * i + 1), point(at, 3 * i + 2)}};
+        });
+    }
+    const Doubles up = corners(normals, faces, "normals");
+    if (up.shape(0) != at.shape(0)) throw py::value_error("normals: expected as many as vertices");
+    return add_shapes<SmoothTriangle>(state, count, colors, material, [&](std::size_t i) {
+        return SmoothTriangle{{point(at, 3 * i), point(at, 3 * i + 1), point(at, 3 * i + 2)},
+                              {point(up, 3 * i), point(up, 3 * i + 1), point(up, 3 * i + 2)}};
+    });
+}
+
+// Of N x 3 numbers or three.
+Doubles rays(const py::object& value, std::string_view name) {
+    const Doubles array = doubles(value, name);
+    if (array.ndim() < 1 || array.ndim() > 2 || array.shape(array.ndim() - 1) != 3)
+        throw py::value_error(
+            fmt::format("{}: expected an array of N x 3 numbers, found {}", name, shape_text(array)));
+    return array;
+}
+
+py::tuple cast(SceneState& state, const py::object& origins, const py::object& directions, double t_min,
+               double t_max, const py::object& progress) {
+    const Doubles from = rays(origins, "origins"), towards = rays(directions, "directions");
+    const std::size_t n = from.ndim() == 1 ? 1 : static_cast<std::size_t>(from.shape(0)),
+                      m = towards.ndim() == 1 ? 1 : static_cast<std::size_t>(towards.shape(0));
+    const std::size_t count = n == 1 ? m : n;
+    if (n != count && n != 1) throw py::value_error("origins and directions differ in number");
+    if (m != count && m != 1)
+        throw py::value_error(fmt::format("there are {} origins and {} directions", n, m));
+    std::vector<Ray> list(count);
+    for (std::size_t i = 0; i < count; ++i)
+        list[i] = {point(from, n == 1 ? 0 : i), point(towards, m == 1 ? 0 : i), t_min, t_max};
+    const Snapshot snapshot = state.prepare({}, progress);
+    const std::vector<RayHit> hits =
+        value_or_raise(run(progress, [&](Running&) { return nearest_hits(snapshot.world, list); }));
+    py::array_t<double> t(count), normals({count, std::size_t{3}}), hit_points({count, std::size_t{3}});
+    py::array_t<std::int64_t> shapes(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        const RayHit& hit = hits[i];
+        const bool is_hit = hit.shape != k_none;
+        const double at = is_hit ? hit.t : std::numeric_limits<double>::infinity();
+        t.mutable_data()[i] = at;
+        shapes.mutable_data()[i] = is_hit ? std::int64_t{hit.shape} : -1;
+        const double no = std::numeric_limits<double>::quiet_NaN();
+        const Vec3 normal = is_hit ? hit.normal : Vec3{},
+                   p = is_hit ? list[i].origin + list[i].direction * at : Vec3{no, no, no};
+        std::memcpy(normals.mutable_data() + 3 * i, &normal, sizeof(normal));
+        std::memcpy(hit_points.mutable_data() + 3 * i, &p, sizeof(p));
+    }
+    return py::make_tuple(t, shapes, hit_points, normals);
+}
+
+}  // namespace
+
+void bind_arrays(py::class_<SceneState, std::shared_ptr<SceneState>>& cls) {
+    cls.def("add_spheres", &add_spheres)
+        .def("add_cylinders", &add_cylinders)
+        .def("add_triangles", &add_triangles)
+        .def("cast_rays", &cast);
+}
+
+}  // namespace glint::python

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: Apache-2.0
+// Reading, rendering and questioning a scene.
+#include <pybind11/stl.h>
+
+#include "cli/explain_text.h"
+#include "errors.h"
+#include "rendering.h"
+#include "scene_state.h"
+
+namespace glint::python {
+namespace {
+
+// Texts that scenes include, from a Python function (name, from) -> bytes.
+class PythonSources : public Sources {
+  public:
+    explicit PythonSources(py::object read) : read_(std::move(read)) {}
+    Result<std::string> read(std::string_view name, std::string_view from) override {
+        const py::gil_scoped_acquire acquire;
+        try {
+            return read_(std::string(name), std::string(from)).cast<std::string>();
+        } catch (const std::exception& e) {
+            // An OSError says it in its last argument; anything else in whole.
+            std::string why = e.what();
+            why = why.substr(0, why.find('\n'));
+            return Status{ErrorCode::io, std::move(why), {}};
+        }
+    }
+
+  private:
+    py::object read_;
+};
+
+// [(name, text, format)] as one scene.
+void load_texts(SceneState& state,
+                const std::vector<std::tuple<std::string, std::string, std::string>>& texts,
+                const std::string& scene_name, const std::string& profile,
+                const std::optional<std::pair<std::string, std::string>>& profile_text,
+                const SettingList& settings, const py::object& read, const py::object& progress) {
+    std::vector<SceneText> views;
+    for (const auto& [name, text, format] : texts) views.push_back({name, text, format});
+    LoadOptions options;
+    options.scene_name = scene_name;
+    options.profile = profile;
+    options.settings = settings;
+    if (profile_text) options.profile_text = SceneText{profile_text->first, profile_text->second, {}};
+    Result<Scene> result;
+    {
+        PythonSources sources(read);
+        result = run(progress, [&](Running& running) {
+            LoadOptions with = options;
+            with.progress = running.report();
+            with.cancel = &running.cancel;
+            return load(views, with, &sources);
+        });
+    }
+    const std::vector<Diagnostic> warnings = result.diagnostics;
+    state.reset(value_or_raise(std::move(result)));
+    state.warn_once(warnings);
+}
+
+std::vector<Layer> layers_of(const std::vector<std::string>& names) {
+    std::vector<Layer> layers;
+    for (const std::string& name : names) {
+        const auto layer = find_layer(name);
+        if (!layer) {
+            std::string known;
+            for (const LayerInfo& info : layer_infos())
+                known += (known.empty() ? "" : ", ") + std::string(info.name);
+            throw py::value_error("there is no layer '" + name + "'; there are " + known);
+        }
+        layers.push_back(*layer);
+    }
+    return layers;
+}
+
+std::shared_ptr<Rendering> render_scene(SceneState& state, const SettingList& settings,
+                                        const std::vector<std::string>& layers,
+                                        const std::optional<std::array<std::int32_t, 4>>& crop, int threads,
+                                        const std::string& isa, const py::object& progress) {
+    RenderOptions options;
+    options.layers = layers_of(layers);
+    if (crop) options.crop = Crop{(*crop)[0], (*crop)[1], (*crop)[2], (*crop)[3]};
+    options.threads = threads;
+    options.isa = isa;
+    const Snapshot snapshot = state.prepare(settings, py::none(), threads);
+    return std::make_shared<Rendering>(value_or_raise(run(progress, [&](Running& running) {
+        options.progress = running.report();
+        options.cancel = &running.cancel;
+        return render(snapshot.world, options);
+    })));
+}
+
+// JSON, and the text that `glint explain` prints.
+py::tuple explain_pixel(SceneState& state, std::int32_t x, std::int32_t y, const SettingList& settings,
+                        std::optional<int> sample, const py::object& progress) {
+    Snapshot snapshot = state.prepare(settings, progress);
+    if (!settings.empty()) {
+        auto changed = std::make_shared<Scene>(*snapshot.scene);
+        apply(settings, *changed);
+        snapshot.scene = std::move(changed);
+    }
+    const Scene& scene = *snapshot.scene;
+    const int n = scene.settings.samples;
+    cli::ExplainStyle style;
+    style.sample = sample.value_or(n / 2 * n + n / 2);
+    const Explanation explanation =
+        value_or_raise(run(progress, [&](Running&) { return explain(scene, snapshot.world, x, y); }));
+    if (style.sample < 0 || style.sample >= n * n) throw py::index_error("sample out of range");
+    return py::make_tuple(value_or_raise(explanation_json(explanation, scene)),
+                          cli::explanation_text(explanation, scene, style));
+}
+
+py::list check_scene(SceneState& state, const py::object& progress) {
+    const auto scene = state.shared_scene();
+    const std::vector<Finding> findings = value_or_raise(run(progress, [&](Running& running) {
+        CheckOptions options;
+        options.progress = running.report();
+        options.cancel = &running.cancel;
+        return check(*scene, options);
+    }));
+    py::list list;
+    for (const Finding& f : findings)
+        list.append(py::make_tuple(std::string(f.id), f.diagnostic, f.remedy, to_string(f)));
+    return list;
+}
+
+}  // namespace
+
+void bind_tools(py::module_& m, py::class_<SceneState, std::shared_ptr<SceneState>>& cls) {
+    cls.def("load_texts", &load_texts)
+        .def("render", &render_scene)
+        .def("explain", &explain_pixel)
+        .def("check", &check_scene)
+        .def("write_glint", [](SceneState& s) { return value_or_raise(write_glint(s.scene())); })
+        .def("validate", [](SceneState& s) { return validate(s.scene()); });
+    m.def("isa_names", &isa_names, "The instruction sets that this machine has, best first.");
+    m.def("formats", [] {
+        py::list list;
+        for (const FormatInfo& f : formats())
+            list.append(
+                py::make_tuple(std::string(f.name), std::string(f.extensions), std::string(f.description)));
+        return list;
+    });
+    m.def("check_kinds", [] {
+        py::dict kinds;
+        for (const CheckKind& kind : check_kinds())
+            kinds[py::str(std::string(kind.id))] = std::string(kind.description);
+        return kinds;
+    });
+}
+
+}  // namespace glint::python

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+// Lights, materials and the camera as Python objects. Their attributes are the rows of the tables of fields
+// (src/scene/*_fields.h).
+#include <memory>
+#include <string>
+#include <unordered_map>
+
+#include "glint/scene.h"
+#include "values.h"
+
+namespace glint::python {
+
+/// A value that Python and any number of scenes refer to. A scene compares it with its own when it is
+/// rendered.
+template <class Item> struct SharedItem {
+    Item value;
+    std::string name;
+};
+
+using LightBox = SharedItem<Light>;
+using MaterialBox = SharedItem<Material>;
+using FrameBox = SharedItem<CameraFrame>;
+
+struct CameraBox {
+    Camera value;  ///< without its frame
+    std::shared_ptr<FrameBox> frame;
+
+    Camera whole() const {
+        Camera camera = value;
+        if (frame) camera.frame = frame->value;
+        return camera;
+    }
+};
+
+bool same(const Light& a, const Light& b);
+bool same(const Material& a, const Material& b);
+bool same(const Camera& a, const Camera& b);
+
+/// Gives a material another color. Its ambient, diffuse and specular stay the same multiples of the color, if
+/// they are multiples of it.
+void set_color(Material& material, const Color& color);
+
+void bind_items(py::module_& m);
+
+}  // namespace glint::python

@@ -1,0 +1,310 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene_state.h"
+
+#include <algorithm>
+
+#include "base/text.h"
+#include "errors.h"
+
+namespace glint::python {
+namespace {
+
+bool same_affine(const Affine& a, const std::optional<Affine>& b) { return a == b.value_or(Affine{}); }
+
+const Affine& transform_of(const Scene& scene, const Shape& shape) {
+    static const Affine identity;
+    return shape.transform == k_none ? identity : scene.transforms[shape.transform];
+}
+
+void set_name(ItemTexts& texts, std::uint32_t index, const std::string& name) {
+    if (texts.name(index) == name) return;
+    if (name.empty()) {
+        texts.names.erase(index);
+    } else {
+        texts.names[index] = name;
+    }
+}
+
+// Objects that only the map refers to; their values are in the scene.
+template <class Map> void forget_unused(Map& objects) {
+    std::erase_if(objects, [](const auto& entry) { return entry.second.use_count() == 1; });
+}
+
+}  // namespace
+
+void apply(const SettingList& settings, Scene& scene) {
+    for (const auto& [key, value] : settings) {
+        const auto index = find_setting(key);
+        if (!index) {
+            std::vector<std::string_view> known;
+            for (const SettingKey& setting : setting_keys()) known.push_back(setting.name);
+            throw py::key_error("there is no setting '" + key + "'" + did_you_mean(key, known));
+        }
+        const Status status = set_setting(scene, *index, value, {SettingOrigin::Kind::code, {}});
+        if (!status) raise(status);
+    }
+}
+
+SceneState::SceneState() { reset(Scene{}); }
+
+void SceneState::copy_from(SceneState& other) {
+    reset(other.scene());
+    now_ = other.now_;
+    warned_ = other.warned_;
+    edits_ = other.edits_;
+    edited_shapes_ = other.edited_shapes_;
+    has_world_ = other.has_world_;
+    world_ = other.world_;
+    world_versions_ = other.world_versions_;
+    world_edits_ = other.world_edits_;
+}
+
+void SceneState::reset(Scene scene) {
+    scene_ = std::make_shared<Scene>(std::move(scene));
+    lights_.clear();
+    materials_.clear();
+    shapes_.clear();
+    material_indices_.clear();
+    camera_ = std::make_shared<CameraBox>();
+    camera_->value = scene_->camera;
+    if (scene_->camera.frame) {
+        camera_->frame = std::make_shared<FrameBox>(FrameBox{*scene_->camera.frame, {}});
+        camera_->value.frame.reset();
+    }
+    has_world_ = false;
+    world_ = {};
+    warned_.clear();
+}
+
+Scene& SceneState::own() {
+    if (scene_.use_count() > 1) scene_ = std::make_shared<Scene>(*scene_);
+    return *scene_;
+}
+
+const Scene& SceneState::scene() {
+    sync();
+    return *scene_;
+}
+
+std::shared_ptr<const Scene> SceneState::shared_scene() {
+    sync();
+    return scene_;
+}
+
+std::shared_ptr<LightBox> SceneState::light(std::uint32_t index) {
+    auto& light = lights_[index];
+    if (!light) {
+        light = std::make_shared<LightBox>(
+            LightBox{scene_->lights[index], std::string(scene_->light_texts.name(index))});
+    }
+    return light;
+}
+
+std::shared_ptr<MaterialBox> SceneState::material(std::uint32_t index) {
+    auto& material = materials_[index];
+    if (!material) {
+        material = std::make_shared<MaterialBox>(
+            MaterialBox{scene_->materials[index], std::string(scene_->material_texts.name(index))});
+        material_indices_[material.get()] = index;
+    }
+    return material;
+}
+
+std::shared_ptr<ShapeBox> SceneState::shape(std::uint32_t index) {
+    auto& box = shapes_[index];
+    if (!box) {
+        const Shape& shape = scene_->shapes[index];
+        box = read_shape(*scene_, index);
+        if (shape.material != k_none) box->material = material(shape.material);
+        if (shape.transform != k_none) box->transform = scene_->transforms[shape.transform];
+        box->name = scene_->shape_texts.name(index);
+    }
+    return box;
+}
+
+std::uint32_t SceneState::add(const std::shared_ptr<LightBox>& light) {
+    sync_lights();
+    Scene& scene = own();
+    const auto index = static_cast<std::uint32_t>(scene.lights.size());
+    scene.lights.push_back(light->value);
+    set_name(scene.light_texts, index, light->name);
+    lights_[index] = light;
+    ++now_.lights;
+    return index;
+}
+
+std::uint32_t SceneState::add(const std::shared_ptr<MaterialBox>& material) { return index_of(material); }
+
+std::uint32_t SceneState::index_of(const std::shared_ptr<MaterialBox>& material) {
+    if (!material) return k_none;
+    const auto found = material_indices_.find(material.get());
+    if (found != material_indices_.end()) return found->second;
+    Scene& scene = own();
+    const auto index = static_cast<std::uint32_t>(scene.materials.size());
+    scene.materials.push_back(material->value);
+    set_name(scene.material_texts, index, material->name);
+    materials_[index] = material;
+    material_indices_[material.get()] = index;
+    ++now_.materials;
+    return index;
+}
+
+void SceneState::write_transform(Shape& shape, const ShapeBox& box) {
+    if (same_affine(transform_of(*scene_, shape), box.transform)) return;
+    if (!box.transform) {
+        shape.transform = k_none;
+    } else {
+        scene_->transforms.push_back(*box.transform);
+        shape.transform = static_cast<std::uint32_t>(scene_->transforms.size() - 1);
+    }
+}
+
+std::uint32_t SceneState::add(const std::shared_ptr<ShapeBox>& shape) {
+    const std::uint32_t material = index_of(shape->material);
+    Scene& scene = own();
+    shape->append(scene);
+    const auto index = static_cast<std::uint32_t>(scene.shapes.size() - 1);
+    scene.shapes[index].material = material;
+    write_transform(scene.shapes[index], *shape);
+    set_name(scene.shape_texts, index, shape->name);
+    shapes_[index] = shape;
+    ++now_.shapes;
+    return index;
+}
+
+void SceneState::set_lights(const std::vector<std::shared_ptr<LightBox>>& lights) {
+    Scene& scene = own();
+    std::vector<SourcePlace> places;
+    for (const auto& light : lights) {
+        SourcePlace place;
+        for (const auto& [index, known] : lights_)
+            if (known == light) place = scene.light_texts.place(index);
+        places.push_back(place);
+    }
+    scene.lights.clear();
+    scene.light_texts.names.clear();
+    scene.light_texts.places = std::move(places);
+    lights_.clear();
+    for (const auto& light : lights) {
+        const auto index = static_cast<std::uint32_t>(scene.lights.size());
+        scene.lights.push_back(light->value);
+        set_name(scene.light_texts, index, light->name);
+        lights_[index] = light;
+    }
+    ++now_.lights;
+}
+
+void SceneState::set_material(std::uint32_t index, const std::shared_ptr<MaterialBox>& material) {
+    const auto known = materials_.find(index);
+    if (known != materials_.end()) material_indices_.erase(known->second.get());
+    materials_[index] = material;
+    material_indices_[material.get()] = index;
+}
+
+void SceneState::set_shape(std::uint32_t index, const std::shared_ptr<ShapeBox>& shape) {
+    shapes_[index] = shape;
+}
+
+void SceneState::remove_shapes(std::vector<std::uint32_t> removed) {
+    sync();
+    std::sort(removed.begin(), removed.end());
+    Scene& scene = own();
+    std::vector<Shape> shapes;
+    std::unordered_map<std::uint32_t, std::shared_ptr<ShapeBox>> objects;
+    ItemTexts texts;
+    for (std::uint32_t i = 0; i < scene.shapes.size(); ++i) {
+        if (std::binary_search(removed.begin(), removed.end(), i)) continue;
+        const auto to = static_cast<std::uint32_t>(shapes.size());
+        if (const auto object = shapes_.find(i); object != shapes_.end()) objects[to] = object->second;
+        set_name(texts, to, std::string(scene.shape_texts.name(i)));
+        if (!scene.shape_texts.places.empty()) texts.places.push_back(scene.shape_texts.place(i));
+        shapes.push_back(scene.shapes[i]);
+    }
+    scene.shapes = std::move(shapes);
+    scene.shape_texts = std::move(texts);
+    shapes_ = std::move(objects);
+    ++now_.shapes;
+}
+
+Scene& SceneState::change_shapes() {
+    sync();
+    ++now_.shapes;
+    return own();
+}
+
+Scene& SceneState::change_materials() {
+    ++now_.materials;
+    return own();
+}
+
+void SceneState::set_background(Color background) {
+    own().background = background;
+    ++now_.background;
+}
+
+void SceneState::set_setting(const std::string& key, const std::string& value) {
+    apply({{key, value}}, own());
+    ++now_.rules;
+}
+
+void SceneState::apply_profile(const std::string& profile) {
+    const Status status = glint::apply_profile(own(), profile);
+    if (!status) raise(status);
+    ++now_.rules;
+}
+
+void SceneState::sync_materials() {
+    bool changed = false;
+    for (const auto& [index, box] : materials_) {
+        if (scene_->material_texts.name(index) != box->name) set_name(own().material_texts, index, box->name);
+        if (same(scene_->materials[index], box->value)) continue;
+        own().materials[index] = box->value;
+        changed = true;
+    }
+    if (changed) ++now_.materials;
+    std::erase_if(materials_, [&](const auto& entry) {
+        const bool unused = entry.second.use_count() == 1;
+        if (unused) material_indices_.erase(entry.second.get());
+        return unused;
+    });
+}
+
+void SceneState::sync_lights() {
+    bool changed = false;
+    for (const auto& [index, box] : lights_) {
+        if (scene_->light_texts.name(index) != box->name) set_name(own().light_texts, index, box->name);
+        if (same(scene_->lights[index], box->value)) continue;
+        own().lights[index] = box->value;
+        changed = true;
+    }
+    if (changed) ++now_.lights;
+    forget_unused(lights_);
+}
+
+void SceneState::sync_shapes() {
+    for (const auto& [index, box] : shapes_) {
+        const std::uint32_t material = index_of(box->material);
+        if (scene_->shape_texts.name(index) != box->name) set_name(own().shape_texts, index, box->name);
+        const Shape& shape = scene_->shapes[index];
+        const bool moved = !same_affine(transform_of(*scene_, shape), box->transform);
+        if (!moved && shape.material == material && box->is_shape(*scene_, index)) continue;
+        Scene& scene = own();
+        box->write(scene, index);
+        scene.shapes[index].material = material;
+        write_transform(scene.shapes[index], *box);
+        edited_shapes_.emplace_back(++edits_, index);
+    }
+    forget_unused(shapes_);
+}
+
+void SceneState::sync() {
+    sync_shapes();  // first: it may add materials
+    sync_materials();
+    sync_lights();
+    if (!same(camera_->whole(), scene_->camera)) {
+        own().camera = camera_->whole();
+        ++now_.camera;
+    }
+}
+
+}  // namespace glint::python

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+// A Scene of Python: glint's Scene, the objects of it that Python refers to, and the World that was prepared
+// of it, so that the next picture prepares only what has changed.
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+#include "glint/glint.h"
+#include "items.h"
+#include "run.h"
+#include "shapes.h"
+
+namespace glint::python {
+
+/// Settings and conventions as KEY, VALUE, as the command line has them.
+using SettingList = std::vector<std::pair<std::string, std::string>>;
+
+/// Sets them in the scene, or throws.
+void apply(const SettingList& settings, Scene& scene);
+
+/// The parts of a World that can be replaced on their own.
+struct Versions {
+    std::uint64_t shapes = 0, materials = 0, lights = 0, camera = 0, background = 0, rules = 0;
+};
+
+/// A scene and its World at one moment. Later changes of the SceneState do not reach it, so it can be used
+/// without the GIL.
+struct Snapshot {
+    std::shared_ptr<const Scene> scene;
+    World world;
+};
+
+/// All functions need the GIL.
+class SceneState {
+  public:
+    SceneState();
+    SceneState(const SceneState&) = delete;
+    SceneState& operator=(const SceneState&) = delete;
+
+    /// Takes over a scene that was read from text.
+    void reset(Scene scene);
+    /// Becomes a copy: it shares the World, but no objects.
+    void copy_from(SceneState& other);
+
+    /// The scene with all changes that were made to its objects.
+    const Scene& scene();
+    std::shared_ptr<const Scene> shared_scene();
+    /// The scene as it was last compared with its objects. The numbers of lights and shapes are right.
+    const Scene& stored() const { return *scene_; }
+
+    // Objects of the scene; the same one each time.
+    std::shared_ptr<LightBox> light(std::uint32_t index);
+    std::shared_ptr<MaterialBox> material(std::uint32_t index);
+    std::shared_ptr<ShapeBox> shape(std::uint32_t index);
+    std::shared_ptr<CameraBox> camera() { return camera_; }
+    void set_camera(std::shared_ptr<CameraBox> camera) { camera_ = std::move(camera); }
+
+    std::uint32_t add(const std::shared_ptr<LightBox>& light);
+    /// The material's index; it is added if the scene does not have it.
+    std::uint32_t add(const std::shared_ptr<MaterialBox>& material);
+    std::uint32_t add(const std::shared_ptr<ShapeBox>& shape);
+    void set_lights(const std::vector<std::shared_ptr<LightBox>>& lights);
+    void set_material(std::uint32_t index, const std::shared_ptr<MaterialBox>& material);
+    void set_shape(std::uint32_t index, const std::shared_ptr<ShapeBox>& shape);
+    void remove_shapes(std::vector<std::uint32_t> shapes);
+
+    // For changes by arrays: the scene, whose shapes (or materials) then count as new.
+    Scene& change_shapes();
+    Scene& change_materials();
+    void set_background(Color background);
+    /// As glint::set_setting().
+    void set_setting(const std::string& key, const std::string& value);
+    void apply_profile(const std::string& profile);
+
+    /// Issues the warnings that were not yet issued for this scene.
+    void warn_once(const std::vector<Diagnostic>& diagnostics);
+
+    /// Prepares what has changed. `overrides`: settings for this picture alone. `progress` may be None.
+    Snapshot prepare(const SettingList& overrides, const py::object& progress, int threads = 0);
+
+  private:
+    Scene& own();  ///< for writing: a copy, if a snapshot has it
+    void sync();
+    void sync_materials();
+    void sync_lights();
+    void sync_shapes();
+    std::uint32_t index_of(const std::shared_ptr<MaterialBox>& material);
+    void write_transform(Shape& shape, const ShapeBox& box);
+
+    std::shared_ptr<Scene> scene_;
+    // By index; only those that Python has asked for.
+    std::unordered_map<std::uint32_t, std::shared_ptr<LightBox>> lights_;
+    std::unordered_map<std::uint32_t, std::shared_ptr<MaterialBox>> materials_;
+    std::unordered_map<std::uint32_t, std::shared_ptr<ShapeBox>> shapes_;
+    std::unordered_map<const MaterialBox*, std::uint32_t> material_indices_;
+    std::shared_ptr<CameraBox> camera_;
+
+    Versions now_;
+    std::uint64_t edits_ = 0;  // of shapes in place, each with its number
+    std::vector<std::pair<std::uint64_t, std::uint32_t>> edited_shapes_;
+
+    bool has_world_ = false;
+    World world_;
+    Versions world_versions_;
+    std::uint64_t world_edits_ = 0;
+    std::vector<std::string> warned_;
+};
+
+/// Python's class Scene, without what glint/_scene.py adds.
+void bind_scene(py::module_& m);
+/// Its functions that take arrays.
+void bind_arrays(py::class_<SceneState, std::shared_ptr<SceneState>>& cls);
+/// Its functions that read, render, and question the scene.
+void bind_tools(py::module_& m, py::class_<SceneState, std::shared_ptr<SceneState>>& cls);
+
+}  // namespace glint::python

@@ -1,0 +1,362 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "shapes.h"
+
+#include <fmt/format.h>
+
+#include <concepts>
+#include <type_traits>
+
+#include "base/text.h"
+#include "shape_fields.h"
+
+namespace glint::python {
+namespace {
+
+py::object points_to_python(const Vec3* points, std::size_t count) {
+    py::array_t<double> array({count, std::size_t{3}});
+    std::copy_n(&points[0].x, 3 * count, array.mutable_data());
+    return py::object(array);
+}
+
+std::vector<Vec3> to_points(const py::handle& value, std::string_view name) {
+    std::vector<Vec3> points;
+    for (const py::handle& point : value) points.push_back(to_point(point, name));
+    return points;
+}
+
+// Visitors of the parameters. Each looks for one by its name.
+struct Get {
+    std::string_view name;
+    py::object found = {};
+    template <class Value> void take(std::string_view at, const Value& value) {
+        if (at == name) found = to_python(value);
+    }
+    void point(std::string_view at, const Vec3& v) { take(at, v); }
+    void direction(std::string_view at, const Vec3& v) { take(at, v); }
+    void length(std::string_view at, double x) { take(at, x); }
+    void radius(std::string_view at, double x) { take(at, x); }
+    void flag(std::string_view at, bool x) { take(at, x); }
+    void points(std::string_view at, const Vec3 (&v)[3]) {
+        if (at == name) found = points_to_python(v, 3);
+    }
+};
+
+struct Set {
+    std::string_view name;
+    const py::handle& value;
+    void point(std::string_view at, Vec3& v) {
+        if (at == name) v = to_point(value, at);
+    }
+    void direction(std::string_view at, Vec3& v) {
+        if (at == name) v = to_direction(value, at);
+    }
+    void length(std::string_view at, double& x) {
+        if (at == name) x = to_number(value, at, k_length);
+    }
+    void radius(std::string_view at, double& x) {
+        if (at == name) x = to_number(value, at, k_not_negative);
+    }
+    void flag(std::string_view at, bool& x) {
+        if (at == name) x = value.cast<bool>();
+    }
+    void points(std::string_view at, Vec3 (&v)[3]) {
+        if (at != name) return;
+        const std::vector<Vec3> given = to_points(value, at);
+        if (given.size() != 3)
+            throw py::value_error(fmt::format("{}: expected three points, found {}", at, repr_of(value)));
+        std::copy_n(given.begin(), 3, v);
+    }
+};
+
+struct Names {
+    std::vector<std::pair<std::string, const char*>> names = {};
+    void add(std::string_view name, const char* doc) { names.emplace_back(name, doc); }
+    void point(std::string_view at, const Vec3&) {
+        add(at, "A point in world space, or that of `transform`");
+    }
+    void direction(std::string_view at, const Vec3&) { add(at, "A direction of any length but 0"); }
+    void length(std::string_view at, double) { add(at, "A number > 0, in the scene's units"); }
+    void radius(std::string_view at, double) { add(at, "A number >= 0, in the scene's units"); }
+    void flag(std::string_view at, bool) { add(at, "Whether the ends are closed by discs"); }
+    void points(std::string_view at, const Vec3 (&)[3]) {
+        add(at, "Three points or normals, as a 3x3 array");
+    }
+};
+
+// Whether two shapes have the same parameters: all are numbers, without padding but after `caps`.
+struct Numbers {
+    std::vector<double> all = {};
+    void add(const Vec3& v) { all.insert(all.end(), {v.x, v.y, v.z}); }
+    void point(std::string_view, const Vec3& v) { add(v); }
+    void direction(std::string_view, const Vec3& v) { add(v); }
+    void length(std::string_view, double x) { all.push_back(x); }
+    void radius(std::string_view, double x) { all.push_back(x); }
+    void flag(std::string_view, bool x) { all.push_back(x ? 1 : 0); }
+    void points(std::string_view, const Vec3 (&v)[3]) {
+        for (const Vec3& p : v) add(p);
+    }
+};
+
+template <class T> bool equal(const T& a, const T& b) {
+    Numbers x, y;
+    visit_parameters(a, x);
+    visit_parameters(b, y);
+    return x.all == y.all;
+}
+
+template <class T> std::vector<std::pair<std::string, const char*>> names_of() {
+    Names names;
+    const T shape{};
+    visit_parameters(shape, names);
+    return names.names;
+}
+
+// A class for each kind.
+template <class T> struct ShapeOf : ShapeBox {
+    T value;
+
+    void read(const Scene& scene, const Shape& shape) { value = scene.get<T>()[shape.index]; }
+    ShapeKind kind() const override { return ShapeKindOf<T>::value; }
+    bool is_shape(const Scene& scene, std::uint32_t index) const override {
+        const Shape& shape = scene.shapes[index];
+        return shape.kind == kind() && equal(scene.get<T>()[shape.index], value);
+    }
+    void write(Scene& scene, std::uint32_t index) const override {
+        Shape& shape = scene.shapes[index];
+        if (shape.kind == kind()) {
+            scene.get<T>()[shape.index] = value;
+            return;
+        }
+        scene.get<T>().push_back(value);
+        shape.kind = kind();
+        shape.index = static_cast<std::uint32_t>(scene.get<T>().size() - 1);
+    }
+    void append(Scene& scene) const override { scene.add(value); }
+    std::shared_ptr<ShapeBox> copy() const override { return std::make_shared<ShapeOf>(*this); }
+    std::string text() const override {
+        std::string text;
+        for (const auto& [parameter, doc] : names_of<T>()) {
+            Get get{parameter};
+            visit_parameters(value, get);
+            text += fmt::format("{}{}={}", text.empty() ? "" : ", ", parameter, repr_of(get.found));
+        }
+        return text;
+    }
+    bool same(const ShapeBox& other) const override {
+        const auto* same_kind = dynamic_cast<const ShapeOf*>(&other);
+        return same_kind != nullptr && equal(same_kind->value, value);
+    }
+};
+
+template <> struct ShapeOf<Polygon> : ShapeBox {
+    std::vector<Vec3> vertices;
+
+    void read(const Scene& scene, const Shape& shape) {
+        const Polygon polygon = scene.get<Polygon>()[shape.index];
+        const auto first = scene.polygon_vertices.begin() + polygon.first;
+        vertices.assign(first, first + polygon.count);
+    }
+    ShapeKind kind() const override { return ShapeKind::polygon; }
+    bool is_shape(const Scene& scene, std::uint32_t index) const override {
+        const Shape& shape = scene.shapes[index];
+        if (shape.kind != ShapeKind::polygon) return false;
+        const Polygon& polygon = scene.get<Polygon>()[shape.index];
+        return polygon.count == vertices.size() &&
+               std::equal(vertices.begin(), vertices.end(), scene.polygon_vertices.begin() + polygon.first);
+    }
+    void write(Scene& scene, std::uint32_t index) const override {
+        append(scene);
+        const std::uint32_t last = scene.shapes.back().index;
+        scene.shapes.pop_back();
+        scene.shapes[index].kind = ShapeKind::polygon;
+        scene.shapes[index].index = last;
+    }
+    void append(Scene& scene) const override {
+        const auto first = static_cast<std::uint32_t>(scene.polygon_vertices.size());
+        scene.polygon_vertices.insert(scene.polygon_vertices.end(), vertices.begin(), vertices.end());
+        scene.add(Polygon{first, static_cast<std::uint32_t>(vertices.size())});
+    }
+    std::shared_ptr<ShapeBox> copy() const override { return std::make_shared<ShapeOf>(*this); }
+    std::string text() const override {
+        py::list points;
+        for (const Vec3& v : vertices) points.append(to_python(v));
+        return "vertices=" + repr_of(points);
+    }
+    bool same(const ShapeBox& other) const override {
+        const auto* polygon = dynamic_cast<const ShapeOf*>(&other);
+        return polygon != nullptr && polygon->vertices == vertices;
+    }
+};
+
+void set_material(ShapeBox& shape, const py::handle& material) {
+    shape.material = material.is_none() ? nullptr : material.cast<std::shared_ptr<MaterialBox>>();
+}
+void set_transform(ShapeBox& shape, const py::handle& transform) {
+    if (transform.is_none()) {
+        shape.transform.reset();
+    } else {
+        shape.transform = to_affine(transform, "transform");
+    }
+}
+
+// The keywords that every kind takes. False for other words.
+bool set_common(ShapeBox& shape, const std::string& name, const py::handle& value) {
+    if (name == "material") {
+        set_material(shape, value);
+    } else if (name == "transform") {
+        set_transform(shape, value);
+    } else if (name == "name") {
+        shape.name = value.cast<std::string>();
+    } else {
+        return false;
+    }
+    return true;
+}
+
+template <class T>
+std::shared_ptr<ShapeOf<T>> make_shape(const py::args& values, const py::kwargs& keywords) {
+    static const auto names = names_of<T>();
+    const auto class_name = std::string(to_string(ShapeKindOf<T>::value));
+    auto shape = std::make_shared<ShapeOf<T>>();
+    // Closed, as in the scene language.
+    if constexpr (requires { shape->value.caps; }) shape->value.caps = true;
+    if (values.size() > names.size())
+        throw py::type_error(fmt::format("{}: {} values at most, then keywords", class_name, names.size()));
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        const py::object value = values[i];
+        visit_parameters(shape->value, Set{names[i].first, value});
+    }
+    for (const auto& [key, value] : keywords) {
+        const std::string name = py::str(key);
+        if (set_common(*shape, name, value)) continue;
+        std::vector<std::string_view> known = {"material", "transform", "name"};
+        bool is_known = false;
+        for (const auto& entry : names) {
+            known.push_back(entry.first);
+            is_known = is_known || entry.first == name;
+        }
+        if (!is_known)
+            throw py::type_error(
+                fmt::format("{} has no attribute '{}'{}", class_name, name, did_you_mean(name, known)));
+        visit_parameters(shape->value, Set{name, value});
+    }
+    return shape;
+}
+
+template <class T> void bind_shape(py::module_& m, const char* name, const char* doc) {
+    py::class_<ShapeOf<T>, ShapeBox, std::shared_ptr<ShapeOf<T>>> cls(m, name, doc);
+    if constexpr (std::same_as<T, Polygon>) {
+        cls.def(py::init([](const py::object& vertices, const py::kwargs& keywords) {
+                    auto shape = std::make_shared<ShapeOf<Polygon>>();
+                    shape->vertices = to_points(vertices, "vertices");
+                    for (const auto& [key, value] : keywords)
+                        if (!set_common(*shape, py::str(key), value))
+                            throw py::type_error("polygon has no attribute " + repr_of(key));
+                    return shape;
+                }),
+                py::arg("vertices"))
+            .def_property(
+                "vertices",
+                [](const ShapeOf<Polygon>& s) {
+                    return points_to_python(s.vertices.data(), s.vertices.size());
+                },
+                [](ShapeOf<Polygon>& s, const py::object& to) { s.vertices = to_points(to, "vertices"); },
+                "3 to 4096 points in one plane, as an N x 3 array; counter-clockwise around the normal");
+    } else {
+        cls.def(py::init(&make_shape<T>));
+        for (const auto& [parameter, help] : names_of<T>()) {
+            cls.def_property(
+                parameter.c_str(),
+                [name = parameter](const ShapeOf<T>& shape) {
+                    Get get{name};
+                    visit_parameters(shape.value, get);
+                    return get.found;
+                },
+                [name = parameter](ShapeOf<T>& shape, const py::object& to) {
+                    visit_parameters(shape.value, Set{name, to});
+                },
+                help);
+        }
+    }
+}
+
+std::string describe(const ShapeBox& shape, const std::string& class_name) {
+    std::string text = class_name + "(" + shape.text();
+    if (shape.material) text += ", material=" + repr_of(py::cast(shape.material));
+    if (shape.transform) text += ", transform=...";
+    if (!shape.name.empty()) text += ", name=" + repr_of(py::str(shape.name));
+    return text + ")";
+}
+
+bool same_material(const std::shared_ptr<MaterialBox>& a, const std::shared_ptr<MaterialBox>& b) {
+    if (!a || !b) return a == b;
+    return a->name == b->name && same(a->value, b->value);
+}
+
+}  // namespace
+
+std::shared_ptr<ShapeBox> read_shape(const Scene& scene, std::uint32_t index) {
+    const Shape& shape = scene.shapes[index];
+    switch (shape.kind) {
+#define GLINT_KIND(Type, word)                        \
+    case ShapeKind::word: {                           \
+        auto box = std::make_shared<ShapeOf<Type>>(); \
+        box->read(scene, shape);                      \
+        return box;                                   \
+    }
+        GLINT_SHAPES(GLINT_KIND)
+#undef GLINT_KIND
+    }
+    return nullptr;
+}
+
+void bind_shapes(py::module_& m) {
+    py::class_<ShapeBox, std::shared_ptr<ShapeBox>> cls(m, "Shape", "What all shapes have.");
+    cls.def_readwrite("material", &ShapeBox::material, "A Material; None: the default one")
+        .def_property(
+            "transform",
+            [](const ShapeBox& s) -> py::object {
+                if (!s.transform) return py::none();
+                return to_python(*s.transform);
+            },
+            [](ShapeBox& s, const py::object& to) { set_transform(s, to); },
+            "World from object, a matrix of 3x4 (or 4x4) numbers; None: the identity")
+        .def_readwrite("name", &ShapeBox::name, "For scene.shapes[name]; may be empty.")
+        .def_property_readonly(
+            "kind", [](const ShapeBox& s) { return std::string(to_string(s.kind())); },
+            "'sphere', 'plane' ...")
+        .def("__eq__",
+             [](const ShapeBox& a, const py::object& other) {
+                 if (!py::isinstance<ShapeBox>(other)) return false;
+                 const auto& b = other.cast<const ShapeBox&>();
+                 return a.same(b) && a.name == b.name && a.transform == b.transform &&
+                        same_material(a.material, b.material);
+             })
+        .def("__repr__",
+             [](const py::object& self) {
+                 return describe(self.cast<const ShapeBox&>(),
+                                 py::type::of(self).attr("__name__").cast<std::string>());
+             })
+        .def("__copy__", [](const ShapeBox& s) { return s.copy(); })
+        .def(
+            "__deepcopy__",
+            [](const ShapeBox& s, const py::dict&) {
+                auto copy = s.copy();
+                if (copy->material) copy->material = std::make_shared<MaterialBox>(*copy->material);
+                return copy;
+            },
+            py::arg("memo"));
+    cls.attr("__hash__") = py::none();
+    bind_shape<Sphere>(m, "Sphere", "Sphere(center, radius=1)");
+    bind_shape<Plane>(m, "Plane", "Plane(point, normal=(0, 1, 0)): infinite");
+    bind_shape<Cylinder>(m, "Cylinder", "Cylinder(from_, to, radius, caps=True)");
+    bind_shape<Cone>(m, "Cone", "Cone(from_, to, from_radius, to_radius=0, caps=True)");
+    bind_shape<Disc>(m, "Disc", "Disc(center, normal, radius)");
+    bind_shape<Box>(m, "Box", "Box(min, max), along the axes");
+    bind_shape<Triangle>(m, "Triangle", "Triangle(vertices): flat, its normal on the counter-clockwise side");
+    bind_shape<SmoothTriangle>(m, "SmoothTriangle",
+                               "SmoothTriangle(vertices, normals): shaded by its normals");
+    bind_shape<Polygon>(m, "Polygon", "Polygon(vertices): flat, convex or not");
+}
+
+}  // namespace glint::python

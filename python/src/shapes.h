@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+// Shapes as Python objects.
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "glint/scene.h"
+#include "items.h"
+
+namespace glint::python {
+
+/// A shape that Python refers to, with its material and its transform.
+struct ShapeBox {
+    std::shared_ptr<MaterialBox> material;  ///< null: the default material
+    std::optional<Affine> transform;        ///< world_from_object
+    std::string name;
+
+    virtual ~ShapeBox() = default;
+    virtual ShapeKind kind() const = 0;
+    /// Whether the parameters are those of shape number `index` of the scene.
+    virtual bool is_shape(const Scene& scene, std::uint32_t index) const = 0;
+    /// Makes them those of shape number `index`, which may be of another kind.
+    virtual void write(Scene& scene, std::uint32_t index) const = 0;
+    /// Adds a shape with these parameters to the scene.
+    virtual void append(Scene& scene) const = 0;
+    virtual std::shared_ptr<ShapeBox> copy() const = 0;
+    /// The parameters as in a call: "center=(0.0, 1.0, 0.0), radius=1.0".
+    virtual std::string text() const = 0;
+    virtual bool same(const ShapeBox& other) const = 0;
+};
+
+/// The parameters of shape number `index`, without material, transform and name.
+std::shared_ptr<ShapeBox> read_shape(const Scene& scene, std::uint32_t index);
+
+void bind_shapes(py::module_& m);
+
+}  // namespace glint::python
