@@ -1,0 +1,162 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Scenes, their objects and attributes."""
+
+import copy
+
+import numpy as np
+import pytest
+
+import glint
+
+
+def test_reads_and_writes_attributes(scene):
+    scene.camera.position = [1, 2, 3]
+    assert scene.camera.position == (1, 2, 3)
+    scene.camera.position += (0, 1, 0)
+    assert scene.camera.position == (1, 3, 3)
+    assert isinstance(scene.camera.position, glint.Vec3)
+    scene.lights["key"].intensity *= 2
+    assert scene.lights[0].color == (2, 2, 2)
+    assert scene.lights[0].specular_color == (2, 2, 2)
+    scene.materials["red"].mirror = 0.5
+    assert scene.shapes["ball"].material.mirror == 0.5
+    scene.background = "#ff0000"
+    assert scene.background == (1, 0, 0)
+
+
+def test_attributes_are_those_of_the_tables():
+    # One of each type; the stub test holds all of them against the stubs.
+    light = glint.Light("point", attenuation=(1, 0, 0.5))
+    assert light.attenuation.c2 == 0.5
+    camera = glint.Camera(fov=40, lighting_eye=(0, 0, 1))
+    assert camera.fov == 40 and camera.lighting_eye == (0, 0, 1)
+    camera.lighting_eye = None
+    assert camera.lighting_eye is None
+    assert glint.Material(ior=1.5, transmission=0.9).ior == 1.5
+
+
+@pytest.mark.parametrize(
+    "set_it, message",
+    [
+        (lambda m: setattr(m, "mirror", 2), "mirror: expected a number from 0 to 1, found 2"),
+        (lambda m: setattr(m, "mirror", "x"), "mirror: expected a number from 0 to 1, found 'x'"),
+        (lambda m: setattr(m, "color", (1, 2)), "color: expected a color: three numbers"),
+        (lambda m: setattr(m, "color", "red"), "'#rrggbb', found 'red'"),
+        (lambda m: setattr(m, "shininess", float("nan")), "shininess: expected"),
+    ],
+)
+def test_refuses_values_out_of_range(set_it, message):
+    with pytest.raises(ValueError, match=message):
+        set_it(glint.Material())
+
+
+def test_refuses_unknown_words(scene):
+    with pytest.raises(TypeError, match="did you mean `mirror`"):
+        glint.Material(miror=1)
+    with pytest.raises(TypeError, match="sphere has no attribute 'radios'; did you mean `radius`"):
+        glint.Sphere((0, 0, 0), radios=1)
+    with pytest.raises(AttributeError):
+        glint.Material().miror = 1
+    with pytest.raises(KeyError, match="no light 'kee'"):
+        scene.lights["kee"]
+    with pytest.raises(IndexError):
+        scene.shapes[2]
+
+
+def test_factors_of_the_color_follow_it():
+    material = glint.Material(color=(1, 0, 0), specular=0.5)
+    assert material.diffuse == (0.8, 0, 0) and material.specular == (0.5, 0, 0)
+    material.color = (0, 1, 0)
+    assert material.diffuse == (0, 0.8, 0) and material.specular == (0, 0.5, 0)
+    plastic = glint.Material(color=(1, 0, 0), specular=(1, 1, 1))
+    plastic.color = (0, 1, 0)
+    assert plastic.specular == (1, 1, 1)
+
+
+def test_a_color_is_as_in_the_scene_language():
+    text = "camera { position = (0, 0, 5)  look_at = (0, 0, 0)  fov_x = 50 }  light { type = ambient }  sphere { center = (0, 0, 0) radius = 1 color = (0.3, 0.6, 0.9) }"
+    read = glint.loads("material m { color = (0.3, 0.6, 0.9) specular = 0.25 }\n" + text).materials["m"]
+    made = glint.Material(color=(0.3, 0.6, 0.9), specular=0.25, name="m")
+    assert made == read
+
+
+def test_repr_equality_and_copies(scene):
+    ball = scene.shapes["ball"]
+    assert ball is scene.shapes[0]
+    assert repr(ball).startswith("Sphere(center=(0.0, 0.0, 0.0), radius=1.0, material=Material(name='red'")
+    assert repr(scene.lights["key"]) == "Light('point', name='key', position=(4.0, 5.0, 3.0))"
+    twin = copy.copy(ball)
+    assert twin == ball and twin is not ball
+    twin.radius = 2
+    assert twin != ball and ball.radius == 1
+    other = copy.deepcopy(scene)
+    assert other == scene
+    other.lights[0].position = (0, 0, 0)
+    assert other != scene and scene.lights[0].position == (4, 5, 3)
+    made = eval(repr(scene.camera), {"Camera": glint.Camera})
+    assert made == scene.camera
+
+
+def test_lights_are_a_list(scene):
+    scene.lights.append(glint.Light("ambient", color=0.2, name="fill"))
+    assert [light.name for light in scene.lights] == ["key", "fill"]
+    scene.lights.insert(0, glint.Light("directional", to_light=(0, 1, 0)))
+    assert [light.kind for light in scene.lights] == ["directional", "point", "ambient"]
+    del scene.lights["key"]
+    assert len(scene.lights) == 2 and "key" not in scene.lights
+    scene.lights = []
+    assert len(scene.lights) == 0
+
+
+def test_shapes_can_be_removed(scene):
+    del scene.shapes["ball"]
+    assert [shape.name for shape in scene.shapes] == ["floor"]
+    scene.shapes.clear()
+    assert len(scene.shapes) == 0
+
+
+def test_every_kind_of_shape():
+    scene = glint.Scene(glint.Light("ambient"), size=(32, 32))
+    shapes = [
+        glint.Sphere((0, 0, 0), 1),
+        glint.Plane((0, -3, 0)),
+        glint.Cylinder((0, 0, 0), (0, 1, 0), 0.5),
+        glint.Cone((0, 0, 0), (0, 1, 0), 0.5, caps=False),
+        glint.Disc((0, 2, 0), (0, 0, 1), 0.5),
+        glint.Box((0, 0, 0), (1, 1, 1)),
+        glint.Triangle([(0, 0, 0), (1, 0, 0), (0, 1, 0)]),
+        glint.SmoothTriangle([(0, 0, 0), (1, 0, 0), (0, 1, 0)], [(0, 0, 1)] * 3),
+        glint.Polygon([(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0)]),
+    ]
+    for shape in shapes:
+        scene.add(shape)
+    assert [s.kind for s in scene.shapes] == [
+        "sphere", "plane", "cylinder", "cone", "disc", "box", "triangle", "smooth_triangle", "polygon",
+    ]  # fmt: skip
+    assert glint.loads(scene.to_glint()).to_glint() == scene.to_glint()
+    scene.shapes[8].vertices = [(0, 0, 0), (2, 0, 0), (2, 2, 0)]
+    np.testing.assert_array_equal(scene.shapes[8].vertices[1], (2, 0, 0))
+    assert scene.shapes[2].caps and not scene.shapes[3].caps
+
+
+def test_transforms(scene):
+    matrix = np.eye(4)
+    matrix[0, 3] = 1
+    scene.shapes["ball"].transform = matrix
+    moved = scene.render()
+    scene.shapes["ball"].transform = None
+    scene.shapes["ball"].center = (1, 0, 0)
+    assert np.abs(scene.render().array - moved.array).max() < 1e-4
+
+
+def test_settings_and_profiles(scene):
+    assert scene.settings["size"] == (64, 48)
+    scene.settings["shading"] = "phong"
+    scene.conventions["limit"] = "drop"
+    assert dict(scene.settings)["shading"] == "phong" and scene.conventions["limit"] == "drop"
+    with pytest.raises(glint.GlintError, match="phong"):
+        scene.settings["shading"] = "fong"
+    with pytest.raises(KeyError, match="did you mean `specular_gate`"):
+        scene.conventions["specular_gat"] = True
+    assert "epfl" in glint.profiles and glint.profiles["cgfs"]["pixel_sample"] == "corner"
+    assert glint.setting_infos["epsilon"].is_convention

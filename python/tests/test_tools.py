@@ -1,0 +1,155 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Reading, explaining, checking, comparing and grading."""
+
+import subprocess
+import warnings
+
+import numpy as np
+import pytest
+
+import glint
+from conftest import ROOT
+from test_render import COMMAND
+
+CASTLE = ROOT / "scenes" / "epfl" / "castle.json"
+
+
+def test_errors_have_places(tmp_path):
+    path = tmp_path / "bad.cgfs"
+    path.write_text("sphere {\n  radius = 1\n  center = (0, oops, 3)\n}\n")
+    with pytest.raises(glint.GlintError) as caught:
+        glint.load(path)
+    error = caught.value
+    assert error.code == "parse"
+    first = error.diagnostics[-1]
+    assert (first.file, first.line, first.column) == (str(path), 3, 16)
+    assert "found 'oops'" in first.message and "^~~~" in str(first)
+    assert f"{path}:3:16" in str(error)
+    with pytest.raises(FileNotFoundError):
+        glint.load(tmp_path / "none.json")
+
+
+def test_errors_of_a_scene_made_in_code_name_the_item():
+    scene = glint.Scene()
+    scene.add(glint.Sphere((0, 0, 0), 1))
+    scene.camera.look_at = scene.camera.position
+    with pytest.raises(glint.GlintError) as caught:
+        scene.render(size=(4, 4))
+    assert caught.value.code == "invalid_scene"
+    assert caught.value.diagnostics[0].item == "camera"
+
+
+def test_a_failed_picture_can_be_mended(scene):
+    good = scene.render()
+    scene.camera.look_at = scene.camera.position
+    with pytest.raises(glint.GlintError):
+        scene.render()
+    scene.camera.look_at = (0, 0, 0)
+    assert scene.render() == good
+
+
+def test_warnings_point_at_the_caller():
+    scene = glint.Scene(size=(4, 4))
+    scene.add(glint.Sphere((0, 0, -3), 1))
+    with pytest.warns(glint.GlintWarning, match="light") as caught:
+        scene.render()
+    assert caught[0].filename == __file__
+    assert caught[0].message.diagnostic.severity == "warning"
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        scene.render()  # each is issued once
+
+
+def test_includes(tmp_path):
+    (tmp_path / "parts").mkdir()
+    (tmp_path / "parts" / "ball.glint").write_text("camera { position = (0, 0, 5)  look_at = (0, 0, 0)  fov_x = 50 }\nsphere { center = (0, 0, 0) radius = 1 }\n")
+    main = tmp_path / "main.glint"
+    main.write_text('include "parts/ball.glint"\nlight { type = ambient color = (1, 1, 1) }\n')
+    assert len(glint.load(main).shapes) == 1
+    main.write_text('include "parts/none.glint"\n')
+    with pytest.raises(glint.GlintError, match="no such file"):
+        glint.load(main)
+
+
+def test_explains_as_the_command_does():
+    scene = glint.load(CASTLE, size=(640, 640))
+    explanation = glint.explain(scene, 320, 350)
+    text = subprocess.run(
+        [COMMAND, "explain", CASTLE, "-s", "640x640", "-p", "320,350"], check=True, stdout=subprocess.PIPE, text=True
+    ).stdout
+    assert str(explanation) == text
+    ray = explanation.rays[0]
+    assert ray.kind == "camera" and ray.hit.shape.kind == "cylinder"
+    light = ray.hit.lights[0]
+    assert light.reason == "adds" and isinstance(light.to_light, glint.Vec3)
+    whole = ray.hit.ambient + sum((t.diffuse + t.specular for t in ray.hit.lights), glint.Color(0, 0, 0))
+    assert np.allclose(whole, explanation.value, atol=1e-6)
+    assert dict(explanation.layers).keys() == set(list(scene.render(size=(2, 2), aov="all").layers)[:6])
+    with pytest.raises(AttributeError, match="there is no 'hits'"):
+        ray.hits
+    with pytest.raises(glint.GlintError):
+        glint.explain(scene, 640, 0)
+
+
+def test_explains_with_other_settings(scene):
+    assert "N·H" in glint.explain(scene, 30, 20).text
+    assert "R·V" in glint.explain(scene, 30, 20, shading="phong").text
+    assert scene.settings["shading"] == "blinn-phong"
+
+
+def test_checks():
+    findings = glint.check(ROOT / "scenes" / "faults" / "black.glint")
+    assert findings and findings[0].diagnostic.line > 0
+    assert findings[0].remedy in str(findings[0])
+
+
+def test_compares(scene):
+    good = scene.render()
+    scene.lights["key"].specular_color = 0
+    bad = scene.render()
+    scene.lights["key"].specular_color = 1
+    comparison = glint.compare(bad, good, scene)
+    assert not comparison.identical and comparison.all.pixels == 64 * 48
+    assert comparison.causes[0].explained > 0.9
+    assert comparison.difference.array.max() == 1
+    assert "against" in str(comparison)
+    assert glint.compare(good, good.array).identical
+    with pytest.raises(glint.GlintError):
+        glint.compare(good, scene.render(size=(4, 4)))
+
+
+def test_versus_and_convert(scene, tmp_path):
+    result = glint.versus(scene, {"shading": "phong"}, {"shading": "blinn-phong"})
+    assert result.a == scene.render(shading="phong") and result.b == scene.render()
+    assert "R·V" in result.explanations[0].text
+    profiles = glint.versus(scene, {"profile": "cgfs"}, {"profile": "epfl"})
+    assert profiles.a.size == scene.settings["size"]
+    glint.convert(CASTLE, tmp_path / "castle.glint")
+    size = (32, 32)
+    assert glint.load(tmp_path / "castle.glint").render(size=size) == glint.load(CASTLE).render(size=size)
+
+
+def test_grades_pictures(scene, tmp_path):
+    good, dark = scene.render(), scene.render(shadows=False)
+    good.save(tmp_path / "ada.png")
+    dark.save(tmp_path / "bob.png")
+    (tmp_path / "eve.png").write_bytes(b"nothing")
+    ada, bob, eve = glint.grade(tmp_path, scene)
+    assert (ada.name, ada.points) == ("ada.png", 1)
+    assert bob.points < 1 and bob.parts[0].cause == "shadows-missing"
+    assert eve.points == 0 and eve.parts[0].error
+    same = glint.grade({"ada": good, "bob": dark}, reference=good)
+    assert [s.points == 1 for s in same] == [True, False]
+
+
+def test_grades_by_a_rubric(scene, tmp_path):
+    rubric = tmp_path / "rubric"
+    rubric.write_text("Shadows 4 *shadow*.png without shadows=false\nDiffuse 2 *diffuse*.png shading=diffuse\n")
+    class_ = {
+        "ada": {"shadow.png": scene.render(), "diffuse.png": scene.render(shading="diffuse")},
+        "bob": {"shadow.png": scene.render(shadows=False)},
+    }
+    ada, bob = glint.grade(class_, scene, rubric=rubric)
+    assert ada.points == 6
+    assert bob.points < 4 and bob.parts[1].error == "no file *diffuse*.png"
+    assert bob.parts[0].cause == "shadows-missing"
