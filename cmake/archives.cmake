@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 # Packages made by cpack: the Debian packages glint (the command, its documents and scenes), libglint-dev (headers and a
-# static library) and, if an MPI was found, glint-mpi. tools/make-release calls it.
+# static library), glint-mpi if an MPI was found, and python3-glint with GLINT_PYTHON. tools/make-release calls it.
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME glint)
 set(CPACK_PACKAGE_VENDOR "The glint authors")
@@ -12,6 +12,9 @@ set(CPACK_STRIP_FILES ON)
 set(CPACK_COMPONENTS_ALL command development)
 if(TARGET glint_mpi)
   list(APPEND CPACK_COMPONENTS_ALL mpi)
+endif()
+if(GLINT_PYTHON)
+  list(APPEND CPACK_COMPONENTS_ALL python)
 endif()
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
@@ -35,6 +38,13 @@ set(CPACK_DEBIAN_MPI_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_MPI_PACKAGE_RECOMMENDS openmpi-bin)
 set(CPACK_COMPONENT_MPI_DESCRIPTION
   "The ray tracer glint on many processes: glint-mpi renders one picture on all processes of an MPI job.")
+
+set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-glint)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "${GLINT_PYTHON_DEPENDS}")
+set(CPACK_COMPONENT_PYTHON_DESCRIPTION
+  "The Python package of the ray tracer glint: scenes, NumPy arrays, pictures, and the explanation of every pixel.")
 
 # Debian requires this name for the licence.
 file(READ NOTICE notice)
