@@ -58,8 +58,8 @@ double shade(const double* columns, std::size_t stride, std::size_t count) {
     Doubles sum(0);
     for (std::size_t i = 0; i < count; i += lane_count<double>()) {
         const auto triple_at = [&](std::size_t k) HWY_ATTR {
-            return Triple<Doubles>{load(columns + k * stride + i), load(columns + (k + 1) * stride + i),
-                                   load(columns + (k + 2) * stride + i)};
+            return Vector3<Doubles>{load(columns + k * stride + i), load(columns + (k + 1) * stride + i),
+                                    load(columns + (k + 2) * stride + i)};
         };
         const auto c = cosines(triple_at(0), triple_at(3), triple_at(6), rules);
         const auto t = terms(c, load(columns + 9 * stride + i), rules);

@@ -28,7 +28,7 @@ add_line(src/scene/light_fields.h before "    {\"attenuation\", \"attenuation\",
 # 4. Its formula.
 add_line(src/trace/direct_lighting-inl.h before "    const auto faces"
   "    if (light.is_shaft()) {
-        const Triple<Doubles> from_center = load_triple(surfaces.point, i) - lanes_of(light.center);
+        const Vector3<Doubles> from_center = load_vector3(surfaces.point, i) - lanes_of(light.center);
         const Doubles along = dot(from_center, to_light) / distance;
         const auto inside = dot(from_center, from_center) - along * along <=
                             Doubles(light.shaft_radius * light.shaft_radius);

@@ -36,7 +36,7 @@ struct TorusGeometry {
         // s runs from -1 to 1 within the ball around the torus, whatever the ray's length.
         const Roots<T> ball = closest_approach(ray.origin, ray.direction, out);
         const T half = max(ball.h, T(1e-300));
-        const Triple<T> q = ray.origin + ray.direction * ball.b, d = ray.direction * half;
+        const Vector3<T> q = ray.origin + ray.direction * ball.b, d = ray.direction * half;
         const T a = dot(d, d), b = T(2) * dot(q, d), c = dot(q, q) + big * big - small * small;
         const T f = T(4) * big * big;
         const T k[5] = {c * c - f * (q.x * q.x + q.z * q.z),
@@ -66,9 +66,9 @@ struct TorusGeometry {
     }
 
     /// Away from the circle in the middle of the tube.
-    template <class T> static HWY_INLINE Triple<T> normal(const T* p, Triple<T> point) {
+    template <class T> static HWY_INLINE Vector3<T> normal(const T* p, Vector3<T> point) {
         const T in = T(1) - p[0] / sqrt(point.x * point.x + point.z * point.z);
-        return normalize(Triple<T>{point.x * in, point.y, point.z * in});
+        return normalize(Vector3<T>{point.x * in, point.y, point.z * in});
     }
 
   private:

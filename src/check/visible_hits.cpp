@@ -19,8 +19,8 @@ using namespace HWY_NAMESPACE;
 
 constexpr std::size_t k_max_followed = 65536;  // mirror and glass rays of a generation
 
-Triple<double> triple_of(Vec3 v) { return {v.x, v.y, v.z}; }
-Vec3 vec_of(Triple<double> v) { return {v.x, v.y, v.z}; }
+Vector3<double> triple_of(Vec3 v) { return {v.x, v.y, v.z}; }
+Vec3 vec_of(Vector3<double> v) { return {v.x, v.y, v.z}; }
 
 double largest(Vec3 v) { return max_abs(triple_of(v)); }
 

@@ -36,11 +36,11 @@ inline void axial_bounds(Vec3 from, Vec3 to, double from_radius, double to_radiu
 template <class T> struct AxialRay {
     T height, t_min, start;
     T q_along, d_along;
-    Triple<T> q_across, d_across;
+    Vector3<T> q_across, d_across;
     T best = T(1e300);
 
     /// q: the ray's point at s = 0, relative to the start of the axis.
-    HWY_INLINE AxialRay(Triple<T> axis, T axis_height, Triple<T> q, Triple<T> d, T from, T least)
+    HWY_INLINE AxialRay(Vector3<T> axis, T axis_height, Vector3<T> q, Vector3<T> d, T from, T least)
         : height(axis_height),
           t_min(least),
           start(from),
@@ -69,7 +69,7 @@ template <class T> struct AxialRay {
 
   private:
     template <class M> HWY_INLINE void consider_disc(T s, T radius, M ok) {
-        const Triple<T> across = q_across + d_across * s;
+        const Vector3<T> across = q_across + d_across * s;
         consider(s, ok && (dot(across, across) <= radius * radius));
     }
 };
@@ -79,14 +79,15 @@ template <class T> struct AxialRay {
 /// axis, and a direction of at most about 1, the error of q.n is below 54 u M, that of radius |n| below 28 u
 /// radius; the test allows for twice that.
 template <class F> struct AxialFilter {
-    Triple<F> q, axis;
+    Vector3<F> q, axis;
     F radius, slack;
-    static HWY_INLINE AxialFilter around(const F* p, const Triple<F>& o, F most_radius) {
-        const F m = max_abs(o) + max_abs(triple(p));
-        return {o - triple(p), triple(p + 3), most_radius * F(1 + 0x1p-20f), (m + most_radius) * F(0x1p-17f)};
+    static HWY_INLINE AxialFilter around(const F* p, const Vector3<F>& o, F most_radius) {
+        const F m = max_abs(o) + max_abs(vector3(p));
+        return {o - vector3(p), vector3(p + 3), most_radius * F(1 + 0x1p-20f),
+                (m + most_radius) * F(0x1p-17f)};
     }
-    HWY_INLINE auto may_hit(const Triple<F>& d) const {
-        const Triple<F> n = cross(axis, d);
+    HWY_INLINE auto may_hit(const Vector3<F>& d) const {
+        const Vector3<F> n = cross(axis, d);
         const F beyond = abs(dot(q, n)) - slack;
         // A NaN may hit; so may values so near that their squares lose precision.
         return !((beyond > F(1e-18f)) && (beyond * beyond > (radius * radius) * dot(n, n)));
@@ -96,10 +97,10 @@ template <class F> struct AxialFilter {
 /// The normal of a point that is `along` the axis and `off` the side: that of a cap if there are caps and one
 /// is nearer.
 template <class T>
-HWY_INLINE Triple<T> side_or_cap(Triple<T> side, Triple<T> axis, T height, T along, T off, T caps) {
+HWY_INLINE Vector3<T> side_or_cap(Vector3<T> side, Vector3<T> axis, T height, T along, T off, T caps) {
     const T to_bottom = abs(along), to_top = abs(height - along);
     const auto on_cap = (caps > T(0)) && (min(to_bottom, to_top) < abs(off));
-    return select_triple(on_cap, select_triple(to_bottom < to_top, -axis, axis), side);
+    return select_vector3(on_cap, select_vector3(to_bottom < to_top, -axis, axis), side);
 }
 
 }  // namespace HWY_NAMESPACE

@@ -47,7 +47,7 @@ struct BoxGeometry {
     }
 
     /// The normal of the face whose plane is nearest to the point.
-    template <class T> static HWY_INLINE Triple<T> normal(const T* p, Triple<T> point) {
+    template <class T> static HWY_INLINE Vector3<T> normal(const T* p, Vector3<T> point) {
         const auto depth = [](T lo, T hi, T x) HWY_ATTR { return min(abs(x - lo), abs(hi - x)); };
         const auto side = [](T lo, T hi, T x)
                               HWY_ATTR { return select(abs(x - lo) < abs(hi - x), T(-1), T(1)); };
@@ -55,9 +55,9 @@ struct BoxGeometry {
                 z = depth(p[2], p[5], point.z);
         const T zero(0);
         const auto is_x = (x <= y) && (x <= z), is_y = y <= z;
-        return select_triple(is_x, Triple<T>{side(p[0], p[3], point.x), zero, zero},
-                             select_triple(is_y, Triple<T>{zero, side(p[1], p[4], point.y), zero},
-                                           Triple<T>{zero, zero, side(p[2], p[5], point.z)}));
+        return select_vector3(is_x, Vector3<T>{side(p[0], p[3], point.x), zero, zero},
+                              select_vector3(is_y, Vector3<T>{zero, side(p[1], p[4], point.y), zero},
+                                             Vector3<T>{zero, zero, side(p[2], p[5], point.z)}));
     }
 };
 

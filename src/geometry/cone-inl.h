@@ -34,9 +34,9 @@ struct ConeGeometry {
     /// the middle of the axis, so that distance does not reduce precision. The roots are q / a and c / q:
     /// a may be 0 (a ray parallel to the side).
     template <class T> static HWY_INLINE Hit<T> hit(const T* p, const Ray<T>& ray, T t_min) {
-        const Triple<T> axis = triple(p + 3), d = ray.direction;
+        const Vector3<T> axis = vector3(p + 3), d = ray.direction;
         const T height = p[6], base = p[7], growth = p[8];
-        const Triple<T> to_origin = ray.origin - triple(p);
+        const Vector3<T> to_origin = ray.origin - vector3(p);
         const T start = -(dot(to_origin - axis * (height * T(0.5)), d) / dot(d, d));
         AxialRay<T> r(axis, height, to_origin + d * start, d, start, t_min);
         const T q_radius = base + growth * r.q_along, d_radius = growth * r.d_along;
@@ -55,7 +55,7 @@ struct ConeGeometry {
     }
 
     template <class F> struct Filter : AxialFilter<F> {
-        static HWY_INLINE Filter of(const F* p, const Triple<F>& o) {
+        static HWY_INLINE Filter of(const F* p, const Vector3<F>& o) {
             // The other end's radius, minus its rounding error.
             const F end = p[7] + p[8] * p[6];
             return {AxialFilter<F>::around(p, o, max(p[7], end) + (abs(p[7]) + abs(end)) * F(0x1p-20f))};
@@ -63,15 +63,15 @@ struct ConeGeometry {
     };
 
     /// A point nearer to a cap's plane than to the lateral surface belongs to the cap.
-    template <class T> static HWY_INLINE Triple<T> normal(const T* p, Triple<T> point) {
-        const Triple<T> q = point - triple(p), axis = triple(p + 3);
+    template <class T> static HWY_INLINE Vector3<T> normal(const T* p, Vector3<T> point) {
+        const Vector3<T> q = point - vector3(p), axis = vector3(p + 3);
         const T along = dot(q, axis);
-        const Triple<T> across = q - axis * along;
+        const Vector3<T> across = q - axis * along;
         const T distance = length(across);
-        const Triple<T> outward = across / distance - axis * p[8];
+        const Vector3<T> outward = across / distance - axis * p[8];
         // The apex has no normal: the axis is used.
-        const Triple<T> tip = axis * select(p[8] < T(0), T(1), T(-1));
-        const Triple<T> lateral = select_triple(distance > T(0), normalize(outward), tip);
+        const Vector3<T> tip = axis * select(p[8] < T(0), T(1), T(-1));
+        const Vector3<T> lateral = select_vector3(distance > T(0), normalize(outward), tip);
         return side_or_cap(lateral, axis, p[6], along, distance - (p[7] + p[8] * along), p[9]);
     }
 };

@@ -30,7 +30,7 @@ struct CylinderGeometry {
     }
 
     template <class T> static HWY_INLINE Hit<T> hit(const T* p, const Ray<T>& ray, T t_min) {
-        AxialRay<T> r(triple(p + 3), p[6], ray.origin - triple(p), ray.direction, T(0), t_min);
+        AxialRay<T> r(vector3(p + 3), p[6], ray.origin - vector3(p), ray.direction, T(0), t_min);
         // For a ray parallel to the axis, the division gives NaN or infinity, and no lateral hit.
         const auto roots = closest_approach(r.q_across, r.d_across, p[7]);
         if (any(roots.real)) {
@@ -42,16 +42,16 @@ struct CylinderGeometry {
     }
 
     template <class F> struct Filter : AxialFilter<F> {
-        static HWY_INLINE Filter of(const F* p, const Triple<F>& o) {
+        static HWY_INLINE Filter of(const F* p, const Vector3<F>& o) {
             return {AxialFilter<F>::around(p, o, p[7])};
         }
     };
 
     /// A point nearer to a cap than to the lateral surface belongs to the cap.
-    template <class T> static HWY_INLINE Triple<T> normal(const T* p, Triple<T> point) {
-        const Triple<T> q = point - triple(p), axis = triple(p + 3);
+    template <class T> static HWY_INLINE Vector3<T> normal(const T* p, Vector3<T> point) {
+        const Vector3<T> q = point - vector3(p), axis = vector3(p + 3);
         const T along = dot(q, axis);
-        const Triple<T> across = q - axis * along;
+        const Vector3<T> across = q - axis * along;
         const T distance = length(across);
         return side_or_cap(across / distance, axis, p[6], along, distance - p[7], p[8]);
     }

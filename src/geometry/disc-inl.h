@@ -36,14 +36,14 @@ struct DiscGeometry {
     }
 
     template <class T> static HWY_INLINE Hit<T> hit(const T* p, const Ray<T>& ray, T t_min) {
-        const Triple<T> q = ray.origin - triple(p), n = triple(p + 3);
+        const Vector3<T> q = ray.origin - vector3(p), n = vector3(p + 3);
         // A ray in the disc's plane gives NaN or infinity: no hit.
         const T t = -dot(q, n) / dot(ray.direction, n);
-        const Triple<T> across = q + ray.direction * t;
+        const Vector3<T> across = q + ray.direction * t;
         return {t > t_min && (dot(across, across) <= p[6] * p[6]), t};
     }
 
-    template <class T> static HWY_INLINE Triple<T> normal(const T* p, Triple<T>) { return triple(p + 3); }
+    template <class T> static HWY_INLINE Vector3<T> normal(const T* p, Vector3<T>) { return vector3(p + 3); }
 };
 
 }  // namespace HWY_NAMESPACE

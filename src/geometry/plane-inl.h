@@ -37,13 +37,13 @@ struct PlaneGeometry {
     static void bounds(const Plane&, Vec3&, Vec3&) {}
 
     template <class T> static HWY_INLINE Hit<T> hit(const T* p, const Ray<T>& ray, T t_min) {
-        const Triple<T> n = triple(p + 3);
-        const T t = dot(triple(p) - ray.origin, n) / dot(ray.direction, n);
+        const Vector3<T> n = vector3(p + 3);
+        const T t = dot(vector3(p) - ray.origin, n) / dot(ray.direction, n);
         // A ray in the plane gives NaN or infinity: no hit.
         return {(t > t_min) && (t < T(1e300)), t};
     }
 
-    template <class T> static HWY_INLINE Triple<T> normal(const T* p, Triple<T>) { return triple(p + 3); }
+    template <class T> static HWY_INLINE Vector3<T> normal(const T* p, Vector3<T>) { return vector3(p + 3); }
 };
 
 }  // namespace HWY_NAMESPACE

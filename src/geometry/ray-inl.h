@@ -14,7 +14,7 @@ namespace glint {
 namespace HWY_NAMESPACE {
 
 /// Points origin + t direction; the direction has any length except 0.
-template <class T> struct Ray { Triple<T> origin, direction; };
+template <class T> struct Ray { Vector3<T> origin, direction; };
 
 /// The result of a formula: the smallest t > t_min at which the ray intersects the shape, if `valid`.
 template <class T> struct Hit {
@@ -29,10 +29,10 @@ template <class T> struct Roots {
     decltype(T() < T()) real;
     T b, h;
 };
-template <class T> HWY_INLINE Roots<T> closest_approach(Triple<T> q, Triple<T> d, T radius) {
+template <class T> HWY_INLINE Roots<T> closest_approach(Vector3<T> q, Vector3<T> d, T radius) {
     const T inverse = T(1) / dot(d, d);
     const T b = -(dot(q, d) * inverse);
-    const Triple<T> f = q + d * b;
+    const Vector3<T> f = q + d * b;
     const T discriminant = radius * radius - dot(f, f);
     const auto real = discriminant >= T(0);
     if (!any(real)) return {real, b, T(0)};

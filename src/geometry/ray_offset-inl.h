@@ -16,16 +16,16 @@ namespace HWY_NAMESPACE {
 
 /// A surface point that a ray hit.
 template <class T> struct SurfacePoint {
-    Triple<T> point, normal;  // unit normal
-    Triple<T> incoming;       // the direction of the ray that hit it
+    Vector3<T> point, normal;  // unit normal
+    Vector3<T> incoming;       // the direction of the ray that hit it
     T magnitude;  // of the numbers from which the point was computed: |origin| + |point| + |shape|, largest
                   // coordinates
 };
 
 /// The origin of a ray from the surface in direction `outgoing` (any length); see enum Offset.
 template <class T>
-HWY_INLINE Triple<T> offset_ray_origin(const SurfacePoint<T>& s, Triple<T> outgoing, Offset offset,
-                                       double epsilon) {
+HWY_INLINE Vector3<T> offset_ray_origin(const SurfacePoint<T>& s, Vector3<T> outgoing, Offset offset,
+                                        double epsilon) {
     const T e = T(epsilon);
     switch (offset) {
         case Offset::ray:
@@ -45,8 +45,8 @@ HWY_INLINE Triple<T> offset_ray_origin(const SurfacePoint<T>& s, Triple<T> outgo
 
 /// The origin of a ray through the surface: on the far side, with the same offset.
 template <class T>
-HWY_INLINE Triple<T> offset_transmitted_origin(const SurfacePoint<T>& s, Triple<T> outgoing, Offset offset,
-                                               double epsilon) {
+HWY_INLINE Vector3<T> offset_transmitted_origin(const SurfacePoint<T>& s, Vector3<T> outgoing, Offset offset,
+                                                double epsilon) {
     if (offset != Offset::normal && offset != Offset::facing)
         return offset_ray_origin(s, outgoing, offset, epsilon);
     const T e = T(epsilon);

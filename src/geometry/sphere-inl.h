@@ -30,7 +30,7 @@ struct SphereGeometry {
     }
 
     template <class T> static HWY_INLINE Hit<T> hit(const T* p, const Ray<T>& ray, T t_min) {
-        const auto roots = closest_approach(ray.origin - triple(p), ray.direction, p[3]);
+        const auto roots = closest_approach(ray.origin - vector3(p), ray.direction, p[3]);
         const T near = roots.b - roots.h, far = roots.b + roots.h;
         const T t = select(near > t_min, near, far);
         return {roots.real && (t > t_min), t};
@@ -41,21 +41,21 @@ struct SphereGeometry {
     /// that, and for squares so small that they lose precision.
     template <class F> struct Filter {
         static constexpr float k_tiny = 1e-37f;
-        Triple<F> q;
+        Vector3<F> q;
         F reach_squared;
-        static HWY_INLINE Filter of(const F* p, const Triple<F>& o) {
+        static HWY_INLINE Filter of(const F* p, const Vector3<F>& o) {
             const F magnitude = (abs(o.x) + abs(o.y) + abs(o.z)) + (abs(p[0]) + abs(p[1]) + abs(p[2]));
             const F reach = p[3] * F(1 + 0x1p-20f) + magnitude * F(0x1p-19f);
-            return {o - triple(p), reach * reach + F(k_tiny)};
+            return {o - vector3(p), reach * reach + F(k_tiny)};
         }
-        HWY_INLINE auto may_hit(const Triple<F>& d) const {
-            const Triple<F> f = q - d * (dot(q, d) / dot(d, d));
+        HWY_INLINE auto may_hit(const Vector3<F>& d) const {
+            const Vector3<F> f = q - d * (dot(q, d) / dot(d, d));
             return !(dot(f, f) * F(1 - 0x1p-20f) > reach_squared);  // a NaN may hit
         }
     };
 
-    template <class T> static HWY_INLINE Triple<T> normal(const T* p, Triple<T> point) {
-        return normalize(point - triple(p));
+    template <class T> static HWY_INLINE Vector3<T> normal(const T* p, Vector3<T> point) {
+        return normalize(point - vector3(p));
     }
 };
 

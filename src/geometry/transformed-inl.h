@@ -20,12 +20,12 @@ template <class Geometry> struct Transformed {
     static constexpr bool k_bakes_transform = false;
     static constexpr bool k_filtered = false;
 
-    template <class T> static HWY_INLINE Triple<T> linear(const T* m, Triple<T> v) {
+    template <class T> static HWY_INLINE Vector3<T> linear(const T* m, Vector3<T> v) {
         return {m[0] * v.x + m[1] * v.y + m[2] * v.z, m[4] * v.x + m[5] * v.y + m[6] * v.z,
                 m[8] * v.x + m[9] * v.y + m[10] * v.z};
     }
-    template <class T> static HWY_INLINE Triple<T> affine(const T* m, Triple<T> v) {
-        return linear(m, v) + Triple<T>{m[3], m[7], m[11]};
+    template <class T> static HWY_INLINE Vector3<T> affine(const T* m, Vector3<T> v) {
+        return linear(m, v) + Vector3<T>{m[3], m[7], m[11]};
     }
 
     template <class T> static HWY_INLINE Hit<T> hit(const T* p, const Ray<T>& ray, T t_min) {
@@ -34,11 +34,12 @@ template <class Geometry> struct Transformed {
     }
 
     /// Normals are transformed by the transpose of object_from_world.
-    template <class T> static HWY_INLINE Triple<T> normal(const T* p, Triple<T> point) {
+    template <class T> static HWY_INLINE Vector3<T> normal(const T* p, Vector3<T> point) {
         const T* m = p + Geometry::k_values;
-        const Triple<T> n = Geometry::normal(p, affine(m, point));
-        return normalize(Triple<T>{m[0] * n.x + m[4] * n.y + m[8] * n.z, m[1] * n.x + m[5] * n.y + m[9] * n.z,
-                                   m[2] * n.x + m[6] * n.y + m[10] * n.z});
+        const Vector3<T> n = Geometry::normal(p, affine(m, point));
+        return normalize(Vector3<T>{m[0] * n.x + m[4] * n.y + m[8] * n.z,
+                                    m[1] * n.x + m[5] * n.y + m[9] * n.z,
+                                    m[2] * n.x + m[6] * n.y + m[10] * n.z});
     }
 };
 

@@ -42,7 +42,7 @@ struct TriangleGeometry {
         lo = {box.lo.x, box.lo.y, box.lo.z}, hi = {box.hi.x, box.hi.y, box.hi.z};
     }
     /// The same, from the packed values: a triangle's box is computed when needed, which saves its memory.
-    template <class T> struct PackedBounds { Triple<T> lo, hi; };
+    template <class T> struct PackedBounds { Vector3<T> lo, hi; };
     template <class T> static HWY_INLINE PackedBounds<T> packed_bounds(const T* p) {
         const auto least = [&](int k) HWY_ATTR { return min(min(p[k], p[k + 3]), p[k + 6]); };
         const auto most = [&](int k) HWY_ATTR { return max(max(p[k], p[k + 3]), p[k + 6]); };
@@ -54,31 +54,31 @@ struct TriangleGeometry {
     /// major axis (0 to 2).
     template <class T> struct ShearedRay {
         static constexpr int k_values = 6;
-        Triple<T> origin;
+        Vector3<T> origin;
         T start, shear_x, shear_y;
     };
     template <class T, class Permutation>
     static HWY_INLINE ShearedRay<T> shear_ray(const Ray<T>& ray, const Permutation& permute) {
-        const Triple<T> d = ray.direction, along = permute(d);
+        const Vector3<T> d = ray.direction, along = permute(d);
         const T start = -(dot(ray.origin, d) / dot(d, d));
         return {ray.origin + d * start, start, along.x / along.z, along.y / along.z};
     }
     /// Permutes the axes so that the ray's major axis becomes z.
     template <class T> struct AxisPermutation {
         decltype(T() < T()) along_x, along_y;
-        static HWY_INLINE AxisPermutation of(const Triple<T>& d) {
+        static HWY_INLINE AxisPermutation of(const Vector3<T>& d) {
             return {(abs(d.x) > abs(d.y)) && (abs(d.x) > abs(d.z)), abs(d.y) > abs(d.z)};
         }
-        HWY_INLINE Triple<T> operator()(const Triple<T>& v) const {
-            return select_triple(along_x, Triple<T>{v.y, v.z, v.x},
-                                 select_triple(along_y, Triple<T>{v.z, v.x, v.y}, v));
+        HWY_INLINE Vector3<T> operator()(const Vector3<T>& v) const {
+            return select_vector3(along_x, Vector3<T>{v.y, v.z, v.x},
+                                  select_vector3(along_y, Vector3<T>{v.z, v.x, v.y}, v));
         }
     };
     /// The same if all rays have the same major axis.
     template <class T> struct UniformPermutation {
         int axis;
-        HWY_INLINE Triple<T> operator()(const Triple<T>& v) const {
-            return axis == 0 ? Triple<T>{v.y, v.z, v.x} : axis == 1 ? Triple<T>{v.z, v.x, v.y} : v;
+        HWY_INLINE Vector3<T> operator()(const Vector3<T>& v) const {
+            return axis == 0 ? Vector3<T>{v.y, v.z, v.x} : axis == 1 ? Vector3<T>{v.z, v.x, v.y} : v;
         }
     };
 
@@ -87,23 +87,23 @@ struct TriangleGeometry {
     /// triangles, and the difference of two rounded products has the right sign or is 0: a mesh has no gaps
     /// at its edges and vertices.
     template <class T, class Permutation>
-    static HWY_INLINE Hit<T> hit_sheared(const T* p, const ShearedRay<T>& sheared, const Triple<T>& d,
+    static HWY_INLINE Hit<T> hit_sheared(const T* p, const ShearedRay<T>& sheared, const Vector3<T>& d,
                                          const Permutation& permute, T t_min) {
         const auto shear = [&](const T* vertex) HWY_ATTR {
-            const Triple<T> v = permute(triple(vertex) - sheared.origin);
-            return Triple<T>{v.x - sheared.shear_x * v.z, v.y - sheared.shear_y * v.z, v.z};
+            const Vector3<T> v = permute(vector3(vertex) - sheared.origin);
+            return Vector3<T>{v.x - sheared.shear_x * v.z, v.y - sheared.shear_y * v.z, v.z};
         };
-        const Triple<T> a = shear(p), b = shear(p + 3), c = shear(p + 6);
-        const auto side = [](const Triple<T>& from, const Triple<T>& to)
+        const Vector3<T> a = shear(p), b = shear(p + 3), c = shear(p + 6);
+        const auto side = [](const Vector3<T>& from, const Vector3<T>& to)
                               HWY_ATTR { return from.x * to.y - from.y * to.x; };
         const T u = side(b, c), v = side(c, a), w = side(a, b);
         const T zero(0);
         const auto inside =
             ((u >= zero) && (v >= zero) && (w >= zero)) || ((u <= zero) && (v <= zero) && (w <= zero));
         if (!any(inside)) return {inside, zero};
-        const Triple<T> n = cross(triple(p + 3) - triple(p), triple(p + 6) - triple(p));
+        const Vector3<T> n = cross(vector3(p + 3) - vector3(p), vector3(p + 6) - vector3(p));
         // A ray in the plane gives NaN or infinity: no hit.
-        const T t = sheared.start + dot(triple(p) - sheared.origin, n) / dot(d, n);
+        const T t = sheared.start + dot(vector3(p) - sheared.origin, n) / dot(d, n);
         return {inside && (t > t_min) && (t < T(1e300)), t};
     }
     template <class T> static HWY_INLINE Hit<T> hit(const T* p, const Ray<T>& ray, T t_min) {
@@ -118,41 +118,41 @@ struct TriangleGeometry {
     /// test allows for twice that, and for products so small that they lose precision.
     template <class F> struct Filter {
         static constexpr float k_tiny = 1e-37f;
-        Triple<F> ab, bc, ca;
+        Vector3<F> ab, bc, ca;
         F slack;
-        static HWY_INLINE Filter of(const F* p, const Triple<F>& o) {
-            const Triple<F> a = triple(p) - o, b = triple(p + 3) - o, c = triple(p + 6) - o;
+        static HWY_INLINE Filter of(const F* p, const Vector3<F>& o) {
+            const Vector3<F> a = vector3(p) - o, b = vector3(p + 3) - o, c = vector3(p + 6) - o;
             const F m =
-                max(max_abs(triple(p)), max(max_abs(triple(p + 3)), max_abs(triple(p + 6)))) + max_abs(o);
+                max(max_abs(vector3(p)), max(max_abs(vector3(p + 3)), max_abs(vector3(p + 6)))) + max_abs(o);
             return {cross(a, b), cross(b, c), cross(c, a), m * m * F(0x1p-17f) + F(k_tiny)};
         }
         /// For rays with a common origin: computed in double, then rounded to float. With N the largest sum
         /// of a cross product's magnitudes, rounding it, the direction and the dot product changes a volume
         /// by less than 7 u N, much less than 62 u M^2 for small, distant triangles. The error of double,
         /// here and in `hit`, is below 2^-43 M^2. The test allows for twice the first, 8 times the second.
-        static HWY_INLINE Filter from_one_origin(const F* p, const Triple<F>& o) {
-            const Triple<F> a = triple(p) - o, b = triple(p + 3) - o, c = triple(p + 6) - o;
+        static HWY_INLINE Filter from_one_origin(const F* p, const Vector3<F>& o) {
+            const Vector3<F> a = vector3(p) - o, b = vector3(p + 3) - o, c = vector3(p + 6) - o;
             const Filter f{cross(a, b), cross(b, c), cross(c, a), F(0)};
-            const auto parts = [](const Triple<F>& n) HWY_ATTR { return abs(n.x) + abs(n.y) + abs(n.z); };
+            const auto parts = [](const Vector3<F>& n) HWY_ATTR { return abs(n.x) + abs(n.y) + abs(n.z); };
             const F n = max(parts(f.ab), max(parts(f.bc), parts(f.ca)));
             const F m =
-                max(max_abs(triple(p)), max(max_abs(triple(p + 3)), max_abs(triple(p + 6)))) + max_abs(o);
+                max(max_abs(vector3(p)), max(max_abs(vector3(p + 3)), max_abs(vector3(p + 6)))) + max_abs(o);
             const F lost = n * F(0x1p-20) + m * m * F(0x1p-40) + F(1e-37);
             return {f.ab, f.bc, f.ca,
                     select(n < F(1e36), lost, F(k_infinity))};  // not for values beyond float
         }
-        HWY_INLINE auto may_hit(const Triple<F>& d) const {
+        HWY_INLINE auto may_hit(const Vector3<F>& d) const {
             const F u = dot(d, bc), v = dot(d, ca), w = dot(d, ab);
             // A NaN may hit.
             return !((min(u, min(v, w)) < -slack) && (max(u, max(v, w)) > slack));
         }
         /// False only if may_hit is false for all directions within [lo, hi], because rounding is monotone.
-        HWY_INLINE auto some_may_hit(const Triple<F>& lo, const Triple<F>& hi) const {
-            const auto least = [&](const Triple<F>& n) HWY_ATTR {
+        HWY_INLINE auto some_may_hit(const Vector3<F>& lo, const Vector3<F>& hi) const {
+            const auto least = [&](const Vector3<F>& n) HWY_ATTR {
                 return min(lo.x * n.x, hi.x * n.x) + min(lo.y * n.y, hi.y * n.y) +
                        min(lo.z * n.z, hi.z * n.z);
             };
-            const auto most = [&](const Triple<F>& n) HWY_ATTR {
+            const auto most = [&](const Vector3<F>& n) HWY_ATTR {
                 return max(lo.x * n.x, hi.x * n.x) + max(lo.y * n.y, hi.y * n.y) +
                        max(lo.z * n.z, hi.z * n.z);
             };
@@ -161,8 +161,8 @@ struct TriangleGeometry {
         }
     };
 
-    template <class T> static HWY_INLINE Triple<T> normal(const T* p, Triple<T>) {
-        return normalize(cross(triple(p + 3) - triple(p), triple(p + 6) - triple(p)));
+    template <class T> static HWY_INLINE Vector3<T> normal(const T* p, Vector3<T>) {
+        return normalize(cross(vector3(p + 3) - vector3(p), vector3(p + 6) - vector3(p)));
     }
 };
 
@@ -201,15 +201,15 @@ struct SmoothTriangleGeometry {
     template <class F> using Filter = TriangleGeometry::Filter<F>;
     template <class T, class Permutation>
     static HWY_INLINE Hit<T> hit_sheared(const T* p, const TriangleGeometry::ShearedRay<T>& sheared,
-                                         const Triple<T>& d, const Permutation& permute, T t_min) {
+                                         const Vector3<T>& d, const Permutation& permute, T t_min) {
         return TriangleGeometry::hit_sheared(p, sheared, d, permute, t_min);
     }
 
-    template <class T> static HWY_INLINE Triple<T> normal(const T* p, Triple<T> point) {
-        const Triple<T> a = triple(p) - point, b = triple(p + 3) - point, c = triple(p + 6) - point;
-        const Triple<T> n = cross(triple(p + 3) - triple(p), triple(p + 6) - triple(p));
+    template <class T> static HWY_INLINE Vector3<T> normal(const T* p, Vector3<T> point) {
+        const Vector3<T> a = vector3(p) - point, b = vector3(p + 3) - point, c = vector3(p + 6) - point;
+        const Vector3<T> n = cross(vector3(p + 3) - vector3(p), vector3(p + 6) - vector3(p));
         const T u = dot(cross(b, c), n), v = dot(cross(c, a), n), w = dot(cross(a, b), n);
-        return normalize(triple(p + 9) * u + triple(p + 12) * v + triple(p + 15) * w);
+        return normalize(vector3(p + 9) * u + vector3(p + 12) * v + vector3(p + 15) * w);
     }
 };
 

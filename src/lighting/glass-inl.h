@@ -18,18 +18,18 @@ namespace HWY_NAMESPACE {
 /// A refracted ray. If `total` is set there is none: total internal reflection.
 template <class T> struct Refraction {
     decltype(T() < T()) total;
-    Triple<T> direction;  // as long as the incoming direction
+    Vector3<T> direction;  // as long as the incoming direction
 };
 
 /// Snell's law, n1 sin(theta) = n2 sin(phi). incoming: any length except 0; normal: unit, on the side of the
 /// incoming ray (N·D <= 0); eta = n1 / n2. T = eta (D + cos N) - N sqrt(1 - eta^2 (1 - cos^2)), cos = -N·D
 /// (CSC 473, "Reflection and Refraction").
-template <class T> HWY_INLINE Refraction<T> refracted(Triple<T> incoming, Triple<T> normal, T eta) {
+template <class T> HWY_INLINE Refraction<T> refracted(Vector3<T> incoming, Vector3<T> normal, T eta) {
     const T size = length(incoming);
-    const Triple<T> d = incoming / size;
+    const Vector3<T> d = incoming / size;
     const T cosine = -dot(normal, d);
     const T square = T(1) - eta * eta * (T(1) - cosine * cosine);
-    const Triple<T> t = (d + normal * cosine) * eta - normal * sqrt(max(square, T(0)));
+    const Vector3<T> t = (d + normal * cosine) * eta - normal * sqrt(max(square, T(0)));
     return {square < T(0), t * size};
 }
 

@@ -28,17 +28,17 @@ struct LightingRules {
 template <class T> struct Cosines { T n_l, s; };
 
 /// R = 2 N (N·L) - L (LIGHT-6; CGFS "ReflectRay"; RT2).
-template <class T> HWY_INLINE Triple<T> mirrored(Triple<T> l, Triple<T> n) {
+template <class T> HWY_INLINE Vector3<T> mirrored(Vector3<T> l, Vector3<T> n) {
     return n * (T(2) * dot(n, l)) - l;
 }
 
 /// N is unit; l and v, from the surface point to the light and to the eye, are unit if the rules normalise.
 template <class T>
-HWY_INLINE Cosines<T> cosines(Triple<T> normal, Triple<T> l, Triple<T> v, const LightingRules& rules) {
+HWY_INLINE Cosines<T> cosines(Vector3<T> normal, Vector3<T> l, Vector3<T> v, const LightingRules& rules) {
     const T n_l = dot(normal, l);
     if (rules.shading == Shading::phong) return {n_l, dot(mirrored(l, normal), v)};
     if (rules.shading == Shading::blinn_phong) {
-        const Triple<T> h = l + v;
+        const Vector3<T> h = l + v;
         const T size = length(h);
         // Light from exactly behind: H does not exist, and there is no highlight.
         const T s = dot(normal, h);

@@ -51,7 +51,7 @@ HWY_INLINE double viewport_y(const RenderSettings& settings, PixelSample where, 
            settings.height;
 }
 
-/// The ray through a point of the viewport. V: Vec3, or Triple of lanes. across: from the middle of the
+/// The ray through a point of the viewport. V: Vec3, or Vector3 of lanes. across: from the middle of the
 /// viewport to the point, right sx + up sy, with sx and sy from -1/2 to 1/2 across the picture and upwards.
 template <class V> struct ViewportRay { V origin, direction; };
 template <class V>
@@ -80,7 +80,8 @@ inline void make_camera_rays(const WorldParts& world, const TileJob& job, int i,
     alignas(k_ray_alignment) double column_offset[3][k_tile_side];  // by column of the tile
     for (int x = 0; x < k_tile_side; x += lane_count<double>()) {
         const Doubles column = Doubles(static_cast<double>(job.x + x)) + iota();
-        store_triple(lanes_of(camera.right) * viewport_x(world.settings, where, column, i), column_offset, x);
+        store_vector3(lanes_of(camera.right) * viewport_x(world.settings, where, column, i), column_offset,
+                      x);
     }
     Vec3 row_offset[k_tile_side];
     for (int y = 0; y < job.height; ++y) {
@@ -88,11 +89,11 @@ inline void make_camera_rays(const WorldParts& world, const TileJob& job, int i,
     }
     for_each_row(job, [&](int x, int y, int first, int width) HWY_ATTR {
         for (int c = 0; c < width; c += lane_count<double>()) {
-            const Triple<Doubles> across = load_triple(column_offset, x + c) + lanes_of(row_offset[y]);
+            const Vector3<Doubles> across = load_vector3(column_offset, x + c) + lanes_of(row_offset[y]);
             const auto ray =
                 viewport_ray(camera.projection, lanes_of(camera.position), lanes_of(camera.forward), across);
-            if (orthographic) store_triple(ray.origin, to.origin, first + c);
-            store_triple(unit ? normalize(ray.direction) : ray.direction, to.direction, first + c);
+            if (orthographic) store_vector3(ray.origin, to.origin, first + c);
+            store_vector3(unit ? normalize(ray.direction) : ray.direction, to.direction, first + c);
         }
     });
     rays.generation = 0;

@@ -27,7 +27,7 @@ HWY_INLINE bool has_no_attenuation(const Light& light) { return !light.falls_off
 
 /// A light as a vector of surfaces sees it.
 struct LightLanes {
-    Triple<Doubles> to_light;
+    Vector3<Doubles> to_light;
     Doubles distance;  // its length
     Doubles attenuation;
     Cosines<Doubles> cosines;
@@ -36,14 +36,14 @@ struct LightLanes {
 HWY_INLINE LightLanes light_at(const WorldParts& world, const Light& light, const LightingRules& rules,
                                const SurfaceBatch& surfaces, int i) {
     const Doubles zero(0);
-    const auto adds = [&](Triple<Doubles> a, Triple<Doubles> b)
+    const auto adds = [&](Vector3<Doubles> a, Vector3<Doubles> b)
                           HWY_ATTR { return !(a.x * b.x == zero && a.y * b.y == zero && a.z * b.z == zero); };
-    const Triple<Doubles> to_light = light.has_position()
-                                         ? lanes_of(light.position) - load_triple(surfaces.point, i)
-                                         : lanes_of(light.to_light);
+    const Vector3<Doubles> to_light = light.has_position()
+                                          ? lanes_of(light.position) - load_vector3(surfaces.point, i)
+                                          : lanes_of(light.to_light);
     const Doubles distance = length(to_light);
-    const Triple<Doubles> l = rules.normalize ? to_light / distance : to_light;
-    const auto c = cosines(load_triple(surfaces.normal, i), l, load_triple(surfaces.to_eye, i), rules);
+    const Vector3<Doubles> l = rules.normalize ? to_light / distance : to_light;
+    const auto c = cosines(load_vector3(surfaces.normal, i), l, load_vector3(surfaces.to_eye, i), rules);
     // A light in the surface itself has no direction.
     auto lit = first_lanes<double>(surfaces.count - i) && distance > zero;
     Doubles f_att(1);
@@ -125,7 +125,7 @@ inline void compute_highlights(const WorldParts& world, const SurfaceBatch& surf
 }
 
 /// k_d I_l,d N·L f_att, or k_s I_l,s S^n f_att.
-HWY_INLINE Triple<Doubles> contribution(Triple<Doubles> k, Color light, Doubles term, Doubles attenuation) {
+HWY_INLINE Vector3<Doubles> contribution(Vector3<Doubles> k, Color light, Doubles term, Doubles attenuation) {
     return (k * lanes_of(light) * term) * attenuation;
 }
 
@@ -142,9 +142,9 @@ inline void add_light(const WorldParts& world, const Light& light, const Surface
         const auto lit = from_bits<double>(bits);
         const MaterialLanes material(world, surfaces.material.data() + i);
         const Doubles f_att = constant ? Doubles(1) : load(samples.attenuation.data() + i);
-        const auto add = [&](BatchColumn<double>* to, Triple<Doubles> more) HWY_ATTR {
-            const Triple<Doubles> sum = load_triple(to, i);
-            store_triple(select_triple(lit, sum + more, sum), to, i);
+        const auto add = [&](BatchColumn<double>* to, Vector3<Doubles> more) HWY_ATTR {
+            const Vector3<Doubles> sum = load_vector3(to, i);
+            store_vector3(select_vector3(lit, sum + more, sum), to, i);
         };
         add(radiance.diffuse, contribution(material.color(k_diffuse), light.color,
                                            diffuse_term(load(samples.n_l.data() + i), rules), f_att));

@@ -28,15 +28,15 @@ struct PixelLanes {
         double* sums[3] = {film.of(layer, 0), film.of(layer, 1), film.of(layer, 2)};
         if (are_adjacent) {
             const int first = static_cast<int>(pixels[0]);
-            const Triple<Doubles> before = load_triple(sums, first);
-            Triple<Doubles> sum = before;
+            const Vector3<Doubles> before = load_vector3(sums, first);
+            Vector3<Doubles> sum = before;
             ((sum = sum + colors), ...);
-            store_triple(select_triple(set, sum, before), sums, first);
+            store_vector3(select_vector3(set, sum, before), sums, first);
             return;
         }
         alignas(k_ray_alignment) double lanes[sizeof...(colors)][3][lane_count<double>()];
         int stored = 0;
-        (store_triple(colors, lanes[stored++], 0), ...);
+        (store_vector3(colors, lanes[stored++], 0), ...);
         for (std::uint32_t bits = to_bits(set); bits != 0; bits &= bits - 1) {
             const int k = __builtin_ctz(bits), p = static_cast<int>(pixels[k]);
             for (int c = 0; c < 3; ++c) {
@@ -58,7 +58,7 @@ inline void add_misses(const WorldParts& world, const RayBatch& rays, const HitB
                        Film& film) {
     const bool camera = rays.generation == 0;
     if (!camera && world.conventions.mirror_miss == MissRule::black) return;
-    const Triple<Doubles> color = lanes_of(miss_color(world));
+    const Vector3<Doubles> color = lanes_of(miss_color(world));
     for (int i = range.begin; i < range.end; i += lane_count<double>()) {
         const auto missed =
             !(load(hits.t.data() + i) < Doubles(k_infinity)) && first_lanes<double>(range.end - i);
@@ -71,15 +71,15 @@ inline void add_misses(const WorldParts& world, const RayBatch& rays, const HitB
             PixelLanes(pixels, missed).add(film, Layer::background, color);
         } else {
             const PixelLanes pixels(rays.target.data() + ray, missed);
-            pixels.add(film, Layer::reflection, load_triple(rays.weight, ray) * color);
+            pixels.add(film, Layer::reflection, load_vector3(rays.weight, ray) * color);
         }
     }
 }
 
 /// The colours of a vector of surfaces in shading modes without light.
-HWY_INLINE Triple<Doubles> unlit_color(const WorldParts& world, const SurfaceBatch& surfaces, int h) {
+HWY_INLINE Vector3<Doubles> unlit_color(const WorldParts& world, const SurfaceBatch& surfaces, int h) {
     if (world.settings.shading == Shading::normals)
-        return (load_triple(surfaces.normal, h) + lanes_of(Vec3{1, 1, 1})) * Doubles(0.5);
+        return (load_vector3(surfaces.normal, h) + lanes_of(Vec3{1, 1, 1})) * Doubles(0.5);
     return MaterialLanes(world, surfaces.material.data() + h).color(k_color);
 }
 
@@ -93,20 +93,20 @@ inline void add_unlit(const WorldParts& world, const SurfaceBatch& surfaces, Fil
 }
 
 /// k_a I_a.
-HWY_INLINE Triple<Doubles> ambient_of(const WorldParts& world, const MaterialLanes& material) {
+HWY_INLINE Vector3<Doubles> ambient_of(const WorldParts& world, const MaterialLanes& material) {
     return material.color(k_ambient) * lanes_of(world.ambient);
 }
 
 /// The light of a vector of surfaces as their pixels get it, weighted.
 struct HitLight {
-    Triple<Doubles> ambient, diffuse, specular;
+    Vector3<Doubles> ambient, diffuse, specular;
 };
 HWY_INLINE HitLight light_of(const WorldParts& world, const SurfaceBatch& surfaces,
                              const RadianceBatch& radiance, const MaterialLanes& material, int h) {
-    const Triple<Doubles> weight =
-        load_triple(surfaces.weight, h) * local_share(world, material, surfaces.generation);
-    return {weight * ambient_of(world, material), weight * load_triple(radiance.diffuse, h),
-            weight * load_triple(radiance.specular, h)};
+    const Vector3<Doubles> weight =
+        load_vector3(surfaces.weight, h) * local_share(world, material, surfaces.generation);
+    return {weight * ambient_of(world, material), weight * load_vector3(radiance.diffuse, h),
+            weight * load_vector3(radiance.specular, h)};
 }
 
 /// Adds the light of surfaces [begin, end) to their pixels.
@@ -185,8 +185,8 @@ inline void resolve(const WorldParts& world, const TileJob& job, const Film& fil
 /// A tile whose rays all hit nothing: the fold of one sum.
 inline void fill_background(const WorldParts& world, const TileJob& job) {
     const int samples = world.settings.samples * world.settings.samples;
-    const Triple<Doubles> color = lanes_of(miss_color(world));
-    Triple<Doubles> sum = lanes_of(Vec3{});
+    const Vector3<Doubles> color = lanes_of(miss_color(world));
+    Vector3<Doubles> sum = lanes_of(Vec3{});
     for (int i = 0; i < samples; ++i) sum = sum + color;
     if (samples > 1) sum = sum / Doubles(static_cast<double>(samples));
     NarrowFloats r, g, b;

@@ -17,8 +17,8 @@ namespace HWY_NAMESPACE {
 /// Begins a tile: nothing is seen yet.
 inline void clear_first_hits(FirstHits& first_hits) {
     const auto clear = [](std::vector<double>& column, double value) { column.assign(k_tile_pixels, value); };
-    for (auto* triple : {first_hits.normal, first_hits.position, first_hits.albedo}) {
-        for (int c = 0; c < 3; ++c) clear(triple[c], 0);
+    for (auto* vector : {first_hits.normal, first_hits.position, first_hits.albedo}) {
+        for (int c = 0; c < 3; ++c) clear(vector[c], 0);
     }
     for (auto* column : {&first_hits.object, &first_hits.material, &first_hits.asked, &first_hits.blocked})
         clear(*column, 0);
@@ -41,7 +41,7 @@ inline void store_first_hits(const WorldParts& world, const RayBatch& rays, cons
             first_hits.position[c][p] = surfaces.point[c][h];
             first_hits.albedo[c][p] = material[k_diffuse + c];
         }
-        first_hits.depth[p] = t * length(Triple<double>{d[0][p], d[1][p], d[2][p]});
+        first_hits.depth[p] = t * length(Vector3<double>{d[0][p], d[1][p], d[2][p]});
         first_hits.object[p] = static_cast<double>(world.geometry->shape_index[surfaces.slot[h]]) + 1;
         first_hits.material[p] = static_cast<double>(surfaces.material[h]) + 1;
         ++h;

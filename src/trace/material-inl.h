@@ -28,7 +28,7 @@ struct MaterialLanes {
             return Doubles(base[std::size_t{index[0]} * k_material_values + static_cast<std::size_t>(k)]);
         return gather(base + k, GatherIndices(index, k_material_values));
     }
-    HWY_INLINE Triple<Doubles> color(int k) const { return {value(k), value(k + 1), value(k + 2)}; }
+    HWY_INLINE Vector3<Doubles> color(int k) const { return {value(k), value(k + 1), value(k + 2)}; }
 };
 
 }  // namespace HWY_NAMESPACE

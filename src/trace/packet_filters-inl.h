@@ -61,7 +61,7 @@ HWY_INLINE std::uint64_t filter_rays(const ShapeClass& shapes, const RayPacket& 
     constexpr int lanes = lane_count<float>();
     using Filter = typename Geometry::template Filter<Floats>;
     const auto columns = [&](const float(*c)[SlabRays::k_size], int i) HWY_ATTR {
-        return Triple<Floats>{load(c[0] + i), load(c[1] + i), load(c[2] + i)};
+        return Vector3<Floats>{load(c[0] + i), load(c[1] + i), load(c[2] + i)};
     };
     std::uint64_t passed = 0;
     const auto pass = [&](const Filter& filter, int r) HWY_ATTR {

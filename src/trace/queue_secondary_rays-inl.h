@@ -18,15 +18,15 @@ namespace HWY_NAMESPACE {
 
 /// The rays of a vector of surfaces, as push() takes them.
 struct SecondaryRays {
-    Triple<Doubles> origin, direction, weight;
+    Vector3<Doubles> origin, direction, weight;
     Doubles target, medium;
     double t_min;
 };
 HWY_INLINE void push(RayBatch& batch, const SecondaryRays& rays, LaneMask<double> set, bool medium) {
     const RayFields<double*> to = batch.end();
-    compress_triple(rays.origin, set, to.origin, 0);
-    compress_triple(rays.direction, set, to.direction, 0);
-    compress_triple(rays.weight, set, to.weight, 0);
+    compress_vector3(rays.origin, set, to.origin, 0);
+    compress_vector3(rays.direction, set, to.direction, 0);
+    compress_vector3(rays.weight, set, to.weight, 0);
     compress_store(rays.target, set, to.target);
     if (medium) compress_store(rays.medium, set, to.medium);
     store(Doubles(rays.t_min), to.t_min);
@@ -79,8 +79,8 @@ HWY_INLINE void queue_vector(const WorldParts& world, const SurfaceBatch& surfac
     const SurfacePoint<Doubles> surface = surface_at(surfaces, h);
     const auto from_inside = glass && load(surfaces.behind.data() + h) > zero;
     const SecondaryWeights b =
-        secondary_weights(world, material, surface, glass, from_inside, load_triple(surfaces.weight, h));
-    const auto kept = [&](Triple<Doubles> w) HWY_ATTR {
+        secondary_weights(world, material, surface, glass, from_inside, load_vector3(surfaces.weight, h));
+    const auto kept = [&](Vector3<Doubles> w) HWY_ATTR {
         const Doubles most = max(max(w.x, w.y), w.z);
         const auto set = has_secondary && most > zero && most >= Doubles(rules.min_weight);
         return limited ? limit_rays(surfaces.target.data() + h, set, secondary, counts) : set;

@@ -28,13 +28,13 @@ HWY_INLINE Doubles local_share(const WorldParts& world, const MaterialLanes& mat
 /// The two rays that leave a hit, as far as there are any. F is what glass reflects.
 ///   reflected: tint ((1-f) a + f F) with blend, tint (a + f F) with add; transmitted: tint f (1-F).
 struct SecondaryWeights {
-    Triple<Doubles> reflected, transmitted;  // weights
-    Triple<Doubles> refracted_direction;     // direction of the transmitted ray
-    Doubles fresnel;                         // F
+    Vector3<Doubles> reflected, transmitted;  // weights
+    Vector3<Doubles> refracted_direction;     // direction of the transmitted ray
+    Doubles fresnel;                          // F
 };
 HWY_INLINE SecondaryWeights secondary_weights(const WorldParts& world, const MaterialLanes& material,
                                               const SurfacePoint<Doubles>& surface, LaneMask<double> glass,
-                                              LaneMask<double> from_inside, Triple<Doubles> weight) {
+                                              LaneMask<double> from_inside, Vector3<Doubles> weight) {
     const Conventions& rules = world.conventions;
     const Doubles a = material.value(k_mirror), f = material.value(k_transmission), one(1);
     SecondaryWeights b{weight, weight, weight, Doubles(0)};
@@ -49,8 +49,8 @@ HWY_INLINE SecondaryWeights secondary_weights(const WorldParts& world, const Mat
         b.transmitted = weight * select(glass, f * (one - fresnel), Doubles(0));
         // Without Beer's law the way through glass is tinted once, where it begins.
         if (!(rules.beer > 0)) {
-            const Triple<Doubles> tinted = b.transmitted * material.color(k_transmission_tint);
-            b.transmitted = select_triple(from_inside, b.transmitted, tinted);
+            const Vector3<Doubles> tinted = b.transmitted * material.color(k_transmission_tint);
+            b.transmitted = select_vector3(from_inside, b.transmitted, tinted);
         }
     }
     b.reflected = weight * mirror * material.color(k_mirror_tint);
@@ -71,7 +71,7 @@ inline void apply_beer_law(const WorldParts& world, SurfaceBatch& surfaces) {
         const std::uint32_t medium = from_inside ? material : static_cast<std::uint32_t>(surfaces.medium[h]);
         if (medium == k_none) continue;
         const auto& d = surfaces.incoming;
-        const double way = surfaces.hit_t[h] * length(Triple<double>{d[0][h], d[1][h], d[2][h]});
+        const double way = surfaces.hit_t[h] * length(Vector3<double>{d[0][h], d[1][h], d[2][h]});
         for (int c = 0; c < 3; ++c)
             surfaces.weight[c][h] *= beer(value(medium, k_transmission_tint + c), k, way);
     }

@@ -24,15 +24,15 @@ template <class Column> inline Color color_at(const Column* from, int i) {
 }
 
 /// A vector of triples as numbers.
-struct TripleNumbers {
+struct Vector3Elements {
     alignas(k_ray_alignment) double lanes[3][lane_count<double>()];
-    explicit TripleNumbers(const Triple<Doubles>& v) { store_triple(v, lanes, 0); }
+    explicit Vector3Elements(const Vector3<Doubles>& v) { store_vector3(v, lanes, 0); }
     Color color(int k) const { return {lanes[0][k], lanes[1][k], lanes[2][k]}; }
     Vec3 vec3(int k) const { return {lanes[0][k], lanes[1][k], lanes[2][k]}; }
 };
-struct Numbers {
+struct LaneElements {
     alignas(k_ray_alignment) double lanes[lane_count<double>()];
-    explicit Numbers(Doubles v) { store(v, lanes); }
+    explicit LaneElements(Doubles v) { store(v, lanes); }
     double operator[](int k) const { return lanes[k]; }
 };
 
@@ -93,7 +93,7 @@ inline void record_rays(const WorldParts& world, const RayBatch& rays, const Hit
 /// What shading modes that look no further show: after add_unlit.
 inline void record_unlit(const WorldParts& world, const SurfaceBatch& surfaces, TileRecord& record) {
     for_each_hit(surfaces, [&](int h, int lanes) HWY_ATTR {
-        const TripleNumbers shown(unlit_color(world, surfaces, h));
+        const Vector3Elements shown(unlit_color(world, surfaces, h));
         for (int k = 0; k < lanes; ++k) {
             ExplainedHit& hit = record.hit(h + k);
             hit.ambient = hit.parts[0] = shown.color(k);
@@ -113,12 +113,12 @@ inline void record_light(const WorldParts& world, const Light& light, const Surf
         const auto bright = has_highlight(at.cosines, rules);
         const Doubles power =
             select(bright, highlight_power(at.cosines.s, material.value(k_shininess), rules), Doubles(0));
-        const TripleNumbers to_light(at.to_light),
+        const Vector3Elements to_light(at.to_light),
             diffuse(contribution(material.color(k_diffuse), light.color, diffuse_term(at.cosines.n_l, rules),
                                  at.attenuation)),
             specular(contribution(material.color(k_specular), light.specular_color, power, at.attenuation));
-        const Numbers distance(at.distance), f_att(at.attenuation), n_l(at.cosines.n_l), cosine(at.cosines.s),
-            powers(power);
+        const LaneElements distance(at.distance), f_att(at.attenuation), n_l(at.cosines.n_l),
+            cosine(at.cosines.s), powers(power);
         const std::uint32_t may_add = to_bits(at.lit), lit = lit_bits(samples, h);
         for (int k = 0; k < lanes; ++k) {
             LightTerms r;
@@ -155,10 +155,10 @@ struct SecondaryMasks {
 
 /// What left a vector of hits: as it is queued.
 inline void record_secondary_rays(TileRecord& record, int h, const SecondaryMasks& masks,
-                                  const Triple<Doubles>& reflected, const Triple<Doubles>& transmitted,
+                                  const Vector3<Doubles>& reflected, const Vector3<Doubles>& transmitted,
                                   Doubles fresnel, double min_weight) {
-    const TripleNumbers weights[2] = {TripleNumbers(reflected), TripleNumbers(transmitted)};
-    const Numbers f(fresnel);
+    const Vector3Elements weights[2] = {Vector3Elements(reflected), Vector3Elements(transmitted)};
+    const LaneElements f(fresnel);
     const std::uint32_t has[2] = {to_bits(masks.has_secondary), to_bits(masks.glass)},
                         traced[2] = {to_bits(masks.reflected), to_bits(masks.transmitted)};
     for (int k = 0; k < lane_count<double>(); ++k) {
@@ -199,10 +199,10 @@ inline void record_sums(const WorldParts& world, const SurfaceBatch& surfaces, c
     for_each_hit(surfaces, [&](int h, int lanes) HWY_ATTR {
         const MaterialLanes material(world, surfaces.material.data() + h);
         const HitLight light = light_of(world, surfaces, radiance, material, h);
-        const TripleNumbers ambient(ambient_of(world, material)),
-            parts[3] = {TripleNumbers(light.ambient), TripleNumbers(light.diffuse),
-                        TripleNumbers(light.specular)};
-        const Numbers share(local_share(world, material, surfaces.generation));
+        const Vector3Elements ambient(ambient_of(world, material)),
+            parts[3] = {Vector3Elements(light.ambient), Vector3Elements(light.diffuse),
+                        Vector3Elements(light.specular)};
+        const LaneElements share(local_share(world, material, surfaces.generation));
         for (int k = 0; k < lanes; ++k) {
             ExplainedHit& hit = record.hit(h + k);
             hit.ambient = ambient.color(k);

@@ -16,30 +16,31 @@ HWY_BEFORE_NAMESPACE();
 namespace glint {
 namespace HWY_NAMESPACE {
 
-template <class T> struct SecondaryRay { Triple<T> origin, direction; };
+template <class T> struct SecondaryRay { Vector3<T> origin, direction; };
 
 /// The mirrored ray. glass: a mask, where the surface lets light through. Glass has two sides to leave to,
 /// whatever the convention does with the one of an opaque surface.
 template <class T, class M>
 HWY_INLINE SecondaryRay<T> mirrored_ray(const SurfacePoint<T>& s, M glass, const Conventions& rules) {
-    const Triple<T> direction = mirrored(-s.incoming, s.normal);
-    Triple<T> origin = offset_ray_origin(s, direction, rules.offset, rules.epsilon);
+    const Vector3<T> direction = mirrored(-s.incoming, s.normal);
+    Vector3<T> origin = offset_ray_origin(s, direction, rules.offset, rules.epsilon);
     if (rules.offset == Offset::normal)
-        origin = select_triple(glass, offset_ray_origin(s, direction, Offset::facing, rules.epsilon), origin);
+        origin =
+            select_vector3(glass, offset_ray_origin(s, direction, Offset::facing, rules.epsilon), origin);
     return {origin, direction};
 }
 
 /// What glass does with a ray: where it goes on, and how much of it is reflected instead, F (Fresnel; all of
 /// it where no ray gets through).
 template <class T> struct RefractedRay {
-    Triple<T> direction;
+    Vector3<T> direction;
     T fresnel;
 };
 template <class T, class M>
 HWY_INLINE RefractedRay<T> refracted_ray(const SurfacePoint<T>& s, M from_inside, T ior,
                                          const Conventions& rules) {
     const T one(1);
-    const Triple<T> facing = select_triple(dot(s.normal, s.incoming) > T(0), -s.normal, s.normal);
+    const Vector3<T> facing = select_vector3(dot(s.normal, s.incoming) > T(0), -s.normal, s.normal);
     const auto refraction = refracted(s.incoming, facing, select(from_inside, ior, one / ior));
     T fresnel(0);
     if (rules.fresnel == Fresnel::schlick)

@@ -22,18 +22,18 @@ namespace HWY_NAMESPACE {
 /// A ray from a surface to a light; a point light's is traced from the light to the surface, so that a
 /// light's rays share their origin.
 template <class T> struct ShadowRay {
-    Triple<T> origin, direction;
+    Vector3<T> origin, direction;
     T t_min;
     double t_max;
 };
 /// to_light: the whole way to a point light, of any length for others.
 template <class T>
-HWY_INLINE ShadowRay<T> shadow_ray(const SurfacePoint<T>& s, const Light& light, Triple<T> to_light,
+HWY_INLINE ShadowRay<T> shadow_ray(const SurfacePoint<T>& s, const Light& light, Vector3<T> to_light,
                                    const Conventions& rules) {
-    const Triple<T> start = offset_ray_origin(s, to_light, rules.offset, rules.epsilon);
+    const Vector3<T> start = offset_ray_origin(s, to_light, rules.offset, rules.epsilon);
     if (!comes_from_light(light, rules))
         return {start, to_light, T(offset_t_min(rules.offset, rules.epsilon)), k_infinity};
-    const Triple<T> from{T(light.position.x), T(light.position.y), T(light.position.z)}, way = start - from;
+    const Vector3<T> from{T(light.position.x), T(light.position.y), T(light.position.z)}, way = start - from;
     // Its distance is compared with the light's from P itself: it sees epsilon past the light.
     const T least = rules.offset == Offset::direction ? T(-rules.epsilon) / length(way) : T(0);
     return {from, way, least, rules.offset == Offset::ray ? 1 - rules.epsilon : 1.0};
@@ -41,15 +41,15 @@ HWY_INLINE ShadowRay<T> shadow_ray(const SurfacePoint<T>& s, const Light& light,
 
 /// Writes the shadow rays of the set lanes, from number `at` on.
 HWY_INLINE void store_shadow_rays(const Light& light, const SurfacePoint<Doubles>& surface,
-                                  Triple<Doubles> to_light, const Conventions& rules, LaneMask<double> set,
+                                  Vector3<Doubles> to_light, const Conventions& rules, LaneMask<double> set,
                                   ShadowRayBatch& to, int at) {
     const ShadowRay<Doubles> ray = shadow_ray(surface, light, to_light, rules);
     if (comes_from_light(light, rules)) {
-        store_triple(ray.origin, to.origin, at);  // of all lanes the same
+        store_vector3(ray.origin, to.origin, at);  // of all lanes the same
     } else {
-        compress_triple(ray.origin, set, to.origin, at);
+        compress_vector3(ray.origin, set, to.origin, at);
     }
-    compress_triple(ray.direction, set, to.direction, at);
+    compress_vector3(ray.direction, set, to.direction, at);
     compress_store(ray.t_min, set, to.t_min.data() + at);
     store(Doubles(ray.t_max), to.t_max.data() + at);
 }

@@ -28,18 +28,18 @@ HWY_INLINE void append_hits(const WorldParts& world, const RayBatch& rays, const
     if (count_here == 0) return;
     const bool camera = rays.generation == 0;
     const int ray = hits.first + i, h = surfaces.count;
-    const Triple<Doubles> origin = load_triple(rays.origin, ray),
-                          direction = load_triple(rays.direction, ray);
-    const Triple<Doubles> point = origin + direction * t;
-    compress_triple(point, hit, surfaces.point, h);
-    compress_triple(direction, hit, surfaces.incoming, h);
+    const Vector3<Doubles> origin = load_vector3(rays.origin, ray),
+                           direction = load_vector3(rays.direction, ray);
+    const Vector3<Doubles> point = origin + direction * t;
+    compress_vector3(point, hit, surfaces.point, h);
+    compress_vector3(direction, hit, surfaces.incoming, h);
     compress_store(max_abs(origin) + max_abs(point), hit, surfaces.magnitude.data() + h);
     compress_store(hits.slot.data() + i, hit, surfaces.slot.data() + h);
     if (camera) {
-        store_triple(lanes_of(Vec3{1, 1, 1}), surfaces.weight, h);
+        store_vector3(lanes_of(Vec3{1, 1, 1}), surfaces.weight, h);
         compress_store(Doubles(static_cast<double>(ray)) + iota(), hit, surfaces.target.data() + h);
     } else {
-        compress_triple(load_triple(rays.weight, ray), hit, surfaces.weight, h);
+        compress_vector3(load_vector3(rays.weight, ray), hit, surfaces.weight, h);
         compress_store(load(rays.target.data() + ray), hit, surfaces.target.data() + h);
     }
     if (world.conventions.beer > 0) {
@@ -69,7 +69,7 @@ struct NormalsAt {
     const ShapeClass& shapes;
     const std::uint32_t* items;
     bool same;  // one item
-    Triple<Doubles> point, normal;
+    Vector3<Doubles> point, normal;
     template <class Geometry> HWY_INLINE void visit() {
         Doubles p[Geometry::k_values];
         for (int k = 0; k < Geometry::k_values; ++k) {
@@ -81,9 +81,9 @@ struct NormalsAt {
 };
 
 /// The normals of a vector of hits, one class of shapes after the other.
-HWY_INLINE Triple<Doubles> normals_at(const PackedGeometry& geometry, const std::uint32_t* slots, bool same,
-                                      Triple<Doubles> point) {
-    Triple<Doubles> normal = point;
+HWY_INLINE Vector3<Doubles> normals_at(const PackedGeometry& geometry, const std::uint32_t* slots, bool same,
+                                       Vector3<Doubles> point) {
+    Vector3<Doubles> normal = point;
     std::uint32_t left = (1u << lane_count<double>()) - 1;
     while (left != 0) {
         const std::uint32_t slot = slots[__builtin_ctz(left)];
@@ -96,7 +96,7 @@ HWY_INLINE Triple<Doubles> normals_at(const PackedGeometry& geometry, const std:
         }
         NormalsAt at{shapes, items, same, point, point};
         visit_geometry(shapes.kind, shapes.transformed, at);
-        normal = select_triple(from_bits<double>(here), at.normal, normal);
+        normal = select_vector3(from_bits<double>(here), at.normal, normal);
         left &= ~here;
     }
     return normal;
@@ -135,16 +135,17 @@ inline void compute_surfaces(const WorldParts& world, SurfaceBatch& surfaces) {
             std::fill_n(materials + 1, lane_count<double>() - 1, materials[0]);
             flips = flips != 0 ? (1u << lane_count<double>()) - 1 : 0;
         }
-        const Triple<Doubles> point = load_triple(surfaces.point, h), d = load_triple(surfaces.incoming, h);
-        const Triple<Doubles> normal = normals_at(*world.geometry, slots, same, point);
+        const Vector3<Doubles> point = load_vector3(surfaces.point, h),
+                               d = load_vector3(surfaces.incoming, h);
+        const Vector3<Doubles> normal = normals_at(*world.geometry, slots, same, point);
         const auto behind = dot(normal, d) > Doubles(0);
         const auto flipped = behind && from_bits<double>(flips);
-        store_triple(select_triple(flipped, -normal, normal), surfaces.normal, h);
+        store_vector3(select_vector3(flipped, -normal, normal), surfaces.normal, h);
         store(select(behind, Doubles(1), Doubles(0)), surfaces.behind.data() + h);
 
-        Triple<Doubles> eye = eye_apart ? lanes_of(world.camera.lighting_eye) - point : -d;
+        Vector3<Doubles> eye = eye_apart ? lanes_of(world.camera.lighting_eye) - point : -d;
         if (world.conventions.normalize) eye = normalize(eye);
-        store_triple(eye, surfaces.to_eye, h);
+        store_vector3(eye, surfaces.to_eye, h);
         double* const magnitude = surfaces.magnitude.data() + h;
         store(load(magnitude) + (same ? Doubles(reach[0]) : load(reach)), magnitude);
     }
@@ -154,8 +155,8 @@ inline void compute_surfaces(const WorldParts& world, SurfaceBatch& surfaces) {
 
 /// The surface points of a vector of hits, as the formulas of lighting and of ray origins take them.
 HWY_INLINE SurfacePoint<Doubles> surface_at(const SurfaceBatch& surfaces, int h) {
-    return {load_triple(surfaces.point, h), load_triple(surfaces.normal, h),
-            load_triple(surfaces.incoming, h), load(surfaces.magnitude.data() + h)};
+    return {load_vector3(surfaces.point, h), load_vector3(surfaces.normal, h),
+            load_vector3(surfaces.incoming, h), load(surfaces.magnitude.data() + h)};
 }
 
 }  // namespace HWY_NAMESPACE

@@ -39,7 +39,7 @@ inline TileFrustum tile_frustum(const WorldParts& world, const TileJob& job) {
     frustum.apex = camera.position;
     for (int i = 0; i < 4; ++i) {
         const Vec3 a = corners[i], b = corners[(i + 1) % 4], n = glint::cross(a, b);
-        const double size = max_abs(Triple<double>{n.x, n.y, n.z});
+        const double size = max_abs(Vector3<double>{n.x, n.y, n.z});
         // A view so narrow that rounding turns its planes is left alone.
         if (!(size > 1e-6 * (glint::dot(a, a) + glint::dot(b, b)))) return frustum;
         frustum.outward[i] = n * ((glint::dot(n, middle) > 0 ? -1 : 1) / size);

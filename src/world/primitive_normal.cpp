@@ -10,7 +10,7 @@ using namespace HWY_NAMESPACE;
 struct NormalOf {
     const ShapeClass& shapes;
     std::uint32_t item;
-    Triple<double> point, normal;
+    Vector3<double> point, normal;
     template <class Geometry> void visit() {
         double p[Geometry::k_values];
         for (int k = 0; k < Geometry::k_values; ++k) p[k] = shapes.column(k)[item];

@@ -29,8 +29,8 @@ HWY_INLINE void filter_columns(const std::vector<float>* columns, std::size_t co
     for (std::size_t i = 0; i < count; i += lane_count<float>()) {
         Floats v[n + 6];
         for (int c = 0; c < n + 6; ++c) v[c] = load(columns[c].data() + i);
-        const auto filter = Geometry::template Filter<Floats>::of(v, triple(v + n));
-        const std::uint32_t bits = to_bits(filter.may_hit(triple(v + n + 3)));
+        const auto filter = Geometry::template Filter<Floats>::of(v, vector3(v + n));
+        const std::uint32_t bits = to_bits(filter.may_hit(vector3(v + n + 3)));
         for (int k = 0; k < lane_count<float>(); ++k) may[i + k] = bits >> k & 1;
     }
 }
@@ -180,8 +180,8 @@ std::pair<double, double> run_cases(Case<Shape> (*random_case)(Random&), Lanes&&
         for (std::size_t i = 0; i < k_block; ++i) {
             float p[n + 6];
             for (int k = 0; k < n + 6; ++k) p[k] = columns[k][i];
-            const auto filter = Geometry::template Filter<float>::of(p, plain::triple(p + n));
-            EXPECT_EQ(filter.may_hit(plain::triple(p + n + 3)), may[i] != 0) << "lanes and float differ";
+            const auto filter = Geometry::template Filter<float>::of(p, plain::vector3(p + n));
+            EXPECT_EQ(filter.may_hit(plain::vector3(p + n + 3)), may[i] != 0) << "lanes and float differ";
             double exact[n];
             Geometry::pack(cases[i].shape, exact);
             const Vec3 o = cases[i].origin, d = cases[i].direction;
@@ -236,13 +236,13 @@ plain::TriangleGeometry::Filter<float> one_origin_filter(const Triangle& triangl
     plain::TriangleGeometry::pack(triangle, p);
     const auto f =
         plain::TriangleGeometry::Filter<double>::from_one_origin(p, {origin.x, origin.y, origin.z});
-    const auto narrow = [](const plain::Triple<double>& v) {
-        return plain::Triple<float>{static_cast<float>(v.x), static_cast<float>(v.y),
-                                    static_cast<float>(v.z)};
+    const auto narrow = [](const plain::Vector3<double>& v) {
+        return plain::Vector3<float>{static_cast<float>(v.x), static_cast<float>(v.y),
+                                     static_cast<float>(v.z)};
     };
     return {narrow(f.ab), narrow(f.bc), narrow(f.ca), static_cast<float>(f.slack)};
 }
-plain::Triple<float> narrow_direction(const Vec3& d) {
+plain::Vector3<float> narrow_direction(const Vec3& d) {
     return {static_cast<float>(d.x), static_cast<float>(d.y), static_cast<float>(d.z)};
 }
 

@@ -14,8 +14,8 @@ using Point = plain::SurfacePoint<double>;
 
 TEST(RayOffset, EachConventionByItsDefinition) {
     const Point s{{1, 2, 3}, {0, 1, 0}, {3, -4, 0}, 10};
-    const plain::Triple<double> out{0, 3, 4}, in{0, -3, 4};
-    const auto at = [&](const Point& p, plain::Triple<double> d, Offset offset, double e) {
+    const plain::Vector3<double> out{0, 3, 4}, in{0, -3, 4};
+    const auto at = [&](const Point& p, plain::Vector3<double> d, Offset offset, double e) {
         return to_vec(plain::offset_ray_origin(p, d, offset, e));
     };
     EXPECT_EQ(at(s, out, Offset::ray, 0.5), (Vec3{1, 2, 3}));
@@ -71,8 +71,8 @@ TYPED_TEST(Reintersect, NeverUnderGlintsConvention) {
         const auto hit = formula_hit<Geometry, double>(p, o, d, 0);
         if (!hit.valid) continue;
         // The same as in trace/surface-inl.h.
-        const plain::Triple<double> point = triple_of<double>(o) + triple_of<double>(d) * hit.t;
-        plain::Triple<double> normal = Geometry::normal(p, point);
+        const plain::Vector3<double> point = triple_of<double>(o) + triple_of<double>(d) * hit.t;
+        plain::Vector3<double> normal = Geometry::normal(p, point);
         if (plain::dot(normal, triple_of<double>(d)) > 0) normal = -normal;
         const Point surface{
             point, normal, triple_of<double>(d),

@@ -12,11 +12,11 @@ namespace glint::test {
 
 namespace plain = HWY_NAMESPACE;
 using Long = long double;
-using LongVec = plain::Triple<Long>;
+using LongVec = plain::Vector3<Long>;
 
 inline LongVec to_long(Vec3 v) { return {v.x, v.y, v.z}; }
-template <class T> plain::Triple<T> triple_of(Vec3 v) { return {T(v.x), T(v.y), T(v.z)}; }
-inline Vec3 to_vec(plain::Triple<double> v) { return {v.x, v.y, v.z}; }
+template <class T> plain::Vector3<T> triple_of(Vec3 v) { return {T(v.x), T(v.y), T(v.z)}; }
+inline Vec3 to_vec(plain::Vector3<double> v) { return {v.x, v.y, v.z}; }
 
 /// A geometry's packed values in another number type.
 template <class Geometry, class T> struct Packed {

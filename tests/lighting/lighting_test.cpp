@@ -13,10 +13,10 @@ namespace {
 
 namespace plain = HWY_NAMESPACE;
 using plain::LightingRules;
-using T3 = plain::Triple<double>;
-using L3 = plain::Triple<long double>;
+using T3 = plain::Vector3<double>;
+using L3 = plain::Vector3<long double>;
 
-T3 triple(Vec3 v) { return {v.x, v.y, v.z}; }
+T3 vector3(Vec3 v) { return {v.x, v.y, v.z}; }
 Vec3 vec(T3 v) { return {v.x, v.y, v.z}; }
 L3 longer(T3 v) { return {v.x, v.y, v.z}; }
 
@@ -44,7 +44,7 @@ TEST(Lighting, MirroredIsTheReflection) {
     Random random(61);
     for (int i = 0; i < 10000; ++i) {
         const Vec3 n = unit_direction(random), l = point_in_cube(random, 5);
-        const Vec3 r = vec(plain::mirrored(triple(l), triple(n)));
+        const Vec3 r = vec(plain::mirrored(vector3(l), vector3(n)));
         EXPECT_NEAR(dot(r, n), dot(l, n), 1e-14);
         EXPECT_NEAR(dot(r, r), dot(l, l), 1e-13);
         expect_near(cross(r + l, n), {0, 0, 0}, 1e-13);
@@ -62,7 +62,7 @@ TEST(Lighting, PhongAndBlinnPhongAsWritten) {
         for (const Shading shading : {Shading::phong, Shading::blinn_phong, Shading::diffuse}) {
             for (const bool gate : {true, false}) {
                 const auto rule = rules(shading, gate);
-                const auto c = plain::cosines(triple(n), triple(l), triple(v), rule);
+                const auto c = plain::cosines(vector3(n), vector3(l), vector3(v), rule);
                 const auto t = terms(c, shininess, rule);
                 const double s = shading == Shading::phong ? r_v : n_h;
                 EXPECT_NEAR(t.diffuse, std::max(0.0, n_l), 1e-15);
@@ -155,8 +155,8 @@ TEST(Lighting, DoubleAgreesWithLongDouble) {
     Random random(63);
     double worst = 0;
     for (int i = 0; i < 100000; ++i) {
-        const T3 n = triple(unit_direction(random)), l = triple(unit_direction(random)),
-                 v = triple(unit_direction(random));
+        const T3 n = vector3(unit_direction(random)), l = vector3(unit_direction(random)),
+                 v = vector3(unit_direction(random));
         for (const Shading shading : {Shading::phong, Shading::blinn_phong}) {
             const auto rule = rules(shading);
             const auto c = plain::cosines(n, l, v, rule);

@@ -8,7 +8,7 @@
 namespace glint::HWY_NAMESPACE {
 namespace {
 
-using Vector = Triple<double>;
+using Vector = Vector3<double>;
 
 void expect_four_decimals(Vector v, double x, double y, double z) {
     EXPECT_NEAR(v.x, x, 0.5e-4);

@@ -34,6 +34,8 @@ inline const std::vector<RetiredWord>& retired_words() {
         {R"(\bleave(_through|_t_min)?\()", "offset_ray_origin", "src/ include/ docs/"},
         {R"(\bleave-inl\b|\bleaving-inl\b|\bLeavingRays?\b)", "ray_offset, secondary_rays"},
         {R"(\b(queue_branches|branches_of|branch-inl)\b)", "queue_secondary_rays, secondary_weights"},
+        {R"(\b[Tt]riple\b|\w+_triple\b|\bTripleNumbers\b)", "Vector3, load_vector3",
+         "src/simd/ src/geometry/ src/lighting/ src/trace/ src/world/"},
         // Tiles and the film.
         {R"(\bvoid_tile\b|\bfill_with_void\b|\bseen_in_the_void\b|\bsees_nothing\b)",
          "tile_culling, fill_background, miss_color, is_tile_empty"},
