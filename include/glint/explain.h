@@ -40,15 +40,16 @@ struct LightTerms {
 };
 
 /// The state of a possible secondary ray of a hit.
-enum class BranchState : std::uint8_t {
+enum class SecondaryRayState : std::uint8_t {
     none,    ///< the surface is not a mirror, or not glass
     traced,  ///< `ray` is its index
     limit,   ///< the limit of reflections is reached
     faint,   ///< its weight is 0 or below min_weight
     cut,     ///< the sample already has k_max_sample_rays rays
 };
-struct Branch {
-    BranchState state = BranchState::none;
+/// The mirror ray or the glass ray of a hit.
+struct ExplainedSecondaryRay {
+    SecondaryRayState state = SecondaryRayState::none;
     Color weight;  ///< the factor of its light in the pixel; unknown at the limit
     int ray = -1;  ///< in Explanation::rays
 };
@@ -66,7 +67,7 @@ struct ExplainedHit {
     Color diffuse, specular;          ///< sums over the lights
     Color parts[3];      ///< ambient, diffuse and specular times weight and share: the pixel's part
     double fresnel = 0;  ///< for glass: the reflected fraction; 1: total internal reflection
-    Branch reflected, transmitted;
+    ExplainedSecondaryRay reflected, transmitted;
 };
 
 struct ExplainedRay {
@@ -139,7 +140,7 @@ GLINT_API const Material& material_of(const ExplainedHit& hit, const Scene& scen
 /// The names of these values in JSON and messages: "turned_away". "unknown" for invalid values.
 GLINT_API std::string_view to_string(LightReason reason);
 GLINT_API std::string_view to_string(HighlightReason reason);
-GLINT_API std::string_view to_string(BranchState state);
+GLINT_API std::string_view to_string(SecondaryRayState state);
 
 /// The layer of a ray's light: that of the first secondary ray on its path. Nothing for camera rays, whose
 /// parts have different layers. Nothing if there is no such ray, or its path does not

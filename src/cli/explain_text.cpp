@@ -119,8 +119,8 @@ class Tree {
             return;
         }
         add_hit(r, depth + 1);
-        add_branch(r.hit->reflected, "mirror", depth + 1);
-        add_branch(r.hit->transmitted, "glass", depth + 1);
+        add_secondary_ray(r.hit->reflected, "mirror", depth + 1);
+        add_secondary_ray(r.hit->transmitted, "glass", depth + 1);
     }
 
     std::string text;
@@ -182,23 +182,22 @@ class Tree {
              fmt::format("{}; N·L = {}; {}", how, number(terms.n_l), highlight_text(scene_, hit, terms)));
     }
 
-    void add_branch(const Branch& branch, std::string_view what, int depth) {
-        switch (branch.state) {
-            case BranchState::none:
+    void add_secondary_ray(const ExplainedSecondaryRay& ray, std::string_view what, int depth) {
+        switch (ray.state) {
+            case SecondaryRayState::none:
                 return;
-            case BranchState::traced:
-                return add_ray(static_cast<std::size_t>(branch.ray), depth);
-            case BranchState::limit:
+            case SecondaryRayState::traced:
+                return add_ray(static_cast<std::size_t>(ray.ray), depth);
+            case SecondaryRayState::limit:
                 return line(depth, fmt::format("{}: not traced, the limit of {} reflections is reached", what,
                                                scene_.settings.reflections));
-            case BranchState::faint:
-                return line(
-                    depth, fmt::format(
-                               "{}: not traced, its weight {} is {}", what, color(branch.weight),
-                               scene_.conventions.min_weight > 0
-                                   ? fmt::format("below min_weight {}", number(scene_.conventions.min_weight))
-                                   : std::string("0")));
-            case BranchState::cut:
+            case SecondaryRayState::faint:
+                return line(depth, fmt::format("{}: not traced, its weight {} is {}", what, color(ray.weight),
+                                               scene_.conventions.min_weight > 0
+                                                   ? fmt::format("below min_weight {}",
+                                                                 number(scene_.conventions.min_weight))
+                                                   : std::string("0")));
+            case SecondaryRayState::cut:
                 return line(depth, fmt::format("{}: not traced, a sample has at most {} rays", what,
                                                k_max_sample_rays));
         }

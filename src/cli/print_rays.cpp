@@ -45,8 +45,8 @@ std::string print_rays(const Explanation& e, const Scene& scene, int y, const Ex
         if (material_of(hit, scene).transmission > 0)
             row("Extra Info", hit.behind ? "into-air" : "into-object");
         // A stack: the last ray is printed first, so glass comes before the mirror.
-        for (const Branch* branch : {&hit.reflected, &hit.transmitted}) {
-            if (branch->ray >= 0) waiting.push_back(static_cast<std::size_t>(branch->ray));
+        for (const ExplainedSecondaryRay* secondary : {&hit.reflected, &hit.transmitted}) {
+            if (secondary->ray >= 0) waiting.push_back(static_cast<std::size_t>(secondary->ray));
         }
     }
     return text;

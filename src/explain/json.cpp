@@ -82,11 +82,11 @@ Json terms_json(const Scene& scene, const ExplainedHit& hit, const LightTerms& t
     return json;
 }
 
-Json branch_json(const Branch& branch) {
-    Json json = {{"state", to_string(branch.state)}};
-    if (branch.state != BranchState::none && branch.state != BranchState::limit)
-        json["weight"] = to_json(branch.weight);
-    if (branch.ray >= 0) json["ray"] = branch.ray;
+Json secondary_ray_json(const ExplainedSecondaryRay& ray) {
+    Json json = {{"state", to_string(ray.state)}};
+    if (ray.state != SecondaryRayState::none && ray.state != SecondaryRayState::limit)
+        json["weight"] = to_json(ray.weight);
+    if (ray.ray >= 0) json["ray"] = ray.ray;
     return json;
 }
 
@@ -111,8 +111,8 @@ Json hit_json(const Scene& scene, const ExplainedHit& hit) {
               {"diffuse", to_json(hit.parts[1])},
               {"specular", to_json(hit.parts[2])}}},
             {"fresnel", hit.fresnel},
-            {"reflected", branch_json(hit.reflected)},
-            {"transmitted", branch_json(hit.transmitted)}};
+            {"reflected", secondary_ray_json(hit.reflected)},
+            {"transmitted", secondary_ray_json(hit.transmitted)}};
 }
 
 Json ray_json(const Explanation& e, const Scene& scene, std::size_t number) {

@@ -53,7 +53,7 @@ std::string_view to_string(HighlightReason reason) {
     return word_of(reason, words);
 }
 
-std::string_view to_string(BranchState state) {
+std::string_view to_string(SecondaryRayState state) {
     constexpr std::array<std::string_view, 5> words = {"none", "traced", "limit", "faint", "cut"};
     return word_of(state, words);
 }

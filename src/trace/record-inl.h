@@ -148,7 +148,7 @@ inline void record_light(const WorldParts& world, const Light& light, const Surf
     });
 }
 
-/// Which hits of a vector have branches, have glass, and sent a ray out.
+/// Which hits of a vector have rays, have glass, and sent a ray out.
 struct SecondaryMasks {
     LaneMask<double> has_secondary, glass, reflected, transmitted;
 };
@@ -166,16 +166,16 @@ inline void record_secondary_rays(TileRecord& record, int h, const SecondaryMask
         const int number = h + k;
         ExplainedHit& hit = record.hit(number);
         hit.fresnel = (has[1] >> k & 1) != 0 ? f[k] : 0;
-        Branch* branches[2] = {&hit.reflected, &hit.transmitted};
+        ExplainedSecondaryRay* rays[2] = {&hit.reflected, &hit.transmitted};
         for (int side = 0; side < 2; ++side) {
             if ((has[side] >> k & 1) == 0) continue;
             const Color weight = weights[side].color(k);
             const double most = max(max(weight.r, weight.g), weight.b);
             const bool went = (traced[side] >> k & 1) != 0;
-            *branches[side] = {went                             ? BranchState::traced
-                               : most > 0 && most >= min_weight ? BranchState::cut
-                                                                : BranchState::faint,
-                               weight, -1};
+            *rays[side] = {went                             ? SecondaryRayState::traced
+                           : most > 0 && most >= min_weight ? SecondaryRayState::cut
+                                                            : SecondaryRayState::faint,
+                           weight, -1};
             if (went)
                 record.spawned.push_back(
                     {static_cast<int>(record.batch[static_cast<std::size_t>(number)]), side == 1});
@@ -188,8 +188,8 @@ inline void record_limit(const WorldParts& world, const SurfaceBatch& surfaces, 
     for (int h = 0; h < surfaces.count; ++h) {
         ExplainedHit& hit = record.hit(h);
         const double* material = world.material(hit.material);
-        if (material[k_mirror] > 0) hit.reflected.state = BranchState::limit;
-        if (material[k_transmission] > 0) hit.transmitted.state = BranchState::limit;
+        if (material[k_mirror] > 0) hit.reflected.state = SecondaryRayState::limit;
+        if (material[k_transmission] > 0) hit.transmitted.state = SecondaryRayState::limit;
     }
 }
 

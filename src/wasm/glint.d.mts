@@ -165,7 +165,7 @@ export interface LightTerms {
     blocker?: {shape: NamedItem & {kind: string}; distance: number; point: Vec3};
 }
 
-export interface Branch {
+export interface ExplainedSecondaryRay {
     state: 'none' | 'traced' | 'limit' | 'faint' | 'cut';
     weight?: Vec3;
     /** Its index in Explanation.rays. */
@@ -200,8 +200,8 @@ export interface ExplainedHit {
     /** Ambient, diffuse and specular times weight and share: the contribution to the pixel. */
     parts: {ambient: Vec3; diffuse: Vec3; specular: Vec3};
     fresnel: number;
-    reflected: Branch;
-    transmitted: Branch;
+    reflected: ExplainedSecondaryRay;
+    transmitted: ExplainedSecondaryRay;
 }
 
 export interface ExplainedRay {

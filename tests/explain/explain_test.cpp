@@ -114,13 +114,13 @@ void check_pixel(const Scene& scene, const World& world, const Image& picture, i
         }
         ASSERT_EQ(diffuse, ray.hit->diffuse);
         ASSERT_EQ(specular, ray.hit->specular);
-        for (const Branch* branch : {&ray.hit->reflected, &ray.hit->transmitted}) {
-            ASSERT_EQ(branch->state == BranchState::traced, branch->ray >= 0);
-            if (branch->ray < 0) continue;
-            const ExplainedRay& child = e.rays.at(static_cast<std::size_t>(branch->ray));
+        for (const ExplainedSecondaryRay* secondary : {&ray.hit->reflected, &ray.hit->transmitted}) {
+            ASSERT_EQ(secondary->state == SecondaryRayState::traced, secondary->ray >= 0);
+            if (secondary->ray < 0) continue;
+            const ExplainedRay& child = e.rays.at(static_cast<std::size_t>(secondary->ray));
             ASSERT_EQ(&e.rays.at(static_cast<std::size_t>(child.parent)), &ray);
-            ASSERT_EQ(child.weight, branch->weight);
-            ASSERT_EQ(child.transmitted, branch == &ray.hit->transmitted);
+            ASSERT_EQ(child.weight, secondary->weight);
+            ASSERT_EQ(child.transmitted, secondary == &ray.hit->transmitted);
         }
     }
 }

@@ -181,7 +181,7 @@ TEST(Misuse, OfSampleValues) {
 TEST(Misuse, OfReasons) {
     EXPECT_EQ(to_string(beyond<LightReason>()), "unknown");
     EXPECT_EQ(to_string(beyond<HighlightReason>()), "unknown");
-    EXPECT_EQ(to_string(beyond<BranchState>()), "unknown");
+    EXPECT_EQ(to_string(beyond<SecondaryRayState>()), "unknown");
     LightTerms terms;
     EXPECT_EQ(reason(terms), LightReason::in_surface);
     terms.distance = terms.attenuation = terms.n_l = terms.s = k_nan;

@@ -33,7 +33,8 @@ inline const std::vector<RetiredWord>& retired_words() {
         {R"(\bCandidate\b)", "Hit, CauseCandidate", "src/ include/ docs/"},
         {R"(\bleave(_through|_t_min)?\()", "offset_ray_origin", "src/ include/ docs/"},
         {R"(\bleave-inl\b|\bleaving-inl\b|\bLeavingRays?\b)", "ray_offset, secondary_rays"},
-        {R"(\b(queue_branches|branches_of|branch-inl)\b)", "queue_secondary_rays, secondary_weights"},
+        {R"(\b(queue_branches|branches_of|branch-inl|Branch(State)?)\b)",
+         "queue_secondary_rays, secondary_weights, ExplainedSecondaryRay", "src/ include/ docs/"},
         {R"(\b[Tt]riple\b|\w+_triple\b|\bTripleNumbers\b)", "Vector3, load_vector3",
          "src/simd/ src/geometry/ src/lighting/ src/trace/ src/world/"},
         // Tiles and the film.

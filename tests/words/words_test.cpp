@@ -95,6 +95,7 @@ TEST(Words, AreFound) {
     EXPECT_TRUE(at("src/trace/hit_kernels-inl.h", "constexpr int k_least_beam = 8;"));
     EXPECT_TRUE(at("include/glint/explain.h", "inline constexpr int k_most_explained_rays = 1;"));
     EXPECT_TRUE(at("src/geometry/ray-inl.h", "struct Candidate {"));
+    EXPECT_TRUE(at("include/glint/explain.h", "enum class BranchState : std::uint8_t {"));
     EXPECT_TRUE(at("src/simd/vec3-inl.h", "template <class T> struct Triple {"));
     EXPECT_TRUE(at("src/trace/film-inl.h", "store_triple(sum, sums, first);"));
     EXPECT_TRUE(at("web/src/store/state.ts", "export const machinery = {};"));
