@@ -198,7 +198,7 @@ struct Film {
 /// What the layers show of the first surfaces, by pixel of the tile. Empty unless asked for.
 struct FirstHits {
     std::vector<double> normal[3], position[3], albedo[3], depth, object, material;
-    std::vector<double> asked, blocked;  // lights, over the samples
+    std::vector<double> tested, occluded;  // lights, over the samples
     bool wanted = false;
     bool is_middle = false;  // the sample at hand is the middle one
 };

@@ -123,7 +123,7 @@ struct ShapeTests {
         return Geometry::hit(p, ray_lanes(i), t_min);
     }
     /// The same with shapes in lanes.
-    template <class Geometry> HWY_INLINE Hit<Doubles> formula_of_one(const Doubles* p, int i, Doubles t_min) {
+    template <class Geometry> HWY_INLINE Hit<Doubles> formula_of_ray(const Doubles* p, int i, Doubles t_min) {
         if constexpr (k_is_triangle<Geometry>) {
             const auto sheared = sheared_rays.one(i);
             const TriangleGeometry::UniformPermutation<Doubles> permute{sheared_rays.axis(i)};
@@ -136,8 +136,8 @@ struct ShapeTests {
     /// Decides candidates of rays [i, i + lanes): bits are those that may still hit; entry and exit are
     /// their box intervals.
     template <class Geometry>
-    HWY_INLINE void settle_rays(const Doubles* p, std::uint32_t slot, int i, std::uint32_t bits,
-                                Doubles entry, Doubles exit) {
+    HWY_INLINE void test_rays(const Doubles* p, std::uint32_t slot, int i, std::uint32_t bits, Doubles entry,
+                              Doubles exit) {
         const Doubles t_min = load(rays.t_min + i);
         const auto hit = formula<Geometry>(p, i, t_min);
         const Doubles t = min(max(hit.t, entry), exit);
@@ -227,7 +227,7 @@ struct ShapeTests {
             for (int c = 0; c < lanes; c += lane_count<double>()) {
                 const std::uint32_t lanes_here = bits >> c & first_bits(lane_count<double>());
                 if (lanes_here != 0)
-                    settle_rays<Geometry>(p, slot, i + c, lanes_here, widen(entry + c), widen(exit + c));
+                    test_rays<Geometry>(p, slot, i + c, lanes_here, widen(entry + c), widen(exit + c));
             }
         }
     }
@@ -239,7 +239,7 @@ struct ShapeTests {
         const Doubles infinity(std::numeric_limits<double>::infinity());
         for (int i = 0; i < count; i += lane_count<double>()) {
             const std::uint32_t bits = first_bits(number::min(count - i, lane_count<double>()));
-            settle_rays<Geometry>(p, slot, i, bits, -infinity, infinity);
+            test_rays<Geometry>(p, slot, i, bits, -infinity, infinity);
         }
     }
 
@@ -279,7 +279,7 @@ struct ShapeTests {
             Doubles p[Geometry::k_values];
             for (int k = 0; k < Geometry::k_values; ++k)
                 p[k] = load(shapes.column(k) + (slot - shapes.first));
-            const auto hit = formula_of_one<Geometry>(p, i, t_min);
+            const auto hit = formula_of_ray<Geometry>(p, i, t_min);
             bits &= to_bits(hit.valid);
             if (bits == 0) continue;
             if constexpr (k_is_cheap<Geometry>) {

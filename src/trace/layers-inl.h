@@ -20,7 +20,7 @@ inline void clear_first_hits(FirstHits& first_hits) {
     for (auto* vector : {first_hits.normal, first_hits.position, first_hits.albedo}) {
         for (int c = 0; c < 3; ++c) clear(vector[c], 0);
     }
-    for (auto* column : {&first_hits.object, &first_hits.material, &first_hits.asked, &first_hits.blocked})
+    for (auto* column : {&first_hits.object, &first_hits.material, &first_hits.tested, &first_hits.occluded})
         clear(*column, 0);
     clear(first_hits.depth, k_infinity);
 }
@@ -59,14 +59,14 @@ inline void count_lit(const SurfaceBatch& surfaces, const LightSampleBatch& samp
 }
 /// For the layer `shadow`: the lights that send a shadow ray to a surface of a camera ray. Before
 /// apply_occlusion all count as blocked; after it those that are not are taken away again.
-inline void count_asked(const SurfaceBatch& surfaces, const LightSampleBatch& samples,
-                        FirstHits& first_hits) {
-    count_lit(surfaces, samples, first_hits.asked, 1);
-    count_lit(surfaces, samples, first_hits.blocked, 1);
+inline void count_tested(const SurfaceBatch& surfaces, const LightSampleBatch& samples,
+                         FirstHits& first_hits) {
+    count_lit(surfaces, samples, first_hits.tested, 1);
+    count_lit(surfaces, samples, first_hits.occluded, 1);
 }
-inline void count_unblocked(const SurfaceBatch& surfaces, const LightSampleBatch& samples,
-                            FirstHits& first_hits) {
-    count_lit(surfaces, samples, first_hits.blocked, -1);
+inline void count_unoccluded(const SurfaceBatch& surfaces, const LightSampleBatch& samples,
+                             FirstHits& first_hits) {
+    count_lit(surfaces, samples, first_hits.occluded, -1);
 }
 
 /// Value c of a layer at a pixel of the tile.
@@ -86,8 +86,9 @@ inline float layer_value(const Film& film, const FirstHits& first_hits, Layer la
         case Layer::material:
             return static_cast<float>(first_hits.material[p]);
         case Layer::shadow:
-            return first_hits.asked[p] > 0 ? static_cast<float>(first_hits.blocked[p] / first_hits.asked[p])
-                                           : 0.0f;
+            return first_hits.tested[p] > 0
+                       ? static_cast<float>(first_hits.occluded[p] / first_hits.tested[p])
+                       : 0.0f;
         default:
             break;
     }

@@ -71,9 +71,9 @@ inline void apply_beer_law(const WorldParts& world, SurfaceBatch& surfaces) {
         const std::uint32_t medium = from_inside ? material : static_cast<std::uint32_t>(surfaces.medium[h]);
         if (medium == k_none) continue;
         const auto& d = surfaces.incoming;
-        const double way = surfaces.hit_t[h] * length(Vector3<double>{d[0][h], d[1][h], d[2][h]});
+        const double distance = surfaces.hit_t[h] * length(Vector3<double>{d[0][h], d[1][h], d[2][h]});
         for (int c = 0; c < 3; ++c)
-            surfaces.weight[c][h] *= beer(value(medium, k_transmission_tint + c), k, way);
+            surfaces.weight[c][h] *= beer(value(medium, k_transmission_tint + c), k, distance);
     }
 }
 

@@ -33,10 +33,11 @@ HWY_INLINE ShadowRay<T> shadow_ray(const SurfacePoint<T>& s, const Light& light,
     const Vector3<T> start = offset_ray_origin(s, to_light, rules.offset, rules.epsilon);
     if (!comes_from_light(light, rules))
         return {start, to_light, T(offset_t_min(rules.offset, rules.epsilon)), k_infinity};
-    const Vector3<T> from{T(light.position.x), T(light.position.y), T(light.position.z)}, way = start - from;
+    const Vector3<T> from{T(light.position.x), T(light.position.y), T(light.position.z)},
+        direction = start - from;
     // Its distance is compared with the light's from P itself: it sees epsilon past the light.
-    const T least = rules.offset == Offset::direction ? T(-rules.epsilon) / length(way) : T(0);
-    return {from, way, least, rules.offset == Offset::ray ? 1 - rules.epsilon : 1.0};
+    const T t_min = rules.offset == Offset::direction ? T(-rules.epsilon) / length(direction) : T(0);
+    return {from, direction, t_min, rules.offset == Offset::ray ? 1 - rules.epsilon : 1.0};
 }
 
 /// Writes the shadow rays of the set lanes, from number `at` on.

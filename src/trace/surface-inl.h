@@ -119,7 +119,7 @@ inline void compute_surfaces(const WorldParts& world, SurfaceBatch& surfaces) {
     // Lanes past the last hit are computed with, though nothing of them is kept.
     const auto last = static_cast<std::size_t>(count - 1);
     std::fill_n(surfaces.slot.begin() + count, k_ray_padding, surfaces.slot[last]);
-    const bool eye_apart = world.camera.has_lighting_eye && surfaces.generation == 0;
+    const bool has_lighting_eye = world.camera.has_lighting_eye && surfaces.generation == 0;
     for (int h = 0; h < count; h += lane_count<double>()) {
         const std::uint32_t* slots = surfaces.slot.data() + h;
         std::uint32_t* materials = surfaces.material.data() + h;
@@ -143,7 +143,7 @@ inline void compute_surfaces(const WorldParts& world, SurfaceBatch& surfaces) {
         store_vector3(select_vector3(flipped, -normal, normal), surfaces.normal, h);
         store(select(behind, Doubles(1), Doubles(0)), surfaces.behind.data() + h);
 
-        Vector3<Doubles> eye = eye_apart ? lanes_of(world.camera.lighting_eye) - point : -d;
+        Vector3<Doubles> eye = has_lighting_eye ? lanes_of(world.camera.lighting_eye) - point : -d;
         if (world.conventions.normalize) eye = normalize(eye);
         store_vector3(eye, surfaces.to_eye, h);
         double* const magnitude = surfaces.magnitude.data() + h;

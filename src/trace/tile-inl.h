@@ -26,9 +26,9 @@ inline void light_surfaces(const WorldParts& world, const Light& light, TileScra
     sample_light(world, light, s.surfaces, s.light_samples, s.shadow_rays);
     if (s.shadow_rays.count > 0) {
         intersect_shadow(world, s.shadow_rays);
-        if (first_hits != nullptr) count_asked(s.surfaces, s.light_samples, *first_hits);
+        if (first_hits != nullptr) count_tested(s.surfaces, s.light_samples, *first_hits);
         apply_occlusion(s.shadow_rays, s.surfaces.count, s.light_samples);
-        if (first_hits != nullptr) count_unblocked(s.surfaces, s.light_samples, *first_hits);
+        if (first_hits != nullptr) count_unoccluded(s.surfaces, s.light_samples, *first_hits);
         s.counts.shadow += static_cast<std::uint64_t>(s.shadow_rays.count);
     }
     compute_highlights(world, s.surfaces, s.light_samples, s.highlights);

@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::size_t k_cache_line = 64;
 
-struct FactsOf {
+struct TraitsOf {
     ClassTraits traits;
     template <class Geometry> void visit() {
         traits.bakes_transform = Geometry::k_bakes_transform;
@@ -27,10 +27,10 @@ struct FactsOf {
     }
 };
 
-AllClassTraits find_class_facts() {
+AllClassTraits find_class_traits() {
     AllClassTraits all;
     for (int c = 0; c < k_primitive_classes; ++c) {
-        FactsOf of;
+        TraitsOf of;
         visit_geometry(static_cast<ShapeKind>(c / 2), c % 2 == 1, of);
         all[static_cast<std::size_t>(c)] = of.traits;
     }
@@ -40,7 +40,7 @@ AllClassTraits find_class_facts() {
 }  // namespace
 
 const AllClassTraits& class_traits() {
-    static const AllClassTraits all = find_class_facts();
+    static const AllClassTraits all = find_class_traits();
     return all;
 }
 

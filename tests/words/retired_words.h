@@ -47,6 +47,7 @@ inline const std::vector<RetiredWord>& retired_words() {
          "apply_occlusion, make_shadow_rays, store_shadow_rays"},
         {R"(\b(k_share|shade_share|SeenSurfaces|see_surfaces|start_alike)\b)",
          "k_batch_size, shade_batch, FirstHits, store_first_hits, start_uniform"},
+        {R"(\b(count_asked|count_unblocked)\b)", "count_tested, count_unoccluded"},
         // Limits and shapes.
         {R"(\bk_(most|least)(_\w+)?\b)", "k_max_..., k_min_..."},
         {R"(\bCuboid\w*)", "Box"},
