@@ -110,11 +110,14 @@ constexpr Row word_row(std::string_view name, std::string_view description, bool
         }};
 }
 
+constexpr std::string_view k_truth_words[] = {"true", "false"};
+
 template <auto Member>
 constexpr Row bool_row(std::string_view name, std::string_view description, bool convention) {
     return {{name, "true | false", description, convention},
             [](Conventions& c, RenderSettings& s, const SettingKey&, std::string_view text) -> std::string {
-                if (text != "true" && text != "false") return found("true or false", text);
+                if (text != "true" && text != "false")
+                    return found("true or false", text) + did_you_mean(text, k_truth_words);
                 field<Member>(c, s) = text == "true";
                 return {};
             },

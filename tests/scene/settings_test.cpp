@@ -136,7 +136,9 @@ INSTANTIATE_TEST_SUITE_P(
     All, WrongSettings,
     testing::Values(
         Wrong{"specular_gate", "maybe", "expected true or false, found 'maybe'"},
-        Wrong{"specular_gate", "True", "expected true or false, found 'True'"},
+        Wrong{"specular_gate", "True", "expected true or false, found 'True'; did you mean `true`?"},
+        Wrong{"specular_gate", "flase", "expected true or false, found 'flase'; did you mean `false`?"},
+        Wrong{"specular_gate", "no", "expected true or false, found 'no'"},
         Wrong{"specular_gate", "", "expected true or false, found ''"},
         Wrong{"epsilon", "-1", "expected a number from 0 to 1e12, found '-1'"},
         Wrong{"epsilon", "nan", "expected a number from 0 to 1e12, found 'nan'"},
