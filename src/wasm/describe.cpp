@@ -91,6 +91,13 @@ Json settings_json(const Scene& scene) {
     return list;
 }
 
+/// The word of an item's kind, or null.
+Json item_json(SceneItem item) {
+    constexpr const char* words[] = {"",      "camera",   "background", "setting",
+                                     "light", "material", "transform",  "shape"};
+    return item == SceneItem::none ? Json() : Json(words[static_cast<std::size_t>(item)]);
+}
+
 Json shapes_json(const Scene& scene) {
     std::size_t counts[k_shape_kinds] = {};
     for (const Shape& shape : scene.shapes) ++counts[static_cast<std::size_t>(shape.kind)];
@@ -110,6 +117,8 @@ Json to_json(const Diagnostic& d) {
             {"column", d.column},
             {"length", d.length},
             {"message", d.message},
+            {"item", item_json(d.item)},
+            {"index", d.index},
             {"text", to_string(d)}};
 }
 

@@ -14,6 +14,10 @@ export interface Diagnostic extends Place {
     /** The number of bytes to underline. */
     length: number;
     message: string;
+    /** The part of the scene that the message is about, or null. */
+    item: 'camera' | 'background' | 'setting' | 'light' | 'material' | 'transform' | 'shape' | null;
+    /** Its index in the scene's list of lights, materials, transforms, shapes or settings; else 0. */
+    index: number;
     /** The whole message with the line and a caret, as the command prints it. */
     text: string;
 }

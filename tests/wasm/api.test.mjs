@@ -159,6 +159,7 @@ test('bad scenes have messages with places', () => {
     assert.equal(diagnostics[0].severity, 'error');
     assert.equal(diagnostics[0].line, 1);
     assert.equal(diagnostics[0].column, 23);
+    assert.deepEqual([diagnostics[0].item, diagnostics[0].index], [null, 0]);
     assert.match(diagnostics[0].text, /^bad\.cgfs:1:23: error: .*\n.*oops.*\n +\^/);
     assert.throws(() => scene.render(0, 0, 1, 1), /errors/);
     scene.close();
