@@ -85,7 +85,7 @@ class CgfsReader {
         if (!p_.triple(v, k_byte_channel, '(', ')')) return false;
         for (double& x : v) {
             if (!(x >= 0 && x <= 255)) {
-                p_.warn(at, "a color's numbers go from 0 to 255; this one is drawn as it is written");
+                p_.warn(at, "a color's numbers go from 0 to 255; this one is used unchanged");
                 break;
             }
         }

@@ -72,7 +72,7 @@ class GlintReader {
                                            : did_you_mean(name, k_block_words)));
             t_.blocks.skip_block();
         } else if (!groups_.empty()) {
-            p_.error(word, fmt::format("a group holds shapes, groups and includes; {} stands outside",
+            p_.error(word, fmt::format("a group contains shapes, groups and includes; {} must be outside",
                                        quoted(name)));
             t_.blocks.skip_block();
         } else {
@@ -143,11 +143,11 @@ class GlintReader {
         const bool is_item = std::any_of(std::begin(k_item_fields), std::end(k_item_fields),
                                          [&](const Field& field) { return field.name == name; });
         if (is_item) {
-            p_.error(word, fmt::format("{} stands in the block of a shape or a group", quoted(name)));
+            p_.error(word, fmt::format("{} belongs in the block of a shape or a group", quoted(name)));
         } else if (name == "include") {
             p_.error(word, "an include has no `=`: write `include \"file\"`");
         } else if (find_setting(name)) {
-            p_.error(word, fmt::format("{} stands in a `conventions` or a `render` block", quoted(name)));
+            p_.error(word, fmt::format("{} belongs in a `conventions` or a `render` block", quoted(name)));
         } else {
             p_.error(word, fmt::format("no setting is called {}{}", quoted(name),
                                        did_you_mean(name, k_setting_words)));

@@ -54,7 +54,7 @@ void warn_of_bytes(GlintText& t, const Token& at, Color color, ColorUse use) {
     const double limit = use == ColorUse::surface ? 1 : use == ColorUse::coefficient ? 4 : 10;
     if (largest(color) <= limit) return;
     t.p.warn(at,
-             "colors go from 0 to 1, and this one is drawn as it is written; for 0 to 255 write "
+             "colors go from 0 to 1, and this one is used unchanged; for 0 to 255 write "
              "rgb255(r, g, b)");
 }
 

@@ -145,7 +145,7 @@ class Validator {
         }
         const Vec3 forward = c.look_at - c.position;
         if (is_zero(forward)) {
-            error(place, "the camera looks at the place where it stands: the two must differ");
+            error(place, "the camera is at the point that it looks at: the two must differ");
         } else if (!is_zero(c.up) && are_parallel(forward, c.up)) {
             error(place, fmt::format("the camera's up {} is along its view direction {}", text(c.up),
                                      text(forward)));
@@ -275,15 +275,15 @@ class Validator {
                  {},
                  "the scene has no lights: the picture will be black but for its background"});
         }
-        if (!scene_.conventions.cones) tell_of_cones();
+        if (!scene_.conventions.cones) note_omitted_cones();
     }
 
-    void tell_of_cones() {
+    void note_omitted_cones() {
         for (std::size_t i = 0; i < scene_.shapes.size(); ++i) {
             if (scene_.shapes[i].kind != ShapeKind::cone) continue;
             mistakes_.push_back(
                 {Severity::note, scene_.shape_texts.place(static_cast<std::uint32_t>(i)),
-                 fmt::format("the conventions of {} draw no cones; `--convention cones=true` does",
+                 fmt::format("the conventions of {} ignore cones; `--convention cones=true` renders them",
                              scene_.profile),
                  SceneItem::shape, static_cast<std::uint32_t>(i)});
             return;

@@ -12,7 +12,7 @@ TEST_P(GlintMistakes, AreNamedWhereTheyAre) { expect_messages(GetParam(), "a.gli
 #define LIGHT "light { position = (0, 9, 5) }\n"
 #define BALL "sphere { center = (0, 0, 0)  radius = 1 "
 #define COLOR_WARNING \
-    "colors go from 0 to 1, and this one is drawn as it is written; for 0 to 255 write rgb255(r, g, b)"
+    "colors go from 0 to 1, and this one is used unchanged; for 0 to 255 write rgb255(r, g, b)"
 
 INSTANTIATE_TEST_SUITE_P(
     Habits, GlintMistakes,
@@ -50,7 +50,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadText{"two_radii",
                 CAMERA "sphere { center = (0, 0, 0)  radius = $(1, 2) }",
                 {"expected a number: only a cone has two radii, found '('"}},
-        BadText{"settings_at_top", CAMERA "$aa = 2", {"'aa' stands in a `conventions` or a `render` block"}},
+        BadText{"settings_at_top", CAMERA "$aa = 2", {"'aa' belongs in a `conventions` or a `render` block"}},
         BadText{"size_is_no_convention",
                 CAMERA "conventions { $size = 3x3 }",
                 {"a conventions block has no 'size': write it in a `render` block"}},
@@ -137,7 +137,7 @@ INSTANTIATE_TEST_SUITE_P(
                 {"expected 'scale' before what the group holds"}},
         BadText{"light_in_group",
                 CAMERA "group { $light { } }",
-                {"a group holds shapes, groups and includes; 'light' stands outside"}},
+                {"a group contains shapes, groups and includes; 'light' must be outside"}},
         BadText{"open_group",
                 CAMERA "group {\n group { " BALL "} }\n$",
                 {"expected `}`: the block that begins in line 2 has no end, found the end of the text"}},

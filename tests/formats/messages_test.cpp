@@ -54,7 +54,7 @@ INSTANTIATE_TEST_SUITE_P(
                             {"expected a number, found 'color'"}},
                     BadText{"color",
                             L "sphere { center = (0,0,3) radius = 1 color = $(1,2,300) }",
-                            {"a color's numbers go from 0 to 255; this one is drawn as it is written"}},
+                            {"a color's numbers go from 0 to 255; this one is used unchanged"}},
                     BadText{"string",
                             L "sphere { center = (0,0,3) radius = $\"abc color = (1,2,3)\n color = (1,2,3) }",
                             {"expected a closing quote before the end of the line"}}),
@@ -233,7 +233,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadText{
             "on_its_target",
             "{ $\"camera\": { \"position\": [0,0,0], \"target\": [0,0,0], \"up\": [0,1,0], \"fov\": 60 } }",
-            {"the camera looks at the place where it stands: the two must differ"}},
+            {"the camera is at the point that it looks at: the two must differ"}},
         BadText{
             "up_along_the_view",
             "{ $\"camera\": { \"position\": [0,9,0], \"target\": [0,0,0], \"up\": [0,1,0], \"fov\": 60 } }",

@@ -181,7 +181,7 @@ INSTANTIATE_TEST_SUITE_P(
                 {"expected a whole number from 1 to 65536, found '7.5'"}},
         BadText{"from_at",
                 "$v from 0 0 5 at 0 0 5\nl 0 0 9\n" FILL "s 0 0 0 1\n",
-                {"the camera looks at the place where it stands: the two must differ"}}),
+                {"the camera is at the point that it looks at: the two must differ"}}),
     test_name);
 
 INSTANTIATE_TEST_SUITE_P(

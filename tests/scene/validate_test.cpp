@@ -120,7 +120,7 @@ INSTANTIATE_TEST_SUITE_P(
 INSTANTIATE_TEST_SUITE_P(
     Camera, BrokenScenes,
     testing::Values(
-        Broken{"looks at the place where it stands", [](Scene& s) { s.camera.look_at = s.camera.position; }},
+        Broken{"at the point that it looks at", [](Scene& s) { s.camera.look_at = s.camera.position; }},
         Broken{"along its view direction",
                [](Scene& s) {
                    s.camera.up = {0, 0, 2};
@@ -250,7 +250,7 @@ TEST(Validate, ConesThatAreNotDrawnAreToldOnce) {
     ASSERT_EQ(diagnostics.size(), 1u);
     EXPECT_EQ(diagnostics[0].severity, Severity::note);
     EXPECT_EQ(diagnostics[0].message,
-              "the conventions of csc473 draw no cones; `--convention cones=true` does");
+              "the conventions of csc473 ignore cones; `--convention cones=true` renders them");
 }
 
 TEST(Scene, ItemTextsOfScenesMadeInCodeAreEmpty) {
