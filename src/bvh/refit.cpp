@@ -36,12 +36,6 @@ Aabb node_box(const BvhNode& node) {
     return box;
 }
 
-Aabb leaf_box(BvhChild leaf, const ItemBox& box_of) {
-    Aabb box;
-    for (std::uint32_t i = leaf.first(); i < leaf.first() + leaf.count(); ++i) box.add(box_of(i));
-    return box;
-}
-
 bool same(const Aabb& a, const Aabb& b) {
     return std::equal(a.lo, a.lo + 3, b.lo) && std::equal(a.hi, a.hi + 3, b.hi);
 }
@@ -84,9 +78,11 @@ BvhCost find_cost(const Bvh& bvh) {
     return cost;
 }
 
-void refit_item(Bvh& bvh, const BvhLinks& links, std::uint32_t item, const ItemBox& box_of, BvhCost& cost) {
+void refit_item(Bvh& bvh, const BvhLinks& links, std::uint32_t item, const LeafBounds& bounds,
+                BvhCost& cost) {
     std::uint32_t number = links.leaf[item];
-    Aabb box = leaf_box(bvh.nodes[number / k_bvh_width].child[number % k_bvh_width], box_of);
+    const BvhChild leaf = bvh.nodes[number / k_bvh_width].child[number % k_bvh_width];
+    Aabb box = bounds(leaf.first(), leaf.count());
     for (;;) {
         const std::uint32_t at = number / k_bvh_width;
         BvhNode& node = bvh.nodes[at];
@@ -103,13 +99,14 @@ void refit_item(Bvh& bvh, const BvhLinks& links, std::uint32_t item, const ItemB
     cost.root = half_area(box);
 }
 
-void refit_all(Bvh& bvh, const ItemBox& box_of, int threads) {
+void refit_all(Bvh& bvh, const LeafBounds& bounds, int threads) {
     if (bvh.nodes.empty()) return;
     for_nodes(bvh.nodes.size(), threads, [&](std::size_t begin, std::size_t end) {
         for (std::size_t n = begin; n < end; ++n) {
             BvhNode& node = bvh.nodes[n];
             for (int c = 0; c < k_bvh_width; ++c) {
-                if (node.child[c].is_leaf()) set_child_box(node, c, leaf_box(node.child[c], box_of));
+                const BvhChild child = node.child[c];
+                if (child.is_leaf()) set_child_box(node, c, bounds(child.first(), child.count()));
             }
         }
     });

@@ -26,12 +26,12 @@ struct BvhCost {
 };
 BvhCost find_cost(const Bvh& bvh);
 
-/// The box of an item.
-using ItemBox = std::function<Aabb(std::uint32_t item)>;
+/// The bounds of items [first, first + count) of a leaf.
+using LeafBounds = std::function<Aabb(std::uint32_t first, std::uint32_t count)>;
 
 /// Updates the boxes above one item whose box has changed. Keeps `cost` up to date.
-void refit_item(Bvh& bvh, const BvhLinks& links, std::uint32_t item, const ItemBox& box, BvhCost& cost);
-/// Updates all boxes.
-void refit_all(Bvh& bvh, const ItemBox& box, int threads);
+void refit_item(Bvh& bvh, const BvhLinks& links, std::uint32_t item, const LeafBounds& bounds, BvhCost& cost);
+/// Updates all boxes. bounds is called from several threads.
+void refit_all(Bvh& bvh, const LeafBounds& bounds, int threads);
 
 }  // namespace glint

@@ -28,9 +28,9 @@ std::vector<Mistake> find_mistakes(const Scene& scene, ScenePart part);
 /// The errors of a material that messages give this index.
 std::vector<Mistake> find_mistakes(const Material& material, std::uint32_t index);
 /// The errors of some shapes, of their parameters and transforms, and of their materials, of which there are
-/// `materials`: at most 20.
+/// `materials`: at most 20, in the order of the list.
 std::vector<Mistake> find_mistakes(const Scene& scene, std::span<const std::uint32_t> shapes,
-                                   std::size_t materials);
+                                   std::size_t materials, int threads);
 
 /// As validate() gives them.
 std::vector<Diagnostic> to_diagnostics(std::vector<Mistake> mistakes, const Scene& scene);

@@ -2,8 +2,12 @@
 // Every number and index of a scene, checked once, so that no later module has to.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <atomic>
 #include <optional>
 
+#include "base/parallel_for.h"
+#include "base/status.h"
 #include "base/text.h"
 #include "math/number.h"
 #include "scene/camera_fields.h"
@@ -19,6 +23,7 @@ namespace glint {
 namespace {
 
 constexpr std::size_t k_max_errors = 20;
+
 class Validator {
   public:
     explicit Validator(const Scene& scene) : scene_(scene), shapes_(scene) {}
@@ -308,7 +313,19 @@ std::vector<Mistake> find_mistakes(const Material& material, std::uint32_t index
 }
 
 std::vector<Mistake> find_mistakes(const Scene& scene, std::span<const std::uint32_t> shapes,
-                                   std::size_t materials) {
+                                   std::size_t materials, int threads) {
+    constexpr std::size_t chunk = 16384;  // shapes per task
+    if (shapes.size() <= chunk) return Validator(scene).run(shapes, materials);
+    // Most scenes have no mistakes. Messages are made on this thread, where out-of-memory errors are handled.
+    std::atomic<bool> valid{true};
+    parallel_for((shapes.size() + chunk - 1) / chunk, threads, [&](std::size_t i) {
+        const auto some = shapes.subspan(i * chunk, std::min(chunk, shapes.size() - i * chunk));
+        const Status checked = status_of([&] {
+            if (!Validator(scene).run(some, materials).empty()) valid = false;
+        });
+        if (!checked.ok()) valid = false;
+    });
+    if (valid) return {};
     return Validator(scene).run(shapes, materials);
 }
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Edits shapes of a World: in place if no other World shares the geometry.
 #include <algorithm>
+#include <atomic>
 
 #include "base/fp_environment.h"
-#include "base/huge_pages.h"
 #include "base/parallel_chunks.h"
 #include "base/status.h"
 #include "scene/mistakes.h"
@@ -18,7 +18,7 @@ namespace {
 // If at least 1 / k_many of all slots are edited, all slots are processed in order.
 constexpr std::size_t k_many = 32;
 
-// The index is of the geometry's structure, and edits leave it valid.
+// Makes the index if there is none. It depends on the structure of the geometry only, so edits keep it valid.
 void need_edit_index(PackedGeometry& geometry) {
     if (geometry.edit_index) return;
     if (!geometry.shared_index) geometry.shared_index = std::make_shared<SharedEditIndex>();
@@ -32,26 +32,25 @@ class ShapeEditor {
                 const PrepareOptions& options)
         : world_(world), scene_(scene), changed_(changed), options_(options), primitives_(scene) {}
 
-    // Sets `edit` as soon as it is done, so that what fails after it does not undo it.
+    // Sets `edit` as soon as the edit is done, so that a later failure does not report it as not done.
     Status run(ShapeEdit& edit) {
         const WorldParts& now = world_.parts();
         if (scene_.shapes.size() != now.geometry->scene_shapes) {
             std::vector<Mistake> mistakes = find_mistakes_of_all();
             return mistakes.empty() ? rebuild(edit) : refuse(std::move(mistakes));
         }
-        std::vector<Mistake> mistakes = find_mistakes(scene_, changed_, now.scene_materials());
+        std::vector<Mistake> mistakes =
+            find_mistakes(scene_, changed_, now.scene_materials(), options_.threads);
         if (!mistakes.empty()) return refuse(std::move(mistakes));
         if (changed_.empty()) return {};
-        for (const std::uint32_t shape : changed_) {
-            if (now.conventions.cones || scene_.shapes[shape].kind != ShapeKind::cone) primitives_.add(shape);
-        }
+        triangulate_polygons();
         // Do everything that may fail before the first write.
         WorldParts& parts = WorldAccess::own(world_);
         PackedGeometry& geometry = parts.geometry.own();
         need_edit_index(geometry);
         if (!fits(geometry)) return rebuild(edit);
         std::vector<std::uint32_t>& rows = parts.slot_material.own();
-        const bool many = primitives_.list().size() > geometry.count / k_many;
+        const bool many = changed_.size() + primitives_.list().size() > geometry.count / k_many;
         many ? write_many(geometry, rows) : write_few(geometry, rows);
         edit = ShapeEdit::refitted;
         const double built = geometry.edit_index->built_cost.expected();
@@ -64,34 +63,56 @@ class ShapeEditor {
     std::vector<Mistake> find_mistakes_of_all() const {
         std::vector<std::uint32_t> all(scene_.shapes.size());
         for (std::uint32_t i = 0; i < all.size(); ++i) all[i] = i;
-        return find_mistakes(scene_, all, world_.parts().scene_materials());
+        return find_mistakes(scene_, all, world_.parts().scene_materials(), options_.threads);
     }
 
     Status refuse(std::vector<Mistake> mistakes) const {
         return invalid_scene(to_diagnostics(std::move(mistakes), scene_));
     }
 
-    static std::uint32_t slot_of(const PackedGeometry& geometry, const Primitive& p) {
-        return geometry.edit_index->slots_of(p.shape)[p.piece];
+    // Only the primitives of polygons are listed. Other shapes are one primitive each, and need no memory.
+    void triangulate_polygons() {
+        if (scene_.get<Polygon>().empty()) return;
+        first_triangle_.reserve(changed_.size());
+        for (const std::uint32_t shape : changed_) {
+            first_triangle_.push_back(static_cast<std::uint32_t>(primitives_.list().size()));
+            if (scene_.shapes[shape].kind == ShapeKind::polygon) primitives_.add(shape);
+        }
+    }
+
+    // The number of primitives of changed shape i.
+    std::size_t count_primitives(std::size_t i) const {
+        const ShapeKind kind = scene_.shapes[changed_[i]].kind;
+        if (kind == ShapeKind::cone && !world_.parts().conventions.cones) return 0;
+        if (kind != ShapeKind::polygon) return 1;
+        const std::size_t end = i + 1 < changed_.size() ? first_triangle_[i + 1] : primitives_.list().size();
+        return end - first_triangle_[i];
+    }
+
+    // first_triangle: used for polygons only.
+    Primitive primitive(std::uint32_t shape, std::uint32_t first_triangle, std::size_t piece) const {
+        if (scene_.shapes[shape].kind != ShapeKind::polygon) return {shape, k_none, 0};
+        return primitives_.list()[first_triangle + piece];
+    }
+    // Primitive `piece` of changed shape i.
+    Primitive changed_primitive(std::size_t i, std::size_t piece) const {
+        return primitive(changed_[i], first_triangle_.empty() ? 0 : first_triangle_[i], piece);
     }
 
     // Whether the changed shapes have the same number and classes of primitives as before.
     bool fits(const PackedGeometry& geometry) const {
-        const std::vector<Primitive>& list = primitives_.list();
-        std::size_t at = 0;
-        for (const std::uint32_t shape : changed_) {
-            const auto slots = geometry.edit_index->slots_of(shape);
-            std::size_t pieces = 0;
-            for (; at < list.size() && list[at].shape == shape && list[at].piece == pieces; ++at, ++pieces) {
-                if (pieces == slots.size()) return false;
-                const ShapeClass& shapes = geometry.class_of(slots[pieces]);
-                if (2 * static_cast<int>(shapes.kind) + (shapes.transformed ? 1 : 0) !=
-                    primitives_.class_of(list[at]))
-                    return false;
+        std::atomic<bool> all{true};
+        parallel_chunks(changed_.size(), options_.threads, [&](std::size_t i) {
+            const auto slots = geometry.edit_index->slots_of(changed_[i]);
+            bool same = slots.size() == count_primitives(i);
+            for (std::size_t piece = 0; same && piece < slots.size(); ++piece) {
+                const ShapeClass& shapes = geometry.class_of(slots[piece]);
+                same = 2 * static_cast<int>(shapes.kind) + (shapes.transformed ? 1 : 0) ==
+                       primitives_.class_of(changed_primitive(i, piece));
             }
-            if (pieces != slots.size()) return false;
-        }
-        return true;
+            if (!same) all = false;
+        });
+        return all;
     }
 
     std::uint32_t row_of(std::uint32_t shape) const {
@@ -106,24 +127,38 @@ class ShapeEditor {
         rows[slot] = row_of(p.shape);
     }
 
+    // The bounds of consecutive slots of one class.
+    static Aabb bounds_of(const PackedGeometry& geometry, std::uint32_t first, std::uint32_t count) {
+        Aabb box;
+        for (std::uint32_t slot = first; slot < first + count; ++slot)
+            box.add(HWY_NAMESPACE::primitive_bounds(geometry, slot));
+        return box;
+    }
+
     void write_few(PackedGeometry& geometry, std::vector<std::uint32_t>& rows) const {
-        const auto box = [&](std::uint32_t slot) { return HWY_NAMESPACE::primitive_bounds(geometry, slot); };
-        for (const Primitive& p : primitives_.list()) {
-            const std::uint32_t slot = slot_of(geometry, p);
-            write(p, slot, geometry, rows);
-            if (slot < geometry.bounded)
-                refit_item(geometry.bvh, geometry.edit_index->links, slot, box, geometry.cost);
+        const auto bounds = [&](std::uint32_t first, std::uint32_t count) {
+            return bounds_of(geometry, first, count);
+        };
+        for (std::size_t i = 0; i < changed_.size(); ++i) {
+            const auto slots = geometry.edit_index->slots_of(changed_[i]);
+            for (std::size_t piece = 0; piece < slots.size(); ++piece) {
+                write(changed_primitive(i, piece), slots[piece], geometry, rows);
+                if (slots[piece] < geometry.bounded)
+                    refit_item(geometry.bvh, geometry.edit_index->links, slots[piece], bounds, geometry.cost);
+            }
         }
     }
 
     void write_many(PackedGeometry& geometry, std::vector<std::uint32_t>& rows) const {
-        const std::vector<Primitive>& list = primitives_.list();
-        std::vector<std::uint32_t> first;  // by shape: its first primitive
-        resize_in_huge_pages(first, geometry.scene_shapes);
-        std::fill(first.begin(), first.end(), k_none);
-        for (std::size_t i = list.size(); i-- > 0;) {
-            if (list[i].piece == 0) first[list[i].shape] = static_cast<std::uint32_t>(i);
+        std::vector<bool> is_changed;  // by shape; empty: all shapes are changed
+        if (!is_all()) {
+            is_changed.resize(geometry.scene_shapes);
+            for (const std::uint32_t shape : changed_) is_changed[shape] = true;
         }
+        std::vector<std::uint32_t> first_triangle;  // by shape
+        if (!first_triangle_.empty()) first_triangle.resize(geometry.scene_shapes);
+        for (std::size_t i = 0; i < first_triangle_.size(); ++i)
+            first_triangle[changed_[i]] = first_triangle_[i];
         const auto shape_at = [&](std::size_t slot) {
             return geometry.shape_index[std::min<std::size_t>(slot, geometry.count - 1)];
         };
@@ -132,17 +167,25 @@ class ShapeEditor {
             primitives_.prefetch_shape(shape_at(slot + 2 * ahead));
             primitives_.prefetch_parameters(shape_at(slot + ahead));
             const std::uint32_t shape = geometry.shape_index[slot];
-            if (first[shape] == k_none) return;
-            const bool is_polygon = scene_.shapes[shape].kind == ShapeKind::polygon;
-            const Primitive primitive =
-                is_polygon ? list[first[shape] + geometry.piece_of(static_cast<std::uint32_t>(slot))]
-                           : Primitive{shape, k_none, 0};
-            write(primitive, static_cast<std::uint32_t>(slot), geometry, rows);
+            if (!is_changed.empty() && !is_changed[shape]) return;
+            const auto at = static_cast<std::uint32_t>(slot);
+            const std::uint32_t first = first_triangle.empty() ? 0 : first_triangle[shape];
+            write(primitive(shape, first, geometry.piece_of(at)), at, geometry, rows);
         });
         refit_all(
-            geometry.bvh, [&](std::uint32_t slot) { return HWY_NAMESPACE::primitive_bounds(geometry, slot); },
+            geometry.bvh,
+            [&](std::uint32_t first, std::uint32_t count) { return bounds_of(geometry, first, count); },
             options_.threads);
         geometry.cost = find_cost(geometry.bvh);
+    }
+
+    // Whether the list of changed shapes is that of all shapes, in order.
+    bool is_all() const {
+        if (changed_.size() != scene_.shapes.size()) return false;
+        for (std::size_t i = 0; i < changed_.size(); ++i) {
+            if (changed_[i] != i) return false;
+        }
+        return true;
     }
 
     // Shapes that are not edited keep the material that the World has assigned to them.
@@ -177,7 +220,8 @@ class ShapeEditor {
     const Scene& scene_;
     const std::span<const std::uint32_t> changed_;
     const PrepareOptions& options_;
-    Primitives primitives_;
+    Primitives primitives_;                      // of the changed polygons
+    std::vector<std::uint32_t> first_triangle_;  // by changed shape, if the scene has polygons
 };
 
 }  // namespace
@@ -190,7 +234,7 @@ Result<ShapeEdit> edit_shapes(World& world, const Scene& scene, std::span<const 
         return ShapeEditor(world, scene, changed, options).run(edit);
     };
     Status status = result_of(body, " while editing shapes");
-    // Where only the rebuilding has failed, the refitted hierarchy draws the same.
+    // If only the rebuild has failed, the refitted hierarchy gives the same pictures.
     if (!status.ok() && edit == ShapeEdit::none) return status;
     return edit;
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Edited shapes of a World give the same bits as preparing the scene again, refitted or rebuilt.
+#include <algorithm>
 #include <numeric>
 #include <thread>
 
@@ -125,6 +126,10 @@ TEST(EditShapes, AFewOrAllMoved) {
             EXPECT_TRUE(draw_the_same(world, prepared(scene))) << round << ' ' << count;
             expect_same_hits(world, prepared(scene), random, half);
         }
+        // All shapes in the order of the scene, on two threads.
+        for (std::uint32_t i = 0; i < scene.shapes.size(); ++i) move(scene, i, {0.1, 0.2, -0.1});
+        EXPECT_EQ(edit(world, scene, all_of(scene), 2), ShapeEdit::refitted);
+        EXPECT_TRUE(draw_the_same(world, prepared(scene))) << round;
         // Other transforms for the same shapes.
         std::vector<std::uint32_t> mapped;
         for (std::uint32_t i = 0; i < scene.shapes.size(); ++i)
@@ -147,9 +152,14 @@ TEST(EditShapes, ARefittedHierarchyHoldsItsBoxes) {
         for (const std::uint32_t shape : changed) move(scene, shape, point_in_cube(random, 0.3));
         if (edit(world, scene, changed) != ShapeEdit::refitted) continue;
         const PackedGeometry& geometry = *world.parts().geometry;
-        const auto box = [&](std::uint32_t slot) { return HWY_NAMESPACE::primitive_bounds(geometry, slot); };
+        const auto bounds = [&](std::uint32_t first, std::uint32_t count) {
+            Aabb box;
+            for (std::uint32_t slot = first; slot < first + count; ++slot)
+                box.add(HWY_NAMESPACE::primitive_bounds(geometry, slot));
+            return box;
+        };
         Bvh all = geometry.bvh;
-        refit_all(all, box, 1);
+        refit_all(all, bounds, 1);
         for (std::size_t n = 0; n < all.nodes.size(); ++n) {
             for (int a = 0; a < 3; ++a) {
                 EXPECT_TRUE(std::equal(all.nodes[n].lo[a], all.nodes[n].lo[a] + k_bvh_width,
@@ -365,6 +375,21 @@ TEST(EditShapes, LeavesAWorldAsItIsWhereSomethingIsWrong) {
     expect_error(scene, 7, "radius");
     EXPECT_TRUE(draw_the_same(world, prepared(original)));
     EXPECT_EQ(edit_shapes(world, original, {}).value(), ShapeEdit::none);
+}
+
+TEST(EditShapes, ErrorsAmongManyShapesAreInTheOrderOfTheList) {
+    Scene scene;
+    for (int i = 0; i < 50000; ++i) scene.add(Sphere{{0.001 * i, 0, 0}, 0.1});
+    World world = prepared(scene);
+    std::vector<std::uint32_t> changed = all_of(scene);
+    std::reverse(changed.begin(), changed.end());
+    for (const std::size_t sphere : {100u, 20000u, 45000u}) scene.get<Sphere>()[sphere].radius = -1;
+    const Result<ShapeEdit> result = edit_shapes(world, scene, changed, {.threads = 2});
+    EXPECT_EQ(result.code, ErrorCode::invalid_scene);
+    ASSERT_EQ(result.diagnostics.size(), 3u);
+    EXPECT_EQ(result.diagnostics[0].index, 45000u);
+    EXPECT_EQ(result.diagnostics[1].index, 20000u);
+    EXPECT_EQ(result.diagnostics[2].index, 100u);
 }
 
 TEST(EditShapes, ShapesThatAreNotGivenKeepTheirMaterial) {
