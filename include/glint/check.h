@@ -18,13 +18,13 @@
 namespace glint {
 
 struct CheckOptions {
-    int threads = 0;  ///< 0 = one a processor; the findings are the same
-    /// The texts that the scene was read from, for the source lines in the findings; each under its name in
-    /// Scene::files. They need not be all.
+    int threads = 0;  ///< 0: one per processor; the findings do not depend on it
+    /// The texts that the scene was read from, each under its name in Scene::files, for the source lines in
+    /// the findings. Texts may be missing.
     std::span<const SceneText> texts = {};
     /// Called on the calling thread, at intervals, with the fraction done (0 to 1). Must not throw.
     std::function<void(double)> progress = {};
-    const std::atomic<bool>* cancel = nullptr;  ///< looked at now and then
+    const std::atomic<bool>* cancel = nullptr;  ///< checked at intervals
 };
 
 /// One likely mistake.

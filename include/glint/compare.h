@@ -59,12 +59,12 @@ struct PictureDifference {
     LargestDifference largest;
 };
 
-/// Holds picture a against the reference b. An error if their sizes differ. Never throws.
+/// Compares picture a with the reference b. An error if their sizes differ. Never throws.
 GLINT_API Result<PictureDifference> compare(const Image& a, const Image& b,
                                             const CompareOptions& options = {});
 
-/// |a - b| as a picture, every channel times `gain` (0: so that the largest becomes 1) and clamped to 1, and
-/// 1 where it is not finite. An error if the sizes differ. Never throws.
+/// |a - b| as a picture: every channel is multiplied by `gain` (0: the factor that makes the largest 1) and
+/// clamped to 1. Channels that are not finite become 1. An error if the sizes differ. Never throws.
 GLINT_API Result<Image> difference_image(const Image& a, const Image& b, double gain = 0);
 
 // ---- Causes ----
@@ -79,12 +79,12 @@ struct Cause {
     double explained = 0;     ///< fraction of the mean difference that it removes, k_min_explained to 1
     double remaining = 0;     ///< remaining mean difference, in 255ths
     bool rendered = false;    ///< found by rendering the scene with the fault
-    bool perhaps = false;     ///< likely, not sure: what remains is more than rounding
+    bool perhaps = false;     ///< likely, not certain: the remaining difference is more than rounding
 };
 
 struct CauseReport {
-    /// The mean difference of the pictures in 255ths; their rims of one pixel count only if they alone
-    /// differ.
+    /// The mean difference of the pictures in 255ths. The border of one pixel counts only if nothing else
+    /// differs.
     double difference = 0;
     /// An observation without a cause: "The picture is one colour throughout, (0, 0, 0)."; empty if none.
     std::string remark;
@@ -92,9 +92,9 @@ struct CauseReport {
     /// Further causes, if one cause does not explain the whole difference: they explain it together with the
     /// first. The fraction of each is that of all up to it.
     std::vector<Cause> then;
-    /// With a scene, if no cause is sure: the shapes that show the difference, and how much of it.
+    /// With a scene, if no cause is certain: the shapes at the difference, and the fraction at each.
     std::string where;
-    /// If there are no causes: the one that explains most, though too little. It may be unrelated.
+    /// If there are no causes: the best candidate, which explains too little and may be unrelated.
     std::optional<Cause> nearest;
     int tried = 0;  ///< number of causes tried
     /// True if only differences away from edges and above 2/255 are counted, because another renderer's
@@ -113,18 +113,19 @@ struct CauseOptions {
     int threads = 0;
     /// Called on the calling thread, at intervals, with the fraction done (0 to 1). Must not throw.
     std::function<void(double)> progress = {};
-    const std::atomic<bool>* cancel = nullptr;  ///< looked at between causes
+    const std::atomic<bool>* cancel = nullptr;  ///< checked between causes
 };
 
-/// What best explains how the picture `a` differs from the reference `b`. Without a scene only what can be
-/// seen in the pictures is tried (flipped, shifted, channels, gamma, scale); with the scene that draws b,
-/// also the faults of lighting and tracing, by rendering the scene with each. docs/compare.md lists them and
-/// says how they are ranked. An error if the sizes differ, or the scene cannot be drawn. Never throws.
+/// Finds the causes that best explain how picture `a` differs from the reference `b`. Without a scene, only
+/// causes that are visible in the pictures are tried (flipped, shifted, channels, gamma, scale). With the
+/// scene of b, faults of lighting and tracing are tried too, by rendering the scene with each.
+/// docs/compare.md lists the causes and their ranking. An error if the sizes differ or the scene cannot be
+/// rendered. Never throws.
 GLINT_API Result<CauseReport> find_causes(const Image& a, const Image& b, const Scene* scene = nullptr,
                                           const CauseOptions& options = {});
 
-/// The same for many pictures of one reference, drawing each alternative once. In the order of `pictures`,
-/// each with its own error.
+/// The same for many pictures and one reference; each fault is rendered only once. The results are in the
+/// order of `pictures`, each with its own error.
 GLINT_API std::vector<Result<CauseReport>> find_causes(std::span<const Image> pictures, const Image& b,
                                                        const Scene* scene, const CauseOptions& options = {});
 

@@ -120,10 +120,10 @@ GLINT_API std::optional<std::size_t> find_setting(std::string_view name);
 
 struct Scene;
 
-/// Sets one key from text. An error if it cannot be: "expected true or false, found 'maybe'".
+/// Sets one key from text. An error for invalid text: "expected true or false, found 'maybe'".
 GLINT_API Status set_setting(Scene& scene, std::size_t key, std::string_view value, SettingOrigin origin);
 
-/// The value of a key as the text that set_setting takes; empty if there is no such key.
+/// The value of a key, as text for set_setting(); empty if there is no such key.
 GLINT_API std::string get_setting(const Scene& scene, std::size_t key);
 
 /// cgfs, epfl, lecture5, light, csc473, nff, glint.

@@ -36,9 +36,9 @@ struct Diagnostic {
     std::string message;       ///< the complete message, such as "expected a number, found 'abc'"
     std::string source_line;   ///< the line's text around the place, for the caret; may be shortened
     std::uint32_t caret = 0;   ///< byte offset of the place within source_line
-    /// What it is about, whether the scene was read or made in code, and its index in Scene::lights,
-    /// materials, transforms or shapes, or of a setting in setting_keys(). 0 for the camera and the
-    /// background.
+    /// The item that the message is about, for scenes from text and scenes made in code. index: in
+    /// Scene::lights, materials, transforms or shapes, or for a setting in setting_keys(); 0 for the camera
+    /// and the background.
     SceneItem item = SceneItem::none;
     std::uint32_t index = 0;
 };

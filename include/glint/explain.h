@@ -30,8 +30,8 @@ struct LightTerms {
     double n_l = 0;           ///< N·L
     double s = 0;             ///< R·V (Phong) or N·H (Blinn-Phong)
     double power = 0;         ///< S^n if there is a highlight, blocked or not; else 0
-    bool may_add = false;     ///< it would add light if nothing blocked it
-    bool blocked = false;     ///< something blocks it: `blocker`
+    bool may_add = false;     ///< it adds light unless it is blocked
+    bool blocked = false;     ///< a shape blocks it: `blocker`
     Color diffuse, specular;  ///< the light that it adds, before the hit's weight
     bool has_ray = false;     ///< a shadow ray was traced, with the following values
     Vec3 origin, direction;   ///< for a point light: from the light to the surface
@@ -61,11 +61,11 @@ struct ExplainedHit {
     bool behind = false;              ///< the ray came from the back of the shape
     bool turned = false;              ///< N was flipped towards the ray
     Color weight;                     ///< the ray's weight after absorption in glass
-    double local_share = 1;           ///< the surface's own part; the rest is mirror and glass
+    double local_share = 1;           ///< the factor of the surface's own light; the rest is mirror and glass
     Color ambient;                    ///< k_a I_a; for shading color or normals, the shown colour
     std::vector<LightTerms> lights;   ///< in scene order, without ambient lights
     Color diffuse, specular;          ///< sums over the lights
-    Color parts[3];      ///< ambient, diffuse and specular times weight and share: the pixel's part
+    Color parts[3];      ///< added to the pixel: ambient, diffuse and specular times weight and local_share
     double fresnel = 0;  ///< for glass: the reflected fraction; 1: total internal reflection
     ExplainedSecondaryRay reflected, transmitted;
 };
@@ -83,10 +83,9 @@ struct ExplainedRay {
     Color background;  ///< the light that the ray adds to the pixel if it hits nothing
 };
 
-/// All data of one pixel. Rays are in the order of the pixel's sums: by sample, then by generation. Each
-/// sum adds up, ray by ray, the background or the parts of the hit, in the layer given in docs/explain.md.
-/// The sums divided by the number of samples and rounded to float are `layers`, and these added up in their
-/// order are `value`.
+/// All data of one pixel. Rays are in the order of summation: by sample, then by generation. The sum of a
+/// layer (docs/explain.md) adds, ray by ray, the background or the parts of the hit. `layers` are the sums
+/// divided by the number of samples and rounded to float; `value` is the sum of the layers in their order.
 struct Explanation {
     std::int32_t x = 0, y = 0;
     int samples = 1;  ///< n for n x n samples
@@ -105,9 +104,9 @@ struct ExplainOptions {
     std::string isa = {};  ///< one of isa_names(); empty: the best
 };
 
-/// Draws pixel (x, y), counted from the top left, by render()'s own kernels and writes down what they do. The
-/// world must be of this scene: it is an error if the scene has since got other numbers of shapes or
-/// materials or other lights. Never throws.
+/// Renders pixel (x, y), counted from the top left, with the kernels of render(), and records what they
+/// compute. The world must have been prepared from this scene: it is an error if the numbers of shapes or
+/// materials, or the lights, differ. Never throws.
 GLINT_API Result<Explanation> explain(const Scene& scene, const World& world, std::int32_t x, std::int32_t y,
                                       const ExplainOptions& options = {});
 
@@ -118,7 +117,7 @@ enum class LightReason : std::uint8_t {
     behind,      ///< N·L <= 0, and there is no highlight
     no_color,    ///< its colour times k_d is black, and there is no highlight
     faded,       ///< f_att is 0
-    in_surface,  ///< the light is at the point itself, so it has no direction
+    in_surface,  ///< the light is at the surface point, so it has no direction
 };
 GLINT_API LightReason reason(const LightTerms& terms);
 
@@ -143,26 +142,25 @@ GLINT_API std::string_view to_string(HighlightReason reason);
 GLINT_API std::string_view to_string(SecondaryRayState state);
 
 /// The layer of a ray's light: that of the first secondary ray on its path. Nothing for camera rays, whose
-/// parts have different layers. Nothing if there is no such ray, or its path does not
-/// lead to a camera ray.
+/// parts have different layers, for an invalid index, and if the path does not lead to a camera ray.
 GLINT_API std::optional<Layer> layer_of(const Explanation& explanation, std::size_t ray);
 
-/// Draws the pixel's rays over the picture (of the world's size): the camera ray's pixel with a white frame,
-/// mirror rays blue, rays through glass green, the way to each light that adds something yellow, and to each
-/// that is blocked red up to its blocker, dark from there. Every sample's rays are drawn. With an error
-/// nothing is drawn: the picture has another size, or the explanation or the world are not of this scene.
-/// Never throws.
+/// Draws the pixel's rays over the picture, which has the world's size: a white frame around the pixel,
+/// mirror rays in blue, rays through glass in green, shadow rays of lights that add light in yellow, and
+/// those of blocked lights in red up to the blocker and dark behind it. The rays of all samples are drawn. An
+/// error, with an unchanged picture, if the picture has another size, or the explanation or the world does
+/// not belong to this scene. Never throws.
 GLINT_API Status render_overlay(Image& picture, const Explanation& explanation, const Scene& scene,
                                 const World& world);
 
-/// The value of each sample, row after row: linear, not rounded; their mean is the pixel's value but for
-/// roundings. The explanation must be of all samples. An error if its rays are not of samples that it has.
-/// Never throws.
+/// The value of each sample, row by row: linear, not rounded. Their mean is the pixel's value except for
+/// rounding. The explanation must contain all samples. An error if its rays belong to samples that it does
+/// not have. Never throws.
 GLINT_API Result<std::vector<Color>> sample_values(const Explanation& explanation);
 
-/// The explanation as JSON (docs/explain.md has its schema): names and places from the scene, the file's
-/// numbers by its bits and transfer. An error if the explanation is not of this scene, or the bits are not 8
-/// or 16. Never throws.
+/// The explanation as JSON (docs/explain.md has its schema), with names and places from the scene. file: the
+/// bits and transfer by which the numbers of a file are computed. An error if the explanation does not belong
+/// to this scene, or the bits are not 8 or 16. Never throws.
 GLINT_API Result<std::string> explanation_json(const Explanation& explanation, const Scene& scene,
                                                const EncodeOptions& file = {});
 

@@ -24,8 +24,8 @@ struct Image {
     std::int32_t width = 0, height = 0;
     std::vector<float> rgb;
 
-    /// The pixel (x, y), counted from the top left. Black where the picture has no such pixel, or its numbers
-    /// do not reach so far.
+    /// The pixel (x, y), counted from the top left. Black if the picture has no such pixel or too few
+    /// numbers.
     Color pixel(std::int32_t x, std::int32_t y) const {
         if (x < 0 || y < 0 || x >= width || y >= height) return {};
         const std::size_t first =
@@ -48,9 +48,9 @@ struct EncodeOptions {
 };
 
 /// The bytes of the file. Clamps to [0, 1], scales by 255 (65535) and rounds half to even
-/// (docs/conventions.md); EXR keeps floats. The bytes do not depend on threads. An error if the image has not
-/// 1 to k_max_size pixels a side or its numbers do not fit its size, or the options name no format, number of
-/// bits or transfer that there is. Never throws.
+/// (docs/conventions.md); EXR keeps floats. The bytes do not depend on threads. An error if a side of
+/// the image is not 1 to k_max_size pixels, if its numbers do not match its size, or if the options have an
+/// invalid format, number of bits or transfer. Never throws.
 GLINT_API Result<std::vector<std::uint8_t>> encode(const Image& image, const EncodeOptions& options = {});
 
 /// The number that `encode` writes for a channel value: 0 to 255 with 8 bits, 0 to 65535 with 16 (and with
@@ -67,8 +67,8 @@ struct DecodeOptions {
 
 struct DecodedImage {
     Image image;
-    int bits = 8;      ///< of a channel in the file: 1 to 16, or 32 for floats (OpenEXR, also of 16 bits)
-    std::string note;  ///< what the numbers leave out, "its transparency is left out"; empty if nothing
+    int bits = 8;      ///< per channel of the file: 1 to 16, or 32 for floats (OpenEXR, half floats too)
+    std::string note;  ///< what was ignored, "its transparency is left out"; empty if nothing
 };
 
 /// Decodes a PNG, PPM or PGM (P2, P3, P5, P6), OpenEXR or JPEG file; the first bytes decide the format.

@@ -13,9 +13,10 @@
 
 namespace glint {
 
-/// The first six are light: added up as floats in this order they are exactly the picture. Light found
-/// through a mirror belongs to reflection, through glass to transmission: the first on the path decides.
-/// The others describe the first surface hit by the pixel's middle sample (row and column n / 2 of n).
+/// The first six are light: their sum, as floats and in this order, is exactly the picture. Light seen in a
+/// mirror belongs to reflection, light seen through glass to transmission; the first secondary ray of the
+/// path decides. The other layers describe the first hit of the pixel's middle sample (row and column n / 2
+/// of n).
 enum class Layer : std::uint8_t {
     background,
     ambient,
@@ -51,14 +52,14 @@ struct LayerImage {
     std::vector<float> values;
 };
 
-/// A layer as a picture to look at: light and albedo as they are; normals 0.5 (N + 1); depth from white
-/// (nearest) to dark (farthest), black where nothing is hit; position across the layer's own range; shadow as
-/// grey; objects and materials in colours of their own. An error if the layer's channels or values do not fit
-/// its kind and size. Never throws.
+/// A layer as a picture for display: light and albedo unchanged; normals as 0.5 (N + 1); depth from white
+/// (nearest) to dark (farthest), black for no hit; position scaled to the layer's range; shadow as grey; a
+/// distinct colour for each object and material. An error if the layer's channels or values do not match its
+/// kind and size. Never throws.
 GLINT_API Result<Image> viewable(const LayerImage& layer);
 
-/// One OpenEXR file of several parts: `beauty` (the picture), then each layer under its name. Layers must
-/// have the picture's size, the channels and values that belong to it, and be there once. Never throws.
+/// One OpenEXR file of several parts: `beauty` (the picture), then each layer under its name. Each layer may
+/// occur once, and must have the picture's size and the channels and values of its kind. Never throws.
 GLINT_API Result<std::vector<std::uint8_t>> encode_layers(const Image& picture,
                                                           std::span<const LayerImage> layers);
 

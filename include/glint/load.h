@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// Text to Scene. The library opens no file of its own accord: texts come from the caller or from the Sources
-// given.
+// Text to Scene. The library opens no files: texts come from the caller or from the caller's Sources.
 #include <atomic>
 #include <cstdint>
 #include <functional>
@@ -20,7 +19,7 @@ namespace glint {
 
 /// One text to read. The text must outlive the call.
 struct SceneText {
-    std::string name = {};  ///< as messages name it; its extension chooses the format unless `format` does
+    std::string name = {};  ///< used in messages; its extension selects the format if `format` is empty
     std::string_view text = {};
     std::string format = {};  ///< "cgfs", "epfl", ...; empty: by the name's extension
 };
@@ -29,8 +28,8 @@ struct SceneText {
 class GLINT_API Sources {
   public:
     virtual ~Sources() = default;
-    /// The text of `name` as seen from the text `from`; or why there is none, as ErrorCode::io with a message
-    /// ("no such file").
+    /// The text `name`, relative to the text `from`. A failure has ErrorCode::io and a message ("no such
+    /// file").
     virtual Result<std::string> read(std::string_view name, std::string_view from) = 0;
 };
 
@@ -45,13 +44,13 @@ struct LoadOptions {
     /// Called on the calling thread, at intervals, with the fraction of the texts that is read (0 to 1). Must
     /// not throw.
     std::function<void(double)> progress = {};
-    const std::atomic<bool>* cancel = nullptr;  ///< looked at now and then
+    const std::atomic<bool>* cancel = nullptr;  ///< checked at intervals
 };
 
-/// Reads the texts as one scene, in their order, and validates it. Diagnostics are in the order of the text,
-/// errors, warnings and notes. Codes of failures: parse; io, if an included text cannot be read;
-/// invalid_scene, if the texts can be read and validate() refuses the scene; invalid_argument, for what the
-/// options ask. Never throws; memory is bounded by a small multiple of the texts' length.
+/// Reads the texts as one scene, in their order, and validates it. The diagnostics (errors, warnings, notes)
+/// are in the order of the text. Codes of failures: parse; io, if an included text cannot be read;
+/// invalid_scene, if validate() finds errors in the scene that was read; invalid_argument, for invalid
+/// options; cancelled. Never throws. Memory is bounded by a small multiple of the texts' length.
 GLINT_API Result<Scene> load(std::span<const SceneText> texts, const LoadOptions& options = {},
                              Sources* sources = nullptr);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// World -> Image.
+// World to Image.
 #include <atomic>
 #include <cstdint>
 #include <functional>
@@ -64,12 +64,13 @@ struct RenderOptions {
     std::optional<std::span<float>> pixels = {};
     /// Called with the fraction done (0 to 1), which grows from call to call. Must not throw.
     std::function<void(double)> progress = {};
-    /// Called with each tile as soon as it is drawn, in any order; each pixel is in one tile. Must not throw.
+    /// Called with each tile as soon as it is rendered, in any order. Each pixel is in one tile. Must not
+    /// throw.
     std::function<void(const FinishedTile&)> on_tile = {};
-    const std::atomic<bool>* cancel = nullptr;  ///< looked at between tiles
+    const std::atomic<bool>* cancel = nullptr;  ///< checked between tiles
 };
-// progress and on_tile are called on the threads that render, one call at a time. The other threads go on,
-// and wait if they have something to report meanwhile.
+// progress and on_tile are called on the rendering threads, one call at a time. During a call the other
+// threads continue, and wait only to make a call themselves.
 
 struct Rendering {
     Image image;  ///< its size; no numbers with RenderOptions::pixels or without keep_image

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// What every function returns that can fail: a value or the reason why there is none.
+// The return types of functions that can fail: a value, or the reason of the failure.
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -16,26 +16,26 @@ namespace glint {
 /// Why a call failed.
 enum class ErrorCode : std::uint8_t {
     none,              ///< it did not fail
-    invalid_argument,  ///< an option, an index, a size or a picture that the function does not take
-    invalid_scene,     ///< a number or an index of the scene; the diagnostics name each
-    parse,             ///< a text or a file that breaks the rules of its format
+    invalid_argument,  ///< an invalid option, index, size or picture
+    invalid_scene,     ///< an invalid number or index in the scene; the diagnostics name each
+    parse,             ///< a text or a file that violates its format
     io,                ///< a text or a file that cannot be read
     cancelled,         ///< the caller set the option `cancel`
     out_of_memory,
-    internal,  ///< an exception of another library; also a Result to which nothing was assigned
+    internal,  ///< an exception of another library, or a Result to which nothing was assigned
 };
 
 /// The code as a word: "invalid_argument". "unknown" for any other number.
 GLINT_API std::string_view to_string(ErrorCode code);
 
-/// How a call ended. Functions that return no value return this.
+/// The outcome of a call. Functions without a value return this.
 struct Status {
     ErrorCode code = ErrorCode::none;
-    /// Why it failed, in one line without a newline; empty if it did not fail. With diagnostics it is the
-    /// first error among them, with its place.
+    /// The reason of the failure, in one line without a newline; empty for success. With diagnostics, it is
+    /// the first error among them, with its place.
     std::string message;
-    /// Errors, and also warnings and notes where the call succeeded. Failures that have no place in the input
-    /// (invalid_argument, cancelled, out_of_memory) have a message only.
+    /// Errors, warnings and notes; a successful call may have warnings and notes. Failures without a place in
+    /// the input (invalid_argument, cancelled, out_of_memory) have a message only.
     std::vector<Diagnostic> diagnostics;
 
     bool ok() const { return code == ErrorCode::none; }
@@ -46,14 +46,14 @@ struct Status {
 /// unless there is nothing to say.
 GLINT_API std::string to_string(const Status& status);
 
-/// A Status, and the value if the call succeeded. Access is that of std::optional: operators * and -> need a
-/// value; value() throws std::bad_optional_access if there is none. Of a Result that is a temporary, value()
-/// and operator * give the value itself, so that `for (... : call().value())` is safe.
+/// A Status, and the value of a successful call. Access is as for std::optional: operators * and -> require a
+/// value; value() throws std::bad_optional_access if there is none. For a temporary Result, value() and
+/// operator * return the value itself instead of a reference, so that `for (... : call().value())` is safe.
 template <class T> struct [[nodiscard]] Result : Status {
     Result() : Status{ErrorCode::internal, {}, {}} {}
-    Result(T value) : value_(std::move(value)) {}  // NOLINT: a value like any other
-    /// With a Status that is no failure this is one nevertheless, of the code internal.
-    Result(Status failure) : Status(std::move(failure)) {  // NOLINT: a failure like any other
+    Result(T value) : value_(std::move(value)) {}  // NOLINT: intended conversion
+    /// If the Status is not a failure, the Result is one nevertheless, with the code internal.
+    Result(Status failure) : Status(std::move(failure)) {  // NOLINT: intended conversion
         if (code == ErrorCode::none) code = ErrorCode::internal;
     }
     Result(T value, std::vector<Diagnostic> warnings)

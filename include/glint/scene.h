@@ -44,7 +44,7 @@ struct Camera {
     std::optional<CameraFrame> frame;  ///< if set, replaces look_at, up, fov and width
     std::optional<Vec3> lighting_eye;  ///< V points here instead of along -D (LIGHT)
 
-    // Which fields count.
+    // The fields that are used.
     constexpr bool has_target() const { return !frame; }  ///< look_at and up
     constexpr bool has_fov() const { return !frame && projection == Projection::perspective; }
     constexpr bool has_width() const { return !frame && projection == Projection::orthographic; }
@@ -67,9 +67,10 @@ struct Light {
     Color specular_color{1, 1, 1};  ///< I_l,s; ambient lights have none
     Attenuation attenuation{};      ///< point lights
 
-    // What the kind decides; other code calls these. The compiler warns if a switch lacks a kind.
+    // The properties of the kind; other code calls these functions. The compiler warns if a switch lacks a
+    // kind.
 
-    /// Adds k_a I_a to every surface alike: it has no direction, and casts no shadow.
+    /// Adds k_a I_a to every surface: it has no direction and casts no shadow.
     constexpr bool is_ambient() const {
         switch (kind) {
             case LightKind::ambient:
@@ -80,7 +81,7 @@ struct Light {
         }
         return false;
     }
-    /// Is at `position`, at a distance from what it lights. Else it is infinitely far away.
+    /// Has a `position`, at a finite distance. Other lights are infinitely far away.
     constexpr bool has_position() const {
         switch (kind) {
             case LightKind::point:
@@ -91,7 +92,7 @@ struct Light {
         }
         return false;
     }
-    /// Lies in the direction `to_light` from every point.
+    /// Has the direction `to_light` from every point.
     constexpr bool has_direction() const {
         switch (kind) {
             case LightKind::directional:
@@ -104,11 +105,12 @@ struct Light {
     }
     constexpr bool has_specular_color() const { return !is_ambient(); }
     constexpr bool has_attenuation() const { return has_position(); }
-    /// Whether f_att is below 1 anywhere: c0 <= 1 alone gives exactly 1 at any distance.
+    /// Whether f_att may be below 1. With c0 <= 1 and c1 = c2 = 0 it is exactly 1 at any distance.
     constexpr bool falls_off() const {
         return has_attenuation() && (attenuation.c0 > 1 || attenuation.c1 != 0 || attenuation.c2 != 0);
     }
-    /// The way from a point to the light, of any length: to where it is, or towards it. Not for ambient ones.
+    /// The vector from a point to the light's position, or the direction `to_light`; any length. Not for
+    /// ambient lights.
     constexpr Vec3 way_from(Vec3 point) const { return has_position() ? position - point : to_light; }
 };
 

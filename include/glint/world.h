@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// Scene -> World: geometry, which takes time to build and is shared, and shading, which can be replaced in
+// Scene to World: geometry, which takes time to build and is shared, and shading, which can be replaced in
 // microseconds.
 #include <atomic>
 #include <cstddef>
@@ -22,9 +22,8 @@ struct WorldParts;
 /// A Scene prepared for tracing: its geometry (packed shapes and the hierarchy over them), materials, lights,
 /// background, camera, conventions and settings. A World does not refer to the Scene it was made from.
 ///
-/// It is a value. Copies share their parts, so that a copy costs as much as that of a shared_ptr. No
-/// function changes a World of which another copy exists: a copy stays valid, and any number of threads may
-/// render it while the original changes.
+/// It is a value. Copies share their parts, so that copying costs as much as copying a shared_ptr. Changes to
+/// a World do not affect its copies, and any number of threads may render a copy while the original changes.
 class World {
   public:
     /// A World without shapes and lights, with default settings; also the state after a move.
@@ -45,45 +44,47 @@ struct PrepareOptions {
     const std::atomic<bool>* cancel = nullptr;  ///< checked at intervals
 };
 
-/// Validates and prepares; what validate() says is in the diagnostics. Never throws.
+/// Validates and prepares the scene. The diagnostics are those of validate(). Never throws.
 GLINT_API Result<World> prepare(const Scene& scene, const PrepareOptions& options = {});
 
 // The same World with one part replaced. Each function validates only its arguments, shares all
 // other parts with `world`, and gives the same bits as prepare() for the changed scene. Never
 // throw.
 
-/// Lights in the order of Scene::lights, ambient ones among them.
+/// Replaces the lights: all of Scene::lights, ambient ones included.
 GLINT_API Result<World> with_lights(const World& world, std::span<const Light> lights);
 GLINT_API Result<World> with_camera(const World& world, const Camera& camera);
 GLINT_API Result<World> with_background(const World& world, Color background);
-/// Prepares the camera anew, since it depends on the picture's proportions. An error if `cones` differs and
-/// the scene has cones: they are in the geometry or not, so that takes prepare().
+/// Replaces conventions and settings, and prepares the camera again, which depends on the picture's aspect
+/// ratio. An error if `cones` differs and the scene has cones: the geometry contains them or not, which needs
+/// prepare().
 GLINT_API Result<World> with_rules(const World& world, const Conventions& conventions,
                                    const RenderSettings& settings);
-/// In place of material `index` of the scene.
+/// Replaces material `index` of the scene.
 GLINT_API Result<World> with_material(const World& world, std::uint32_t index, const Material& material);
-/// In place of all of the scene's materials. As many, or it takes a pass over all shapes; at least as many as
-/// the shapes refer to.
+/// Replaces all materials of the scene. There must be at least as many as the shapes refer to. If their
+/// number differs from before, this takes a pass over all shapes.
 GLINT_API Result<World> with_materials(const World& world, std::span<const Material> materials);
 
-// Changes to shapes. They are made in place if no other World has the geometry. If a copy exists, it keeps
-// the old geometry and `world` gets its own, which for a million
-// shapes takes milliseconds. With errors `world` is unchanged. Never throw.
+// Changes to shapes. They are made in place if no other World shares the geometry. Otherwise the geometry is
+// copied first, which takes milliseconds for a million shapes, and the other Worlds keep the old one. After
+// an error `world` is unchanged. Never throw.
 
-/// Gives shapes, by their index in Scene::shapes, a material, by its index in Scene::materials or k_none.
+/// Assigns a material to shapes. shapes: indices in Scene::shapes; material: the index in Scene::materials,
+/// or k_none.
 GLINT_API Status assign_material(World& world, std::span<const std::uint32_t> shapes, std::uint32_t material);
 
-/// What edit_shapes() did to the hierarchy. none: no shape is given. refitted: its nodes have new boxes.
-/// rebuilt: it was built anew.
+/// What edit_shapes() did to the hierarchy. none: nothing, because no shape was given. refitted: updated the
+/// boxes of its nodes. rebuilt: built a new one.
 enum class ShapeEdit : std::uint8_t { none, refitted, rebuilt };
 
-/// Takes shapes from `scene` as they are now: parameters, transform and material. `changed` has their indices
-/// in Scene::shapes; the other shapes must be those that the World has, and nothing else of the scene is
-/// looked at. The hierarchy is refitted. It is rebuilt if a shape's kind changes, whether it has a transform,
-/// or the number of a polygon's triangles; if the scene has more or fewer shapes than before, which are then
-/// all taken from it; or if the expected cost of a ray (the surface-area heuristic's) is more than
-/// k_max_refit_cost times what it was when the hierarchy was built. Pictures are the same bits either way.
-/// The first edit of a World makes an index of its shapes.
+/// Updates the parameters, transforms and materials of shapes from `scene`. changed: their indices in
+/// Scene::shapes. All other shapes must be those of the World; other parts of the scene are not read. The
+/// hierarchy is refitted. It is rebuilt if a shape's kind changes, or whether it has a transform, or the
+/// number of a polygon's triangles; if the number of shapes differs, in which case all shapes are taken from
+/// the scene; and if the expected cost of a ray (surface-area heuristic) exceeds k_max_refit_cost times its
+/// value after the build. Pictures have the same bits either way. The first edit of a World makes an index of
+/// its shapes.
 GLINT_API Result<ShapeEdit> edit_shapes(World& world, const Scene& scene,
                                         std::span<const std::uint32_t> changed,
                                         const PrepareOptions& options = {});
@@ -101,12 +102,11 @@ struct RayHit {
     Vec3 normal{0, 0, 0};          ///< the shape's own unit normal, regardless of the convention `facing`
 };
 
-/// What each ray hits first, by ray; of shapes hit at the same t, the first in the scene. A ray with a NaN in
-/// its origin or direction hits nothing. threads: 0 = one a processor. Never throws.
+/// The nearest hit of each ray; of shapes hit at the same t, the first in the scene. A ray with a NaN in its
+/// origin or direction hits nothing. threads: 0: one per processor. Never throws.
 GLINT_API Result<std::vector<RayHit>> nearest_hits(const World& world, std::span<const Ray> rays,
                                                    int threads = 0);
-/// Whether anything that casts a shadow by the World's conventions is hit at all: 1 or 0 by ray. Never
-/// throws.
+/// Whether each ray hits a shape that casts shadows by the World's conventions: 1 or 0. Never throws.
 GLINT_API Result<std::vector<std::uint8_t>> occluded(const World& world, std::span<const Ray> rays,
                                                      int threads = 0);
 
