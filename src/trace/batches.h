@@ -22,19 +22,19 @@ inline constexpr int k_tile_pixels = k_tile_side * k_tile_side;
 inline constexpr int k_stream_size = k_tile_pixels;
 /// Rays of a stream whose hits are shaded together, at most: their columns stay in the first-level cache.
 inline constexpr int k_batch_size = 256;
-/// The distance from a pixel of a layer of the film to the same pixel of the next layer.
+/// The distance between the entries of one pixel in two consecutive layers of the film.
 inline constexpr int k_layer_stride = k_tile_pixels + k_ray_padding;
 
 template <class T> using StreamColumn = FixedColumn<T, k_stream_size>;
 template <class T> using BatchColumn = FixedColumn<T, k_batch_size>;
 
-/// The columns of rays that wait to be traced. Column: GrowingColumn, or a pointer into one.
+/// The columns of rays to be traced. Column: GrowingColumn, or a pointer into one.
 template <class Column> struct RayFields {
     Column origin[3], direction[3], t_min, t_max;
-    // Of secondary rays only. Camera rays have weight 1, the order of their pixels, and start in air.
+    // Only for secondary rays. Camera rays have weight 1, are in the order of their pixels, and start in air.
     Column weight[3];
-    Column target;  // the pixel in the tile; + k_layer_stride: its light goes to the transmission layer
-    Column medium;  // with Beer's law: the material that the ray travels in; k_none: air
+    Column target;  // the pixel in the tile; + k_layer_stride: light is added to the transmission layer
+    Column medium;  // for Beer's law: the index of the material inside which the ray travels; k_none: air
 };
 
 /// Calls visit(column...) for each column, with the same column of all arguments.
@@ -48,8 +48,8 @@ template <class Visit, class... Columns> void for_each_column(const Visit& visit
     visit(of.medium...);
 }
 
-/// The rays of one generation, in groups: a pixel has at most one ray in a group, and its groups come in the
-/// order in which its light is added up.
+/// The rays of one generation, in groups. A pixel has at most one ray in each group. The order of the groups
+/// is the order in which the light of a pixel is summed.
 class RayBatch : public RayFields<GrowingColumn> {
   public:
     int generation = 0;
@@ -59,33 +59,33 @@ class RayBatch : public RayFields<GrowingColumn> {
         count = 0;
         group_ends_.clear();
     }
-    /// Makes room for this many rays and their padding.
+    /// Allocates memory for this number of rays and their padding.
     void reserve(int rays) {
         ensure_capacity(rays);
         uniform_rays_ = 0;
     }
-    /// Begins with camera rays that share these numbers. They are written unless they are still here, from a
-    /// tile whose rays all missed.
+    /// Starts a batch of camera rays with these common values. Skips writing them if the batch still holds
+    /// them, as after a tile whose rays all missed.
     void start_uniform(int rays, Vec3 shared_origin, double shared_t_min, double shared_t_max);
 
-    /// Where ray `count` is to be written, within what is reserved.
+    /// The entry after the last ray, where the next ray is written. It must have been reserved.
     RayFields<double*> end();
-    /// The rays since the last group become one.
+    /// Makes a group of the rays after the last group.
     void end_group() {
         if (group_ends_.empty() ? count > 0 : group_ends_.back() < count) group_ends_.push_back(count);
     }
-    /// Moves the rays of the other batch to the end of this one, as a group.
+    /// Moves the rays of the other batch to the end of this batch, as one group.
     void append_group(RayBatch& other);
 
-    /// The number of the group that a ray belongs to.
+    /// The index of a ray's group.
     std::size_t group_of(int ray) const {
         return static_cast<std::size_t>(std::upper_bound(group_ends_.begin(), group_ends_.end(), ray) -
                                         group_ends_.begin());
     }
-    /// The ray after the group's last.
+    /// The index after the group's last ray.
     int group_end(std::size_t group) const { return group_ends_[group]; }
 
-    /// The rays from number `first` on.
+    /// The rays from index `first`.
     RaySpan span(int first) const {
         const auto at = [&](const GrowingColumn& column) { return column.data() + first; };
         return {at(origin[0]),    at(origin[1]),    at(origin[2]), at(direction[0]),
@@ -101,29 +101,29 @@ class RayBatch : public RayFields<GrowingColumn> {
     }
 
     std::array<double, 5> uniform_{};  // see start_uniform
-    int uniform_rays_ = 0;             // so many have them
+    int uniform_rays_ = 0;             // the number of rays with these values
     std::vector<int> group_ends_;
 };
 
-/// The nearest hits of a stream: entry i is of ray first + i of a RayBatch.
+/// The nearest hits of a stream. Entry i belongs to ray first + i of a RayBatch.
 struct HitBatch {
     int first = 0;
     int count = 0;
-    StreamColumn<double> t;            // the ray's t_max if it misses
-    StreamColumn<std::uint32_t> slot;  // k_none if it misses
+    StreamColumn<double> t;            // t_max for a miss
+    StreamColumn<std::uint32_t> slot;  // k_none for a miss
 };
 
-/// Entries [begin, end) of a HitBatch, at most k_batch_size: the rays whose hits are shaded together.
+/// Entries [begin, end) of a HitBatch, at most k_batch_size, whose hits are shaded together.
 struct RayRange {
     int begin, end;
 };
 
-/// The surface points that rays hit, without the rays that miss, in the order of their rays.
+/// The surface points at the hits, in the order of the rays. Rays that miss are omitted.
 struct SurfaceBatch {
     int generation = 0;  // of the rays
     int count = 0;
 
-    // A group of rays (RayBatch) ends before this entry of the HitBatch and this entry of the batch.
+    // The end of a group of rays (RayBatch): the index after its last entry in the HitBatch, and here.
     struct GroupEnd {
         int rays, hits;
     };
@@ -131,33 +131,33 @@ struct SurfaceBatch {
     std::array<GroupEnd, k_batch_size> group_end;
 
     BatchColumn<std::uint32_t> slot, material;
-    BatchColumn<double> behind;                     // 1: the ray came from behind the shape's normal; else 0
-    BatchColumn<double> hit_t;                      // with Beer's law
-    BatchColumn<double> weight[3], target, medium;  // of the ray (RayFields)
+    BatchColumn<double> behind;                     // 1: the ray hit the back of the shape; else 0
+    BatchColumn<double> hit_t;                      // for Beer's law only
+    BatchColumn<double> weight[3], target, medium;  // the ray's (RayFields)
     BatchColumn<double> point[3], normal[3], incoming[3], to_eye[3], magnitude;
 };
 
-/// The diffuse and specular light of the surfaces: sums over the lights.
+/// The diffuse and specular light reflected by the surfaces, summed over the lights.
 struct RadianceBatch {
     BatchColumn<double> diffuse[3], specular[3];
 };
 
-/// One light as the surfaces see it.
+/// The values of one light at the surfaces.
 struct LightSampleBatch {
     BatchColumn<double> n_l, s, attenuation;  // N·L; R·V or N·H; f_att
-    BatchColumn<std::uint8_t> lit;            // a vector of surfaces: a bit each, the light may add something
+    BatchColumn<std::uint8_t> lit;            // by vector: a bit for each surface that the light may light
 };
 
-/// The highlights of one light that are not zero, one after the other.
+/// The nonzero highlights of one light, compacted.
 struct HighlightBatch {
     BatchColumn<double> power, shininess;  // S^n; n
 };
 
-/// The shadow rays of one light, in the order of the surfaces that it may light.
+/// The shadow rays of one light, in the order of the surfaces that the light may light.
 struct ShadowRayBatch {
     int count = 0;
     BatchColumn<double> origin[3], direction[3], t_min, t_max;
-    BatchColumn<std::uint8_t> occluded;  // 1: something is between the surface and the light; else 0
+    BatchColumn<std::uint8_t> occluded;  // 1: a shape is between the surface and the light; else 0
 
     RaySpan span() const {
         return {origin[0].data(),    origin[1].data(),    origin[2].data(), direction[0].data(),
@@ -165,22 +165,22 @@ struct ShadowRayBatch {
     }
 };
 
-/// The mirror and glass rays that leave the surfaces.
+/// The mirror and glass rays that start at the surfaces.
 struct SecondaryRayBatch {
     RayBatch rays;         // the next generation
-    RayBatch transmitted;  // of the group at hand: they follow its mirror rays
+    RayBatch transmitted;  // the glass rays of the current group, appended after its mirror rays
     std::array<std::int32_t, k_tile_pixels>
-        of_pixel;  // how many the sample of a pixel has: k_max_sample_rays
+        of_pixel;  // the number of rays in the pixel's current sample, at most k_max_sample_rays
 };
 
-/// The light of the pixels: sums over the samples, by layer and pixel. Pixels have the order of the camera
-/// rays, without gaps.
+/// The light of the pixels: sums over the samples, by layer and pixel. Pixels are in the order of the camera
+/// rays.
 struct Film {
     alignas(k_ray_alignment) std::array<double, k_light_layers * k_layer_stride> channel[3];
-    std::array<bool, k_light_layers> touched;  // others count as 0, whatever they hold
+    std::array<bool, k_light_layers> touched;  // the sums of other layers are uninitialised and count as 0
 
     void clear() { touched.fill(false); }
-    /// To be called before anything is added to a layer.
+    /// Must be called before light is added to a layer. The first call sets the layer to 0.
     void touch(Layer layer) {
         if (touched[static_cast<std::size_t>(layer)]) return;
         touched[static_cast<std::size_t>(layer)] = true;
@@ -195,12 +195,13 @@ struct Film {
     }
 };
 
-/// What the layers show of the first surfaces, by pixel of the tile. Empty unless asked for.
+/// The first hits of the camera rays, by pixel of the tile, for the layers. Empty unless layers are
+/// requested.
 struct FirstHits {
     std::vector<double> normal[3], position[3], albedo[3], depth, object, material;
-    std::vector<double> tested, occluded;  // lights, over the samples
+    std::vector<double> tested, occluded;  // the numbers of lights, summed over the samples
     bool wanted = false;
-    bool is_middle = false;  // the sample at hand is the middle one
+    bool is_middle = false;  // the current sample is the middle one
 };
 
 inline void RayBatch::start_uniform(int rays, Vec3 shared_origin, double shared_t_min, double shared_t_max) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The first stage: one camera ray a pixel of the tile, in blocks of 8 x 8 so that neighbours walk together.
+// The first stage: one camera ray per pixel of the tile, in blocks of 8 x 8, so that packets are coherent.
 #if defined(GLINT_TRACE_CAMERA_RAYS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLINT_TRACE_CAMERA_RAYS_INL_H_
 #undef GLINT_TRACE_CAMERA_RAYS_INL_H_
@@ -15,8 +15,8 @@ HWY_BEFORE_NAMESPACE();
 namespace glint {
 namespace HWY_NAMESPACE {
 
-/// The rows of at most 8 pixels that a tile's pixels are numbered by: block after block, row after row.
-/// visit(x, y, first, width): the row's first pixel in the tile, its number, and how many there are.
+/// Visits the pixels of a tile in the order of their numbers: block by block, and in a block row by row.
+/// visit(x, y, first, width) gets the first pixel of a row, its number, and the number of pixels, at most 8.
 template <class Visit> HWY_INLINE void for_each_row(const TileJob& job, const Visit& visit) {
     int first = 0;
     for (int by = 0; by < job.height; by += k_tile_block) {
@@ -30,29 +30,29 @@ template <class Visit> HWY_INLINE void for_each_row(const TileJob& job, const Vi
     }
 }
 
-/// Where in a pixel, or in a part of it, the ray passes: from its top-left corner.
+/// The ray's position in its pixel or subpixel, from the top-left corner.
 HWY_INLINE double offset_x(PixelSample where) { return where == PixelSample::center ? 0.5 : 0; }
 HWY_INLINE double offset_y(PixelSample where) {
     return where == PixelSample::center ? 0.5 : where == PixelSample::corner ? 1 : 0;
 }
-/// The picture's middle along an axis.
+/// The centre of the picture along an axis.
 HWY_INLINE double middle(PixelSample where, int size) {
     return where == PixelSample::whole ? size / 2 : size * 0.5;
 }
 
-/// The viewport point of sample i of n in column x, as a fraction of the picture's width from its middle.
+/// The viewport coordinate of sample i in pixel column x, relative to the centre, in picture widths.
 template <class T> HWY_INLINE T viewport_x(const RenderSettings& settings, PixelSample where, T x, int i) {
     return (x + T((i + offset_x(where)) / settings.samples) - T(middle(where, settings.width))) /
            T(settings.width);
 }
-/// The same of sample j in row y, upwards.
+/// The same for sample j in pixel row y, upwards, in picture heights.
 HWY_INLINE double viewport_y(const RenderSettings& settings, PixelSample where, double y, int j) {
     return (middle(where, settings.height) - (y + (j + offset_y(where)) / settings.samples)) /
            settings.height;
 }
 
-/// The ray through a point of the viewport. V: Vec3, or Vector3 of lanes. across: from the middle of the
-/// viewport to the point, right sx + up sy, with sx and sy from -1/2 to 1/2 across the picture and upwards.
+/// The ray through a point of the viewport. V: Vec3, or Vector3 of lanes. across: the vector from the centre
+/// of the viewport to the point, right sx + up sy with sx and sy from -1/2 to 1/2.
 template <class V> struct ViewportRay { V origin, direction; };
 template <class V>
 HWY_INLINE ViewportRay<V> viewport_ray(Projection projection, const V& position, const V& forward,
@@ -65,8 +65,8 @@ inline ViewportRay<Vec3> viewport_ray(const PreparedCamera& camera, double sx, d
                         camera.right * sx + camera.up * sy);
 }
 
-/// The first stage: one ray for each pixel of the tile, through sample (i, j) of its samples. What a column
-/// or a row of pixels shares is computed once.
+/// Makes one ray for each pixel of the tile, through sample (i, j). The terms that are the same for a column
+/// or a row of pixels are computed once.
 inline void make_camera_rays(const WorldParts& world, const TileJob& job, int i, int j, RayBatch& rays) {
     const PreparedCamera& camera = world.camera;
     const PixelSample where = world.conventions.pixel_sample;
@@ -74,7 +74,7 @@ inline void make_camera_rays(const WorldParts& world, const TileJob& job, int i,
     const bool unit = world.conventions.ray_direction == RayDirection::unit;
     const int count = job.width * job.height;
     rays.start_uniform(count, camera.position, world.conventions.camera_t_min, k_infinity);
-    if (orthographic) rays.reserve(count);  // what they share is written over
+    if (orthographic) rays.reserve(count);  // the common origin is overwritten
     const RayFields<double*> to = rays.end();
 
     alignas(k_ray_alignment) double column_offset[3][k_tile_side];  // by column of the tile

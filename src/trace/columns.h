@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// Columns: arrays that hold one number of each ray, hit or pixel (structure of arrays).
+// Columns: arrays with one number per ray, hit or pixel (structure of arrays).
 #include <array>
 #include <cstddef>
 #include <new>
@@ -10,10 +10,10 @@
 
 namespace glint {
 
-/// Bytes: a cache line, and the widest vector. A vector that straddles two lines costs twice.
+/// In bytes: the size of a cache line and of the widest vector. Access to a vector in two lines is slower.
 inline constexpr std::size_t k_ray_alignment = 64;
 
-/// An allocator of memory that begins with a cache line.
+/// An allocator that aligns memory to cache lines.
 template <class T> struct AlignedMemory {
     using value_type = T;
     AlignedMemory() = default;
@@ -25,10 +25,10 @@ template <class T> struct AlignedMemory {
     friend bool operator==(const AlignedMemory&, const AlignedMemory&) { return true; }
 };
 
-/// A column that grows. Its memory is kept from tile to tile.
+/// A column that grows. Its memory is reused for the next tile.
 using GrowingColumn = std::vector<double, AlignedMemory<double>>;
 
-/// A column of at most n entries and their padding.
+/// A column of at most n entries, with padding.
 template <class T, int n>
 struct alignas(k_ray_alignment) FixedColumn : std::array<T, std::size_t{n + k_ray_padding}> {};
 

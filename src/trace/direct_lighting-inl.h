@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The light of the surfaces, for one light at a time: which surfaces it may light, and the diffuse and
-// specular terms of those that it does.
+// Direct lighting, one light at a time: the surfaces that the light may light, and the diffuse and specular
+// terms of those that it lights.
 #if defined(GLINT_TRACE_DIRECT_LIGHTING_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLINT_TRACE_DIRECT_LIGHTING_INL_H_
 #undef GLINT_TRACE_DIRECT_LIGHTING_INL_H_
@@ -22,16 +22,16 @@ HWY_INLINE LightingRules lighting_rules(const WorldParts& world) {
     return {world.settings.shading, c.specular_gate, c.clamp_cosines, c.normalize};
 }
 
-/// Whether the light is as strong at any distance.
+/// Whether the light has the same strength at any distance.
 HWY_INLINE bool has_no_attenuation(const Light& light) { return !light.falls_off(); }
 
-/// A light as a vector of surfaces sees it.
+/// The values of a light at a vector of surfaces.
 struct LightLanes {
     Vector3<Doubles> to_light;
-    Doubles distance;  // its length
+    Doubles distance;  // the length of to_light
     Doubles attenuation;
     Cosines<Doubles> cosines;
-    LaneMask<double> lit;  // it may add something there
+    LaneMask<double> lit;  // surfaces where it may add light
 };
 HWY_INLINE LightLanes light_at(const WorldParts& world, const Light& light, const LightingRules& rules,
                                const SurfaceBatch& surfaces, int i) {
@@ -44,7 +44,7 @@ HWY_INLINE LightLanes light_at(const WorldParts& world, const Light& light, cons
     const Doubles distance = length(to_light);
     const Vector3<Doubles> l = rules.normalize ? to_light / distance : to_light;
     const auto c = cosines(load_vector3(surfaces.normal, i), l, load_vector3(surfaces.to_eye, i), rules);
-    // A light in the surface itself has no direction.
+    // A light at the surface point has no direction.
     auto lit = first_lanes<double>(surfaces.count - i) && distance > zero;
     Doubles f_att(1);
     if (!has_no_attenuation(light)) {
@@ -60,12 +60,12 @@ HWY_INLINE LightLanes light_at(const WorldParts& world, const Light& light, cons
     return {to_light, distance, f_att, c, lit};
 }
 
-/// The bits of the vector of surfaces that begins at i.
+/// The lit bits of the vector of surfaces at index i.
 HWY_INLINE std::uint8_t lit_bits(const LightSampleBatch& samples, int i) {
     return samples.lit[static_cast<std::size_t>(i / lane_count<double>())];
 }
 
-/// Begins the sums over the lights.
+/// Sets the sums over the lights to 0.
 inline void clear_radiance(const SurfaceBatch& surfaces, RadianceBatch& radiance) {
     for (int c = 0; c < 3; ++c) {
         std::fill_n(radiance.diffuse[c].begin(), surfaces.count, 0.0);
@@ -73,8 +73,8 @@ inline void clear_radiance(const SurfaceBatch& surfaces, RadianceBatch& radiance
     }
 }
 
-/// Samples a light at all surfaces: its cosines and attenuation, which surfaces it may light, and their
-/// shadow rays, if the settings want shadows.
+/// Samples a light at all surfaces: its cosines, its attenuation, the surfaces that it may light, and, if
+/// shadows are on, their shadow rays.
 inline void sample_light(const WorldParts& world, const Light& light, const SurfaceBatch& surfaces,
                          LightSampleBatch& samples, ShadowRayBatch& shadow_rays) {
     const LightingRules rules = lighting_rules(world);
@@ -96,15 +96,15 @@ inline void sample_light(const WorldParts& world, const Light& light, const Surf
     shadow_rays.count = rays;
 }
 
-/// Which surfaces of a vector have a highlight to be computed.
+/// The surfaces of a vector whose highlight has to be computed.
 HWY_INLINE LaneMask<double> highlights_at(const LightSampleBatch& samples, const LightingRules& rules,
                                           int i) {
     const Cosines<Doubles> cosines{load(samples.n_l.data() + i), load(samples.s.data() + i)};
     return from_bits<double>(lit_bits(samples, i)) && has_highlight(cosines, rules);
 }
 
-/// Computes S^n of the surfaces that are lit and have a highlight. They are compacted first: few surfaces of
-/// a vector have one, and the power costs more than all other terms.
+/// Computes S^n for the surfaces that are lit and have a highlight. They are compacted first, because few
+/// surfaces of a vector have one and the power costs more than all other terms.
 inline void compute_highlights(const WorldParts& world, const SurfaceBatch& surfaces,
                                const LightSampleBatch& samples, HighlightBatch& highlights) {
     const LightingRules rules = lighting_rules(world);
@@ -124,7 +124,7 @@ inline void compute_highlights(const WorldParts& world, const SurfaceBatch& surf
     }
 }
 
-/// k_d I_l,d N·L f_att, or k_s I_l,s S^n f_att.
+/// k_d I_l,d N·L f_att or k_s I_l,s S^n f_att.
 HWY_INLINE Vector3<Doubles> contribution(Vector3<Doubles> k, Color light, Doubles term, Doubles attenuation) {
     return (k * lanes_of(light) * term) * attenuation;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// From the light of rays to the pixels of a tile: what misses and hits add, and a pixel's fold.
+// The film: the light that hits and misses add to the pixels of a tile, and the values of the pixels.
 #if defined(GLINT_TRACE_FILM_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLINT_TRACE_FILM_INL_H_
 #undef GLINT_TRACE_FILM_INL_H_
@@ -14,16 +14,16 @@ HWY_BEFORE_NAMESPACE();
 namespace glint {
 namespace HWY_NAMESPACE {
 
-/// The pixels of up to a vector of rays. No pixel is named twice.
+/// The pixels of at most a vector of rays, all different.
 struct PixelLanes {
     const double* pixels;
     LaneMask<double> set;
-    bool are_adjacent;  // neighbours in memory
+    bool are_adjacent;  // in memory
 
     HWY_INLINE PixelLanes(const double* numbers, LaneMask<double> m)
         : pixels(numbers), set(m), are_adjacent(all(load(numbers) == Doubles(numbers[0]) + iota() || !m)) {}
 
-    /// Adds colours to the pixels' sums of a layer, one after the other.
+    /// Adds colours, one after the other, to the pixels' sums in a layer.
     template <class... Colors> HWY_INLINE void add(Film& film, Layer layer, const Colors&... colors) const {
         double* sums[3] = {film.of(layer, 0), film.of(layer, 1), film.of(layer, 2)};
         if (are_adjacent) {
@@ -48,12 +48,12 @@ struct PixelLanes {
     }
 };
 
-/// What rays that hit nothing see.
+/// The colour of rays that hit nothing.
 HWY_INLINE Color miss_color(const WorldParts& world) {
     return world.settings.shading == Shading::normals ? Color{0, 0, 1} : world.background;
 }
 
-/// Adds what some rays of the stream see where they hit nothing.
+/// Adds the light of those rays of a range that hit nothing.
 inline void add_misses(const WorldParts& world, const RayBatch& rays, const HitBatch& hits, RayRange range,
                        Film& film) {
     const bool camera = rays.generation == 0;
@@ -76,14 +76,14 @@ inline void add_misses(const WorldParts& world, const RayBatch& rays, const HitB
     }
 }
 
-/// The colours of a vector of surfaces in shading modes without light.
+/// The colours of a vector of surfaces in the unlit shading modes.
 HWY_INLINE Vector3<Doubles> unlit_color(const WorldParts& world, const SurfaceBatch& surfaces, int h) {
     if (world.settings.shading == Shading::normals)
         return (load_vector3(surfaces.normal, h) + lanes_of(Vec3{1, 1, 1})) * Doubles(0.5);
     return MaterialLanes(world, surfaces.material.data() + h).color(k_color);
 }
 
-/// Adds the colours of surfaces to their pixels, in shading modes without light.
+/// Adds the colours of surfaces to their pixels, in the unlit shading modes.
 inline void add_unlit(const WorldParts& world, const SurfaceBatch& surfaces, Film& film) {
     film.touch(Layer::ambient);
     for (int h = 0; h < surfaces.count; h += lane_count<double>()) {
@@ -97,7 +97,7 @@ HWY_INLINE Vector3<Doubles> ambient_of(const WorldParts& world, const MaterialLa
     return material.color(k_ambient) * lanes_of(world.ambient);
 }
 
-/// The light of a vector of surfaces as their pixels get it, weighted.
+/// The weighted light of a vector of surfaces, as it is added to the pixels.
 struct HitLight {
     Vector3<Doubles> ambient, diffuse, specular;
 };
@@ -131,8 +131,8 @@ inline void add_hits(const WorldParts& world, const SurfaceBatch& surfaces, cons
     }
 }
 
-/// Adds the light of a batch of rays to their pixels, group by group: a pixel's light is added up in a fixed
-/// order.
+/// Adds the light of a range of rays to their pixels, group by group, so that the order of summation in a
+/// pixel is fixed.
 inline void add_to_film(const WorldParts& world, const RayBatch& rays, const HitBatch& hits, int first_ray,
                         const SurfaceBatch& surfaces, const RadianceBatch& radiance, Film& film) {
     SurfaceBatch::GroupEnd begin{first_ray, 0};
@@ -144,14 +144,14 @@ inline void add_to_film(const WorldParts& world, const RayBatch& rays, const Hit
     }
 }
 
-/// A part of a pixel as the film keeps it.
+/// The value of a layer of a pixel, without NaN and infinity.
 template <class T> HWY_INLINE T film_value(T value) {
-    value = select(value == value, value, T(0));  // no NaN reaches the film
+    value = select(value == value, value, T(0));  // NaN becomes 0
     return min(max(value, T(-1e30)), T(1e30));
 }
 
-/// The pixel's fold (docs/architecture.md): each layer averaged over the samples and rounded to float, then
-/// background + ambient + diffuse + specular + reflected + transmitted, in that order.
+/// Computes the pixels (docs/architecture.md): each layer is averaged over the samples and rounded to float;
+/// then background + ambient + diffuse + specular + reflected + transmitted are added in this order.
 inline void resolve(const WorldParts& world, const TileJob& job, const Film& film) {
     const double samples = static_cast<double>(world.settings.samples) * world.settings.samples;
     Layer layers[k_light_layers];
@@ -182,7 +182,7 @@ inline void resolve(const WorldParts& world, const TileJob& job, const Film& fil
     });
 }
 
-/// A tile whose rays all hit nothing: the fold of one sum.
+/// Fills a tile whose rays all hit nothing. The pixels are the same as those of resolve().
 inline void fill_background(const WorldParts& world, const TileJob& job) {
     const int samples = world.settings.samples * world.settings.samples;
     const Vector3<Doubles> color = lanes_of(miss_color(world));

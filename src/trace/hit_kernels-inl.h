@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What rays hit (the rule is in trace/hit_rule-inl.h): which rays walk the hierarchy together.
+// Nearest-hit and any-hit queries: divides rays into packets, which traverse the hierarchy together.
+// trace/hit_rule-inl.h defines a hit.
 #if defined(GLINT_TRACE_HIT_KERNELS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLINT_TRACE_HIT_KERNELS_INL_H_
 #undef GLINT_TRACE_HIT_KERNELS_INL_H_
@@ -15,18 +16,19 @@ HWY_BEFORE_NAMESPACE();
 namespace glint {
 namespace HWY_NAMESPACE {
 
-/// The rays of the span from number `first` on.
+/// The rays of the span from index `first`.
 HWY_INLINE RaySpan from(const RaySpan& r, int first) {
     return {r.ox + first, r.oy + first, r.oz + first,    r.dx + first,
             r.dy + first, r.dz + first, r.t_min + first, r.t_max + first};
 }
 
-/// The directions of a packet differ by at most this, relative to their size. Measured: for nearest hits,
-/// values from 0.05 to 1 differ by 10%, 0.5 is best; for any hit, 0.05 is 15% better than 0.5.
+/// The maximum difference of directions within a packet, relative to their size. Measured: for nearest hits,
+/// values from 0.05 to 1 differ in speed by 10%, and 0.5 is fastest; for any-hit queries, 0.05 is 15% faster
+/// than 0.5.
 template <bool nearest> inline constexpr double k_spread = nearest ? 0.5 : 0.05;
 
-/// The number of rays in [first, first + most) with nearly the first one's direction. They traverse together;
-/// rays in other directions would make the packet intersect every box between them.
+/// The number of coherent rays from `first` on, at most `most`: those with nearly the direction of the first.
+/// They form a packet. A packet with more different directions would intersect all boxes between them.
 template <bool nearest> HWY_INLINE int count_coherent(const SlabRays& rays, int first, int most) {
     const auto& d = rays.direction;
     const Floats x(d[0][first]), y(d[1][first]), z(d[2][first]);
@@ -39,7 +41,7 @@ template <bool nearest> HWY_INLINE int count_coherent(const SlabRays& rays, int 
     return most;
 }
 
-/// Rays [0, count) of the span, count <= SlabRays::k_max_rays.
+/// Traces rays [0, count) of the span, count <= SlabRays::k_max_rays.
 template <bool ordered>
 HWY_INLINE void trace_chunk(const WorldParts& world, const RaySpan& rays, int count, int max_packet,
                             double* t, std::uint32_t* slot, std::uint8_t* occluded) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// nearest_hit and any_hit for every instruction set. Apart from kernels.cpp so that the two compile side by
-// side.
+// nearest_hit and any_hit for every instruction set. They are separate from kernels.cpp so that both files
+// compile in parallel.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "trace/hit_kernels.cpp"
-#include <hwy/foreach_target.h>  // must come before what follows
+#include <hwy/foreach_target.h>  // must precede the other includes
 
 #include "trace/hit_kernels-inl.h"

@@ -14,17 +14,17 @@ HWY_BEFORE_NAMESPACE();
 namespace glint {
 namespace HWY_NAMESPACE {
 
-/// The results of nearest_hit or any_hit for a chunk of rays, during traversal.
+/// The present results of nearest_hit or any_hit for a chunk of rays.
 struct HitResult {
     const WorldParts& world;
     SlabRays& slab_rays;
-    double* t;                // by ray: the smallest so far; t_max at first
-    std::uint32_t* slot;      // nearest_hit: k_none at first
-    std::uint8_t* occluded;   // any_hit; null for nearest_hit
-    std::uint32_t* occluder;  // any_hit: the last one found
+    double* t;                // by ray: the smallest t so far; initially t_max
+    std::uint32_t* slot;      // nearest_hit: initially k_none
+    std::uint8_t* occluded;   // any_hit only; null for nearest_hit
+    std::uint32_t* occluder;  // any_hit: the slot of the last occluder found
 
-    /// Which of two slots hit at the same t counts: the first in the scene; of the triangles of one polygon,
-    /// the first of the triangulation.
+    /// Whether slot a precedes slot b in a tie: by the order in the scene, then by the order of the polygon's
+    /// triangles.
     HWY_INLINE bool precedes(std::uint32_t a, std::uint32_t b) const {
         const PackedGeometry& geometry = *world.geometry;
         const std::uint32_t shape_a = geometry.shape_index[a], shape_b = geometry.shape_index[b];
@@ -32,7 +32,7 @@ struct HitResult {
         return (shape_a < shape_b) != world.last_of_equals;
     }
 
-    /// new_t is at most t[ray], which may still be t_max.
+    /// Stores a hit at new_t <= t[ray]. t[ray] may still be t_max.
     HWY_INLINE void accept(int ray, double new_t, std::uint32_t new_slot) const {
         if (occluded != nullptr) {
             if (new_t == t[ray] || !world.casts_shadow(new_slot)) return;

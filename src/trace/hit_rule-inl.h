@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Shapes against rays. The hit rule, here and nowhere else:
-//   a ray hits a shape at t if the shape's formula says so and the ray meets the shape's own padded box by
-//   the hierarchy's slab expression; t is clamped into that interval and must lie in (t_min, t_max); nearest
-//   is the least (t, index in the scene).
-// Nothing in it depends on how rays are grouped or on the tree.
+// Intersection of rays with shapes. This file defines the hit rule:
+//   A ray hits a shape at t if the shape's formula finds an intersection and the ray intersects the shape's
+//   padded bounds according to the slab expression of the hierarchy. t is clamped to the interval of the
+//   bounds and must be in (t_min, t_max). The nearest hit is the one with the least (t, index in the scene).
+// The rule does not depend on the grouping of rays into packets or on the tree.
 #if defined(GLINT_TRACE_HIT_RULE_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLINT_TRACE_HIT_RULE_INL_H_
 #undef GLINT_TRACE_HIT_RULE_INL_H_
@@ -39,7 +39,7 @@ struct ShapeTests {
 
     Vec3 origin(const RayPacket& b) const { return {rays.ox[b.first], rays.oy[b.first], rays.oz[b.first]}; }
 
-    /// A leaf: slots [first, first + count), of one class.
+    /// Tests a leaf: slots [first, first + count), of one class.
     HWY_INLINE void visit(RayPacket& packet, std::uint64_t active, std::uint32_t first, std::uint32_t count) {
         const ShapeClass& shapes = geometry.class_of(first);
         PacketLeaf visitor{*this, shapes, packet, active, first, count};
@@ -51,13 +51,13 @@ struct ShapeTests {
         RayLeaf visitor{*this, shapes, ray, first, count};
         visit_geometry(shapes.kind, shapes.transformed, visitor);
     }
-    /// All shapes of an unbounded class, against rays [0, count) of the chunk: they have no boxes.
+    /// Tests all shapes of an unbounded class with rays [0, count) of the chunk. These shapes have no bounds.
     HWY_INLINE void visit_unbounded(const ShapeClass& shapes, int count) {
         Unbounded visitor{*this, shapes, count};
         visit_geometry(shapes.kind, shapes.transformed, visitor);
     }
 
-    /// One shape against the packet.
+    /// Tests one shape with the packet.
     HWY_INLINE void visit_shape(RayPacket& packet, std::uint32_t slot) {
         const ShapeClass& shapes = geometry.class_of(slot);
         PacketShape visitor{*this, shapes, packet, slot};
@@ -110,7 +110,7 @@ struct ShapeTests {
         for (int k = 0; k < Geometry::k_values; ++k) p[k] = T(shapes.column(k)[slot - shapes.first]);
     }
 
-    /// The shape's formula with rays in lanes.
+    /// The shape's formula for a vector of rays.
     template <class Geometry> HWY_INLINE Hit<Doubles> formula(const Doubles* p, int i, Doubles t_min) {
         if constexpr (k_is_triangle<Geometry>) {
             const auto sheared = sheared_rays.lanes(i);
@@ -122,7 +122,7 @@ struct ShapeTests {
         }
         return Geometry::hit(p, ray_lanes(i), t_min);
     }
-    /// The same with shapes in lanes.
+    /// The shape's formula for one ray and a vector of shapes.
     template <class Geometry> HWY_INLINE Hit<Doubles> formula_of_ray(const Doubles* p, int i, Doubles t_min) {
         if constexpr (k_is_triangle<Geometry>) {
             const auto sheared = sheared_rays.one(i);
@@ -133,8 +133,8 @@ struct ShapeTests {
         }
     }
 
-    /// Decides candidates of rays [i, i + lanes): bits are those that may still hit; entry and exit are
-    /// their box intervals.
+    /// Tests one shape with rays [i, i + lanes). bits: the rays that may hit; entry, exit: their intervals of
+    /// t within the bounds.
     template <class Geometry>
     HWY_INLINE void test_rays(const Doubles* p, std::uint32_t slot, int i, std::uint32_t bits, Doubles entry,
                               Doubles exit) {
@@ -144,7 +144,7 @@ struct ShapeTests {
         bits &= to_bits(hit.valid && t > t_min && t <= load(result.t + i));
         if (bits == 0) return;
         if (result.occluded == nullptr) {
-            // All nearer hits in one step.
+            // Store all nearer hits at once.
             const Doubles best = load(result.t + i);
             const auto nearer = t < best && from_bits<double>(bits);
             store(select(nearer, t, best), result.t + i);
@@ -197,7 +197,7 @@ struct ShapeTests {
                                PrimitiveBounds<Geometry>(geometry, shapes, slot, 1), filters, slot, 0);
     }
 
-    /// One shape, number `lane` from slot `first` on, against the packet's rays `active`.
+    /// Tests the shape in slot first + lane with the packet's rays `active`.
     template <class Geometry>
     HWY_INLINE void packet_shape(const ShapeClass& shapes, const RayPacket& packet, std::uint64_t active,
                                  const PrimitiveBounds<Geometry>& boxes,
@@ -243,7 +243,7 @@ struct ShapeTests {
         }
     }
 
-    /// The slab expression of ray i with a vector of primitive bounds.
+    /// The result of the slab expression for one ray and a vector of primitive bounds.
     struct RaySlab {
         std::uint32_t meets;
         alignas(64) float entry[lane_count<float>()], exit[lane_count<float>()];
@@ -263,7 +263,7 @@ struct ShapeTests {
         store(slab.exit, to.exit);
     }
 
-    /// Shapes in lanes.
+    /// Tests one ray with a vector of shapes at a time.
     template <class Geometry>
     HWY_NOINLINE void ray_leaf(const ShapeClass& shapes, std::uint32_t first, std::uint32_t count, int i) {
         const Doubles t_min(rays.t_min[i]);
@@ -293,7 +293,7 @@ struct ShapeTests {
             store(t, lanes);
             for (; bits != 0; bits &= bits - 1) {
                 const int lane = __builtin_ctz(bits);
-                // The limit may have decreased since.
+                // An earlier lane may have reduced the limit.
                 if (lanes[lane] <= result.t[i])
                     result.accept(i, lanes[lane], slot + static_cast<std::uint32_t>(lane));
             }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The stages that intersect rays with the shapes: nearest hits, and the occlusion of shadow rays. The kernels
-// are compiled in a file of their own (hit_kernels.cpp).
+// The stages that intersect rays with shapes: nearest hits, and the occlusion of shadow rays. The kernels are
+// compiled separately, in hit_kernels.cpp.
 #if defined(GLINT_TRACE_INTERSECT_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLINT_TRACE_INTERSECT_INL_H_
 #undef GLINT_TRACE_INTERSECT_INL_H_
@@ -21,14 +21,14 @@ void nearest_hit(const WorldParts& world, const RaySpan& rays, int count, int pa
                  std::uint32_t* slot);
 void any_hit(const WorldParts& world, const RaySpan& rays, int count, int packet, std::uint8_t* occluded);
 
-/// Finds the nearest hits of a stream: of the rays from number `first` on, at most k_stream_size.
+/// Finds the nearest hits of a stream: of the rays from index `first`, at most k_stream_size.
 inline void intersect(const WorldParts& world, const RayBatch& rays, int first, HitBatch& hits) {
     hits.first = first;
     hits.count = number::min(k_stream_size, rays.count - first);
     nearest_hit(world, rays.span(first), hits.count, k_packet_size, hits.t.data(), hits.slot.data());
 }
 
-/// Finds out which shadow rays are occluded.
+/// Determines which shadow rays are occluded.
 inline void intersect_shadow(const WorldParts& world, ShadowRayBatch& shadow_rays) {
     any_hit(world, shadow_rays.span(), shadow_rays.count, k_packet_size, shadow_rays.occluded.data());
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The layers of a tile (glint/layers.h): what is noted of the first surfaces, and what the film gets.
+// The layers of a tile (glint/layers.h): stores the first hits, and writes the layers from them and the film.
 #if defined(GLINT_TRACE_LAYERS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLINT_TRACE_LAYERS_INL_H_
 #undef GLINT_TRACE_LAYERS_INL_H_
@@ -14,7 +14,7 @@ HWY_BEFORE_NAMESPACE();
 namespace glint {
 namespace HWY_NAMESPACE {
 
-/// Begins a tile: nothing is seen yet.
+/// Sets the values of pixels without a hit, at the start of a tile.
 inline void clear_first_hits(FirstHits& first_hits) {
     const auto clear = [](std::vector<double>& column, double value) { column.assign(k_tile_pixels, value); };
     for (auto* vector : {first_hits.normal, first_hits.position, first_hits.albedo}) {
@@ -25,7 +25,7 @@ inline void clear_first_hits(FirstHits& first_hits) {
     clear(first_hits.depth, k_infinity);
 }
 
-/// Stores the surfaces of some camera rays, by pixel, if this is the middle sample.
+/// Stores the surfaces of a range of camera rays, by pixel, if this is the middle sample.
 inline void store_first_hits(const WorldParts& world, const RayBatch& rays, const HitBatch& hits,
                              RayRange range, const SurfaceBatch& surfaces, FirstHits& first_hits) {
     if (!first_hits.is_middle) return;
@@ -48,7 +48,7 @@ inline void store_first_hits(const WorldParts& world, const RayBatch& rays, cons
     }
 }
 
-/// Adds `by` to the counts of the pixels, for each of their surfaces that the light may light.
+/// Adds `by` to a pixel's count for each of its surfaces that the light may light.
 inline void count_lit(const SurfaceBatch& surfaces, const LightSampleBatch& samples,
                       std::vector<double>& counts, double by) {
     for (int h = 0; h < surfaces.count; ++h) {
@@ -57,8 +57,8 @@ inline void count_lit(const SurfaceBatch& surfaces, const LightSampleBatch& samp
             counts[static_cast<std::size_t>(surfaces.target[static_cast<std::size_t>(h)])] += by;
     }
 }
-/// For the layer `shadow`: the lights that send a shadow ray to a surface of a camera ray. Before
-/// apply_occlusion all count as blocked; after it those that are not are taken away again.
+/// For the layer `shadow`: counts the lights with a shadow ray to the surface of a camera ray. All count as
+/// occluded until apply_occlusion() has run; count_unoccluded() then subtracts the others.
 inline void count_tested(const SurfaceBatch& surfaces, const LightSampleBatch& samples,
                          FirstHits& first_hits) {
     count_lit(surfaces, samples, first_hits.tested, 1);
@@ -93,12 +93,12 @@ inline float layer_value(const Film& film, const FirstHits& first_hits, Layer la
             break;
     }
     if (!film.touched[static_cast<std::size_t>(layer)]) return 0;
-    // As resolve does.
+    // As in resolve().
     const double sum = film.of(layer, c)[p];
     return static_cast<float>(film_value(samples > 1 ? sum / samples : sum));
 }
 
-/// Writes the layers of the tile: beside resolve.
+/// Writes the layers of the tile.
 inline void write_layers(const WorldParts& world, const TileJob& job, const Film& film,
                          const FirstHits& first_hits) {
     const double samples = static_cast<double>(world.settings.samples) * world.settings.samples;

@@ -14,7 +14,7 @@ HWY_BEFORE_NAMESPACE();
 namespace glint {
 namespace HWY_NAMESPACE {
 
-/// The values of each lane's material. Neighbours mostly share one: it is then read once.
+/// The values of each lane's material. If all lanes have the same material, its values are read once.
 struct MaterialLanes {
     const double* base;
     const std::uint32_t* index;

@@ -15,11 +15,12 @@ HWY_BEFORE_NAMESPACE();
 namespace glint {
 namespace HWY_NAMESPACE {
 
-/// The filters of a vector of triangles for a packet whose rays have a common origin: computed once per leaf,
-/// not once per ray. Empty for other shapes.
+/// The filters of a vector of triangles for a packet whose rays have a common origin. They are computed once
+/// per leaf instead of once per ray. Empty for other shapes.
 template <class Geometry> class SharedFilters {
   public:
-    /// For slots [first, first + count), count <= lanes. Returns those that any ray of the packet may hit.
+    /// Computes the filters of slots [first, first + count), count <= lanes. Returns a bit for each shape
+    /// that a ray of the packet may hit.
     HWY_INLINE std::uint32_t prepare(const ShapeClass& shapes, const RayPacket& packet, const Vec3& origin,
                                      std::uint32_t first, int count) {
         int i = 0;
@@ -42,7 +43,7 @@ template <class Geometry> class SharedFilters {
                                         {Floats(hi[0]), Floats(hi[1]), Floats(hi[2])})) &
                first_bits(count);
     }
-    /// Triangle number `lane` in all lanes.
+    /// The filter of one triangle, in all lanes.
     HWY_INLINE TriangleGeometry::Filter<Floats> one(int lane) const {
         const auto at = [&](int k) HWY_ATTR { return Floats(value_[k][lane]); };
         return {{at(0), at(1), at(2)}, {at(3), at(4), at(5)}, {at(6), at(7), at(8)}, at(9)};
@@ -52,8 +53,7 @@ template <class Geometry> class SharedFilters {
     alignas(64) float value_[10][k_is_triangle<Geometry> ? lane_count<float>() : 1];
 };
 
-/// Which of the packet's rays `active` may hit the shape in a slot; `lane` is its number in
-/// `shared`.
+/// The rays among `active` that may hit the shape in a slot. lane: the shape's index in `shared`.
 template <class Geometry>
 HWY_INLINE std::uint64_t filter_rays(const ShapeClass& shapes, const RayPacket& packet, std::uint64_t active,
                                      [[maybe_unused]] const SharedFilters<Geometry>& shared,

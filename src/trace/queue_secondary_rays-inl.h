@@ -16,7 +16,7 @@ HWY_BEFORE_NAMESPACE();
 namespace glint {
 namespace HWY_NAMESPACE {
 
-/// The rays of a vector of surfaces, as push() takes them.
+/// The secondary rays of a vector of surfaces, to be stored by push().
 struct SecondaryRays {
     Vector3<Doubles> origin, direction, weight;
     Doubles target, medium;
@@ -34,14 +34,14 @@ HWY_INLINE void push(RayBatch& batch, const SecondaryRays& rays, LaneMask<double
     batch.count += count(set);
 }
 
-/// Whether a sample of a pixel could come to k_max_sample_rays at all: rays double at most from one
-/// generation to the next.
+/// Whether a sample of a pixel can reach k_max_sample_rays. The number of rays at most doubles in each
+/// generation.
 HWY_INLINE bool is_limited(const WorldParts& world) {
     const int generations = world.settings.reflections;
     return generations > 30 || (2 << generations) - 2 > k_max_sample_rays;
 }
 
-/// Of the set rays, those that a sample of their pixel may still have. Counts them, and those cut.
+/// Returns the rays of the set that do not exceed the limit of their pixel's sample. Counts both kinds.
 inline LaneMask<double> limit_rays(const double* targets, LaneMask<double> set, SecondaryRayBatch& secondary,
                                    RayCounts& counts) {
     std::uint32_t kept = 0;
@@ -58,14 +58,14 @@ inline LaneMask<double> limit_rays(const double* targets, LaneMask<double> set, 
     return from_bits<double>(kept);
 }
 
-/// The material's number in each lane, as RayFields::medium holds it.
+/// The material index of each lane, as stored in RayFields::medium.
 HWY_INLINE Doubles material_numbers(const std::uint32_t* material) {
     alignas(64) double lanes[lane_count<double>()];
     for (int k = 0; k < lane_count<double>(); ++k) lanes[k] = static_cast<double>(material[k]);
     return load(lanes);
 }
 
-/// Queues the mirror and glass rays of the vector of surfaces that begins at h.
+/// Queues the mirror and glass rays of the vector of surfaces at index h.
 HWY_INLINE void queue_vector(const WorldParts& world, const SurfaceBatch& surfaces, int h,
                              LaneMask<double> hit, bool limited, SecondaryRayBatch& secondary,
                              RayCounts& counts, TileRecord* record) {
@@ -114,9 +114,9 @@ HWY_INLINE void queue_vector(const WorldParts& world, const SurfaceBatch& surfac
     counts.transmitted += static_cast<std::uint64_t>(count(transmitted));
 }
 
-/// Queues the mirror and glass rays of the surfaces: of each group of rays first all mirror rays, then all
-/// glass rays, so that rays of one kind are traced together and a pixel's keep their order. Touches the
-/// layers of the film that their light will be added to.
+/// Queues the mirror and glass rays of the surfaces. Each group of rays gives first its mirror rays, then its
+/// glass rays, so that coherent rays are traced together and the rays of a pixel keep their order. Touches
+/// the layers of the film to which their light will be added.
 inline void queue_secondary_rays(const WorldParts& world, const SurfaceBatch& surfaces,
                                  SecondaryRayBatch& secondary, Film& film, RayCounts& counts,
                                  TileRecord* record) {

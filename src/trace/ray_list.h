@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// Rays outside of a render (checks, explanations), traced with the renderer's kernels.
+// Lists of rays for checks and explanations, traced with the renderer's kernels.
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -12,7 +12,7 @@
 
 namespace glint {
 
-/// Rays as columns, padded as the kernels require.
+/// Rays as columns, with the padding that the kernels require.
 class RayList {  // NOLINT(bugprone-reserved-identifier): the compiler's own, in copying columns_
   public:
     RayList() {
@@ -31,7 +31,7 @@ class RayList {  // NOLINT(bugprone-reserved-identifier): the compiler's own, in
     std::vector<double> columns_[8];
 };
 
-/// The nearest hit of each ray; without a hit, slot is k_none and t is the ray's t_max.
+/// The nearest hit of each ray. For a miss, slot is k_none and t is the ray's t_max.
 struct HitList {
     std::vector<double> t;
     std::vector<std::uint32_t> slot;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a World answers to rays of the user's own: by the kernels that draw pictures.
+// Nearest-hit and occlusion queries for the caller's rays, with the kernels of the renderer.
 #include <algorithm>
 
 #include "base/parallel_for.h"
@@ -11,9 +11,9 @@
 namespace glint {
 namespace {
 
-constexpr std::size_t k_chunk = 256;  // rays of a task: its columns are on the stack
+constexpr std::size_t k_chunk = 256;  // rays per task; the columns are on the stack
 
-// Some rays as columns, padded as the kernels want it.
+// Rays as columns, with the padding that the kernels require.
 struct RayColumns {
     double columns[8][k_chunk + k_ray_padding] = {};
 
@@ -31,7 +31,7 @@ struct RayColumns {
     }
 };
 
-// Calls visit(first, some) for pieces of the list of rays.
+// Calls visit(first, rays) for each chunk of the list. first: the index of the chunk's first ray.
 template <class Visit> void for_chunks(std::span<const Ray> rays, int threads, const Visit& visit) {
     parallel_for((rays.size() + k_chunk - 1) / k_chunk, threads, [&](std::size_t chunk) {
         const std::size_t first = chunk * k_chunk;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The weights of rays: what the light of a surface, of its mirror ray and of its glass ray counts for in the
-// pixel (docs/lighting.md unrolls the recursion into a sum).
+// The weights of rays: the factors of a surface's own light, of its mirror ray and of its glass ray in the
+// pixel. docs/lighting.md derives the sum over all rays from the recursion.
 #if defined(GLINT_TRACE_RAY_WEIGHTS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLINT_TRACE_RAY_WEIGHTS_INL_H_
 #undef GLINT_TRACE_RAY_WEIGHTS_INL_H_
@@ -16,8 +16,8 @@ HWY_BEFORE_NAMESPACE();
 namespace glint {
 namespace HWY_NAMESPACE {
 
-/// What the surface's own light counts for. a: mirror, f: transmission. blend: (1-f)(1-a); add: 1. At the
-/// last generation the limit may keep it whole.
+/// The factor of the surface's own light. a: mirror, f: transmission. MirrorRule::blend: (1-f)(1-a); add: 1.
+/// With LimitRule::keep it is 1 in the last generation.
 HWY_INLINE Doubles local_share(const WorldParts& world, const MaterialLanes& material, int generation) {
     const Conventions& rules = world.conventions;
     const bool at_limit = generation >= world.settings.reflections;
@@ -25,7 +25,7 @@ HWY_INLINE Doubles local_share(const WorldParts& world, const MaterialLanes& mat
     return (Doubles(1) - material.value(k_transmission)) * (Doubles(1) - material.value(k_mirror));
 }
 
-/// The two rays that leave a hit, as far as there are any. F is what glass reflects.
+/// The weights of the mirror ray and the glass ray of a hit. F: the fraction of light that glass reflects.
 ///   reflected: tint ((1-f) a + f F) with blend, tint (a + f F) with add; transmitted: tint f (1-F).
 struct SecondaryWeights {
     Vector3<Doubles> reflected, transmitted;  // weights
@@ -39,7 +39,7 @@ HWY_INLINE SecondaryWeights secondary_weights(const WorldParts& world, const Mat
     const Doubles a = material.value(k_mirror), f = material.value(k_transmission), one(1);
     SecondaryWeights b{weight, weight, weight, Doubles(0)};
     Doubles mirror = rules.mirror == MirrorRule::blend ? (one - f) * a : a;
-    if (any(glass)) {  // otherwise nothing is asked of the transmitted ray
+    if (any(glass)) {  // otherwise the transmitted ray is not used
         const Doubles ior = material.value(k_ior);
         const RefractedRay<Doubles> ray = refracted_ray(surface, from_inside, ior, rules);
         const Doubles fresnel = ray.fresnel;
@@ -47,7 +47,7 @@ HWY_INLINE SecondaryWeights secondary_weights(const WorldParts& world, const Mat
         b.fresnel = fresnel;
         mirror = select(glass, mirror + f * fresnel, mirror);
         b.transmitted = weight * select(glass, f * (one - fresnel), Doubles(0));
-        // Without Beer's law the way through glass is tinted once, where it begins.
+        // Without Beer's law, light through glass is tinted once, where the ray enters.
         if (!(rules.beer > 0)) {
             const Vector3<Doubles> tinted = b.transmitted * material.color(k_transmission_tint);
             b.transmitted = select_vector3(from_inside, b.transmitted, tinted);
@@ -57,9 +57,10 @@ HWY_INLINE SecondaryWeights secondary_weights(const WorldParts& world, const Mat
     return b;
 }
 
-/// Beer's law: multiplies the weights of rays that came through glass by what is left of their light. A ray
-/// went through the glass whose inner side it hits; otherwise through that which it entered. A ray that
-/// misses has left through an open surface; its way in the glass is not known.
+/// Beer's law: multiplies the weights of rays that came through glass by the transmittance of the glass. If
+/// the ray hits the inside of glass, that is its medium, otherwise the glass that it entered before. Rays
+/// that miss are not attenuated: they have left through an open surface, and their distance in glass is
+/// unknown.
 inline void apply_beer_law(const WorldParts& world, SurfaceBatch& surfaces) {
     const double k = world.conventions.beer;
     if (!(k > 0)) return;

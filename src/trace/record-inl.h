@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Writing down what the stages did (trace/record.h). Each function is called right after the stage it is
-// named for, and calls what that stage called: the numbers are the same to the bit.
+// Records the results of the stages (trace/record.h). Each function runs directly after its stage and calls
+// the same functions as the stage, so that the recorded numbers have the same bits.
 #if defined(GLINT_TRACE_RECORD_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLINT_TRACE_RECORD_INL_H_
 #undef GLINT_TRACE_RECORD_INL_H_
@@ -23,27 +23,28 @@ template <class Column> inline Color color_at(const Column* from, int i) {
     return {(&from[0][0])[i], (&from[1][0])[i], (&from[2][0])[i]};
 }
 
-/// A vector of triples as numbers.
+/// The elements of a vector of Vector3.
 struct Vector3Elements {
     alignas(k_ray_alignment) double lanes[3][lane_count<double>()];
     explicit Vector3Elements(const Vector3<Doubles>& v) { store_vector3(v, lanes, 0); }
     Color color(int k) const { return {lanes[0][k], lanes[1][k], lanes[2][k]}; }
     Vec3 vec3(int k) const { return {lanes[0][k], lanes[1][k], lanes[2][k]}; }
 };
+/// The elements of a vector.
 struct LaneElements {
     alignas(k_ray_alignment) double lanes[lane_count<double>()];
     explicit LaneElements(Doubles v) { store(v, lanes); }
     double operator[](int k) const { return lanes[k]; }
 };
 
-/// Calls visit(h, k): lane k of the vector of hits that begins at h.
+/// Calls visit(h, lanes) for each vector of hits: its first hit and the number of its hits.
 template <class Visit> inline void for_each_hit(const SurfaceBatch& surfaces, const Visit& visit) {
     for (int h = 0; h < surfaces.count; h += lane_count<double>()) {
         visit(h, number::min(lane_count<double>(), surfaces.count - h));
     }
 }
 
-/// A hit's surface.
+/// The surface of a hit.
 inline ExplainedHit recorded_hit(const WorldParts& world, const SurfaceBatch& surfaces, std::size_t h) {
     const auto i = static_cast<int>(h);
     ExplainedHit hit;
@@ -58,7 +59,7 @@ inline ExplainedHit recorded_hit(const WorldParts& world, const SurfaceBatch& su
     return hit;
 }
 
-/// Some rays of the stream and what they hit: after compute_surfaces and apply_beer_law.
+/// Records a range of rays and their hits, after compute_surfaces() and apply_beer_law().
 inline void record_rays(const WorldParts& world, const RayBatch& rays, const HitBatch& hits, RayRange range,
                         const SurfaceBatch& surfaces, TileRecord& record) {
     record.batch.clear();
@@ -90,7 +91,7 @@ inline void record_rays(const WorldParts& world, const RayBatch& rays, const Hit
     }
 }
 
-/// What shading modes that look no further show: after add_unlit.
+/// Records the colours of the unlit shading modes, after add_unlit().
 inline void record_unlit(const WorldParts& world, const SurfaceBatch& surfaces, TileRecord& record) {
     for_each_hit(surfaces, [&](int h, int lanes) HWY_ATTR {
         const Vector3Elements shown(unlit_color(world, surfaces, h));
@@ -101,7 +102,7 @@ inline void record_unlit(const WorldParts& world, const SurfaceBatch& surfaces, 
     });
 }
 
-/// One light: after its terms were added.
+/// Records one light, after its terms have been added.
 inline void record_light(const WorldParts& world, const Light& light, const SurfaceBatch& surfaces,
                          const LightSampleBatch& samples, const ShadowRayBatch& shadow_rays,
                          TileRecord& record) {
@@ -148,12 +149,12 @@ inline void record_light(const WorldParts& world, const Light& light, const Surf
     });
 }
 
-/// Which hits of a vector have rays, have glass, and sent a ray out.
+/// The hits of a vector that have secondary rays, that have glass, and whose rays are traced.
 struct SecondaryMasks {
     LaneMask<double> has_secondary, glass, reflected, transmitted;
 };
 
-/// What left a vector of hits: as it is queued.
+/// Records the secondary rays of a vector of hits, when they are queued.
 inline void record_secondary_rays(TileRecord& record, int h, const SecondaryMasks& masks,
                                   const Vector3<Doubles>& reflected, const Vector3<Doubles>& transmitted,
                                   Doubles fresnel, double min_weight) {
@@ -183,7 +184,7 @@ inline void record_secondary_rays(TileRecord& record, int h, const SecondaryMask
     }
 }
 
-/// At the last generation nothing leaves.
+/// Records that the limit of reflections has stopped the secondary rays.
 inline void record_limit(const WorldParts& world, const SurfaceBatch& surfaces, TileRecord& record) {
     for (int h = 0; h < surfaces.count; ++h) {
         ExplainedHit& hit = record.hit(h);
@@ -193,7 +194,7 @@ inline void record_limit(const WorldParts& world, const SurfaceBatch& surfaces, 
     }
 }
 
-/// What the hits add to their pixel: after add_to_film.
+/// Records the light that the hits add to their pixels, after add_to_film().
 inline void record_sums(const WorldParts& world, const SurfaceBatch& surfaces, const RadianceBatch& radiance,
                         TileRecord& record) {
     for_each_hit(surfaces, [&](int h, int lanes) HWY_ATTR {

@@ -11,11 +11,11 @@ namespace glint {
 struct TileRecord {
     /// Light indices are the World's; the index of the default material follows the last one.
     std::vector<ExplainedRay> rays;
-    int sample = 0;        // the present sample
+    int sample = 0;        // the current sample
     int only = -1;         // the sample to record; -1: all
-    bool is_full = false;  // there were too many rays for all samples
+    bool is_full = false;  // the rays of all samples exceed k_max_explained_rays
 
-    /// Whether to record sample number `next`.
+    /// Starts sample number `next`. Returns whether it is to be recorded.
     bool begin(int next) {
         sample = next;
         is_full = is_full || (only < 0 && rays.size() > k_max_explained_rays);
@@ -27,9 +27,9 @@ struct TileRecord {
         bool transmitted;
     };
     std::vector<SpawnedRay> spawned;  // the secondary rays that were traced, in the order of their rays
-    std::size_t arrived = 0;          // the first of these whose ray has not been recorded
+    std::size_t arrived = 0;          // the first of them that has not been recorded
 
-    std::vector<std::size_t> batch;  // the rays of the hits in the present batch
+    std::vector<std::size_t> batch;  // the rays of the hits in the current batch
     ExplainedHit& hit(int h) { return *rays[batch[static_cast<std::size_t>(h)]].hit; }
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// World -> Image: tiles to threads.
+// World to Image: distributes tiles to threads.
 #include <algorithm>
 #include <atomic>
 #include <memory>
@@ -14,7 +14,7 @@
 namespace glint {
 namespace {
 
-// Why a crop cannot be had, or nothing.
+// The error of an invalid crop, or an empty string.
 std::string crop_error(const Crop& c, const RenderSettings& settings) {
     if (c.width < 1 || c.height < 1 || c.x < 0 || c.y < 0 || c.x > settings.width - c.width ||
         c.y > settings.height - c.height) {
@@ -94,7 +94,7 @@ TileTargets targets_in_thread(std::vector<LayerImage>& layers) {
     return targets;
 }
 
-// Why these layers cannot be had, or nothing.
+// The error of an invalid list of layers, or an empty string.
 std::string layers_error(const std::vector<Layer>& layers) {
     bool wanted[k_layers] = {};
     for (const Layer layer : layers) {
@@ -119,7 +119,7 @@ std::vector<float> claim_pixels(std::size_t numbers, int threads) {
     return rgb;
 }
 
-// Why the picture cannot go into the caller's memory, or nothing.
+// The error if the caller's memory has the wrong size, or an empty string.
 std::string pixels_error(const RenderOptions& options, const Crop& crop) {
     if (options.pixels && !options.keep_image) return "pixels are given, and keep_image is false";
     if (!options.pixels || options.pixels->size() == count_numbers(crop)) return {};
@@ -128,7 +128,7 @@ std::string pixels_error(const RenderOptions& options, const Crop& crop) {
            " has " + std::to_string(count_numbers(crop));
 }
 
-// The caller's callbacks.
+// Calls the caller's callbacks, one at a time.
 class Reporter {
   public:
     Reporter(const RenderOptions& options, std::size_t tiles)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Mirror rays and rays through glass: where they start and where they go.
+// The origins and directions of mirror rays and of rays through glass.
 #if defined(GLINT_TRACE_SECONDARY_RAYS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLINT_TRACE_SECONDARY_RAYS_INL_H_
 #undef GLINT_TRACE_SECONDARY_RAYS_INL_H_
@@ -18,8 +18,8 @@ namespace HWY_NAMESPACE {
 
 template <class T> struct SecondaryRay { Vector3<T> origin, direction; };
 
-/// The mirrored ray. glass: a mask, where the surface lets light through. Glass has two sides to leave to,
-/// whatever the convention does with the one of an opaque surface.
+/// The mirror ray. glass: the mask of transparent surfaces. On glass a ray is reflected on either side of the
+/// surface, so its offset is towards the ray's side, even if the convention offsets along the normal.
 template <class T, class M>
 HWY_INLINE SecondaryRay<T> mirrored_ray(const SurfacePoint<T>& s, M glass, const Conventions& rules) {
     const Vector3<T> direction = mirrored(-s.incoming, s.normal);
@@ -30,8 +30,8 @@ HWY_INLINE SecondaryRay<T> mirrored_ray(const SurfacePoint<T>& s, M glass, const
     return {origin, direction};
 }
 
-/// What glass does with a ray: where it goes on, and how much of it is reflected instead, F (Fresnel; all of
-/// it where no ray gets through).
+/// The direction of the ray through glass, and the reflected fraction F (Fresnel; 1 for total internal
+/// reflection).
 template <class T> struct RefractedRay {
     Vector3<T> direction;
     T fresnel;

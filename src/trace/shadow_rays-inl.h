@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Shadow rays: where they start and end, and what an occluded one does to the light.
+// Shadow rays: their origins and ends, and the effect of occlusion on the light.
 #if defined(GLINT_TRACE_SHADOW_RAYS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLINT_TRACE_SHADOW_RAYS_INL_H_
 #undef GLINT_TRACE_SHADOW_RAYS_INL_H_
@@ -19,14 +19,14 @@ HWY_BEFORE_NAMESPACE();
 namespace glint {
 namespace HWY_NAMESPACE {
 
-/// A ray from a surface to a light; a point light's is traced from the light to the surface, so that a
-/// light's rays share their origin.
+/// The ray between a surface and a light. The rays of a point light are traced from the light to the surface,
+/// so that they have a common origin.
 template <class T> struct ShadowRay {
     Vector3<T> origin, direction;
     T t_min;
     double t_max;
 };
-/// to_light: the whole way to a point light, of any length for others.
+/// to_light: the vector to a point light; for other lights, a direction of any length.
 template <class T>
 HWY_INLINE ShadowRay<T> shadow_ray(const SurfacePoint<T>& s, const Light& light, Vector3<T> to_light,
                                    const Conventions& rules) {
@@ -35,18 +35,19 @@ HWY_INLINE ShadowRay<T> shadow_ray(const SurfacePoint<T>& s, const Light& light,
         return {start, to_light, T(offset_t_min(rules.offset, rules.epsilon)), k_infinity};
     const Vector3<T> from{T(light.position.x), T(light.position.y), T(light.position.z)},
         direction = start - from;
-    // Its distance is compared with the light's from P itself: it sees epsilon past the light.
+    // The source compares the distance of an occluder from the moved origin with the distance of the light
+    // from P, so that occluders up to epsilon behind the light count.
     const T t_min = rules.offset == Offset::direction ? T(-rules.epsilon) / length(direction) : T(0);
     return {from, direction, t_min, rules.offset == Offset::ray ? 1 - rules.epsilon : 1.0};
 }
 
-/// Writes the shadow rays of the set lanes, from number `at` on.
+/// Writes the shadow rays of the lanes in `set`, from entry `at` on.
 HWY_INLINE void store_shadow_rays(const Light& light, const SurfacePoint<Doubles>& surface,
                                   Vector3<Doubles> to_light, const Conventions& rules, LaneMask<double> set,
                                   ShadowRayBatch& to, int at) {
     const ShadowRay<Doubles> ray = shadow_ray(surface, light, to_light, rules);
     if (comes_from_light(light, rules)) {
-        store_vector3(ray.origin, to.origin, at);  // of all lanes the same
+        store_vector3(ray.origin, to.origin, at);  // the same in all lanes
     } else {
         compress_vector3(ray.origin, set, to.origin, at);
     }
@@ -55,14 +56,14 @@ HWY_INLINE void store_shadow_rays(const Light& light, const SurfacePoint<Doubles
     store(Doubles(ray.t_max), to.t_max.data() + at);
 }
 
-/// Clears the lit bits of the surfaces whose shadow ray is occluded. surfaces: how many there are.
+/// Clears the lit bits of the surfaces whose shadow ray is occluded. surfaces: their number.
 inline void apply_occlusion(const ShadowRayBatch& shadow_rays, int surfaces, LightSampleBatch& samples) {
     const std::uint8_t* occluded = shadow_rays.occluded.data();
     for (int i = 0; i < surfaces; i += lane_count<double>()) {
         std::uint8_t& lit = samples.lit[static_cast<std::size_t>(i / lane_count<double>())];
         const int rays = std::popcount(lit);
         if (rays == 0) continue;
-        std::uint64_t flags = 0;  // of all rays of the vector, in the order of memory
+        std::uint64_t flags = 0;  // of all rays of the vector, in memory order
         std::memcpy(&flags, occluded, sizeof(flags));
         if (flags << (64 - 8 * rays) == 0) {
             occluded += rays;
@@ -70,7 +71,7 @@ inline void apply_occlusion(const ShadowRayBatch& shadow_rays, int surfaces, Lig
         }
         std::uint32_t dark = 0;
         for (std::uint32_t bits = lit; bits != 0; bits &= bits - 1) {
-            dark |= bits & (0 - bits) & (0u - *occluded++);  // without a branch, which would be mispredicted
+            dark |= bits & (0 - bits) & (0u - *occluded++);  // no branch: it would often be mispredicted
         }
         lit = static_cast<std::uint8_t>(lit & ~dark);
     }

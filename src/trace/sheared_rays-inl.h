@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The values that triangle tests need, computed once per ray.
+// The values of a ray that the tests of all triangles use, computed once per ray.
 #if defined(GLINT_TRACE_SHEARED_RAYS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLINT_TRACE_SHEARED_RAYS_INL_H_
 #undef GLINT_TRACE_SHEARED_RAYS_INL_H_
@@ -14,8 +14,8 @@ HWY_BEFORE_NAMESPACE();
 namespace glint {
 namespace HWY_NAMESPACE {
 
-/// The chunk's rays prepared for triangles (TriangleGeometry::ShearedRay), computed for groups of rays when
-/// first needed.
+/// The rays of a chunk in the sheared space of TriangleGeometry, computed for groups of rays when first
+/// needed.
 class ShearedRays {
   public:
     explicit ShearedRays(const RaySpan& rays) : rays_(rays) {}
@@ -45,7 +45,7 @@ class ShearedRays {
     }
 
   private:
-    // The last ray's vector may end in the next group, whose rays must be valid padding.
+    // The vector of the last ray may extend into the next group, whose rays must then be valid padding.
     static constexpr int k_group = k_ray_padding / 2;
     static_assert(k_group % lane_count<double>() == 0);
 

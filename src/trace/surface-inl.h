@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The stage between a hit and its light: the hits of a stream one after the other, with their point, normal,
-// direction to the eye and material.
+// The stages that compute the surface points from the hits: point, normal, direction to the eye and material,
+// compacted.
 #if defined(GLINT_TRACE_SURFACE_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLINT_TRACE_SURFACE_INL_H_
 #undef GLINT_TRACE_SURFACE_INL_H_
@@ -22,8 +22,7 @@ namespace HWY_NAMESPACE {
 HWY_INLINE void append_hits(const WorldParts& world, const RayBatch& rays, const HitBatch& hits, int i,
                             int end, SurfaceBatch& surfaces) {
     const Doubles t = load(hits.t.data() + i);
-    const auto hit =
-        t < Doubles(k_infinity) && first_lanes<double>(end - i);  // a ray that misses keeps its t_max
+    const auto hit = t < Doubles(k_infinity) && first_lanes<double>(end - i);  // a miss has t == t_max
     const int count_here = count(hit);
     if (count_here == 0) return;
     const bool camera = rays.generation == 0;
@@ -50,7 +49,7 @@ HWY_INLINE void append_hits(const WorldParts& world, const RayBatch& rays, const
     surfaces.count += count_here;
 }
 
-/// Copies the hits of some rays of the stream without gaps, group by group.
+/// Compacts the hits of a range of rays, group by group.
 inline void collect_hits(const WorldParts& world, const RayBatch& rays, const HitBatch& hits, RayRange range,
                          SurfaceBatch& surfaces) {
     surfaces.generation = rays.generation;
@@ -64,11 +63,12 @@ inline void collect_hits(const WorldParts& world, const RayBatch& rays, const Hi
     }
 }
 
-/// The unit normals of a vector of slots' shapes, at a point of each. items: by lane, within the class.
+/// The unit normals of a vector of shapes of one class, each at its point. items: the shape's index in the
+/// class, by lane.
 struct NormalsAt {
     const ShapeClass& shapes;
     const std::uint32_t* items;
-    bool same;  // one item
+    bool same;  // all lanes have the same item
     Vector3<Doubles> point, normal;
     template <class Geometry> HWY_INLINE void visit() {
         Doubles p[Geometry::k_values];
@@ -80,7 +80,7 @@ struct NormalsAt {
     }
 };
 
-/// The normals of a vector of hits, one class of shapes after the other.
+/// The normals of a vector of hits, computed for one class of shapes after the other.
 HWY_INLINE Vector3<Doubles> normals_at(const PackedGeometry& geometry, const std::uint32_t* slots, bool same,
                                        Vector3<Doubles> point) {
     Vector3<Doubles> normal = point;
@@ -102,8 +102,8 @@ HWY_INLINE Vector3<Doubles> normals_at(const PackedGeometry& geometry, const std
     return normal;
 }
 
-/// The largest coordinate of a bounded shape: its formula's rounding is relative to that too, however near to
-/// the world's origin the ray is.
+/// The largest coordinate of a bounded shape, 0 for unbounded ones. The rounding error of the shape's formula
+/// is relative to it too, even if the ray is near the world's origin.
 HWY_INLINE double max_coordinate(const PackedGeometry& geometry, std::uint32_t slot) {
     if (slot >= geometry.bounded) return 0;
     const Aabb box = primitive_bounds(geometry, slot);
@@ -112,11 +112,11 @@ HWY_INLINE double max_coordinate(const PackedGeometry& geometry, std::uint32_t s
     return reach;
 }
 
-/// Computes the other columns of the hits that collect_hits copied: material, normal, direction to the eye.
+/// Computes the other columns of the surfaces: material, normal, direction to the eye.
 inline void compute_surfaces(const WorldParts& world, SurfaceBatch& surfaces) {
     const int count = surfaces.count;
     if (count == 0) return;
-    // Lanes past the last hit are computed with, though nothing of them is kept.
+    // Padding: lanes past the last hit are computed as well, and need valid slots.
     const auto last = static_cast<std::size_t>(count - 1);
     std::fill_n(surfaces.slot.begin() + count, k_ray_padding, surfaces.slot[last]);
     const bool has_lighting_eye = world.camera.has_lighting_eye && surfaces.generation == 0;
@@ -149,11 +149,11 @@ inline void compute_surfaces(const WorldParts& world, SurfaceBatch& surfaces) {
         double* const magnitude = surfaces.magnitude.data() + h;
         store(load(magnitude) + (same ? Doubles(reach[0]) : load(reach)), magnitude);
     }
-    // A group of hits begins anywhere: its last vector may reach past those above.
+    // The last vector of a group may extend past the vectors above, because groups start at any index.
     std::fill_n(surfaces.material.begin() + count, k_ray_padding, surfaces.material[last]);
 }
 
-/// The surface points of a vector of hits, as the formulas of lighting and of ray origins take them.
+/// The surface points of a vector of hits, for the formulas of lighting and of ray origins.
 HWY_INLINE SurfacePoint<Doubles> surface_at(const SurfaceBatch& surfaces, int h) {
     return {load_vector3(surfaces.point, h), load_vector3(surfaces.normal, h),
             load_vector3(surfaces.incoming, h), load(surfaces.magnitude.data() + h)};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The stages of a tile, from its camera rays to its pixels.
+// Renders a tile: calls the stages, from camera rays to pixels.
 #if defined(GLINT_TRACE_TILE_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLINT_TRACE_TILE_INL_H_
 #undef GLINT_TRACE_TILE_INL_H_
@@ -20,7 +20,7 @@ HWY_BEFORE_NAMESPACE();
 namespace glint {
 namespace HWY_NAMESPACE {
 
-/// The stages of one light.
+/// Runs the stages of one light.
 inline void light_surfaces(const WorldParts& world, const Light& light, TileScratch& s) {
     FirstHits* const first_hits = s.surfaces.generation == 0 && s.first_hits.wanted ? &s.first_hits : nullptr;
     sample_light(world, light, s.surfaces, s.light_samples, s.shadow_rays);
@@ -37,7 +37,7 @@ inline void light_surfaces(const WorldParts& world, const Light& light, TileScra
         record_light(world, light, s.surfaces, s.light_samples, s.shadow_rays, *s.record);
 }
 
-/// The stages after the nearest hits of some rays of the stream. Their light goes to the film, and the mirror
+/// Runs the stages that follow intersect() for a range of rays. Adds their light to the film, and the mirror
 /// and glass rays of their surfaces to the next generation.
 inline void shade(const WorldParts& world, RayRange range, TileScratch& s) {
     const Shading shading = world.settings.shading;
@@ -63,8 +63,8 @@ inline void shade(const WorldParts& world, RayRange range, TileScratch& s) {
     queue_secondary_rays(world, s.surfaces, s.secondary, s.film, s.counts, s.record);
 }
 
-/// One sample of each pixel: the camera rays, and generation after generation the secondary rays. Returns
-/// whether any camera ray hit something.
+/// Traces one sample of each pixel: the camera rays, then the secondary rays, one generation after the other.
+/// Returns false if all camera rays miss; their light has then not been added.
 inline bool trace_sample(const WorldParts& world, TileScratch& s) {
     while (s.rays.count > 0) {
         s.secondary.rays.clear();

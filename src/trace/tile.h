@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// A tile: a fixed number of pixels whose rays go through the stages together.
+// A tile: a rectangle of pixels whose rays go through the stages together.
 #include <array>
 #include <cstddef>
 
@@ -10,12 +10,12 @@
 
 namespace glint {
 
-/// Camera rays are ordered in blocks of 8 x 8, so that neighbours are traced together.
+/// Camera rays are ordered in blocks of 8 x 8, so that packets of consecutive rays are coherent.
 inline constexpr int k_tile_block = 8;
 
 struct TileRecord;
 
-/// Where the layers of a tile go, as its rgb does; null: not asked for.
+/// The destinations of the layers of a tile, like TileJob::rgb. Null: not requested.
 struct LayerTargets {
     std::array<float*, k_layers> data{};
     float* of(Layer layer) const { return data[static_cast<std::size_t>(layer)]; }
@@ -23,14 +23,14 @@ struct LayerTargets {
 
 struct TileJob {
     int x = 0, y = 0, width = 0, height = 0;  // pixels of the picture
-    float* rgb = nullptr;  // pixel (x, y) of the tile goes to rgb[3 (row * row_pixels + column)]
+    float* rgb = nullptr;  // a pixel of the tile is written to rgb[3 (row * row_pixels + column)]
     int row_pixels = 0;
-    const LayerTargets* layers = nullptr;  // what else is asked for
+    const LayerTargets* layers = nullptr;  // null: no layers requested
 };
 
-/// The batches of a tile, reused from tile to tile by one thread.
+/// The batches of a tile. A thread reuses them for its next tile.
 struct TileScratch {
-    RayBatch rays;  // the generation at hand
+    RayBatch rays;  // the current generation
     HitBatch hits;
     SurfaceBatch surfaces;
     RadianceBatch radiance;
@@ -42,8 +42,8 @@ struct TileScratch {
     FirstHits first_hits;
 
     RayCounts counts;
-    TileRecord* record = nullptr;  // where a tile of one pixel records what its stages do (trace/record.h)
-    /// Whether all stages are run even if nothing is hit.
+    TileRecord* record = nullptr;  // records the stages of a one-pixel tile (trace/record.h); null: none
+    /// Whether all stages run even if no ray hits a shape.
     bool needs_every_stage() const { return record != nullptr || first_hits.wanted; }
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tiles that see nothing: a frustum of all their camera rays, beside which every box of the hierarchy lies.
+// Tile culling: a tile is empty if the frustum of its camera rays overlaps no box of the hierarchy.
 #if defined(GLINT_TRACE_TILE_CULLING_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLINT_TRACE_TILE_CULLING_INL_H_
 #undef GLINT_TRACE_TILE_CULLING_INL_H_
@@ -16,14 +16,16 @@ HWY_BEFORE_NAMESPACE();
 namespace glint {
 namespace HWY_NAMESPACE {
 
-/// Planes through the camera, each with the frustum on its negative side.
+/// The frustum of a tile's camera rays: four planes through the camera, with the frustum on their negative
+/// sides.
 struct TileFrustum {
     Vec3 apex;
-    Vec3 outward[4];  // the largest coordinate is 1
+    Vec3 outward[4];  // plane normals, scaled to a largest coordinate of 1
     bool exists = false;
 };
 
-/// A frustum around the rays of a tile, wider than they are by a pixel on each side.
+/// The frustum of a tile's rays, enlarged by one pixel on each side. It does not exist for views so narrow
+/// that rounding could turn its planes.
 inline TileFrustum tile_frustum(const WorldParts& world, const TileJob& job) {
     const PreparedCamera& camera = world.camera;
     const double left = job.x - 1.0, top = job.y - 1.0;
@@ -40,7 +42,6 @@ inline TileFrustum tile_frustum(const WorldParts& world, const TileJob& job) {
     for (int i = 0; i < 4; ++i) {
         const Vec3 a = corners[i], b = corners[(i + 1) % 4], n = glint::cross(a, b);
         const double size = max_abs(Vector3<double>{n.x, n.y, n.z});
-        // A view so narrow that rounding turns its planes is left alone.
         if (!(size > 1e-6 * (glint::dot(a, a) + glint::dot(b, b)))) return frustum;
         frustum.outward[i] = n * ((glint::dot(n, middle) > 0 ? -1 : 1) / size);
     }
@@ -48,15 +49,16 @@ inline TileFrustum tile_frustum(const WorldParts& world, const TileJob& job) {
     return frustum;
 }
 
-/// Which of a vector of boxes are not for certain on the outer side of a plane of the frustum. What the slab
-/// expression and this one round is below 1e-6 of the coordinates; the margin is ten times that.
+/// The boxes of a vector that may overlap the frustum: those that are not certainly outside one of its
+/// planes. The rounding errors of the slab expression and of this test are below 1e-6 of the coordinates; the
+/// margin is ten times as large.
 HWY_INLINE LaneMask<float> may_overlap(const TileFrustum& frustum, const float* const lo[3],
                                        const float* const hi[3]) {
     auto outside = Floats(0) > Floats(0);
     for (const Vec3& n : frustum.outward) {
         const double normal[3] = {n.x, n.y, n.z};
         const double apex[3] = {frustum.apex.x, frustum.apex.y, frustum.apex.z};
-        Floats least(0), size(0);  // the least distance from the plane, and of what size the terms are
+        Floats least(0), size(0);  // the smallest distance from the plane, and the size of its terms
         for (int a = 0; a < 3; ++a) {
             const Floats na(static_cast<float>(normal[a])), o(static_cast<float>(apex[a]));
             const Floats low = load(lo[a]), high = load(hi[a]);
@@ -68,7 +70,8 @@ HWY_INLINE LaneMask<float> may_overlap(const TileFrustum& frustum, const float* 
     return !outside;
 }
 
-/// Whether no camera ray of the tile can hit anything. False where that is not found out quickly.
+/// Whether no camera ray of the tile can hit a shape. An early-out: false if this is not certain after a few
+/// nodes.
 inline bool is_tile_empty(const WorldParts& world, const TileJob& job) {
     constexpr int max_nodes = 64, max_stack = max_nodes * (k_bvh_width - 1) + 1;
     const PackedGeometry& geometry = *world.geometry;
