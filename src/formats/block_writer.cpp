@@ -30,7 +30,7 @@ int byte_of(double channel) {
     return std::bit_cast<std::uint64_t>(n / 255.0) == std::bit_cast<std::uint64_t>(channel) ? n : -1;
 }
 
-// Without what a terminal would take for a command, or a program for the end of the text.
+// Replaces control characters by spaces: terminals would interpret them, and NUL may end a text.
 void append_comment(std::string& out, std::string_view text) {
     for (const char c : text) out += is_control(c) ? ' ' : c;
 }
@@ -146,7 +146,7 @@ void BlockWriter::end(std::span<const std::string_view> above, std::span<const s
     out_ += '\n';
 }
 
-// The keys, in as many lines as they need; the first line's indent is there already.
+// Writes the keys in as many lines as they need. The indentation of the first line has been written.
 void BlockWriter::append_filled(std::size_t indent) {
     std::size_t column = indent, from = 0;
     breaks_.push_back({line_.size(), Where::key});

@@ -16,7 +16,7 @@ namespace glint {
 void append(std::string& out, double number);
 /// (x, y, z)
 void append(std::string& out, Vec3 v);
-/// (r, g, b), or rgb255(r, g, b) where that is shorter and the same.
+/// (r, g, b), or rgb255(r, g, b) if it is shorter and exact.
 void append(std::string& out, Color c);
 /// (c0, c1, c2)
 void append(std::string& out, const Attenuation& a);
@@ -29,28 +29,28 @@ class BlockWriter {
   public:
     explicit BlockWriter(std::string& out) : out_(out) {}
 
-    /// From here on no block is broken into several lines.
+    /// From now on, each block is written on one line.
     void keep_lines_whole() { one_line_ = true; }
 
-    /// Begins a block. head: all before its `{`, padded to `width`; empty: keys without a block.
+    /// Begins a block. head: the text before its `{`, padded to `width`; empty: keys without a block.
     void begin(std::string_view head, std::size_t width = 0);
     /// Begins `word "name" {`, or `word {` if the name is empty.
     void begin(std::string_view word, std::string_view name, std::size_t width = 0);
     /// Begins `key = ` and returns the text that the value is appended to.
     std::string& key(std::string_view name);
-    /// The line may be broken here, within a value.
+    /// Allows a line break here, within a value.
     void allow_break() { breaks_.push_back({line_.size(), Where::value}); }
-    /// The next key begins a line if the block needs several.
+    /// The next key starts a new line if the block needs several lines.
     void begin_part() { part_begins_ = true; }
-    /// Ends the block. above: comments before it; after: comments behind it, or before it if there is no
-    /// room.
+    /// Ends the block. above: comments before it; after: comments on its last line, or before it if they do
+    /// not fit.
     void end(std::span<const std::string_view> above = {}, std::span<const std::string_view> after = {});
 
     /// `head {`, and `}`: a block of blocks.
     void open(std::string_view head);
     void close();
 
-    /// Comments, each in a line of its own.
+    /// Writes comments, one per line.
     void comments(std::span<const std::string_view> lines);
 
   private:

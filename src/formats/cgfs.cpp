@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// .cgfs: the listings of "Computer Graphics from Scratch", and a camera beside them. docs/formats/cgfs.md.
+// .cgfs: the listings of "Computer Graphics from Scratch", extended by a camera. docs/formats/cgfs.md.
 #include <fmt/format.h>
 
 #include <tuple>
@@ -70,7 +70,7 @@ class CgfsReader {
         return p_.number(viewport_[1], k_length);
     }
 
-    // direction = rotation * viewport point: the columns are where x, y and z go.
+    // direction = rotation * viewport point: the columns are the images of x, y and z.
     void set_camera_frame() {
         const auto& r = rotation_;
         reading_.camera_given = true;
@@ -134,7 +134,7 @@ class CgfsReader {
         return true;
     }
 
-    // Spheres that look the same share a material.
+    // Spheres with equal surfaces share a material.
     std::uint32_t material(const Token& word, Color color, double specular, double reflective) {
         const auto next = static_cast<std::uint32_t>(scene_.materials.size());
         const auto [at, is_new] = looks_.try_emplace({color.r, color.g, color.b, specular, reflective}, next);
@@ -249,7 +249,7 @@ class CgfsReader {
     Parser p_;
     BlockReader blocks_{p_, k_words, "`sphere`, `light`, `camera` or `background`"};
     std::map<Look, std::uint32_t> looks_;
-    bool has_view_ = false;           // the text says something about its camera
+    bool has_view_ = false;           // the text sets a property of its camera
     double viewport_[3] = {1, 1, 1};  // width, height, distance
     Vec3 rotation_[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
 };

@@ -199,10 +199,10 @@ class SceneComments::Scanner {
     SceneComments& to_;
     const std::string_view text_;
     const Dialect dialect_;
-    std::span<const Item> items_;  // those not reached yet
+    std::span<const Item> items_;  // the items after the current position
     const Item* current_ = nullptr;
     std::size_t item_depth_ = 0, depth_ = 0;
-    bool opened_ = false, closed_ = false;  // the brackets of the present item
+    bool opened_ = false, closed_ = false;  // the brackets of the current item
     std::size_t at_ = 0, line_start_ = 0;
     std::uint32_t line_ = 1, end_line_ = 0, last_comment_line_ = 0;
     bool has_code_ = false;   // in this line, so far
@@ -249,7 +249,7 @@ SceneComments::SceneComments(const Scene& scene, std::span<const SceneText> text
     const auto add_all = [&](const ItemTexts& list, ItemKind kind) {
         for (std::size_t i = 0; i < list.places.size(); ++i) add(list.places[i], kind, i);
     };
-    // Of several in one place, the first counts.
+    // If several items have the same place, the first one counts.
     add_all(scene.shape_texts, ItemKind::shape);
     add_all(scene.light_texts, ItemKind::light);
     add(scene.camera_place, ItemKind::camera, 0);

@@ -30,13 +30,13 @@ struct SettingFields {
     std::vector<Field> fields;
 };
 
-// A group that is open. Its own keys come before what it holds.
+// An open group. Its keys precede its contents.
 struct Group {
     GlintContext context;
     GlintItem item;
     FieldSet set{"group", k_item_fields, material_hints()};
     Token word;
-    bool has_begun = false;  // what it holds: the context is complete
+    bool has_begun = false;  // its contents have begun: the context is complete
 };
 
 class GlintReader {
@@ -106,7 +106,7 @@ class GlintReader {
             t_.materials.define(t_, word, name, keys);
     }
 
-    // conventions { } and render { }: each key as the command line takes it.
+    // conventions { } and render { }: keys and values as on the command line.
     void read_settings(const Token& word, bool are_conventions) {
         static const SettingFields conventions(true), settings(false);
         const std::string_view what = are_conventions ? "conventions block" : "render block";
@@ -177,7 +177,7 @@ class GlintReader {
         return read_color(t_, t_.scene.background, k_channel, ColorUse::surface);
     }
 
-    // The command line's profile holds against the text's; its profile file goes on top of it.
+    // The profile of the command line overrides that of the text; its profile file is applied after it.
     bool read_profile(const Token& word) {
         const Token at = p_.token();
         Token name;
@@ -244,7 +244,7 @@ class GlintReader {
         return read_item_key(t_, field, word, group.item);
     }
 
-    // What holds for the next shape, group or include.
+    // The context of the next shape, group or include.
     GlintContext& context() {
         if (groups_.empty()) return top_;
         Group& group = groups_.back();
@@ -284,7 +284,7 @@ void read_glint(LoadState& reading, const ReadText& text) { GlintReader(reading,
 void finish_glint(LoadState& reading) {
     if (!reading.glint_materials) return;
     reading.glint_materials->finish(reading);
-    // It may stand behind the mistake.
+    // After an error, the camera may be in a part that was not read.
     if (reading.diagnostics.any_errors()) reading.camera_wanted.reset();
 }
 

@@ -8,7 +8,7 @@
 namespace glint {
 namespace {
 
-// The keys: three that are no fields of the camera, then those of the fields.
+// The keys: three that are not fields of the camera, then the fields.
 enum { k_projection, k_right, k_forward };
 const FieldKeys<Camera>& camera_keys() {
     static const FieldKeys<Camera> keys({{"projection"}, {"right"}, {"forward"}}, k_camera_fields);
@@ -35,7 +35,7 @@ constexpr SpellingHint k_hints[] = {{"fov", k_fov},
                                     {"viewer", "`lighting_eye`"},
                                     {"observer", "`lighting_eye`"}};
 
-// What does not go together. Each mistake is named at the block.
+// Reports keys that exclude each other, at the block.
 void check(GlintText& t, const FieldSet& set, const Token& word, const Camera& camera) {
     const FieldKeys<Camera>& keys = camera_keys();
     const int look_at = keys.key_of(&Camera::look_at), up = keys.key_of(&Camera::up),

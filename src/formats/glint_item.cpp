@@ -75,7 +75,7 @@ bool read_item_key(GlintText& t, int field, const Token& key, GlintItem& item) {
     return true;
 }
 
-// One map alone keeps its numbers: composing with the identity may turn -0 into 0.
+// A single map keeps its numbers: composition with the identity may turn -0 into 0.
 std::optional<Affine> compose_maps(const std::optional<Affine>& outer, const std::optional<Affine>& inner) {
     if (!outer || (inner && *outer == Affine{})) return inner;
     if (!inner || *inner == Affine{}) return outer;

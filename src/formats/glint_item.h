@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// What every shape and group of glint's own language may say: its material and its transforms.
+// The keys that every shape and group of .glint may have: its material and its transforms.
 #include <algorithm>
 #include <array>
 #include <optional>
@@ -21,22 +21,22 @@ inline constexpr auto k_item_fields = [] {
     std::copy(std::begin(k_transform_fields), std::end(k_transform_fields), next);
     return all;
 }();
-// Beside at most eight of a shape's own.
+// A shape has at most eight keys of its own in addition.
 static_assert(k_item_fields.size() + 8 <= k_max_keys);
 
 struct GlintItem {
-    std::uint32_t material = k_none;  ///< the one that is named
-    MaterialKeys keys;                ///< what is said of it in place
-    std::optional<Affine> map;        ///< the item's own coordinates to those around it
+    std::uint32_t material = k_none;  ///< the named material
+    MaterialKeys keys;                ///< the material's keys in the block
+    std::optional<Affine> map;        ///< the item's coordinates to those of the enclosing group
 };
 
 /// Reads the value of one of those keys.
 bool read_item_key(GlintText& t, int field, const Token& key, GlintItem& item);
 
-/// Of two, one that is the identity gives way to the other.
+/// Composes two maps; if one is the identity, the result has the bits of the other.
 std::optional<Affine> compose_maps(const std::optional<Affine>& outer, const std::optional<Affine>& inner);
 
-/// What a shape takes over from the groups around it.
+/// What a shape inherits from the enclosing groups.
 struct GlintContext {
     std::uint32_t material = k_none;
     std::uint32_t transform = k_none;  ///< the index of `map`, once something uses it

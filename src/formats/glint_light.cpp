@@ -8,7 +8,7 @@
 namespace glint {
 namespace {
 
-// The keys: two that are no fields, then those of the fields.
+// The keys: two that are not fields, then the fields.
 enum { k_type, k_intensity };
 const FieldKeys<Light>& light_keys() {
     static const FieldKeys<Light> keys({{"type"}, {"intensity"}}, k_light_fields);
@@ -60,7 +60,7 @@ void read_glint_light(GlintText& t, const Token& word) {
                 return read_field(t, *keys.field(key), light);
         }
     });
-    if (!whole || errors != t.reading.diagnostics.error_count()) return;  // of what kind it is may be unknown
+    if (!whole || errors != t.reading.diagnostics.error_count()) return;  // the kind may be unknown
     const int position = keys.key_of(&Light::position), to_light = keys.key_of(&Light::to_light),
               direction = to_light + 1;
     const bool has_direction = set.has(to_light) || set.has(direction);

@@ -48,7 +48,7 @@ void copy_field(std::size_t field, const Material& from, Material& to) {
     std::visit([&](const auto& member) { to.*member.at = from.*member.at; }, k_material_fields[field].member);
 }
 
-// What the keys do not say is the default material's.
+// Values without a key are those of the default material.
 Material made_of(const MaterialKeys& k) {
     Material m;
     for (std::size_t i = 0; i < k_coefficients; ++i) {
@@ -61,7 +61,7 @@ Material made_of(const MaterialKeys& k) {
     return m;
 }
 
-// The keys that say all of a material, such as another format made.
+// The keys that describe a material completely, for materials from other formats.
 MaterialKeys all_of(const Material& m) {
     MaterialKeys k;
     for (std::size_t i = 0; i < std::size(k_material_fields); ++i)
@@ -70,7 +70,7 @@ MaterialKeys all_of(const Material& m) {
     return k;
 }
 
-// The keys of `over` in place of those of `k`; a coefficient replaces the absolute value too.
+// Replaces keys of `k` by those of `over`; a coefficient also replaces the absolute value.
 MaterialKeys changed_keys(MaterialKeys k, const MaterialKeys& over) {
     for (std::size_t i = 0; i < std::size(k_material_fields); ++i) {
         if (over.has_field(i)) copy_field(i, over.fields, k.fields);
@@ -151,7 +151,7 @@ void GlintMaterials::define(GlintText& t, const Token& word, const Token& name, 
     const SourcePlace place = source_place(t.text, word);
     if (const auto at = t.reading.materials.find(key); at != t.reading.materials.end()) {
         const SourcePlace first = scene_.material_texts.place(at->second);
-        if (first == place) return;  // a file that is included twice
+        if (first == place) return;  // the file is included twice
         const std::string in = first.file == t.text.file || first.file >= scene_.files.size()
                                    ? std::string()
                                    : fmt::format(" of {}", scene_.files[first.file]);

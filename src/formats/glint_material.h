@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// The materials of glint's own language: by name, in place, and from one another.
+// The materials of .glint: named, in a shape's block, and derived from others.
 #include <array>
 #include <iterator>
 #include <map>
@@ -23,9 +23,9 @@ inline constexpr auto k_material_keys = [] {
     return keys;
 }();
 
-/// What a text says of a surface: the keys given, and nothing of the others.
+/// The keys that a text gives for a surface. Others are unset.
 struct MaterialKeys {
-    std::uint64_t given = 0;  ///< a bit a key
+    std::uint64_t given = 0;  ///< one bit per key
     Material fields;
     std::array<double, k_coefficients> coefficients = [] {
         std::array<double, k_coefficients> usual{};
@@ -37,30 +37,32 @@ struct MaterialKeys {
     bool has_field(std::size_t field) const { return has(k_coefficients + field); }
 };
 
-/// What people of other languages write.
+/// Spelling hints for the keys of other languages.
 std::span<const SpellingHint> material_hints();
 
 /// Reads the value of one of those keys.
 bool read_material_key(GlintText& t, int key, MaterialKeys& keys);
 
-/// One for all .glint texts of a load. Materials are indices into Scene::materials; a name may be used before
-/// it is defined, and then has its index already.
+/// The materials of all .glint texts of a load, as indices in Scene::materials. A name may be used before it
+/// is defined; it gets its index at the first use.
 class GlintMaterials {
   public:
-    /// The table of this load, made when first asked for.
+    /// The table of this load, created at the first call.
     static GlintMaterials& of(LoadState& reading);
 
-    /// The material that the text names at `name`.
+    /// The material with the name in token `name`.
     std::uint32_t named(GlintText& t, const Token& name);
 
-    /// `material NAME { keys }`. A second one of the name is an error.
+    /// `material NAME { keys }`. A second definition of a name is an error.
     void define(GlintText& t, const Token& word, const Token& name, const MaterialKeys& keys);
 
-    /// The material `base` (k_none: the default one) with some keys changed. is_shared: equal ones are one.
+    /// The material `base` (k_none: the default) with some keys changed. is_shared: equal materials get one
+    /// index.
     std::uint32_t changed(GlintText& t, const Token& word, std::uint32_t base, const MaterialKeys& keys,
                           bool is_shared);
 
-    /// After the last text: what was used before it was defined, and what never was.
+    /// After the last text: resolves names that were used before their definition, and reports undefined
+    /// ones.
     void finish(LoadState& reading);
 
   private:
@@ -73,13 +75,14 @@ class GlintMaterials {
         std::uint32_t index, base;
         MaterialKeys keys;
     };
-    /// By the bits of their materials.
+    /// Orders materials by their bits.
     struct Less {
         const std::vector<Material>* materials;
         bool operator()(std::uint32_t a, std::uint32_t b) const;
     };
 
-    /// What a Material does not say of the keys it was made of. There may be millions of materials.
+    /// The keys that a material was made of and that cannot be derived from it. There may be millions of
+    /// materials.
     struct Origin {
         std::uint64_t given = 0;
         std::array<double, k_coefficients> coefficients{};
@@ -92,10 +95,10 @@ class GlintMaterials {
 
     Scene& scene_;
     std::map<std::string, Use, std::less<>> undefined_;  // names used and not defined yet
-    std::set<std::uint32_t> unknown_;                    // materials that depend on them
-    std::vector<Change> changes_;                        // of those
+    std::set<std::uint32_t> unknown_;                    // materials that depend on undefined names
+    std::vector<Change> changes_;                        // of these materials
     std::unordered_map<std::uint32_t, Origin> origins_;
-    std::set<std::uint32_t, Less> unnamed_;  // those that may be shared
+    std::set<std::uint32_t, Less> unnamed_;  // materials that may be shared
     std::string last_name_;
     std::uint32_t last_index_ = k_none;
 };

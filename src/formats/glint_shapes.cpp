@@ -201,7 +201,7 @@ class ShapeReader {
         return t_.p.number(value, k_length);
     }
 
-    // One number: a cone with an apex.
+    // A single number: a cone with an apex.
     bool cone_radius(Cone& cone) {
         cone.to_radius = 0;
         if (!t_.p.token().is('(')) return t_.p.number(cone.from_radius, k_not_negative);

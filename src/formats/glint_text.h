@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// What the parts of the reader of glint's own language share: the text under reading, and its kinds of
-// values.
+// Shared by the parts of the .glint reader: the text being read, and the types of its values.
 #include "formats/block_reader.h"
 #include "formats/load_state.h"
 #include "scene/fields.h"
@@ -30,7 +29,7 @@ inline bool read_point(GlintText& t, Vec3& point) { return t.p.point(point, k_co
 /// (x, y, z) other than (0, 0, 0).
 bool read_direction(GlintText& t, Vec3& direction);
 
-/// Reads a value by its type. False before what is none.
+/// Reads a value by its type. False if there is no such value.
 struct ValueReader {
     GlintText& t;
     bool operator()(const NumberType& type, double& value) const { return t.p.number(value, type.range); }
@@ -43,7 +42,7 @@ struct ValueReader {
     bool operator()(AttenuationType, Attenuation& attenuation) const;
 };
 
-/// Reads the value of a field. False before what is none.
+/// Reads the value of a field. False if there is no such value.
 template <class Item> bool read_field(GlintText& t, const ItemField<Item>& field, Item& item) {
     return visit_field(field, item, ValueReader{t});
 }
@@ -51,16 +50,16 @@ template <class Item> bool read_field(GlintText& t, const ItemField<Item>& field
 /// true or false.
 bool read_bool(GlintText& t, bool& value);
 
-/// A name, bare or quoted, other than the empty one. False, after an error, if there is none.
+/// A nonempty name, bare or quoted. If there is none, reports an error and returns false.
 bool read_name(GlintText& t, std::string_view what, Token& name);
 
-/// The bytes of a setting's value, as set_setting takes them: `640 x 480`, `blinn-phong`.
+/// The text of a setting's value, for set_setting(): `640 x 480`, `blinn-phong`.
 bool read_setting_text(GlintText& t, std::string& value);
 
 /// The name of the block that was just begun, or an empty string.
 std::string block_name(const GlintText& t);
 
-/// ( item, item, ... ); read_item() reads one. False before what is no list.
+/// ( item, item, ... ); read_item() reads one. False if there is no list.
 template <class ReadItem> bool read_list(GlintText& t, std::string_view what, ReadItem&& read_item) {
     if (!t.p.accept('(')) {
         t.p.expected(fmt::format("`(` and {}", what));

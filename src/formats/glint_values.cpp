@@ -35,7 +35,7 @@ bool parse_hex(std::string_view text, Color& color) {
     return true;
 }
 
-// A bare #c8a028 is a comment, and the next token is whatever comes after it.
+// An unquoted #c8a028 is a comment, so the next token is the one after it.
 bool follows_bare_hex(const GlintText& t) {
     const auto before = t.text.place.text.substr(0, t.p.token().offset);
     const auto equals = before.rfind('=');

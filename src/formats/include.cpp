@@ -12,11 +12,11 @@ namespace glint {
 namespace {
 
 constexpr std::size_t k_max_depth = 16;
-// A file that includes another twice, which does the same, and so on, would grow without bound.
+// Files that include each other twice in a chain would grow exponentially.
 constexpr std::uint32_t k_max_includes = 10000;
 constexpr std::size_t k_max_repeated_bytes = std::size_t{64} << 20;
 
-// What an included text cannot change for those that have it already.
+// The values that an included text must not overwrite once they have been set.
 struct Kept {
     explicit Kept(const LoadState& r)
         : camera(r.scene.camera),
@@ -76,7 +76,7 @@ class Include {
                                    fmt::format("{}: {}", quoted(name), what));
     }
 
-    // As FileSources and messages name it: beside the text that includes it.
+    // The name as used by FileSources and messages: relative to the including text.
     std::string path_of(const std::string& name) const {
         if (name.starts_with('/')) return name;
         return std::string(from_.place.name.substr(0, from_.place.name.rfind('/') + 1)) + name;

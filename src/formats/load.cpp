@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Texts to one Scene: each by its format's reader, then the settings, then the check of every number.
+// Texts to one Scene: reads each text with its format's reader, applies the settings, and validates.
 #include "glint/load.h"
 
 #include <fmt/format.h>
@@ -72,7 +72,7 @@ class Loader {
         return options_.cancel != nullptr && options_.cancel->load(std::memory_order_relaxed);
     }
 
-    // What a text includes counts as read when the text is.
+    // Included texts count as part of the including text.
     bool go_on(InputText where, std::size_t offset) {
         const bool is_given = where.text.data() == texts_[reading_.includes.root].text.data();
         if (options_.progress && is_given && bytes_ > 0) {
@@ -98,7 +98,7 @@ class Loader {
         return !reading_.diagnostics.any_errors();
     }
 
-    // The texts of a scene may be of several formats; the conventions are the first one's.
+    // The texts of a scene may have different formats; the conventions are those of the first.
     void set_profile() {
         const auto own = formats_.front()->info.profile;
         const std::string wrong = set_named_profile(
@@ -146,7 +146,7 @@ class Loader {
         }
     }
 
-    // In the order of the texts; what has no place comes last.
+    // In the order of the texts; diagnostics without a place come last.
     void sort(std::vector<Diagnostic>& diagnostics) const {
         const auto file = [&](const Diagnostic& d) {
             const auto at = std::find_if(reading_.texts.begin(), reading_.texts.end(),

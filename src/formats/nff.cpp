@@ -42,7 +42,7 @@ class NffReader {
                 Severity::warning, text_.place, text_.place.text.size(), 1,
                 "no view `v`: the camera is at the origin and looks along the negative z axis");
         }
-        // A light without a colour is as bright as all lights together allow.
+        // Lights without a colour have the intensity 1 / sqrt(number of lights), as the format defines.
         const double intensity =
             1 / number::sqrt(static_cast<double>(number::max<std::size_t>(scene_.lights.size(), 1)));
         for (const std::size_t i : plain_lights_) {
@@ -80,7 +80,7 @@ class NffReader {
         if (!ok) skip_entity();
     }
 
-    // To the next word that begins an entity, or a line of the view.
+    // Skips to the next word that begins an entity or a line of the view.
     void skip_entity() {
         const auto is_beginning = [&] {
             const auto name = p_.text(p_.token());
@@ -94,7 +94,7 @@ class NffReader {
     bool whole_number(double& value, const Range& range) {
         const Token token = p_.token();
         if (!number(value, range)) return false;
-        if (!range.contains(value)) return true;  // and was told
+        if (!range.contains(value)) return true;  // an error was reported
         if (value == static_cast<double>(static_cast<std::int64_t>(value))) return true;
         p_.error(token, fmt::format("expected {}, found {}", range.text, p_.describe(token)));
         return false;
@@ -111,13 +111,13 @@ class NffReader {
         return true;
     }
 
-    // Its lines may come in any order. It ends where another entity begins.
+    // The lines may be in any order. The view ends where another entity begins.
     bool read_view(const Token& word) {
         if (reading_.camera_given) p_.warn(word, "a second view: the last one holds");
         Camera camera;
         camera.fov_axis = FovAxis::y;
         camera.fov_degrees = 45;
-        double near_plane = 0;  // of a scan-line program; a ray tracer has none
+        double near_plane = 0;  // used by scan-line renderers only
         double width = 0, height = 0;
         FieldSet keys("view", k_view);
         while (p_.token().kind == TokenKind::word && !is_one_of(k_entities, p_.text(p_.token()))) {
@@ -181,7 +181,7 @@ class NffReader {
         m.diffuse = m.color * k_d;
         m.specular = {k_s, k_s, k_s};
         m.mirror = number::min(number::max(k_s, 0.0), 1.0);
-        if (!(m.ior > 0)) m.ior = 1;  // the databases write 0 where nothing is transmitted
+        if (!(m.ior > 0)) m.ior = 1;  // the databases write 0 for opaque materials
         material_ = static_cast<std::uint32_t>(scene_.materials.size());
         note(scene_.material_texts, scene_.materials.size(), source_place(text_, word));
         scene_.materials.push_back(m);
@@ -254,7 +254,7 @@ class NffReader {
         return true;
     }
 
-    // Vertices and normals in turn. The databases' patches are triangles; a larger one is a fan.
+    // Alternating vertices and normals. The databases' patches are triangles; larger ones are cut into a fan.
     bool read_patch(const Token& word) {
         std::uint32_t count = 0;
         if (!vertex_count(count)) return false;
@@ -279,7 +279,7 @@ class NffReader {
     std::uint32_t material_ = k_none;        // of the last `f`
     std::vector<std::size_t> plain_lights_;  // without a colour
     std::vector<Vec3> patch_;
-    bool has_no_fill_ = false;  // and was told
+    bool has_no_fill_ = false;  // an error was reported
 };
 
 }  // namespace

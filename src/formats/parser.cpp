@@ -115,7 +115,8 @@ void Parser::note(const Token& token, std::string message) {
 
 void Parser::warn_ignored(std::string_view name, const Token& at, std::string_view owner,
                           std::span<const std::string_view> known) {
-    // A text may have millions of unknown names: nothing is made ready for a warning that was given.
+    // A text may have millions of unknown names: a repeated warning is skipped before its message is
+    // formatted.
     const std::string once = fmt::format("{}.{}", owner, name);
     if (stopped_ || diagnostics_.warned(once)) return;
     const std::string of = owner.empty() ? std::string() : fmt::format(" of a {}", owner);
@@ -278,7 +279,7 @@ void Parser::skip_to_separator() {
     skip_until([](const Token& t) { return t.is(',') || closes(t); });
 }
 
-// Before the first token outside further brackets that is an end.
+// Stops at the first such token outside nested brackets.
 template <class IsEnd> void Parser::skip_until(IsEnd&& is_end) {
     for (int depth = 0; !at_end();) {
         if (depth == 0 && is_end(token_)) return;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// What every reader does with tokens: looks one ahead, says what it expected, and finds its footing again
-// after a mistake.
+// Common to all readers: one token of look-ahead, messages about what was expected, and recovery after a
+// mistake.
 #include <array>
 #include <span>
 #include <string>
@@ -14,7 +14,7 @@
 
 namespace glint {
 
-/// Brackets nest this deep and no deeper.
+/// The maximum nesting depth of brackets.
 inline constexpr int k_max_nesting = 256;
 
 /// A key that a block may have.
@@ -31,12 +31,12 @@ struct SpellingHint {
 
 inline constexpr std::size_t k_max_keys = 64;
 
-/// The keys of one block: which its reader knows, and which it has met. At most k_max_keys.
+/// The keys of one block: those that its reader knows, and those read so far. At most k_max_keys.
 class FieldSet {
   public:
-    /// what: as messages call the block, "sphere". Unknown keys are ignored, with a warning.
+    /// what: the name of the block in messages, "sphere". Unknown keys are ignored, with a warning.
     FieldSet(std::string_view what, std::span<const Field> fields) : what_(what), fields_(fields) {}
-    /// Unknown keys are mistakes; where there is a spelling hint the message has it.
+    /// Unknown keys are errors, with the spelling hint if there is one.
     FieldSet(std::string_view what, std::span<const Field> fields, std::span<const SpellingHint> hints)
         : what_(what), fields_(fields), hints_(hints), is_strict_(true) {}
     std::string_view what() const { return what_; }
@@ -66,15 +66,15 @@ class Parser {
     bool at_end() const { return token_.kind == TokenKind::end; }
     bool at_closing_bracket() const;
     std::string_view text(const Token& token) const { return place_.text.substr(token.offset, token.length); }
-    /// A word, or what a string stands for.
+    /// A word, or the decoded value of a string.
     std::string name(const Token& token) const;
 
     /// Takes the symbol if it is the current token.
     bool accept(char symbol);
-    /// As accept, with an error if it is not there.
+    /// As accept(), with an error if the symbol is missing.
     bool expect(char symbol);
 
-    /// Messages say so where they meet what only a program could read: `.map(`, a call, an operator.
+    /// Makes messages mention program code: `.map(`, a call, an operator.
     void refuse_code() { refuse_code_ = true; }
 
     /// "expected X, found Y" at the current token.
@@ -89,32 +89,32 @@ class Parser {
     /// "'abc'", "the end of the text", ...
     std::string describe(const Token& token) const;
 
-    /// Reads a number. False if there is none. One out of range is an error too, but the text goes on.
+    /// Reads a number. False if there is none. A number out of range is an error, but reading continues.
     bool number(double& value, const Range& range);
     /// Reads as many numbers (1 to 4) as there are values between the brackets, with commas between them.
-    /// After a mistake skips to `close`.
+    /// After a mistake, skips to `close`.
     bool numbers(std::span<double> values, const Range& range, char open, char close);
     bool triple(double (&values)[3], const Range& range, char open, char close);
     bool point(Vec3& value, const Range& range, char open, char close);
     /// Reads one of the words, bare or quoted. expected: "`point` or `ambient`". False if there is none.
     bool choice(std::span<const std::string_view> words, std::string_view expected, int& index);
 
-    /// The index of the key in the set, which notes it; -1, with a message, if the reader does not know it.
+    /// Marks the key as read and returns its index in the set; -1, with a message, if it is unknown.
     int field(FieldSet& set, const Token& key, std::string_view key_name);
-    /// Reports, at `block`, the keys that a block must have and has not. False if there are any.
+    /// Reports, at `block`, required keys that are missing. False if there are any.
     bool check_required(const FieldSet& set, const Token& block);
 
-    /// Skips a word, a number, a string, or brackets with all that is in them. False after an error.
+    /// Skips a word, a number, a string, or brackets with their contents. False after an error.
     bool skip_value();
-    /// Skips to the `close` that ends the brackets we are in, and over it; stays before a closing bracket
-    /// that does not fit.
+    /// Skips past the `close` that ends the current brackets. Stops before a closing bracket that does not
+    /// match.
     void skip_to_close(char close);
-    /// Skips the rest of a value: to a comma or a closing bracket of the brackets we are in.
+    /// Skips the rest of a value: to a comma or a closing bracket of the current brackets.
     void skip_to_separator();
-    /// Nothing more is read from this text.
+    /// Stops reading this text.
     void stop();
 
-    /// False once the text was stopped, or as many errors were found as anyone reads.
+    /// False after stop(), or when the maximum number of errors has been reached.
     bool alive() const { return !stopped_; }
 
   private:
@@ -131,7 +131,7 @@ class Parser {
     Token token_;
     std::uint32_t until_report_ = 0;  // tokens
     bool stopped_ = false;
-    bool is_token_reported_ = false;  // the current token is a mistake by itself, and was named
+    bool is_token_reported_ = false;  // an error of the current token itself has been reported
     bool refuse_code_ = false;
 };
 

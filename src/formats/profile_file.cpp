@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::string_view k_blanks = " \t\r\v\f";
 
-// The part of the line from `from` on without blanks around it; its place is that of its first byte.
+// The trimmed part of the line from `from` on; its place is that of its first byte.
 std::string_view trimmed(std::string_view text) {
     const std::size_t first = text.find_first_not_of(k_blanks);
     if (first == std::string_view::npos) return text.substr(text.size());

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// Tokenizer for all formats. One pass with constant work per byte; places cost nothing.
+// The tokenizer of all formats: one pass, with constant work per byte.
 #include <cstddef>
 #include <cstdint>
 #include <string>

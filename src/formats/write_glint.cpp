@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Scene -> .glint, so that load() makes the same scene of it. docs/formats/glint.md is the language.
+// Scene to .glint, such that load() reads back the same scene. docs/formats/glint.md describes the language.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -18,7 +18,7 @@
 namespace glint {
 namespace {
 
-constexpr std::size_t k_readable = 10000;  // shapes; of more, each is one line
+constexpr std::size_t k_readable = 10000;  // shapes; in larger scenes each shape is one line
 constexpr std::size_t k_widest_column = 24;
 constexpr std::string_view k_origin = "Converted from ";
 

@@ -15,7 +15,7 @@
 namespace glint {
 namespace {
 
-// c with c * color == k, bit for bit; the one with the fewest decimals.
+// The c with c * color == k, bit for bit, that has the fewest decimals.
 std::optional<double> find_coefficient(Color color, Color k) {
     const auto gives_k = [&](double c) { return c >= 0 && c <= 1 && same_bits(color * c, k); };
     if (gives_k(0)) return 0;
@@ -40,7 +40,7 @@ void write_term(BlockWriter& block, Color color, Color k, const MaterialCoeffici
     append(absolute, k);
     const auto c = find_coefficient(color, k);
     if (c) append(relative, *c);
-    // Many digits are no number that anyone chose.
+    // A coefficient with many digits was not chosen by the author.
     if (c && relative.size() <= absolute.size()) {
         block.key(coefficient.key) += relative;
     } else {
@@ -64,7 +64,7 @@ MaterialPlan::MaterialPlan(const Scene& scene) {
     choose_names(scene, uses);
 }
 
-// By sorting, so that no choice of materials makes it slow.
+// Sorts, so that no choice of materials makes it slow.
 void MaterialPlan::merge_unnamed(const Scene& scene) {
     std::vector<std::uint32_t> unnamed;
     written_.resize(scene.materials.size());
@@ -81,7 +81,7 @@ void MaterialPlan::merge_unnamed(const Scene& scene) {
     }
 }
 
-// A name that several materials have goes to the first of them that a shape has.
+// If several materials have the same name, the first one that is used by a shape keeps it.
 void MaterialPlan::choose_names(const Scene& scene, const std::vector<std::uint32_t>& uses) {
     named_.resize(uses.size());
     std::set<std::string, std::less<>> taken;

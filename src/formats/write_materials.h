@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// Materials as .glint writes them: which have a name, and the words of each.
+// Materials in .glint: their names and keys.
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -11,15 +11,15 @@
 
 namespace glint {
 
-/// How each material of a scene is written. One without a name that only one shape has is written in that
-/// shape's block; those without a name that are the same, bit for bit, are written as one.
+/// The text form of a scene's materials. An unnamed material of a single shape is written in the shape's
+/// block; unnamed materials with equal bits are written as one.
 class MaterialPlan {
   public:
     explicit MaterialPlan(const Scene& scene);
 
-    /// The material that is written for this one.
+    /// The material that is written in place of this one.
     std::uint32_t written(std::uint32_t material) const { return written_[material]; }
-    /// Whether it has a block of its own, and its name there.
+    /// Whether the material has a block of its own; name() is the name of that block.
     bool is_named(std::uint32_t material) const { return named_[written_[material]] != 0; }
     std::string_view name(std::uint32_t material) const;
 
@@ -32,7 +32,7 @@ class MaterialPlan {
     std::vector<std::string> names_;
 };
 
-/// The keys of the material, all that is not as the language has it without the key.
+/// The keys of the material; default values are omitted.
 void write_material_keys(BlockWriter& block, const Material& material);
 
 /// True if the two have the same bits.

@@ -10,7 +10,7 @@ template <> struct FieldMembers<Camera> {
                              FieldMember<Camera, Vec3, DirectionType>>;
 };
 
-/// Beside these, .glint has `projection`. `fov_x` and `fov_y` say fov_axis, too.
+/// .glint also has `projection`. `fov_x` and `fov_y` also set fov_axis.
 inline constexpr ItemField<Camera> k_camera_fields[] = {
     {"position", "position", "position", point_field(&Camera::position), "where the camera is"},
     {"look_at", "look_at", "target", point_field(&Camera::look_at),
@@ -34,7 +34,7 @@ inline constexpr ItemField<Camera> k_camera_fields[] = {
      .otherwise = "the ray's origin"},
 };
 
-/// In .glint, keys of the camera.
+/// In .glint, these are keys of the camera.
 inline constexpr ItemField<CameraFrame> k_frame_fields[] = {
     {.key = "right",
      .name = "right",

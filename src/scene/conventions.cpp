@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Every field of Conventions and RenderSettings as text: one row a key.
+// The fields of Conventions and RenderSettings as text: one row per key.
 #include "glint/conventions.h"
 
 #include <fast_float/fast_float.h>
@@ -54,7 +54,7 @@ std::string_view trimmed(std::string_view text) {
     return text;
 }
 
-// A parser returns an empty string, or what is wrong; a printer gives the text that the parser takes.
+// A parser returns an error message or an empty string; a printer returns text that the parser accepts.
 using Parse = std::string (*)(Conventions&, RenderSettings&, const SettingKey&, std::string_view);
 using Print = std::string (*)(const Conventions&, const RenderSettings&);
 
@@ -64,7 +64,7 @@ struct Row {
     Print print;
 };
 
-// The field, in whichever of the two has it.
+// The field, in Conventions or RenderSettings.
 template <auto Member, class C, class S> auto& field(C& conventions, S& settings) {
     if constexpr (requires { conventions.*Member; }) {
         return conventions.*Member;

@@ -2,7 +2,7 @@
 #pragma once
 // The fields of lights, materials and cameras: one row each, in light_fields.h, material_fields.h and
 // camera_fields.h. The reader and the writer of .glint, validate(), `glint info`, the JSON of explanations,
-// the page's controls and the tables of docs/formats/glint.md go by these rows.
+// the page's controls and the tests of docs/formats/glint.md use these rows.
 #include <array>
 #include <bit>
 #include <compare>
@@ -18,10 +18,10 @@
 
 namespace glint {
 
-/// What a colour is for: where a channel above which a warning asks whether the numbers are bytes.
+/// The use of a colour. It decides from which channel value on a warning asks whether the numbers are bytes.
 enum class ColorUse : std::uint8_t { surface, coefficient, light };
 
-// The types of fields. A visitor of fields has a function for each, or it does not compile.
+// The types of fields. A visitor must have a function for each, or it does not compile.
 
 struct NumberType {
     static constexpr std::string_view word = "number";
@@ -44,12 +44,12 @@ struct AttenuationType {
     static constexpr std::string_view word = "attenuation";
 };
 
-/// Where an item has a value, and of what type it is.
+/// The member that holds the value, and its type.
 template <class Item, class Value, class Type> struct FieldMember {
     Value Item::*at;
     Type type;
 };
-/// What the fields of an Item may be. An item with further types has a specialisation beside its fields.
+/// The types of an Item's fields. Items with further types specialise this next to their fields.
 template <class Item> struct FieldMembers {
     using Any = std::variant<FieldMember<Item, double, NumberType>, FieldMember<Item, Vec3, PointType>,
                              FieldMember<Item, Vec3, DirectionType>, FieldMember<Item, Color, ColorType>>;
@@ -67,7 +67,8 @@ template <class Item> struct ItemField {
     bool required = false;                    ///< where it applies, .glint must give it
     std::string_view other_key = {};          ///< a second key in .glint
     std::string_view phrase = {};             ///< before the value in `glint info`: "at"; empty: the label
-    std::string_view otherwise = {};  ///< what .glint takes for a field that is not given; empty: the default
+    std::string_view otherwise =
+        {};  ///< the value in .glint of a field that is not given; empty: the default
 };
 
 template <class Item> constexpr auto number_field(double Item::*at, const Range& range) {
@@ -86,14 +87,14 @@ template <class Item> constexpr auto attenuation_field(Attenuation Item::*at) {
     return FieldMember<Item, Attenuation, AttenuationType>{at, {}};
 }
 
-/// Calls visit(type, value) with the item's value, and returns what it returns.
+/// Calls visit(type, value) with the item's value, and returns its result.
 template <class Item, class Visit>
 constexpr decltype(auto) visit_field(const ItemField<Item>& field, Item& item, Visit&& visit) {
     return std::visit(
         [&](const auto& member) -> decltype(auto) { return visit(member.type, item.*member.at); },
         field.member);
 }
-/// The same without the right to change it: visit() is not called for a value that is absent.
+/// The same for a const item. visit() is not called for an absent value.
 template <class Item, class Visit>
 constexpr void visit_field(const ItemField<Item>& field, const Item& item, Visit&& visit) {
     std::visit(

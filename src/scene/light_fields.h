@@ -10,7 +10,7 @@ template <> struct FieldMembers<Light> {
                              FieldMember<Light, Attenuation, AttenuationType>>;
 };
 
-/// Beside these, .glint has `type`, which is the kind, and `intensity`, a factor of both colors.
+/// .glint also has `type`, the kind, and `intensity`, a factor of both colors.
 inline constexpr ItemField<Light> k_light_fields[] = {
     {"color", "color", "color", color_field(&Light::color, k_channel, ColorUse::light),
      "I_a, or I_l,d: times the intensity"},
@@ -42,7 +42,7 @@ inline constexpr ItemField<Light> k_light_fields[] = {
      "min(1/(c0 + c1 d + c2 d^2), 1) at distance d", &Light::has_attenuation},
 };
 
-/// Whether it is one of the colors, which .glint multiplies by the intensity.
+/// Whether the field is a color, which .glint multiplies by the intensity.
 constexpr bool is_light_color(const ItemField<Light>& field) {
     return is_field_of(field, &Light::color) || is_field_of(field, &Light::specular_color);
 }

@@ -44,7 +44,7 @@ inline constexpr ItemField<Material> k_material_fields[] = {
 struct MaterialCoefficient {
     std::string_view key;
     Color Material::*field;
-    double usual;  ///< what it is if only the color is given
+    double usual;  ///< the coefficient if only the color is given
     Range range;
     std::string_view description;
 };

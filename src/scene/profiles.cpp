@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What each source means, as data. docs/conventions.md has the same table and says why.
+// The conventions of each source, as data. docs/conventions.md has the same table, with reasons.
 #include <array>
 
 #include "base/status.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// The valid ranges of a scene's numbers: one table for the readers, which point at the number, and for
+// The valid ranges of a scene's numbers, for the readers, which report the number's place, and for
 // validate().
 #include <string_view>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Every number and index of a scene, checked once, so that no later module has to.
+// Checks every number and index of a scene, so that later modules need not.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -93,7 +93,7 @@ class Validator {
         if (!full()) mistakes_.push_back({Severity::error, place, std::move(message), item_, index_});
     }
 
-    // What the errors that follow are about.
+    // Sets the item of the following errors.
     void begin(SceneItem item, std::size_t index = 0) {
         item_ = item;
         index_ = static_cast<std::uint32_t>(index);
@@ -124,7 +124,7 @@ class Validator {
         }
     }
 
-    // Each setting must be one that its own text form can say.
+    // A setting is valid if its text form is.
     void check_settings() {
         Scene copy;
         const auto keys = setting_keys();
@@ -168,7 +168,7 @@ class Validator {
         }
     }
 
-    // What the values of fields may be, by type.
+    // The valid values of fields, by type.
     struct ValueCheck {
         Validator& validator;
         SourcePlace place;
@@ -212,7 +212,7 @@ class Validator {
                                item("material", i, scene_.material_texts.name(i)));
     }
 
-    // place: nothing where that of the first shape that it is for is to be looked up.
+    // place: nothing for a transform, whose place is that of the first shape with it.
     void check_transform(std::uint32_t i, std::optional<SourcePlace> place) {
         const auto& m = scene_.transforms[i].m;
         bool finite = true;
@@ -229,7 +229,7 @@ class Validator {
                      : fmt::format("transform {}: expected numbers from -1e12 to 1e12", i + 1));
     }
 
-    // Of the first shape that it is for.
+    // The place of the first shape with the transform.
     SourcePlace place_of_transform(std::uint32_t i) const {
         for (std::size_t s = 0; s < scene_.shapes.size(); ++s) {
             if (scene_.shapes[s].transform == i)
@@ -257,7 +257,7 @@ class Validator {
         for (const std::string& mistake : shapes_.mistakes(s)) shape_error(i, mistake);
     }
 
-    // The text of a shape is made only when there is something to say: there may be millions.
+    // The name of a shape is formatted only for a message: there may be millions of shapes.
     void shape_error(std::uint32_t i, std::string_view message) {
         begin(SceneItem::shape, i);
         const std::string of = item(to_string(scene_.shapes[i].kind), i, scene_.shape_texts.name(i));
@@ -297,7 +297,7 @@ class Validator {
 
     const Scene& scene_;
     ShapeCheck shapes_;
-    SceneItem item_ = SceneItem::none;  // that is being looked at
+    SceneItem item_ = SceneItem::none;  // the item being checked
     std::uint32_t index_ = 0;
     std::vector<Mistake> mistakes_;
 };
