@@ -41,7 +41,7 @@ Diagnostic make_diagnostic(Severity severity, InputText where, std::size_t offse
     const std::size_t start = offset - (column - 1);
     std::size_t end = where.text.find_first_of("\r\n", offset);
     if (end == std::string_view::npos) end = where.text.size();
-    // Of a very long line, only the part around the place is shown.
+    // Shows only the part of a very long line around the place.
     const std::size_t shown = std::max(start, offset > k_max_shown / 2 ? offset - k_max_shown / 2 : 0);
     const std::size_t shown_end = std::min(end, shown + k_max_shown);
     Diagnostic d;

@@ -46,10 +46,9 @@ class Diagnostics {
                    std::string message);
     /// True if warn_once() with this key would add nothing.
     bool warned(std::string_view key) const;
-    /// True when reading should stop: as many errors as anyone reads, or the watcher said so.
+    /// True when reading should stop: after max_errors errors, or if the watcher returned false.
     bool full() const { return errors_ >= max_errors_ || is_stopped_; }
-    /// Called by those who read, now and then, with their text and their place in it. It returns false to
-    /// stop them.
+    /// Called by readers at intervals, with their text and their place in it. Returns false to stop them.
     using Watcher = std::function<bool(InputText where, std::size_t offset)>;
     void set_watcher(Watcher watcher) { watcher_ = std::move(watcher); }
     /// False when reading should stop.

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// The caller's callbacks, which need not be ready for two threads at once.
+// Serialises the caller's callbacks, which need not be thread-safe.
 #include <functional>
 #include <memory>
 
 namespace glint {
 
-/// Runs bodies that several threads hand to it one after the other, each on the thread that brings it.
+/// Runs the bodies that several threads pass to run() one at a time, each on its caller's thread.
 class OneAtATime {
   public:
     OneAtATime();

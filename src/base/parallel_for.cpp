@@ -93,7 +93,9 @@ class LentArena {
   public:
     explicit LentArena(int threads) : arena_(idle_arenas().take(threads)) {}
     ~LentArena() {
-        status_of([&] { idle_arenas().put_back(std::move(arena_)); });  // no memory to keep it: it ends here
+        status_of([&] {
+            idle_arenas().put_back(std::move(arena_));
+        });  // without memory to keep it, it is destroyed
     }
     LentArena(const LentArena&) = delete;
     LentArena& operator=(const LentArena&) = delete;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// How the library's own code makes Results. Exceptions of libraries and bad_alloc stop at the public
-// functions. The browser build has no exceptions.
+// Makes the Results of the library's functions. Exceptions of other libraries and bad_alloc are caught here.
+// The browser build has no exceptions.
 #include <exception>
 #include <new>
 #include <string>
@@ -18,7 +18,7 @@ inline Status invalid_argument(std::string message) {
 }
 inline Status cancelled() { return failure(ErrorCode::cancelled, "cancelled"); }
 
-/// Of diagnostics that have an error: its place and message are the Status's.
+/// The Status of diagnostics with an error. Its message is that of the first error, with its place.
 Status failure(ErrorCode code, std::vector<Diagnostic> diagnostics);
 inline Status invalid_scene(std::vector<Diagnostic> diagnostics) {
     return failure(ErrorCode::invalid_scene, std::move(diagnostics));
@@ -35,8 +35,8 @@ class StatusError : public std::exception {
     Status status_;
 };
 
-/// What body() returns, a Status or a Result; or the exception that it threw as a failure, with `doing` after
-/// its message: " while preparing the scene".
+/// Returns the result of body(), a Status or a Result. An exception becomes a failure. doing: appended to its
+/// message, " while preparing the scene".
 template <class Body>
 auto result_of(Body&& body, [[maybe_unused]] const char* doing = "") -> decltype(body()) {
 #if defined(__cpp_exceptions)
@@ -63,7 +63,7 @@ auto result_of(Body&& body, [[maybe_unused]] const char* doing = "") -> decltype
 #endif
 }
 
-/// The same of a body that returns nothing.
+/// The same for a body without a return value.
 template <class Body> Status status_of(Body&& body, const char* doing = "") {
     return result_of(
         [&] {

@@ -13,7 +13,7 @@ HWY_BEFORE_NAMESPACE();
 namespace glint {
 namespace HWY_NAMESPACE {
 
-/// The nodes still to visit; the next is on top. Uninitialised, because it has thousands of entries.
+/// The nodes to visit, the next one on top. Uninitialised, because it has thousands of entries.
 template <class StackEntry> class TraversalStack {
   public:
     bool empty() const { return top_ == 0; }
@@ -43,8 +43,8 @@ struct KeyedChild {
     bool is_nearer_than(const KeyedChild& other) const { return key < other.key; }
 };
 
-/// Puts the nearer of two first, without a branch, which would often be mispredicted. With min and max,
-/// g++ 12 would use vectors.
+/// Sorts two children by distance. Uses no branch, which would often be mispredicted, and neither min nor
+/// max, for which g++ 12 would use vectors.
 HWY_INLINE void sort(KeyedChild& a, KeyedChild& b) {
     const std::int64_t swapped = (a.key ^ b.key) & -static_cast<std::int64_t>(b.key < a.key);
     a.key ^= swapped;

@@ -131,7 +131,7 @@ int vary_command(SceneOption& scene, const Variation& variation, int threads, bo
         for (const std::string& value : variation.values) {
             set_setting(loaded.scene, variation.key, value, {SettingOrigin::Kind::command, {}});
             Result<World> changed = with_rules(prepared, loaded.scene.conventions, loaded.scene.settings);
-            // What rules alone cannot change, and what is wrong with a value, prepare() knows.
+            // Other changes, and invalid values, need prepare(), which reports errors.
             const World world = changed ? *std::move(changed) : prepare_or_fail(loaded.scene, threads);
             Image now = render_or_fail(world, threads);
             steps.push_back({value, {}});

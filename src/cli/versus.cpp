@@ -133,7 +133,7 @@ std::string explained_json(const Side& side, const LargestDifference& pixel) {
     return explanation_json(*explanation, side.loaded.scene).value();
 }
 
-// Is the pixel one whose neighbours have nearly its colour, in the picture as it is shown?
+// Whether the pixel's neighbours have nearly its colour in the displayed picture.
 bool is_inside(const Image& image, std::int32_t x, std::int32_t y) {
     const auto at = [&](std::int32_t u, std::int32_t v) {
         return &image.rgb[3 * (static_cast<std::size_t>(v) * static_cast<std::size_t>(image.width) +
@@ -151,8 +151,8 @@ bool is_inside(const Image& image, std::int32_t x, std::int32_t y) {
     return true;
 }
 
-// The pixel to explain: the one that differs most inside an object. On an edge the two drawings may show
-// different objects, which says nothing of the rules.
+// The pixel to explain: the one that differs most inside an object. At an edge the two pictures may show
+// different objects, which does not explain the rules.
 LargestDifference largest_inside(const Image& a, const Image& b, const LargestDifference& largest) {
     LargestDifference found;
     for (std::int32_t y = 0; y < a.height; ++y) {

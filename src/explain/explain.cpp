@@ -16,7 +16,7 @@
 namespace glint {
 namespace {
 
-// The shape that blocks a shadow ray; the nearest one to the shaded point.
+// The shape that blocks a shadow ray: the one nearest to the shaded point.
 std::optional<Blocker> find_blocker(const WorldParts& world, const LightTerms& terms, Vec3 shaded,
                                     bool from_light) {
     const auto nearest = [&](Vec3 origin, Vec3 direction, double t_min,
@@ -29,7 +29,7 @@ std::optional<Blocker> find_blocker(const WorldParts& world, const LightTerms& t
         return Blocker{world.geometry->shape_index[hit.slot[0]], length(at - shaded), at};
     };
     std::optional<Blocker> blocker;
-    // The same line, traced from the other end.
+    // The same line in the opposite direction.
     if (from_light) {
         blocker = nearest(terms.origin + terms.direction, -terms.direction, 1 - terms.t_max, 1 - terms.t_min);
     }

@@ -18,7 +18,7 @@ struct ScreenPoint {
     double x = 0, y = 0;  // in pixels from the picture's top-left corner
 };
 
-// Where a point of the world is in the picture.
+// The position in the picture of a point of the world.
 class View {
   public:
     explicit View(const WorldParts& world)
@@ -27,7 +27,7 @@ class View {
           width_(world.settings.width),
           height_(world.settings.height) {}
 
-    // How far along the camera's forward: what is not in front of a perspective camera has no place.
+    // The distance along the camera's forward direction. Points behind a perspective camera have no position.
     double depth(Vec3 p) const { return projection_.coordinates(p).depth; }
     bool is_perspective() const { return is_perspective_; }
 
@@ -141,7 +141,7 @@ void draw_lights(Pen& pen, const ExplainedHit& hit, const Scene& scene, const Wo
     }
 }
 
-// The reason why nothing can be drawn, or an empty string.
+// The error message, or an empty string.
 std::string overlay_fault(const Image& picture, const Explanation& e, const Scene& scene,
                           const World& world) {
     const RenderSettings& settings = world.parts().settings;

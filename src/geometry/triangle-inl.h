@@ -30,7 +30,7 @@ struct TriangleGeometry {
         Triangle out;
         for (int i = 0; i < 3; ++i)
             out.vertices[i] = transform_point(world_from_object, triangle.vertices[i]);
-        // A mirroring map reverses the order of the vertices; the front must stay the front.
+        // A mirroring map reverses the winding; swapping two vertices keeps the front side.
         if (determinant(world_from_object) < 0) std::swap(out.vertices[1], out.vertices[2]);
         return out;
     }
@@ -41,7 +41,7 @@ struct TriangleGeometry {
         const auto box = packed_bounds(p);
         lo = {box.lo.x, box.lo.y, box.lo.z}, hi = {box.hi.x, box.hi.y, box.hi.z};
     }
-    /// The same, from the packed values: a triangle's box is computed when needed, which saves its memory.
+    /// The bounds from the packed values. Boxes of triangles are not stored, to save memory.
     template <class T> struct PackedBounds { Vector3<T> lo, hi; };
     template <class T> static HWY_INLINE PackedBounds<T> packed_bounds(const T* p) {
         const auto least = [&](int k) HWY_ATTR { return min(min(p[k], p[k + 3]), p[k + 6]); };
@@ -49,9 +49,9 @@ struct TriangleGeometry {
         return {{least(0), least(1), least(2)}, {most(0), most(1), most(2)}};
     }
 
-    /// A ray prepared for the formula: `start` is the point of its line that is nearest to the world's
-    /// origin, so that distance does not reduce precision; it is sheared into the plane perpendicular to its
-    /// major axis (0 to 2).
+    /// A ray prepared for the formula. origin: the point of its line that is nearest to the world's origin,
+    /// at t = start, so that distance does not reduce precision. shear_x, shear_y: shear the direction onto
+    /// its major axis (0 to 2).
     template <class T> struct ShearedRay {
         static constexpr int k_values = 6;
         Vector3<T> origin;

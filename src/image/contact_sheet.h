@@ -24,7 +24,7 @@ Image scaled_down(const Image& picture, std::int32_t side);
 struct SheetLayout {
     std::int32_t side = 160;  ///< pixels: the maximum width and height of a picture
     std::size_t columns = 1;  ///< cells per row
-    /// Rows below the first row, which is the head. Further rows continue in a block beside it, with its
+    /// Rows below the first row, which is the head. Further rows continue in a block to the right, with its
     /// own head. 0: no head, and only one block.
     std::size_t rows = 0;
 };

@@ -15,7 +15,7 @@ std::unique_ptr<StripEncoder> make_ppm_encoder(std::int32_t width, std::int32_t 
 std::unique_ptr<StripEncoder> make_exr_encoder(std::int32_t width, std::int32_t height, ByteFile& file);
 
 std::vector<std::uint8_t> encode_exr(const Image& image);
-/// Of several parts; the layers have the picture's size.
+/// A file of several parts. The layers have the picture's size.
 std::vector<std::uint8_t> encode_exr_layers(const Image& picture, std::span<const LayerImage> layers);
 
 }  // namespace glint

@@ -47,18 +47,18 @@ HWY_INLINE Cosines<T> cosines(Vector3<T> normal, Vector3<T> l, Vector3<T> v, con
     return {n_l, T(0)};
 }
 
-/// Where the specular term may be other than 0.
+/// The mask of points whose specular term may be nonzero.
 template <class T> HWY_INLINE auto has_highlight(const Cosines<T>& c, const LightingRules& rules) {
     const auto positive = rules.clamp_cosines ? c.s > T(0) : c.s > T(0) || c.s < T(0);
     return rules.specular_gate ? positive && (c.n_l > T(0)) : positive;
 }
 
-/// What multiplies k_d I_l,d of a visible light, without the attenuation.
+/// The factor of k_d I_l,d for a visible light, without the attenuation.
 template <class T> HWY_INLINE T diffuse_term(T n_l, const LightingRules& rules) {
     return rules.clamp_cosines ? max(n_l, T(0)) : n_l;
 }
 
-/// S^n, which multiplies k_s I_l,s of a visible light where there is a highlight.
+/// S^n, the factor of k_s I_l,s for a visible light where there is a highlight.
 template <class T> HWY_INLINE T highlight_power(T s, T shininess, const LightingRules& rules) {
     // Without normalisation S may be large: this keeps the film finite.
     const T power = min(pow(abs(s), shininess), T(1e30));

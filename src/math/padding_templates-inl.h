@@ -10,9 +10,9 @@
 namespace glint {
 namespace GLINT_NUMBER_NAMESPACE {
 
-/// How far the sides lo and hi of a box are moved outwards along an axis: two to four units in the last place
-/// of a float, by which rounding may move a shape's surface. A formula's error is relative to the magnitudes
-/// it computes with, so both sides are padded by the larger one's.
+/// The distance by which the sides lo and hi of a box are moved outwards along an axis: two to four ulp of a
+/// float, the distance by which rounding may move a shape's surface. The error of a formula is relative to
+/// the largest magnitude in it, so both sides are padded for the larger one.
 template <class T> GLINT_INLINE T box_padding(T lo, T hi) {
     return max(abs(lo), abs(hi)) * T(0x1p-23) + T(1e-30);
 }

@@ -47,7 +47,7 @@ Json light_json(const Scene& scene, std::uint32_t index) {
     return json;
 }
 
-/// What a page needs for the controls of a kind of item.
+/// The data for a page's controls of a kind of item.
 template <class Item> Json fields_json(std::span<const ItemField<Item>> fields) {
     Json list = Json::array();
     for (const ItemField<Item>& field : fields) {
@@ -70,7 +70,7 @@ template <class Item> Json fields_json(std::span<const ItemField<Item>> fields) 
     return list;
 }
 
-/// Every setting: its value, what the profile has, and who set it.
+/// Every setting: its value, the profile's value, and its origin.
 Json settings_json(const Scene& scene) {
     Scene plain;
     apply_profile(plain, scene.profile);

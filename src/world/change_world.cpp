@@ -31,7 +31,7 @@ template <class Body> Result<World> change_world(const Body& body) {
     return result_of(run, " while changing the World");
 }
 
-// Why there is no material of this index.
+// The error for an invalid material index.
 Status no_material(std::uint32_t index, std::uint32_t count) {
     return invalid_argument(
         fmt::format("there is no material {}: the scene has {}", std::uint64_t{index} + 1, count));

@@ -32,10 +32,10 @@ struct EditIndex {
 /// For a geometry that has not been refitted.
 EditIndex make_edit_index(const PackedGeometry& geometry);
 
-/// The index that a built geometry and all its copies share, whichever of them is edited first.
+/// The index of a geometry, shared with all its copies. The first edit of any of them makes it.
 class SharedEditIndex {
   public:
-    /// From any thread. geometry: not refitted yet.
+    /// Can be called from any thread. geometry: not yet refitted.
     std::shared_ptr<const EditIndex> get(const PackedGeometry& geometry);
 
   private:

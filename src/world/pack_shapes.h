@@ -18,7 +18,7 @@ std::optional<PackedGeometry> pack_shapes(const Scene& scene, bool cones, const 
 void write_primitive(const Primitives& primitives, const Primitive& primitive, const Aabb& box,
                      std::uint32_t slot, ShapeClass& shapes, PackedGeometry& geometry);
 
-/// By slot, padded: the row of the shape's material in a table of so many materials and the default one.
+/// By slot, padded: the row of the shape's material in a table of `materials` rows and the default one.
 std::vector<std::uint32_t> find_slot_materials(const Scene& scene, const PackedGeometry& geometry,
                                                std::size_t materials, int threads);
 

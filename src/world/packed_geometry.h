@@ -38,11 +38,11 @@ struct PackedGeometry {
     std::vector<float> box_lo[3], box_hi[3];  // by slot: the shape's padded bounds; computed for triangles
     std::vector<std::uint32_t> shape_index;   // by slot: the index in Scene::shapes
     std::vector<std::uint32_t> piece;         // by slot: the polygon's triangle, from 0; k_open_shape
-    std::uint32_t scene_shapes = 0;           // how many the scene has
-    bool has_cones = false;                   // the scene has some, packed or left out by the conventions
+    std::uint32_t scene_shapes = 0;           // the number of the scene's shapes
+    bool has_cones = false;                   // the scene has cones, packed or omitted by the conventions
     std::shared_ptr<SharedEditIndex> shared_index;  // of this geometry and its copies
     std::shared_ptr<const EditIndex> edit_index;    // set by the first edit
-    BvhCost cost;  // of the hierarchy as it is; kept once there is an edit_index
+    BvhCost cost;  // of the current hierarchy; kept up to date once there is an edit_index
 
     static constexpr std::uint32_t k_open_shape = 0x80000000u;
     std::uint32_t piece_of(std::uint32_t slot) const { return piece[slot] & ~k_open_shape; }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Scene -> World.
+// Scene to World.
 #include "base/fp_environment.h"
 #include "base/status.h"
 #include "scene/mistakes.h"

@@ -39,8 +39,8 @@ HWY_INLINE void pad_sides(Doubles lo, Doubles hi, float* lower, float* upper) {
     store_narrow(hi + pad, upper);
 }
 
-/// The planes of the boxes of slots [first, first + count), count <= lanes, by axis. What is past them means
-/// nothing.
+/// The planes of the boxes of slots [first, first + count), count <= lanes, by axis. Further lanes are
+/// unspecified.
 template <class Geometry> struct PrimitiveBounds {
     const float *lo[3], *hi[3];
 

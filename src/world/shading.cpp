@@ -34,7 +34,7 @@ PreparedLights prepare_lights(std::span<const Light> lights) {
         }
         prepared.lights.push_back(light);
         Vec3& to_light = prepared.lights.back().to_light;
-        // Squares of shorter ones vanish.
+        // The squares of shorter vectors underflow.
         if (light.has_direction() && length(to_light) < k_min_direction)
             to_light = normalize(to_light) * k_min_direction;
     }
