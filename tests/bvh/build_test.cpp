@@ -70,7 +70,7 @@ class Checker {
     Aabb node(std::uint32_t index, int depth) {
         Aabb all;
         if (depth > 200 || index >= bvh_.nodes.size()) {
-            ADD_FAILURE() << "a child refers to no node, or to its own";
+            ADD_FAILURE() << "a child refers to an invalid node, or to its own";
             return all;
         }
         ++nodes_;
@@ -200,7 +200,7 @@ TEST(Bvh, TheSameForAnyNumberOfThreads) {
     }
 }
 
-TEST(Bvh, PartsWhatIsApart) {
+TEST(Bvh, SeparatesDistantClusters) {
     // Two clusters far apart: no child of the root contains both.
     Random random(54);
     Input input;

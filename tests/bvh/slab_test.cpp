@@ -71,7 +71,7 @@ template <class Pad> void check(Pad pad) {
     }
 }
 
-TEST(PreparedRays, AreFollowedByRaysThatMeetNoBox) {
+TEST(PreparedRays, ArePaddedWithRaysThatMissEveryBox) {
     [[maybe_unused]] const auto supported = supported_targets();
 #if HWY_TARGETS & HWY_AVX3
     if (supported & HWY_AVX3) check(N_AVX3::pad);

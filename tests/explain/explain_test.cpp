@@ -82,7 +82,7 @@ void check_light(const Scene& scene, const World& world, const ExplainedHit& hit
     const bool from_light =
         scene.lights[terms.light].has_position() && scene.conventions.shadow_stops_at_light;
     const double t = from_light ? last_t(world, terms) : first_t(world, terms);
-    ASSERT_GE(t, 0) << "the shadow ray of a blocked light meets nothing";
+    ASSERT_GE(t, 0) << "the shadow ray of a blocked light hits nothing";
     const double distance = length(terms.origin + terms.direction * t - hit.point);
     EXPECT_NEAR(terms.blocker->distance, distance, 1e-6 * (1 + terms.distance))
         << "another blocker is nearer to the point";
@@ -125,7 +125,7 @@ void check_pixel(const Scene& scene, const World& world, const Image& picture, i
     }
 }
 
-TEST(Explain, TenThousandPixelsAreThePicturesOwn) {
+TEST(Explain, TenThousandPixelsEqualThePicture) {
     std::mt19937 random(5);
     int pixels = 0, blocked = 0;
     const auto files = test::scene_files(GLINT_PROJECT_DIR "/scenes");
@@ -154,7 +154,7 @@ TEST(Explain, TenThousandPixelsAreThePicturesOwn) {
         }
     }
     EXPECT_GE(pixels, 10000);
-    EXPECT_GT(blocked, 1000) << "too few shadows to say much about blockers";
+    EXPECT_GT(blocked, 1000) << "too few shadows for a test of blockers";
 }
 
 TEST(Explain, UnlitShadingsAndEveryInstructionSet) {
@@ -174,7 +174,7 @@ TEST(Explain, UnlitShadingsAndEveryInstructionSet) {
             << isa;
 }
 
-// A page of a book: the sum of a pixel, computed by hand.
+// The sum of a pixel, computed by hand.
 TEST(Explain, APlaneUnderOneLight) {
     Scene scene;
     scene.materials.push_back({.ambient = {0.1, 0.1, 0.1}, .diffuse = {0.5, 0.5, 0.5}});
@@ -226,7 +226,7 @@ TEST(Explain, OneSampleAlone) {
 }
 
 // Between two mirrors of glass each sample has thousands of rays.
-TEST(Explain, TooManyRaysAreToldASampleAtATime) {
+TEST(Explain, TooManyRaysNeedOneSampleAtATime) {
     Scene scene;
     scene.materials.push_back({.mirror = 0.5, .transmission = 0.5, .ior = 1.5});
     scene.add(Sphere{.center = {0, 0, -4}, .radius = 1}, 0);
@@ -262,7 +262,7 @@ TEST(Explain, WhyThereIsNoHighlight) {
     EXPECT_EQ(highlight_reason(hit.lights[0], hit, scene), HighlightReason::unshaded);
 }
 
-TEST(Explain, WhatCannotBeExplained) {
+TEST(Explain, InvalidRequests) {
     const auto scene = test::load_file(GLINT_PROJECT_DIR "/scenes/epfl/castle.json", "size=64x64");
     const Result<World> world = prepare(*scene);
     EXPECT_NE(explain(*scene, *world, 64, 0).message, "");

@@ -19,7 +19,7 @@ std::vector<Layer> all_layers() {
 }
 
 const LayerImage& of(const Result<Rendering>& result, Layer layer) {
-    return result->layers[static_cast<std::size_t>(layer)];  // all were asked for
+    return result->layers[static_cast<std::size_t>(layer)];  // all layers were requested
 }
 
 Result<Rendering> with_layers(const World& world, std::optional<Crop> crop = {}) {
@@ -40,7 +40,7 @@ TEST(Layers, LightAddsUpToThePicture) {
         const Result<Rendering> plain = render(*world), result = with_layers(*world);
         ASSERT_TRUE(plain && result);
         ASSERT_EQ(result->layers.size(), std::size_t{k_layers});
-        EXPECT_EQ(plain->image.rgb, result->image.rgb) << "asking for layers changes the picture";
+        EXPECT_EQ(plain->image.rgb, result->image.rgb) << "requesting layers changes the picture";
         EXPECT_EQ(plain->rays.total(), result->rays.total());
         for (std::size_t i = 0; i < plain->image.rgb.size(); ++i) {
             float sum = 0;
@@ -50,7 +50,7 @@ TEST(Layers, LightAddsUpToThePicture) {
     }
 }
 
-TEST(Layers, TellOfTheFirstSurface) {
+TEST(Layers, DescribeTheFirstSurface) {
     Scene scene;
     scene.background = {0, 0, 1};
     scene.materials.resize(2);
@@ -75,7 +75,7 @@ TEST(Layers, TellOfTheFirstSurface) {
     EXPECT_EQ(of(r, Layer::object).values[sky], 0);
     EXPECT_EQ(of(r, Layer::normal).values[3 * sky], 0);
     EXPECT_EQ(of(r, Layer::background).values[3 * sky + 2], 1);
-    // The sphere throws a shadow on the plane.
+    // The sphere casts a shadow on the plane.
     bool shadowed = false;
     for (std::size_t p = 0; p < 33 * 33; ++p) {
         const float share = of(r, Layer::shadow).values[p];
@@ -107,7 +107,7 @@ TEST(Layers, AreTheSameInCropsAndOnEveryInstructionSet) {
     }
 }
 
-TEST(Layers, AskedForWrongly) {
+TEST(Layers, InvalidRequests) {
     const Result<World> world = prepare(Scene{});
     RenderOptions options;
     options.layers = {Layer::depth, Layer::depth};

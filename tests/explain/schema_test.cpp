@@ -77,7 +77,7 @@ TEST(ExplainSchema, HoldsOverTheGallery) {
             const int y = (7 * i + 11) % 40;
             const Result<Explanation> explained = explain(*scene, *world, i, y);
             ASSERT_EQ(explained.ok(), i >= 0) << explained.message;
-            // As the browser's API answers where there is no pixel.
+            // The result of the browser's API for a position outside the picture.
             const json failed = {{"pixel", {i, y}}, {"samples", 1}, {"error", explained.message}};
             const std::string text = i < 0 ? failed.dump() : explanation_json(*explained, *scene).value();
             EXPECT_EQ(schema.fault(json::parse(text)), "") << path << " pixel " << i;
@@ -86,7 +86,7 @@ TEST(ExplainSchema, HoldsOverTheGallery) {
     }
     for (const char* word : {"\"error\"", "\"blocker\"", "\"limit\"", "\"transmitted\",\"sample\"",
                              "\"turned_away\"", "\"behind\""})
-        EXPECT_NE(all.find(word), std::string::npos) << word << " was never asked about";
+        EXPECT_NE(all.find(word), std::string::npos) << word << " was never tested";
     EXPECT_NE(schema.fault(json{{"pixel", {1, 2}}}), "");
     EXPECT_NE(schema.fault(json{{"pixel", {1, 2}}, {"samples", 1}, {"more", 1}}), "");
     EXPECT_NE(schema.fault(json{{"pixel", {1, 2.5}}, {"samples", 1}}), "");

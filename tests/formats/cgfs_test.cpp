@@ -86,7 +86,7 @@ TEST(Cgfs, ReadsTheCameraAndTheBackground) {
         "camera { position = (3, 0, 1)\n rotation = ((0.5, 0, -0.7), (0, 1, 0.25), (0.7, 0, 0.6)) }\n"
         "background = (0, 51, 255)\n");
     EXPECT_EQ(s.camera.position, (Vec3{3, 0, 1}));
-    // direction = rotation * viewport point: x, y and z of the viewport go where the columns say.
+    // direction = rotation * viewport point: the columns are the images of the viewport's x, y and z.
     EXPECT_EQ(*s.camera.frame, (CameraFrame{{0.5, 0, 0.7}, {0, 1, 0}, {-0.7, 0.25, 0.6}}));
     EXPECT_EQ(s.background, (Color{0, 0.2, 1}));
     EXPECT_EQ(s.camera_place.line, 3u);
@@ -102,14 +102,14 @@ TEST(Cgfs, ReadsTheViewportOfChapterTwo) {
     EXPECT_EQ(*wide.camera.frame, (CameraFrame{{0, 0, -2}, {0, 1.5, 0}, {3, 0, 0}}));
 }
 
-TEST(Cgfs, NotesWhereItemsAre) {
+TEST(Cgfs, StoresThePlacesOfItems) {
     const Scene s = scene_of(std::string(k_light) + "\n  " + std::string(k_sphere));
     EXPECT_EQ(s.files, std::vector<std::string>{"a.cgfs"});
     EXPECT_EQ(s.light_texts.place(0), (SourcePlace{1, 1, 0}));
     EXPECT_EQ(s.shape_texts.place(0), (SourcePlace{3, 3, 0}));
 }
 
-TEST(Cgfs, SpheresThatLookTheSameShareAMaterial) {
+TEST(Cgfs, EqualSurfacesShareAMaterial) {
     std::string text(k_light);
     for (int i = 0; i < 10; ++i) text += k_sphere;
     text += "sphere { center = (1, 2, 3) radius = 4 color = (255, 51, 0) reflective = 0.5 }\n";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Any scene as .glint draws the same picture, bit for bit.
+// A scene converted to .glint renders to the same bits.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -49,7 +49,7 @@ std::string expect_same(const Scene& scene, std::span<const SceneText> texts, co
     const std::vector<float> picture = small_picture(scene);
     EXPECT_FALSE(picture.empty()) << what;
     EXPECT_TRUE(same_bits(picture, small_picture(*again))) << what;
-    // Once converted, it stays as it is, comments too.
+    // Converting again changes nothing, comments included.
     const SceneText written{"again.glint", text, {}};
     if (!texts.empty()) {
         EXPECT_EQ(write_glint(*again, {&written, 1}).value(), text) << what;
@@ -65,7 +65,7 @@ class Files : public Sources {
     }
 };
 
-// False if the text is no scene.
+// False if the text is not a scene.
 bool expect_same_file(const std::string& path, const std::string& format) {
     const std::string text = read_whole_file(path);
     const SceneText texts[] = {{path, text, format}};

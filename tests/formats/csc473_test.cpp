@@ -31,7 +31,7 @@ TEST(Csc473, TheCamerasKeysComeInAnyOrderAndHaveDefaults) {
     EXPECT_EQ(s.camera.frame->forward, (Vec3{0, 0, -1}));
 }
 
-TEST(Csc473, ALightIsBesideTheAmbientOne) {
+TEST(Csc473, AddsAnAmbientLight) {
     const Scene s = scene_of(CAMERA LIGHT "light_source{<1,2,3>, rgbf <1,1,1,0>} sphere { <0,0,0>, 2 }");
     ASSERT_EQ(s.lights.size(), 3u);
     EXPECT_EQ(s.lights[0].kind, LightKind::ambient);
@@ -65,7 +65,7 @@ TEST(Csc473, ReadsPigmentAndFinish) {
     EXPECT_EQ(s.material_texts.place(0).line, 3u);
 }
 
-TEST(Csc473, WhatAShapeDoesNotSayIsBlackAndDull) {
+TEST(Csc473, MissingAttributesAreBlackAndMatte) {
     const Scene s = scene_of(CAMERA LIGHT
                              "sphere { <0,0,0>, 2 } sphere { <0,0,0>, 1 pigment { rgb <1,1,1> } }"
                              "sphere { <0,0,0>, 1 finish { roughness 9 } }");
@@ -79,7 +79,7 @@ TEST(Csc473, WhatAShapeDoesNotSayIsBlackAndDull) {
     EXPECT_EQ(s.materials[2].shininess, 0) << "no exponent below 0";
 }
 
-TEST(Csc473, NeighboursOfOneSurfaceShareTheMaterial) {
+TEST(Csc473, EqualNeighboursShareAMaterial) {
     const std::string red = "sphere { <0,0,0>, 2 pigment { color rgb <1,0,0> } finish { ambient 1 } }\n";
     const std::string dull = "sphere { <0,0,0>, 2 pigment { color rgb <1,0,0> } }\n";
     const Scene s = scene_of(CAMERA LIGHT + red + red + dull + dull + red);
@@ -107,7 +107,7 @@ TEST(Csc473, ReadsShapes) {
     EXPECT_EQ(s.shape_texts.place(3).line, 6u);
 }
 
-TEST(Csc473, ReadsConesAndSaysThatTheyAreNotDrawn) {
+TEST(Csc473, ReadsConesAndReportsThatTheyAreNotRendered) {
     const Result<Scene> result = load_text(CAMERA LIGHT "cone { <0, 0, 1>, 2, <0, 0, -3>, 0 }", "a.pov");
     ASSERT_TRUE(result);
     const Cone& c = result->get<Cone>().at(0);
@@ -151,7 +151,7 @@ TEST(Csc473, MapsAreAppliedInTheOrderWritten) {
 }
 
 class Csc473Mistakes : public testing::TestWithParam<BadText> {};
-TEST_P(Csc473Mistakes, AreNamedWhereTheyAre) { expect_messages(GetParam(), "a.pov"); }
+TEST_P(Csc473Mistakes, AreReportedAtTheirPlace) { expect_messages(GetParam(), "a.pov"); }
 
 #define CL CAMERA LIGHT
 #define BLOCKS "`camera`, `light_source`, `sphere`, `plane`, `triangle`, `box` or `cone`"

@@ -64,7 +64,7 @@ template <class Item> std::string row_of(const ItemField<Item>& field) {
     return fmt::format("{} | {} |", row_start(field), field.description);
 }
 
-// Which kinds of light have a field.
+// The kinds of light that have a field.
 std::string kinds_of(const ItemField<Light>& field) {
     std::string kinds;
     int count = 0;
@@ -77,16 +77,17 @@ std::string kinds_of(const ItemField<Light>& field) {
     return count == k_light_kinds ? "all" : kinds;
 }
 
-// Every row is expected, or is of one of the other keys.
+// Every row is expected, or belongs to one of the other keys.
 void expect_rows(const std::vector<std::string>& rows, const std::vector<std::string>& expected,
                  const std::vector<std::string>& other_keys) {
     for (const std::string& row : expected)
-        EXPECT_EQ(std::count(rows.begin(), rows.end(), row), 1) << "the document lacks the row\n" << row;
+        EXPECT_EQ(std::count(rows.begin(), rows.end(), row), 1) << "the row is missing in the document\n"
+                                                                << row;
     for (const std::string& row : rows) {
         const auto is_of = [&](const std::string& key) { return row.starts_with("| " + key + " |"); };
         EXPECT_TRUE(std::find(expected.begin(), expected.end(), row) != expected.end() ||
                     std::any_of(other_keys.begin(), other_keys.end(), is_of))
-            << "no field has the row\n"
+            << "there is no field for the row\n"
             << row;
     }
     EXPECT_EQ(rows.size(), expected.size() + other_keys.size());
@@ -130,7 +131,7 @@ TEST(DocumentedFields, OfTheSettings) {
     expect_rows(rows_below(read_document("conventions.md"), "The keys"), expected, {});
 }
 
-// Tables that readers go by have every field once, under keys and names of their own.
+// The tables that the readers use contain every field once, with distinct keys and names.
 template <class Item> void expect_distinct(std::span<const ItemField<Item>> fields) {
     std::set<std::string_view> keys, names;
     for (const ItemField<Item>& field : fields) {
@@ -161,7 +162,7 @@ TEST(LightKinds, HaveWords) {
     EXPECT_EQ(to_string(static_cast<LightKind>(k_light_kinds)), "unknown light");
 }
 
-TEST(LightKinds, AnswerForThemselves) {
+TEST(LightKinds, HaveTheirProperties) {
     Light light;
     light.position = {1, 2, 3};
     light.to_light = {0, 0, 5};

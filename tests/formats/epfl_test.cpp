@@ -134,7 +134,7 @@ TEST(Epfl, ASceneIsChosenByItsName) {
               "no scene is called 'tset'; there is 'test'");
 }
 
-TEST(Epfl, CodeInASceneThatIsNotReadDoesNoHarm) {
+TEST(Epfl, IgnoresCodeInOtherScenes) {
     const std::string text =
         "const a = [\n{ name: 'bad', camera: {}, spheres: [1, 2].map(x => ({ name: 'inner' })) },\n" +
         std::string(k_json) + "];";
@@ -155,7 +155,7 @@ TEST(Epfl, ScenesMayBeStatementsOfTheirOwn) {
     EXPECT_TRUE(load_text("export default [" + std::string(k_json) + "]", "a.js"));
 }
 
-TEST(Epfl, MissingCoefficientsAreNamed) {
+TEST(Epfl, ReportsMissingCoefficients) {
     std::string text(k_json);
     const std::string from = "\"ambient\": 0, \"diffuse\": 1, \"specular\": 0, \"shininess\": 4, ";
     text.replace(text.find(from), from.size(), "");
@@ -167,7 +167,7 @@ TEST(Epfl, MissingCoefficientsAreNamed) {
     EXPECT_EQ(result->materials[1].shininess, 1);
 }
 
-TEST(Epfl, OfTwoMaterialsWithOneNameTheLastHolds) {
+TEST(Epfl, TheLastMaterialOfANameCounts) {
     std::string text(k_json);
     text.replace(text.find("\"name\": \"b\""), 11, "\"name\": \"a\"");
     text.replace(text.find("\"material\": \"b\""), 15, "\"material\": \"a\"");

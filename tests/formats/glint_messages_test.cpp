@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is said of mistakes in glint's own language.
+// The messages for mistakes in .glint.
 #include "formats/mistakes.h"
 
 namespace glint::test {
 namespace {
 
 class GlintMistakes : public testing::TestWithParam<BadText> {};
-TEST_P(GlintMistakes, AreNamedWhereTheyAre) { expect_messages(GetParam(), "a.glint"); }
+TEST_P(GlintMistakes, AreReportedAtTheirPlace) { expect_messages(GetParam(), "a.glint"); }
 
 #define CAMERA "camera { position = (0, 0, 5) }\n"
 #define LIGHT "light { position = (0, 9, 5) }\n"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// .glint: what each block becomes in the Scene.
+// .glint: the Scene that each block gives.
 #include <map>
 
 #include "formats/load_text.h"
@@ -36,7 +36,7 @@ Scene scene_of(std::string_view text, Sources* sources = nullptr, const LoadOpti
     return result ? *std::move(result) : Scene{};
 }
 
-// Of shapes alone: with the camera that a scene needs.
+// Loads shapes, with the camera that a scene needs.
 Scene shapes_of(const std::string& text, Sources* sources = nullptr) {
     return scene_of(std::string(k_camera) + text, sources);
 }
@@ -124,7 +124,7 @@ TEST(Glint, MakesMaterialsOfCoefficientsAndOfColors) {
     EXPECT_EQ(s.materials[2].ambient, (Color{0.5, 0.25, 1} * 0.1));
     EXPECT_EQ(s.materials[2].diffuse, (Color{0.5, 0.25, 1} * 0.8));
     EXPECT_EQ(s.materials[2].specular, (Color{0, 0, 0}));
-    EXPECT_EQ(s.materials[3].ambient, (Color{0.33, 0.22, 0.03})) << "the color holds against the coefficient";
+    EXPECT_EQ(s.materials[3].ambient, (Color{0.33, 0.22, 0.03})) << "the color overrides the coefficient";
     EXPECT_EQ(s.materials[3].diffuse, (Color{3, 0.57, 0.11}));
     EXPECT_EQ(s.materials[3].specular, (Color{0.99, 0.94, 0.81}));
     EXPECT_EQ(s.materials[3].color, Material{}.color);
@@ -154,7 +154,7 @@ TEST(Glint, MaterialsMayBeUsedBeforeTheyAreDefined) {
     EXPECT_EQ(of(2).ior, 3);
 }
 
-TEST(Glint, MaterialsInPlaceStartFromTheOneThatHolds) {
+TEST(Glint, MaterialsInABlockStartFromTheCurrentOne) {
     const Scene s =
         shapes_of("material gold { color = (1, 0.5, 0)  diffuse = 0.5  shininess = 40 }\n" + k_ball +
                   "color = (0, 1, 0)  shininess = 10 }\n" + k_ball + "shininess = 10  color = (0, 1, 0) }\n" +
@@ -163,7 +163,7 @@ TEST(Glint, MaterialsInPlaceStartFromTheOneThatHolds) {
     const auto of = [&](std::size_t i) { return s.materials[s.shapes[i].material]; };
     EXPECT_EQ(of(0).color, (Color{0, 1, 0}));
     EXPECT_EQ(of(0).shininess, 10);
-    EXPECT_EQ(s.shapes[0].material, s.shapes[1].material) << "equal ones are one";
+    EXPECT_EQ(s.shapes[0].material, s.shapes[1].material) << "equal materials are shared";
     EXPECT_EQ(of(2).diffuse, (Color{0, 0, 0.5}));
     EXPECT_EQ(of(2).shininess, 40);
     EXPECT_EQ(of(3).color, (Color{1, 0.5, 0}));
@@ -220,11 +220,11 @@ TEST(Glint, AppliesTransformsInTheOrderWritten) {
     // About x first: y goes to z, then about y: z goes to x.
     EXPECT_EQ(transform_point(s.transforms[1], {0, 1, 0}), (Vec3{1, 0, 0}));
     EXPECT_EQ(s.transforms[2], (Affine{{{0.1, 0.2, 0.3, 4}, {0, 1, 0.7, 5}, {0, 0, 1, 0}}}));
-    EXPECT_TRUE(1 / s.transforms[2].m[2][3] < 0) << "the very numbers of the text, -0 too";
-    EXPECT_EQ(s.transforms[3], Affine{}) << "the identity is kept, as other formats keep it";
+    EXPECT_TRUE(1 / s.transforms[2].m[2][3] < 0) << "the bits of the text, -0 too";
+    EXPECT_EQ(s.transforms[3], Affine{}) << "the identity is kept, as in other formats";
 }
 
-TEST(Glint, GroupsHoldForWhatIsInThem) {
+TEST(Glint, GroupsApplyToTheirContents) {
     const Scene s =
         shapes_of("material gold { }\ngroup \"tower\" { material = gold  scale = 2  translate = (1, 0, 0) " +
                   k_ball + "}" + k_ball + "} group { rotate = (0, 0, 90) " + k_ball +
@@ -268,12 +268,12 @@ TEST(Glint, SetsConventionsAndSettings) {
     const Scene overridden = scene_of(text, nullptr, options);
     EXPECT_EQ(overridden.profile, "epfl");
     EXPECT_EQ(overridden.conventions.mirror_miss, MissRule::black);
-    EXPECT_EQ(overridden.conventions.epsilon, 1e-3) << "what the text says by hand holds against a profile";
+    EXPECT_EQ(overridden.conventions.epsilon, 1e-3) << "explicit values in the text override a profile";
     EXPECT_EQ(overridden.settings.samples, 2);
     EXPECT_EQ(scene_of("render { size=64x48 }" + std::string(k_camera)).settings.height, 48);
 }
 
-TEST(Glint, WantsACamera) {
+TEST(Glint, RequiresACamera) {
     EXPECT_NE(errors_of("sphere { center = (0, 0, 0)  radius = 1 }").find("expected a camera"),
               std::string::npos);
     const SceneText texts[] = {{"a.glint", "sphere { center = (0, 0, 0)  radius = 1 }", {}},
@@ -309,7 +309,7 @@ TEST(GlintInclude, AddsAnotherTextsItems) {
     EXPECT_EQ(s.conventions, Conventions{}) << "those of the first text";
 }
 
-TEST(GlintInclude, TakesTheGroupAroundIt) {
+TEST(GlintInclude, InheritsTheEnclosingGroup) {
     MapSources sources;
     sources.texts = {{"b.glint", k_ball + "}" + k_ball + "ior = 2  translate = (1, 0, 0) }"},
                      {"d.cgfs", "sphere { center = (0, 0, 0) radius = 1 color = (0, 255, 0) }"}};
@@ -328,11 +328,11 @@ TEST(GlintInclude, TakesTheGroupAroundIt) {
     EXPECT_EQ(at(3, {0, 0, 0}), (Vec3{0, 5, 0}));
     EXPECT_EQ(at(4, {0, 0, 0}), (Vec3{1, 5, 0}));
     EXPECT_EQ(s.shapes[0].material, 0u);
-    EXPECT_EQ(s.materials[s.shapes[2].material].color, (Color{0, 1, 0})) << "it has a material of its own";
+    EXPECT_EQ(s.materials[s.shapes[2].material].color, (Color{0, 1, 0})) << "it has its own material";
     EXPECT_EQ(s.shapes[3].material, k_none);
 }
 
-TEST(GlintInclude, ItsCameraHoldsOnlyIfThereIsNoOther) {
+TEST(GlintInclude, ItsCameraCountsOnlyIfThereIsNoOther) {
     MapSources sources;
     sources.texts = {
         {"b.glint", "camera { position = (7, 0, 0) }\nbackground = (0, 1, 0)\nrender { aa = 8 }"}};
@@ -350,7 +350,7 @@ TEST(GlintInclude, ItsCameraHoldsOnlyIfThereIsNoOther) {
     }
 }
 
-TEST(GlintInclude, MistakesAreNamedWhereTheyAre) {
+TEST(GlintInclude, MistakesAreReportedAtTheirPlace) {
     MapSources sources;
     sources.texts = {
         {"b.glint", "\nsphere { center = (0, 0, 0)  radius = -1 }"},
@@ -377,7 +377,7 @@ TEST(GlintInclude, MistakesAreNamedWhereTheyAre) {
               std::string::npos);
 }
 
-TEST(GlintInclude, WhatIsNotThereIsAnError) {
+TEST(GlintInclude, MissingTextsAreErrors) {
     MapSources sources;
     const std::string text = std::string(k_camera) + k_ball + "}\ninclude \"none.glint\"";
     for (Sources* const given : {static_cast<Sources*>(&sources), static_cast<Sources*>(nullptr)}) {
@@ -394,7 +394,7 @@ TEST(GlintInclude, WhatIsNotThereIsAnError) {
     }
 }
 
-TEST(GlintInclude, EndsWhateverIncludesWhat) {
+TEST(GlintInclude, CyclesEnd) {
     MapSources sources;
     for (int i = 0; i < 20; ++i) {
         std::string text;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Texts that nobody means: they get an answer, soon, and never more memory than a multiple of their length.
+// Hostile texts: load() returns soon, and its memory is bounded by a multiple of their length.
 #include <chrono>
 #include <filesystem>
 #include <random>
@@ -36,7 +36,7 @@ TEST(Gallery, LoadsWithoutErrors) {
     EXPECT_GE(files, 14u);
 }
 
-TEST(Hostile, TextsCutOffAnywhereHaveAnAnswer) {
+TEST(Hostile, TruncatedTexts) {
     for (const char* name : k_gallery) {
         const std::string text = gallery(name);
         ASSERT_FALSE(text.empty()) << name;
@@ -45,7 +45,7 @@ TEST(Hostile, TextsCutOffAnywhereHaveAnAnswer) {
     }
 }
 
-TEST(Hostile, RandomEditsHaveAnAnswer) {
+TEST(Hostile, RandomEdits) {
     std::mt19937 random(20241);
     const auto below = [&](std::size_t n) { return static_cast<std::size_t>(random() % n); };
     const std::string_view pieces[] = {"{",    "}", "(",    ")",        "[",  "]",  "=",       ":",   ",",
@@ -104,7 +104,7 @@ TEST(Hostile, AMillionBracketsAreAnError) {
 }
 
 // Work that grows with the square of the length would take hours here.
-TEST(Hostile, OneLongLineIsReadInOneGo) {
+TEST(Hostile, OneLongLineIsReadInLinearTime) {
 #if defined(GLINT_SANITIZED)
     constexpr std::size_t bytes = 400000;  // all takes ten times as long
 #else
@@ -152,7 +152,7 @@ TEST(Hostile, OneLongLineIsReadInOneGo) {
     }
 }
 
-TEST(Hostile, WhatIsNotTextIsRefusedOnce) {
+TEST(Hostile, BinaryDataIsRejectedOnce) {
     using namespace std::string_view_literals;
     for (const char* name : {"a.cgfs", "a.json", "a.pov", "a.nff", "a.glint"}) {
         const std::pair<std::string_view, const char*> cases[] = {
@@ -182,7 +182,7 @@ TEST(Hostile, WhatIsNotTextIsRefusedOnce) {
     }
 }
 
-TEST(Hostile, EmptyTextsSayWhatIsExpected) {
+TEST(Hostile, EmptyTextsReportWhatIsExpected) {
     for (const char* name : {"a.cgfs", "a.json", "a.pov", "a.nff", "a.glint"}) {
         for (const char* text : {"", " ", "\n\n", "\xef\xbb\xbf", "// only a comment"}) {
             const Result<Scene> result = load_text(text, name);
@@ -194,7 +194,7 @@ TEST(Hostile, EmptyTextsSayWhatIsExpected) {
     }
 }
 
-TEST(Hostile, TerminalsAreSafeFromTheText) {
+TEST(Hostile, MessagesContainNoControlCharacters) {
     const Result<Scene> result = load_text(
         "sphere { radius = \xc2\x9b"
         "31mred }\n\"\x1b[2J\"",

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What load() does around the readers: formats, profiles, settings.
+// load() apart from the readers: formats, profiles, settings.
 #include <algorithm>
 #include <atomic>
 #include <cfenv>
@@ -17,7 +17,7 @@ TEST(Load, FormatsAreFoundByNameOrExtension) {
     const SceneText named[] = {{"standard input", k_text, "cgfs"}};
     EXPECT_TRUE(load(named));
     const SceneText other[] = {{"a.json", k_text, "cgfs"}};
-    EXPECT_TRUE(load(other)) << "the format's name goes before the extension";
+    EXPECT_TRUE(load(other)) << "the format's name has precedence over the extension";
 }
 
 std::string listed(std::string_view FormatInfo::*column) {
@@ -48,7 +48,7 @@ TEST(Load, AProfileReplacesTheFormats) {
     ASSERT_TRUE(result);
     EXPECT_EQ(result->profile, "glint");
     EXPECT_EQ(result->conventions, Conventions{});
-    EXPECT_TRUE(result->camera.frame) << "the camera is the format's all the same";
+    EXPECT_TRUE(result->camera.frame) << "the camera is still the format's";
     options.profile = "glimt";
     EXPECT_EQ(load_text(k_text, "a.cgfs", options).diagnostics.at(0).message,
               "no profile is called 'glimt': there are cgfs, epfl, lecture5, light, csc473, nff, glint; did "
@@ -56,7 +56,7 @@ TEST(Load, AProfileReplacesTheFormats) {
               "`glint`?");
 }
 
-TEST(Load, SettingsOverrideAndSayWhereTheyCameFrom) {
+TEST(Load, SettingsOverrideAndStoreTheirOrigin) {
     LoadOptions options;
     options.settings = {{"size", "10x20"}, {"specular_gate", "true"}};
     const Result<Scene> result = load_text(k_text, "a.cgfs", options);
@@ -116,7 +116,7 @@ TEST(Load, MistakesOfAProfileFileHaveTheirPlace) {
     EXPECT_EQ(result.diagnostics[3].line, 5u);
 }
 
-// Hosts that round otherwise exist; numbers and maps must not follow them.
+// Some hosts set another rounding mode; numbers and maps must not depend on it.
 TEST(Load, TheCallersRoundingChangesNothing) {
     const char* text = "sphere { <0.1, 0.7, -0.3>, 0.1 rotate <10, 20, 30> scale <0.1, 0.2, 0.3> }";
     const Result<Scene> usual = load_text(text, "a.pov");
@@ -155,7 +155,7 @@ TEST(Load, MessagesAreInTheOrderOfTheTexts) {
     EXPECT_EQ(result.diagnostics[3].line, 4u);
 }
 
-TEST(Load, SaysByACodeWhyItFailed) {
+TEST(Load, ReturnsTheCodeOfTheFailure) {
     const auto code_of = [](std::string_view text, const LoadOptions& options = {},
                             Sources* sources = nullptr) {
         return load_text(text, "a.glint", options, sources).code;
@@ -172,7 +172,7 @@ TEST(Load, SaysByACodeWhyItFailed) {
     EXPECT_EQ(load({}).code, ErrorCode::invalid_argument);
 }
 
-TEST(Load, SaysInOneLineWhereTheFirstErrorIs) {
+TEST(Load, TheMessageHasThePlaceOfTheFirstError) {
     const Result<Scene> result = load_text("sphere { center = oops }\nsphere { radius = oops }", "a.glint");
     ASSERT_FALSE(result.diagnostics.empty());
     const Diagnostic& first = result.diagnostics[0];
@@ -229,7 +229,7 @@ TEST(Load, CanBeCancelled) {
         EXPECT_EQ(result.code, ErrorCode::cancelled);
         EXPECT_EQ(result.message, "cancelled");
         EXPECT_TRUE(result.diagnostics.empty());
-        EXPECT_LT(last, when + 0.1) << "nothing more is read";
+        EXPECT_LT(last, when + 0.1) << "reading has stopped";
     }
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// Loading one text, and what must hold of any answer.
+// Loads one text, and checks the properties of every result.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -25,7 +25,7 @@ inline std::string messages(const Result<Scene>& result) {
     return all;
 }
 
-/// The scene of a text that there is nothing to say about.
+/// The scene of a text without diagnostics.
 inline Scene quiet_scene(std::string_view text, std::string name) {
     const Result<Scene> result = load_text(text, std::move(name));
     EXPECT_TRUE(result) << messages(result);
@@ -40,7 +40,7 @@ inline std::string read_whole_file(const std::string& path) {
     return text.str();
 }
 
-/// Files beside the one that includes them.
+/// Files in the folder of the one that includes them.
 class FolderSources : public Sources {
   public:
     Result<std::string> read(std::string_view name, std::string_view from) override {
@@ -60,7 +60,7 @@ inline bool is_utf8(std::string_view text) {
     return true;
 }
 
-/// A scene or an error, never both; every error with a place within the text, and something to read.
+/// A scene or an error, never both; every error has a place within the text and a message.
 inline std::string what_is_wrong(const Result<Scene>& result, std::string_view text) {
     if (result.has_value() == has_errors(result.diagnostics)) return "a scene and an error, or neither";
     if (result && has_errors(validate(*result))) return "a scene that is not valid";

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is said of mistakes in the books' formats.
+// The messages for mistakes in the formats of the books and courses.
 #include "formats/mistakes.h"
 
 namespace glint::test {
 namespace {
 
 class CgfsMistakes : public testing::TestWithParam<BadText> {};
-TEST_P(CgfsMistakes, AreNamedWhereTheyAre) { expect_messages(GetParam(), "a.cgfs"); }
+TEST_P(CgfsMistakes, AreReportedAtTheirPlace) { expect_messages(GetParam(), "a.cgfs"); }
 
 #define L "light { type = ambient intensity = 1 }\n"
 #define S "sphere { center = (0,0,3) radius = 1 color = (1,2,3) }\n"
@@ -146,7 +146,7 @@ INSTANTIATE_TEST_SUITE_P(
     test_name);
 
 class EpflMistakes : public testing::TestWithParam<BadText> {};
-TEST_P(EpflMistakes, AreNamedWhereTheyAre) { expect_messages(GetParam(), "a.json"); }
+TEST_P(EpflMistakes, AreReportedAtTheirPlace) { expect_messages(GetParam(), "a.json"); }
 
 #define CAMERA "\"camera\": { \"position\": [0,0,9], \"target\": [0,0,0], \"up\": [0,1,0], \"fov\": 60 }"
 #define MATERIAL                                                                                    \

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// Texts with mistakes, and the messages they get: one text a row. $ marks the place in the text.
+// Texts with mistakes and their messages, one text per row. $ marks the place in the text.
 #include <algorithm>
 #include <ostream>
 #include <utility>
@@ -45,7 +45,7 @@ inline void expect_messages(const BadText& mistake, const char* file) {
         EXPECT_EQ(d.line, places[i].first) << d.message;
         EXPECT_EQ(d.column, places[i].second) << d.message;
         EXPECT_EQ(d.file, file);
-        // The line shown is that of the place, and the caret stands under it.
+        // The source line is that of the place, and the caret is below the place.
         EXPECT_NE(text.find(d.source_line), std::string::npos) << d.source_line;
         EXPECT_EQ(d.caret, d.column - 1) << d.message;
     }

@@ -40,7 +40,7 @@ TEST(Nff, TheViewsLinesComeInAnyOrder) {
     EXPECT_EQ(s.background, (Color{1, 1, 1}));
 }
 
-TEST(Nff, ALightWithoutAColourSharesOut) {
+TEST(Nff, LightsWithoutAColourGetADefaultIntensity) {
     const Scene s = scene_of(VIEW "l 1 2 3\nl 4 5 6 0.5 0.25 1\nl 7 8 9\nl 0 0 1\n" FILL "s 0 0 0 1\n");
     ASSERT_EQ(s.lights.size(), 4u);
     EXPECT_EQ(s.lights[0].kind, LightKind::point);
@@ -67,8 +67,8 @@ TEST(Nff, ReadsFills) {
     EXPECT_EQ(m.transmission, 0.25);
     EXPECT_EQ(m.ior, 1.5);
     EXPECT_EQ(s.material_texts.place(0).line, 9u);
-    EXPECT_EQ(s.materials[1].ior, 1) << "0 stands for none";
-    EXPECT_EQ(s.materials[1].mirror, 1) << "a mirror gives back at most all";
+    EXPECT_EQ(s.materials[1].ior, 1) << "0 means that none is given";
+    EXPECT_EQ(s.materials[1].mirror, 1) << "a mirror reflects at most everything";
     EXPECT_EQ(s.materials[1].specular.r, 2);
     EXPECT_EQ(s.shapes[0].material, 0u);
     EXPECT_EQ(s.shapes[1].material, 1u);
@@ -120,14 +120,14 @@ TEST(Nff, APatchOfMoreVerticesIsAFan) {
     EXPECT_EQ(second.normals[2], (Vec3{0, 0, 4}));
 }
 
-TEST(Nff, NegativeRadiiTurnNormalsThatNobodySees) {
+TEST(Nff, NegativeRadiiHaveNoEffect) {
     const Scene s = scene_of(VIEW "l 0 0 9\n" FILL "s 0 0 0 -2\nc 0 0 0 -1 0 0 1 -1\n");
     EXPECT_EQ(s.get<Sphere>()[0].radius, 2);
     EXPECT_EQ(s.get<Cylinder>()[0].radius, 1);
 }
 
 class NffMistakes : public testing::TestWithParam<BadText> {};
-TEST_P(NffMistakes, AreNamedWhereTheyAre) { expect_messages(GetParam(), "a.nff"); }
+TEST_P(NffMistakes, AreReportedAtTheirPlace) { expect_messages(GetParam(), "a.nff"); }
 
 #define ENTITIES                                                                                        \
     "`b`, `v`, `l`, `f`, `c`, `s`, `p` or `pp` (background, view, light, fill, cone, sphere, polygon, " \

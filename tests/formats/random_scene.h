@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// Scenes by chance: every kind of everything, with the numbers and names that are hardest to write and read.
+// Random scenes with all kinds of items, and with numbers and names that are hard to write and read.
 #include <random>
 #include <string>
 

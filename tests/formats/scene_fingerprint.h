@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// All that a scene says about its picture, and its names, as one text: two scenes draw the same if and only
-// if their texts are equal. Numbers by their bits; indices that draw nothing are left out.
+// A scene as one text: everything that affects its picture, and its names. Two scenes render to the same bits
+// if and only if their texts are equal. Numbers are written by their bits; unused items are omitted.
 #include <bit>
 #include <span>
 #include <string>

@@ -63,7 +63,7 @@ TEST(Tokenizer, DecimalsAreTheNearestDoubles) {
     }
 }
 
-TEST(Tokenizer, WhatOnlyBeginsLikeANumberIsMalformed) {
+TEST(Tokenizer, MalformedNumbers) {
     for (const char* text : {"12abc", "1.2.3", "0x10", "1e", "1e+", "1_000", "4..", "1\xc3\xa9"}) {
         const auto list = tokens(text);
         ASSERT_FALSE(list.empty()) << text;
@@ -79,7 +79,7 @@ TEST(Tokenizer, WordsOfNotANumberAreWords) {
     }
 }
 
-TEST(Tokenizer, KnowsLinesAndColumns) {
+TEST(Tokenizer, CountsLinesAndColumns) {
     const auto list = tokens("a\n  b /* x\n\n*/ c\r\n# d\n\td // e\r\nf");
     const std::vector<std::pair<std::uint32_t, std::uint32_t>> expected = {
         {1, 1}, {2, 3}, {4, 4}, {6, 2}, {7, 1}};
@@ -90,7 +90,7 @@ TEST(Tokenizer, KnowsLinesAndColumns) {
     }
 }
 
-TEST(Tokenizer, TakesOnlyTheCommentsOfItsDialect) {
+TEST(Tokenizer, ReadsOnlyTheCommentsOfItsDialect) {
     EXPECT_EQ(tokens("# a", {}).size(), 2u);
     EXPECT_EQ(tokens("// a", {}).size(), 3u);
     EXPECT_EQ(tokens("/* a */", {}).size(), 5u);
@@ -121,7 +121,7 @@ TEST(Tokenizer, DecodesStrings) {
     EXPECT_EQ(string_value(""), "");
 }
 
-TEST(Tokenizer, SaysWhatHasNoEnd) {
+TEST(Tokenizer, ReportsUnterminatedTokens) {
     EXPECT_EQ(tokens("\"abc\nd")[0].kind, TokenKind::open_string);
     EXPECT_EQ(tokens("\"abc\nd")[1].line, 2u);
     EXPECT_EQ(tokens("\"abc\\")[0].kind, TokenKind::open_string);
@@ -133,7 +133,7 @@ TEST(Tokenizer, SaysWhatHasNoEnd) {
     EXPECT_EQ(tokens("/*/")[0].kind, TokenKind::open_comment);
 }
 
-TEST(Tokenizer, StopsAtBytesThatNoTextHas) {
+TEST(Tokenizer, StopsAtInvalidBytes) {
     using namespace std::string_view_literals;
     const auto list = tokens("a \0 b"sv);
     ASSERT_EQ(list.size(), 2u);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The text of a scene: what is written, and where comments and names go.
+// The text of a scene, with its comments and names.
 #include <gtest/gtest.h>
 
 #include "formats/load_text.h"
@@ -8,7 +8,7 @@
 namespace glint::test {
 namespace {
 
-// The scene of a text, as text.
+// Reads a text and writes its scene.
 std::string converted(std::string_view text, std::string name, std::string scene_name = {}) {
     const SceneText texts[] = {{std::move(name), text, {}}};
     LoadOptions options;
@@ -249,7 +249,7 @@ TEST(WriteGlint, LongListsAreBrokenUnlessTheSceneIsLarge) {
     EXPECT_LT(std::count(text.begin(), text.end(), '\n'), 20020);
 }
 
-TEST(WriteGlint, OfAWrongSceneNothing) {
+TEST(WriteGlint, InvalidScenesAreNotWritten) {
     Scene scene;
     scene.add(Sphere{{0, 0, 0}, -1});
     EXPECT_EQ(write_glint(scene).code, ErrorCode::invalid_scene);

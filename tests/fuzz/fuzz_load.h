@@ -21,7 +21,7 @@ class FuzzSources : public Sources {
     std::string_view text_;
 };
 
-/// Loads the text. Returns an empty string, or what is wrong with the result.
+/// Loads the text. Returns an error message about the result, or an empty string.
 inline std::string fuzz_load(std::string_view text, std::string format) {
     const SceneText texts[] = {{"fuzz", text, std::move(format)}};
     FuzzSources sources(text);

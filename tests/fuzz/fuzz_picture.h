@@ -9,7 +9,8 @@
 
 namespace glint::test {
 
-/// Decodes the bytes with a low limit of pixels. Returns an empty string, or what is wrong with the result.
+/// Decodes the bytes with a low limit of pixels. Returns an error message about the result, or an empty
+/// string.
 inline std::string fuzz_decode(std::span<const std::uint8_t> bytes) {
     DecodeOptions options;
     options.max_pixels = 1 << 16;
@@ -23,7 +24,7 @@ inline std::string fuzz_decode(std::span<const std::uint8_t> bytes) {
         if (!std::isfinite(value) && result->note.find("NaN") == std::string::npos)
             return "a number that is not finite, and no word of it";
     }
-    // What was read is a picture that can be written, and of 8 bits the same bytes come back.
+    // The decoded picture can be encoded; with 8 bits the bytes are equal.
     const Result<std::vector<std::uint8_t>> written = encode(image, {FileFormat::ppm});
     if (!written) return "not written: " + written.message;
     const Result<DecodedImage> again = decode(*written, options);

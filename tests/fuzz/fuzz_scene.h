@@ -21,7 +21,8 @@ inline NamedText split_format(std::string_view data) {
     return {std::string(data.substr(0, end)), data.substr(std::min(end + 1, data.size()))};
 }
 
-/// Loads the text; if it is a scene, writes and loads it. Returns an empty string, or what has changed.
+/// Loads the text; if it is a scene, writes it and loads it again. Returns the first difference, or an empty
+/// string.
 inline std::string fuzz_convert(std::string_view text, std::string format) {
     const SceneText texts[] = {{"fuzz", text, std::move(format)}};
     const Result<Scene> first = load(texts);
@@ -41,7 +42,7 @@ inline std::string fuzz_convert(std::string_view text, std::string format) {
     return again == written ? std::string() : "written again:\n" + written + "\nnow:\n" + again;
 }
 
-/// Explains some pixels of a picture. Returns an empty string, or what is wrong.
+/// Explains some pixels of a picture. Returns an error message or an empty string.
 inline std::string fuzz_explain(const Scene& scene, const World& world, const Image& image) {
     for (const int x : {0, image.width / 2, image.width - 1}) {
         const int y = x * (image.height - 1) / std::max(image.width - 1, 1);
@@ -56,8 +57,8 @@ inline std::string fuzz_explain(const Scene& scene, const World& world, const Im
     return {};
 }
 
-/// Loads the text; if it is a scene, renders it with few pixels and explains some. Returns an empty string,
-/// or what is wrong.
+/// Loads the text; if it is a scene, renders it with few pixels and explains some of them. Returns an error
+/// message or an empty string.
 inline std::string fuzz_render(std::string_view text, std::string format) {
     const SceneText texts[] = {{"fuzz", text, std::move(format)}};
     Result<Scene> loaded = load(texts);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Every text of the corpora through the functions that the fuzzers call, in the ordinary build.
+// Runs the functions of the fuzzers on every text of the corpora, in the normal build.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -30,7 +30,7 @@ template <class Body> int for_each_text(const std::string& corpus, Body&& body) 
 
 class Corpus : public testing::TestWithParam<std::string> {};
 
-TEST_P(Corpus, EveryTextHasAnAnswer) {
+TEST_P(Corpus, EveryTextGivesASceneOrAnError) {
     EXPECT_GE(for_each_text(GetParam(),
                             [](const std::string& text, const std::string& path) {
                                 EXPECT_EQ(glint::test::fuzz_load(text, GetParam()), "") << path;
@@ -38,14 +38,14 @@ TEST_P(Corpus, EveryTextHasAnAnswer) {
               10);
 }
 
-TEST_P(Corpus, EverySceneIsWrittenAndDrawn) {
+TEST_P(Corpus, EverySceneIsWrittenAndRendered) {
     for_each_text(GetParam(), [](const std::string& text, const std::string& path) {
         EXPECT_EQ(glint::test::fuzz_convert(text, GetParam()), "") << path;
         EXPECT_EQ(glint::test::fuzz_render(text, GetParam()), "") << path;
     });
 }
 
-TEST(PictureCorpus, EveryFileHasAnAnswer) {
+TEST(PictureCorpus, EveryFileGivesAPictureOrAnError) {
     EXPECT_GE(for_each_text("decode",
                             [](const std::string& bytes, const std::string& path) {
                                 const auto* data = reinterpret_cast<const std::uint8_t*>(bytes.data());

@@ -23,7 +23,8 @@ struct GalleryPicture {
 
 void PrintTo(const GalleryPicture& p, std::ostream* out) { *out << p.scene << ' ' << p.settings; }
 
-// The hashes are of the inspected pictures in golden/; they also fix what 8 bits per channel do not show.
+// The hashes belong to the inspected pictures in golden/, and also cover differences below 8 bits per
+// channel.
 const GalleryPicture k_gallery[] = {
     {"cgfs/from_the_side.cgfs", "size=160x160", 0xbe4d194263430b9d},
     {"cgfs/three_mirrors.cgfs", "size=160x160", 0xf15ca10dce6ead20},
@@ -107,7 +108,7 @@ Result<World> load_world(const GalleryPicture& p) {
 
 class Gallery : public testing::TestWithParam<GalleryPicture> {};
 
-TEST_P(Gallery, IsThePictureWeLookedAt) {
+TEST_P(Gallery, EqualsTheInspectedPicture) {
     const Result<World> world = load_world(GetParam());
     ASSERT_TRUE(world);
     const Result<Rendering> whole = render(*world);
@@ -117,7 +118,7 @@ TEST_P(Gallery, IsThePictureWeLookedAt) {
     EXPECT_EQ(hash(whole->image), GetParam().float_bits) << "0x" << std::hex << hash(whole->image);
 }
 
-TEST_P(Gallery, HasTheSameBitsHoweverItIsDrawn) {
+TEST_P(Gallery, HasTheSameBitsForAllRenderOptions) {
     const Result<World> world = load_world(GetParam());
     ASSERT_TRUE(world);
     const Result<Rendering> whole = render(*world);
@@ -133,7 +134,7 @@ TEST_P(Gallery, HasTheSameBitsHoweverItIsDrawn) {
         EXPECT_EQ(again->rays.total(), whole->rays.total());
     }
     Image joined{whole->image.width, whole->image.height, std::vector<float>(whole->image.rgb.size())};
-    constexpr int step = 47;  // nothing that tiles or packets would like
+    constexpr int step = 47;  // not a multiple of the sizes of tiles or packets
     for (int y = 0; y < joined.height; y += step) {
         for (int x = 0; x < joined.width; x += step) {
             RenderOptions options;
@@ -158,7 +159,7 @@ TEST(GalleryList, NamesEveryScene) {
         if (path.find("/faults/") != std::string::npos) continue;  // of tests/compare
         const bool listed = std::any_of(std::begin(k_gallery), std::end(k_gallery),
                                         [&](const GalleryPicture& p) { return path.ends_with(p.scene); });
-        EXPECT_TRUE(listed) << path << " is drawn by no test";
+        EXPECT_TRUE(listed) << path << " is not rendered by any test";
     }
 }
 

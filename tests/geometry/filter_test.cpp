@@ -190,7 +190,8 @@ std::pair<double, double> run_cases(Case<Shape> (*random_case)(Random&), Lanes&&
             ++total;
             hits += hit;
             rejected += !may[i];
-            EXPECT_TRUE(may[i] || !hit) << "block " << block << " case " << i << ": a hit was filtered away";
+            EXPECT_TRUE(may[i] || !hit)
+                << "block " << block << " case " << i << ": the filter rejected a hit";
         }
         if (::testing::Test::HasFailure()) break;
     }
@@ -198,7 +199,7 @@ std::pair<double, double> run_cases(Case<Shape> (*random_case)(Random&), Lanes&&
             static_cast<double>(rejected) / static_cast<double>(total)};
 }
 
-TEST(SphereFilter, NeverRejectsWhatDoubleHits) {
+TEST(SphereFilter, NeverRejectsAHit) {
     const auto [hits, rejected] = run_cases<plain::SphereGeometry>(random_sphere, [](auto... a) {
         HWY_DYNAMIC_DISPATCH(filter_spheres)(a...);
     });
@@ -206,7 +207,7 @@ TEST(SphereFilter, NeverRejectsWhatDoubleHits) {
     EXPECT_GT(rejected, 0.02);  // and it does reject
 }
 
-TEST(TriangleFilter, NeverRejectsWhatDoubleHits) {
+TEST(TriangleFilter, NeverRejectsAHit) {
     const auto [hits, rejected] = run_cases<plain::TriangleGeometry>(random_triangle, [](auto... a) {
         HWY_DYNAMIC_DISPATCH(filter_triangles)(a...);
     });
@@ -214,7 +215,7 @@ TEST(TriangleFilter, NeverRejectsWhatDoubleHits) {
     EXPECT_GT(rejected, 0.1);
 }
 
-TEST(CylinderFilter, NeverRejectsWhatDoubleHits) {
+TEST(CylinderFilter, NeverRejectsAHit) {
     const auto [hits, rejected] = run_cases<plain::CylinderGeometry>(random_cylinder, [](auto... a) {
         HWY_DYNAMIC_DISPATCH(filter_cylinders)(a...);
     });
@@ -222,7 +223,7 @@ TEST(CylinderFilter, NeverRejectsWhatDoubleHits) {
     EXPECT_GT(rejected, 0.02);
 }
 
-TEST(ConeFilter, NeverRejectsWhatDoubleHits) {
+TEST(ConeFilter, NeverRejectsAHit) {
     const auto [hits, rejected] = run_cases<plain::ConeGeometry>(random_cone, [](auto... a) {
         HWY_DYNAMIC_DISPATCH(filter_cones)(a...);
     });
@@ -246,7 +247,7 @@ plain::Vector3<float> narrow_direction(const Vec3& d) {
     return {static_cast<float>(d.x), static_cast<float>(d.y), static_cast<float>(d.z)};
 }
 
-TEST(TriangleFilter, OfOneOriginNeverRejectsWhatDoubleHits) {
+TEST(TriangleFilter, ForACommonOriginNeverRejectsAHit) {
     Random random(44);
     int hits = 0, rejected = 0;
     constexpr int cases = k_blocks * 100;
@@ -259,7 +260,7 @@ TEST(TriangleFilter, OfOneOriginNeverRejectsWhatDoubleHits) {
             plain::TriangleGeometry::hit(p, plain::Ray<double>{{o.x, o.y, o.z}, {d.x, d.y, d.z}}, -1e300)
                 .valid;
         const bool may = one_origin_filter(c.shape, o).may_hit(narrow_direction(d));
-        ASSERT_TRUE(may || !hit) << "case " << i << ": a hit was filtered away";
+        ASSERT_TRUE(may || !hit) << "case " << i << ": the filter rejected a hit";
         hits += hit;
         rejected += !may;
     }
@@ -267,7 +268,7 @@ TEST(TriangleFilter, OfOneOriginNeverRejectsWhatDoubleHits) {
     EXPECT_GT(rejected, cases / 10);
 }
 
-TEST(TriangleFilter, OfOneOriginRejectsWhatPassesASmallOneFarAway) {
+TEST(TriangleFilter, ForACommonOriginRejectsMissesOfSmallDistantTriangles) {
     // At a tenth of its size, which is a ten-thousandth of its distance.
     Random random(45);
     int rejected = 0;
@@ -281,7 +282,7 @@ TEST(TriangleFilter, OfOneOriginRejectsWhatPassesASmallOneFarAway) {
     EXPECT_GT(rejected, cases * 9 / 10);
 }
 
-TEST(TriangleFilter, RejectsMostOfWhatMisses) {
+TEST(TriangleFilter, RejectsMostMisses) {
     // Rays that pass a triangle at a tenth of its size, from within 100 of it.
     Random random(43);
     const auto f = [](double x) { return static_cast<float>(x); };
@@ -299,7 +300,7 @@ TEST(TriangleFilter, RejectsMostOfWhatMisses) {
     EXPECT_GT(rejected, cases * 9 / 10);
 }
 
-TEST(SphereFilter, RejectsMostOfWhatMisses) {
+TEST(SphereFilter, RejectsMostMisses) {
     // Rays past a unit sphere at twice its radius, from within 100 of it: the typical use.
     Random random(42);
     for (int i = 0; i < 10000; ++i) {

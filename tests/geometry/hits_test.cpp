@@ -35,7 +35,7 @@ TestRay random_ray(Random& random, Vec3 at, double size) {
     return {at + aside * (miss * size) - d * away, d * log_uniform(random, 1e-3, 1e3)};
 }
 
-TYPED_TEST(Hits, AreOnTheSurfaceAndWhereLongDoubleHasThem) {
+TYPED_TEST(Hits, AreOnTheSurfaceAndAgreeWithLongDouble) {
     using Geometry = typename TypeParam::Geometry;
     Random random(21);
     double worst = 0, worst_normal = 0;
@@ -105,7 +105,7 @@ TYPED_TEST(Hits, AreOnTheSurfaceAndWhereLongDoubleHasThem) {
         hits, unsure, worst, worst_normal);
 }
 
-TYPED_TEST(Hits, NothingIsPassedOver) {
+TYPED_TEST(Hits, NoIntersectionIsMissed) {
     // Along a ray, inside and outside change only at hits.
     if constexpr (TypeParam::k_solid) {
         using Geometry = typename TypeParam::Geometry;
@@ -151,7 +151,7 @@ TYPED_TEST(Hits, NothingIsPassedOver) {
     }
 }
 
-TYPED_TEST(Hits, BadRaysHitNowhere) {
+TYPED_TEST(Hits, InvalidRaysMiss) {
     using Geometry = typename TypeParam::Geometry;
     Random random(23);
     const double nan = std::numeric_limits<double>::quiet_NaN(),
@@ -241,7 +241,7 @@ TEST(TriangleHits, AMeshHasNoGaps) {
     }
 }
 
-TEST(SmoothTriangleHits, NormalsAreMixed) {
+TEST(SmoothTriangleHits, NormalsAreInterpolated) {
     const SmoothTriangle t{{{0, 0, 1}, {4, 0, 1}, {0, 2, 1}}, {{0, 0, 3}, {1, 0, 0}, {0, -1, 0}}};
     double p[plain::SmoothTriangleGeometry::k_values];
     plain::SmoothTriangleGeometry::pack(t, p);
@@ -260,7 +260,7 @@ TEST(SmoothTriangleHits, NormalsAreMixed) {
     EXPECT_NEAR(half.z, std::sqrt(0.5), 1e-15);
 }
 
-TEST(PlaneHits, WithinThePlaneThereAreNone) {
+TEST(PlaneHits, RaysInThePlaneMiss) {
     double p[plain::PlaneGeometry::k_values];
     plain::PlaneGeometry::pack({{0, 1, 0}, {0, 5, 0}}, p);
     const auto hit = [&](Vec3 o, Vec3 d) { return formula_hit<plain::PlaneGeometry, double>(p, o, d, 0); };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// Random points, directions and sizes for the tests of the engine.
+// Random points, directions and sizes.
 #include <cmath>
 
 #include "glint/vec.h"

@@ -46,11 +46,11 @@ TEST(Compare, OnePixel) {
     EXPECT_EQ(d.largest.y, 4);
     EXPECT_EQ(to_byte(d.largest.a[1]), 130);
     EXPECT_EQ(to_byte(d.largest.b[1]), 100);
-    EXPECT_EQ(d.edges.pixels, 0u) << "the reference alone says what is an edge";
+    EXPECT_EQ(d.edges.pixels, 0u) << "only the reference decides what is an edge";
     EXPECT_FALSE(d.ssim.has_value()) << "lower than a window";
 }
 
-TEST(Compare, WhatIsNotFiniteIsNeverEqual) {
+TEST(Compare, NanAndInfinityAreNeverEqual) {
     const float nan = std::numeric_limits<float>::quiet_NaN(),
                 infinite = std::numeric_limits<float>::infinity();
     for (const bool as_floats : {false, true}) {
@@ -107,7 +107,7 @@ TEST(Compare, EdgesAreTheReferencesNeighbourhoods) {
 }
 
 // By definition: window by window, in long double.
-TEST(Compare, SsimIsWangs) {
+TEST(Compare, SsimAgreesWithItsDefinition) {
     const std::int32_t width = 23, height = 17;
     const Image a = test::make_picture(width, height), b = [&] {
         Image image = a;
@@ -164,7 +164,7 @@ TEST(Compare, TheSameForAnyThreads) {
     EXPECT_EQ(x.largest.x, y.largest.x);
 }
 
-TEST(Compare, WhatCannotBeCompared) {
+TEST(Compare, InvalidPictures) {
     EXPECT_NE(compare(flat(2, 3, 0), flat(3, 2, 0)).message, "");
     EXPECT_NE(compare(Image{}, Image{}).message, "");
     EXPECT_NE(compare(Image{2, 2, {}}, flat(2, 2, 0)).message, "");
@@ -181,7 +181,7 @@ TEST(DifferenceImage, IsAmplified) {
     EXPECT_EQ(difference_image(b, b).value().rgb, std::vector<float>(6));
 }
 
-TEST(ContactSheet, HoldsItsCells) {
+TEST(ContactSheet, ContainsItsCells) {
     EXPECT_EQ(scaled_down(flat(100, 50, 0.5f), 20).width, 20);
     EXPECT_EQ(scaled_down(flat(100, 50, 0.5f), 20).height, 10);
     EXPECT_EQ(scaled_down(flat(1000, 1, 0.5f), 20).height, 1);
@@ -255,7 +255,7 @@ TEST(ContactSheet, WhatIsMissingIsAFrame) {
     EXPECT_EQ(at(40, 10), at(0, 0));
 }
 
-TEST(ContactSheet, ALongTableGoesOnBesideItself) {
+TEST(ContactSheet, LongTablesContinueInAnotherBlock) {
     std::vector<SheetCell> cells;  // a head and five rows of two columns
     for (int i = 0; i < 12; ++i) cells.push_back({flat(20, 20, i < 2 ? 1.0f : 0.5f), {}, ""});
     const Image sheet = contact_sheet(cells, {20, 2, 3});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// decode() reads the files of encode() and of other programs, and trusts no file.
+// decode() reads the files of encode() and of other programs, and is robust against hostile files.
 #include <ImfChannelList.h>
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
@@ -40,7 +40,7 @@ std::string error_of(const Bytes& file, const DecodeOptions& options = {}) {
     return result.message;
 }
 
-TEST(Decode, WhatIsWrittenComesBack) {
+TEST(Decode, RoundTrips) {
     const Image image = make_picture(77, 45);
     for (const FileFormat format : {FileFormat::png, FileFormat::ppm}) {
         for (const int bits : {8, 16}) {
@@ -85,7 +85,7 @@ TEST(Decode, EveryKindOfPng) {
     EXPECT_EQ(decode(wide)->image.rgb, (std::vector<float>{0x1234 / 65535.0f, 1, 0}));
 }
 
-TEST(Decode, TransparencyIsLeftOutAndSaid) {
+TEST(Decode, IgnoresTransparencyWithANote) {
     const Bytes holes = make_png(2, {{10, 20, 30, 255, 40, 50, 60, 0}}, {PNG_COLOR_TYPE_RGB_ALPHA, 8});
     EXPECT_EQ(read_bytes_of(holes), (Bytes{10, 20, 30, 40, 50, 60}));
     EXPECT_EQ(decode(holes)->note, "its transparency is left out");
@@ -176,7 +176,7 @@ template <class T> Bytes make_exr(const std::vector<const char*>& names, const s
     return out.bytes;
 }
 
-TEST(Decode, OpenExrOfOthers) {
+TEST(Decode, OpenExrOfOtherPrograms) {
     const std::vector<half> halves = {half(0.5f),  half(2.0f), half(-1.0f),
                                       half(0.25f), half(0.0f), half(8.0f)};
     const Result<DecodedImage> colors = decode(make_exr(std::vector<const char*>{"R", "G", "B"}, halves));
@@ -198,7 +198,7 @@ TEST(Decode, OpenExrOfOthers) {
               std::string::npos);
 }
 
-TEST(Decode, EveryCutOffFileIsRefused) {
+TEST(Decode, RejectsTruncatedFiles) {
     const Image image = make_picture(9, 7);
     for (const FileFormat format : {FileFormat::png, FileFormat::ppm, FileFormat::exr}) {
         const Bytes file = encode(image, {format}).value();
@@ -211,7 +211,7 @@ TEST(Decode, EveryCutOffFileIsRefused) {
 }
 
 // Small files that claim to be large are rejected at once, before memory is allocated.
-TEST(Decode, BombsAreAnswered) {
+TEST(Decode, RejectsFilesThatClaimToBeHuge) {
     EXPECT_NE(error_of(bytes_of("P6 65536 65536 255\n")).find("at most 67108864 in all"), std::string::npos);
     EXPECT_NE(error_of(bytes_of("P6 65537 1 255\n")).find("1 to 65536 a side"), std::string::npos);
     EXPECT_NE(error_of(bytes_of("P6 8000 8000 255\n")).find("cut off"), std::string::npos);

@@ -55,13 +55,13 @@ TEST(Layers, AreThePartsOfOneExrFile) {
     }
 }
 
-TEST(Layers, OfAnotherSizeAreRefused) {
+TEST(Layers, OfAnotherSizeAreRejected) {
     const std::vector<LayerImage> layers{make_layer(Layer::depth, 30, 17)};
     EXPECT_NE(encode_layers(test::make_picture(31, 17), layers).message, "");
     EXPECT_NE(encode_layers(Image{}, {}).message, "");
 }
 
-TEST(Layers, CanBeLookedAt) {
+TEST(Layers, AsPicturesForDisplay) {
     LayerImage depth{Layer::depth, 3, 1, 1, {2, std::numeric_limits<float>::infinity(), 12}};
     const Image far = viewable(depth).value();
     EXPECT_FLOAT_EQ(far.rgb[0], 1);

@@ -15,7 +15,7 @@ namespace {
 constexpr float k_inf = std::numeric_limits<float>::infinity();
 constexpr float k_nan = std::numeric_limits<float>::quiet_NaN();
 
-TEST(ToByte, ClampsAndNeverSeesNan) {
+TEST(ToByte, ClampsAndMapsNanToZero) {
     for (const Transfer t : {Transfer::none, Transfer::srgb}) {
         EXPECT_EQ(to_byte(k_nan, t), 0);
         EXPECT_EQ(to_byte(-k_nan, t), 0);
@@ -74,7 +74,7 @@ TEST(Srgb, IsTheStandardCurve) {
     EXPECT_EQ(to_byte(0.2158605f, Transfer::srgb), 128);
 }
 
-TEST(Srgb, NeverFalls) {
+TEST(Srgb, IsMonotone) {
     double before = 0;
     for (int i = 0; i <= 300000; ++i) {
         const double now = srgb_encode(i / 300000.0);

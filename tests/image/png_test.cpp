@@ -52,7 +52,7 @@ TEST_P(Png, HasTheSameBytesForAnyThreads) {
     }
 }
 
-TEST(Encode, RefusesWhatIsNoPicture) {
+TEST(Encode, RejectsInvalidPictures) {
     EXPECT_NE(encode(Image{}).message, "");
     EXPECT_NE(encode(Image{2, 2, std::vector<float>(11)}).message, "");
     EXPECT_NE(encode(Image{-1, -1, std::vector<float>(3)}).message, "");
@@ -60,7 +60,7 @@ TEST(Encode, RefusesWhatIsNoPicture) {
     EXPECT_EQ(encode(Image{}).code, ErrorCode::invalid_argument);
 }
 
-TEST(Encode, SrgbPicturesSaySo) {
+TEST(Encode, SrgbPicturesAreMarked) {
     const auto text = [](Transfer transfer) {
         const auto bytes = encode(make_picture(3, 3), {FileFormat::png, 8, transfer}).value();
         return std::string(bytes.begin(), bytes.end());

@@ -12,7 +12,7 @@
 
 namespace glint::test {
 
-/// width x height x 3 samples of 8 or 16 bits; `error` says why there are none.
+/// width x height x 3 samples of 8 or 16 bits. Without samples, `error` is the reason.
 struct Picture {
     int width = 0, height = 0, bits = 8;
     std::vector<std::uint16_t> samples;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Every #include of the tree against the arrows of docs/architecture.md.
+// Checks every #include of the tree against the arrows of docs/architecture.md.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -72,8 +72,8 @@ TEST(Types, HaveNamesOfTheirOwn) {
     EXPECT_TRUE(defined.contains("glint::World"));
 }
 
-// What depends on a light's kind is asked of the light, so that a new kind does not fall through somewhere.
-TEST(Lights, AreAskedForTheirPropertiesNotTheirKind) {
+// Code calls the light's functions instead of comparing its kind, so that no code misses a new kind.
+TEST(Lights, AreNotComparedByKind) {
     static const std::regex comparison(R"([!=]= *LightKind::|case LightKind::)");
     int asked = 0;
     for (const File& file : read_sources()) {
@@ -108,7 +108,7 @@ bool allowed(std::string_view path, std::string_view line) {
     return !includes.empty() && !check_include(path, includes[0]).has_value();
 }
 
-TEST(IncludeRules, KnowWhatIsWrong) {
+TEST(IncludeRules, FindViolations) {
     EXPECT_TRUE(allowed("src/bvh/build.cpp", "#include \"math/box.h\""));
     EXPECT_FALSE(allowed("src/bvh/build.cpp", "#include \"geometry/sphere-inl.h\""));
     EXPECT_FALSE(allowed("src/math/vec.h", "#include \"simd/lanes-inl.h\""));
@@ -143,7 +143,7 @@ TEST(IncludeRules, FindLibmCalls) {
     EXPECT_TRUE(find_libm_calls("math::cos(x); std::cosine(x); std::expected(1)").empty());
 }
 
-TEST(TypeRules, FindWhatOtherFilesSee) {
+TEST(TypeRules, FindDefinitionsForOtherFiles) {
     EXPECT_EQ(find_types("namespace glint {\nstruct A {\n    struct B {\n    };\n};\nclass C;\nnamespace {\n"
                          "struct D {};\n}  // namespace\nclass E final : public A {\n};\n"
                          "enum class F : int { x };\nstruct alignas(64) G {\n};\n}  // namespace glint\n"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The stages of a tile: docs/architecture.md lists what each reads and writes, as its signature says.
+// docs/architecture.md lists the batches that each stage of a tile reads and writes, as in its signature.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -37,7 +37,7 @@ std::ostream& operator<<(std::ostream& out, const Stage& stage) {
     return out;
 }
 
-// What a stage may read or write.
+// The types that a stage may read or write.
 const char* const k_batch = R"(\b(\w+Batch|Film|FirstHits|TileJob)\b)";
 
 std::set<std::string> find_batches(const std::string& text, const std::string& pattern) {

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The lighting equation, term by term: against the sources' own numbers, and against the formulas written out
-// plainly.
+// The terms of the lighting equation, compared with the numbers of the sources and with plain formulas.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -34,7 +33,7 @@ struct Terms {
     double diffuse, specular;
 };
 
-/// What multiplies k_d I_l,d and k_s I_l,s of one visible light.
+/// The factors of k_d I_l,d and k_s I_l,s for one visible light.
 Terms terms(const plain::Cosines<double>& c, double shininess, const LightingRules& rule) {
     const bool highlight = plain::has_highlight(c, rule);
     return {plain::diffuse_term(c.n_l, rule), highlight ? plain::highlight_power(c.s, shininess, rule) : 0};
@@ -90,7 +89,7 @@ TEST(Lighting, GatesAndClamps) {
     EXPECT_EQ(specular(-0.1, 0.5, 1, open), 0.5);
     EXPECT_EQ(specular(0.1, -0.5, 1, open), 0);
     EXPECT_EQ(specular(0.1, 0, 1, open), 0);
-    // S^0 is 1, but only where the highlight is at all.
+    // S^0 is 1, but only where there is a highlight.
     EXPECT_EQ(specular(0.1, 0.5, 0, gated), 1);
     EXPECT_EQ(specular(0.1, -0.5, 0, gated), 0);
     EXPECT_EQ(diffuse(-0.25, gated), 0);
@@ -118,7 +117,7 @@ TEST(Lighting, PowersOfNegativeCosinesWithoutClamps) {
 
 TEST(Lighting, WithoutNormalisationTheFilmStaysFinite) {
     const auto fault = rules(Shading::blinn_phong, false, false, false);
-    // H is L + V as they are.
+    // H is L + V without normalisation.
     const auto c = plain::cosines(T3{0, 1, 0}, T3{3, 40, 0}, T3{0, 2, 5}, fault);
     EXPECT_EQ(c.n_l, 40);
     EXPECT_EQ(c.s, 42);
@@ -131,7 +130,7 @@ TEST(Lighting, WithoutNormalisationTheFilmStaysFinite) {
             EXPECT_TRUE(std::fabs(t.specular) <= 1e30) << s << "^" << n << " = " << t.specular;
         }
     }
-    // Nor does a direction that does not exist make light.
+    // A direction that does not exist gives no light.
     const double nan = std::numeric_limits<double>::quiet_NaN();
     EXPECT_EQ(terms(plain::Cosines<double>{0.5, nan}, 10.0, fault).specular, 0);
 }
@@ -162,7 +161,7 @@ TEST(Lighting, DoubleAgreesWithLongDouble) {
             const auto c = plain::cosines(n, l, v, rule);
             const auto exact = plain::cosines(longer(n), longer(l), longer(v), rule);
             worst = std::max(worst, static_cast<double>(std::fabs(c.n_l - exact.n_l)));
-            // H of opposite directions is short: its direction is as sure as it is long.
+            // H of nearly opposite directions is short, and its direction is inaccurate.
             const double size = shading == Shading::phong ? 1 : plain::length(l + v);
             worst = std::max(worst, static_cast<double>(std::fabs(c.s - exact.s)) * size);
         }

@@ -17,7 +17,7 @@ struct Chain {
     std::vector<double> color, mirror;
 };
 
-// The example of the text. All its numbers are exact in binary, so that every comparison here is exact.
+// The example of the text. All numbers are exact in binary, so the comparisons are exact.
 const Chain k_example = {{0.75, 0.5, 0.25, 1}, {0.5, 0.25, 0.5, 0}};
 
 /// c^i = (1 - a_i) c_i + a_i c^(i+1), and black after the last surface.
@@ -45,7 +45,7 @@ double sum_of(const Chain& chain, LimitRule limit, std::size_t reflections) {
     return before + weight * chain.color[reflections];
 }
 
-TEST(MirrorSum, is_the_recursion) {
+TEST(MirrorSum, EqualsTheRecursion) {
     double weight = 1;
     EXPECT_EQ(recursion(k_example), 0.640625);
     EXPECT_EQ(partial_sum(k_example, 4, weight), 0.640625);
@@ -58,7 +58,7 @@ TEST(MirrorSum, is_the_recursion) {
     EXPECT_NEAR(partial_sum(chain, 200, weight), recursion(chain), 1e-15);
 }
 
-TEST(MirrorSum, has_two_readings_at_the_limit) {
+TEST(MirrorSum, HasTwoReadingsAtTheLimit) {
     const double keep[] = {0.75, 0.625, 0.59375, 0.640625};
     const double drop[] = {0.375, 0.5625, 0.578125, 0.640625};
     for (std::size_t n = 0; n < 4; ++n) {
@@ -93,7 +93,7 @@ Scene zigzag(const Chain& chain) {
     return scene;
 }
 
-TEST(MirrorSum, is_what_the_renderer_draws) {
+TEST(MirrorSum, EqualsTheRenderedPixel) {
     Scene scene = zigzag(k_example);
     for (const LimitRule limit : {LimitRule::keep, LimitRule::drop}) {
         scene.conventions.limit = limit;

@@ -16,7 +16,7 @@ void expect_four_decimals(Vector v, double x, double y, double z) {
     EXPECT_NEAR(v.z, z, 0.5e-4);
 }
 
-TEST(WorkedExample, of_light) {
+TEST(WorkedExample, OfLight) {
     const Vector p{16, 8, 11}, source{5, 20, 30}, observer{40, -10, 25};
     const Vector l = normalize(source - p), n = normalize(p), v = normalize(observer - p);
     EXPECT_EQ(length(p), 21);  // on the sphere around the origin
@@ -35,7 +35,7 @@ TEST(WorkedExample, of_light) {
 }
 
 // In the plane of incidence, H rotates by half the angle of V; across it, by 1 / (2 cos theta) of it.
-TEST(HalfVector, angle_against_mirrored_angle) {
+TEST(HalfVector, AngleComparedWithTheMirroredAngle) {
     LightingRules phong, blinn_phong;
     phong.shading = Shading::phong;
     const Vector n{0, 0, 1};

@@ -113,7 +113,7 @@ double plain(int which, double x, double y) {
     }
 }
 
-TEST(ElementaryLanes, have_the_bits_of_plain_numbers) {
+TEST(ElementaryLanes, HaveTheBitsOfPlainNumbers) {
     constexpr std::size_t k_count = 100000;
     test::Random random(20);
     int tested = 0;

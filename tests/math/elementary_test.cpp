@@ -33,7 +33,7 @@ void add_pow(WorstError& worst, double x, double y) {
     worst.add(ulps(pow(x, y), exact), x, y);
 }
 
-TEST(Pow, of_cosines) {
+TEST(Pow, OfCosines) {
     Random random(1);
     WorstError worst;
     for (int i = 0; i < 700000; ++i) {
@@ -51,7 +51,7 @@ TEST(Pow, of_cosines) {
     EXPECT_GT(worst.points, 1000000);
 }
 
-TEST(Pow, of_everything) {
+TEST(Pow, OverTheWholeRange) {
     Random random(2);
     WorstError worst;
     for (int i = 0; i < 500000; ++i) {
@@ -66,7 +66,7 @@ TEST(Pow, of_everything) {
     EXPECT_LT(worst.ulp, 0.68);
 }
 
-TEST(Pow, exact_and_special_values) {
+TEST(Pow, ExactAndSpecialValues) {
     EXPECT_EQ(pow(0.0, 0), 1);
     EXPECT_EQ(pow(-0.0, 0), 1);
     EXPECT_EQ(pow(0.0, 5), 0);
@@ -93,7 +93,7 @@ TEST(Pow, exact_and_special_values) {
     }
 }
 
-TEST(Pow, overflow_and_underflow) {
+TEST(Pow, OverflowAndUnderflow) {
     EXPECT_EQ(pow(2, 1024), k_inf);
     EXPECT_EQ(pow(2, 1023.999), std::pow(2.0, 1023.999));
     EXPECT_EQ(pow(1e300, 1e300), k_inf);
@@ -137,7 +137,7 @@ TEST(Pow, overflow_and_underflow) {
     }
 }
 
-TEST(Pow, falls_and_rises_where_it_should) {
+TEST(Pow, IsMonotone) {
     Random random(4);
     for (int i = 0; i < 100000; ++i) {
         const double x = random.uniform(0.5, 1);
@@ -149,7 +149,7 @@ TEST(Pow, falls_and_rises_where_it_should) {
     }
 }
 
-TEST(Exp, error_and_limits) {
+TEST(Exp, ErrorAndLimits) {
     Random random(5);
     WorstError worst;
     for (int i = 0; i < 700000; ++i) {
@@ -173,7 +173,7 @@ TEST(Exp, error_and_limits) {
     EXPECT_EQ(exp(std::nextafter(least, -1000)), 0);
 }
 
-TEST(Log, error_and_limits) {
+TEST(Log, ErrorAndLimits) {
     Random random(6);
     WorstError worst;
     for (int i = 0; i < 500000; ++i) {
@@ -193,7 +193,7 @@ TEST(Log, error_and_limits) {
     EXPECT_EQ(log(DBL_MAX), std::log(DBL_MAX));
 }
 
-TEST(Exp, undoes_log) {
+TEST(Exp, IsTheInverseOfLog) {
     Random random(7);
     for (int i = 0; i < 100000; ++i) {
         const double x = std::exp(random.uniform(-700, 700));
@@ -223,7 +223,7 @@ class Angles : public ::testing::Test {
     WorstError sin_, cos_, tan_;
 };
 
-TEST_F(Angles, random) {
+TEST_F(Angles, Random) {
     Random random(8);
     for (int i = 0; i < 400000; ++i) {
         add(random.uniform(-7, 7));
@@ -233,7 +233,7 @@ TEST_F(Angles, random) {
     check();
 }
 
-TEST_F(Angles, nearest_to_every_multiple_of_a_quadrant) {
+TEST_F(Angles, NearestToEveryMultipleOfAQuadrant) {
     for (int n = 1; n < 63661; ++n) {
         const double x =
             static_cast<double>(n * (static_cast<long double>(k_pi) + 1.2246467991473532e-16L) / 2);
@@ -244,7 +244,7 @@ TEST_F(Angles, nearest_to_every_multiple_of_a_quadrant) {
     check();
 }
 
-TEST(Degrees, exact_values) {
+TEST(Degrees, ExactValues) {
     const double sines[] = {0, 0.5, 1, 0.5, 0, -0.5, -1, -0.5};  // of 0, 30, 90, 150, 180, 210, 270, 330
     const int angles[] = {0, 30, 90, 150, 180, 210, 270, 330};
     for (int turn = -1000; turn <= 1000; ++turn) {
@@ -260,7 +260,7 @@ TEST(Degrees, exact_values) {
     }
 }
 
-TEST(Degrees, error) {
+TEST(Degrees, Error) {
     Random random(9);
     WorstError sines, cosines, tangents;
     const auto add = [&](double x) {
@@ -286,7 +286,7 @@ TEST(Degrees, error) {
     EXPECT_LT(tangents.ulp, 0.95);
 }
 
-TEST(Degrees, are_finite_and_within_one_for_any_angle) {
+TEST(Degrees, AreFiniteAndWithinOneForAnyAngle) {
     Random random(10);
     for (int i = 0; i < 200000; ++i) {
         const double x = std::exp(random.uniform(-744, 709)) * (i % 2 ? 1 : -1);
@@ -302,7 +302,7 @@ TEST(Degrees, are_finite_and_within_one_for_any_angle) {
 }
 
 // A checksum over the bits of many results: every compiler and the browser build must give this number.
-TEST(Elementary, has_the_same_bits_everywhere) {
+TEST(Elementary, HasTheSameBitsEverywhere) {
     Random random(11);
     std::uint64_t hash = 0xcbf29ce484222325u;
     const auto add = [&hash](double value) {

@@ -34,7 +34,7 @@ void expect_near(Vec3 a, Vec3 b, double tolerance) {
     EXPECT_NEAR(a.z, b.z, tolerance);
 }
 
-TEST(Vec3, length_and_direction) {
+TEST(Vec3, LengthAndDirection) {
     EXPECT_EQ(length({3, 4, 12}), 13);
     EXPECT_EQ(length({0, 0, 0}), 0);
     EXPECT_EQ(length({0, -5e-324, 0}), 5e-324);
@@ -49,11 +49,13 @@ TEST(Vec3, length_and_direction) {
     for (int i = 0; i < 10000; ++i) {
         const Vec3 v = random_vector(random, 1000);
         EXPECT_NEAR(length(normalize(v)), 1, 4.5e-16);
-        EXPECT_EQ(length(v), std::sqrt(dot(v, v)));  // the care for extremes costs ordinary vectors no bit
+        EXPECT_EQ(
+            length(v),
+            std::sqrt(dot(v, v)));  // scaling by powers of two does not change the bits of ordinary vectors
     }
 }
 
-TEST(Affine, quarter_turns_are_exact_and_right_handed) {
+TEST(Affine, QuarterTurnsAreExactAndRightHanded) {
     const Vec3 x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1};
     EXPECT_EQ(transform_vector(rotation_x(90), y), z);
     EXPECT_EQ(transform_vector(rotation_y(90), z), x);
@@ -62,13 +64,13 @@ TEST(Affine, quarter_turns_are_exact_and_right_handed) {
     EXPECT_EQ(rotation_x(720), Affine{});
 }
 
-TEST(Affine, the_inner_map_comes_first) {
+TEST(Affine, TheInnerMapComesFirst) {
     const Affine map = compose(translation({10, 0, 0}), compose(rotation_z(90), scaling({2, 3, 4})));
     EXPECT_EQ(transform_point(map, {1, 1, 1}), (Vec3{7, 2, 4}));
     EXPECT_EQ(transform_vector(map, {1, 1, 1}), (Vec3{-3, 2, 4}));
 }
 
-TEST(Affine, inverse_undoes) {
+TEST(Affine, InverseUndoesTheMap) {
     Random random(2);
     for (int i = 0; i < 10000; ++i) {
         const Affine map = random_map(random);
@@ -80,7 +82,7 @@ TEST(Affine, inverse_undoes) {
     }
 }
 
-TEST(Affine, inverse_knows_singular_maps) {
+TEST(Affine, InverseDetectsSingularMaps) {
     const double inf = std::numeric_limits<double>::infinity();
     EXPECT_FALSE(inverse(scaling({1, 0, 1})));
     EXPECT_FALSE(inverse(scaling({0, 0, 0})));
@@ -97,7 +99,7 @@ TEST(Affine, inverse_knows_singular_maps) {
     EXPECT_TRUE(inverse({{{1, 1e12, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}}));
 }
 
-TEST(Affine, normals_stay_perpendicular_and_on_their_side) {
+TEST(Affine, NormalsStayPerpendicularAndOnTheirSide) {
     Random random(3);
     for (int i = 0; i < 10000; ++i) {
         const Affine world_from_object = random_map(random);

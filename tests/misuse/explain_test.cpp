@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// explain() and the functions that use its result, with a scene that was edited since prepare(), and with
-// results that explain() does not give.
+// explain() and the functions that use its result: with a scene edited after prepare(), and with explanations
+// that explain() never returns.
 #include <functional>
 
 #include "misuse/misused.h"
@@ -51,7 +51,8 @@ TEST(Misuse, OfASceneEditedSincePrepare) {
         edit(edited);
         for (std::int32_t y = 0; y < 12; ++y)
             for (std::int32_t x = 0; x < 16; ++x) EXPECT_NE(explain(edited, world, x, y).message, "") << what;
-        // The explanation knows less than the world: what it names must be there, or an error says so.
+        // The explanation has no reference to the world: its indices must exist in the scene, or there is an
+        // error.
         const Result<std::string> json = explanation_json(good, edited);
         EXPECT_TRUE(json || json.code == ErrorCode::invalid_argument) << what;
         const Image before = drawn;
@@ -118,7 +119,7 @@ TEST(Misuse, OfExplanations) {
         for (std::size_t ray = 0; ray < e.rays.size(); ++ray) layer_of(e, ray);
         EXPECT_NE(sample_values(e).code, ErrorCode::internal) << what;
     }
-    // Rays with NaN or infinity have no place in a picture.
+    // Rays with NaN or infinity have no position in a picture.
     Explanation e = good;
     for (ExplainedRay& ray : e.rays) {
         ray.origin = {k_nan, 1e300, -k_infinity};

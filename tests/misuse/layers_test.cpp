@@ -43,7 +43,7 @@ TEST(Misuse, OfViewable) {
         EXPECT_EQ(image->rgb.size(), 18u);
         EXPECT_EQ(image->width, 3);
     }
-    // Values that no render gives.
+    // Values that render() never returns.
     for (const LayerInfo& info : layer_infos()) {
         const std::size_t channels = info.channels.size();
         LayerImage layer{info.layer, 5, 1, static_cast<int>(channels), {}};

@@ -122,14 +122,14 @@ TEST(Misuse, OfEditShapes) {
         EXPECT_TRUE(edit_shapes(world, scene, twice, {.threads = threads}).ok());
         EXPECT_EQ(render(world).value().image.rgb, before.rgb);
     }
-    // All shapes of a World that had none, and then none.
+    // Adding shapes to a World without shapes, and removing all of them.
     World empty;
     Scene bare = scene;
     for (Shape& shape : bare.shapes) shape.material = k_none;
     EXPECT_EQ(edit_shapes(empty, bare, {}).value(), ShapeEdit::rebuilt);
     EXPECT_TRUE(edit_shapes(empty, Scene{}, {}).ok());
     EXPECT_EQ(memory_usage(empty).packed, 0u);
-    // An explanation of what the scene no longer is.
+    // An explanation of an earlier state of the scene.
     EXPECT_NE(explain(scene, empty, 3, 4).message, "");
 }
 

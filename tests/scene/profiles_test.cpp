@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The profiles, and that docs/conventions.md says of them what the code does.
+// The profiles, compared with the table of docs/conventions.md.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -11,7 +11,7 @@
 namespace glint::test {
 namespace {
 
-// docs/conventions.md has a table `| key | cgfs | epfl | ... |` with a row a key.
+// docs/conventions.md has a table `| key | cgfs | epfl | ... |` with one row per key.
 std::vector<std::string> cells(const std::string& line) {
     std::vector<std::string> out;
     std::stringstream stream(line.substr(1));
@@ -39,7 +39,7 @@ std::vector<std::vector<std::string>> documented_table() {
     return rows;
 }
 
-TEST(Profiles, AreDocumentedAsTheyAre) {
+TEST(Profiles, AgreeWithTheDocument) {
     const auto rows = documented_table();
     const auto names = profile_names();
     ASSERT_EQ(rows.size(), setting_keys().size() + 1);
@@ -70,8 +70,8 @@ TEST(Profiles, EveryKeyIsDescribedInTheDocument) {
     }
 }
 
-// The values that CONVENTIONS of the sources give, by hand: the table above would follow a slip of the code.
-TEST(Profiles, AreWhatTheSourcesSay) {
+// The values of the sources, written by hand: the table could repeat an error of the code.
+TEST(Profiles, AgreeWithTheSources) {
     const auto value = [](const char* profile, const char* key) {
         Scene scene;
         apply_profile(scene, profile);
@@ -169,7 +169,7 @@ TEST(Profiles, SetEveryOriginAndTheName) {
     EXPECT_EQ(scene.origins[0].kind, SettingOrigin::Kind::profile);
 }
 
-TEST(Profiles, OneThatDoesNotExistChangesNothing) {
+TEST(Profiles, UnknownProfilesChangeNothing) {
     Scene scene;
     EXPECT_FALSE(apply_profile(scene, "povray"));
     EXPECT_FALSE(apply_profile(scene, ""));

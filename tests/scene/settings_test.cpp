@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The table of settings: every key takes what it prints, and refuses what it cannot mean.
+// The table of settings: every key accepts the text that it prints, and rejects invalid text.
 #include <gtest/gtest.h>
 
 #include "glint/scene.h"
@@ -87,7 +87,7 @@ TEST(Settings, EveryFieldHasAKey) {
     EXPECT_EQ(scene.settings, settings);
 }
 
-TEST(Settings, EveryListedWordIsTaken) {
+TEST(Settings, EveryListedWordIsAccepted) {
     for (std::size_t i = 0; i < setting_keys().size(); ++i) {
         std::string_view words = setting_keys()[i].values;
         if (words.find(" | ") == std::string_view::npos) continue;
@@ -124,7 +124,7 @@ struct Wrong {
 
 class WrongSettings : public testing::TestWithParam<Wrong> {};
 
-TEST_P(WrongSettings, AreRefusedAndChangeNothing) {
+TEST_P(WrongSettings, AreRejectedAndChangeNothing) {
     Scene scene;
     EXPECT_EQ(set(scene, GetParam().key, GetParam().value), GetParam().message);
     EXPECT_EQ(scene.conventions, Conventions{});
@@ -160,7 +160,7 @@ INSTANTIATE_TEST_SUITE_P(
               "`blinn-phong`?"},
         Wrong{"limit", "\x1b[31m", "expected keep | drop, found '\\x1b[31m'"}));
 
-TEST(Settings, AKeyThatDoesNotExistChangesNothing) {
+TEST(Settings, UnknownKeysChangeNothing) {
     Scene scene;
     EXPECT_EQ(set_setting(scene, 1000, "1", {}).message, "no such setting");
     EXPECT_EQ(get_setting(scene, 1000), "");

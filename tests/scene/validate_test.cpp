@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Every number of a scene made in code is checked: one broken scene a row, and the message it gets.
+// validate() checks every number of a scene made in code: one invalid scene per row, with its message.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -26,7 +26,7 @@ Scene good_scene() {
     return scene;
 }
 
-TEST(Validate, AGoodSceneHasNothingToSay) { EXPECT_TRUE(validate(good_scene()).empty()); }
+TEST(Validate, ValidScenesHaveNoDiagnostics) { EXPECT_TRUE(validate(good_scene()).empty()); }
 
 TEST(Validate, ErrorsNameTheItemByItsIndex) {
     const struct {
@@ -60,7 +60,7 @@ TEST(Validate, ErrorsNameTheItemByItsIndex) {
         EXPECT_EQ(diagnostics[0].item, item) << path;
         EXPECT_EQ(diagnostics[0].index, index) << path;
         EXPECT_EQ(item_path(diagnostics[0]), path);
-        // Where there is one camera, the message says so.
+        // A scene has one camera, so the message has no index.
         const std::string place = item < SceneItem::light ? "" : std::string(path) + ": ";
         EXPECT_EQ(to_string(diagnostics[0]), place + "error: " + diagnostics[0].message + "\n");
         // The same through a function that returns a Result.
@@ -196,7 +196,7 @@ INSTANTIATE_TEST_SUITE_P(
         Broken{"epsilon: expected a number", [](Scene& s) { s.conventions.epsilon = k_nan; }},
         Broken{"offset: expected ray", [](Scene& s) { s.conventions.offset = static_cast<Offset>(77); }}));
 
-TEST(Validate, SmallAndLargeScenesAreGood) {
+TEST(Validate, SmallAndLargeScenesAreValid) {
     Scene scene = good_scene();
     scene.get<Sphere>()[0] = {{1e12, -1e12, 0}, 1e-300};
     scene.get<Plane>()[0].normal = {0, 1e-300, 0};
@@ -227,7 +227,7 @@ TEST(Validate, NamesAndPlacesAreThoseOfTheItem) {
     EXPECT_EQ(diagnostics[0].column, 3u);
 }
 
-TEST(Validate, ScenesWithoutLightsOrShapesAreWarnedOf) {
+TEST(Validate, WarnsAboutScenesWithoutLightsOrShapes) {
     Scene scene = good_scene();
     scene.lights.clear();
     ASSERT_EQ(validate(scene).size(), 1u);
@@ -240,7 +240,7 @@ TEST(Validate, ScenesWithoutLightsOrShapesAreWarnedOf) {
     EXPECT_EQ(validate(Scene{})[0].message, "the scene has no shapes: the picture shows only its background");
 }
 
-TEST(Validate, ConesThatAreNotDrawnAreToldOnce) {
+TEST(Validate, OmittedConesAreReportedOnce) {
     Scene scene = good_scene();
     scene.add(Cone{{0, 0, 0}, {0, 1, 0}, 1, 0, true});
     scene.add(Cone{{0, 3, 0}, {0, 1, 0}, 1, 0, true});
@@ -259,7 +259,7 @@ TEST(Scene, ItemTextsOfScenesMadeInCodeAreEmpty) {
     EXPECT_EQ(texts.place(5), SourcePlace{});
 }
 
-TEST(Scene, ShapesHaveTheirWords) {
+TEST(Scene, ShapeKindsHaveWords) {
     EXPECT_EQ(to_string(ShapeKind::sphere), "sphere");
     EXPECT_EQ(to_string(ShapeKind::cylinder), "cylinder");
     EXPECT_EQ(to_string(static_cast<ShapeKind>(250)), "unknown shape");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Pictures of which every pixel is known.
+// Pictures whose pixels are known in closed form.
 #include <gtest/gtest.h>
 
 #include "trace/pictures.h"
@@ -16,7 +16,7 @@ Material shiny() {
     return m;
 }
 
-// The full model of one light at a point, gated and clamped, nothing in the way.
+// The full model of one unoccluded light at a point, gated and clamped.
 Layers lit(const Material& m, Color ambient, const Light& light, Vec3 p, Vec3 n, Vec3 v, bool phong) {
     const Vec3 to_light = light.way_from(p);
     const double d = std::sqrt(dot(to_light, to_light));
@@ -90,8 +90,8 @@ TEST(ClosedForm, APlaneUnderOneLight) {
     }
 }
 
-// LIGHT's picture: a sphere of radius 21, one unit a pixel at whole x and y, seen in parallel, lit for an
-// observer at a point.
+// LIGHT's picture: a sphere of radius 21, one unit per pixel at whole x and y, in parallel projection, with
+// highlights for an observer at a point.
 TEST(ClosedForm, TheSphereOfLight) {
     const Vec3 source{5, 20, 30}, observer{40, -10, 25};
     const double k_a = 0.15, k_d = 0.5, k_s = 0.6, n = 7;
@@ -140,7 +140,7 @@ TEST(ClosedForm, TheSphereOfLight) {
                 layers.specular = {c, c, c};
                 return layers;
             });
-            EXPECT_EQ(on_sphere, 1373);  // whole points in a circle of radius 21
+            EXPECT_EQ(on_sphere, 1373);  // points with whole coordinates in a circle of radius 21
             EXPECT_EQ(negative > 0, !clamped);
         }
     }
@@ -168,7 +168,7 @@ TEST(ClosedForm, TheBigSphereIsShadedAsInDouble) {
         image,
         [&](int i, int j) {
             const Vec3 d{(i - 75) / 150.0, (74 - j) / 150.0, 1};
-            // Which sphere is nearest, in long double.
+            // The nearest sphere, in long double.
             long double best = 1e30L;
             std::size_t nearest = scene.shapes.size();
             for (std::size_t k = 0; k < scene.shapes.size(); ++k) {
@@ -188,7 +188,7 @@ TEST(ClosedForm, TheBigSphereIsShadedAsInDouble) {
                 return layers;
             }
             if (nearest != ground_shape) {
-                // Not what is looked at here.
+                // Not tested here.
                 layers.background = pixel(image, i, j);
                 return layers;
             }

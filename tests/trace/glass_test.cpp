@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Glass: the stream of rays against a recursion by the sources' own words, and pictures known in closed form.
+// Glass: the renderer compared with a recursion as in the sources, and pictures known in closed form.
 #include <gtest/gtest.h>
 
 #include "trace/hit_rule.h"
@@ -8,14 +8,14 @@
 namespace glint::test {
 namespace {
 
-constexpr double k_step = 1e-6;  // how far rays leave a surface here
+constexpr double k_step = 1e-6;  // the ray offset in this file
 
-// CSC 473's recursion, and the other conventions', over ambient light alone.
+// The recursion of CSC 473 and of the other conventions, with ambient light only.
 class Recursion {
   public:
     Recursion(const Scene& scene, const World& world) : scene_(scene), world_(world) {}
 
-    /// medium: the glass that the ray travels in, or null.
+    /// medium: the glass inside which the ray travels, or null.
     Color seen(Vec3 o, Vec3 d, const Material* medium, Color weight, int generation) {
         const Conventions& rules = scene_.conventions;
         const BruteHit hit = brute_nearest(world_, o, d, 0, 1e300);
@@ -51,7 +51,7 @@ class Recursion {
         const Vec3 p = o + d * hit.t, outward = normal(shape, p);
         const bool inside = dot(outward, d) > 0;
         const Vec3 n = inside ? -outward : outward;
-        // Snell's law by its angles: the part along the surface shrinks by eta.
+        // Snell's law: the tangential component is multiplied by eta.
         const double eta = inside ? m.ior : 1 / m.ior, cosine = -dot(n, d);
         const Vec3 along = (d + n * cosine) * eta;
         const double sine2 = dot(along, along);
@@ -154,7 +154,7 @@ void expect_recursion(const Scene& scene) {
     EXPECT_EQ(wrong, 0) << "channels of " << 3 * scene.settings.width * scene.settings.height;
 }
 
-TEST(Glass, TheStreamIsTheRecursionByEveryRule) {
+TEST(Glass, EqualsTheRecursionForEveryRule) {
     Random random(83);
     Scene scene = glass_scene(random);
     for (const int reflections : {0, 1, 6}) {
@@ -185,7 +185,7 @@ TEST(Glass, TheStreamIsTheRecursionByEveryRule) {
     }
 }
 
-// A pane of glass before a coloured wall, seen straight on: every part of its light is known.
+// A pane of glass in front of a coloured wall, seen perpendicularly: each part of its light is known.
 Scene pane(double thickness) {
     Scene scene;
     set_size(scene, 9, 9);
@@ -205,7 +205,7 @@ Scene pane(double thickness) {
     return scene;
 }
 
-// Colours of the pane's own light at its front and back, and of the wall behind it.
+// The colours of the pane's front and back, and of the wall behind it.
 void expect_pane(const Scene& scene, Color back, Color wall) {
     const Color own = Color{0.1, 0.2, 0.3} * 0.25;
     const Image image = render_scene(scene);
@@ -219,13 +219,13 @@ void expect_pane(const Scene& scene, Color back, Color wall) {
     }
 }
 
-TEST(Glass, TheTintCountsOnceAndTheTransmissionAtEachSurface) {
+TEST(Glass, TintAppliesOnceAndTransmissionAtEachSurface) {
     const Color tint{0.5, 0.25, 1};
     expect_pane(pane(1), tint * 0.75, tint * (0.75 * 0.75));
     expect_pane(pane(3), tint * 0.75, tint * (0.75 * 0.75));
 }
 
-TEST(Glass, BeersLawTakesTheThickness) {
+TEST(Glass, BeersLawDependsOnTheThickness) {
     for (const double thickness : {0.5, 2.0}) {
         Scene scene = pane(thickness);
         scene.conventions.beer = 0.15;
@@ -235,8 +235,8 @@ TEST(Glass, BeersLawTakesTheThickness) {
     }
 }
 
-TEST(Glass, BeersLawTakesTheWallsOfWhatIsHollow) {
-    // A pane of 2 with a layer of air of 1 within: what a pane of 1 lets through.
+TEST(Glass, BeersLawInHollowGlass) {
+    // A pane of thickness 2 with a layer of air of thickness 1 inside absorbs like a pane of thickness 1.
     Scene scene = pane(2);
     scene.conventions.beer = 0.15;
     scene.settings.reflections = 6;
@@ -250,12 +250,12 @@ TEST(Glass, BeersLawTakesTheWallsOfWhatIsHollow) {
     EXPECT_NEAR(got.r, 0.8 * left(0.5), 1e-4);
     EXPECT_NEAR(got.g, 0.4 * left(0.25), 1e-4);
     EXPECT_NEAR(got.b, 0.2 * left(1), 1e-4);
-    // And from within the glass, before the air.
+    // With the camera inside the glass, in front of the air.
     scene.camera.position = {0, 0, -0.25};
     scene.camera.look_at = {0, 0, -5};
     const Color inside = pixel(render_scene(scene), 4, 4);
     EXPECT_NEAR(inside.b, 0.2, 1e-4);
-    // The ray meets the air's front: nothing tells that it begins in glass, and only the far wall counts.
+    // The ray hits the front of the air. It is not known to start in glass, so only the far wall absorbs.
     EXPECT_NEAR(inside.g, 0.4 * std::exp(0.75 * 0.15 * -0.5), 1e-4);
 }
 
@@ -273,8 +273,8 @@ TEST(Glass, AClearBallOfAirIsInvisible) {
         EXPECT_EQ(render_scene(scene).rgb[i], without.rgb[i]);
 }
 
-TEST(Glass, ABallIsALensThatTurnsThePictureAround) {
-    // Red above, green below, far behind a ball of index 1.5 whose focus is at 1.5 radii from its centre.
+TEST(Glass, ABallInvertsThePicture) {
+    // Red above and green below, far behind a ball of index 1.5, whose focus is 1.5 radii from its centre.
     Scene scene;
     set_size(scene, 41, 41);
     scene.camera.position = {0, 0, 10};
@@ -291,13 +291,13 @@ TEST(Glass, ABallIsALensThatTurnsThePictureAround) {
     scene.add(Sphere{{0, 0, 0}, 1}, add_material(scene, ball));
     const Image image = render_scene(scene);
     for (const int y : {10, 15}) {
-        EXPECT_EQ(pixel(image, 20, y), (Color{0, 1, 0})) << "above the axis one sees what is below";
+        EXPECT_EQ(pixel(image, 20, y), (Color{0, 1, 0})) << "the picture is inverted";
         EXPECT_EQ(pixel(image, 20, 40 - y), (Color{1, 0, 0}));
     }
 }
 
-TEST(Glass, BeyondTheCriticalAngleAllIsReflected) {
-    // From within glass of index 1.5 (a camera inside), towards a flat face: dark room beyond, light within.
+TEST(Glass, TotalInternalReflectionBeyondTheCriticalAngle) {
+    // A camera inside glass of index 1.5 looks at a flat face: it is dark outside and bright inside.
     for (const double degrees : {41.0, 42.0}) {  // the critical angle is 41.81 degrees
         Scene scene;
         set_size(scene, 1, 1);
@@ -332,14 +332,14 @@ TEST(Glass, CastsAShadowIfTheConventionSaysSo) {
     scene.conventions.glass_shadow = GlassShadow::none;
     const double straight = 0.75 * 0.75 * 0.5;  // two surfaces, the tint
     EXPECT_NEAR(pixel(render_scene(scene), 4, 4).r, straight, 1e-3);
-    // What is opaque still does.
+    // Opaque shapes still cast shadows.
     scene.add(Sphere{{0, 0, 3}, 0.5}, add_material(scene, Material{}));
     scene.camera.position = {4, 0, 2};
     scene.camera.look_at = {0, 0, -5};
     EXPECT_EQ(pixel(render_scene(scene), 4, 4).r, 0);
 }
 
-TEST(Glass, RaysThatDoubleAtEverySurfaceAreLimited) {
+TEST(Glass, TheNumberOfRaysIsLimited) {
     Random random(84);
     Scene scene = glass_scene(random);
     set_size(scene, 16, 16);
@@ -349,7 +349,7 @@ TEST(Glass, RaysThatDoubleAtEverySurfaceAreLimited) {
     const Result<Rendering> result = render(*make_world(scene));
     ASSERT_TRUE(result);
     EXPECT_LE(result->rays.mirror + result->rays.transmitted, 256u * k_max_sample_rays);
-    EXPECT_GT(result->rays.cut, 0u) << "there was something to limit";
+    EXPECT_GT(result->rays.cut, 0u) << "the limit was reached";
     for (const float f : result->image.rgb) EXPECT_TRUE(f >= 0);
 }
 

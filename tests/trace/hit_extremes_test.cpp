@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The hit rule where single precision has little to go by: grazing rays, tiny and huge scenes, short
-// directions.
+// The hit rule at the limits of single precision: grazing rays, tiny and huge scenes, short directions.
 #include <gtest/gtest.h>
 
 #include <bit>
@@ -11,7 +10,7 @@
 namespace glint::test {
 namespace {
 
-/// Every instruction set and packet gives the bits of the brute force. Returns how many rays hit.
+/// Every instruction set and packet size gives the bits of the brute force. Returns the number of hits.
 int expect_brute_force(const World& world, const Rays& rays) {
     const Hits expected = brute_hits(world, rays);
     int hit = 0;
@@ -98,7 +97,7 @@ void expect_grazing(std::uint64_t seed, double scale, double distance, double le
     const std::optional<World> world = make_world(g.scene);
     ASSERT_TRUE(world);
     const int hit = expect_brute_force(*world, g.rays);
-    // Shorter ones meet few boxes: their components count as 1e-30 at least.
+    // Shorter directions intersect few boxes: their components count as at least 1e-30.
     if (length > 1e-27) {
         EXPECT_GT(hit, 100);
     }
@@ -123,7 +122,7 @@ TEST(HitExtremes, ShortAndLongDirections) {
         expect_grazing(seed++, 1, 30, length);
 }
 
-TEST(HitExtremes, DirectionsOfComponentsFarApart) {
+TEST(HitExtremes, DirectionsWithVeryDifferentComponents) {
     Random random(400);
     Scene scene;
     for (int i = 0; i < 200; ++i) {

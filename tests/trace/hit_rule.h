@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// The hit rule, said once more without lanes, packets or a hierarchy: what the kernels must agree with to the
-// bit.
+// The hit rule without lanes, packets or a hierarchy. The kernels must give the same bits.
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -26,7 +25,7 @@ struct Interval {
     float entry, exit;
 };
 
-/// Where the ray is within the padded box of a slot.
+/// The interval of t in which the ray is inside a slot's padded box.
 inline Interval box_interval(const PackedGeometry& geometry, std::uint32_t slot, Vec3 o, Vec3 d) {
     const double origin[3] = {o.x, o.y, o.z}, direction[3] = {d.x, d.y, d.z};
     const Aabb box = primitive_box(geometry, slot);
@@ -80,7 +79,7 @@ inline BruteHit brute_nearest(const World& world, Vec3 o, Vec3 d, double t_min, 
             if (t < in.entry) t = in.entry;
             if (t > in.exit) t = in.exit;
             if (!(t > t_min && t < t_max)) continue;
-            // Of a polygon's triangles the one that was cut off first.
+            // Ties within a polygon go to the triangle that was cut off first.
             const auto order = [&](std::uint32_t s) {
                 return std::pair(geometry.shape_index[s], geometry.piece_of(s));
             };

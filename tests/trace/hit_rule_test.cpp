@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// However rays are grouped and whatever instruction set computes: the same t and the same shape, to the bit.
+// The same t and the same shape, to the bit, for all packet sizes and instruction sets.
 #include "trace/hit_rule.h"
 
 #include <gtest/gtest.h>
@@ -33,7 +33,7 @@ void expect_same(const Hits& expected, const Hits& got, const World& world, cons
     EXPECT_EQ(wrong, 0) << "of " << rays.size() << " rays";
 }
 
-/// Every instruction set and packet agrees with `expected`; so does any_hit.
+/// nearest_hit and any_hit agree with `expected` for every instruction set and packet size.
 void expect_all(const World& world, const Rays& rays, const Hits& expected) {
     for (const Kernels& kernels : available_kernels()) {
         for (const int packet : k_packet_sizes) {
@@ -49,7 +49,7 @@ void expect_all(const World& world, const Rays& rays, const Hits& expected) {
     }
 }
 
-/// Of all sorts; from surfaces too, once the others have found them.
+/// Rays of many kinds; once the first ones have hits, also rays that start at these.
 Rays all_sorts(Random& random, const Scene& scene, const World& world, int count, double half) {
     Rays rays;
     while (rays.size() < count) {
@@ -61,7 +61,7 @@ Rays all_sorts(Random& random, const Scene& scene, const World& world, int count
             case 1:
                 rays.push(o, axis_direction(random));
                 break;
-            case 2: {  // in a plane of two axes
+            case 2: {  // in the plane of two axes
                 Vec3 d = unit_direction(random);
                 (below(random, 2) ? d.x : d.y) = chance(random, 0.5) ? 0.0 : -0.0;
                 rays.push(o, d);
@@ -134,7 +134,7 @@ TEST(HitRule, TouchingSpheres) {
     expect_all(*world, rays, brute_hits(*world, rays));
 }
 
-TEST(HitRule, BigSphereBesideSmallOnes) {
+TEST(HitRule, BigSphereNextToSmallOnes) {
     Random random(13);
     Scene scene;
     scene.add(Sphere{{0, -5001, 0}, 5000});
@@ -146,7 +146,7 @@ TEST(HitRule, BigSphereBesideSmallOnes) {
 }
 
 TEST(HitRule, GridsOfAlignedShapesAndAxisParallelRays) {
-    // Boxes share planes, and rays run in them: the case in which slab tests divide 0 by 0.
+    // Boxes have common planes with rays in them, where slab tests divide 0 by 0.
     Scene scene;
     for (int x = 0; x < 9; ++x) {
         for (int y = 0; y < 9; ++y) {
@@ -174,7 +174,7 @@ TEST(HitRule, GridsOfAlignedShapesAndAxisParallelRays) {
 }
 
 TEST(HitRule, EqualBoxes) {
-    // The first of 100,000 coincident spheres is seen; among them are a few others.
+    // The first of 100,000 coincident spheres is hit. There are a few other spheres among them.
     constexpr std::uint32_t count = 100000;
     Scene scene;
     for (std::uint32_t i = 0; i < count; ++i) scene.add(Sphere{{1, 2, 3}, 1});
@@ -195,7 +195,7 @@ TEST(HitRule, EqualBoxes) {
     expect_all(*world, rays, expected);
 }
 
-TEST(HitRule, OfEqualTheFirstInTheSceneWins) {
+TEST(HitRule, TiesGoToTheFirstInTheScene) {
     // The same surface as a sphere, a transformed sphere and a plane that touches it, in every order.
     for (int order = 0; order < 6; ++order) {
         Scene scene;
@@ -275,7 +275,7 @@ TEST(HitRule, EmptyScene) {
 }
 
 TEST(HitRule, ExponentiallySpacedSpheres) {
-    // One by one they part from the rest: a hierarchy as deep as the builder permits.
+    // The builder splits them off one by one, which makes the hierarchy as deep as possible.
     Scene scene;
     for (int i = 0; i < 1600; ++i) {
         const double at = std::pow(10.0, -6 + 17.0 * i / 1600);
@@ -292,7 +292,7 @@ TEST(HitRule, ExponentiallySpacedSpheres) {
     expect_all(*world, rays, brute_hits(*world, rays));
 }
 
-TEST(HitRule, BadRaysHitNothingAndLeaveTheOthersAlone) {
+TEST(HitRule, InvalidRaysMissAndDoNotAffectOthers) {
     Random random(16);
     const Scene scene = random_scene(random, 300);
     const std::optional<World> world = make_world(scene);

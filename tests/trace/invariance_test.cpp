@@ -90,13 +90,13 @@ TEST(Invariance, WorldsPreparedByAnyNumberOfThreads) {
     }
 }
 
-TEST(Invariance, APictureOfCrops) {
+TEST(Invariance, PictureAssembledFromCrops) {
     Random random(92);
     const Image& whole = everything_image();
     Image built = whole;
     built.rgb.assign(built.rgb.size(), -1);
     RayCounts rays;
-    // Random cuts into columns, each into rows.
+    // Random columns, each divided into random rows.
     for (int x = 0; x < whole.width;) {
         const int width = std::min(whole.width - x, 1 + below(random, 45));
         for (int y = 0; y < whole.height;) {
@@ -121,8 +121,8 @@ TEST(Invariance, APictureOfCrops) {
     EXPECT_EQ(rays.camera, unsigned{k_samples * k_samples} * 101u * 75u);
 }
 
-TEST(Invariance, TilesThatSeeNothing) {
-    // An infinite plane behind the camera changes nothing but that no tile is known to see nothing.
+TEST(Invariance, TileCulling) {
+    // With an infinite plane behind the camera the picture is the same, but no tile is culled.
     Random random(94);
     for (int i = 0; i < 100; ++i) {
         const double far = log_uniform(random, 5, 1e6);
@@ -134,7 +134,7 @@ TEST(Invariance, TilesThatSeeNothing) {
         scene.conventions.pixel_sample = static_cast<PixelSample>(below(random, 3));
         scene.camera.position = unit_direction(random) * far;
         scene.camera.look_at = point_in_cube(random, 3);
-        // The shapes of a cloud of 20 units, some pixels each, fill the picture or are in its middle.
+        // A cloud of shapes of a few pixels each, which fills the picture or is in its centre.
         scene.camera.fov_degrees = std::min(150.0, log_uniform(random, 600, 3000) / far);
         for (int k = 0; k < 30; ++k) {
             const Vec3 at = point_in_cube(random, 10);
@@ -164,7 +164,7 @@ TEST(Invariance, TheCallersFloatingPointState) {
             const unsigned after = _mm_getcsr();
             _mm_setcsr(before);
             EXPECT_EQ(after & ~0x3fu, state)
-                << "the caller's state is not restored";  // but for the exceptions' flags
+                << "the caller's state is not restored";  // except for the exception flags
             ASSERT_TRUE(result);
             expect_same_picture(everything_image(), result->image);
         }
@@ -233,7 +233,7 @@ TEST(Render, StopsWhenCancelled) {
     }
 }
 
-TEST(Render, SaysWhatItCannotDo) {
+TEST(Render, ReportsInvalidOptions) {
     RenderOptions options;
     options.isa = "avx9";
     Result<Rendering> result = render(everything_world(), options);
@@ -289,7 +289,7 @@ TEST(Render, CountsRaysAsTracedByHand) {
     scene.settings.shadows = false;
     EXPECT_EQ(count().shadow, 0u);
     scene.settings.shadows = true;
-    scene.materials[mirror].diffuse = {0, 0, 0};  // and no specular: nothing to light
+    scene.materials[mirror].diffuse = {0, 0, 0};  // and no specular: no light is reflected
     EXPECT_EQ(count().shadow, 0u);
     scene.settings.samples = 3;
     rays = count();
@@ -297,7 +297,7 @@ TEST(Render, CountsRaysAsTracedByHand) {
     EXPECT_EQ(rays.mirror, 9u * 32u);
     scene.settings.reflections = 0;
     EXPECT_EQ(count().mirror, 0u);
-    // A ceiling above the camera: seen in the mirror, and in its own twice more.
+    // A ceiling above the camera, which is a mirror too: two more reflections.
     scene.settings.samples = 1;
     scene.settings.reflections = 3;
     scene.add(Plane{{0, 20, 0}, {0, 1, 0}}, mirror);

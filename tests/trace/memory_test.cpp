@@ -6,7 +6,7 @@
 
 #include "glint/render.h"
 
-// Sanitizers keep what is freed.
+// Sanitizers do not reuse freed memory.
 #if defined(__linux__) && !defined(GLINT_SANITIZED)
 
 namespace glint::test {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Mirrors: the stream's sum of weights against the recursion that the sources write, by every rule.
+// Mirrors: the renderer's weighted sum compared with the recursion of the sources, for every rule.
 #include <gtest/gtest.h>
 
 #include "trace/hit_rule.h"
@@ -8,7 +8,7 @@
 namespace glint::test {
 namespace {
 
-// The recursion as CGFS and RT2 have it, over ambient light alone.
+// The recursion of CGFS and RT2, with ambient light only.
 class Recursion {
   public:
     Recursion(const Scene& scene, const World& world) : scene_(scene), world_(world) {}
@@ -107,7 +107,7 @@ void expect_recursion(Scene& scene, const std::optional<World>& world) {
     EXPECT_EQ(result->rays.camera + result->rays.mirror, recursion.rays());
 }
 
-TEST(Mirrors, TheSumIsTheRecursionByEveryRule) {
+TEST(Mirrors, TheSumEqualsTheRecursionForEveryRule) {
     Random random(81);
     for (const bool closed : {false, true}) {
         Scene scene = hall_of_mirrors(random, closed);
@@ -137,8 +137,8 @@ TEST(Mirrors, TheSumIsTheRecursionByEveryRule) {
 }
 
 TEST(Mirrors, TwoFacingMirrorsAreAGeometricSeries) {
-    // Between two equal plane mirrors every generation sees the same: local (1 - a) (1 + a + a^2 + ...) + a^N
-    // local.
+    // Between two equal plane mirrors all generations have the same local colour. The pixel is
+    // local (1 - a) (1 + a + a^2 + ...) + a^N local.
     for (const int n : {0, 1, 3, 64, 1000}) {
         for (const LimitRule limit : {LimitRule::keep, LimitRule::drop}) {
             for (const MirrorRule rule : {MirrorRule::blend, MirrorRule::add}) {
@@ -177,7 +177,7 @@ TEST(Mirrors, TwoFacingMirrorsAreAGeometricSeries) {
     }
 }
 
-TEST(Mirrors, OtherShadingModesLookNoFurther) {
+TEST(Mirrors, UnlitShadingModesTraceNoMirrorRays) {
     Random random(82);
     Scene scene = hall_of_mirrors(random, true);
     for (const Shading shading : {Shading::color, Shading::normals}) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// Rendering in tests, and comparing what comes out.
+// Rendering in tests, and comparing the results.
 #include <gtest/gtest.h>
 
 #include <bit>
@@ -24,7 +24,7 @@ inline Image render_scene(const Scene& scene) {
 
 inline Color pixel(const Image& image, int x, int y) { return image.pixel(x, y); }
 
-/// How many floats apart; large if one is NaN.
+/// The distance of two floats in ulp; large if one is NaN.
 inline std::int64_t floats_apart(float a, float b) {
     if (std::isnan(a) || std::isnan(b)) return 1 << 30;
     const auto order = [](float f) {
@@ -35,7 +35,7 @@ inline std::int64_t floats_apart(float a, float b) {
     return difference < 0 ? -difference : difference;
 }
 
-/// The parts of a pixel in the order in which they are added up, each rounded to float.
+/// The layers of a pixel in the order of summation, each rounded to float.
 struct Layers {
     Color background{0, 0, 0}, ambient{0, 0, 0}, diffuse{0, 0, 0}, specular{0, 0, 0}, reflected{0, 0, 0};
     float channel(double Color::*c) const {

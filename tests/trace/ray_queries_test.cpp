@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// nearest_hits() and occluded(): what the kernels say, in the scene's own terms.
+// nearest_hits() and occluded() return the kernels' results with the scene's indices.
 #include "trace/hit_rule.h"
 #include "trace/worlds.h"
 
 namespace glint::test {
 namespace {
 
-TEST(RayQueries, AreTheHitRule) {
+TEST(RayQueries, FollowTheHitRule) {
     Random random(301);
     const Scene scene = random_scene(random, 300);
     const World world = *make_world(scene);
@@ -34,7 +34,7 @@ TEST(RayQueries, AreTheHitRule) {
     }
 }
 
-TEST(RayQueries, GiveTheShapesOwnNormal) {
+TEST(RayQueries, ReturnTheShapesOwnNormal) {
     Scene scene;
     scene.transforms.push_back(translation({0, 0, -10}));
     scene.add(Sphere{{0, 0, 0}, 2});

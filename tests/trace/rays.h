@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// Rays in columns, and what the kernels answer for them.
+// Rays in columns, and the results of the kernels for them.
 #include <cstdint>
 #include <limits>
 #include <vector>

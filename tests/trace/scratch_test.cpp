@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is beyond the rays and the hits at hand: padding, which ends, and what an earlier picture left there.
+// Memory past the current rays and hits: the kernels read no further than the padding, and the contents of
+// earlier pictures have no effect.
 #include <gtest/gtest.h>
 
 #include <memory>
@@ -10,7 +11,7 @@
 namespace glint::test {
 namespace {
 
-/// Columns with the padding that is promised, and no more.
+/// Columns with exactly the guaranteed padding.
 class ExactRays {
   public:
     explicit ExactRays(const Rays& rays) {
@@ -31,7 +32,7 @@ class ExactRays {
     std::unique_ptr<double[]> column_[8];
 };
 
-TEST(Scratch, NothingIsReadPastTheRaysPadding) {  // the address sanitizer says so
+TEST(Scratch, NothingIsReadPastTheRaysPadding) {  // reported by the address sanitizer
     Scene scene;
     scene.add(Triangle{{Vec3{-5, -5, -5}, Vec3{5, -5, -5}, Vec3{0, 5, -5}}});
     scene.add(Sphere{{0, 0, -7}, 1});
@@ -39,7 +40,8 @@ TEST(Scratch, NothingIsReadPastTheRaysPadding) {  // the address sanitizer says 
     ASSERT_TRUE(world);
     for (int count = 1; count < 60; ++count) {
         for (int aside = 0; aside < std::min(count, 20); ++aside) {
-            Rays rays;  // the first ones go other ways, so that a packet of the others begins anywhere
+            Rays rays;  // the first ones have other directions, so that the packet of the others starts at
+                        // any index
             for (int i = 0; i < count; ++i)
                 rays.push({0, 0, 0},
                           i < aside ? Vec3{0, i % 2 != 0 ? 1.0 : -1.0, 0} : Vec3{0.003 * i, 0, -1});
@@ -63,7 +65,7 @@ TEST(Scratch, NothingIsReadPastTheRaysPadding) {  // the address sanitizer says 
     }
 }
 
-/// Glass whose material is the last of so many.
+/// Glass whose material is the last of `count`.
 Scene glass_scene(std::uint32_t materials) {
     Scene scene;
     Material glass;
@@ -76,7 +78,7 @@ Scene glass_scene(std::uint32_t materials) {
     return scene;
 }
 
-TEST(Scratch, AnEarlierPictureOfMoreMaterialsLeavesNothingBehind) {
+TEST(Scratch, EarlierPicturesWithMoreMaterialsHaveNoEffect) {
     constexpr std::uint32_t many = 400000;
     Scene big = glass_scene(many);
     big.add(Sphere{{0, 0, 0}, 100}, many - 1);  // fills the picture
@@ -95,7 +97,7 @@ TEST(Scratch, AnEarlierPictureOfMoreMaterialsLeavesNothingBehind) {
         }
         const std::optional<World> world = make_world(small);
         ASSERT_TRUE(world);
-        const Result<Rendering> result = render(*world, options);  // once it read beyond the materials
+        const Result<Rendering> result = render(*world, options);  // a regression: read past the materials
         ASSERT_TRUE(result);
         EXPECT_GT(result->rays.transmitted, 100u);
     }

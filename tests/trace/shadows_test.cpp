@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Shadow rays: where each convention lets them begin and end, and what a classic fault looks like.
+// Shadow rays: their start and end by each convention, and the effect of classic faults.
 #include <gtest/gtest.h>
 
 #include "trace/pictures.h"
@@ -7,8 +7,8 @@
 namespace glint::test {
 namespace {
 
-// One pixel, looking along `view` at P = (0, 0, 0) on the plane y = 0; with a light; and a small disc across
-// the way to it.
+// One pixel that shows P = (0, 0, 0) on the plane y = 0 along `view`, a light, and a small disc across the
+// shadow ray.
 struct Spot {
     Conventions conventions;
     Vec3 view{0.5, -1, 0.25};
@@ -28,10 +28,10 @@ struct Spot {
         scene.add(Disc{blocker, facing, 1e-6});
         return pixel(render_scene(scene), 0, 0).r > 0;
     }
-    // The blocker is at this part of the way to the light's position (or along to_light).
-    bool is_lit_past(double part) const {
-        const Vec3 way = light.has_position() ? light.position : light.to_light;
-        return is_lit(way * part, way);
+    // The blocker is at P + s to the light's position (or to_light).
+    bool is_lit_past(double s) const {
+        const Vec3 to_light = light.has_position() ? light.position : light.to_light;
+        return is_lit(to_light * s, to_light);
     }
 };
 
@@ -61,8 +61,8 @@ TEST(Shadows, OffsetRayIsAnIntervalOfT) {
     }
 }
 
-TEST(Shadows, OffsetNormalBeginsAboveTheSurface) {
-    // RT2: origin P + epsilon N; the way from there to the light.
+TEST(Shadows, OffsetNormalStartsAboveTheSurface) {
+    // RT2: origin P + epsilon N; direction from there to the light.
     Spot s;
     s.conventions.offset = Offset::normal;
     s.conventions.epsilon = 0.1;
@@ -73,17 +73,17 @@ TEST(Shadows, OffsetNormalBeginsAboveTheSurface) {
     EXPECT_FALSE(lit(0.001));
     EXPECT_FALSE(lit(0.9999));
     EXPECT_TRUE(lit(1.0001));
-    EXPECT_TRUE(s.is_lit_past(0.5));  // the way from P itself is another one
+    EXPECT_TRUE(s.is_lit_past(0.5));  // the segment from P itself is a different one
 }
 
-TEST(Shadows, OffsetFacingBeginsOnTheSideOfTheEye) {
+TEST(Shadows, OffsetFacingStartsOnTheSideOfTheEye) {
     Spot s;
     s.conventions.offset = Offset::facing;
     s.conventions.epsilon = 0.1;
     s.light = directional_light({0, 1, 0});
     EXPECT_TRUE(s.is_lit({0, 0.05, 0}, {0, 1, 0}));
     EXPECT_FALSE(s.is_lit({0, 0.15, 0}, {0, 1, 0}));
-    // From below: the ray begins below, and the plane itself is in the way.
+    // Seen from below: the ray starts below the plane, which occludes it.
     s.view = {0.5, 1, 0.25};
     EXPECT_FALSE(s.is_lit({0, 5, 0}, {0, 1, 0}));
     EXPECT_FALSE(s.is_lit({5, 5, 0}, {0, 1, 0}));
@@ -91,7 +91,7 @@ TEST(Shadows, OffsetFacingBeginsOnTheSideOfTheEye) {
     EXPECT_TRUE(s.is_lit({5, 5, 0}, {0, 1, 0}));
 }
 
-TEST(Shadows, OffsetDirectionSeesAsFarPastTheLight) {
+TEST(Shadows, OffsetDirectionEndsEpsilonPastTheLight) {
     // Lecture 5: origin P + epsilon L, L of unit length; occluded if s < |L_P - P|.
     Spot s;
     s.conventions.offset = Offset::direction;
@@ -113,17 +113,17 @@ TEST(Shadows, OffsetScaleGrowsWithTheScene) {
     s.conventions.offset = Offset::scale;
     s.conventions.epsilon = 0.001;
     s.light = directional_light({0, 1, 0});
-    // The largest coordinate of the ray's origin is 20: the ray begins at 0.02.
+    // The largest coordinate of the ray's origin is 20, so the ray starts at 0.02.
     EXPECT_TRUE(s.is_lit({0, 0.019, 0}, {0, 1, 0}));
     EXPECT_FALSE(s.is_lit({0, 0.021, 0}, {0, 1, 0}));
     s.conventions.epsilon = 1e-9;
     EXPECT_FALSE(s.is_lit({0, 1e-5, 0}, {0, 1, 0}));
-    // Lit from behind, from the far side: the ray begins on the light's side, whatever the eye's.
+    // Lit from the far side: the ray starts on the light's side, independent of the eye.
     s.view = {0.5, 1, 0.25};
     EXPECT_TRUE(s.is_lit({5, 5, 0}, {0, 1, 0}));
 }
 
-TEST(Shadows, WhatIsBehindTheLightOnlyAsAFault) {
+TEST(Shadows, ShapesBehindTheLightBlockItOnlyAsAFault) {
     for (const Offset offset :
          {Offset::ray, Offset::normal, Offset::facing, Offset::direction, Offset::scale}) {
         Spot s;
@@ -171,14 +171,13 @@ TEST(Shadows, AcneWithoutEpsilonAndNoneWithIt) {
         scene.settings.shadows = true;
         scene.conventions.epsilon = 0;
         const Image acne = render_scene(scene);
-        // With the default, what is dark though it faces the light is in the sphere's shadow on the plane,
-        // and nowhere else.
+        // With the default, the only dark points that face the light are in the sphere's shadow on the plane.
         int spots = 0;
         for (int y = 0; y < 90; ++y) {
             for (int x = 0; x < 120; ++x) {
                 spots += pixel(acne, x, y).r == 0 && pixel(clean, x, y).r > 0;
                 if (pixel(clean, x, y).r != 0 || pixel(without, x, y).r == 0) continue;
-                // On the plane: the pixel's ray meets it behind the sphere as the light sees it.
+                // On the plane, the point is behind the sphere as seen from the light.
                 const std::optional<World> world = make_world(scene);
                 const double sx = (x + 0.5 - 60) / 120, sy = (45 - (y + 0.5)) / 90;
                 const Vec3 d = world->parts().camera.forward + world->parts().camera.right * sx +
@@ -196,7 +195,7 @@ TEST(Shadows, AcneWithoutEpsilonAndNoneWithIt) {
 }
 
 TEST(Shadows, NoAcneAtAnySizeOrPlace) {
-    // A convex shape alone: what faces the light is lit, in full.
+    // A single convex shape: all points that face the light are fully lit.
     Random random(101);
     for (int i = 0; i < 40; ++i) {
         const double size = log_uniform(random, 1e-5, 1e5);
@@ -236,16 +235,16 @@ TEST(Shadows, NoAcneAtAnySizeOrPlace) {
 TEST(Shadows, ALightInsideASphereLightsNothingOutside) {
     Scene scene = ball_on_plane(point_light({0.1, 1.2, 0}));
     EXPECT_EQ(dark_pixels(render_scene(scene)), 120 * 90);
-    // From within, it lights the inside.
+    // Seen from inside, the inside is lit.
     scene.camera.position = {0.3, 0.9, 0};
     scene.camera.look_at = {-5, 1, 1};
     EXPECT_EQ(dark_pixels(render_scene(scene)), 0);
-    scene.conventions.facing = Facing::none;  // the outward normal is turned away
+    scene.conventions.facing = Facing::none;  // the outward normal points away from the light
     EXPECT_EQ(dark_pixels(render_scene(scene)), 120 * 90);
 }
 
 TEST(Shadows, ALightInTheSurfaceItself) {
-    // It grazes its own surface, which stays dark, and lights the others.
+    // Its own surface is at grazing incidence and stays dark; the others are lit.
     Scene scene = ball_on_plane(point_light({2, 0, 1}));
     Image image = render_scene(scene);
     const Image sphere_only = [&] {
@@ -268,7 +267,7 @@ TEST(Shadows, ALightInTheSurfaceItself) {
         }
     }
     EXPECT_GT(lit_on_sphere, 200);
-    // Exactly where a pixel's ray meets the surface there is no direction to it, and no light.
+    // A light exactly at a pixel's hit point has no direction there, and gives no light.
     scene.lights[0].position = {0, 2, 0};
     scene.camera.projection = Projection::orthographic;
     scene.camera.position = {0, 10, 0};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The frustum of a tile contains its camera rays, wherever in their pixels they pass.
+// The frustum of a tile contains its camera rays, for every position of a ray in its pixel.
 #include "trace/tile_culling-inl.h"
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@ namespace plain = HWY_NAMESPACE;
 
 WorldParts view(PixelSample where, int samples) {
     WorldParts world;
-    world.settings.width = 101;  // odd: the middle of `whole` is half a pixel away from that of the others
+    world.settings.width = 101;  // odd: the centre for PixelSample::whole differs by half a pixel
     world.settings.height = 67;
     world.settings.samples = samples;
     world.conventions.pixel_sample = where;
@@ -25,7 +25,7 @@ WorldParts view(PixelSample where, int samples) {
     return world;
 }
 
-// The cosine between a plane and the ray that is nearest to it or beyond it; below 0: all are inside.
+// The largest signed cosine between a plane's outward normal and a ray. Below 0: all rays are inside.
 double greatest_cosine(const WorldParts& world, const TileJob& job) {
     const plain::TileFrustum frustum = plain::tile_frustum(world, job);
     EXPECT_TRUE(frustum.exists);
@@ -55,7 +55,7 @@ TEST(TileCulling, FrustumContainsTheRaysByAPixel) {
                 job.y = y;
                 job.width = std::min(k_tile_side, world.settings.width - x);
                 job.height = std::min(k_tile_side, world.settings.height - y);
-                // A pixel at the picture's edge is seen under a smaller angle than in its middle.
+                // Pixels at the picture's edge subtend smaller angles than in the centre.
                 EXPECT_LT(greatest_cosine(world, job), -0.5 * pixel)
                     << static_cast<int>(where) << ' ' << samples << ' ' << x << ',' << y;
             }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What render() hands over while it draws: tiles and the fraction done, one call at a time; and pictures in
-// the caller's memory.
+// The callbacks of render(): finished tiles and the fraction done, one call at a time. Rendering into the
+// caller's memory.
 #include <thread>
 
 #include "trace/pictures.h"
@@ -8,7 +8,7 @@
 namespace glint::test {
 namespace {
 
-constexpr int k_width = 203, k_height = 150;  // no multiples of a tile's side
+constexpr int k_width = 203, k_height = 150;  // not multiples of a tile's side
 
 World some_world() {
     Scene scene;
@@ -69,7 +69,7 @@ TEST_P(Tiles, CoverThePictureOnceWithItsFinalPixels) {
     }
 }
 
-TEST_P(Tiles, GoIntoTheCallersMemory) {
+TEST_P(Tiles, AreWrittenToTheCallersMemory) {
     const World world = some_world();
     const Crop crop{97, 71, 23, 40};
     RenderOptions options;
@@ -92,7 +92,7 @@ TEST_P(Tiles, GoIntoTheCallersMemory) {
     EXPECT_EQ(memory.back(), -7);
 }
 
-TEST_P(Tiles, AreWhatACancelledRenderLeaves) {
+TEST_P(Tiles, AreFinalAfterACancelledRender) {
     const World world = some_world();
     const Image whole = render_world(world);
     std::vector<float> memory(whole.rgb.size(), -7);

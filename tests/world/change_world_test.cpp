@@ -124,7 +124,7 @@ const Change k_changes[] = {
 
 class ChangedWorld : public ::testing::TestWithParam<std::string> {};
 
-TEST_P(ChangedWorld, IsTheWorldOfTheSceneSoChanged) {
+TEST_P(ChangedWorld, EqualsTheWorldOfTheChangedScene) {
     const auto scene = test::load_file(GetParam(), "size=40x30 aa=1");
     ASSERT_TRUE(scene);
     const World world = prepared(*scene);
@@ -139,7 +139,7 @@ TEST_P(ChangedWorld, IsTheWorldOfTheSceneSoChanged) {
     }
 }
 
-TEST_P(ChangedWorld, TakesChangesOneAfterTheOther) {
+TEST_P(ChangedWorld, AppliesSuccessiveChanges) {
     auto scene = test::load_file(GetParam(), "size=40x30 aa=1");
     ASSERT_TRUE(scene);
     World world = prepared(*scene);
@@ -173,7 +173,7 @@ Scene two_spheres() {
     return scene;
 }
 
-TEST(ChangeWorld, SaysWhatIsWrong) {
+TEST(ChangeWorld, ReportsInvalidArguments) {
     const World world = prepared(two_spheres());
     Light light;
     light.color.r = NAN;
@@ -211,7 +211,7 @@ TEST(ChangeWorld, FewerMaterialsThanBeforeAreEnoughIfNoShapeNeedsThem) {
     EXPECT_TRUE(draw_the_same(made(with_materials(world, scene.materials)), prepared(scene)));
 }
 
-TEST(ChangeWorld, ConesComeAndGoWithPrepareOnly) {
+TEST(ChangeWorld, ConesNeedPrepare) {
     Scene scene = two_spheres();
     Conventions without = scene.conventions;
     without.cones = false;
@@ -226,7 +226,7 @@ TEST(ChangeWorld, ConesComeAndGoWithPrepareOnly) {
     }
 }
 
-TEST(ChangeWorld, AWorldByDefaultIsEmpty) {
+TEST(ChangeWorld, TheDefaultWorldIsEmpty) {
     const World none;
     Scene scene;
     EXPECT_TRUE(draw_the_same(none, prepared(scene)));
@@ -241,7 +241,7 @@ TEST(ChangeWorld, AWorldByDefaultIsEmpty) {
     EXPECT_TRUE(draw_the_same(changed, prepared(scene)));
 }
 
-TEST(ChangeWorld, PreparingTellsOfItsProgressAndCanBeCancelled) {
+TEST(ChangeWorld, PrepareReportsProgressAndCanBeCancelled) {
     Random random(5);
     const Scene scene = random_scene(random, 30000);
     std::atomic<int> calls{0};

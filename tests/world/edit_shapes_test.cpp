@@ -30,7 +30,7 @@ ShapeEdit edit(World& world, const Scene& scene, std::initializer_list<std::uint
     return edit(world, scene, std::span(changed.begin(), changed.size()));
 }
 
-// Seen from outside, with lights and materials that show every normal, shadow and mirror.
+// A camera outside, and lights and materials that show every normal, shadow and mirror.
 Scene lit(Scene scene, double half) {
     scene.settings.width = 48;
     scene.settings.height = 36;
@@ -140,7 +140,7 @@ TEST(EditShapes, AFewOrAllMoved) {
     }
 }
 
-TEST(EditShapes, ARefittedHierarchyHoldsItsBoxes) {
+TEST(EditShapes, RefittedBoxesAreExact) {
     Random random(202);
     Scene scene = random_scene(random, 3000);
     World world = prepared(scene);
@@ -226,7 +226,7 @@ TEST(EditShapes, CopiesOfAWorldShareOneIndex) {
         const double cost = find_cost(geometry.bvh).expected();
         EXPECT_NEAR(geometry.cost.expected(), cost, 1e-9 * cost) << i;
     }
-    // And one that is made after them.
+    // The same for a World that is prepared after them.
     World later = base;
     Scene scene = original;
     move(scene, 3, {0, 1, 0});
@@ -235,7 +235,7 @@ TEST(EditShapes, CopiesOfAWorldShareOneIndex) {
     EXPECT_TRUE(draw_the_same(later, prepared(scene)));
 }
 
-TEST(EditShapes, RebuildsWhereTheStructureChanges) {
+TEST(EditShapes, RebuildsWhenTheStructureChanges) {
     Random random(204);
     const Scene original = lit(random_scene(random, 120), 10);
     const auto expect_rebuilt = [&](const char* what, std::uint32_t shape, const auto& change) {
@@ -290,7 +290,7 @@ TEST(EditShapes, ATriangleAsAPolygonIsRefitted) {
     EXPECT_TRUE(draw_the_same(world, prepared(scene)));
 }
 
-TEST(EditShapes, RebuildsWhereRaysWouldCostTooMuch) {
+TEST(EditShapes, RebuildsWhenTheCostIncreases) {
     Random random(205);
     Scene scene;
     for (int i = 0; i < 4000; ++i) scene.add(Sphere{point_in_cube(random, 10), 0.05});
@@ -340,7 +340,7 @@ TEST(EditShapes, TiesWithinAPolygonDoNotDependOnTheHierarchy) {
     EXPECT_GT(differing_orders, 5) << "nothing was tested";
 }
 
-TEST(EditShapes, LeavesAWorldAsItIsWhereSomethingIsWrong) {
+TEST(EditShapes, ErrorsLeaveTheWorldUnchanged) {
     Random random(207);
     const Scene original = lit(random_scene(random, 50), 10);
     World world = prepared(original);
@@ -392,7 +392,7 @@ TEST(EditShapes, ErrorsAmongManyShapesAreInTheOrderOfTheList) {
     EXPECT_EQ(result.diagnostics[2].index, 100u);
 }
 
-TEST(EditShapes, ShapesThatAreNotGivenKeepTheirMaterial) {
+TEST(EditShapes, OtherShapesKeepTheirMaterial) {
     Random random(208);
     Scene scene = lit(random_scene(random, 50), 10);
     World world = prepared(scene);
@@ -400,7 +400,7 @@ TEST(EditShapes, ShapesThatAreNotGivenKeepTheirMaterial) {
     ASSERT_TRUE(assign_material(world, shapes, 1));
     Scene expected = scene;
     expected.shapes[1].material = expected.shapes[2].material = 1;
-    // The scene itself does not have this change; shape 2 is taken from it.
+    // The scene does not have this change, and shape 2 is updated from the scene.
     scene.shapes[2].material = expected.shapes[2].material = 0;
     scene.shapes[3] = scene.shapes[scene.add(Box{}, 2)];
     scene.shapes.pop_back();
@@ -411,7 +411,7 @@ TEST(EditShapes, ShapesThatAreNotGivenKeepTheirMaterial) {
 }
 
 // One thread renders a copy repeatedly while another changes the World.
-TEST(EditShapes, ACopyStaysWhatItIsWhileItIsDrawn) {
+TEST(EditShapes, CopiesStayValidWhileTheyRender) {
     Random random(210);
     Scene scene = lit(random_scene(random, 60), 10);
     World world = prepared(scene);

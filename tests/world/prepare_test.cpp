@@ -43,7 +43,7 @@ TEST(Prepare, EveryShapeHasItsSlots) {
               world->parts().geometry->count + static_cast<std::size_t>(k_ray_padding));
 }
 
-TEST(Prepare, ConesAreLeftOutWhereTheConventionsSaySo) {
+TEST(Prepare, OmitsConesByConvention) {
     Scene scene;
     scene.add(Sphere{{0, 0, 0}, 1});
     scene.add(Cone{{0, 0, 0}, {0, 9, 0}, 1, 0, true});
@@ -81,7 +81,7 @@ TEST(Prepare, LeavesReferToSlotsOfOneClass) {
     for (const int times : met) EXPECT_EQ(times, 1);
 }
 
-TEST(Prepare, BoundsOfAPrimitiveAreThoseThatRaysAreTestedAgainst) {
+TEST(Prepare, PrimitiveBoundsAreThoseOfTheKernels) {
     Random random(114);
     const std::optional<World> world = make_world(random_scene(random, 700));
     const PackedGeometry& geometry = *world->parts().geometry;
@@ -98,7 +98,7 @@ TEST(Prepare, BoundsOfAPrimitiveAreThoseThatRaysAreTestedAgainst) {
     EXPECT_GT(computed, 0) << "no triangles";
 }
 
-TEST(Prepare, NoThreadsInTheResult) {
+TEST(Prepare, TheSameForAnyNumberOfThreads) {
     Random random(113);
     const Scene scene = random_scene(random, 40000);
     const std::optional<World> one = make_world(scene, 1);
@@ -116,7 +116,7 @@ TEST(Prepare, NoThreadsInTheResult) {
     }
 }
 
-TEST(Prepare, WhoseNormalIsTurned) {
+TEST(Prepare, FlippedNormals) {
     Scene scene;
     scene.transforms.push_back(translation({1, 2, 3}));
     const auto turned = [&](Facing facing) {
@@ -208,7 +208,7 @@ TEST(Prepare, MemoryByPart) {
     EXPECT_EQ(memory_usage(*make_world(Scene{})).each(), 0);
 }
 
-TEST(Prepare, AWorldOfASceneWithErrorsIsNone) {
+TEST(Prepare, RejectsInvalidScenes) {
     Scene scene;
     scene.add(Sphere{{0, 0, 0}, -1});
     const Result<World> result = prepare(scene);
@@ -217,7 +217,7 @@ TEST(Prepare, AWorldOfASceneWithErrorsIsNone) {
 }
 
 // Points of shapes are within their slots' boxes.
-TEST(Prepare, BoxesHoldTheirShapes) {
+TEST(Prepare, BoundsContainTheShapes) {
     Random random(114);
     Scene scene;
     for (int i = 0; i < 6; ++i) scene.transforms.push_back(random_transform(random, 3));

@@ -14,7 +14,7 @@ inline bool same_bits(const std::vector<float>& a, const std::vector<float>& b) 
     return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(float)) == 0;
 }
 
-/// Every layer is compared, and the number of rays of each kind.
+/// Compares every layer, and the number of rays of each kind.
 inline ::testing::AssertionResult draw_the_same(const World& a, const World& b, int threads = 1) {
     RenderOptions options;
     options.threads = threads;

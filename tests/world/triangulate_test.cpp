@@ -77,7 +77,7 @@ TEST(Triangulate, GearsAndCombs) {
     }
     comb.push_back({100, -1, 0});
     comb.push_back({0, -1, 0});
-    // Counter-clockwise is the other way round.
+    // The reversed order is counter-clockwise.
     std::vector<Vec3> turned(comb.rbegin(), comb.rend());
     double comb_area = 0;
     for (std::size_t i = 0; i < turned.size(); ++i)
@@ -86,7 +86,7 @@ TEST(Triangulate, GearsAndCombs) {
     expect_triangles(turned, {0, 0, comb_area});
 }
 
-TEST(Triangulate, BadPolygonsEnd) {
+TEST(Triangulate, InvalidPolygonsTerminate) {
     // Polygons that cross themselves, on one line, on one point, with repeated vertices: n - 2 triangles,
     // quickly.
     Random random(122);
