@@ -54,6 +54,13 @@ inline const std::vector<RetiredWord>& retired_words() {
         {R"(\bshape_word\b)", "to_string"},
         {R"(\bk_takes_maps\b)", "k_bakes_transform"},
         {R"(\b[Hh]abits?\b)", "SpellingHint", "src/formats/"},
+        // Prose.
+        {R"(\b([Nn]obody|[Ss]omebody|now and then|[Hh]olds? against|beside which)\b)",
+         "no thread, another World, at intervals, overrides",
+         "src/base/ src/bvh/ src/formats/ src/geometry/ src/image/ src/lighting/ src/math/ src/scene/ "
+         "src/simd/ "
+         "src/trace/ src/world/ include/ docs/library.md docs/architecture.md README.md"},
+        {R"(// .*\b(draws?|drawn)\b)", "renders", "src/trace/ src/world/ src/scene/ src/formats/"},
         // Scenes, lights, pictures.
         {R"(\w+_lamps?\b|\blamps?_\w+)", "light"},
         {R"(\b(draw_picture|draw_wanted|draw_at|draw_scaled|DrawnScene|draw_reference|draw_side)\b)",

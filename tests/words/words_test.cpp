@@ -98,6 +98,8 @@ TEST(Words, AreFound) {
     EXPECT_TRUE(at("include/glint/explain.h", "enum class BranchState : std::uint8_t {"));
     EXPECT_TRUE(at("src/simd/vec3-inl.h", "template <class T> struct Triple {"));
     EXPECT_TRUE(at("src/trace/film-inl.h", "store_triple(sum, sums, first);"));
+    EXPECT_TRUE(at("src/trace/render.cpp", "// the kernels that draw pictures"));
+    EXPECT_TRUE(at("include/glint/check.h", "///< looked at now and then"));
     EXPECT_TRUE(at("web/src/store/state.ts", "export const machinery = {};"));
     EXPECT_FALSE(at("docs/lighting.md", "a beam that meets the surface at an angle"));
     EXPECT_FALSE(at("docs/checks.md", "a sky or a room"));
