@@ -93,13 +93,13 @@ tidy:
 	@tools/install-dependencies checks
 	@tools/run-tidy
 
-# Finds texts that a reader answers wrongly: FUZZ_SECONDS for each reader.
+# Runs the fuzzers, FUZZ_SECONDS for each reader.
 FUZZ_SECONDS ?= 60
 fuzz:
 	@tools/install-dependencies checks
 	@tools/run-fuzzers $(FUZZ_SECONDS)
 
-# BENCH: what else tools/bench is told, e.g. BENCH='--rounds 3 --scenes balls,gears'.
+# BENCH: further arguments of tools/bench, e.g. BENCH='--rounds 3 --scenes balls,gears'.
 bench:
 	@tools/install-dependencies bench
 	@[ -e build/bench/build.ninja ] || cmake --preset bench >/dev/null

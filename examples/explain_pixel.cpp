@@ -12,7 +12,7 @@ std::ostream& operator<<(std::ostream& out, glint::Color c) {
     return out << '(' << c.r << ", " << c.g << ", " << c.b << ')';
 }
 
-// A mirror ball and a red one on a floor, under one light.
+// A mirror ball and a red ball on a floor, under one light.
 glint::Scene make_scene() {
     glint::Scene scene;
     scene.settings.width = 320, scene.settings.height = 240;

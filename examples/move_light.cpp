@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A light that moves: the scene is prepared once, and each picture takes only its own time to draw. Writes
-// move_light_0.png and on. Run: move_light [PICTURES [LIGHTS]].
+// A light that moves: the scene is prepared once, and each picture takes only the time of rendering. Writes
+// move_light_0.png, move_light_1.png, ... Run: move_light [PICTURES [LIGHTS]].
 #include <glint/glint.h>
 
 #include <chrono>
@@ -21,7 +21,7 @@ int main(int argc, char** argv) {
     const auto prepared = glint::prepare(scene);
     if (!prepared) return 1;
 
-    // What is changed is a copy that shares the shapes; the World it was made from stays as it is.
+    // The changed World shares the shapes with the original, which is not changed.
     glint::World world = *prepared;
     const auto start = std::chrono::steady_clock::now();
     for (int i = 0; i < moves; ++i) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A scene whose texts are in memory, one including another, drawn to scene_in_memory.png. The same way a
-// program reads scenes from an archive or a database.
+// A scene whose texts are in memory, one including another, rendered to scene_in_memory.png. Programs can
+// read scenes from an archive or a database in the same way.
 #include <glint/glint.h>
 
 #include <fstream>
@@ -10,7 +10,7 @@
 
 namespace {
 
-// What `include` finds. Names are as the including text writes them.
+// The texts for `include`, by the names in the including text.
 struct Texts : glint::Sources {
     std::map<std::string, std::string, std::less<>> texts;
 

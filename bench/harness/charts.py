@@ -6,7 +6,7 @@ from .tables import median, ratio
 
 
 def bars(results, o):
-    """Bars of tracing time over glint's, a group a scene, on a logarithmic scale."""
+    """Bars of tracing time relative to glint's, one group per scene, on a logarithmic scale."""
     programs = [p for p in o.programs if p.name != 'glint']
     bar, left, width = 14, 90, 620
     values = {(s, p.name): ratio(results[s, p.name], results[s, 'glint'])[0] for s in o.scenes for p in programs}

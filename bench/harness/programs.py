@@ -12,7 +12,7 @@ import time
 def measure(command):
     """Runs a command: its output, seconds from start to end, and the most memory it had, in bytes.
 
-    GNU time tells the memory: what the kernel tells a parent is at least the parent's own, which is Python.
+    The memory is measured by GNU time, because the kernel's figure for a child of Python includes Python's own memory.
     """
     with tempfile.NamedTemporaryFile('r') as kilobytes:
         start = time.perf_counter()
@@ -52,7 +52,7 @@ class Glint:
                 'prepare': told['prepare_s'], 'rays': sum(told['rays'].values())}
 
     def prepared_bytes(self, scene, o):
-        """What the prepared scene takes, hierarchy included."""
+        """The memory of the prepared scene, hierarchy included."""
         output, _, _ = measure([os.path.join(o.out, 'glint'), 'info', '--json', scene])
         return json.loads(output)['memory_bytes']['total']
 
@@ -80,7 +80,7 @@ class Tachyon:
 
 
 class Floor:
-    """The same rays answered by Embree, without any shading."""
+    """The same rays traced by Embree, without shading."""
     name, format = 'floor', 'nff'
 
     def run(self, scene, o):
@@ -92,7 +92,7 @@ class Floor:
 
 
 class RegisterLoop:
-    """Arithmetic in registers: what so many threads can gain on this machine. It reads no scene."""
+    """Arithmetic in registers: the possible speedup by threads on this machine. It reads no scene."""
     format = 'nff'
 
     def __init__(self, threads):

@@ -9,12 +9,12 @@ FLAKES = {'flake3': 3, 'flake4': 4, 'flake5': 5, 'flake6': 6, 'flake7': 7}  # 82
 
 
 def spheres(flake):
-    """How many spheres a flake has: 1 + 9 + ... + 9^size."""
+    """The number of spheres of a flake: 1 + 9 + ... + 9^size."""
     return (9 ** (FLAKES[flake] + 1) - 1) // 8
 
 
 def generate(o):
-    """The scene files that are not there yet; returns {(scene, format): path}."""
+    """Writes the missing scene files; returns {(scene, format): path}."""
     make_spd = os.path.join(o.out, 'bench', 'spd', 'make_spd')
     os.makedirs(os.path.join(o.out, 'scenes'), exist_ok=True)
     paths = {}

@@ -10,13 +10,13 @@ def median(rounds, key):
 
 
 def ratio(rounds, ours):
-    """The ratio of medians of tracing over glint's, and the least and greatest of a round."""
+    """The ratio of the median tracing times to glint's, and the least and greatest ratio of a round."""
     each = [a['trace'] / b['trace'] for a, b in zip(rounds, ours)]
     return median(rounds, 'trace') / median(ours, 'trace'), min(each), max(each)
 
 
 def seconds(value):
-    """Three digits that count."""
+    """Three significant digits."""
     if value is None:
         return ''
     return f'{value:.{max(0, 2 - math.floor(math.log10(value)))}f}' if value > 0 else '0'
@@ -26,7 +26,7 @@ HEADER = ('scene', 'program', 'tracing s', 'least', 'greatest', 'process s', 'pe
 
 
 def comparison(results, o):
-    """The lines of the comparison, its heads first."""
+    """The lines of the comparison, headings first."""
     lines = [list(HEADER)]
     for scene in o.scenes:
         ours = results.get((scene, 'glint'))
@@ -45,7 +45,7 @@ def comparison(results, o):
 
 
 def text_table(lines, words=2):
-    """`words`: how many columns, the first ones, are words and not numbers."""
+    """words: the number of leading columns that are words, not numbers."""
     widths = [max(len(line[i]) for line in lines) for i in range(len(lines[0]))]
     padded = ([c.ljust(w) if i < words else c.rjust(w) for i, (c, w) in enumerate(zip(line, widths))]
               for line in lines)
@@ -58,7 +58,7 @@ def markdown_table(lines, words=2):
 
 
 def floor_table(results, o):
-    """Nanoseconds of one thread for a ray, by class: where the floor lies."""
+    """The floor: nanoseconds per ray on one thread, by class."""
     lines = []
     for scene in o.scenes:
         classes = [r['classes'] for r in results.get((scene, 'floor'), [])]
@@ -73,7 +73,7 @@ def floor_table(results, o):
 
 
 def scale(results, counts, o):
-    """The lines of what a scene costs as it grows: medians of glint's rounds."""
+    """The lines of the cost of growing scenes: medians of glint's rounds."""
     lines = [['spheres', 'load s', 'build s', 'tracing s', 'process s', 'peak MB', 'bytes a sphere']]
     for scene in o.scenes:
         rounds = results[scene, 'glint']
@@ -83,7 +83,7 @@ def scale(results, counts, o):
 
 
 def threads(results, o):
-    """The lines of what threads gain: one thread's median over all threads', and beside it a register loop's."""
+    """The lines of the speedup by threads (medians), and that of a loop in registers."""
     def gain(scene, program):
         one, all_of_them = (results[scene, f'{program}, {n} threads'] for n in (1, o.threads))
         return median(one, 'trace') / median(all_of_them, 'trace')

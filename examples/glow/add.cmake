@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-# docs/adding_a_light.md, "A field of a material": light that a surface gives off by itself.
+# docs/adding_a_light.md, "A field of a material": light that a surface emits.
 
 # 1. The member, and its row.
 add_line(include/glint/scene.h after "    Color specular{0, 0, 0};          ///< k_s\n"

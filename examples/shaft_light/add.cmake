@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-# docs/adding_a_light.md: a directional light that fills a cylinder, and nothing else.
+# docs/adding_a_light.md: a directional light that is limited to a cylinder.
 
 # 1. The kind, its members, and its answers.
 add_line(include/glint/scene.h replace

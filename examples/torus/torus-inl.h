@@ -65,7 +65,7 @@ struct TorusGeometry {
         return {ball.real && found && t > t_min, t};
     }
 
-    /// Away from the circle in the middle of the tube.
+    /// The normal points away from the tube's centre circle.
     template <class T> static HWY_INLINE Vector3<T> normal(const T* p, Vector3<T> point) {
         const T in = T(1) - p[0] / sqrt(point.x * point.x + point.z * point.z);
         return normalize(Vector3<T>{point.x * in, point.y, point.z * in});
@@ -80,7 +80,7 @@ struct TorusGeometry {
     template <class T> static HWY_INLINE auto opposite(T a, T b) {
         return (a < T(0) && b >= T(0)) || (a >= T(0) && b < T(0));
     }
-    /// The root between two ends of opposite signs; else the second end.
+    /// The root between two ends of opposite signs; without a sign change, the second end.
     template <int degree, class T> static HWY_INLINE T bisect(const T* k, T from, T to) {
         const T at_from = value<degree>(k, from);
         const auto crosses = opposite(at_from, value<degree>(k, to));

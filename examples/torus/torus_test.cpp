@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Draws the torus that was added, and holds its normals and its outline against what is known of a torus.
+// Renders the torus, and compares its normals and its outline with those of the definition.
 #include <cmath>
 #include <cstdio>
 
