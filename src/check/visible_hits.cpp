@@ -76,7 +76,7 @@ RayList secondary_rays(const WorldParts& world, const std::vector<SurfaceHit>& h
         const auto [mirror, glass] = leaves(h);
         if ((!mirror && !glass) || number++ % step != 0) continue;
         const SurfacePoint<double> surface = surface_point(h);
-        const auto add = [&](Triple<double> origin, Triple<double> direction) {
+        const auto add = [&](Vector3<double> origin, Vector3<double> direction) {
             rays.add(vec_of(origin), vec_of(direction), offset_t_min(rules.offset, rules.epsilon));
         };
         bool reflects = mirror;
