@@ -46,9 +46,16 @@ void JournalFile::lock() {
 
 std::unique_ptr<JournalFile> JournalFile::resume(const std::string& path, const JournalHeader& header) {
     std::unique_ptr<JournalFile> file(new JournalFile(path, header));
-    file->descriptor_ = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
-    if (file->descriptor_ < 0) file->fail(errno);
-    file->lock();
+    for (;;) {
+        file->descriptor_ = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+        if (file->descriptor_ < 0) file->fail(errno);
+        file->lock();
+        // The process that had the lock may have finished and removed the file since it was opened here.
+        struct stat about {};
+        if (::fstat(file->descriptor_, &about) != 0) file->fail(errno);
+        if (about.st_nlink > 0) break;
+        ::close(std::exchange(file->descriptor_, -1));
+    }
     file->start();
     return file;
 }
