@@ -89,8 +89,8 @@ struct CauseReport {
     /// An observation without a cause: "The picture is one colour throughout, (0, 0, 0)."; empty if none.
     std::string remark;
     std::vector<Cause> causes;  ///< the best first; none if no cause explains enough
-    /// Further causes, if one cause does not explain the whole difference: they explain it together with the
-    /// first. The fraction of each is that of all up to it.
+    /// A second cause, if one cause does not explain the whole difference: it explains it together with the
+    /// first. `explained` is that of both; of the first alone it may be less than k_min_explained.
     std::vector<Cause> then;
     /// With a scene, if no cause is certain: the shapes at the difference, and the fraction at each.
     std::string where;

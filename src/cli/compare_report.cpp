@@ -36,7 +36,7 @@ void add_others(std::string& text, const char* how, std::span<const Cause> cause
     text += fmt::format("  {}: {}\n", how, fmt::join(words, ", "));
 }
 
-// What there is to say where nothing explains enough.
+// If no cause explains enough: the nearest one.
 void add_nearest(std::string& text, const CompareReport& report) {
     const CauseReport& causes = **report.causes;
     if (causes.tried == 0) return;
@@ -58,14 +58,14 @@ void add_causes(std::string& text, const CompareReport& report) {
     const CauseReport& causes = **report.causes;
     if (causes.swapped) {
         fmt::format_to(out,
-                       "The scene draws {}, and not {}: what follows explains the latter (A is yours, B the "
+                       "The scene gives {}, and not {}: what follows explains the latter (A is yours, B the "
                        "reference).\n",
                        report.a, report.b);
     } else if (causes.scene_from_b && *causes.scene_from_b > 0) {
         fmt::format_to(out, "scene      its own picture is {:.3g} of 255 from {}, in the mean{}\n",
                        *causes.scene_from_b, report.b,
                        *causes.scene_from_b > causes.difference / 2
-                           ? ": it does not draw that picture, so do not trust the causes"
+                           ? ": it does not give that picture, so do not trust the causes"
                            : "");
     }
     if (!causes.remark.empty()) text += causes.remark + "\n";

@@ -4,22 +4,24 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <set>
 
 #include "compare/step_agreement.h"
 
 namespace glint {
 namespace {
 
-// Of causes that explain nearly the same (by this part of the difference) the simplest, which is the earliest
-// in the table, is named first.
+// Among causes within this fraction of the difference the simplest, which is the first in the table, is named
+// first.
 constexpr double k_tie = 0.003;
-// What one fitted number more must explain, of the whole difference.
+// The fraction of the whole difference that each further fitted number must explain.
 constexpr double k_parameter = 0.012;
-// What can be bent is dropped if something else explains this much.
+// A flexible candidate is dropped if another one explains this much.
 constexpr double k_explained_well = 0.9, k_explained_partly = 0.7;
-// What does not show the picture's steps explains this: in a dark picture noise makes steps, too.
+// A candidate whose steps are not the picture's has to explain this much: in a dark picture noise makes
+// steps.
 constexpr double k_explained_strange = 0.85;
-// In 255ths: less is nothing to explain.
+// In 255ths: less needs no explanation.
 constexpr double k_min_calm = 0.01;
 // An exact cause explains this much of the whole, or this much of what is away from edges if that is as much
 // as this, and leaves at most these parts of the structured pixels and of the picture.
@@ -42,12 +44,12 @@ std::vector<CauseCandidate> explaining(const Search& search, bool calm) {
     for (CauseCandidate& c : list) {
         c.cause.remaining = calm ? c.left.calm : c.left.all;
         c.cause.explained = 1 - c.cause.remaining / whole;
-        c.cause.perhaps = !c.is_exact;
+        c.cause.perhaps = !c.is_exact || c.freedom > 0;
     }
     std::erase_if(list, [&](const CauseCandidate& c) {
-        // A picture of one colour has no content that could speak for a cause which does not make just that.
+        // A picture of one colour has no content, so a cause has to give exactly that picture.
         if (!search.has_content) return c.left.all > 0;
-        // Of what can be bent, edges are what it bends.
+        // Flexible candidates change only edges.
         if (c.is_strange && !c.is_exact &&
             c.cause.explained < (c.is_confirmed ? k_explained_strange : k_explained_partly))
             return true;
@@ -103,8 +105,27 @@ std::size_t structured_pixels(const BytePicture& made, const BytePicture& target
     return sum;
 }
 
+CauseCandidate fitted_candidate(std::shared_ptr<const FittedCause> fitted, std::vector<double> values,
+                                bool about, double least) {
+    CauseCandidate candidate{{fitted->name, {}, 0, 0, true}, least};
+    candidate.fitted = std::move(fitted);
+    candidate.set_values(std::move(values), about);
+    return candidate;
+}
+
 double rated(const CauseCandidate& candidate, double remaining, double whole) {
     return remaining + k_parameter * whole * candidate.parameters;
+}
+
+std::vector<CauseCandidate> best_of(const Search& search, std::size_t most) {
+    std::vector<CauseCandidate> list = search.found;
+    std::stable_sort(list.begin(), list.end(), [&](const CauseCandidate& a, const CauseCandidate& b) {
+        return rated(a, a.left.all, search.whole.all) < rated(b, b.left.all, search.whole.all);
+    });
+    std::set<std::string> names;
+    std::erase_if(list, [&](const CauseCandidate& c) { return !names.insert(c.cause.name).second; });
+    list.resize(std::min(list.size(), most));
+    return list;
 }
 
 void Search::confirm(const BytePicture& made, CauseCandidate& candidate) const {
@@ -175,7 +196,7 @@ void name_causes(Search& search) {
         report.causes.push_back(std::move(c.cause));
     if (!report.causes.empty()) return;
     if (search.turn && search.has_content)
-        report.remark = search.turn->explanation + " Something else differs besides: mend this first.";
+        report.remark = search.turn->explanation + " Something else differs, too: correct this first.";
     else if (!search.same_view && search.has_content)
         report.remark = "Another scene or another view: nothing classic explains it.";
     for (const CauseCandidate& c : search.found) {

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// What has been found about a picture, and which of it is named.
+// The causes that have been found for a picture, and which of them are named.
+#include <cstdint>
+#include <memory>
 #include <optional>
+#include <span>
 
 #include "compare/byte_picture.h"
+#include "compare/fitted_cause.h"
 #include "compare/scene_renderer.h"
 #include "glint/compare.h"
 
@@ -19,22 +23,38 @@ struct CauseCandidate {
     std::optional<std::size_t> of_pictures = {};
     bool is_estimated = false;
     bool is_turn = false;       ///< PictureCause::is_turn
-    bool is_strange = false;    ///< what it makes does not show what the picture shows
+    bool is_strange = false;    ///< the steps of its picture are not those of the picture to explain
     int parameters = 0;         ///< numbers that are fitted to the picture
-    bool is_confirmed = false;  ///< by Search::confirm, or past it
-    bool is_exact = false;      ///< what it leaves has no structure
-    MakePicture make = {};      ///< of a scene
-    FaultEdit edit = {};        ///< the same as a change of the scene, if it is one
+    bool is_confirmed = false;  ///< judged by all pixels
+    bool is_exact = false;      ///< the difference that it leaves has no structure
+    /// Of a scene: its place in scene_causes(); the largest number if it is none of these.
+    std::size_t row = SIZE_MAX;
+    MakePicture make = {};  ///< the picture of a scene with it; empty if it is of pictures
+    FaultEdit edit = {};    ///< the same as a change of the scene, if it is one
+    /// If its numbers are fitted: how, and the numbers.
+    std::shared_ptr<const FittedCause> fitted = {};
+    std::vector<double> values = {};
 
     void set_edit(FaultEdit put) {
         edit = put;
-        make = [put = std::move(put)](const FaultyScene& base, const DrawFaulty& draw) {
+        make = [put = std::move(put)](const FaultyScene& base, const RenderFaulty& render) {
             FaultyScene scene = base;
             put(scene);
-            return draw(scene);
+            return render(scene);
         };
     }
+    /// Sets the numbers of `fitted`, the explanation and the change of the scene. `about`: FittedCause::text.
+    void set_values(std::vector<double> numbers, bool about) {
+        values = std::move(numbers);
+        parameters = static_cast<int>(values.size());
+        cause.explanation = fitted->text(values, about);
+        set_edit([fitted = fitted, numbers = values](FaultyScene& scene) { fitted->put(scene, numbers); });
+    }
 };
+
+/// A candidate with fitted numbers.
+CauseCandidate fitted_candidate(std::shared_ptr<const FittedCause> fitted, std::vector<double> values,
+                                bool about, double least);
 
 /// One picture to explain, and what has been found about it.
 struct Search {
@@ -45,7 +65,7 @@ struct Search {
     Status status;   ///< why there is no report
     Distance whole;  ///< what there is to explain
     std::vector<CauseCandidate> found;
-    std::vector<CauseCandidate> pair;  ///< the two that are named, if they are two
+    std::vector<CauseCandidate> pair;  ///< those that the search of pairs named
 
     /// Pixels with a difference that is no rounding, in groups: what there is to explain.
     std::size_t structure = 0;
@@ -72,9 +92,12 @@ struct Search {
 /// neighbours, too.
 std::size_t structured_pixels(const BytePicture& made, const BytePicture& target, const Area& area);
 
-/// How much of the difference a candidate leaves, with something added for each number that is fitted: of two
-/// that leave about the same, what has fewer of them is more likely.
+/// What a candidate leaves, plus a part of the whole difference for each fitted number: of two that leave
+/// about the same, the one with fewer of them is more likely.
 double rated(const CauseCandidate& candidate, double remaining, double whole);
+
+/// The candidates that leave least, by rated(), one of each name.
+std::vector<CauseCandidate> best_of(const Search& search, std::size_t most);
 
 /// What explains enough, the best first, one of each name. `away_from_edges` becomes
 /// CauseReport::away_from_edges.

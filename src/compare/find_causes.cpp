@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Which of the classic causes explains a difference best: each makes the picture that it would have made, and
-// the least mean difference from the faulty picture wins.
+// the one with the smallest mean difference from the faulty picture is named.
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstdlib>
 #include <memory>
 
 #include "base/fp_environment.h"
@@ -28,7 +30,11 @@ constexpr double k_same_part = 0.1;
 // sample has not about as much of the difference as the whole, by this factor, it is of rows that differ.
 constexpr std::size_t k_confirmed = 5;
 constexpr double k_fair_sample = 2;
-// With no more than this left away from edges there is no second cause, if there was as much as that.
+// There is no second cause if one leaves only this fraction away from edges, of at least that mean.
+constexpr int k_faint = 4;
+constexpr double k_faint_pixels = 0.001;
+// A second cause explains at least this fraction more.
+constexpr double k_second_explains = 0.003;
 constexpr double k_calm_left = 0.01, k_min_calm = 0.1;
 // Smaller pictures are done before another thread has begun.
 constexpr std::int64_t k_min_for_threads = 1 << 18;
@@ -81,7 +87,7 @@ class CauseFinder {
         const auto open =
             std::count_if(searches.begin(), searches.end(), [](const Search& s) { return s.is_open(); });
         if (open == 0) return;
-        if (scene_ != nullptr) draw_scene(searches);
+        if (scene_ != nullptr) render_scene(searches);
         steps_ = static_cast<std::size_t>(open) * picture_causes().size() + (trials_ ? trials_->steps() : 0);
         made_ = bytes_;
         for (Search& search : searches) {
@@ -107,8 +113,8 @@ class CauseFinder {
         search.has_content = color.has_value() == of_b.has_value();
         if (search.has_content) return;
         search.report.remark =
-            color ? fmt::format("The picture is one colour throughout, {}: nothing is in it.", *color)
-                  : fmt::format("The reference is one colour throughout, {}: nothing is in it.", *of_b);
+            color ? fmt::format("The picture is one colour throughout, {}: nothing is visible.", *color)
+                  : fmt::format("The reference is one colour throughout, {}: nothing is visible.", *of_b);
     }
 
     void step() {
@@ -116,15 +122,16 @@ class CauseFinder {
         if (options_.progress) options_.progress(static_cast<double>(done_) / static_cast<double>(steps_));
     }
 
-    void draw_scene(std::vector<Search>& searches) {
+    void render_scene(std::vector<Search>& searches) {
         trials_ = std::make_unique<SceneTrials>(*scene_, bytes_, edges_, options_);
         const auto& rendered = trials_->rendered();
         for (Search& search : searches) {
             if (!search.is_open()) continue;
             if (!rendered) {
-                search.status = is_cancelled() ? cancelled()
-                                               : failure(ErrorCode::invalid_scene,
-                                                         "the scene cannot be drawn at the pictures' size");
+                search.status = is_cancelled()
+                                    ? cancelled()
+                                    : failure(ErrorCode::invalid_scene,
+                                              "the scene cannot be rendered at the pictures' size");
                 continue;
             }
             CauseReport& report = search.report;
@@ -198,6 +205,17 @@ class CauseFinder {
         for (CauseCandidate& c : search.found) c.is_confirmed = true;
     }
 
+    bool is_faint(const Search& search) const {
+        std::size_t count = 0;
+        for (std::size_t i = 0; i < bytes_.rgb.size(); i += 3) {
+            int most = 0;
+            for (std::size_t c = i; c < i + 3; ++c)
+                most = std::max(most, std::abs(int{bytes_.rgb[c]} - int{search.faulty.rgb[c]}));
+            count += most > k_faint;
+        }
+        return static_cast<double>(count) <= k_faint_pixels * static_cast<double>(bytes_.rgb.size() / 3);
+    }
+
     void name(Search& search) {
         confirm(search);
         const bool is_explained =
@@ -209,28 +227,39 @@ class CauseFinder {
             std::any_of(search.found.begin(), search.found.end(), [&](const CauseCandidate& c) {
                 return c.freedom == 0 && c.left.calm <= k_calm_left * search.whole.calm;
             });
-        const bool may_be_two = !is_explained && !is_calm && (search.same_view || search.turn);
-        CauseCandidate first, second;
-        const bool is_pair =
-            may_be_two && trials_ && trials_->rendered() && trials_->find_pair(search, first, second);
+        const bool may_be_two =
+            !is_explained && !is_calm && !is_faint(search) && (search.same_view || search.turn);
+        std::optional<CausePair> pair;
+        if (may_be_two && trials_ && trials_->rendered()) pair = trials_->find_pair(search);
         name_causes(search);
         CauseReport& report = search.report;
-        if (is_pair) name_pair(search, first, second);
+        if (pair) name_pair(search, *pair);
         if (trials_ && (report.causes.empty() || report.causes.front().perhaps))
             report.where = trials_->where_text(search);
     }
 
-    static void name_pair(Search& search, CauseCandidate& first, CauseCandidate& second) {
+    static void name_pair(Search& search, CausePair& pair) {
         CauseReport& report = search.report;
+        CauseCandidate &first = pair.first, &second = pair.second;
         for (CauseCandidate* c : {&first, &second}) {
             c->cause.remaining = c->left.all;
-            c->cause.explained = 1 - c->left.all / search.whole.all;
+            c->cause.explained = std::max(1 - c->left.all / search.whole.all, 0.0);
             c->cause.perhaps = !second.is_exact;
         }
-        search.pair = {first, second};
+        // Of causes that leave nearly the same alone, the one that was ranked first is named.
+        if (!report.causes.empty() && std::fabs(report.causes.front().remaining - first.cause.remaining) <=
+                                          k_second_explains * search.whole.all) {
+            const bool perhaps = first.cause.perhaps;
+            first.cause = report.causes.front();
+            first.cause.perhaps = perhaps;
+        }
         std::erase_if(report.causes, [&](const Cause& c) { return c.name == first.cause.name; });
         report.causes.insert(report.causes.begin(), first.cause);
-        report.then = {second.cause};
+        // The first one may be all, once its numbers are fitted better.
+        if (first.left.all - second.left.all > k_second_explains * search.whole.all)
+            report.then = {second.cause};
+        search.pair = {first};
+        if (!report.then.empty()) search.pair.push_back(second);
         report.remark.clear();
         report.nearest.reset();
     }

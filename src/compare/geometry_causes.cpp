@@ -5,12 +5,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 
+#include "compare/item_texts.h"
 #include "compare/scene_faults.h"
 #include "math/elementary.h"
 #include "math/transform.h"
-#include "trace/camera_rays-inl.h"
 #include "world/prepare_camera.h"
 
 namespace glint {
@@ -29,28 +28,6 @@ Vec3 vec_of(Values v) { return {v[0], v[1], v[2]}; }
 std::string text_of(double v) { return fmt::format("{:.3g}", std::fabs(v) < 0.0005 ? 0 : v); }
 std::string text_of(Vec3 v) { return fmt::format("({}, {}, {})", text_of(v.x), text_of(v.y), text_of(v.z)); }
 std::string text_of(Color c) { return text_of(Vec3{c.r, c.g, c.b}); }
-
-std::string line_text(const Scene& scene, SourcePlace place) {
-    if (place.line == 0) return {};
-    return place.file == 0 || place.file >= scene.files.size()
-               ? fmt::format("line {}", place.line)
-               : fmt::format("{}:{}", scene.files[place.file], place.line);
-}
-
-// "light 2 (\"lamp\", line 7)".
-std::string item_text(const Scene& scene, std::string_view kind, std::uint32_t index,
-                      const ItemTexts& texts) {
-    std::vector<std::string> parts;
-    if (!texts.name(index).empty()) parts.push_back(fmt::format("\"{}\"", texts.name(index)));
-    if (std::string line = line_text(scene, texts.place(index)); !line.empty()) parts.push_back(line);
-    const std::string text = fmt::format("{} {}", kind, index + 1);
-    return parts.empty() ? text : fmt::format("{} ({})", text, fmt::join(parts, ", "));
-}
-
-std::string capital(std::string text) {
-    if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 'a' + 'A');
-    return text;
-}
 
 // "0.4 further right, 0.2 higher", as the camera sees it.
 std::string way_text(const Scene& scene, Vec3 by) {
@@ -75,7 +52,7 @@ void add_lights(const Scene& scene, std::vector<FittedCause>& causes) {
         const Light& light = scene.lights[i];
         if (is_ambient(light)) continue;
         ++count;
-        const std::string name = capital(item_text(scene, "light", i, scene.light_texts));
+        const std::string name = capitalized(item_text(scene, "light", i, scene.light_texts));
         const bool is_point = light.has_position();
         const Vec3 was = is_point ? light.position : normalize(light.to_light);
         const double far = is_point ? length(light.position - scene.camera.look_at) : 1;
@@ -86,7 +63,7 @@ void add_lights(const Scene& scene, std::vector<FittedCause>& causes) {
              [i, was, is_point](FaultyScene& s, Values v) {
                  (is_point ? s.shading.lights[i].position : s.shading.lights[i].to_light) = was + vec_of(v);
              },
-             [&scene, name, was, is_point](Values v) {
+             [&scene, name, was, is_point](Values v, bool) {
                  if (!is_point)
                      return fmt::format(
                          "{} shines from the direction {}, and in the reference "
@@ -117,18 +94,18 @@ void add_camera(const Scene& scene, std::vector<FittedCause>& causes) {
                           if (!s.shading.camera.frame)
                               s.shading.camera.look_at = s.shading.camera.look_at + vec_of(v);
                       },
-                      [=](Values v) { return position_text(v, "; it looks in the same direction"); }});
+                      [=](Values v, bool) { return position_text(v, "; it looks in the same direction"); }});
     if (camera.frame) return;
     causes.push_back(
         {"camera-moved",
          {unit, unit, unit},
          [](FaultyScene& s, Values v) { s.shading.camera.position = s.shading.camera.position + vec_of(v); },
-         [=](Values v) { return position_text(v, ""); }});
+         [=](Values v, bool) { return position_text(v, ""); }});
     causes.push_back(
         {"camera-turned",
          {unit, unit, unit},
          [](FaultyScene& s, Values v) { s.shading.camera.look_at = s.shading.camera.look_at + vec_of(v); },
-         [&scene, name](Values v) {
+         [&scene, name](Values v, bool) {
              const Vec3 was = scene.camera.look_at;
              return fmt::format("{} looks at {}, and in the reference at {}.", name, text_of(was + vec_of(v)),
                                 text_of(was));
@@ -151,7 +128,7 @@ void add_view(const Scene& scene, std::vector<FittedCause>& causes) {
              c.frame->right = c.frame->right * (1 + v[0]);
              c.frame->up = c.frame->up * (1 + v[0]);
          },
-         [=, was = camera.fov_degrees](Values v) {
+         [=, was = camera.fov_degrees](Values v, bool) {
              return has_angle
                         ? fmt::format("The field of view is {:.3g} degrees, and in the reference {:.3g}.",
                                       was + v[0], was)
@@ -163,14 +140,14 @@ void add_sphere(const SceneRenderer& renderer, std::uint32_t shape, std::vector<
     const Scene& scene = *renderer.with_shapes();
     if (scene.shapes[shape].kind != ShapeKind::sphere) return;
     const Sphere& sphere = scene.get<Sphere>()[scene.shapes[shape].index];
-    const std::string name = capital(shape_text(scene, shape));
+    const std::string name = capitalized(shape_text(scene, shape));
     const double unit = k_sphere_unit * sphere.radius;
     causes.push_back({"shape-moved",
                       {unit, unit, unit},
                       [shape](FaultyScene& s, Values v) {
                           s.spheres.push_back({shape, vec_of(v), 1});
                       },
-                      [&scene, name, was = sphere.center](Values v) {
+                      [&scene, name, was = sphere.center](Values v, bool) {
                           return fmt::format("{} has its centre at {}, and in the reference at {}: {}.", name,
                                              text_of(was + vec_of(v)), text_of(was),
                                              way_text(scene, vec_of(v)));
@@ -180,7 +157,7 @@ void add_sphere(const SceneRenderer& renderer, std::uint32_t shape, std::vector<
                       [shape, was = sphere.radius](FaultyScene& s, Values v) {
                           s.spheres.push_back({shape, {}, std::max(1 + v[0] / was, 0.01)});
                       },
-                      [name, was = sphere.radius](Values v) {
+                      [name, was = sphere.radius](Values v, bool) {
                           return fmt::format("{} has the radius {:.3g}, and in the reference {:.3g}.", name,
                                              was + v[0], was);
                       }});
@@ -199,7 +176,7 @@ bool is_proportional(const Color& a, const Color& color) {
 void add_material(const Scene& scene, std::uint32_t index, std::vector<FittedCause>& causes) {
     if (index >= scene.materials.size()) return;
     const Material was = scene.materials[index];
-    const std::string name = capital(item_text(scene, "material", index, scene.material_texts));
+    const std::string name = capitalized(item_text(scene, "material", index, scene.material_texts));
     const auto clamped = [](Color c) {
         return Color{std::max(c.r, 0.0), std::max(c.g, 0.0), std::max(c.b, 0.0)};
     };
@@ -214,7 +191,7 @@ void add_material(const Scene& scene, std::uint32_t index, std::vector<FittedCau
                           if (is_proportional(was.specular, was.color))
                               m.specular = clamped(m.specular + by * ratio(was.specular, was.color));
                       },
-                      [=](Values v) {
+                      [=](Values v, bool) {
                           return fmt::format("{} has the colour {}, and in the reference {}.", name,
                                              text_of(clamped(was.color + Color{v[0], v[1], v[2]})),
                                              text_of(was.color));
@@ -227,59 +204,13 @@ void add_background(const Scene& scene, std::vector<FittedCause>& causes) {
                       [](FaultyScene& s, Values v) {
                           s.shading.background = s.shading.background + Color{v[0], v[1], v[2]};
                       },
-                      [was = scene.background](Values v) {
+                      [was = scene.background](Values v, bool) {
                           return fmt::format("The background is {}, and in the reference {}.",
                                              text_of(was + Color{v[0], v[1], v[2]}), text_of(was));
                       }});
 }
 
 }  // namespace
-
-std::string shape_text(const Scene& scene, std::uint32_t shape) {
-    return item_text(scene, to_string(scene.shapes[shape].kind), shape, scene.shape_texts);
-}
-
-std::vector<std::uint32_t> shapes_of_pixels(const SceneRenderer& renderer, const PixelGrid& grid) {
-    Scene scene = renderer.scene().shading;
-    draw_grid(scene, grid);
-    const PreparedCamera camera = prepare_camera(scene.camera, scene.settings);
-    std::vector<Ray> rays;
-    for (std::int32_t y = 0; y < grid.rows(); ++y) {
-        for (std::int32_t x = 0; x < grid.columns(); ++x) {
-            const auto ray = HWY_NAMESPACE::viewport_ray(camera, (x + 0.5) / grid.columns() - 0.5,
-                                                         0.5 - (y + 0.5) / grid.rows());
-            rays.push_back({ray.origin, ray.direction});
-        }
-    }
-    const Result<std::vector<RayHit>> hits = nearest_hits(renderer.world(), rays, renderer.threads());
-    std::vector<std::uint32_t> shapes;
-    if (hits) {
-        for (const RayHit& hit : *hits) shapes.push_back(hit.shape);
-    }
-    shapes.resize(rays.size(), k_none);
-    return shapes;
-}
-
-std::vector<ShapeShare> shares_of_shapes(const std::vector<std::uint32_t>& shapes, const BytePicture& a,
-                                         const BytePicture& b) {
-    std::vector<std::pair<std::uint32_t, double>> pixels;
-    double whole = 0;
-    for (std::size_t i = 0; i < shapes.size(); ++i) {
-        double difference = 0;
-        for (std::size_t c = 3 * i; c < 3 * i + 3; ++c) difference += std::abs(int{a.rgb[c]} - int{b.rgb[c]});
-        whole += difference;
-        if (difference > 0) pixels.emplace_back(shapes[i], difference);
-    }
-    std::sort(pixels.begin(), pixels.end());
-    std::vector<ShapeShare> shares;
-    for (const auto& [shape, difference] : pixels) {
-        if (shares.empty() || shares.back().shape != shape) shares.push_back({shape, 0});
-        shares.back().share += difference / whole;
-    }
-    std::stable_sort(shares.begin(), shares.end(),
-                     [](const auto& x, const auto& y) { return x.share > y.share; });
-    return shares;
-}
 
 std::vector<FittedCause> geometry_causes(const SceneRenderer& renderer,
                                          const std::vector<ShapeShare>& shares) {

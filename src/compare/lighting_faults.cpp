@@ -52,7 +52,11 @@ void scale_specular(Scene& s, double factor) {
 
 constexpr SceneFault k_lighting[] = {
     {"ambient-missing", [](const Scene& s) { return any_light(s, is_ambient); },
-     [](Scene& s) { std::erase_if(s.lights, is_ambient); },
+     [](Scene& s) {
+         for (Light& light : s.lights) {
+             if (is_ambient(light)) switch_off(light);
+         }
+     },
      "The ambient term is missing: add k_a I_a to every surface that is hit, once, also in shadow.",
      "the ambient term", "ambient-scaled", scale_ambient},
     {"diffuse-missing", is_lit,
@@ -67,26 +71,24 @@ constexpr SceneFault k_lighting[] = {
                     }); },
      "The specular term is missing: add k_s I (R.V)^n, or (N.H)^n, for every light that reaches the point.",
      "the specular term", "specular-scaled", scale_specular},
-    {"unlit", is_lit, [](Scene& s) { std::erase_if(s.lights, [](const Light&) { return true; }); },
-     "No light arrives at all: surfaces that are hit are black.", "the light of all lights together",
+    {"unlit", is_lit, [](Scene& s) { std::for_each(s.lights.begin(), s.lights.end(), switch_off); },
+     "There is no light at all: surfaces that are hit are black.", "the light of all lights together",
      "light-intensity", scale_all_lights},
     {"normals-reversed", [](const Scene& s) { return is_lit(s) && any_light(s, is_ambient); },
-     [](Scene& s) { std::erase_if(s.lights, [](const Light& l) { return !is_ambient(l); }); },
-     "Only the ambient term arrives. N or L is reversed, so that N.L is below 0 where the surface is lit (a "
-     "sphere's N is P - C, not C - P, and L goes from P to the light), or no light is added at all.",
+     [](Scene& s) { for_each_light(s, switch_off); },
+     "There is only the ambient term. N or L is reversed, so that N.L is below 0 where the surface is lit (a "
+     "sphere's N is P - C, not C - P, and L goes from P to the light), or no light is added.",
      "the light of all lights but the ambient one", "light-intensity", scale_lights},
     {"shadows-missing", has_shadows, [](Scene& s) { s.settings.shadows = false; },
-     "Shadows are missing: before a light adds anything, see whether a ray from the point to it hits "
-     "something."},
+     "Shadows are missing: before adding a light, test whether a ray from the point to it hits a surface."},
     {"shadows-added", [](const Scene& s) { return is_lit(s) && !s.settings.shadows; },
-     [](Scene& s) { s.settings.shadows = true; }, "There are shadows where the reference has none."},
+     [](Scene& s) { s.settings.shadows = true; }, "There are shadows, and the reference has none."},
     {.name = "exponent", .applies = has_highlights, .scale = scale_exponents, .scale_text = exponent_text},
     {"exponent", has_highlights, [](Scene& s) { for_each_material(s, [](Material& m) { m.shininess = 1; }); },
      "The specular exponent is 1: the highlight is not raised to the power n."},
     {"shading-model", has_highlights, swap_model,
      "The other model of the highlight: Phong uses (R.V)^n, Blinn-Phong (N.H)^n, which is about as wide as "
-     "Phong's "
-     "with a quarter of the exponent."},
+     "Phong's with a quarter of the exponent."},
     {.name = "shading-model-and-exponent",
      .applies = has_highlights,
      .put = swap_model,
@@ -96,12 +98,12 @@ constexpr SceneFault k_lighting[] = {
      [](Scene& s) { for_each_light(s, [](Light& l) {
                         l.specular_color = {1, 1, 1};
                     }); },
-     "The specular term is not multiplied by the light's colour and intensity: highlights are white whatever "
-     "the "
-     "light. Multiply all of k_d (N.L) + k_s (R.V)^n by it."},
+     "The specular term is not multiplied by the light's colour and intensity: highlights are white for "
+     "every "
+     "light. Multiply the whole sum k_d (N.L) + k_s (R.V)^n by it."},
     {"highlight-surface-color", has_highlights,
      [](Scene& s) { for_each_material(s, [](Material& m) { m.specular = m.specular * m.color; }); },
-     "Highlights have the surface's colour: the specular term is multiplied by the diffuse colour, too."},
+     "Highlights have the surface's colour: the specular term is also multiplied by the diffuse colour."},
     {"highlight-not-surface-color", has_highlights,
      [](Scene& s) {
          for_each_material(s, [](Material& m) {
@@ -109,13 +111,12 @@ constexpr SceneFault k_lighting[] = {
              m.specular = {grey, grey, grey};
          });
      },
-     "Highlights are white where the reference has them in the surface's colour: multiply the specular term "
-     "by it, "
-     "too."},
+     "Highlights are white, and in the reference they have the surface's colour: multiply the specular term "
+     "by it."},
     {"ambient-per-light", [](const Scene& s) { return any_light(s, is_ambient) && s.lights.size() > 2; },
      [](Scene& s) {
-         const auto others = static_cast<double>(
-             std::count_if(s.lights.begin(), s.lights.end(), [](const Light& l) { return !is_ambient(l); }));
+         double others = 0;
+         for_each_light(s, [&](const Light&) { ++others; });
          for (Light& light : s.lights) {
              if (is_ambient(light)) light.color = light.color * others;
          }
@@ -124,21 +125,22 @@ constexpr SceneFault k_lighting[] = {
     {"light-direction-reversed",
      [](const Scene& s) { return any_light(s, [](const Light& l) { return l.has_direction(); }); },
      [](Scene& s) { for_each_light(s, [](Light& l) { l.to_light = -l.to_light; }); },
-     "A directional light shines the wrong way: the direction in the file points to the light, and L is that "
-     "direction, not its opposite (or the reverse, by the file's own rule)."},
+     "A directional light shines in the opposite direction: the direction in the file points to the light, "
+     "and "
+     "L is that direction, not its opposite (or the reverse, if the file's format says so)."},
     {"attenuation-missing",
      [](const Scene& s) {
          return any_light(s, [](const Light& l) { return !(l.attenuation == Attenuation{}); });
      },
      [](Scene& s) { for_each_light(s, [](Light& l) { l.attenuation = {}; }); },
-     "Lights do not get weaker with distance: divide by c0 + c1 d + c2 d^2."},
+     "Light does not decrease with distance: divide by c0 + c1 d + c2 d^2."},
     {"flat-color", is_lit, [](Scene& s) { s.settings.shading = Shading::color; },
      "There is no lighting at all: surfaces show their plain colour."},
     {"normals-shown", is_lit, [](Scene& s) { s.settings.shading = Shading::normals; },
-     "Surfaces show their normals as colours, 0.5 (N + 1): what one draws to look for mistakes."},
+     "Surfaces show their normals as colours, 0.5 (N + 1): a picture for debugging."},
     {"not-normalized", [](const Scene& s) { return is_lit(s) && s.conventions.normalize; },
      [](Scene& s) { s.conventions.normalize = false; },
-     "Vectors are not of unit length: normalise L, V, R (or H) before taking dot products."},
+     "Vectors do not have unit length: normalise L, V, R (or H) before computing dot products."},
     {"back-sides-lit", [](const Scene& s) { return is_lit(s) && s.conventions.clamp_cosines; },
      [](Scene& s) { s.conventions.clamp_cosines = false; },
      "Light from behind a surface is subtracted: N.L is negative there. Take max(0, N.L) and max(0, R.V)."},
@@ -147,19 +149,20 @@ constexpr SceneFault k_lighting[] = {
      "Highlights appear on sides that face away from the light: add the specular term only where N.L > 0."},
     {"highlight-gated", [](const Scene& s) { return has_highlights(s) && !s.conventions.specular_gate; },
      [](Scene& s) { s.conventions.specular_gate = true; },
-     "Highlights are left out where N.L <= 0, and the reference keeps them."},
+     "Highlights are omitted where N.L <= 0, and the reference has them."},
     {"normals-not-turned", [](const Scene& s) { return s.conventions.facing != Facing::none; },
      [](Scene& s) { s.conventions.facing = Facing::none; },
-     "The inner or back side of a surface is dark: turn the normal to the ray that sees it (if N.D > 0, take "
+     "The inner or back side of a surface is dark: turn the normal to the ray that hits it (if N.D > 0, use "
      "-N)."},
     {"normals-turned", [](const Scene& s) { return s.conventions.facing != Facing::all; },
      [](Scene& s) { s.conventions.facing = Facing::all; },
-     "Normals are turned to the ray that sees them, and in the reference they are not: back sides are lit."},
+     "Normals are turned to the ray that hits the surface, and in the reference they are not: back sides are "
+     "lit."},
     {"normals-turned", [](const Scene& s) { return s.conventions.facing != Facing::open; },
      [](Scene& s) { s.conventions.facing = Facing::open; },
-     "Normals of open surfaces alone (planes, open cylinders) are turned to the ray that sees them, unlike "
-     "in the "
-     "reference."},
+     "Only the normals of open surfaces (planes, open cylinders) are turned to the ray that hits them, "
+     "unlike "
+     "in the reference."},
 };
 
 }  // namespace

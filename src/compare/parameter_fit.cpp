@@ -2,23 +2,34 @@
 #include "compare/parameter_fit.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace glint {
 namespace {
 
-constexpr int k_iterations = 4, k_dampings = 3;
+constexpr int k_iterations = 4, k_near_iterations = 8, k_dampings = 3;
 constexpr double k_first_damping = 0.01, k_damping_factor = 8;
 constexpr double k_min_gain = 0.01;       // of the squared difference: else the next blur
 constexpr double k_enough = 0.01;         // mean difference in 255ths that is rounding
-constexpr double k_rounding_costs = 0.1;  // as much of what stays may be added by rounding a number
-constexpr std::size_t k_max_values = 4;
+constexpr double k_rounding_costs = 0.1;  // rounding a number may add this fraction of what remains
+constexpr double k_near_step = 6;         // units of one step without a blur
+constexpr std::size_t k_max_values = 6;
 
 // Radii of the blur for a picture of this many columns, the last one none.
-std::array<int, 5> radii(std::int32_t columns) {
+std::vector<int> radii(std::int32_t columns, FitStart start) {
+    if (start == FitStart::near) return {0};
     const int first = std::max(columns / 16, 2);
     return {first, first / 2, first / 4, 1, 0};
+}
+
+void clamp_to_picture(std::vector<float>& values) {
+    for (float& v : values) v = std::clamp(v, 0.0f, 1.0f);
+}
+
+std::optional<std::vector<float>> rendered_with(const FitProblem& problem, std::span<const double> values) {
+    std::optional<std::vector<float>> made = problem.render(values);
+    if (made) clamp_to_picture(*made);
+    return made;
 }
 
 // The mean of 2 radius + 1 numbers around each, `step` apart; beyond the ends there are zeros.
@@ -87,22 +98,9 @@ struct ParameterFit::Step {
     }
 };
 
-ParameterFit::ParameterFit(const SceneRenderer& renderer, const PixelGrid& grid, const FaultyScene& base,
-                           const RenderedScene& drawn, const BytePicture& target)
-    : renderer_(renderer), grid_(grid), base_(base), drawn_(drawn.image.rgb) {
-    for (float& v : drawn_) v = std::clamp(v, 0.0f, 1.0f);
+ParameterFit::ParameterFit(const PixelGrid& grid, const BytePicture& target) : grid_(grid) {
     target_.reserve(target.rgb.size());
     for (const std::uint8_t v : target.rgb) target_.push_back(static_cast<float>(v) / 255);
-}
-
-std::optional<std::vector<float>> ParameterFit::draw(const FittedCause& cause,
-                                                     std::span<const double> values) const {
-    FaultyScene scene = base_;
-    cause.put(scene, values);
-    std::optional<RenderedScene> made = renderer_.render(scene, grid_);
-    if (!made) return std::nullopt;
-    for (float& v : made->image.rgb) v = std::clamp(v, 0.0f, 1.0f);
-    return std::move(made->image.rgb);
 }
 
 std::vector<float> ParameterFit::blurred_difference(const std::vector<float>& to,
@@ -122,18 +120,19 @@ std::vector<float> ParameterFit::blurred_difference(const std::vector<float>& to
     return difference;
 }
 
-std::optional<ParameterFit::Step> ParameterFit::step_from(const FittedCause& cause,
+std::optional<ParameterFit::Step> ParameterFit::step_from(const FitProblem& problem,
                                                           std::span<const double> values,
-                                                          const std::vector<float>& drawn, int radius) const {
-    const std::vector<float> error = blurred_difference(target_, drawn, radius);
+                                                          const std::vector<float>& rendered,
+                                                          int radius) const {
+    const std::vector<float> error = blurred_difference(target_, rendered, radius);
     std::vector<std::vector<float>> slopes;
     for (std::size_t i = 0; i < values.size(); ++i) {
         std::vector<double> beside(values.begin(), values.end());
         const double by = std::max(1.0, radius / 2.0);
-        beside[i] += by * cause.units[i];
-        const auto made = draw(cause, beside);
+        beside[i] += by * problem.units[i];
+        const auto made = rendered_with(problem, beside);
         if (!made) return std::nullopt;
-        slopes.push_back(blurred_difference(*made, drawn, radius));
+        slopes.push_back(blurred_difference(*made, rendered, radius));
         for (float& v : slopes.back()) v /= static_cast<float>(by);
     }
     Step step{{}, {}, product(error, error)};
@@ -145,9 +144,10 @@ std::optional<ParameterFit::Step> ParameterFit::step_from(const FittedCause& cau
     return step;
 }
 
-double ParameterFit::promise(const FittedCause& cause) const {
-    const std::vector<double> zeros(cause.units.size());
-    const auto step = step_from(cause, zeros, drawn_, radii(grid_.columns())[1]);
+double ParameterFit::promise(const FitProblem& problem, const std::vector<float>& at_start) const {
+    std::vector<float> rendered = at_start;
+    clamp_to_picture(rendered);
+    const auto step = step_from(problem, problem.start, rendered, radii(grid_.columns(), FitStart::far)[1]);
     if (!step || !(step->error > 0)) return 0;
     const std::vector<double> change = step->change(k_first_damping);
     double gain = 0;
@@ -155,55 +155,57 @@ double ParameterFit::promise(const FittedCause& cause) const {
     return gain / step->error;
 }
 
-double ParameterFit::left_of(const std::vector<float>& drawn) const {
+double ParameterFit::left_of(const std::vector<float>& rendered) const {
     double sum = 0;
-    for (std::size_t i = 0; i < drawn.size(); ++i) {
-        const double byte = std::floor(255 * static_cast<double>(drawn[i]) + 0.5);
+    for (std::size_t i = 0; i < rendered.size(); ++i) {
+        const double byte = std::floor(255 * static_cast<double>(rendered[i]) + 0.5);
         sum += std::fabs(byte - 255 * static_cast<double>(target_[i]));
     }
-    return sum / static_cast<double>(drawn.size());
+    return sum / static_cast<double>(rendered.size());
 }
 
-std::optional<Fit> ParameterFit::fit(const FittedCause& cause) const {
-    if (cause.units.size() > k_max_values) return std::nullopt;
-    std::vector<double> values(cause.units.size());
-    std::vector<float> drawn = drawn_;
-    Fit best{values, left_of(drawn)};
+std::optional<Fit> ParameterFit::fit(const FitProblem& problem, FitStart start) const {
+    if (problem.units.size() > k_max_values) return std::nullopt;
+    std::vector<double> values = problem.start;
+    std::optional<std::vector<float>> rendered = rendered_with(problem, values);
+    if (!rendered) return std::nullopt;
+    Fit best{values, left_of(*rendered)};
     double damping = k_first_damping;
-    for (const int radius : radii(grid_.columns())) {
-        for (int iteration = 0; iteration < k_iterations && best.left > k_enough; ++iteration) {
-            const auto step = step_from(cause, values, drawn, radius);
+    const int iterations = start == FitStart::near ? k_near_iterations : k_iterations;
+    for (const int radius : radii(grid_.columns(), start)) {
+        const double most = start == FitStart::near ? k_near_step : 4 * std::max(radius, 1);
+        for (int iteration = 0; iteration < iterations && best.left > k_enough; ++iteration) {
+            const auto step = step_from(problem, values, *rendered, radius);
             if (!step) return std::nullopt;
             double gain = 0;
             for (int i = 0; i < k_dampings && gain <= 0; ++i) {
                 std::vector<double> change = step->change(damping), next = values;
-                const double most = 4 * std::max(radius, 1);
                 for (std::size_t k = 0; k < next.size(); ++k)
-                    next[k] += std::clamp(change[k], -most, most) * cause.units[k];
-                auto made = draw(cause, next);
+                    next[k] += std::clamp(change[k], -most, most) * problem.units[k];
+                auto made = rendered_with(problem, next);
                 if (!made) return std::nullopt;
                 const std::vector<float> error = blurred_difference(target_, *made, radius);
                 gain = 1 - product(error, error) / step->error;
                 damping = gain > 0 ? damping / k_damping_factor : damping * k_damping_factor;
                 if (gain <= 0) continue;
                 values = std::move(next);
-                drawn = std::move(*made);
-                const double left = left_of(drawn);
+                rendered = std::move(made);
+                const double left = left_of(*rendered);
                 if (left < best.left) best = {values, left};
             }
             if (gain < k_min_gain) break;
         }
         damping = std::clamp(damping, 1e-6, k_first_damping);
     }
-    return rounded(cause, best);
+    return rounded(problem, best);
 }
 
-// Numbers with as few digits as draw nearly the same.
-Fit ParameterFit::rounded(const FittedCause& cause, Fit found) const {
+// Numbers with as few digits as render nearly the same.
+Fit ParameterFit::rounded(const FitProblem& problem, Fit found) const {
     for (const double unit : {0.1, 0.05, 0.01}) {
         Fit near = found;
         for (double& v : near.values) v = std::floor(v / unit + 0.5) * unit;
-        if (const auto made = draw(cause, near.values)) {
+        if (const auto made = rendered_with(problem, near.values)) {
             near.left = left_of(*made);
             if (near.left <= found.left * (1 + k_rounding_costs)) return near;
         }

@@ -1,56 +1,57 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// Numbers of a scene with which it draws a picture: a light's place, the field of view.
+// The numbers with which a scene's rendering is nearest to a picture.
 #include <functional>
+#include <optional>
 #include <span>
-#include <string>
 #include <vector>
 
-#include "compare/scene_renderer.h"
+#include "compare/pixel_grid.h"
 
 namespace glint {
 
-struct FittedCause {
-    std::string name;
-    /// One for each number: a change of it that moves things by about a pixel.
-    std::vector<double> units;
-    std::function<void(FaultyScene&, std::span<const double>)> put;
-    std::function<std::string(std::span<const double>)> text;
+/// Numbers to fit, and how a picture is rendered with them.
+struct FitProblem {
+    std::vector<double> start, units;  ///< FittedCause::units
+    /// The picture as Image::rgb; nothing if it cannot be rendered.
+    std::function<std::optional<std::vector<float>>(std::span<const double>)> render;
 };
 
 struct Fit {
     std::vector<double> values;
-    double left = 0;  ///< mean difference of the bytes that stays
+    double left = 0;  ///< remaining mean difference of the bytes, in 255ths
 };
 
-/// Fits numbers to one picture by the method of Levenberg and Marquardt, on blurred pictures first: then
-/// edges that do not meet yet still say where to go.
+/// How far from the start the numbers may be.
+enum class FitStart : std::uint8_t {
+    far,  ///< edges may not meet yet: pictures are blurred first, so that they still say where to go
+    near
+};
+
+/// Fits numbers to one picture by the method of Levenberg and Marquardt.
 class ParameterFit {
   public:
-    /// `target` is of the grid's size. All must outlive it. Throws bad_alloc.
-    ParameterFit(const SceneRenderer& renderer, const PixelGrid& grid, const FaultyScene& base,
-                 const RenderedScene& drawn, const BytePicture& target);
+    /// `target` has the grid's size. Throws bad_alloc.
+    ParameterFit(const PixelGrid& grid, const BytePicture& target);
 
-    /// The share of the squared, blurred difference that goes away with the best small change.
-    double promise(const FittedCause& cause) const;
-    /// Nothing if it cannot be drawn.
-    std::optional<Fit> fit(const FittedCause& cause) const;
+    /// The fraction of the squared, blurred difference that the best small change removes. `at_start` is what
+    /// the problem renders at its start.
+    double promise(const FitProblem& problem, const std::vector<float>& at_start) const;
+    /// Nothing if it cannot be rendered, or has too many numbers.
+    std::optional<Fit> fit(const FitProblem& problem, FitStart start) const;
 
   private:
     struct Step;
 
-    std::optional<std::vector<float>> draw(const FittedCause& cause, std::span<const double> values) const;
     std::vector<float> blurred_difference(const std::vector<float>& to, const std::vector<float>& from,
                                           int radius) const;
-    std::optional<Step> step_from(const FittedCause& cause, std::span<const double> values,
-                                  const std::vector<float>& drawn, int radius) const;
-    double left_of(const std::vector<float>& drawn) const;
-    Fit rounded(const FittedCause& cause, Fit found) const;
+    std::optional<Step> step_from(const FitProblem& problem, std::span<const double> values,
+                                  const std::vector<float>& rendered, int radius) const;
+    double left_of(const std::vector<float>& rendered) const;
+    Fit rounded(const FitProblem& problem, Fit found) const;
 
-    const SceneRenderer& renderer_;
     const PixelGrid grid_;
-    const FaultyScene& base_;
-    std::vector<float> drawn_, target_;  // 0 to 1
+    std::vector<float> target_;  // 0 to 1
 };
 
 }  // namespace glint

@@ -14,8 +14,9 @@ struct PictureCause {
     PictureFault make;
     int freedom =
         0;  ///< how much it can be bent to fit anything: named only if nothing of less explains well
-    bool is_turn = false;         ///< the whole picture, flipped or turned
-    bool is_own_inverse = false;  ///< twice is nothing
+    bool is_turn = false;  ///< the whole picture, flipped or turned
+    /// Applied to a picture that has the fault, it gives the picture without: flips and swaps.
+    bool is_own_inverse = false;
 };
 
 /// The table, simple causes first: of two that explain the same, the earlier is named.

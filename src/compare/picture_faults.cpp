@@ -198,7 +198,7 @@ PictureFault raised() {
         }
         if (count == 0) return std::nullopt;
         const int by = static_cast<int>(std::lround(static_cast<double>(sum) / static_cast<double>(count)));
-        if (by == 0) return std::nullopt;
+        if (std::abs(by) <= k_noise) return std::nullopt;  // rounding or quantisation
         for_each_row(s.rows, s.fit.threads, [&](std::int32_t y) {
             const std::size_t first = 3 * static_cast<std::size_t>(y) * made.width;
             for (std::size_t i = first; i < first + 3 * static_cast<std::size_t>(made.width); ++i)

@@ -11,9 +11,9 @@
 
 namespace glint {
 
-/// What a fault is made from, and how much of it.
+/// What a fault is applied to, and which rows of it.
 struct PictureSource {
-    const Image& reference;     ///< floats: unclamped if the scene was drawn, else what the file holds
+    const Image& reference;     ///< floats: unclamped if the scene was rendered, else those of the file
     const BytePicture& bytes;   ///< the same as bytes
     const BytePicture& faulty;  ///< the picture to explain
     const Area& fit;            ///< where what is fitted to `faulty` is fitted
@@ -39,31 +39,31 @@ PictureFault transposed_back();
 PictureFault shifted();
 PictureFault half_shifted();
 PictureFault anti_aliased();
-/// Where they are not whole rows or columns.
+/// Except in whole rows or columns that differ.
 PictureFault dark_specks();
 /// Rows or columns that were never written.
 PictureFault unwritten(Lines lines);
-/// Of pictures that differ nowhere else.
+/// Only if the pictures differ nowhere else.
 PictureFault rim_differs();
 
 // ---- What a channel becomes ----
 
 /// Red, green and blue are those channels of the reference: 0 to 2.
 PictureFault permuted(int red, int green, int blue);
-/// Red, green and blue are that sum of the reference's.
+/// All channels are this weighted sum of the reference's.
 PictureFault grey(double red, double green, double blue);
-/// A channel that is not there is 0.
+/// The other channels are 0.
 PictureFault channels_left(bool red, bool green, bool blue);
 /// Each channel value, clamped to 0 to 1, through a curve.
 PictureFault curved(std::function<double(double)> curve);
 double srgb_decoded(double v);
-/// Everything by a factor that is fitted.
+/// All values times a fitted factor.
 PictureFault scaled();
-/// A number is added to everything, which is fitted.
+/// A fitted number is added to all values.
 PictureFault raised();
-/// The whole part of value * scale, of which a byte keeps the lowest bits, or the most it can hold.
+/// floor(value * scale) as a byte: its lowest eight bits if it wraps, else at most 255.
 PictureFault whole_part(double scale, bool wraps);
-/// One colour is another: of the different pixels, what most have.
+/// One colour is replaced by another: the commonest change of the pixels that differ.
 PictureFault recolored();
 
 /// The factor k by which `part` must be multiplied for rest + k part to be `faulty`, by least

@@ -9,16 +9,24 @@ namespace glint {
 
 PixelGrid grid_of(const Scene& scene, std::int32_t width, std::int32_t height) {
     PixelGrid grid{width, height, 1};
-    if (scene.conventions.pixel_sample == PixelSample::whole) return grid;  // its pixels are world units
+    if (scene.conventions.pixel_sample == PixelSample::whole) return grid;  // pixels are world units
     const auto pixels = [&](std::int32_t step) { return std::int64_t{width / step} * (height / step); };
     while (pixels(grid.step) > 3 * k_grid_pixels) grid.step += 2;
-    // Blocks that fill the picture lie the same way in the flipped picture.
+    // If blocks fill the picture, they are the same ones in the flipped picture.
     for (std::int32_t step = grid.step; pixels(step) > k_grid_pixels / 3 && step > 1; step += 2) {
         if (width % step == 0 && height % step == 0) {
             grid.step = step;
             break;
         }
     }
+    return grid;
+}
+
+PixelGrid coarse_grid_of(const Scene& scene, std::int32_t width, std::int32_t height) {
+    PixelGrid grid{width, height, 1};
+    if (scene.conventions.pixel_sample == PixelSample::whole) return grid;
+    const auto pixels = [&](std::int32_t step) { return std::int64_t{width / step} * (height / step); };
+    while (pixels(grid.step + 2) >= k_coarse_pixels) grid.step += 2;
     return grid;
 }
 
@@ -45,7 +53,7 @@ std::vector<std::uint8_t> on_grid(const std::vector<std::uint8_t>& marks, const 
     return small;
 }
 
-void draw_grid(Scene& scene, const PixelGrid& grid) {
+void set_grid(Scene& scene, const PixelGrid& grid) {
     if (grid.step == 1) return;
     const PreparedCamera camera = prepare_camera(scene.camera, scene.settings);
     const double across = static_cast<double>(grid.step) * grid.columns() / grid.width,

@@ -15,16 +15,19 @@ struct PixelGrid {
     std::int32_t rows() const { return height / step; }
 };
 
-/// A grid of about k_grid_pixels of the pictures that the scene draws at this size.
+/// A grid of about k_grid_pixels for renderings of the scene at this size.
 inline constexpr std::int64_t k_grid_pixels = 24000;
 PixelGrid grid_of(const Scene& scene, std::int32_t width, std::int32_t height);
+/// A grid of at least k_coarse_pixels, for searches with many renderings.
+inline constexpr std::int64_t k_coarse_pixels = 2000;
+PixelGrid coarse_grid_of(const Scene& scene, std::int32_t width, std::int32_t height);
 
-/// Those pixels of a picture, or of numbers of which there is one a pixel.
+/// Those pixels of a picture, or of a list with one number per pixel.
 BytePicture on_grid(const BytePicture& picture, const PixelGrid& grid);
 std::vector<std::uint8_t> on_grid(const std::vector<std::uint8_t>& marks, const PixelGrid& grid);
 
-/// Changes a scene of the picture's size so that its picture is those pixels: rays pass the same places.
-/// Where a pixel has several samples it has one instead, in its middle.
-void draw_grid(Scene& scene, const PixelGrid& grid);
+/// Changes a scene of the picture's size so that its rendering is those pixels: the rays are the same. A
+/// pixel with several samples gets one instead, in its middle.
+void set_grid(Scene& scene, const PixelGrid& grid);
 
 }  // namespace glint

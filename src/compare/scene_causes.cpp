@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The causes that are tried by drawing a scene: the tables' rows that apply to it, and those that go by its
-// lights and numbers.
+// The causes of a scene: the rows of the tables that apply to it, and those that depend on its lights and
+// numbers.
 #include "compare/scene_causes.h"
 
 #include <fmt/format.h>
@@ -27,16 +27,16 @@ void add_half_shifts(const Scene& scene, std::vector<SceneCause>& causes) {
     if (scene.conventions.pixel_sample == PixelSample::whole) return;  // its pixels are world units
     for (const auto& [dx, dy] :
          {std::pair{1, 0}, {-1, 0}, {0, 1}, {0, -1}, {1, 1}, {1, -1}, {-1, 1}, {-1, -1}}) {
-        causes.push_back(
-            {"shifted-half-pixel",
-             fmt::format("Everything is half a pixel {}: rays pass through a pixel's middle (x + "
-                         "0.5) here and its corner there.",
-                         direction_text(dx, dy)),
-             [dx = dx, dy = dy](Scene& s) { shift_rays(s, -0.5 * dx, -0.5 * dy); }});
+        causes.push_back({"shifted-half-pixel",
+                          fmt::format("Everything is shifted by half a pixel {}: in one picture rays pass "
+                                      "through a pixel's middle "
+                                      "(x + 0.5), in the other through its corner.",
+                                      direction_text(dx, dy)),
+                          [dx = dx, dy = dy](Scene& s) { shift_rays(s, -0.5 * dx, -0.5 * dy); }});
     }
 }
 
-// "light 2 (\"lamp\")": by its place among all lights, as everywhere.
+// "light 2 (\"lamp\")": by its number among all lights.
 std::string light_text(const Scene& scene, std::uint32_t index) {
     const std::string_view name = scene.light_texts.name(index);
     return name.empty() ? fmt::format("light {}", index + 1)
@@ -48,31 +48,30 @@ constexpr int k_max_lights = 8;  // tried one by one
 void add_single_lights(const Scene& scene, std::vector<SceneCause>& causes) {
     std::vector<std::uint32_t> lights;
     for (std::uint32_t i = 0; i < scene.lights.size(); ++i) {
-        if (!is_ambient(scene.lights[i])) lights.push_back(i);
+        if (!is_ambient(scene.lights[i]) && !is_off(scene.lights[i])) lights.push_back(i);
     }
     if (!is_lit(scene) || lights.size() < 2 || lights.size() > k_max_lights) return;
     for (std::size_t k = 0; k < lights.size(); ++k) {
         const std::string text = light_text(scene, lights[k]);
-        causes.push_back(
-            {"light-missing",
-             fmt::format("The light of {} is missing, or never arrives: sum over all lights.", text),
-             [i = lights[k]](Scene& s) { s.lights.erase(s.lights.begin() + i); }, text, "light-scaled",
-             [i = lights[k]](Scene& s, double factor) {
-                 s.lights[i].color = s.lights[i].color * factor;
-                 s.lights[i].specular_color = s.lights[i].specular_color * factor;
-             }});
+        causes.push_back({"light-missing",
+                          fmt::format("The light of {} is missing: sum over all lights.", text),
+                          [i = lights[k]](Scene& s) { switch_off(s.lights[i]); }, text, "light-scaled",
+                          [i = lights[k]](Scene& s, double factor) {
+                              s.lights[i].color = s.lights[i].color * factor;
+                              s.lights[i].specular_color = s.lights[i].specular_color * factor;
+                          }});
     }
     for (std::size_t k = 0; lights.size() > 2 && k < lights.size(); ++k) {
-        causes.push_back(
-            {"light-alone",
-             fmt::format("Only {} shines: add up the lights (a sum that is overwritten keeps the "
-                         "last, a return inside the loop the first).",
-                         light_text(scene, lights[k])),
-             [i = lights[k]](Scene& s) {
-                 const Light kept = s.lights[i];
-                 std::erase_if(s.lights, [](const Light& l) { return !is_ambient(l); });
-                 s.lights.push_back(kept);
-             }});
+        causes.push_back({"light-alone",
+                          fmt::format("Only {} is used: add up all lights (an assignment in the loop keeps "
+                                      "the last one, a return in "
+                                      "the loop the first).",
+                                      light_text(scene, lights[k])),
+                          [i = lights[k]](Scene& s) {
+                              for (std::uint32_t other = 0; other < s.lights.size(); ++other) {
+                                  if (other != i && !is_ambient(s.lights[other])) switch_off(s.lights[other]);
+                              }
+                          }});
     }
 }
 
@@ -80,31 +79,31 @@ bool has_diffuse_light(const Scene& scene) {
     return is_lit(scene) && any_material(scene, [](const Material& m) { return !is_zero(m.diffuse); });
 }
 
-// The diffuse term of lights behind surfaces, as it would be above 0: what is drawn with max(0, N.L) less
-// what is drawn with N.L.
-std::optional<Image> diffuse_from_behind(Scene scene, const DrawScene& draw) {
+// The diffuse term of lights behind surfaces, with |N.L|: the picture with max(0, N.L) minus the one with
+// N.L.
+std::optional<Image> diffuse_from_behind(Scene scene, const RenderScene& render) {
     std::erase_if(scene.lights, is_ambient);
     for_each_material(scene, [](Material& m) { m.specular = {0, 0, 0}; });
     scene.background = {0, 0, 0};
     scene.conventions.clamp_cosines = true;
-    std::optional<Image> clamped = draw(scene);
+    std::optional<Image> clamped = render(scene);
     scene.conventions.clamp_cosines = false;
-    const std::optional<Image> signed_sum = draw(scene);
+    const std::optional<Image> signed_sum = render(scene);
     if (!clamped || !signed_sum) return std::nullopt;
     for (std::size_t i = 0; i < clamped->rgb.size(); ++i) clamped->rgb[i] -= signed_sum->rgb[i];
     return clamped;
 }
 
-// Faults of N.L that no setting makes. Light is a sum, so their pictures are.
+// Faults of N.L that no setting makes. Light is a sum, so their pictures are sums, too.
 void add_turned_cosines(const Scene& scene, std::vector<SceneCause>& causes) {
     if (!has_diffuse_light(scene) || !scene.conventions.clamp_cosines) return;
     const auto add = [&](const char* name, const char* explanation, bool lit) {
         SceneCause cause{name, explanation, {}};
-        cause.compose = [lit](const Scene& s, const DrawScene& draw) -> std::optional<Image> {
+        cause.compose = [lit](const Scene& s, const RenderScene& render) -> std::optional<Image> {
             Scene base = s;
             if (!lit) std::erase_if(base.lights, [](const Light& l) { return !is_ambient(l); });
-            std::optional<Image> sum = draw(base);
-            const std::optional<Image> behind = diffuse_from_behind(s, draw);
+            std::optional<Image> sum = render(base);
+            const std::optional<Image> behind = diffuse_from_behind(s, render);
             if (!sum || !behind) return std::nullopt;
             for (std::size_t i = 0; i < sum->rgb.size(); ++i) sum->rgb[i] += behind->rgb[i];
             return sum;
@@ -112,14 +111,36 @@ void add_turned_cosines(const Scene& scene, std::vector<SceneCause>& causes) {
         causes.push_back(std::move(cause));
     };
     add("abs-cosine",
-        "Light from behind a surface is added as if it came from the front: |N.L| is taken in place of "
+        "Light from behind a surface is added as if it came from the front: |N.L| is used instead of "
         "max(0, N.L).",
         true);
     add("normals-reversed",
         "Surfaces are lit from behind and dark in front: N is reversed (a sphere's N is P - C, not C - P), "
-        "or "
-        "L is.",
+        "or L is reversed.",
         false);
+}
+
+// Only the diffuse term is of vectors that are not normalised: what else there is, and that term.
+void add_raw_diffuse(const Scene& scene, std::vector<SceneCause>& causes) {
+    if (!has_diffuse_light(scene) || !scene.conventions.normalize || !has_highlights(scene)) return;
+    SceneCause cause{
+        "not-normalized", "L is not of unit length in the diffuse term: normalise it before taking N.L.", {}};
+    cause.compose = [](const Scene& s, const RenderScene& render) -> std::optional<Image> {
+        Scene others = s, diffuse = s;
+        for_each_material(others, [](Material& m) { m.diffuse = {0, 0, 0}; });
+        for_each_material(diffuse, [](Material& m) { m.specular = {0, 0, 0}; });
+        for (Light& light : diffuse.lights) {
+            if (is_ambient(light)) switch_off(light);
+        }
+        diffuse.background = {0, 0, 0};
+        diffuse.conventions.normalize = false;
+        std::optional<Image> sum = render(others);
+        const std::optional<Image> part = render(diffuse);
+        if (!sum || !part) return std::nullopt;
+        for (std::size_t i = 0; i < sum->rgb.size(); ++i) sum->rgb[i] += part->rgb[i];
+        return sum;
+    };
+    causes.push_back(std::move(cause));
 }
 
 constexpr int k_max_levels = 8;  // of reflection that are tried one by one
@@ -139,8 +160,8 @@ void add_sample_counts(const Scene& scene, std::vector<SceneCause>& causes) {
         if (n == scene.settings.samples) continue;
         causes.push_back(
             {"anti-aliasing",
-             fmt::format("Only edges differ: {} x {} samples in a pixel, where the scene asks for {} x {}.",
-                         n, n, scene.settings.samples, scene.settings.samples),
+             fmt::format("Only edges differ: {} x {} samples per pixel, and the scene sets {} x {}.", n, n,
+                         scene.settings.samples, scene.settings.samples),
              [n](Scene& s) { s.settings.samples = n; }});
         causes.back().is_of_samples = true;
     }
@@ -160,6 +181,7 @@ std::vector<SceneCause> scene_causes(const Scene& scene) {
     add_single_lights(scene, causes);
     add(lighting_faults());
     add_turned_cosines(scene, causes);
+    add_raw_diffuse(scene, causes);
     add(tracing_faults());
     add_reflection_levels(scene, causes);
     add_half_shifts(scene, causes);

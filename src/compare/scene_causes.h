@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// The causes that are tried by drawing the scene with a fault.
+// The causes that are tried by rendering the scene with a fault.
 #include <functional>
 #include <optional>
 #include <string>
@@ -10,8 +10,8 @@
 
 namespace glint {
 
-/// Draws a changed scene, for a cause whose picture is a sum of several.
-using DrawScene = std::function<std::optional<Image>(const Scene&)>;
+/// Renders a changed scene, for a cause whose picture is a sum of several.
+using RenderScene = std::function<std::optional<Image>(const Scene&)>;
 
 struct SceneCause {
     std::string name, explanation;
@@ -24,9 +24,9 @@ struct SceneCause {
     /// it one, and says so, of a factor that is fitted. There is no other explanation then.
     std::function<void(Scene&, double)> scale = {};
     std::function<std::string(double factor, bool about)> scale_text = {};
-    /// If no setting of the scene is the fault: makes its picture of others. `put` is empty then.
-    std::function<std::optional<Image>(const Scene&, const DrawScene&)> compose = {};
-    bool is_of_samples = false;  ///< shows at edges only: needs all pixels
+    /// If no setting of the scene makes the fault: its picture as a sum of others. `put` is empty then.
+    std::function<std::optional<Image>(const Scene&, const RenderScene&)> compose = {};
+    bool is_of_samples = false;  ///< visible only at edges: needs all pixels
 };
 
 /// The causes that can make a difference to this scene, simple ones first.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// The tables of faults that a scene is drawn with: when a fault can matter, and the change of the scene.
+// The tables of faults of a scene: when a fault can matter, and the change of the scene.
 #include <algorithm>
 #include <span>
 #include <string>
@@ -56,9 +56,14 @@ inline bool has_glass(const Scene& s) {
 }
 inline bool has_shadows(const Scene& s) { return is_lit(s) && s.settings.shadows; }
 
+/// A light that is missing stays in the list, so that the others keep their numbers.
+inline void switch_off(Light& light) { light.color = light.specular_color = {0, 0, 0}; }
+inline bool is_off(const Light& light) { return is_zero(light.color) && is_zero(light.specular_color); }
+
+/// Of the lights that shine and are not ambient.
 template <class Change> void for_each_light(Scene& s, Change&& change) {
     for (Light& light : s.lights) {
-        if (!is_ambient(light)) change(light);
+        if (!is_ambient(light) && !is_off(light)) change(light);
     }
 }
 template <class Change> void for_each_material(Scene& s, Change&& change) {

@@ -61,7 +61,7 @@ std::optional<RenderedScene> SceneRenderer::render(const FaultyScene& faulty, co
         if (!edit || *edit == ShapeEdit::none) return std::nullopt;
     }
     Scene shading = faulty.shading;
-    draw_grid(shading, grid);
+    set_grid(shading, grid);
     Result<Rendering> result = render_scene(world, shading, options_.threads, options_.cancel);
     if (!result) return std::nullopt;
     RenderedScene rendered{std::move(result->image), {}};

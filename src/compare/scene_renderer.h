@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// A scene that is drawn again and again, with one fault or another.
+// A scene that is rendered many times, each time with another fault.
 #include <functional>
 #include <optional>
 #include <vector>
@@ -16,14 +16,14 @@ struct RenderedScene {
     BytePicture bytes;
 };
 
-/// A sphere elsewhere, or of another size.
+/// A sphere with another centre or radius.
 struct SphereChange {
     std::uint32_t shape = 0;  ///< into Scene::shapes
     Vec3 by{0, 0, 0};
     double radius_factor = 1;
 };
 
-/// What faults change: a scene whose shapes are not looked at, and its spheres.
+/// What faults change: a scene whose shapes are ignored, and its spheres.
 struct FaultyScene {
     Scene shading;
     std::vector<SphereChange> spheres;
@@ -31,9 +31,9 @@ struct FaultyScene {
 
 /// Puts a fault into a scene.
 using FaultEdit = std::function<void(FaultyScene&)>;
-using DrawFaulty = std::function<std::optional<Image>(const FaultyScene&)>;
-/// Makes the picture that a scene has with a fault.
-using MakePicture = std::function<std::optional<Image>(const FaultyScene&, const DrawFaulty&)>;
+using RenderFaulty = std::function<std::optional<Image>(const FaultyScene&)>;
+/// The picture of a scene with a fault.
+using MakePicture = std::function<std::optional<Image>(const FaultyScene&, const RenderFaulty&)>;
 
 class SceneRenderer {
   public:
@@ -43,10 +43,10 @@ class SceneRenderer {
     bool is_prepared() const { return world_.has_value(); }
     /// The scene without its shapes, each of which had a material.
     const FaultyScene& scene() const { return scene_; }
-    /// With its shapes; nothing of scenes of so many that none is moved.
+    /// With its shapes; nothing if they are too many to be moved.
     const std::optional<Scene>& with_shapes() const { return with_shapes_; }
     const World& world() const { return *world_; }
-    /// Nothing if it cannot be drawn, or the search was cancelled.
+    /// Nothing if it cannot be rendered, or the search was cancelled.
     std::optional<RenderedScene> render(const FaultyScene& faulty, const PixelGrid& grid) const;
     bool is_cancelled() const;
     int threads() const { return options_.threads; }

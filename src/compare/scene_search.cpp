@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "compare/factor_search.h"
+#include "compare/item_texts.h"
 #include "compare/picture_faults.h"
 
 namespace glint {
@@ -17,23 +18,56 @@ constexpr double k_min_fitted = 0.85, k_min_factor = 0.5;
 // stays.
 constexpr double k_max_factor = 16, k_enough = 0.001;
 
-std::string capital(std::string text) {
-    if (text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 'a' + 'A');
-    return text;
-}
-
 FaultEdit edit_of(const SceneCause& cause) {
     return [put = cause.put](FaultyScene& s) { put(s.shading); };
 }
 
-FaultEdit edit_of(const SceneCause& cause, double factor) {
-    return [put = cause.put, scale = cause.scale, factor](FaultyScene& s) {
-        if (put) put(s.shading);
-        scale(s.shading, factor);
-    };
+// What one unit of a factor is, for a fit of it together with others.
+constexpr double k_factor_unit = 0.05, k_least_factor = 0.01;
+
+void put_scaled(const SceneCause& cause, Scene& scene, double factor) {
+    if (cause.put) cause.put(scene);
+    cause.scale(scene, std::max(factor, k_least_factor));
+}
+
+std::shared_ptr<const FittedCause> factor_of(const SceneCause& cause, double near) {
+    return std::make_shared<FittedCause>(FittedCause{
+        cause.name,
+        {k_factor_unit * near},
+        [cause](FaultyScene& s, std::span<const double> v) { put_scaled(cause, s.shading, v[0]); },
+        [text = cause.scale_text](std::span<const double> v, bool about) { return text(v[0], about); }});
+}
+
+std::shared_ptr<const FittedCause> multiple_of(const SceneCause& cause, double near) {
+    return std::make_shared<FittedCause>(
+        FittedCause{cause.scaled,
+                    {k_factor_unit * near},
+                    [scale = cause.scale_part](FaultyScene& s, std::span<const double> v) {
+                        scale(s.shading, std::max(v[0], 0.0));
+                    },
+                    [part = capitalized(cause.part)](std::span<const double> v, bool) {
+                        return fmt::format("{} is {:.3g} times what it should be.", part, v[0]);
+                    }});
 }
 
 }  // namespace
+
+std::optional<RenderedScene> render_candidate(const SceneRenderer& renderer, const CauseCandidate& candidate,
+                                              const FaultyScene& base, const PixelGrid& grid) {
+    if (candidate.edit) {
+        FaultyScene scene = base;
+        candidate.edit(scene);
+        return renderer.render(scene, grid);
+    }
+    std::optional<Image> image = candidate.make(base, [&](const FaultyScene& s) {
+        std::optional<RenderedScene> made = renderer.render(s, grid);
+        return made ? std::optional(std::move(made->image)) : std::nullopt;
+    });
+    if (!image) return std::nullopt;
+    RenderedScene rendered{std::move(*image), {}};
+    rendered.bytes = to_bytes(rendered.image, renderer.threads());
+    return rendered;
+}
 
 SceneSearch::SceneSearch(const SceneRenderer& renderer, const PixelGrid& grid, const FaultyScene& scene)
     : renderer_(renderer), grid_(grid), scene_(scene) {
@@ -47,41 +81,43 @@ std::optional<RenderedScene> SceneSearch::render(const FaultEdit& edit) const {
     return renderer_.render(scene, grid_);
 }
 
-std::optional<RenderedScene> SceneSearch::draw_cause(std::size_t i) const {
+std::optional<RenderedScene> SceneSearch::render_cause(std::size_t i) const {
     const SceneCause& cause = causes_[i];
     if (cause.scale || (cause.is_of_samples && grid_.step > 1)) return std::nullopt;
-    if (!cause.compose) return render(edit_of(cause));
-    std::optional<Image> image = candidate(i).make(scene_, [&](const FaultyScene& s) {
-        std::optional<RenderedScene> drawn = renderer_.render(s, grid_);
-        return drawn ? std::optional(std::move(drawn->image)) : std::nullopt;
-    });
-    if (!image) return std::nullopt;
-    RenderedScene rendered{std::move(*image), {}};
-    rendered.bytes = to_bytes(rendered.image, 1);
-    return rendered;
+    return render_candidate(renderer_, candidate(i), scene_, grid_);
 }
 
 CauseCandidate SceneSearch::candidate(std::size_t i) const {
     const SceneCause& cause = causes_[i];
     CauseCandidate candidate{{cause.name, cause.explanation, 0, 0, true}};
+    candidate.row = i;
     if (!cause.compose) {
         candidate.set_edit(edit_of(cause));
         return candidate;
     }
-    candidate.make = [compose = cause.compose](const FaultyScene& base, const DrawFaulty& draw) {
-        return compose(base.shading, [&](const Scene& scene) { return draw({scene, base.spheres}); });
+    candidate.make = [compose = cause.compose](const FaultyScene& base, const RenderFaulty& render) {
+        return compose(base.shading, [&](const Scene& scene) { return render({scene, base.spheres}); });
     };
+    return candidate;
+}
+
+CauseCandidate SceneSearch::scaled_candidate(std::size_t i, double factor, bool about) const {
+    const SceneCause& cause = causes_[i];
+    const double least = cause.scale ? k_min_factor : k_min_fitted;
+    CauseCandidate candidate = fitted_candidate(
+        cause.scale ? factor_of(cause, factor) : multiple_of(cause, factor), {factor}, about, least);
+    candidate.row = i;
     return candidate;
 }
 
 void SceneSearch::try_cause(std::size_t i, const std::vector<Search*>& searches) const {
     const SceneCause& cause = causes_[i];
-    if (cause.scale) return try_factors(searches, cause);
-    const std::optional<RenderedScene> made = draw_cause(i);
+    if (cause.scale) return try_factors(searches, i);
+    const std::optional<RenderedScene> made = render_cause(i);
     // What changes nothing in this scene explains nothing.
     if (!made || made->bytes.rgb == rendered_->bytes.rgb) return;
     for (Search* search : searches) search->judge(made->bytes, candidate(i));
-    if (!cause.part.empty()) try_multiples(searches, cause, *made);
+    if (!cause.part.empty()) try_multiples(searches, i, *made);
 }
 
 // How the search for one picture's factor goes.
@@ -92,12 +128,13 @@ struct SceneSearch::Walk {
 };
 
 std::optional<RenderedScene> SceneSearch::render_scaled(const SceneCause& cause, double factor) const {
-    return render(edit_of(cause, factor));
+    return render([&](FaultyScene& s) { put_scaled(cause, s.shading, factor); });
 }
 
 // A number of the scene by a factor that is fitted: from 1 by powers of two as long as it gets better,
 // then to the bottom of the valley.
-void SceneSearch::try_factors(const std::vector<Search*>& searches, const SceneCause& cause) const {
+void SceneSearch::try_factors(const std::vector<Search*>& searches, std::size_t row) const {
+    const SceneCause& cause = causes_[row];
     const std::optional<RenderedScene> one = render_scaled(cause, 1);
     if (!one) return;
     std::vector<Walk> walks(searches.size());
@@ -124,11 +161,7 @@ void SceneSearch::try_factors(const std::vector<Search*>& searches, const SceneC
         }
         const std::optional<RenderedScene> made = render_scaled(cause, best.factor);
         if (!made || made->bytes.rgb == one->bytes.rgb) continue;
-        CauseCandidate candidate{{cause.name, cause.scale_text(best.factor, best.left > enough), 0, 0, true},
-                                 k_min_factor};
-        candidate.parameters = 1;
-        candidate.set_edit(edit_of(cause, best.factor));
-        search.judge(made->bytes, std::move(candidate));
+        search.judge(made->bytes, scaled_candidate(row, best.factor, best.left > enough));
     }
 }
 
@@ -159,7 +192,7 @@ void SceneSearch::walk(const std::vector<Search*>& searches, const SceneCause& c
 
 // The part of the light that is missing in `without`, by a factor that is fitted. Light is a sum, so the
 // picture with any multiple of a part is known from those with and without it.
-void SceneSearch::try_multiples(const std::vector<Search*>& searches, const SceneCause& cause,
+void SceneSearch::try_multiples(const std::vector<Search*>& searches, std::size_t row,
                                 const RenderedScene& without) const {
     std::vector<float> part = rendered_->image.rgb;
     for (std::size_t i = 0; i < part.size(); ++i) part[i] -= without.image.rgb[i];
@@ -169,14 +202,7 @@ void SceneSearch::try_multiples(const std::vector<Search*>& searches, const Scen
         if (!factor) continue;
         Image image = without.image;
         for (std::size_t i = 0; i < part.size(); ++i) image.rgb[i] += static_cast<float>(*factor) * part[i];
-        CauseCandidate candidate{
-            {cause.scaled, fmt::format("{} is {:.3g} times what it should be.", capital(cause.part), *factor),
-             0, 0, true},
-            k_min_fitted};
-        candidate.parameters = 1;
-        candidate.set_edit(
-            [scale = cause.scale_part, by = *factor](FaultyScene& s) { scale(s.shading, by); });
-        search->judge(to_bytes(image, 1), std::move(candidate));
+        search->judge(to_bytes(image, 1), scaled_candidate(row, *factor, false));
     }
 }
 

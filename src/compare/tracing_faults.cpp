@@ -22,44 +22,42 @@ std::string mirror_text(double factor, bool about) {
 
 constexpr SceneFault k_tracing[] = {
     {"acne", has_shadows, [](Scene& s) { s.conventions.epsilon = 0; },
-     "Dark specks on lit surfaces (acne): a shadow ray hits the very surface it leaves. Start it a little "
-     "off the "
-     "surface, or ignore hits with t below a small epsilon."},
+     "Dark specks on lit surfaces (acne): a shadow ray hits the surface that it starts from. Move its origin "
+     "off the surface, or ignore hits with t below a small epsilon."},
     {"acne", has_shadows,
      [](Scene& s) {
          s.conventions.offset = Offset::ray;
          s.conventions.epsilon = 0;
      },
-     "Dark specks on lit surfaces (acne): a shadow ray hits the very surface it leaves. Start it a little "
-     "off the "
-     "surface, or ignore hits with t below a small epsilon."},
+     "Dark specks on lit surfaces (acne): a shadow ray hits the surface that it starts from. Move its origin "
+     "off the surface, or ignore hits with t below a small epsilon."},
     {"shadow-past-light", has_shadows, [](Scene& s) { s.conventions.shadow_stops_at_light = false; },
-     "What is behind a light casts a shadow, too: a shadow ray to a point light ends at the light, so only "
+     "Objects behind a light cast a shadow, too: a shadow ray to a point light ends at the light, so only "
      "hits "
      "before it (t < distance) count."},
     {"reflections-missing", has_mirrors, [](Scene& s) { s.settings.reflections = 0; },
-     "Mirrors are missing: follow the ray reflected at N and mix what it sees with the surface's own "
-     "colour."},
+     "Mirrors are missing: trace the ray reflected at N, and mix the colour that it returns with the "
+     "surface's "
+     "own colour."},
     {"reflections-added",
      [](const Scene& s) {
          return s.settings.reflections == 0 &&
                 any_material(s, [](const Material& m) { return m.mirror > 0; });
      },
      [](Scene& s) { s.settings.reflections = k_usual_reflections; },
-     "There are mirrors where the reference has none: this part of the task is without reflections."},
+     "There are mirrors, and the reference has none: this part of the task is without reflections."},
     {.name = "mirror-scaled", .applies = has_mirrors, .scale = scale_mirrors, .scale_text = mirror_text},
     {"reflections-one-fewer", [](const Scene& s) { return has_mirrors(s) && s.settings.reflections > 1; },
      [](Scene& s) { --s.settings.reflections; },
-     "One level of reflection too few: the recursion stops one mirror early."},
+     "There is one level of reflection too few: the recursion stops one mirror early."},
     {"reflections-one-more",
      [](const Scene& s) { return has_mirrors(s) && s.settings.reflections < k_max_reflections; },
      [](Scene& s) { ++s.settings.reflections; },
-     "One level of reflection too many: the recursion stops one mirror late."},
+     "There is one level of reflection too many: the recursion stops one mirror late."},
     {"mirror-limit-dark",
      [](const Scene& s) { return has_mirrors(s) && s.conventions.limit != LimitRule::drop; },
      [](Scene& s) { s.conventions.limit = LimitRule::drop; },
-     "Mirrors are too dark where the recursion ends: at the last level return the surface's own colour "
-     "whole, not "
+     "Mirrors are too dark where the recursion ends: at the last level return the surface's own colour, not "
      "mixed with black."},
     {"mirror-limit-bright",
      [](const Scene& s) { return has_mirrors(s) && s.conventions.limit != LimitRule::keep; },
@@ -69,21 +67,21 @@ constexpr SceneFault k_tracing[] = {
     {"mirror-miss-black",
      [](const Scene& s) { return has_mirrors(s) && s.conventions.mirror_miss != MissRule::black; },
      [](Scene& s) { s.conventions.mirror_miss = MissRule::black; },
-     "Mirrors are too dark where they look out of the scene: a reflected ray that hits nothing sees the "
+     "Mirrors are too dark where reflected rays leave the scene: a ray that hits nothing returns the "
      "background, not black."},
     {"mirror-miss-background",
      [](const Scene& s) { return has_mirrors(s) && s.conventions.mirror_miss != MissRule::background; },
      [](Scene& s) { s.conventions.mirror_miss = MissRule::background; },
-     "A reflected ray that hits nothing sees the background, and in the reference black."},
+     "A reflected ray that hits nothing returns the background, and in the reference black."},
     {"mirror-added", [](const Scene& s) { return has_mirrors(s) && s.conventions.mirror != MirrorRule::add; },
      [](Scene& s) { s.conventions.mirror = MirrorRule::add; },
-     "Mirrors are too bright: the reflected colour is added to the local one in place of mixing the two, "
-     "(1 - a) local + a reflected."},
+     "Mirrors are too bright: the reflected colour is added to the local one. Mix the two: (1 - a) local + "
+     "a reflected."},
     {"mirror-blended",
      [](const Scene& s) { return has_mirrors(s) && s.conventions.mirror != MirrorRule::blend; },
      [](Scene& s) { s.conventions.mirror = MirrorRule::blend; },
-     "Mirrors are too dark: the reflected colour is mixed with the local one, and in the reference added to "
-     "it."},
+     "Mirrors are too dark: the reflected colour is mixed with the local one, and in the reference it is "
+     "added."},
     {"glass-missing", has_glass,
      [](Scene& s) { for_each_material(s, [](Material& m) { m.transmission = 0; }); },
      "Glass is opaque: follow the refracted ray."},
@@ -94,7 +92,7 @@ constexpr SceneFault k_tracing[] = {
          s.conventions.glass_shadow =
              s.conventions.glass_shadow == GlassShadow::none ? GlassShadow::opaque : GlassShadow::none;
      },
-     "Glass casts a shadow and in the reference it does not, or the reverse."},
+     "Glass casts a shadow, and in the reference it does not, or the reverse."},
     {"background", [](const Scene& s) { return !is_zero(s.background); },
      [](Scene& s) {
          s.background = {0, 0, 0};
@@ -106,7 +104,7 @@ constexpr SceneFault k_tracing[] = {
                 s.settings.width != s.settings.height;
      },
      [](Scene& s) { s.camera.fov_axis = s.camera.fov_axis == FovAxis::x ? FovAxis::y : FovAxis::x; },
-     "The field of view is taken along the other side of the picture: width in place of height, or the "
+     "The field of view is that of the other side of the picture: its width instead of its height, or the "
      "reverse."},
 };
 

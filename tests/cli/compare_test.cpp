@@ -82,7 +82,7 @@ TEST_F(Compare, NamesTheCauseByTheScene) {
     const Finished shown = compare({"dark.png", "diffuse.png", "--scene", "a.cgfs", "--shading", "diffuse"});
     EXPECT_TRUE(contains(shown.out, "(shadows-missing")) << shown.out << "\nthe scene's options hold";
     const Finished swapped = compare({"right.png", "dark.png", "--scene", "a.cgfs"});
-    EXPECT_TRUE(contains(swapped.out, "The scene draws right.png, and not dark.png")) << swapped.out;
+    EXPECT_TRUE(contains(swapped.out, "The scene gives right.png, and not dark.png")) << swapped.out;
 }
 
 TEST_F(Compare, Limits) {

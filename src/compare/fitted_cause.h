@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+// A cause with numbers that are fitted to a picture: a factor, the position of a light.
+#include <functional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "compare/scene_renderer.h"
+
+namespace glint {
+
+struct FittedCause {
+    std::string name;
+    /// One for each number: a change of it that changes the picture visibly, but not much.
+    std::vector<double> units;
+    /// Puts the fault with these numbers into a scene.
+    std::function<void(FaultyScene&, std::span<const double>)> put;
+    /// The explanation. `about`: the numbers do not explain all of the difference.
+    std::function<std::string(std::span<const double>, bool about)> text;
+};
+
+}  // namespace glint
