@@ -35,7 +35,7 @@ constexpr std::string_view k_shift = "shifted-one-pixel";
 constexpr std::size_t k_shifted = 2;  // causes that are tried with it
 // Rounds of a fit by least absolute differences; a multiple below the least is a part that is missing.
 constexpr int k_rounds = 4;
-constexpr double k_least_multiple = 0.03;
+constexpr double k_min_multiple = 0.03;
 
 // What two candidates of one row have in common, whatever their numbers are.
 std::string key(const CauseCandidate& c) {
@@ -240,7 +240,7 @@ std::vector<CauseCandidate> PairSearch::candidates_after(const RenderedScene& fi
             if (candidate.values[0] != k_multiples[0]) continue;  // one of them says what the others would
             by = static_cast<float>(multiple_of(part, rest, is_known));
             const double factor = 1 + static_cast<double>(by) * (k_multiples[0] - 1);
-            if (factor < k_least_multiple) continue;
+            if (factor < k_min_multiple) continue;
             candidate = causes_.scaled_candidate(candidate.row, factor, true);
         }
         double left = 0;
@@ -282,7 +282,7 @@ void PairSearch::try_scene(const CauseCandidate& first, bool with_parts, Trial& 
         std::vector<float> part = alone->image.rgb, &sum = made->image.rgb;
         for (std::size_t k = 0; k < part.size(); ++k) part[k] -= sum[k];
         const auto factor = fit_factor(sum, part, alone->bytes, coarse.faulty, coarse.area.rows);
-        if (!factor || *factor < k_least_multiple) continue;
+        if (!factor || *factor < k_min_multiple) continue;
         for (std::size_t k = 0; k < part.size(); ++k) sum[k] += static_cast<float>(*factor) * part[k];
         (first.edit ? pair.after : pair.before) = causes_.scaled_candidate(i, *factor, true);
         pair.after.left = distance(to_bytes(made->image, 1), coarse.faulty, coarse.area);
@@ -364,7 +364,7 @@ void PairSearch::fit(Pair& pair, const Search& coarse) const {
     for (CauseCandidate* c : {&fitted.before, &fitted.after}) {
         const bool is_of_part =
             c->fitted && c->row < causes_.size() && c->cause.name == causes_.cause(c->row).scaled;
-        if (is_of_part && c->values[0] < k_least_multiple) *c = causes_.candidate(c->row);  // it is missing
+        if (is_of_part && c->values[0] < k_min_multiple) *c = causes_.candidate(c->row);  // it is missing
     }
     fitted.rating += fit->left - pair.left;
     fitted.left = fit->left;

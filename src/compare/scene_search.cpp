@@ -23,11 +23,11 @@ FaultEdit edit_of(const SceneCause& cause) {
 }
 
 // What one unit of a factor is, for a fit of it together with others.
-constexpr double k_factor_unit = 0.05, k_least_factor = 0.01;
+constexpr double k_factor_unit = 0.05, k_min_scale = 0.01;
 
 void put_scaled(const SceneCause& cause, Scene& scene, double factor) {
     if (cause.put) cause.put(scene);
-    cause.scale(scene, std::max(factor, k_least_factor));
+    cause.scale(scene, std::max(factor, k_min_scale));
 }
 
 std::shared_ptr<const FittedCause> factor_of(const SceneCause& cause, double near) {
