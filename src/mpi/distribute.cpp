@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "mpi/distribute.h"
 
+#include <algorithm>
 #include <condition_variable>
 #include <deque>
 #include <mutex>
@@ -19,7 +20,10 @@ using Clock = std::chrono::steady_clock;
 
 // Between two looks for messages. Much shorter than a tile takes, and long enough to leave the processor to
 // the threads that render.
-constexpr std::chrono::microseconds k_pause{200};
+constexpr std::chrono::microseconds k_pause{1000};
+// Seconds of work that a process asks for in advance, and the most tiles for each of its threads.
+constexpr double k_ahead = 0.01;
+constexpr std::size_t k_max_ahead = 64;
 
 // Tiles that wait for the rendering threads, and records that wait to be taken from them.
 class Desk {
@@ -100,10 +104,26 @@ class Renderer {
     std::thread thread_;
 };
 
-// As many tiles as keep all threads busy while more are on their way.
-std::size_t tiles_ahead(const RenderOptions& options) {
-    return static_cast<std::size_t>(thread_count(options.threads));
-}
+// How many tiles wait for the threads of this process: one for each, or what they render in k_ahead, so that
+// cheap tiles do not run out while more are on their way.
+class Supply {
+  public:
+    explicit Supply(const RenderOptions& options)
+        : threads_(static_cast<std::size_t>(thread_count(options.threads))) {}
+    void count_finished(std::size_t tiles) { finished_ += tiles; }
+    std::size_t threads() const { return threads_; }
+    std::size_t tiles_ahead() const {
+        const double seconds = std::chrono::duration<double>(Clock::now() - start_).count();
+        const double rate = seconds > 0 ? static_cast<double>(finished_) / seconds : 0;
+        const auto tiles = static_cast<std::size_t>(rate * k_ahead);
+        return std::clamp(tiles, threads_, k_max_ahead * threads_);
+    }
+
+  private:
+    const std::size_t threads_;
+    const Clock::time_point start_ = Clock::now();
+    std::size_t finished_ = 0;
+};
 
 std::vector<std::uint32_t> all_tiles(const Crop& picture) {
     std::vector<std::uint32_t> tiles(count_tiles(picture));
@@ -116,8 +136,11 @@ class Pool {
   public:
     explicit Pool(std::vector<std::uint32_t> tiles) : tiles_(std::move(tiles)) {}
     std::size_t size() const { return tiles_.size(); }
-    std::vector<std::uint32_t> take(std::size_t most) {
+    // At most so many, and at the end fewer: no process is left with much when the others have finished.
+    std::vector<std::uint32_t> take(std::size_t most, std::size_t least) {
         const std::size_t first = next_;
+        const std::size_t fair = (tiles_.size() - next_) / (2 * static_cast<std::size_t>(ranks()));
+        most = std::min(most, std::max(fair, least));
         next_ = std::min(tiles_.size(), next_ + most);
         return {tiles_.begin() + static_cast<std::ptrdiff_t>(first),
                 tiles_.begin() + static_cast<std::ptrdiff_t>(next_)};
@@ -144,7 +167,7 @@ Result<Rendering> lead(const World& world, RenderOptions options, const JournalH
     const auto expected = static_cast<double>(journal != nullptr ? journal->expected() : pool.size());
     std::size_t missing = pool.size();
     const auto progress = std::exchange(options.progress, {});
-    const std::size_t ahead = tiles_ahead(options);
+    Supply supply(options);
 
     const auto take_in = [&](const std::string& record) -> bool {
         const auto tile = parse_record(record, header);
@@ -166,8 +189,8 @@ Result<Rendering> lead(const World& world, RenderOptions options, const JournalH
     while (missing > 0 || followers > 0) {
         const auto start = Clock::now();
         bool idle = true;
-        if (desk.waiting() < ahead) {
-            const std::vector<std::uint32_t> tiles = pool.take(ahead);
+        if (const std::size_t ahead = supply.tiles_ahead(); desk.waiting() < ahead) {
+            const std::vector<std::uint32_t> tiles = pool.take(ahead, supply.threads());
             if (tiles.empty()) {
                 desk.close();
             } else {
@@ -177,13 +200,15 @@ Result<Rendering> lead(const World& world, RenderOptions options, const JournalH
         }
         for (const std::string& record : desk.take_records()) {
             if (!take_in(record)) return failure(ErrorCode::internal, "a damaged record");
+            supply.count_finished(1);
             idle = false;
         }
         while (const auto message = receive()) {
             idle = false;
             if (message->tag == Tag::wanted) {
                 const std::vector<std::uint32_t> wanted = to_numbers(message->bytes);
-                const std::vector<std::uint32_t> tiles = pool.take(wanted.empty() ? 0 : wanted.front());
+                const std::vector<std::uint32_t> tiles =
+                    pool.take(wanted.empty() ? 0 : wanted.front(), supply.threads());
                 followers -= tiles.empty() ? 1 : 0;
                 outbox.send(message->from, Tag::tiles, to_bytes(tiles));
             } else {
@@ -216,7 +241,7 @@ Result<Rendering> follow(const World& world, RenderOptions options, const Journa
                                 " (there: rank 0)");
     }
     Outbox outbox;
-    const std::size_t ahead = tiles_ahead(options);
+    Supply supply(options);
     Desk desk;
     Renderer renderer(world, std::move(options), desk);
     bool asked = false, closed = false;
@@ -225,9 +250,11 @@ Result<Rendering> follow(const World& world, RenderOptions options, const Journa
         const bool ended = renderer.ended();  // before the records are taken: none comes later
         for (std::string& record : desk.take_records()) {
             outbox.send(0, Tag::record, std::move(record));
+            supply.count_finished(1);
             idle = false;
         }
         if (ended) break;
+        const std::size_t ahead = supply.tiles_ahead();
         if (!asked && !closed && desk.waiting() < ahead) {
             outbox.send(0, Tag::wanted, to_bytes({static_cast<std::uint32_t>(ahead)}));
             asked = true;
