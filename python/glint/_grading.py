@@ -67,7 +67,8 @@ def grade(
     Without a rubric: submissions is a folder of pictures, or a mapping of names to pictures; each is compared
     with the reference, which is the scene's own picture unless given, and gets the fraction of equal
     pixels (within 2/255) as its points. With a rubric (docs/teaching.md): a folder of folders, or a mapping of
-    names to folders or to mappings of file names to pictures.
+    names to folders or to mappings of file names to pictures. Each part is judged alone: its points are the
+    command's `points_alone`.
     """
     own = None if scene is None else to_scene(scene)
     if rubric is not None:

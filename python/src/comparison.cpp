@@ -4,7 +4,7 @@
 
 #include "cli/compare_report.h"
 #include "errors.h"
-#include "grade/grading.h"
+#include "grade/part_renderer.h"
 #include "rendering.h"
 #include "run.h"
 #include "scene_state.h"
@@ -93,10 +93,11 @@ std::vector<RubricRow> rubric_rows(const std::string& name, const std::string& t
 std::vector<std::shared_ptr<Part>> rubric_parts(SceneState& state, const std::string& name,
                                                 const std::string& text, const py::object& progress) {
     const auto scene = state.shared_scene();
+    const PartRenderer renderer(*scene, 0);
     std::vector<std::shared_ptr<Part>> parts;
     for (const RubricRow& row : rubric_rows(name, text)) {
         auto part = std::make_shared<Part>(Part{row, {}});
-        part->wanted = run(progress, [&](Running&) { return render_wanted(*scene, row, 0); });
+        part->wanted = run(progress, [&](Running&) { return renderer.render(row); });
         if (!part->wanted.error.empty())
             raise({ErrorCode::invalid_argument,
                    name + ":" + std::to_string(row.line) + ": part '" + row.part + "': " + part->wanted.error,
