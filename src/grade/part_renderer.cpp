@@ -76,9 +76,11 @@ PartRenderer::PartRenderer(const Scene& scene, int threads)
       options_(cause_options(threads)),
       renderer_(scene, scene.settings.width, scene.settings.height, options_) {}
 
-// The World is shared by all parts, except where a setting changes its geometry.
+// The World is shared by all parts, except where a setting changes its geometry, or where it has one material
+// more than the scene, for shapes without one.
 Result<Rendering> PartRenderer::render_plain(const Scene& changed) const {
-    if (renderer_.is_prepared() && changed.conventions.cones == scene_.conventions.cones)
+    const bool has_materials = renderer_.scene().shading.materials.size() == scene_.materials.size();
+    if (renderer_.is_prepared() && has_materials && changed.conventions.cones == scene_.conventions.cones)
         return render_scene(renderer_.world(), changed, options_.threads);
     return render_scene(changed, options_.threads);
 }
