@@ -10,6 +10,7 @@
 #include "base/text.h"
 #include "cli/failure.h"
 #include "cli/print_error.h"
+#include "cli/repeated_option.h"
 #include "cli/text.h"
 #include "cli/validators.h"
 
@@ -94,14 +95,11 @@ void add_convention_arguments(CLI::App& command, SceneArguments& arguments) {
                 "Conventions to start from instead of the format's: {}; or a file of `key = value` lines",
                 joined(profiles)))
         ->option_text("NAME|FILE");
-    command
-        .add_option("--convention", arguments.conventions,
-                    "Set one convention (docs/conventions.md lists them; `glint info SCENE` shows the values "
-                    "in force); "
-                    "may be repeated")
-        ->option_text("KEY=VALUE")
-        ->expected(1)
-        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    repeated(command.add_option(
+                 "--convention", arguments.conventions,
+                 "Set one convention (docs/conventions.md lists them; `glint info SCENE` shows the values "
+                 "in force); may be repeated"))
+        ->option_text("KEY=VALUE");
 }
 
 LoadedScene load_scene(const SceneArguments& arguments, TextReader& reader) {

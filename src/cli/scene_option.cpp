@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/scene_option.h"
 
+#include "cli/repeated_option.h"
+
 namespace glint::cli {
 
 void add_scene_option(CLI::App& command, SceneOption& option, const char* description) {
-    command.add_option("--scene", option.scene.files, description)
-        ->option_text("FILE")
-        ->expected(1)
-        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    repeated(command.add_option("--scene", option.scene.files, description))->option_text("FILE");
     command.add_option("--scene-name", option.scene.scene_name, "The scene to use, if the file has several")
         ->option_text("NAME");
     add_convention_arguments(command, option.scene);

@@ -15,6 +15,7 @@
 #include "cli/failure.h"
 #include "cli/picture_arguments.h"
 #include "cli/render_or_fail.h"
+#include "cli/repeated_option.h"
 #include "cli/scene_arguments.h"
 #include "cli/terminal.h"
 #include "cli/text.h"
@@ -225,10 +226,7 @@ Run add_versus(CLI::App& app) {
     VersusArguments& v = *arguments;
     add_scene_arguments(command, v.scene);
     const auto side = [&](const char* option, std::vector<std::string>& settings, const char* description) {
-        command.add_option(option, settings, description)
-            ->option_text("KEY=VALUE")
-            ->expected(1)
-            ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+        repeated(command.add_option(option, settings, description))->option_text("KEY=VALUE");
     };
     side("--a", v.a,
          "A setting of the first picture: a convention, a render setting, or profile=NAME; may be repeated");

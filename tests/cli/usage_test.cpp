@@ -135,5 +135,19 @@ TEST(Usage, WhatCannotBePrintedIsAnError) {
     EXPECT_EQ(run(folder, {}, with_output_to("/dev/full")).code, 1);
 }
 
+TEST(Usage, ARepeatedOptionTakesOneValue) {
+    const Folder folder;
+    folder.write("a.cgfs", k_scene);
+    const std::vector<std::string> commands[] = {
+        {"render", "--convention", "specular_gate=false", "a.cgfs", "-s", "8x8", "-q", "-o", "a.png"},
+        {"compare", "--scene", "a.cgfs", "a.png", "a.png"},
+        {"versus", "--a", "specular_gate=false", "--a", "limit=drop", "a.cgfs", "-s", "8x8"},
+    };
+    for (const std::vector<std::string>& command : commands) {
+        const Finished r = run(folder, command);
+        EXPECT_EQ(r.code, 0) << command[0] << ": " << r.err;
+    }
+}
+
 }  // namespace
 }  // namespace glint::test
