@@ -129,6 +129,9 @@ class Image:
     def __deepcopy__(self, memo: Dict[int, Any]) -> Image:
         return self.__copy__()
 
+    def __reduce__(self) -> Tuple[Any, ...]:
+        return Image, (self.array,)
+
     def __repr__(self) -> str:
         layers: List[str] = self._rendering.layer_names()
         return f"<glint.Image {self.width}x{self.height}{', layers ' + ', '.join(layers) if layers else ''}>"

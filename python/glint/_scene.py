@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import dataclasses
+import warnings
 from typing import Any, Dict, Iterable, List, Mapping, Optional, Sequence, Tuple, TypeVar, Union, overload
 
 import numpy as np
@@ -307,6 +308,9 @@ class Scene:
     def __deepcopy__(self, memo: Dict[int, Any]) -> Scene:
         return self.copy()
 
+    def __reduce__(self) -> Tuple[Any, ...]:
+        return _unpickled, (self.to_glint(),)
+
     def __eq__(self, other: object) -> bool:
         return isinstance(other, Scene) and self._state.equals(other._state)
 
@@ -334,3 +338,9 @@ class Scene:
         return self.render(size=size).to_bytes()
 
 
+def _unpickled(text: str) -> Scene:
+    from ._tools import loads
+
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")  # issued where the scene was made
+        return loads(text)

@@ -2,6 +2,7 @@
 """Scenes, their objects and attributes."""
 
 import copy
+import pickle
 
 import numpy as np
 import pytest
@@ -95,6 +96,16 @@ def test_repr_equality_and_copies(scene):
     assert other != scene and scene.lights[0].position == (4, 5, 3)
     made = eval(repr(scene.camera), {"Camera": glint.Camera})
     assert made == scene.camera
+
+
+def test_pickles(scene):
+    scene.settings["shading"] = "phong"
+    scene.conventions["limit"] = "drop"
+    image = scene.render()
+    other = pickle.loads(pickle.dumps(scene))
+    assert other == scene
+    assert other.render() == image
+    assert pickle.loads(pickle.dumps(image)) == image
 
 
 def test_lights_are_a_list(scene):
