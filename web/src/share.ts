@@ -2,13 +2,18 @@
 // A scene and its settings as a link. All data is in the fragment, which browsers do not send to servers.
 import type {SceneText} from 'glint-wasm';
 
-export interface Shared {
+/** A scene with all that belongs to it: of a link, of the browser's storage, or to be opened. */
+export interface StoredScene {
     name: string;
     text: string;
     scene?: string | undefined;
+    /** Absent: those of the gallery. */
     includes?: SceneText[] | undefined;
     overrides?: Record<string, string> | undefined;
     compare?: {key: string; a: string; b: string} | undefined;
+}
+
+export interface Shared extends StoredScene {
     /** A challenge of a teacher: make this scene's picture equal to the target's. */
     challenge?: SharedChallenge | undefined;
 }

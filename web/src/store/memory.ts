@@ -2,24 +2,14 @@
 // Keeps the page's state in the browser, so that a reload comes back as it was; and the user's recent scenes. Nothing leaves
 // the browser. Without storage (a private window, a full disk) the page works without this.
 import {effect, signal} from '@preact/signals';
-import type {SceneText} from 'glint-wasm';
 
 import {gallery, parts} from '../gallery';
+import type {StoredScene} from '../share';
 import {
-    type Comparison, type Tab, comparison, fileName, includes, overrides, pinned, sceneName, tab, text,
+    type Tab, comparison, fileName, includes, overrides, pinned, sceneName, tab, text,
 } from './state';
 
-/** A scene with all that belongs to it. */
-export interface KeptScene {
-    name: string;
-    text: string;
-    scene?: string | undefined;
-    /** Absent: those of the gallery. */
-    includes?: SceneText[] | undefined;
-    overrides?: Record<string, string> | undefined;
-    compare?: Comparison | undefined;
-}
-interface KeptPage extends KeptScene {
+interface KeptPage extends StoredScene {
     tab: Tab;
     pixel?: [number, number] | undefined;
     /** The address's fragment then: another one is another scene. */
@@ -56,7 +46,7 @@ function write(where: Where, key: string, value: unknown) {
 const pageKey = 'glint.page', recentKey = 'glint.recent';
 
 /** The present scene, to be opened again. */
-export function presentScene(): KeptScene {
+export function presentScene(): StoredScene {
     return {
         name: fileName.value, text: text.value, scene: sceneName.value,
         includes: includes.value === parts ? undefined : includes.value,
@@ -69,10 +59,10 @@ export function presentScene(): KeptScene {
 export const keptPage = () => read<KeptPage>('sessionStorage', pageKey) ?? read<KeptPage>('localStorage', pageKey);
 
 /** The newest first. */
-export const recent = signal<KeptScene[]>(read<KeptScene[]>('localStorage', recentKey) ?? []);
+export const recent = signal<StoredScene[]>(read<StoredScene[]>('localStorage', recentKey) ?? []);
 
 /** Remembers a scene that is the user's own: not one of the gallery. */
-export function remember(scene: KeptScene) {
+export function remember(scene: StoredScene) {
     const isGallery = gallery.some((one) => one.name === scene.name && one.text === scene.text) && !scene.overrides;
     if (scene.name === '' || isGallery) return;
     const others = recent.value.filter((one) => one.name !== scene.name || one.scene !== scene.scene);

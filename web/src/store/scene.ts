@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Opens a scene, and renders it again when its text or its document state changes.
 import {batch} from '@preact/signals';
-import type {OpenRequest, SceneText} from 'glint-wasm';
+import type {OpenRequest} from 'glint-wasm';
 
 import {type DocumentState, longestLine, tooLongLine} from '../editor/editor';
 import {gallery, parts} from '../gallery';
-import {type Shared, type SharedChallenge, fromFragment, toFragment} from '../share';
+import {type Shared, type SharedChallenge, type StoredScene, fromFragment, toFragment} from '../share';
 import {extensions, formatOf} from '../text/formats';
 import {forgetLights} from './lights';
 import {keptPage, presentScene, remember} from './memory';
@@ -84,17 +84,8 @@ export function chooseScene(name: string) {
     page.editor?.setDocumentState({...currentDocumentState(), id: newId(), scene: name});
 }
 
-export interface SceneToOpen {
-    name: string;
-    text: string;
-    scene?: string | undefined;
-    includes?: SceneText[] | undefined;
-    overrides?: Record<string, string> | undefined;
-    compare?: Comparison | undefined;
-}
-
 /** Opens a scene in place of the previous one, which undo restores. */
-export function openScene(scene: SceneToOpen) {
+export function openScene(scene: StoredScene) {
     const tooLong = tooLongLine(scene.text);
     if (tooLong > 0) {
         notice.value = `${shortName(scene.name)} is not opened: line ${tooLong} has more than ${longestLine} characters.`;
