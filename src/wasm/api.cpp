@@ -14,6 +14,18 @@
 using nlohmann::json;
 using nlohmann::ordered_json;
 
+namespace {
+
+/// Of one call: 0.8 GB as floats. More does not fit into 32-bit addresses.
+constexpr std::int64_t k_max_pixels = std::int64_t{1} << 26;
+
+std::string too_many_pixels(std::int32_t width, std::int32_t height) {
+    return std::to_string(width) + "x" + std::to_string(height) +
+           " pixels are too many at once: expected up to " + std::to_string(k_max_pixels);
+}
+
+}  // namespace
+
 struct GlintScene {
     glint::wasm::RequestTexts texts;
     std::optional<glint::Scene> scene;  // as it is rendered: as opened, with the changes of glint_prepare
@@ -109,6 +121,10 @@ const char* glint_info(GlintScene* scene) {
 const float* glint_render(GlintScene* scene, std::int32_t x, std::int32_t y, std::int32_t width,
                           std::int32_t height) {
     if (!scene->world) return nullptr;
+    if (std::int64_t{width} * height > k_max_pixels) {
+        scene->write_report(too_many_pixels(width, height));
+        return nullptr;
+    }
     glint::RenderOptions options;
     options.threads = 1;
     options.crop = glint::Crop{width, height, x, y};
@@ -160,6 +176,13 @@ const char* glint_convert(GlintScene* scene) {
 }
 
 const char* glint_compare(GlintScene* scene, GlintScene* reference, std::int32_t with_causes) {
+    for (const GlintScene* one : {scene, reference}) {
+        if (!one->scene) continue;
+        const std::int32_t width = one->scene->settings.width, height = one->scene->settings.height;
+        if (std::int64_t{width} * height <= k_max_pixels) continue;
+        scene->answer = GlintScene::to_text({{"error", too_many_pixels(width, height)}});
+        return scene->answer.c_str();
+    }
     scene->answer = GlintScene::to_text(glint::wasm::comparison(
         scene->world, reference->world, with_causes != 0 && reference->scene ? &*reference->scene : nullptr));
     return scene->answer.c_str();

@@ -2,9 +2,9 @@
 // node example.mjs [SCENE]: renders a scene in the terminal and explains the pixel in the middle.
 import {readFileSync} from 'node:fs';
 
-import {instantiate} from './glint.mjs';
+import {load} from './glint.mjs';
 
-const glint = await instantiate(await WebAssembly.compile(readFileSync(new URL('glint.wasm', import.meta.url))));
+const glint = await load();
 const text = process.argv[2] ? readFileSync(process.argv[2], 'utf8') : `
     sphere { center = (0, 0, 3)  radius = 1  color = (220, 60, 40)  specular = 50 }
     light { type = ambient  intensity = 0.2 }

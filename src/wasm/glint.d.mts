@@ -281,6 +281,18 @@ export type CompiledModule = typeof globalThis extends {WebAssembly: {Module: {p
 /** The array that `new Uint8ClampedArray(n)` makes. */
 export type Bytes = InstanceType<typeof Uint8ClampedArray>;
 
+/** A URL: a string, or the host's URL. */
+export type Address = string | {readonly href: string};
+
+/**
+ * Creates an instance of glint, in node or in a browser. from: the URL of glint.wasm; without it, the file next to glint.mjs.
+ * Rejects if it cannot be read.
+ */
+export function load(from?: Address): Promise<Glint>;
+
+/** The first half of load(): the module, to be posted to workers, each of which calls instantiate(). */
+export function compile(from?: Address): Promise<CompiledModule>;
+
 /** Creates an instance of glint from a compiled WebAssembly.Module of glint.wasm. */
 export function instantiate(module: CompiledModule): Promise<Glint>;
 
@@ -299,7 +311,10 @@ export interface Scene {
     readonly info: SceneInfo | null;
     /** Prepares the scene with changes. Throws if that is impossible; the scene then stays as it was. */
     prepare(request: PrepareRequest): void;
-    /** The linear RGB floats of a rectangle, row by row from the top. Throws if the scene is not ready, or does not contain it. */
+    /**
+     * The linear RGB floats of a rectangle, row by row from the top. Throws if the scene is not ready, if the picture does not
+     * contain the rectangle, or if that has more than 2^26 pixels.
+     */
     render(x: number, y: number, width: number, height: number): Float32Array;
     /** The same as bytes (red, green, blue, 255), and the number of rays. */
     renderPixels(x: number, y: number, width: number, height: number): {pixels: Bytes; rays: number};

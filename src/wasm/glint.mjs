@@ -22,6 +22,23 @@ function wasi(memory) {
     };
 }
 
+/** Compiles glint.wasm, which is next to this file or at another URL, in node or in a browser. */
+export async function compile(from = new URL('glint.wasm', import.meta.url)) {
+    const url = new URL(String(from), import.meta.url);
+    if (url.protocol === 'file:') {
+        const {readFile} = await import(/* @vite-ignore */ /* webpackIgnore: true */ 'node:fs/promises');
+        return WebAssembly.compile(await readFile(url));
+    }
+    const response = await fetch(url);
+    if (!response.ok) throw new Error(`${url.href}: ${response.status} ${response.statusText}`);
+    // Compiling while it loads needs a server that knows the type of .wasm files.
+    if (response.headers.get('Content-Type') === 'application/wasm') return WebAssembly.compileStreaming(response);
+    return WebAssembly.compile(await response.arrayBuffer());
+}
+
+/** Creates an instance of glint from the file of compile(). */
+export const load = async (from) => instantiate(await compile(from));
+
 /** Creates an instance of glint from a compiled WebAssembly.Module of glint.wasm. */
 export async function instantiate(module) {
     let exports = null;

@@ -7,12 +7,13 @@ import {execFileSync} from 'node:child_process';
 import {existsSync, readdirSync, readFileSync} from 'node:fs';
 import {join, relative} from 'node:path';
 import {test} from 'node:test';
+import {pathToFileURL} from 'node:url';
 import {gzipSync} from 'node:zlib';
 
-import {instantiate} from '../../src/wasm/glint.mjs';
+import {load} from '../../src/wasm/glint.mjs';
 
-const module = await WebAssembly.compile(readFileSync(process.env.GLINT_WASM));
-const glint = await instantiate(module);
+const glint = await load(pathToFileURL(process.env.GLINT_WASM));
+const {encodePng} = await import(pathToFileURL(join(process.env.GLINT_PACKAGE, 'png.mjs')).href);
 
 const files = readdirSync(process.env.GLINT_SCENES, {recursive: true, withFileTypes: true})
                   .filter((entry) => entry.isFile())
@@ -66,6 +67,40 @@ for (const {paths, settings} of pictures) {
         assert.equal(differing, -1, `float ${differing}: ${here[differing]}, natively ${native[differing]}`);
     });
 }
+
+// Heights of one strip, of two, of whole strips, and enough pixels for several deflate blocks in a strip.
+for (const [paths, size] of [[['cgfs/three_mirrors.cgfs'], '64x32'], [['epfl/castle.json'], '90x33'], [['epfl/castle.json'], '1x1'],
+                             [['glint/temple.glint'], '128x96'], [['epfl/three_lights.json'], '2500x40']]) {
+    test(`a PNG has the bytes of the native file: ${paths} ${size}`, () => {
+        const {scene, report: {width, height}} = open(paths, {size, aa: '1'});
+        const here = encodePng(scene.renderPixels(0, 0, width, height).pixels, width, height);
+        scene.close();
+        assert.ok(Buffer.from(here).equals(native(request(paths, {size, aa: '1'}), 'png', width, height)));
+    });
+}
+
+test('a PNG of noise has the bytes of the native file', () => {
+    // 3000 small balls: hardly a run of equal bytes.
+    let seed = 1;
+    const random = () => (seed = (seed * 48271) % 2147483647) / 2147483647;
+    const balls = Array.from({length: 3000}, () => `sphere { center = (${3 * random() - 1.5}, ${3 * random() - 1.5}, 3) radius = 0.03 color = (${
+        [0, 0, 0].map(() => Math.floor(256 * random())).join()}) }`);
+    const body = {texts: [{name: 'noise.cgfs', text: `${balls.join('\n')}\nlight { type = ambient intensity = 1 }`}], settings: {size: '700x70'}};
+    const scene = glint.open(body);
+    const here = encodePng(scene.renderPixels(0, 0, 700, 70).pixels, 700, 70);
+    scene.close();
+    assert.ok(Buffer.from(here).equals(native(body, 'png', 700, 70)));
+});
+
+test('a picture that is none is not encoded', () => {
+    for (const wrong of [[new Uint8Array(4), 1, 2], [new Uint8Array(4), 0, 1], [new Uint8Array(4), NaN, 1], [new Uint8Array(8), 0.5, 4], [[], 65537, 1]])
+        assert.throws(() => encodePng(...wrong), /^TypeError: (pixels|width|height): expected/);
+});
+
+test('the loader says what it cannot read', async () => {
+    await assert.rejects(load('no.wasm'), /no\.wasm/);
+    await assert.rejects(load(new URL('api.test.mjs', import.meta.url)), WebAssembly.CompileError);
+});
 
 test('tiles make the whole', () => {
     const {scene, report} = open(...tiled);
@@ -195,7 +230,24 @@ test('rectangles, pixels and texts that are none are refused', () => {
     assert.throws(() => glint.open({texts: [{name: 'a.cgfs', text}]}), /line 1 .*U\+D83C/);
     assert.throws(() => glint.open(text), /U\+D83C/);
     assert.throws(() => scene.prepare({settings: {size: '\udc00'}}), /U\+DC00/);
+    for (const size of ['0x0', '65537x1', '-1x5', 'NaN', '1e3x5', NaN, null, {}, '65536x65536x65536']) {
+        assert.throws(() => scene.prepare({settings: {size}}), /size/, String(size));
+        const refused = glint.open(request(tiled[0], {size}));
+        assert.equal(refused.report.ready, false, String(size));
+        assert.match(refused.report.diagnostics[0].text, /size/);
+        refused.close();
+    }
+    for (const number of [NaN, Infinity, '\u2212 1']) assert.throws(() => scene.prepare({settings: {epsilon: number}}), /epsilon/);
     assert.deepEqual(scene.renderPixels(0, 0, 160, 160), before);
+    scene.close();
+});
+
+test('a picture that does not fit into memory is refused, and its parts are rendered', () => {
+    const {scene} = open(['cgfs/three_mirrors.cgfs'], {size: '65536x65536'});
+    assert.throws(() => scene.render(0, 0, 65536, 65536), /65536x65536 pixels are too many at once/);
+    assert.throws(() => scene.renderPixels(0, 0, 65536, 16384), /too many/);
+    assert.throws(() => scene.compare(scene), /too many/);
+    assert.equal(scene.renderPixels(32768, 32768, 4, 4).pixels.length, 64);
     scene.close();
 });
 

@@ -56,6 +56,27 @@ export async function withPage(use, {width = 1440, height = 900, scheme = 'light
     }
 }
 
+/** Opens a page of another folder, and checks afterwards that it reported no errors but those expected. */
+export async function withBrowserPage(root, use, path = '', expected = null) {
+    const other = await serve(root, 0);
+    const context = await browser.newContext();
+    const page = await context.newPage();
+    const complaints = [];
+    page.on('pageerror', (error) => complaints.push(error.message));
+    page.on('console', (message) => {
+        if (message.type() === 'error' && !expected?.test(message.text())) complaints.push(`${message.text()} ${message.location().url}`);
+    });
+    try {
+        await page.goto(`http://127.0.0.1:${other.address().port}/${path}`);
+        await use(page, context);
+        assert.deepEqual(complaints, []);
+    } finally {
+        await context.close();
+        other.close();
+        other.closeAllConnections();
+    }
+}
+
 /** Waits until the picture is complete. */
 export async function settled(page, state = 'done') {
     await page.waitForSelector(`[data-state=${state}]`, {timeout: 60_000});

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Saves the page's files.
+import {encodePng} from 'glint-wasm/png';
+
 import {comparison, fileName, isPictureOfScene, notice, settingOf} from './store/state';
 
 function save(blob: Blob, name: string) {
@@ -25,10 +27,8 @@ export function savePicture(canvas: HTMLCanvasElement) {
         notice.value = 'There is no picture of this scene yet.';
         return;
     }
-    const name = pictureName();
-    canvas.toBlob((blob) => {
-        if (blob) save(blob, name);
-    }, 'image/png');
+    const {data, width, height} = canvas.getContext('2d')!.getImageData(0, 0, canvas.width, canvas.height);
+    save(new Blob([encodePng(data, width, height)], {type: 'image/png'}), pictureName());
 }
 
 export function saveScene(text: string) {

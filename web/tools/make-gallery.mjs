@@ -3,9 +3,9 @@
 import {mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync} from 'node:fs';
 import {join, relative, sep} from 'node:path';
 import {fileURLToPath} from 'node:url';
-import {crc32, deflateSync} from 'node:zlib';
 
-import {instantiate} from 'glint-wasm';
+import {load} from 'glint-wasm';
+import {encodePng} from 'glint-wasm/png';
 
 const web = fileURLToPath(new URL('..', import.meta.url));
 const scenes = join(web, '..', 'scenes');
@@ -39,44 +39,7 @@ function* entries() {
     }
 }
 
-/** A chunk of a PNG. */
-function chunk(type, data) {
-    const body = Buffer.concat([Buffer.from(type, 'latin1'), data]);
-    const framed = Buffer.alloc(body.length + 8);
-    framed.writeUInt32BE(data.length, 0);
-    body.copy(framed, 4);
-    framed.writeUInt32BE(checksum(body), body.length + 4);
-    return framed;
-}
-
-/** The CRC of a chunk; node has its own only since version 20.15. */
-function checksum(bytes) {
-    if (crc32) return crc32(bytes);
-    let sum = 0xffffffff;
-    for (const byte of bytes) {
-        sum ^= byte;
-        for (let bit = 0; bit < 8; ++bit) sum = sum & 1 ? (sum >>> 1) ^ 0xedb88320 : sum >>> 1;
-    }
-    return ~sum >>> 0;
-}
-
-function png(pixels, width, height) {
-    const rows = Buffer.alloc(height * (3 * width + 1));
-    for (let y = 0; y < height; ++y) {
-        for (let x = 0; x < width; ++x) {
-            for (let c = 0; c < 3; ++c) rows[y * (3 * width + 1) + 1 + 3 * x + c] = pixels[4 * (y * width + x) + c];
-        }
-    }
-    const header = Buffer.alloc(13);
-    header.writeUInt32BE(width, 0);
-    header.writeUInt32BE(height, 4);
-    header.set([8, 2, 0, 0, 0], 8);
-    return Buffer.concat([Buffer.from('\x89PNG\r\n\x1a\n', 'latin1'), chunk('IHDR', header),
-                          chunk('IDAT', deflateSync(rows, {level: 9})), chunk('IEND', Buffer.alloc(0))]);
-}
-
-const wasm = readFileSync(fileURLToPath(import.meta.resolve('glint-wasm/glint.wasm')));
-const glint = await instantiate(await WebAssembly.compile(wasm));
+const glint = await load();
 rmSync(out, {recursive: true, force: true});
 mkdirSync(out, {recursive: true});
 const list = [...entries()];
@@ -93,7 +56,7 @@ list.forEach((entry, i) => {
     const size = whole ? [report.width, report.height] : [width, height];
     scene.prepare({settings: {size: size.join('x'), ...(whole ? {} : {aa: '2'})}});
     const file = `${entry.scene ?? entry.name.split('/').pop().replace(/\.\w+$/, '')}.png`;
-    writeFileSync(join(out, file), png(scene.renderPixels(0, 0, ...size).pixels, ...size));
+    writeFileSync(join(out, file), encodePng(scene.renderPixels(0, 0, ...size).pixels, ...size));
     imports.push(`import picture${i} from './${file}';`);
     scene.close();
 });
