@@ -4,7 +4,7 @@
 import assert from 'node:assert/strict';
 import {execFileSync} from 'node:child_process';
 import {createHash} from 'node:crypto';
-import {existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync} from 'node:fs';
+import {existsSync, mkdtempSync, readFileSync, readdirSync, rmSync, writeFileSync} from 'node:fs';
 import {createRequire} from 'node:module';
 import {tmpdir} from 'node:os';
 import {basename, join} from 'node:path';
@@ -114,6 +114,14 @@ export function nativeText(name, text, ...args) {
     const file = join(folder, basename(name));
     writeFileSync(file, text);
     return native(file, ...args);
+}
+
+/** The PNG that a copied line of the command writes, beside the saved scene. */
+export function byCommand(line, name, text) {
+    const own = mkdtempSync(join(folder, 'command-'));
+    writeFileSync(join(own, name), text);
+    execFileSync('sh', ['-c', line], {cwd: own, env: {PATH: `${join(project, 'build/release')}:${process.env.PATH}`}});
+    return readFileSync(join(own, readdirSync(own).find((file) => file.endsWith('.png'))));
 }
 
 /** Opens a gallery scene by its menu: castle.json, or snowman. */

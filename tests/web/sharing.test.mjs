@@ -5,7 +5,7 @@ import {readFileSync} from 'node:fs';
 import {join} from 'node:path';
 import {test} from 'node:test';
 
-import {address, choose, drop, native, picture, saved, sceneText, scenes, settled, withPage} from './browser.mjs';
+import {address, book, byCommand, choose, drop, native, picture, saved, sceneText, scenes, settled, withPage} from './browser.mjs';
 
 test('a link holds the scene and its settings', () => withPage(async (page, context) => {
     await choose(page, 'epfl/castle.json');
@@ -31,7 +31,13 @@ test('a link that holds nothing opens the book’s scene', () => withPage(async 
     assert.deepEqual(await picture(page), native(join(scenes, 'cgfs/three_mirrors.cgfs')));
 }, {path: '#1=AAAA'}));
 
-test('the picture is saved by key and by button, under the course’s name', () => withPage(async (page) => {
+test('the picture is saved by key and by button, under the course’s name, as the command saves it', () => withPage(async (page, context) => {
+    await context.grantPermissions(['clipboard-read', 'clipboard-write']);
+    const copied = async () => {
+        await page.getByRole('button', {name: 'Copy as command'}).click();
+        await page.waitForSelector('.notice');
+        return page.evaluate(() => navigator.clipboard.readText());
+    };
     await choose(page, 'epfl/castle.json');
     const byButton = await saved(page, () => page.getByRole('button', {name: 'Save PNG'}).click());
     assert.equal(byButton.name, 'castle_BlinnPhong.png');
@@ -39,7 +45,29 @@ test('the picture is saved by key and by button, under the course’s name', () 
     const byKey = await saved(page, () => page.keyboard.press('s'));
     assert.equal(byKey.name, 'castle_BlinnPhong.png');
     assert.deepEqual(byKey.bytes, byButton.bytes);
-    assert.equal(byKey.bytes.subarray(1, 4).toString(), 'PNG');
+    assert.ok(byKey.bytes.equals(byCommand(await copied(), 'castle.json', await sceneText(page))));
+    // Settings that the text cannot say, and a name that a shell would take apart.
+    const name = "it's a $HOME.cgfs";
+    await drop(page, {name, text: book});
+    await page.waitForFunction((now) => document.querySelector('.file-name').textContent === now, name);
+    await settled(page);
+    await page.getByRole('combobox', {name: 'Shading'}).selectOption('blinn-phong');
+    await page.getByRole('spinbutton', {name: 'Width'}).fill('90');
+    await settled(page);
+    await page.getByRole('spinbutton', {name: 'Height'}).fill('70');
+    await settled(page);
+    for (const label of ['Shadows', 'No epsilon', 'No normalisation']) await page.getByRole('switch', {name: label, exact: true}).click({force: true});
+    await settled(page);
+    const line = await copied();
+    assert.match(line, /^glint render 'it'\\''s a \$HOME\.cgfs' --shading blinn-phong -s 90x70 --no-shadows --convention epsilon=0 /);
+    const {bytes} = await saved(page, () => page.getByRole('button', {name: 'Save PNG'}).click());
+    assert.ok(bytes.equals(byCommand(line, name, book)));
+    // Of a file with several scenes.
+    await choose(page, 'snowman');
+    const snowman = await copied();
+    assert.match(snowman, /^glint render two_scenes\.js --scene snowman$/);
+    const picture = await saved(page, () => page.getByRole('button', {name: 'Save PNG'}).click());
+    assert.ok(picture.bytes.equals(byCommand(snowman, 'two_scenes.js', await sceneText(page))));
     // A key within the text is a letter.
     await page.locator('.cm-content').click();
     await page.keyboard.press('s');

@@ -2,11 +2,12 @@
 import {useSignal} from '@preact/signals';
 import {useRef} from 'preact/hooks';
 
+import {commandLine} from '../command';
 import {savePicture, saveScene} from '../files';
 import {gallery} from '../gallery';
-import {recent} from '../store/memory';
+import {presentScene, recent} from '../store/memory';
 import {link, openScene} from '../store/scene';
-import {fileName, history, services, notice, sceneName, text} from '../store/state';
+import {fileName, history, info, services, notice, sceneName, text} from '../store/state';
 import {FileButton} from './fields';
 import {canvases} from './pictures';
 
@@ -80,15 +81,28 @@ function Recent({done}: {done: () => void}) {
     );
 }
 
+/** False if the browser does not allow it. */
+async function copy(words: string): Promise<boolean> {
+    try {
+        await navigator.clipboard.writeText(words);
+        return true;
+    } catch {
+        return false;
+    }
+}
+
 async function share() {
     const address = await link();
     globalThis.history.replaceState(null, '', address);
-    try {
-        await navigator.clipboard.writeText(address);
-        notice.value = 'The link is copied. It contains the scene and its settings. Nothing was sent.';
-    } catch {
-        notice.value = 'The link is in the address bar. It contains the scene and its settings.';
-    }
+    notice.value = await copy(address) ? 'The link is copied. It contains the scene and its settings. Nothing was sent.'
+        : 'The link is in the address bar. It contains the scene and its settings.';
+}
+
+async function copyCommand() {
+    const line = commandLine(presentScene());
+    const others = info.value?.files.slice(1).map((file) => file.split('/').at(-1)!) ?? [];
+    const needs = others.length > 0 ? `, beside ${others.join(', ')}` : '';
+    notice.value = `${await copy(line) ? 'Copied: ' : ''}${line} — in the folder of the saved scene${needs}, this renders the same pixels.`;
 }
 
 function Theme() {
@@ -119,6 +133,7 @@ export function Header() {
             <div class="spacer" />
             <div class="group" role="group" aria-label="Save">
                 <button class="button" onClick={() => void share()}>Share link</button>
+                <button class="button" title="Copy the line of the glint command that renders this picture" onClick={() => void copyCommand()}>Copy as command</button>
                 <button class="button" title="Save the picture (s)" onClick={() => savePicture(canvases.first)}>Save PNG</button>
                 <button class="button" onClick={() => saveScene(text.value)}>Save scene</button>
             </div>
