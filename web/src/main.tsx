@@ -2,7 +2,7 @@
 import {render} from 'preact';
 
 import {startPool} from './engine/start';
-import {followLessons} from './store/learning';
+import {followLessons, openLessonOf} from './store/learning';
 import {keepPage} from './store/memory';
 import {openFirst, openLink} from './store/scene';
 import {failure, services, state} from './store/state';
@@ -13,15 +13,15 @@ render(<App />, document.getElementById('app')!);
 try {
     services.pool = await startPool();
     connectViews(services.pool);
-    await openFirst();
+    if (!await openLessonOf(location.hash)) await openFirst();
     keepPage();
     followLessons();
 } catch (error) {
     failure.value = `The engine could not be started: ${error instanceof Error ? error.message : String(error)}`;
     state.value = 'error';
 }
-addEventListener('hashchange', () => {
-    if (location.hash !== '') void openLink(location.hash);
+addEventListener('hashchange', async () => {
+    if (location.hash !== '' && !await openLessonOf(location.hash)) await openLink(location.hash);
 });
 if (import.meta.env.PROD && 'serviceWorker' in navigator) {
     navigator.serviceWorker.register('./sw.js').catch(() => {

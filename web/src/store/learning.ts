@@ -66,6 +66,15 @@ export async function openLesson(id: string) {
     tab.value = 'learn';
 }
 
+/** Opens the lesson of an address, `#lesson=01_ambient`; false if it is the address of none. */
+export async function openLessonOf(hash: string): Promise<boolean> {
+    const id = /^#lesson=(\w+)$/.exec(hash)?.[1];
+    if (id === undefined) return false;
+    history.replaceState(null, '', location.pathname + location.search);  // a reload then keeps what has been done
+    await openLesson(id);
+    return true;
+}
+
 export function goToStep(number: number) {
     const scene = lesson.value?.steps[number]?.scene;
     if (scene) openScene(scene);
