@@ -3,7 +3,7 @@
 PREFIX ?= /usr/local
 glint = build/release/glint
 
-.PHONY: help deps demo test test-all test-aarch64 test-blender test-mpi test-python blender build install release web playground tidy fuzz bench format generated clean
+.PHONY: help deps demo test test-all test-aarch64 test-blender test-mpi test-python blender build install release web playground site tidy fuzz bench format generated clean
 
 help:
 	@echo 'make demo     installs what is missing, builds glint, renders castle.png and explains one of its pixels'
@@ -13,6 +13,7 @@ help:
 	@echo 'make build    builds $(glint)'
 	@echo 'make install  installs the command and the library (PREFIX=$(PREFIX), DESTDIR=$(DESTDIR))'
 	@echo 'make playground  builds the web page (make web: to web/dist) and serves it on this machine'
+	@echo 'make site     writes the page, the lessons, the documents and the C++ reference to build/site, for any web server'
 	@echo 'make bench    installs POV-Ray, Tachyon and Embree and compares glint with them (docs/performance.md)'
 	@echo 'make test-aarch64  cross-compiles for 64-bit ARM and runs tests under qemu'
 	@echo 'make test-mpi  installs Open MPI, Dask and GNU parallel and tests rendering on many processes (docs/scale_out.md)'
@@ -88,6 +89,11 @@ web:
 PORT ?= 8080
 playground: web
 	@node web/tools/serve.mjs web/dist $(PORT)
+
+# One folder of static files: the page, the lessons, the documents, the C++ reference.
+site:
+	@tools/install-dependencies site
+	@tools/make-site
 
 tidy:
 	@tools/install-dependencies checks

@@ -5,29 +5,14 @@ import {mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync} from 'node:
 import {join} from 'node:path';
 import {fileURLToPath} from 'node:url';
 
-import katex from 'katex';
-import {Marked} from 'marked';
+import {lessonMarkdown} from './markdown.mjs';
 
 const web = fileURLToPath(new URL('..', import.meta.url));
 const lessons = join(web, '..', 'docs', 'lessons');
 const challenges = join(web, 'challenges');
 const out = join(web, 'src', 'lessons');
 
-const mathml = (tex, displayMode) => katex.renderToString(tex, {output: 'mathml', displayMode, throwOnError: true})
-    .replace(/^<span class="katex">|<\/span>$/g, '').replace(/<annotation.*?<\/annotation>/gs, '');
-
-/** $...$ and $$...$$. */
-const formulas = {
-    name: 'formula', level: 'inline',
-    start: (text) => text.indexOf('$'),
-    tokenizer(text) {
-        const match = /^\$\$([^$]+)\$\$|^\$([^$\n]+)\$/.exec(text);
-        if (match) return {type: 'formula', raw: match[0], tex: match[1] ?? match[2], display: match[1] !== undefined};
-    },
-    renderer: ({tex, display}) => mathml(tex, display),
-};
-
-const marked = new Marked({extensions: [formulas]});
+const marked = lessonMarkdown();
 
 /** The blocks of a lesson: its fenced blocks are taken out by the language of each. */
 function split(markdown, where) {
