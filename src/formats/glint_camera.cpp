@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "formats/field_keys.h"
+#include "formats/glint_blocks.h"
 #include "scene/camera_fields.h"
 
 namespace glint {
@@ -63,6 +64,8 @@ void check(GlintText& t, const FieldSet& set, const Token& word, const Camera& c
 }
 
 }  // namespace
+
+std::span<const Field> glint_camera_keys() { return camera_keys().all(); }
 
 void read_glint_camera(GlintText& t, const Token& word) {
     const FieldKeys<Camera>& keys = camera_keys();

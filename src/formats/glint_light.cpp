@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "formats/field_keys.h"
+#include "formats/glint_blocks.h"
 #include "scene/light_fields.h"
 
 namespace glint {
@@ -40,6 +41,8 @@ bool read_kind(GlintText& t, LightKind& kind) {
 }
 
 }  // namespace
+
+std::span<const Field> glint_light_keys() { return light_keys().all(); }
 
 void read_glint_light(GlintText& t, const Token& word) {
     const FieldKeys<Light>& keys = light_keys();

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "formats/glint_blocks.h"
 #include "formats/glint_item.h"
 
 namespace glint {
@@ -16,6 +17,11 @@ template <std::size_t N> constexpr auto with_item_fields(const Field (&own)[N]) 
     std::copy(std::begin(k_item_fields), std::end(k_item_fields), all.begin() + N);
     return all;
 }
+
+constexpr auto k_axial_fields = with_item_fields({{"from", true}, {"to", true}, {"radius", true}, {"caps"}});
+constexpr auto k_box_fields = with_item_fields({{"min", true}, {"max", true}});
+constexpr auto k_triangle_fields = with_item_fields({{"vertices", true}, {"normals"}});
+constexpr auto k_polygon_fields = with_item_fields({{"vertices", true}});
 
 // The spelling hints for a shape and its material.
 template <std::size_t N> std::span<const SpellingHint> with_material_hints(const SpellingHint (&own)[N]) {
@@ -32,8 +38,7 @@ class ShapeReader {
     ShapeReader(GlintText& t, const Token& word, GlintContext& context)
         : t_(t), word_(word), context_(context) {}
 
-    /// A kind that consists only of the fields in fields().
-    template <class Shape> void listed() {
+    template <class Shape> static std::span<const Field> listed_fields() {
         static const std::vector<Field> fields = [] {
             std::vector<Field> all;
             Shape shape;
@@ -41,8 +46,13 @@ class ShapeReader {
             all.insert(all.end(), std::begin(k_item_fields), std::end(k_item_fields));
             return all;
         }();
+        return fields;
+    }
+
+    /// A kind that consists only of the fields in fields().
+    template <class Shape> void listed() {
         Shape shape;
-        if (keys(fields, [&](int field, const Token&) {
+        if (keys(listed_fields<Shape>(), [&](int field, const Token&) {
                 FieldValue value{*this, field};
                 Shape::fields(shape, value);
                 return value.is_read;
@@ -61,17 +71,16 @@ class ShapeReader {
     }
 
     void box() {
-        static constexpr auto fields = with_item_fields({{"min", true}, {"max", true}});
         Box s;
-        if (keys(fields, [&](int field, const Token&) { return read_point(t_, field == 0 ? s.min : s.max); }))
+        if (keys(k_box_fields,
+                 [&](int field, const Token&) { return read_point(t_, field == 0 ? s.min : s.max); }))
             add(s);
     }
 
     void triangle() {
-        static constexpr auto fields = with_item_fields({{"vertices", true}, {"normals"}});
         SmoothTriangle s;
         bool is_smooth = false;
-        if (!keys(fields, [&](int field, const Token&) {
+        if (!keys(k_triangle_fields, [&](int field, const Token&) {
                 is_smooth = is_smooth || field == 1;
                 return three(field == 0 ? s.vertices : s.normals, field == 1);
             }))
@@ -84,11 +93,10 @@ class ShapeReader {
     }
 
     void polygon() {
-        static constexpr auto fields = with_item_fields({{"vertices", true}});
         auto& all = t_.scene.polygon_vertices;
         const auto first = static_cast<std::uint32_t>(all.size());
         Polygon s{first, 0};
-        if (!keys(fields, [&](int, const Token& key) {
+        if (!keys(k_polygon_fields, [&](int, const Token& key) {
                 all.resize(first);  // the last list contains
                 s.count = 0;
                 return vertices(key, s);
@@ -134,10 +142,8 @@ class ShapeReader {
 
     // Reads a solid between the two ends of an axis.
     template <class Shape, class ReadRadius> void axial(Shape& s, ReadRadius&& read_radius) {
-        static constexpr auto fields =
-            with_item_fields({{"from", true}, {"to", true}, {"radius", true}, {"caps"}});
         s.caps = true;
-        if (keys(fields, [&](int field, const Token&) {
+        if (keys(k_axial_fields, [&](int field, const Token&) {
                 switch (field) {
                     case 0:
                         return read_point(t_, s.from);
@@ -262,6 +268,7 @@ class ShapeReader {
 struct ShapeWord {
     std::string_view word;
     void (ShapeReader::*read)();
+    std::span<const Field> fields;
 };
 
 template <class Shape>
@@ -278,18 +285,29 @@ template <class Shape> constexpr void (ShapeReader::*listed_reader())() {
     }
 }
 
-constexpr ShapeWord k_shapes[] = {
-#define GLINT_KIND(Type, word) {#word, listed_reader<Type>()},
-    GLINT_SHAPES(GLINT_KIND)
+template <class Shape> std::span<const Field> listed_fields() {
+    if constexpr (Listed<Shape>) {
+        return ShapeReader::listed_fields<Shape>();
+    } else {
+        return {};
+    }
+}
+
+std::span<const ShapeWord> shape_words() {
+    static const ShapeWord words[] = {
+#define GLINT_KIND(Type, word) {#word, listed_reader<Type>(), listed_fields<Type>()},
+        GLINT_SHAPES(GLINT_KIND)
 #undef GLINT_KIND
-        {"cylinder", &ShapeReader::cylinder},
-    {"cone", &ShapeReader::cone},
-    {"box", &ShapeReader::box},
-    {"triangle", &ShapeReader::triangle},
-    {"polygon", &ShapeReader::polygon}};
+            {"cylinder", &ShapeReader::cylinder, k_axial_fields},
+        {"cone", &ShapeReader::cone, k_axial_fields},
+        {"box", &ShapeReader::box, k_box_fields},
+        {"triangle", &ShapeReader::triangle, k_triangle_fields},
+        {"polygon", &ShapeReader::polygon, k_polygon_fields}};
+    return words;
+}
 
 const ShapeWord* find_shape(std::string_view word) {
-    for (const ShapeWord& shape : k_shapes) {
+    for (const ShapeWord& shape : shape_words()) {
         if (shape.word == word && shape.read != nullptr) return &shape;
     }
     return nullptr;
@@ -298,6 +316,12 @@ const ShapeWord* find_shape(std::string_view word) {
 }  // namespace
 
 bool is_shape_word(std::string_view word) { return find_shape(word) != nullptr; }
+
+void add_shape_blocks(std::vector<GlintBlock>& blocks) {
+    for (const ShapeWord& shape : shape_words()) {
+        if (shape.read != nullptr) blocks.push_back({shape.word, key_names(shape.fields)});
+    }
+}
 
 void read_glint_shape(GlintText& t, const Token& word, GlintContext& context) {
     ShapeReader reader(t, word, context);

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "wasm/describe.h"
 
+#include "formats/glint_blocks.h"
 #include "scene/camera_fields.h"
 #include "scene/light_fields.h"
+#include "scene/material_fields.h"
 #include "world/prepare_camera.h"
 
 namespace glint::wasm {
@@ -68,6 +70,16 @@ template <class Item> Json fields_json(std::span<const ItemField<Item>> fields) 
         list.push_back(std::move(json));
     }
     return list;
+}
+
+/// {"sphere": ["center", "radius", ...], ...}: the keys of each block of .glint.
+const Json& blocks_json() {
+    static const Json blocks = [] {
+        Json json = Json::object();
+        for (const GlintBlock& block : glint_blocks()) json[std::string(block.word)] = block.keys;
+        return json;
+    }();
+    return blocks;
 }
 
 /// Every setting: its value, the profile's value, and its origin.
@@ -137,6 +149,9 @@ Json describe(const Scene& scene, const World& world) {
             {"camera", camera_json(scene)},
             {"lights", std::move(lights)},
             {"light_fields", fields_json<Light>(k_light_fields)},
+            {"camera_fields", fields_json<Camera>(k_camera_fields)},
+            {"material_fields", fields_json<Material>(k_material_fields)},
+            {"blocks", blocks_json()},
             {"settings", settings_json(scene)}};
 }
 

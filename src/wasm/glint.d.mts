@@ -143,6 +143,10 @@ export interface SceneInfo {
     camera: CameraInfo;
     lights: LightInfo[];
     light_fields: FieldInfo[];
+    camera_fields: FieldInfo[];
+    material_fields: FieldInfo[];
+    /** The keys of each block of .glint: {sphere: ['center', 'radius', ...], ...}. */
+    blocks: Record<string, string[]>;
     settings: Setting[];
 }
 

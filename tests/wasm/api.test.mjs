@@ -144,6 +144,20 @@ test('the facts of a scene', () => {
     assert.deepEqual(info.light_fields.map((field) => field.name), ['color', 'specular_color', 'position', 'to_light', 'attenuation']);
     assert.deepEqual(info.light_fields[3].keys, ['to_light', 'direction']);
     assert.deepEqual(info.lights.map((light) => info.light_fields.filter((field) => field.name in light).length), [1, 4, 3]);
+    assert.deepEqual(info.camera_fields.map((field) => field.name), ['position', 'look_at', 'up', 'fov', 'width', 'lighting_eye']);
+    assert.deepEqual(info.material_fields.find((field) => field.name === 'diffuse').keys, ['diffuse_color']);
+    assert.deepEqual(info.blocks.sphere.slice(0, 3), ['center', 'radius', 'material']);
+    assert.deepEqual(info.blocks.light.slice(0, 4), ['type', 'intensity', 'color', 'specular_color']);
+    // Each key is one that the reader knows, and it names no other.
+    for (const [word, keys] of Object.entries(info.blocks)) {
+        const isKnown = (key) => {
+            const other = glint.open({texts: [{name: 'a.glint', text: `${word} ${word === 'material' ? 'm ' : ''}{ ${key} = ? }`}]});
+            const {diagnostics} = other.report;
+            other.close();
+            return !diagnostics.some(({message}) => / has no .*/.test(message));
+        };
+        assert.deepEqual([...keys, 'zzz'].filter((key) => !isKnown(key)), ['zzz'], word);
+    }
     assert.deepEqual(info.camera.view, {right: [1, 0, 0], up: [0, 1, 0], forward: [0, 0, 1]});
     const shading = info.settings.find((setting) => setting.name === 'shading');
     assert.deepEqual([shading.value, shading.profile_value, shading.origin], ['blinn-phong', 'phong', 'command']);

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+// The blocks of .glint and the keys of each, from the reader's own tables, for editors.
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "formats/parser.h"
+
+namespace glint {
+
+struct GlintBlock {
+    std::string_view word;
+    std::vector<std::string_view> keys;
+};
+
+/// All blocks: the shapes' first.
+std::vector<GlintBlock> glint_blocks();
+
+/// The names of some keys.
+std::vector<std::string_view> key_names(std::span<const Field> fields);
+
+// The parts of glint_blocks(), each beside its reader.
+void add_shape_blocks(std::vector<GlintBlock>& blocks);
+std::span<const Field> glint_light_keys();
+std::span<const Field> glint_camera_keys();
+
+}  // namespace glint
