@@ -5,7 +5,7 @@ import {readFileSync} from 'node:fs';
 import {join} from 'node:path';
 import {test} from 'node:test';
 
-import {book, choose, drop, native, nativeText, paste, picture, sceneText, scenes, settled, withPage} from './browser.mjs';
+import {book, choose, drop, native, nativeText, paste, picture, sceneText, scenes, settled, shoot, withPage} from './browser.mjs';
 
 test('a mistake is shown at its line and column, and the last good picture stays', () => withPage(async (page) => {
     const before = await picture(page);
@@ -140,4 +140,48 @@ test('what is converted is the text itself: not a comparison’s side, and not t
     await page.getByRole('button', {name: 'convert to .glint'}).click();
     await page.waitForFunction(() => /without errors/.test(document.querySelector('.notice')?.textContent));
     assert.equal(await sceneText(page), 'sphere { radius = oops }');
+}));
+
+test('keys, blocks and values are completed from the reader’s tables, and the text is searched', () => withPage(async (page) => {
+    await drop(page, {name: 'words.glint', text: 'camera { position = (0, 0, 5)  look_at = (0, 0, 0) }\nmaterial brass { color = (1, 1, 0) }\nsphere { center = (0, 0, 0)  radius = 1 }\n'});
+    await page.waitForFunction(() => document.querySelector('.file-name').textContent === 'words.glint');
+    await settled(page);
+    const list = page.locator('.cm-tooltip-autocomplete');
+    /** Types words, checks the first completion and takes it. */
+    const complete = async (words, expected) => {
+        await page.keyboard.type(words, {delay: 10});
+        await list.locator('[aria-selected]').filter({hasText: expected}).waitFor();
+        await page.waitForTimeout(100);  // a list that has just appeared takes no key
+        await page.keyboard.press('Enter');
+        await list.waitFor({state: 'detached'});
+    };
+    await page.locator('.cm-content').click();
+    await page.keyboard.press('Control+End');
+    await complete('lig', 'light');
+    await complete('ty', 'type');
+    await complete('amb', 'ambient');
+    await complete(' intens', 'intensity');
+    await page.keyboard.type('0.7 }\n');
+    await complete('sphe', 'sphere');
+    await complete('cent', 'center');
+    await page.keyboard.type('(1, 0, 0) ');
+    await complete('mater', 'material');
+    await complete('br', 'brass');
+    await page.keyboard.type(' radius = 1 }\n');
+    await complete('conv', 'conventions');
+    await page.keyboard.type('specular_g', {delay: 10});
+    await list.getByText('specular_gate').waitFor();
+    assert.match(await page.locator('.cm-completionInfo').innerText(), /N·L/);
+    await page.keyboard.press('Escape');
+    await page.keyboard.type('ate = true }');
+    await settled(page);
+    const added = '\nlight { type = ambient intensity = 0.7 }\nsphere { center = (1, 0, 0) material = brass radius = 1 }\nconventions { specular_gate = true }';
+    assert.ok((await sceneText(page)).replaceAll(/ +/g, ' ').includes(added), await sceneText(page));
+    await page.getByRole('button', {name: 'Find in the text'}).click();
+    await page.locator('.cm-search [name=search]').fill('brass');
+    await page.keyboard.press('Enter');
+    assert.equal(await page.locator('.cm-searchMatch').count(), 2);
+    await shoot(page, 'playground_search.png');
+    await page.locator('.cm-search [name=close]').click();
+    assert.equal(await page.locator('.cm-search').count(), 0);
 }));

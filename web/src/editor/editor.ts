@@ -4,14 +4,16 @@
 import {defaultKeymap, history, historyKeymap, invertedEffects, isolateHistory, redo, redoDepth, undo, undoDepth} from '@codemirror/commands';
 import {bracketMatching, indentUnit} from '@codemirror/language';
 import {type Diagnostic as Mark, lintGutter, setDiagnostics} from '@codemirror/lint';
+import {openSearchPanel, search, searchKeymap} from '@codemirror/search';
 import {Compartment, EditorState, StateEffect, Transaction} from '@codemirror/state';
 import {EditorView, drawSelection, highlightActiveLine, highlightActiveLineGutter, keymap, lineNumbers} from '@codemirror/view';
 
-import type {SceneText} from 'glint-wasm';
+import type {SceneInfo, SceneText} from 'glint-wasm';
 
 import type {Edit} from '../text/edit';
-import {PlaceTracker} from './place_tracker';
+import {completion} from './completion';
 import {languageOf} from './language';
+import {PlaceTracker} from './place_tracker';
 
 /** The parts of a scene that are not in its text; undo restores them with the text. */
 export interface DocumentState {
@@ -42,6 +44,8 @@ export interface EditorEvents {
     changed(text: string, documentState: DocumentState | null, canUndo: boolean, canRedo: boolean): void;
     /** The present document state. */
     documentState(): DocumentState;
+    /** The facts of the last scene without errors, for completion; null: none. */
+    facts(): SceneInfo | null;
     /** A change was refused because a line would be too long. */
     refused(): void;
 }
@@ -58,6 +62,20 @@ const theme = EditorView.theme({
     '&.cm-focused .cm-selectionBackground, .cm-selectionBackground': {background: 'var(--selection) !important'},
     '.cm-matchingBracket': {backgroundColor: 'var(--selection) !important', outline: 'none'},
     '.cm-tooltip': {backgroundColor: 'var(--panel)', color: 'var(--text)', border: '1px solid var(--rule)', borderRadius: '6px'},
+    '.cm-tooltip-autocomplete > ul > li[aria-selected]': {backgroundColor: 'var(--accent-soft)', color: 'var(--text)'},
+    '.cm-completionDetail': {color: 'var(--faint)', fontSize: '12px'},
+    '.cm-completionInfo': {fontFamily: 'var(--sans)', fontSize: '13px', maxWidth: '280px'},
+    '.cm-panels': {backgroundColor: 'var(--panel)', color: 'var(--text)', fontFamily: 'var(--sans)', fontSize: '13px'},
+    '.cm-panels-top': {borderBottom: '1px solid var(--rule)'},
+    '.cm-panel.cm-search': {display: 'flex', flexWrap: 'wrap', alignItems: 'center', gap: '6px 8px', padding: '8px 34px 8px 10px'},
+    '.cm-panel.cm-search br': {display: 'none'},
+    '.cm-panel.cm-search :is(input, button, label)': {margin: '0', fontSize: '13px'},
+    '.cm-panel.cm-search label': {display: 'flex', alignItems: 'center', gap: '5px', minHeight: '24px'},
+    '.cm-panel.cm-search [name=close]': {top: '6px', right: '6px', minWidth: '24px', minHeight: '24px', fontSize: '18px', color: 'var(--soft)'},
+    '.cm-textfield': {border: '1px solid var(--edge)', borderRadius: '6px', backgroundColor: 'var(--field)', padding: '3px 7px', color: 'var(--text)'},
+    '.cm-button': {border: '1px solid var(--edge)', borderRadius: '6px', backgroundImage: 'none !important', backgroundColor: 'var(--panel)', color: 'var(--text)', padding: '3px 9px'},
+    '.cm-searchMatch': {backgroundColor: 'var(--accent-soft)', outline: '1px solid var(--accent)'},
+    '.cm-searchMatch-selected': {backgroundColor: 'var(--selection)'},
     '.cm-diagnostic': {fontFamily: 'var(--sans)', fontSize: '13px', padding: '6px 10px'},
     // Marks of errors without CodeMirror's images.
     '.cm-lintRange': {backgroundImage: 'none !important', textDecorationSkipInk: 'none'},
@@ -76,6 +94,7 @@ const theme = EditorView.theme({
 export class Editor {
     readonly #view: EditorView;
     readonly #language = new Compartment();
+    readonly #completion = new Compartment();
     readonly #places = new PlaceTracker();
 
     constructor(host: HTMLElement, private readonly events: EditorEvents) {
@@ -91,7 +110,8 @@ export class Editor {
             doc: text,
             extensions: [
                 lineNumbers(), history(), drawSelection(), bracketMatching(), EditorView.lineWrapping, highlightActiveLine(), highlightActiveLineGutter(),
-                lintGutter(), indentUnit.of('    '), keymap.of([...defaultKeymap, ...historyKeymap]), theme,
+                lintGutter(), indentUnit.of('    '), search({top: true}), keymap.of([...searchKeymap, ...defaultKeymap, ...historyKeymap]), theme,
+                this.#completion.of(this.#completionOf(name)),
                 this.#language.of(languageOf(name)),
                 EditorView.contentAttributes.of({'aria-label': 'Scene text', tabindex: '0', spellcheck: 'false', autocapitalize: 'off'}),
                 EditorState.changeFilter.of(({changes, newDoc}) => {
@@ -112,6 +132,11 @@ export class Editor {
                 }),
             ],
         });
+    }
+
+    /** Only .glint has tables of its keys. */
+    #completionOf(name: string) {
+        return name.endsWith('.glint') ? completion(() => this.events.facts()) : [];
     }
 
     #tell(documentState: DocumentState | null) {
@@ -158,9 +183,9 @@ export class Editor {
         });
     }
 
-    /** Sets the colours: dark or light. */
+    /** The scene has another name, whose extension is its language. */
     setName(name: string) {
-        this.#view.dispatch({effects: this.#language.reconfigure(languageOf(name))});
+        this.#view.dispatch({effects: [this.#language.reconfigure(languageOf(name)), this.#completion.reconfigure(this.#completionOf(name))]});
     }
 
     undo() {
@@ -168,6 +193,11 @@ export class Editor {
     }
     redo() {
         redo(this.#view);
+    }
+
+    /** Opens the search panel. */
+    find() {
+        openSearchPanel(this.#view);
     }
 
     mark(marks: Mark[]) {

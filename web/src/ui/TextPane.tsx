@@ -5,7 +5,7 @@ import {useLayoutEffect, useRef} from 'preact/hooks';
 import {Editor, longestLine} from '../editor/editor';
 import {revealMistake} from '../store/places';
 import {chooseScene, convertToGlint, textChanged} from '../store/scene';
-import {currentDocumentState, diagnostics, failure, fileName, format, missing, notice, services, sceneName, text} from '../store/state';
+import {currentDocumentState, diagnostics, failure, fileName, format, info, missing, notice, services, sceneName, text} from '../store/state';
 import {spanOf} from '../text/places';
 import {Choice, FileButton} from './fields';
 import {Outside} from './Outside';
@@ -17,7 +17,7 @@ export function TextPane() {
     // Before the first scene is opened.
     useLayoutEffect(() => {
         const editor = new Editor(host.current!, {
-            changed: textChanged, documentState: currentDocumentState,
+            changed: textChanged, documentState: currentDocumentState, facts: () => info.value,
             refused: () => queueMicrotask(() => {
                 notice.value = `Not inserted: a line would have more than ${longestLine} characters.`;
             }),
@@ -42,6 +42,9 @@ export function TextPane() {
                 {format.value?.name !== '.glint' && (
                     <button class="link" onClick={() => void convertToGlint()}>convert to .glint</button>
                 )}
+                <button class="quiet" aria-label="Find in the text" title="Find (Ctrl+F)" onClick={() => services.editor?.find()}>
+                    <svg class="icon" viewBox="0 0 14 14" aria-hidden="true"><circle cx="6" cy="6" r="4" /><path d="M9 9l4 4" /></svg>
+                </button>
             </div>
             <div class="editor" ref={host} />
             <Outside />

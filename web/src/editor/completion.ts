@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+// Completion for .glint: blocks, keys and values, from the reader's own tables.
+import {type Completion, type CompletionContext, type CompletionResult, autocompletion} from '@codemirror/autocomplete';
+import type {SceneInfo} from 'glint-wasm';
+
+/** Enough text before the cursor to find the blocks around it. */
+const farthest = 50_000;
+const lightKinds = ['ambient', 'point', 'directional'];
+
+/** The words of the blocks that are open at the end of a text, the outermost first; null in a comment or a string. */
+function openBlocks(text: string, blocks: Record<string, string[]>): string[] | null {
+    const open: string[] = [];
+    let words: string[] = [];
+    for (const {0: token, index} of text.matchAll(/#.*|\/\/.*|"(?:\\.|[^"\\\n])*"?|[{}]|[^\s{}"#]+/g)) {
+        const isLast = index + token.length === text.length;
+        if (/^(#|\/\/)/.test(token)) {
+            if (isLast) return null;
+        } else if (token.startsWith('"')) {
+            if (isLast && !/^".*"$/.test(token)) return null;
+            words.push(token);
+        } else if (token === '{') {
+            // A block may have a name before its brace.
+            open.push(words.slice(-2).reverse().find((word) => word in blocks) ?? '');
+            words = [];
+        } else if (token === '}') {
+            open.pop();
+            words = [];
+        } else {
+            words.push(token);
+        }
+    }
+    return open;
+}
+
+/** What is known about a key, for the list. */
+function describe(facts: SceneInfo, block: string, key: string): Partial<Completion> {
+    const setting = facts.settings.find(({name}) => name === key);
+    if (setting && (block === 'render' || block === 'conventions')) return {detail: setting.values, info: setting.description};
+    const fields = block === 'light' ? facts.light_fields : block === 'camera' ? facts.camera_fields : facts.material_fields;
+    const field = fields.find(({keys}) => keys.includes(key));
+    return field ? {detail: field.type, info: field.description} : {};
+}
+
+/** The words that a key's value can be. */
+function valuesOf(facts: SceneInfo, block: string, key: string, text: string): string[] {
+    if (block === 'light' && key === 'type') return lightKinds;
+    if (key === 'material') return [...text.matchAll(/^\s*material\s+("[^"\n]*"|[\w-]+)/gm)].map(([, name]) => name!);
+    const values = facts.settings.find(({name}) => name === key)?.values;
+    return values?.includes(' | ') && (block === 'render' || block === 'conventions') ? values.split(' | ') : [];
+}
+
+function complete(context: CompletionContext, facts: SceneInfo | null): CompletionResult | null {
+    const word = context.matchBefore(/[A-Za-z_][\w-]*/);
+    if (!facts || !(word || context.explicit)) return null;
+    const from = word?.from ?? context.pos, {doc} = context.state;
+    const before = doc.sliceString(Math.max(0, from - farthest), from);
+    const open = openBlocks(before, facts.blocks);
+    if (!open) return null;
+    const block = open.at(-1) ?? '';
+    const key = /([\w-]+)\s*=\s*$/.exec(before)?.[1];
+    const whole = (label: string, type: string): Completion => ({label, type});
+    const blockOf = (label: string): Completion => ({label, type: 'class', apply: label === 'material' ? 'material ' : `${label} { `});
+    let options: Completion[];
+    if (key !== undefined) {
+        options = valuesOf(facts, block, key, doc.toString()).map((label) => whole(label, 'constant'));
+    } else if (open.length === 0) {
+        options = [...Object.keys(facts.blocks).map(blockOf), ...['background', 'profile'].map((label) => ({label, type: 'property', apply: `${label} = `}))];
+    } else {
+        const keys = (facts.blocks[block] ?? []).map((label) => ({label, type: 'property', apply: `${label} = `, ...describe(facts, block, label)}));
+        options = block === 'group' ? [...keys, ...Object.keys(facts.blocks).map(blockOf)] : keys;
+    }
+    return options.length === 0 ? null : {from, options, validFor: /^[\w-]*$/};
+}
+
+/** facts: those of the last scene without errors, if any. */
+export const completion = (facts: () => SceneInfo | null) =>
+    autocompletion({override: [(context) => complete(context, facts())], icons: false});
