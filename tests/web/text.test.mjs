@@ -142,6 +142,52 @@ test('what is converted is the text itself: not a comparison’s side, and not t
     assert.equal(await sceneText(page), 'sphere { radius = oops }');
 }));
 
+const numberNear = (page, line, n) => page.locator('.cm-line').filter({hasText: line}).locator('.tok-number').nth(n);
+
+test('a number in the text is dragged, and by keys; a whole drag is one change; text is still selected and clicked', () => withPage(async (page) => {
+    const text = 'camera { position = (0, 0, -4)  look_at = (0, 0, 0) }\nlight { type = ambient  intensity = 0.5 }  # 7 lamps\nsphere { center = (1, 0, 0)  radius = 1.25  color = (1, 0.5, 0) }\nrender { size = 90 x 70 }\n';
+    await drop(page, {name: 'drag.glint', text});
+    await page.waitForFunction(() => document.querySelector('.file-name').textContent === 'drag.glint');
+    await settled(page);
+    const dragBy = async (number, pixels, pause = 0) => {
+        const box = await number.boundingBox();
+        await page.mouse.move(box.x + 4, box.y + box.height / 2);
+        await page.mouse.down();
+        await page.mouse.move(box.x + 4 + pixels / 2, box.y + box.height / 2, {steps: 3});
+        await page.waitForTimeout(pause);
+        await page.mouse.move(box.x + 4 + pixels, box.y + box.height / 2, {steps: 3});
+        await page.mouse.up();
+        await settled(page);
+    };
+    await dragBy(numberNear(page, 'ambient', 0), 30, 700);
+    const brighter = text.replace('0.5 }', '0.8 }');
+    assert.equal(await sceneText(page), brighter);
+    assert.deepEqual(await picture(page), nativeText('drag.glint', brighter));
+    await dragBy(numberNear(page, 'sphere', 0), -30);  // whole: a step is six pixels
+    assert.match(await sceneText(page), /center = \(-4, 0, 0\)/);
+    await page.getByRole('button', {name: 'Undo'}).click();
+    assert.equal(await sceneText(page), brighter);
+    await page.getByRole('button', {name: 'Undo'}).click();
+    assert.equal(await sceneText(page), text, 'also with a pause in it');
+    // A click places the cursor; Alt and the arrow keys change the number there, and elsewhere move the line.
+    await numberNear(page, 'sphere', 3).click();
+    await page.keyboard.press('Alt+ArrowUp');
+    assert.match(await sceneText(page), /radius = 1\.35 /);
+    await page.keyboard.press('Alt+ArrowDown');
+    assert.equal(await sceneText(page), text);
+    await page.keyboard.press('Home');
+    await page.keyboard.press('Alt+ArrowUp');
+    assert.match(await sceneText(page), /look_at = \(0, 0, 0\) }\nsphere/);
+    await page.getByRole('button', {name: 'Undo'}).click();
+    // Digits of a comment are text; with Shift a drag selects.
+    const comment = await page.locator('.tok-comment').boundingBox();
+    await page.mouse.move(comment.x + 20, comment.y + 8);
+    await page.mouse.down();
+    await page.mouse.move(comment.x + 60, comment.y + 8, {steps: 4});
+    await page.mouse.up();
+    assert.equal(await sceneText(page), text);
+}));
+
 test('keys, blocks and values are completed from the reader’s tables, and the text is searched', () => withPage(async (page) => {
     await drop(page, {name: 'words.glint', text: 'camera { position = (0, 0, 5)  look_at = (0, 0, 0) }\nmaterial brass { color = (1, 1, 0) }\nsphere { center = (0, 0, 0)  radius = 1 }\n'});
     await page.waitForFunction(() => document.querySelector('.file-name').textContent === 'words.glint');

@@ -13,6 +13,7 @@ import type {SceneInfo, SceneText} from 'glint-wasm';
 import type {Edit} from '../text/edit';
 import {completion} from './completion';
 import {languageOf} from './language';
+import {numbers} from './numbers';
 import {PlaceTracker} from './place_tracker';
 
 /** The parts of a scene that are not in its text; undo restores them with the text. */
@@ -110,7 +111,7 @@ export class Editor {
             doc: text,
             extensions: [
                 lineNumbers(), history(), drawSelection(), bracketMatching(), EditorView.lineWrapping, highlightActiveLine(), highlightActiveLineGutter(),
-                lintGutter(), indentUnit.of('    '), search({top: true}), keymap.of([...searchKeymap, ...defaultKeymap, ...historyKeymap]), theme,
+                lintGutter(), indentUnit.of('    '), search({top: true}), numbers, keymap.of([...searchKeymap, ...defaultKeymap, ...historyKeymap]), theme,
                 this.#completion.of(this.#completionOf(name)),
                 this.#language.of(languageOf(name)),
                 EditorView.contentAttributes.of({'aria-label': 'Scene text', tabindex: '0', spellcheck: 'false', autocapitalize: 'off'}),
