@@ -231,3 +231,17 @@ test('keys, blocks and values are completed from the reader’s tables, and the 
     await page.locator('.cm-search [name=close]').click();
     assert.equal(await page.locator('.cm-search').count(), 0);
 }));
+
+test('no control moves while it is used', () => withPage(async (page) => {
+    // The first setting outside the text makes a box appear that says so.
+    const slider = page.getByRole('slider', {name: 'Reflections'});
+    const before = await slider.boundingBox();
+    await page.mouse.move(before.x + before.width * 0.3, before.y + before.height / 2);
+    await page.mouse.down();
+    await page.mouse.move(before.x + before.width * 0.8, before.y + before.height / 2, {steps: 5});
+    await page.waitForSelector('.outside');
+    assert.deepEqual(await slider.boundingBox(), before);
+    await page.mouse.up();
+    assert.deepEqual(await slider.boundingBox(), before);
+    assert.equal(await slider.inputValue(), '8');
+}));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The right side: everything of the scene that a page can set. Each control edits the text where its format can say it.
+// The right side: everything of the scene that a page can set, in the order in which a student meets it: how surfaces are shaded,
+// the lights, what goes wrong, the picture, the conventions. Each control edits the text where its format can say it.
 import type {FieldInfo, LightInfo, Setting, Vec3} from 'glint-wasm';
 import {useSignal} from '@preact/signals';
 
@@ -29,18 +30,27 @@ function Size() {
     );
 }
 
-function PictureControls() {
-    const value = (name: string) => settingOf(name)?.value ?? '';
+const valueOf = (name: string) => settingOf(name)?.value ?? '';
+
+export function Shading() {
+    return (
+        <section>
+            <h2>Shading</h2>
+            <Choice label="Shading" value={valueOf('shading')} values={wordsOf(settingOf('shading')!)!} set={(v) => setSetting('shading', v)} />
+            <Switch label="Shadows" on={valueOf('shadows') === 'true'} set={(on) => setSetting('shadows', String(on))} />
+            <Slider label="Reflections" value={Number(valueOf('reflections'))} min={0} max={Math.max(10, Number(valueOf('reflections')))} step={1}
+                    set={(v) => setSetting('reflections', String(Math.round(v)))} />
+        </section>
+    );
+}
+
+export function PictureControls() {
     return (
         <section>
             <h2>Picture</h2>
-            <Choice label="Shading" value={value('shading')} values={wordsOf(settingOf('shading')!)!} set={(v) => setSetting('shading', v)} />
-            <Slider label="Reflections" value={Number(value('reflections'))} min={0} max={Math.max(10, Number(value('reflections')))} step={1}
-                    set={(v) => setSetting('reflections', String(Math.round(v)))} />
-            <Slider label="Samples n×n" value={Number(value('aa'))} min={1} max={Math.max(4, Number(value('aa')))} step={1}
-                    text={`${value('aa')} by ${value('aa')}: ${Number(value('aa')) ** 2} per pixel`} set={(v) => setSetting('aa', String(Math.round(v)))} />
             <Size />
-            <Switch label="Shadows" on={value('shadows') === 'true'} set={(on) => setSetting('shadows', String(on))} />
+            <Slider label="Samples n×n" value={Number(valueOf('aa'))} min={1} max={Math.max(4, Number(valueOf('aa')))} step={1}
+                    text={`${valueOf('aa')} by ${valueOf('aa')}: ${Number(valueOf('aa')) ** 2} per pixel`} set={(v) => setSetting('aa', String(Math.round(v)))} />
         </section>
     );
 }
@@ -128,7 +138,7 @@ const faults = [
     ['shadow_stops_at_light', 'false', 'Shadows from beyond the light', 'Shapes beyond the light cast shadows, too'],
 ] as const;
 
-function Faults() {
+export function Faults() {
     return (
         <section>
             <h2>Classic faults</h2>
@@ -136,7 +146,7 @@ function Faults() {
                 const setting = settingOf(key)!;
                 if (setting.profile_value === fault) return null;  // the scene's own convention is no fault
                 return (
-                    <Switch key={key} label={label} hint={hint} on={setting.value === fault}
+                    <Switch key={key} label={label} name={key} hint={hint} on={setting.value === fault}
                             set={(on) => setSetting(key, on ? fault : setting.profile_value)} />
                 );
             })}
@@ -154,49 +164,70 @@ function Convention({setting}: {setting: Setting}) {
     const words = wordsOf(setting);
     const set = (value: string) => setSetting(setting.name, value);
     return (
-        <div class="convention" title={setting.description}>
+        <div class="convention">
             {words ? <Choice label={setting.name} value={setting.value} values={words} set={set} />
                 : <NumberField label={setting.name} value={Number(setting.value)} min={0} set={(v) => set(String(v))} />}
             <Origin setting={setting} />
+            <p class="note">{setting.description}</p>
         </div>
+    );
+}
+
+export function Lights() {
+    const {lights} = info.value!;
+    return (
+        <section>
+            <h2>Lights</h2>
+            {lights.slice(0, 24).map((light, i) => <Light key={i} light={light} index={i} />)}
+            {lights.length === 0 && <p class="note">There are none: everything is black.</p>}
+            {lights.length > 24 && <p class="note">And {lights.length - 24} more, in the text.</p>}
+        </section>
+    );
+}
+
+export function Epsilon() {
+    const epsilon = settingOf('epsilon')!;
+    const exponent = Number(epsilon.value) > 0 ? Math.log10(Number(epsilon.value)) : -13;
+    return (
+        <section>
+            <h2>Epsilon</h2>
+            <div class="slider">
+                <label for="epsilon">10^{exponent <= -13 ? '−∞' : Number(exponent.toFixed(1))}</label>
+                <input id="epsilon" type="range" min={-13} max={0} step={0.25} value={exponent} aria-label="Epsilon, as a power of ten"
+                       onInput={(event) => {
+                           const power = event.currentTarget.valueAsNumber;
+                           setSetting('epsilon', power <= -13 ? '0' : String(Number((10 ** power).toPrecision(2))));
+                       }} />
+                <NumberField label="Epsilon" hidden value={Number(epsilon.value)} min={0} set={(v) => setSetting('epsilon', String(v))} />
+            </div>
+        </section>
+    );
+}
+
+export function Conventions() {
+    const {settings, profile} = info.value!;
+    return (
+        <section>
+            <details>
+                <summary><h2>Conventions</h2><span class="origin">{profile}</span></summary>
+                {settings.filter((setting) => setting.is_convention).map((setting) => <Convention key={setting.name} setting={setting} />)}
+            </details>
+        </section>
     );
 }
 
 export function Controls() {
     const facts = info.value;
     if (!facts) return <p class="note">No scene yet.</p>;
-    const conventions = facts.settings.filter((setting) => setting.is_convention);
-    const epsilon = settingOf('epsilon')!;
-    const exponent = Number(epsilon.value) > 0 ? Math.log10(Number(epsilon.value)) : -13;
     const shapes = Object.entries(facts.shapes).map(([kind, n]) => `${n} ${kind.replace('_', ' ')}${n === 1 ? '' : kind === 'box' ? 'es' : 's'}`);
     return (
         <>
-            <PictureControls />
-            <section>
-                <h2>Lights</h2>
-                {facts.lights.slice(0, 24).map((light, i) => <Light key={i} light={light} index={i} />)}
-                {facts.lights.length === 0 && <p class="note">There are none: everything is black.</p>}
-                {facts.lights.length > 24 && <p class="note">And {facts.lights.length - 24} more, in the text.</p>}
-            </section>
-            <section>
-                <h2>Epsilon</h2>
-                <div class="slider">
-                    <label for="epsilon">10^{exponent <= -13 ? '−∞' : Number(exponent.toFixed(1))}</label>
-                    <input id="epsilon" type="range" min={-13} max={0} step={0.25} value={exponent} aria-label="Epsilon, as a power of ten"
-                           onInput={(event) => {
-                               const power = event.currentTarget.valueAsNumber;
-                               setSetting('epsilon', power <= -13 ? '0' : String(Number((10 ** power).toPrecision(2))));
-                           }} />
-                    <NumberField label="Epsilon" hidden value={Number(epsilon.value)} min={0} set={(v) => setSetting('epsilon', String(v))} />
-                </div>
-            </section>
+            <Shading />
+            <Lights />
             <Faults />
-            <section>
-                <details>
-                    <summary><h2>Conventions</h2><span class="origin">{facts.profile}</span></summary>
-                    {conventions.map((setting) => <Convention key={setting.name} setting={setting} />)}
-                </details>
-            </section>
+            <Epsilon />
+            <PictureControls />
+            <Conventions />
             <p class="note">{shapes.join(', ')}; {facts.material_count} material{facts.material_count === 1 ? '' : 's'}.</p>
         </>
     );

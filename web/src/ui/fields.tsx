@@ -6,8 +6,9 @@ import {useId} from 'preact/hooks';
 
 import {openFiles} from '../store/scene';
 
-export function Switch({label, on, set, disabled, hint}: {
-    label: ComponentChildren; on: boolean; set: (on: boolean) => void; disabled?: boolean; hint?: string;
+/** `name`: the setting's key, shown beside the label. */
+export function Switch({label, on, set, disabled, hint, name}: {
+    label: ComponentChildren; on: boolean; set: (on: boolean) => void; disabled?: boolean; hint?: string; name?: string;
 }) {
     return (
         <label class="switch" title={hint}>
@@ -15,6 +16,7 @@ export function Switch({label, on, set, disabled, hint}: {
                    onChange={(event) => set(event.currentTarget.checked)} />
             <span class="track" aria-hidden="true" />
             <span>{label}</span>
+            {name && <code class="key-name" aria-hidden="true">{name}</code>}
         </label>
     );
 }
