@@ -82,10 +82,9 @@ export async function settled(page, state = 'done') {
     await page.waitForSelector(`[data-state=${state}]`, {timeout: 60_000});
 }
 
-/** SHA-256 of the picture's red, green and blue bytes, and its size. */
-export async function picture(page, which = 0) {
-    const {width, height, bytes} = await page.evaluate(async (index) => {
-        const canvas = document.querySelectorAll('.frame canvas')[index];
+/** SHA-256 of a canvas's red, green and blue bytes, and its size. */
+export async function hashOf(locator) {
+    const {width, height, bytes} = await locator.evaluate(async (canvas) => {
         const {data} = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height);
         const rgb = new Uint8Array((data.length / 4) * 3);
         for (let i = 0, o = 0; i < data.length; i += 4) {
@@ -95,9 +94,12 @@ export async function picture(page, which = 0) {
         }
         const digest = new Uint8Array(await crypto.subtle.digest('SHA-256', rgb));
         return {width: canvas.width, height: canvas.height, bytes: [...digest]};
-    }, which);
+    });
     return {size: `${width}x${height}`, hash: Buffer.from(bytes).toString('hex')};
 }
+
+/** That of the page's picture. */
+export const picture = (page, which = 0) => hashOf(page.locator('.frame canvas').nth(which));
 
 /** The same for the picture of the native command. */
 export function native(...args) {

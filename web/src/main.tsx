@@ -2,20 +2,24 @@
 import {render} from 'preact';
 
 import {startPool} from './engine/start';
+import {embedded} from './store/embedded';
 import {followLessons, openLessonOf} from './store/learning';
 import {keepPage} from './store/memory';
 import {openFirst, openLink} from './store/scene';
 import {failure, services, state} from './store/state';
 import {App} from './ui/App';
+import {Embed} from './ui/Embed';
 import {connectViews} from './ui/pictures';
 
-render(<App />, document.getElementById('app')!);
+render(embedded ? <Embed /> : <App />, document.getElementById('app')!);
 try {
     services.pool = await startPool();
     connectViews(services.pool);
     if (!await openLessonOf(location.hash)) await openFirst();
-    keepPage();
-    followLessons();
+    if (!embedded) {
+        keepPage();
+        followLessons();
+    }
 } catch (error) {
     failure.value = `The engine could not be started: ${error instanceof Error ? error.message : String(error)}`;
     state.value = 'error';

@@ -65,7 +65,7 @@ export async function fromFragment(fragment: string): Promise<Shared | string | 
         const binary = atob(match[1]!.replaceAll('-', '+').replaceAll('_', '/'));
         const bytes = Uint8Array.from(binary, (c) => c.charCodeAt(0));
         const value: unknown = JSON.parse(new TextDecoder().decode(await through(bytes, new DecompressionStream('deflate-raw'), largest)));
-        return checked(value);
+        return checkedScene(value);
     } catch (error) {
         return error instanceof TooLarge ? 'The scene of the link is larger than 4 MB.' : null;
     }
@@ -84,7 +84,7 @@ function checkedChallenge(value: unknown): SharedChallenge | undefined {
 }
 
 /** A link may come from anyone: only values of the right types are accepted. */
-function checked(value: unknown): Shared | null {
+export function checkedScene(value: unknown): Shared | null {
     if (typeof value !== 'object' || value === null) return null;
     const {name, text, scene, includes, overrides, compare, challenge} = value as Record<string, unknown>;
     if (typeof name !== 'string' || typeof text !== 'string') return null;

@@ -7,6 +7,7 @@ import {type DocumentState, longestLine, tooLongLine} from '../editor/editor';
 import {gallery, parts} from '../gallery';
 import {type Shared, type SharedChallenge, type StoredScene, fromFragment, toFragment} from '../share';
 import {extensions, formatOf} from '../text/formats';
+import {embedded} from './embedded';
 import {forgetLights} from './lights';
 import {keptPage, presentScene, remember} from './memory';
 import {pinLater} from './pixels';
@@ -91,7 +92,7 @@ export function openScene(scene: StoredScene) {
         notice.value = `${shortName(scene.name)} is not opened: line ${tooLong} has more than ${longestLine} characters.`;
         return;
     }
-    if (fileName.value !== '') remember(presentScene());
+    if (fileName.value !== '' && !embedded) remember(presentScene());
     const documentState: DocumentState = {
         id: newId(), name: scene.name, scene: scene.scene, overrides: scene.overrides ?? {},
         includes: scene.includes ?? parts,
@@ -120,7 +121,7 @@ export const openBookScene = () => openScene(bookScene());
 
 /** The scene of the address; without one the page as it was, or the scene of the book. */
 export async function openFirst() {
-    const kept = keptPage();
+    const kept = embedded ? null : keptPage();  // another page shall not see the user's scenes
     const {hash} = location;
     if (kept && (hash === '' || hash === kept.hash) && tooLongLine(kept.text) === 0) {
         tab.value = kept.tab;
@@ -152,6 +153,7 @@ export async function openLink(hash: string) {
 export async function link(challenge?: SharedChallenge): Promise<string> {
     const shared: Shared = {...presentScene(), challenge};
     const url = new URL(location.href);
+    url.search = '';  // of the whole page
     url.hash = await toFragment(shared);
     return url.href;
 }

@@ -4,6 +4,7 @@ import type {CameraInfo} from 'glint-wasm';
 import {useEffect, useRef} from 'preact/hooks';
 
 import {dot, moved, sub} from '../camera';
+import {allows, embedded} from '../store/embedded';
 import {hover, pin} from '../store/pixels';
 import {hovered, info, pinned, pixel, size} from '../store/state';
 import {cameraNow, moveCamera} from '../store/viewpoint';
@@ -71,7 +72,7 @@ export function usePointers(frame: Frame) {
     };
     return {
         onPointerDown(event: PointerEvent) {
-            if (!info.value || event.button > 2 || (event.target as Element).closest('.border')) return;
+            if (!info.value || event.button > 2 || !(allows('camera') || allows('inspect')) || (event.target as Element).closest('.border')) return;
             frame.current!.setPointerCapture(event.pointerId);
             down.current.set(event.pointerId, {x: event.clientX, y: event.clientY});
             begin(down.current.size > 1 ? 'pinch' : event.shiftKey || event.button !== 0 ? 'pan' : 'orbit');
@@ -87,6 +88,7 @@ export function usePointers(frame: Frame) {
             const {middle, span} = hands();
             const x = middle.x - now.from.x, y = middle.y - now.from.y;
             if (!now.moved && Math.hypot(x, y, span - now.span) < 4) return;
+            if (!allows('camera')) return;
             now.moved = true;
             const box = frame.current!.getBoundingClientRect();
             const by = {x: x / box.width, y: y / box.height};
@@ -99,7 +101,7 @@ export function usePointers(frame: Frame) {
         onPointerUp(event: PointerEvent) {
             const now = gesture.current;
             end(event);
-            if (now && now.kind !== 'pinch' && !now.moved && event.button === 0) void pin(at(event));
+            if (now && now.kind !== 'pinch' && !now.moved && event.button === 0 && allows('inspect')) void pin(at(event));
         },
         onPointerCancel: end,
         onPointerLeave() {
@@ -113,7 +115,8 @@ export function useWheel(frame: Frame) {
     useEffect(() => {
         const element = frame.current!;
         const turned = (event: WheelEvent) => {
-            if (!cameraNow()) return;
+            // In a frame, the wheel alone scrolls the page around.
+            if (!cameraNow() || (embedded && !(event.ctrlKey && allows('camera')))) return;
             event.preventDefault();
             const lines = event.deltaY / (event.deltaMode === 0 ? 100 : 3);
             zoom(1.1 ** Math.max(-5, Math.min(5, lines)));
@@ -134,7 +137,7 @@ export function keyPressed(event: KeyboardEvent) {
         const by = event.shiftKey ? 20 : 1;
         const inside = (value: number, most: number) => Math.max(0, Math.min(most - 1, value));
         void hover([inside(now[0] + by * step[0], width), inside(now[1] + by * step[1], height)]);
-    } else if (event.key === 'Enter') {
+    } else if (event.key === 'Enter' && allows('inspect')) {
         event.preventDefault();
         void pin([now[0], now[1]]);
     }
