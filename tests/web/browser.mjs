@@ -64,7 +64,8 @@ export async function withBrowserPage(root, use, path = '', expected = null) {
     const complaints = [];
     page.on('pageerror', (error) => complaints.push(error.message));
     page.on('console', (message) => {
-        if (message.type() === 'error' && !expected?.test(message.text())) complaints.push(`${message.text()} ${message.location().url}`);
+        const complaint = `${message.text()} ${message.location().url}`;
+        if (message.type() === 'error' && !expected?.test(complaint)) complaints.push(complaint);
     });
     try {
         await page.goto(`http://127.0.0.1:${other.address().port}/${path}`);

@@ -173,8 +173,10 @@ test('a number in the text is dragged, and by keys; a whole drag is one change; 
     await numberNear(page, 'sphere', 3).click();
     await page.keyboard.press('Alt+ArrowUp');
     assert.match(await sceneText(page), /radius = 1\.35 /);
+    await numberNear(page, 'sphere', 3).click();  // the button has taken the focus
     await page.keyboard.press('Alt+ArrowDown');
     assert.equal(await sceneText(page), text);
+    await numberNear(page, 'sphere', 3).click();
     await page.keyboard.press('Home');
     await page.keyboard.press('Alt+ArrowUp');
     assert.match(await sceneText(page), /look_at = \(0, 0, 0\) }\nsphere/);
@@ -217,7 +219,7 @@ test('keys, blocks and values are completed from the reader’s tables, and the 
     await complete('conv', 'conventions');
     await page.keyboard.type('specular_g', {delay: 10});
     await list.getByText('specular_gate').waitFor();
-    assert.match(await page.locator('.cm-completionInfo').innerText(), /N·L/);
+    assert.match(await page.locator('.cm-completionInfo').innerText(), /N\.L > 0/);
     await page.keyboard.press('Escape');
     await page.keyboard.type('ate = true }');
     await settled(page);
