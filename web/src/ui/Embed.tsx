@@ -22,7 +22,7 @@ export function Embed() {
     const shown = Object.entries(parts).filter(([name]) => allows(name));
     const {width, height} = size.value;
     return (
-        <div class={`embed${allows('camera') ? ' with-camera' : ''}`} ref={shell} style={{'--width': width, '--height': height}}>
+        <div class={`embed${allows('camera') ? ' with-camera' : ''}${allows('text') ? ' with-text' : ''}`} ref={shell} style={{'--width': width, '--height': height}}>
             <main class="columns">
                 <Stage />
                 {shown.length > 0 && info.value && <div class="panel">{shown.map(([name, Part]) => <Part key={name} />)}</div>}
