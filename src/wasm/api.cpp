@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "wasm/api.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "math/quantize.h"
@@ -32,6 +35,7 @@ struct GlintScene {
     glint::wasm::Changeable opened;     // what glint_prepare can change, as opened
     std::optional<glint::World> world;
     glint::Image image;
+    std::vector<glint::LayerImage> layers;
     glint::RayCounts rays;
     std::vector<std::uint8_t> pixels;
     ordered_json report;
@@ -46,6 +50,27 @@ struct GlintScene {
             report["height"] = scene->settings.height;
         }
         report_text = to_text(report);
+    }
+    /// Renders a rectangle; false if that is impossible, and the report says why.
+    bool render(const glint::Crop& crop, std::vector<glint::Layer> wanted) {
+        if (!world) return false;
+        layers.clear();
+        const auto images = static_cast<std::int64_t>(wanted.size()) + 1;
+        if (std::int64_t{crop.width} * crop.height > k_max_pixels / images) {
+            write_report(too_many_pixels(crop.width, crop.height));
+            return false;
+        }
+        glint::RenderOptions options;
+        options.threads = 1;
+        options.crop = crop;
+        options.layers = std::move(wanted);
+        glint::Result<glint::Rendering> result = glint::render(*world, options);
+        if (!result || report.contains("error")) write_report(result.message);
+        image = result ? std::move(result->image) : glint::Image{};
+        if (!result) return false;
+        layers = std::move(result->layers);
+        rays = result->rays;
+        return true;
     }
     static std::string to_text(const ordered_json& value) {
         return value.dump(-1, ' ', false, ordered_json::error_handler_t::replace);
@@ -120,23 +145,32 @@ const char* glint_info(GlintScene* scene) {
 
 const float* glint_render(GlintScene* scene, std::int32_t x, std::int32_t y, std::int32_t width,
                           std::int32_t height) {
-    if (!scene->world) return nullptr;
-    if (std::int64_t{width} * height > k_max_pixels) {
-        scene->write_report(too_many_pixels(width, height));
-        return nullptr;
+    return scene->render({width, height, x, y}, {}) ? scene->image.rgb.data() : nullptr;
+}
+
+std::int32_t glint_render_layers(GlintScene* scene, const char* names, std::uint32_t length, std::int32_t x,
+                                 std::int32_t y, std::int32_t width, std::int32_t height) {
+    std::vector<glint::Layer> wanted;
+    for (std::string_view rest(names, length); !rest.empty();) {
+        const std::string_view name = rest.substr(0, rest.find(' '));
+        rest.remove_prefix(std::min(rest.size(), name.size() + 1));
+        const std::optional<glint::Layer> layer = glint::find_layer(name);
+        if (!layer) {
+            scene->layers.clear();
+            scene->write_report("there is no layer '" + std::string(name) + "'");
+            return 0;
+        }
+        wanted.push_back(*layer);
     }
-    glint::RenderOptions options;
-    options.threads = 1;
-    options.crop = glint::Crop{width, height, x, y};
-    glint::Result<glint::Rendering> result = glint::render(*scene->world, options);
-    if (!result || scene->report.contains("error")) scene->write_report(result.message);
-    if (!result) {
-        scene->image = {};
-        return nullptr;
-    }
-    scene->image = std::move(result->image);
-    scene->rays = result->rays;
-    return scene->image.rgb.data();
+    return scene->render({width, height, x, y}, std::move(wanted)) ? 1 : 0;
+}
+
+const float* glint_layer(const GlintScene* scene, std::uint32_t index) {
+    return index < scene->layers.size() ? scene->layers[index].values.data() : nullptr;
+}
+
+std::int32_t glint_layer_channels(const GlintScene* scene, std::uint32_t index) {
+    return index < scene->layers.size() ? scene->layers[index].channels : 0;
 }
 
 const std::uint8_t* glint_pixels(GlintScene* scene) {

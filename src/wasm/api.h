@@ -54,6 +54,15 @@ const float* GLINT_WASM_EXPORT(glint_render)(GlintScene* scene, std::int32_t x, 
 /// The last pixels of glint_render as bytes: red, green, blue and 255 for each pixel, the same as in a PNG.
 /// Null if nothing was rendered.
 const std::uint8_t* GLINT_WASM_EXPORT(glint_pixels)(GlintScene* scene);
+/// The same rectangle, and layers of it (glint/layers.h): `names` separated by spaces, such as "albedo
+/// depth". Returns 0 where glint_render fails, and for names that are unknown or repeated.
+std::int32_t GLINT_WASM_EXPORT(glint_render_layers)(GlintScene* scene, const char* names,
+                                                    std::uint32_t length, std::int32_t x, std::int32_t y,
+                                                    std::int32_t width, std::int32_t height);
+/// A layer of the last glint_render_layers by its index among the names: glint_layer_channels floats for each
+/// pixel, row by row. Null and 0 if there is none.
+const float* GLINT_WASM_EXPORT(glint_layer)(const GlintScene* scene, std::uint32_t index);
+std::int32_t GLINT_WASM_EXPORT(glint_layer_channels)(const GlintScene* scene, std::uint32_t index);
 /// The number of rays of the last glint_render.
 double GLINT_WASM_EXPORT(glint_rays)(const GlintScene* scene);
 

@@ -284,6 +284,8 @@ export interface Finding extends Diagnostic {
 export type CompiledModule = typeof globalThis extends {WebAssembly: {Module: {prototype: infer Module}}} ? Module : object;
 /** The array that `new Uint8ClampedArray(n)` makes. */
 export type Bytes = InstanceType<typeof Uint8ClampedArray>;
+/** The array that `new Float32Array(n)` makes. */
+export type Floats = InstanceType<typeof Float32Array>;
 
 /** A URL: a string, or the host's URL. */
 export type Address = string | {readonly href: string};
@@ -322,6 +324,12 @@ export interface Scene {
     render(x: number, y: number, width: number, height: number): Float32Array;
     /** The same as bytes (red, green, blue, 255), and the number of rays. */
     renderPixels(x: number, y: number, width: number, height: number): {pixels: Bytes; rays: number};
+    /**
+     * The same, and layers of the rectangle (`glint render --help` lists them): "depth" has one float for each pixel, "albedo" and
+     * "normal" have three. Throws also for unknown and repeated names.
+     */
+    renderLayers<Name extends string>(names: Name[], x: number, y: number, width: number, height: number):
+        {pixels: Bytes; rays: number; layers: Record<Name, Floats>};
     /** Null if the scene is not ready. Throws for a pixel outside the picture. */
     explain(x: number, y: number): Explanation | null;
     /**

@@ -151,6 +151,13 @@ class Scene {
         return at;
     }
 
+    /** The pixels of the last rectangle, and the number of its rays. */
+    #pixels(width, height) {
+        const at = this.#exports.glint_pixels(this.#handle);
+        const pixels = new Uint8ClampedArray(this.#exports.memory.buffer, at, 4 * width * height).slice();
+        return {pixels, rays: this.#exports.glint_rays(this.#handle)};
+    }
+
     render(x, y, width, height) {
         const at = this.#render(x, y, width, height);
         return new Float32Array(this.#exports.memory.buffer, at, 3 * width * height).slice();
@@ -158,9 +165,21 @@ class Scene {
 
     renderPixels(x, y, width, height) {
         this.#render(x, y, width, height);
-        const at = this.#exports.glint_pixels(this.#handle);
-        const pixels = new Uint8ClampedArray(this.#exports.memory.buffer, at, 4 * width * height).slice();
-        return {pixels, rays: this.#exports.glint_rays(this.#handle)};
+        return this.#pixels(width, height);
+    }
+
+    renderLayers(names, x, y, width, height) {
+        const handle = this.#handle;
+        checkWhole({x, y, width, height});
+        const done = withText(this.#exports, names.join(' '),
+                              (at, length) => this.#exports.glint_render_layers(handle, at, length, x, y, width, height));
+        if (done === 0) throw new Error(this.report.error ?? 'the scene has errors');
+        const {pixels, rays} = this.#pixels(width, height);
+        const layers = Object.fromEntries(names.map((name, i) => {
+            const count = this.#exports.glint_layer_channels(handle, i) * width * height;
+            return [name, new Float32Array(this.#exports.memory.buffer, this.#exports.glint_layer(handle, i), count).slice()];
+        }));
+        return {pixels, rays, layers};
     }
 
     explain(x, y) {

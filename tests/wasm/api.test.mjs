@@ -164,6 +164,21 @@ test('the facts of a scene', () => {
     scene.close();
 });
 
+test('layers of a rectangle', () => {
+    const scene = glint.open({texts: [{name: 'ball.glint', text: `render { size = 5 x 5 }
+camera { projection = orthographic  position = (0, 0, 6)  width = 10 }
+sphere { center = (0, 0, 0)  radius = 1  color = (0.5, 0.25, 1)  diffuse = 1 }\n`}]});
+    const {pixels, layers} = scene.renderLayers(['depth', 'albedo', 'normal'], 2, 1, 1, 2);
+    assert.deepEqual([...layers.depth], [Infinity, 5]);
+    assert.deepEqual([...layers.albedo].slice(3), [0.5, 0.25, 1]);
+    assert.deepEqual([...layers.normal].slice(3), [0, 0, 1]);
+    assert.deepEqual(pixels, scene.renderPixels(2, 1, 1, 2).pixels);
+    assert.deepEqual(scene.renderLayers([], 2, 1, 1, 2), {...scene.renderPixels(2, 1, 1, 2), layers: {}});
+    for (const names of [['dept'], ['depth', 'depth']]) assert.throws(() => scene.renderLayers(names, 0, 0, 1, 1), /dept/);
+    assert.throws(() => scene.renderLayers(['depth'], 4, 0, 2, 1), /./);
+    scene.close();
+});
+
 test('a scene is prepared otherwise, and as it was again', () => {
     const {scene} = open(...tiled);
     const pixels = () => scene.renderPixels(0, 0, scene.info.width, scene.info.height);
