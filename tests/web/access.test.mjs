@@ -155,7 +155,7 @@ test('the page, to look at', () => withPage(async (page) => {
     await page.locator('.inspector').waitFor();
     await page.waitForTimeout(800);
     await shoot(page, 'playground.png');
-    await page.locator('.top-view').scrollIntoViewIfNeeded();
+    await page.locator('.inspector .space').scrollIntoViewIfNeeded();
     await page.waitForTimeout(800);
     await shoot(page, 'playground_rays.png');
 }));

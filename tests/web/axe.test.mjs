@@ -34,8 +34,16 @@ const views = [
         await page.getByRole('button', {name: 'Dismiss'}).last().click();
         await clickPicture(page, 0.5, 0.62);
         await page.locator('.inspector').waitFor();
+        await page.locator('.space-frame').waitFor();
+        await page.getByRole('button', {name: 'Next ray'}).click();
+    }],
+    ['In space', async (page) => {
+        await page.getByRole('button', {name: 'Large'}).click();
+        await page.locator('.stage > .space .space-frame').waitFor();
+        await page.waitForTimeout(600);
     }],
     ['Controls', async (page) => {
+        await page.getByRole('button', {name: 'Back to the picture'}).click();
         await page.getByRole('tab', {name: 'Controls'}).click();
         await page.getByText('Conventions', {exact: true}).click();
         await page.getByRole('combobox', {name: 'Shading'}).selectOption('blinn-phong');

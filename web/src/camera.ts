@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The camera in the page: projects world points into the picture, and applies mouse movements.
-import type {CameraInfo, Vec3, View} from 'glint-wasm';
+import type {CameraInfo, Vec3} from 'glint-wasm';
 
 import {length} from './text/edit';
 
@@ -13,15 +13,15 @@ export const cross = (a: Vec3, b: Vec3): Vec3 => [
 export const unit = (a: Vec3): Vec3 => scaled(a, 1 / (length(a) || 1));
 
 /** `v` rotated about a unit axis, by the right-hand rule. */
-function turned(v: Vec3, axis: Vec3, angle: number): Vec3 {
+export function turned(v: Vec3, axis: Vec3, angle: number): Vec3 {
     const c = Math.cos(angle), s = Math.sin(angle);
     return add(add(scaled(v, c), cross(axis, v), s), axis, dot(axis, v) * (1 - c));
 }
 
-const isLeftHanded = ({view: {right, up, forward}}: CameraInfo) => dot(cross(right, up), forward) > 0;
+export const isLeftHanded = ({view: {right, up, forward}}: CameraInfo) => dot(cross(right, up), forward) > 0;
 
 /** A point in camera coordinates: v = depth (forward + u right + v up) for perspective, else forward depth + u right + v up. */
-function inFrame(camera: CameraInfo, point: Vec3): {u: number; v: number; depth: number} {
+export function inFrame(camera: CameraInfo, point: Vec3): {u: number; v: number; depth: number} {
     const {right, up, forward} = camera.view;
     const d = sub(point, camera.position);
     const volume = dot(cross(right, up), forward);
@@ -95,46 +95,8 @@ export function moved(camera: CameraInfo, move: Move, distance: number): CameraI
     return next;
 }
 
-function nearestAxis(v: Vec3): Vec3 {
+export function nearestAxis(v: Vec3): Vec3 {
     const largest = Math.max(...v.map(Math.abs));
     const axis = v.map((c) => (Math.abs(c) === largest ? Math.sign(c) : 0)) as Vec3;
     return unit(axis);
-}
-
-/** The scene as a map: an orthographic view from above, rotated. */
-export interface Overview extends View {
-    position: Vec3;
-}
-
-/**
- * Shows points with a margin. The direction of the scene's camera points up; its right stays right. yaw rotates the map
- * about the vertical axis, tilt from above towards the camera; both in radians. aspect: width over height.
- */
-export function overview(points: Vec3[], camera: CameraInfo, yaw: number, tilt: number, aspect: number): Overview {
-    const low = points.reduce((a, p) => a.map((c, i) => Math.min(c, p[i]!)) as Vec3);
-    const high = points.reduce((a, p) => a.map((c, i) => Math.max(c, p[i]!)) as Vec3);
-    const center = scaled(add(low, high), 0.5);
-    const radius = Math.max(1e-6, ...points.map((p) => length(sub(p, center))));
-    const upright = nearestAxis(camera.up ?? camera.view.up);
-    const leftHanded = isLeftHanded(camera);
-    const along = add(camera.view.forward, upright, -dot(camera.view.forward, upright));
-    const ahead = length(along) > 1e-6 * length(camera.view.forward)
-        ? unit(along) : unit(Math.abs(upright[0]) < 0.9 ? cross(upright, [1, 0, 0]) : cross(upright, [0, 1, 0]));
-    const behind = turned(scaled(ahead, -1), upright, leftHanded ? -yaw : yaw);
-    const level = cross(upright, behind);
-    const towards = turned(upright, level, tilt);  // from the centre to the viewer
-    // Everything above the rays is cut away: the parallel camera rays start just above them.
-    const reach = Math.max(...points.map((p) => dot(sub(p, center), towards)));
-    const width = 2.5 * radius;
-    return {
-        position: add(center, towards, reach + 0.35 * radius),
-        right: scaled(level, leftHanded ? -width : width),
-        up: scaled(unit(cross(towards, level)), width / aspect),
-        forward: scaled(towards, -1),
-    };
-}
-
-/** The same camera in the engine's format, for projectLine. */
-export function overviewCamera({position, ...view}: Overview): CameraInfo {
-    return {projection: 'orthographic', position, place: null, has_frame: true, view};
 }

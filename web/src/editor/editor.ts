@@ -172,6 +172,26 @@ export class Editor {
         this.#view.dispatch({changes: edits});
     }
 
+    /** Makes the text this one, by one edit of what differs. `continues`: undone together with the edit before, whenever that was. */
+    replaceBy(text: string, continues: boolean) {
+        const before = this.#view.state.doc.toString();
+        const least = Math.min(before.length, text.length);
+        let from = 0, end = 0;
+        while (from < least && before[from] === text[from]) ++from;
+        while (end < least - from && before[before.length - 1 - end] === text[text.length - 1 - end]) ++end;
+        if (from === before.length && from === text.length) return;
+        this.#view.dispatch({
+            changes: {from, to: before.length - end, insert: text.slice(from, text.length - end)},
+            // The history joins compositions however long they take.
+            annotations: [continues ? Transaction.userEvent.of('input.type.compose') : isolateHistory.of('before')],
+        });
+    }
+
+    /** The next edit is undone separately. */
+    endEdit() {
+        this.#view.dispatch({annotations: isolateHistory.of('full')});
+    }
+
     /** Changes the document state, and all of the text if it is given. `again`: is undone together with the last change. */
     setDocumentState(documentState: DocumentState, text?: string, again = false) {
         const all = {from: 0, to: this.#view.state.doc.length}, {name} = this.events.documentState();

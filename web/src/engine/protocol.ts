@@ -13,6 +13,7 @@ export type Task =
     /** With a rectangle, it is rendered as well, which saves a round trip per frame. */
     | {what: 'open'; rect?: Rect}
     | {what: 'tile'; rect: Rect}
+    | {what: 'layers'; rect: Rect; names: string[]}
     | {what: 'explain'; x: number; y: number}
     | {what: 'convert'}
     /** Against the picture of another scene. */
@@ -42,9 +43,16 @@ export interface Tile {
     milliseconds: number;
 }
 
+/** Pixels, and layers of the same rectangle. */
+export interface Layered {
+    pixels: Uint8ClampedArray<ArrayBuffer>;
+    layers: Record<string, Float32Array<ArrayBuffer>>;
+}
+
 export interface Answers {
     open: Opened;
     tile: Tile;
+    layers: Layered;
     explain: Explanation | null;
     convert: string;
     compare: Comparison;

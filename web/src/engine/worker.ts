@@ -52,6 +52,11 @@ async function work(job: JobMessage): Promise<Answers[keyof Answers]> {
         return {report, info, tile: tile(open, task.rect)};
     }
     prepare(open, job.prepare);
+    if (task.what === 'layers') {
+        const {x, y, width, height} = task.rect;
+        const {pixels, layers} = scene.renderLayers(task.names, x, y, width, height);
+        return {pixels, layers};
+    }
     if (task.what === 'explain') return scene.explain(task.x, task.y);
     if (task.what === 'convert') return scene.toGlint();
     if (task.what === 'compare') {
@@ -76,6 +81,8 @@ addEventListener('message', async ({data}: MessageEvent<ToWorker>) => {
         const answer = await work(data);
         if (answer && typeof answer === 'object') {
             if ('milliseconds' in answer) transfer.push(answer.pixels.buffer);
+            if ('layers' in answer && !('pixel' in answer))
+                transfer.push(answer.pixels.buffer, ...Object.values(answer.layers).map((layer) => layer.buffer));
             if ('tile' in answer && answer.tile) transfer.push(answer.tile.pixels.buffer);
         }
         reply = {id: data.id, answer};

@@ -4,7 +4,7 @@ import {batch} from '@preact/signals';
 import type {Explanation} from 'glint-wasm';
 
 import {
-    type Side, comparison, difference, documentId, hovered, services, pinned, pinnedIn, pixel, selected, settingIn, size, split, tab,
+    type Side, comparison, difference, documentId, hovered, services, pinned, pinnedIn, pixel, selected, settingIn, size, split, step, tab,
 } from './state';
 
 let asking = false;
@@ -59,6 +59,7 @@ export async function pin(at: [number, number] | null) {
         pinned.value = explanation;
         pinnedIn.value = {side, isPhong: isPhong(side)};
         selected.value = {ray: 0, light: strongestLight(explanation, 0)};
+        step.value = null;
         tab.value = 'inspect';
     });
 }

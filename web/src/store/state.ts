@@ -51,6 +51,8 @@ export const pinned = signal<Explanation | null>(null);
 export const pinnedIn = signal<{side: Side; isPhong: boolean}>({side: 'first', isPhong: true});
 /** The ray and light that the inspector's diagram shows. */
 export const selected = signal<{ray: number; light: number}>({ray: 0, light: 0});
+/** The step through the rays of the pinned pixel (stepping.ts); null: all rays are shown. */
+export const step = signal<number | null>(null);
 export type Tab = 'learn' | 'text' | 'controls' | 'inspect' | 'compare';
 export const tab = signal<Tab>('controls');
 /** The challenge of the link that was opened. */

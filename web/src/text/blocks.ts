@@ -114,7 +114,18 @@ function set(text: string, block: Block, key: string, value: string): Edit[] {
     return [{from: last.to, to: last.to, insert: isLong ? `\n${indent}${key} = ${value}` : `  ${key} = ${value}`}];
 }
 
-const vector = (v: Vec3) => `(${v.map(number).join(', ')})`;
+export const vector = (v: Vec3) => `(${v.map(number).join(', ')})`;
+
+/** The blocks around an offset, the outermost first. */
+export function blocksAround(text: string, offset: number): Block[] {
+    const around: Block[] = [];
+    for (let blocks = parse(text).blocks; ;) {
+        const next = blocks.find((block) => block.open <= offset && offset < block.close);
+        if (!next) return around;
+        around.push(next);
+        blocks = next.blocks;
+    }
+}
 
 /** The block that begins at an offset. */
 export function anyBlockAt(text: string, offset: number): Block | null {

@@ -25,6 +25,8 @@ export interface SceneFormat {
     setting(text: string, key: string, value: string, isConvention: boolean): Edit[] | null;
     /** The light at an offset of the text. */
     light(text: string, offset: number): LightText | null;
+    /** Moves the shape at an offset of the text by a vector of the world; null: not in this text. */
+    moveShape?(text: string, offset: number, by: Vec3): Edit[] | null;
     /** The names of the scenes in a text, if it may have several. */
     scenes?(text: string): string[];
     /** Moves the camera at an offset of the text; offset null: adds one. */
@@ -35,6 +37,9 @@ export interface SceneFormat {
 export function ofPosition(set: (position: Vec3) => Edit[]): LightText['setField'] {
     return (field, value) => (field.name === 'position' ? set(value as Vec3) : null);
 }
+
+/** A number in a text; not a part of a word. */
+export const aNumber = /(?<![\w.])-?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?(?![\w.])/g;
 
 /** A number for a scene: five digits, as short as they can be. */
 export function number(value: number): string {

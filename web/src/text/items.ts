@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The numbers of a block of .glint and .cgfs, such as a shape's or a material's, each as it can be changed in the text.
 import {anyBlockAt} from './blocks';
-import {type Edit, number} from './edit';
+import {type Edit, aNumber, number} from './edit';
 
 export interface NumericEntry {
     key: string;
@@ -16,7 +16,7 @@ export function numericEntries(text: string, offset: number): {word: string; ent
     if (!block) return null;
     const entries = block.entries.flatMap(({key, from, to}) => {
         const said = text.slice(from, to);
-        const spans = [...said.matchAll(/(?<![\w.])-?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?(?![\w.])/g)];
+        const spans = [...said.matchAll(aNumber)];
         // A word is no number; "rgb255(1, 2, 3)" has three.
         if (spans.length === 0 || spans.length > 4 || /^["#]|^[A-Za-z_]\w*$/.test(said)) return [];
         return [{

@@ -3,6 +3,7 @@
 import type {Vec3} from 'glint-wasm';
 
 import {type Edit, type SceneFormat, number, ofPosition, withLargest} from './edit';
+import {movePoints} from './moving';
 
 interface Value {
     from: number;
@@ -102,6 +103,10 @@ export const json: SceneFormat = {
             setIntensity: (value) => [replaced(color, withLargest(channels, value))],
             setField: ofPosition((value) => [replaced(position, value)]),
         };
+    },
+    moveShape(text, offset, by) {
+        const center = parse(text, offset)?.members?.get('center');
+        return center ? movePoints(text, center.from, center.to, by) : null;
     },
     camera(text, offset, camera) {
         // The place is that of the key.

@@ -3,6 +3,7 @@
 import type {Vec3} from 'glint-wasm';
 
 import {type Edit, type SceneFormat, length, number, ofPosition, withLargest} from './edit';
+import {movePoints} from './moving';
 
 /** The first match of a pattern from an offset on, and the offset of its first group. */
 function find(text: string, pattern: RegExp, offset: number, end = text.length): {from: number; to: number; found: string} | null {
@@ -35,6 +36,10 @@ export const nff: SceneFormat = {
             setIntensity: (value) => line(place, withLargest(color, value)),
             setField: ofPosition((value) => line(value, color)),
         };
+    },
+    moveShape(text, offset, by) {
+        const ball = /^s[ \t]+\S+[ \t]+\S+[ \t]+\S+/.exec(text.slice(offset, offset + 400));
+        return ball && movePoints(text, offset, offset + ball[0].length, by);
     },
     camera(text, offset, camera) {
         const from = find(text, /^from[ \t]+(\S+[ \t]+\S+[ \t]+\S+)/, offset ?? 0);
@@ -73,6 +78,17 @@ export const pov: SceneFormat = {
             setIntensity: (value) => [{from: color.from, to: color.to, insert: angled(withLargest(channels, value))}],
             setField: ofPosition((value) => [{from: place.from, to: place.to, insert: angled(value)}]),
         };
+    },
+    moveShape(text, offset, by) {
+        // The corners or centres come first; a transform would move them elsewhere.
+        const shape = /^(?:sphere|box|cone|cylinder|triangle)\s*\{/.exec(text.slice(offset, offset + 400));
+        const next = shape && /[}]\s*(?:$|\n\s*\n|\n\w)/.exec(text.slice(offset));
+        const whole = next && text.slice(offset, offset + next.index);
+        if (!shape || !whole || /\b(?:translate|rotate|scale|matrix)\b/.test(whole)) return null;
+        const ends = /^[\s,]*(?:<[^<>]*>[\s,]*(?:[\d.+-]+[\s,]*)?)+/.exec(whole.slice(shape[0].length));
+        if (!ends) return null;
+        const at = offset + shape[0].length;
+        return [...ends[0].matchAll(/<[^<>]*>/g)].flatMap((one) => movePoints(text, at + one.index, at + one.index + one[0].length, by));
     },
     camera(text, offset, camera) {
         if (offset === null) return null;

@@ -3,7 +3,9 @@ import {useEffect} from 'preact/hooks';
 
 import {savePicture} from '../files';
 import {openFiles} from '../store/scene';
+import {isLarge} from '../store/space';
 import {services, pinned, tab} from '../store/state';
+import {stepBy} from '../store/stepping';
 import {layout} from '../store/layout';
 import {canvases} from './pictures';
 import {Compare} from './Compare';
@@ -45,8 +47,14 @@ function useKeys() {
                 }
             } else if (event.key === 's' && !command && !event.altKey) {
                 savePicture(canvases.first);
+            } else if ((event.key === 'n' || event.key === 'p') && !command && !event.altKey && pinned.value && tab.value === 'inspect') {
+                stepBy(event.key === 'n' ? 1 : -1);
             } else if (event.key === 'Escape' && !document.querySelector('dialog[open]')) {
-                pinned.value = null;
+                if (isLarge.value) {
+                    isLarge.value = false;
+                } else {
+                    pinned.value = null;
+                }
             }
         };
         addEventListener('keydown', pressed);

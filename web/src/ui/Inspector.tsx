@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 // Explains a pixel: the sum of its colour, its ray tree, and each term of each light.
-import type {Explanation, ExplainedHit, ExplainedRay, LightTerms, Vec3} from 'glint-wasm';
+import type {Explanation, ExplainedHit, LightTerms} from 'glint-wasm';
 import type {ComponentChildren} from 'preact';
 
 import {reveal} from '../store/places';
 import {comparison, pinned, pinnedIn, selected} from '../store/state';
+import {addedBy, goToRay, steps} from '../store/stepping';
 import {Diagram} from './Diagram';
 import {ObjectControls} from './ObjectControls';
 import {Plots} from './Plots';
 import {sentence} from './sentence';
-import {TopView} from './TopView';
-import {css, hex, highlights, isBlack, itemName, layerNames, lightName, reasons, short, shortColor, shortVector} from './words';
+import {SpaceInPanel} from './Space';
+import {Stepper} from './Stepper';
+import {css, hex, highlights, isBlack, itemName, layerNames, lightName, rayNames, reasons, short, shortColor, shortVector} from './words';
 
 function Sum({explanation}: {explanation: Explanation}) {
     const layers = layerNames.filter((name) => !isBlack(explanation.layers[name]));
@@ -90,7 +92,6 @@ function Light({terms, hit, ray, index}: {terms: LightTerms; hit: ExplainedHit; 
     );
 }
 
-const rayNames: Record<ExplainedRay['kind'], string> = {camera: 'Camera ray', mirror: 'Mirror ray', transmitted: 'Ray through glass'};
 const branchWords: Record<string, string> = {
     limit: 'not traced: the limit of reflections is reached',
     faint: 'not traced: its weight is too small',
@@ -106,11 +107,13 @@ function sumWords(hit: ExplainedHit): string {
 function Ray({explanation, number, depth}: {explanation: Explanation; number: number; depth: number}) {
     const ray = explanation.rays[number]!;
     const {hit} = ray;
-    const added = hit ? ([0, 1, 2].map((c) => hit.parts.ambient[c]! + hit.parts.diffuse[c]! + hit.parts.specular[c]!) as Vec3) : ray.background!;
+    const added = addedBy(ray);
+    const isNow = steps.value?.ray === number;
     return (
         <details class="ray-node" open={depth < 3} data-ray={number}>
-            <summary onClick={() => {
+            <summary aria-current={isNow ? 'step' : undefined} onClick={() => {
                 if (hit && selected.value.ray !== number) selected.value = {ray: number, light: 0};
+                goToRay(number);
             }}>
                 <span class={`ray-key ${ray.kind}`} aria-hidden="true" />
                 <b>{rayNames[ray.kind]}</b> {hit ? <>hits {itemName(hit.shape)}</> : 'leaves the scene'}
@@ -146,6 +149,7 @@ export function Inspector() {
             <div class="empty">
                 <p><b>Click a pixel</b> of the picture to take it apart.</p>
                 <p class="note">You see its rays, every term of the lighting equation, and how they add up to its colour. With the keyboard: focus the picture, point with the arrow keys, press Enter.</p>
+                <SpaceInPanel />
             </div>
         );
     }
@@ -166,6 +170,8 @@ export function Inspector() {
             <Sum explanation={explanation} />
             <Diagram explanation={explanation} />
             <Plots explanation={explanation} />
+            <SpaceInPanel />
+            <Stepper />
             <section class="tree" aria-label="Rays">
                 <h3>Rays</h3>
                 {roots.slice(0, 64).map(({ray, i}) => (
@@ -177,7 +183,6 @@ export function Inspector() {
                 {roots.length > 64 && <p class="note">And {roots.length - 64} more samples.</p>}
             </section>
             <ObjectControls explanation={explanation} />
-            <TopView explanation={explanation} />
         </div>
     );
 }

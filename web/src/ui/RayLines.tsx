@@ -4,8 +4,11 @@ import type {CameraInfo, Explanation, Vec3} from 'glint-wasm';
 
 import {add, projectLine} from '../camera';
 import {info, pinned, size} from '../store/state';
+import {steps} from '../store/stepping';
 
 export interface Segment {
+    /** The index of its ray, or of that whose hit it leaves to a light. */
+    ray: number;
     from: Vec3;
     to: Vec3;
     kind: 'camera' | 'mirror' | 'transmitted' | 'light' | 'blocked' | 'dark';
@@ -15,38 +18,44 @@ export interface Segment {
 const reachOf = (explanation: Explanation) =>
     2 * Math.max(1, ...explanation.rays.filter((ray) => ray.hit && ray.t).map((ray) => ray.t! * Math.hypot(...ray.direction)));
 
-/** All lines of an explanation; for several samples, those of the middle one. */
+/** All lines of an explanation; of several samples, those of the present step's, else of the middle one. */
 export function segments(explanation: Explanation): Segment[] {
     const middle = Math.floor(explanation.samples / 2);
+    const present = steps.value?.ray ?? null;
+    const sample = present === null ? [middle, middle] : explanation.rays[present]!.sample;
     const reach = reachOf(explanation);
     const list: Segment[] = [];
-    for (const ray of explanation.rays.slice(0, 2000)) {
-        if (ray.sample[0] !== middle || ray.sample[1] !== middle) continue;
+    for (const [i, ray] of explanation.rays.slice(0, 2000).entries()) {
+        if (ray.sample[0] !== sample[0] || ray.sample[1] !== sample[1]) continue;
         const step = reach / Math.hypot(...ray.direction);
-        list.push({from: ray.origin, to: ray.hit?.point ?? add(ray.origin, ray.direction, step), kind: ray.kind});
+        list.push({ray: i, from: ray.origin, to: ray.hit?.point ?? add(ray.origin, ray.direction, step), kind: ray.kind});
         for (const light of ray.hit?.lights ?? []) {
             const point = ray.hit!.point;
             const far = light.shadow_ray && light.shadow_ray.t_max === null ? reach / Math.max(1e-9, light.distance) : 1;
             const end = add(point, light.to_light, far);
-            if (light.reason === 'adds') list.push({from: point, to: end, kind: 'light'});
+            if (light.reason === 'adds') list.push({ray: i, from: point, to: end, kind: 'light'});
             if (light.blocker) {
-                list.push({from: point, to: light.blocker.point, kind: 'blocked'}, {from: light.blocker.point, to: end, kind: 'dark'});
+                list.push({ray: i, from: point, to: light.blocker.point, kind: 'blocked'}, {ray: i, from: light.blocker.point, to: end, kind: 'dark'});
+            } else if (light.reason !== 'adds' && light.reason !== 'in_surface') {
+                list.push({ray: i, from: point, to: end, kind: 'dark'});
             }
         }
     }
     return list;
 }
 
-export function Lines({explanation, camera, width, height, withCamera}: {
-    explanation: Explanation; camera: CameraInfo; width: number; height: number; withCamera: boolean;
-}) {
+/** How a segment's ray takes part in stepping: the present one, one that is not reached yet. */
+export const stepClass = ({ray}: Segment) => (!steps.value || steps.value.at === null ? '' : steps.value.ray === ray ? ' now' : steps.value.shown.has(ray) ? '' : ' later');
+
+function Lines({explanation, camera, width, height}: {explanation: Explanation; camera: CameraInfo; width: number; height: number}) {
     return (
         <svg class="rays" viewBox={`0 0 ${width} ${height}`} preserveAspectRatio="none" aria-hidden="true">
-            {segments(explanation).map(({from, to, kind}, i) => {
-                if (kind === 'camera' && !withCamera) return null;
+            {segments(explanation).map((segment, i) => {
+                const {from, to, kind} = segment;
+                if (kind === 'camera') return null;
                 const line = projectLine(camera, width, height, from, to);
                 if (!line || line.some((c) => Math.abs(c) > 1e6)) return null;
-                return <line key={i} class={`ray ${kind}`} x1={line[0]} y1={line[1]} x2={line[2]} y2={line[3]} vector-effect="non-scaling-stroke" />;
+                return <line key={i} class={`ray ${kind}${stepClass(segment)}`} x1={line[0]} y1={line[1]} x2={line[2]} y2={line[3]} vector-effect="non-scaling-stroke" />;
             })}
         </svg>
     );
@@ -58,7 +67,7 @@ export function RayLines() {
     const {width, height} = size.value;
     return (
         <>
-            <Lines explanation={explanation} camera={facts.camera} width={width} height={height} withCamera={false} />
+            <Lines explanation={explanation} camera={facts.camera} width={width} height={height} />
             <svg class="rays" viewBox={`0 0 ${width} ${height}`} preserveAspectRatio="none" aria-hidden="true">
                 <circle class="pin-back" cx={explanation.pixel[0] + 0.5} cy={explanation.pixel[1] + 0.5} r={width / 110} vector-effect="non-scaling-stroke" />
                 <circle class="pin" cx={explanation.pixel[0] + 0.5} cy={explanation.pixel[1] + 0.5} r={width / 110} vector-effect="non-scaling-stroke" />

@@ -6,6 +6,7 @@ import {useLayoutEffect, useRef} from 'preact/hooks';
 import type {Move} from '../camera';
 import {layout} from '../store/layout';
 import {reveal} from '../store/places';
+import {isLarge} from '../store/space';
 import {
     comparison, comparisonFailure, diagnostics, difference, failure, hovered, info, isPictureOfScene, notice, pinned, pixel, progress, size, split, state,
 } from '../store/state';
@@ -13,6 +14,7 @@ import {cameraNow, moveCamera, resetCamera} from '../store/viewpoint';
 import {Difference} from './Compare';
 import {keyPressed, lookDistance, usePointers, useWheel, zoom} from './gestures';
 import {RayLines} from './RayLines';
+import {Space} from './Space';
 import {Splitter} from './Splitter';
 import {hex, itemName} from './words';
 import {canvases} from './pictures';
@@ -146,7 +148,7 @@ export function Stage() {
     const [x, y] = pixel.value ?? [-1, -1];
     const percent = (n: number, of: number) => `${(100 * n) / of}%`;
     return (
-        <section class="stage" aria-label="Picture">
+        <section class={`stage${isLarge.value ? ' in-space' : ''}`} aria-label="Picture">
             <Splitter side="left" />
             <Splitter side="right" />
             <div class={`stage-area${layout.value.zoom === 'whole' ? ' whole' : ''}`} ref={area}>
@@ -175,6 +177,7 @@ export function Stage() {
                     )}
                 </div>
             </div>
+            {isLarge.value && <Space />}
             <Status />
             {notice.value && (
                 <div class="notice" role="status">

@@ -13,13 +13,17 @@ import {length} from '../text/edit';
 type Frame = {current: HTMLDivElement | null};
 type Point = {x: number; y: number};
 
+/** A distance for a camera without a target. */
+export function sceneDistance(): number {
+    const bounds = info.value?.bounds;
+    return bounds ? Math.min(10, length(sub(bounds.max, bounds.min))) : 5;
+}
+
 /** The distance of the camera's target. */
 export function lookDistance(): number {
     const hit = hovered.value?.rays[0]?.hit ?? pinned.value?.rays[0]?.hit;
     const camera = info.value?.camera;
-    if (hit && camera) return length(sub(hit.point, camera.position));
-    const bounds = info.value?.bounds;
-    return bounds ? Math.min(10, length(sub(bounds.max, bounds.min))) : 5;
+    return hit && camera ? length(sub(hit.point, camera.position)) : sceneDistance();
 }
 
 /** Moves the camera nearer or farther, but never through the object that is seen. */

@@ -51,6 +51,9 @@ export function sentence(explanation: Explanation): string {
     for (const {light, reason, blocker} of hit.lights) {
         if (reason === 'blocked') parts.push(`${phrase(lightName(light))} is blocked${blocker ? ` by ${phrase(itemName(blocker.shape))}` : ''}`);
         if (reason === 'behind') parts.push(`${phrase(lightName(light))} is behind the surface`);
+        if (reason === 'faded') parts.push(`${phrase(lightName(light))} is too far to add anything`);
+        if (reason === 'in_surface') parts.push(`${phrase(lightName(light))} is at the very point`);
+        if (reason === 'no_color') parts.push(`${phrase(lightName(light))} has no colour that this surface reflects`);
     }
     const text = parts.join('; ');
     return `${text[0]!.toUpperCase()}${text.slice(1)}.`;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Texts for explanations.
-import type {LightTerms, NamedItem, Vec3} from 'glint-wasm';
+import type {ExplainedRay, LightTerms, NamedItem, Vec3} from 'glint-wasm';
 
 export const hex = (bytes: Vec3) => `rgb(${bytes.join(' ')})`;
 
@@ -51,6 +51,8 @@ export const highlights: Record<LightTerms['highlight'], string> = {
     behind: 'no highlight: N·L ≤ 0',
     turned_away: 'no highlight: the reflected light points away from the eye (S ≤ 0)',
 };
+
+export const rayNames: Record<ExplainedRay['kind'], string> = {camera: 'Camera ray', mirror: 'Mirror ray', transmitted: 'Ray through glass'};
 
 /** The layers of a pixel, in the order in which they are added. */
 export const layerNames = ['background', 'ambient', 'diffuse', 'specular', 'reflection', 'transmission'] as const;
