@@ -26,9 +26,23 @@ addEventListener('fetch', (event) => {
     };
 }
 
+/** Fetches the engine while the page's code is loaded, not after it. */
+function preloadEngine(): Plugin {
+    return {
+        name: 'preload-engine',
+        apply: 'build',
+        transformIndexHtml: {
+            order: 'post',
+            handler: (_, {bundle}) => Object.keys(bundle ?? {}).filter((name) => name.endsWith('.wasm')).map((name) => ({
+                tag: 'link', attrs: {rel: 'preload', as: 'fetch', crossorigin: '', href: `./${name}`}, injectTo: 'head',
+            })),
+        },
+    };
+}
+
 export default defineConfig({
     base: './',
     build: {target: 'es2022', assetsInlineLimit: 0, modulePreload: {polyfill: false}, chunkSizeWarningLimit: 700},
     worker: {format: 'es'},
-    plugins: [offline()],
+    plugins: [offline(), preloadEngine()],
 });
