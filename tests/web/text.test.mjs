@@ -30,6 +30,12 @@ test('a mistake is shown at its line and column, and the last good picture stays
     await settled(page);
     assert.deepEqual(await picture(page), before);
     assert.equal(await page.locator('.message').count(), 0);
+
+    // Typing over several lines leaves no report of forbidden styles.
+    await page.locator('.cm-line').nth(8).click();
+    for (let i = 0; i < 6; ++i) await page.keyboard.press('Shift+ArrowDown');
+    await page.keyboard.type('#');
+    await page.waitForFunction((count) => document.querySelector('.editor').shadowRoot.querySelectorAll('.cm-line').length < count, book.split('\n').length - 1);
 }));
 
 test('columns count characters where the text is not ASCII', () => withPage(async (page) => {

@@ -115,6 +115,14 @@ export class Editor {
                 this.#completion.of(this.#completionOf(name)),
                 this.#language.of(languageOf(name)),
                 EditorView.contentAttributes.of({'aria-label': 'Scene text', tabindex: '0', spellcheck: 'false', autocapitalize: 'off'}),
+                // Chromium types over several lines by way of elements with styles, which the Content-Security-Policy reports.
+                EditorView.domEventHandlers({
+                    beforeinput({inputType, data}, view) {
+                        if (inputType !== 'insertText' || data === null || view.state.selection.main.empty || view.composing) return false;
+                        view.dispatch(view.state.replaceSelection(data), {userEvent: 'input.type', scrollIntoView: true});
+                        return true;
+                    },
+                }),
                 EditorState.changeFilter.of(({changes, newDoc}) => {
                     let isTooLong = false;
                     changes.iterChangedRanges((_from, _to, from, to) => {
