@@ -15,6 +15,7 @@
 #include "base/text.h"
 #include "cli/failure.h"
 #include "cli/output_file.h"
+#include "trace/assemble.h"
 
 namespace glint::cli {
 namespace {

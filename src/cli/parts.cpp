@@ -11,6 +11,7 @@
 #include "base/text.h"
 #include "cli/failure.h"
 #include "cli/picture_output.h"
+#include "trace/assemble.h"
 
 namespace glint::cli {
 

@@ -36,23 +36,28 @@ std::size_t float_bytes(const JournalHeader& header, const Crop& area) {
            static_cast<std::size_t>(area.height);
 }
 
-// The record at the start of `bytes`, or false if it is cut or damaged.
-bool read_record(std::string_view bytes, const JournalHeader& header, JournalTile& tile) {
+// The record at the start of `bytes` but for its checksum, or false if it is cut or no record.
+bool read_unchecked(std::string_view bytes, const JournalHeader& header, JournalTile& tile) {
     if (bytes.size() < k_record_start || get_u32(bytes) != k_tag) return false;
     tile.number = get_u32(bytes.substr(4));
     const Crop area = tile_area(header.picture, tile.number);
     const std::size_t length = float_bytes(header, area);
     if (area.width < 1 || get_u32(bytes.substr(k_record_start - 4)) != length ||
-        bytes.size() < k_record_start + length + k_record_end)
-        return false;
-    if (get_u32(bytes.substr(k_record_start + length)) !=
-        journal_checksum(bytes.substr(0, k_record_start + length)))
+        bytes.size() < k_record_start + length)
         return false;
     std::uint64_t counts[5];
     for (std::size_t i = 0; i < 5; ++i) counts[i] = get_u64(bytes.substr(8 + 8 * i));
     tile.rays = {counts[0], counts[1], counts[2], counts[3], counts[4]};
     tile.floats = bytes.substr(k_record_start, length);
     return true;
+}
+
+// The record at the start of `bytes`, or false if it is cut or damaged.
+bool read_record(std::string_view bytes, const JournalHeader& header, JournalTile& tile) {
+    if (!read_unchecked(bytes, header, tile)) return false;
+    const std::size_t length = k_record_start + tile.floats.size();
+    return bytes.size() >= length + k_record_end &&
+           get_u32(bytes.substr(length)) == journal_checksum(bytes.substr(0, length));
 }
 
 std::size_t channels_of(const JournalHeader& header, std::size_t image) {
@@ -79,15 +84,15 @@ Result<Journal> parse_journal(std::string_view bytes, const std::function<void(s
     });
 }
 
-std::optional<JournalTile> parse_record(std::string_view bytes, const JournalHeader& header) {
+std::optional<JournalTile> parse_unchecked_record(std::string_view bytes, const JournalHeader& header) {
     JournalTile tile;
-    if (!read_record(bytes, header, tile) ||
-        bytes.size() != k_record_start + tile.floats.size() + k_record_end)
-        return std::nullopt;
+    if (!read_unchecked(bytes, header, tile)) return std::nullopt;
+    const std::size_t more = bytes.size() - k_record_start - tile.floats.size();
+    if (more != 0 && more != k_record_end) return std::nullopt;
     return tile;
 }
 
-std::string record_bytes(const FinishedTile& tile) {
+std::string unchecked_record_bytes(const FinishedTile& tile) {
     std::string bytes;
     put_u32(bytes, k_tag);
     put_u32(bytes, tile.number);
@@ -107,6 +112,11 @@ std::string record_bytes(const FinishedTile& tile) {
     put_rows(tile.rgb, 3, tile.row_floats);
     for (const TileLayer& layer : tile.layers)
         put_rows(layer.values, static_cast<std::size_t>(layer.channels), layer.row_floats);
+    return bytes;
+}
+
+std::string record_bytes(const FinishedTile& tile) {
+    std::string bytes = unchecked_record_bytes(tile);
     put_u32(bytes, journal_checksum(bytes));
     return bytes;
 }
@@ -132,27 +142,6 @@ void copy_tile(const JournalTile& tile, const JournalHeader& header, Rendering& 
     copy_tile(tile, header, 0, header.picture, rendering.image.rgb.data());
     for (std::size_t i = 0; i < rendering.layers.size(); ++i)
         copy_tile(tile, header, i + 1, header.picture, rendering.layers[i].values.data());
-}
-
-Rendering empty_rendering(const JournalHeader& header) {
-    const auto pixels =
-        static_cast<std::size_t>(header.picture.width) * static_cast<std::size_t>(header.picture.height);
-    Rendering rendering;
-    rendering.image = {header.picture.width, header.picture.height, std::vector<float>(3 * pixels)};
-    for (const Layer layer : header.layers) {
-        const std::size_t channels = layer_infos()[static_cast<std::size_t>(layer)].channels.size();
-        rendering.layers.push_back({layer, header.picture.width, header.picture.height,
-                                    static_cast<int>(channels), std::vector<float>(channels * pixels)});
-    }
-    return rendering;
-}
-
-void add_rays(RayCounts& sum, const RayCounts& rays) {
-    sum.camera += rays.camera;
-    sum.shadow += rays.shadow;
-    sum.mirror += rays.mirror;
-    sum.transmitted += rays.transmitted;
-    sum.cut += rays.cut;
 }
 
 std::vector<std::uint32_t> tiles_of_part(const JournalHeader& header) {

@@ -36,8 +36,12 @@ Result<Journal> parse_journal(std::string_view bytes, const std::function<void(s
 /// The record of a tile, whose layers are the header's in that order.
 std::string record_bytes(const FinishedTile& tile);
 
-/// The tile of a record; nothing if the bytes are not one whole record. It refers to the bytes.
-std::optional<JournalTile> parse_record(std::string_view bytes, const JournalHeader& header);
+/// The same without the checksum, for transports that lose no bits.
+std::string unchecked_record_bytes(const FinishedTile& tile);
+
+/// The tile of a record, whose checksum may be absent and is not compared; nothing if the bytes have another
+/// length than one record. It refers to the bytes.
+std::optional<JournalTile> parse_unchecked_record(std::string_view bytes, const JournalHeader& header);
 
 /// Writes the floats of a tile into their place in `values`, which are the pixels of the rectangle `target`.
 /// image: 0 for the picture, i for the header's layer i - 1. The rectangle must contain the tile.
@@ -46,12 +50,6 @@ void copy_tile(const JournalTile& tile, const JournalHeader& header, std::size_t
 
 /// Writes a tile into a picture of the header's size and the header's layers.
 void copy_tile(const JournalTile& tile, const JournalHeader& header, Rendering& rendering);
-
-/// A black picture of the header's size, and its layers, all 0.
-Rendering empty_rendering(const JournalHeader& header);
-
-/// Adds the rays of a tile.
-void add_rays(RayCounts& sum, const RayCounts& rays);
 
 /// The numbers of the tiles that the header's part has: part - 1, part - 1 + parts, ...
 std::vector<std::uint32_t> tiles_of_part(const JournalHeader& header);

@@ -10,17 +10,17 @@ namespace glint::mpi {
 /// What the distribution cost rank 0.
 struct Costs {
     std::uint64_t received_bytes = 0, received_tiles = 0;
-    double busy_seconds = 0;  ///< of the thread that hands out tiles and takes in records
+    double busy_seconds = 0;  ///< in which tiles were handed out and taken in
 };
 
 /// Rank 0: hands out the tiles that the journal lacks, or all of the picture's, renders some itself, and
 /// puts the picture together. `journal` may be null.
-Result<Rendering> lead(const World& world, RenderOptions options, const JournalHeader& header,
+Result<Rendering> lead(const World& world, const RenderOptions& options, const JournalHeader& header,
                        cli::JournalFile* journal, Costs& costs);
 
 /// The others: render what rank 0 hands out until there is no more. The result is empty. Fails if this
 /// process would render another picture than rank 0.
-Result<Rendering> follow(const World& world, RenderOptions options, const JournalHeader& header);
+Result<Rendering> follow(const World& world, const RenderOptions& options, const JournalHeader& header);
 
 /// Rank 0, if it has nothing to render: releases those that follow.
 void dismiss();

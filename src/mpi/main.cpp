@@ -32,10 +32,10 @@ int run_leader(RecordingReader& reader, cli::RenderHooks& hooks, const cli::Run&
     bool led = false;
     hooks.reader = &reader;
     hooks.loaded = [&] { reader.give(); };
-    hooks.render = [&](const World& world, RenderOptions options, const JournalHeader& header,
+    hooks.render = [&](const World& world, const RenderOptions& options, const JournalHeader& header,
                        cli::JournalFile* journal) {
         led = true;
-        return lead(world, std::move(options), header, journal, costs);
+        return lead(world, options, header, journal, costs);
     };
     const int code = run();
     if (!led) dismiss();
@@ -50,8 +50,8 @@ int run_follower(cli::RenderHooks& hooks, const cli::Run& run) {
     GivenReader reader;
     hooks.reader = &reader;
     hooks.is_writer = false;
-    hooks.render = [](const World& world, RenderOptions options, const JournalHeader& header,
-                      cli::JournalFile*) { return follow(world, std::move(options), header); };
+    hooks.render = [](const World& world, const RenderOptions& options, const JournalHeader& header,
+                      cli::JournalFile*) { return follow(world, options, header); };
     return run();
 }
 
@@ -108,10 +108,15 @@ int run(std::vector<std::string> arguments) {
 
 int main(int count, char** values) {
     int support = 0;
-    // One thread speaks with the other processes; others render.
-    MPI_Init_thread(&count, &values, MPI_THREAD_FUNNELED, &support);
+    // The threads that render exchange messages, one at a time.
+    MPI_Init_thread(&count, &values, MPI_THREAD_SERIALIZED, &support);
     glint::cli::handle_signals();
     int code = glint::cli::k_bad_input;
+    if (support < MPI_THREAD_SERIALIZED) {
+        glint::cli::print_error(
+            "glint-mpi: this MPI does not allow several threads (MPI_THREAD_SERIALIZED)\n");
+        MPI_Abort(MPI_COMM_WORLD, code);
+    }
     try {
         code = glint::mpi::run({values + std::min(count, 1), values + count});
     } catch (const std::exception& e) {

@@ -33,18 +33,37 @@ void broadcast(std::string& bytes) {
     }
 }
 
-std::optional<Message> receive() {
-    int arrived = 0;
-    MPI_Status status;
-    MPI_Iprobe(MPI_ANY_SOURCE, MPI_ANY_TAG, MPI_COMM_WORLD, &arrived, &status);
-    if (arrived == 0) return std::nullopt;
-    int count = 0;
-    MPI_Get_count(&status, MPI_BYTE, &count);
-    Message message{status.MPI_SOURCE, static_cast<Tag>(status.MPI_TAG),
-                    std::string(static_cast<std::size_t>(count), '\0')};
-    MPI_Recv(message.bytes.data(), count, MPI_BYTE, status.MPI_SOURCE, status.MPI_TAG, MPI_COMM_WORLD,
-             MPI_STATUS_IGNORE);
-    return message;
+struct Inbox::Receiving {
+    Message message;
+    MPI_Request request = MPI_REQUEST_NULL;
+};
+
+Inbox::Inbox() = default;
+Inbox::~Inbox() = default;
+
+std::vector<Message> Inbox::receive() {
+    for (;;) {
+        int arrived = 0;
+        MPI_Message handle = MPI_MESSAGE_NULL;
+        MPI_Status status;
+        MPI_Improbe(MPI_ANY_SOURCE, MPI_ANY_TAG, MPI_COMM_WORLD, &arrived, &handle, &status);
+        if (arrived == 0) break;
+        int count = 0;
+        MPI_Get_count(&status, MPI_BYTE, &count);
+        auto next = std::make_unique<Receiving>();
+        next->message = {status.MPI_SOURCE, static_cast<Tag>(status.MPI_TAG),
+                         std::string(static_cast<std::size_t>(count), '\0')};
+        MPI_Imrecv(next->message.bytes.data(), count, MPI_BYTE, &handle, &next->request);
+        receiving_.push_back(std::move(next));
+    }
+    std::vector<Message> messages;
+    std::erase_if(receiving_, [&](const std::unique_ptr<Receiving>& next) {
+        int done = 0;
+        MPI_Test(&next->request, &done, MPI_STATUS_IGNORE);
+        if (done != 0) messages.push_back(std::move(next->message));
+        return done != 0;
+    });
+    return messages;
 }
 
 struct Outbox::Sending {

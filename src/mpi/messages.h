@@ -3,7 +3,6 @@
 // What the processes send each other. Errors of MPI itself end the job, as is its default.
 #include <cstdint>
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,9 +16,12 @@ int ranks();
 void broadcast(std::string& bytes);
 
 enum class Tag : int {
-    tiles = 1,   ///< rank 0 to a worker: numbers of tiles to render; none: there are no more
-    record = 2,  ///< a worker to rank 0: the record of a tile
-    wanted = 3,  ///< a worker to rank 0: how many more tiles it can take
+    /// Rank 0 to a worker: how many tiles may wait there (0: there are no more), then numbers of tiles.
+    tiles = 1,
+    /// A worker to rank 0: the record of a tile, with its checksum if rank 0 has a journal.
+    record = 2,
+    /// A worker to rank 0: its threads, how many tiles are to wait there, how many do.
+    wanted = 3,
 };
 
 /// A message that has arrived.
@@ -29,10 +31,23 @@ struct Message {
     std::string bytes;
 };
 
-/// The next message, if one has arrived.
-std::optional<Message> receive();
+/// Messages on their way to this process. receive() never waits for the process that sends one, which may
+/// render a tile at the time.
+class Inbox {
+  public:
+    Inbox();
+    ~Inbox();
+    Inbox(const Inbox&) = delete;
+    Inbox& operator=(const Inbox&) = delete;
+    /// Those that have arrived.
+    std::vector<Message> receive();
 
-/// Messages on their way. The bytes are kept until they have left.
+  private:
+    struct Receiving;
+    std::vector<std::unique_ptr<Receiving>> receiving_;
+};
+
+/// Messages on their way to others. The bytes are kept until they have left.
 class Outbox {
   public:
     Outbox();

@@ -4,11 +4,11 @@
 #include <atomic>
 #include <memory>
 
-#include "base/huge_pages.h"
 #include "base/one_at_a_time.h"
 #include "base/parallel_for.h"
 #include "base/status.h"
 #include "glint/render.h"
+#include "trace/assemble.h"
 #include "trace/kernels.h"
 
 namespace glint {
@@ -26,34 +26,6 @@ std::string crop_error(const Crop& c, const RenderSettings& settings) {
 TileScratch& thread_scratch() {
     thread_local const auto scratch = std::make_unique<TileScratch>();
     return *scratch;
-}
-
-struct AtomicCounts {
-    std::atomic<std::uint64_t> camera{0}, shadow{0}, mirror{0}, transmitted{0}, cut{0};
-    void add(const RayCounts& counts) {
-        camera += counts.camera;
-        shadow += counts.shadow;
-        mirror += counts.mirror;
-        transmitted += counts.transmitted;
-        cut += counts.cut;
-    }
-    RayCounts get() const { return {camera, shadow, mirror, transmitted, cut}; }
-};
-
-std::vector<LayerImage> empty_layers(const std::vector<Layer>& wanted, const Crop& crop) {
-    std::vector<LayerImage> layers;
-    for (const Layer layer : wanted) {
-        const std::size_t channels = layer_infos()[static_cast<std::size_t>(layer)].channels.size();
-        layers.push_back({layer, crop.width, crop.height, static_cast<int>(channels), {}});
-    }
-    return layers;
-}
-
-void claim_values(std::vector<LayerImage>& layers) {
-    for (LayerImage& layer : layers) {
-        layer.values.resize(static_cast<std::size_t>(layer.channels) * static_cast<std::size_t>(layer.width) *
-                            static_cast<std::size_t>(layer.height));
-    }
 }
 
 // Where the kernels write a tile.
@@ -106,19 +78,6 @@ std::string layers_error(const std::vector<Layer>& layers) {
     return {};
 }
 
-std::size_t count_numbers(const Crop& crop) {
-    return 3 * static_cast<std::size_t>(crop.width) * static_cast<std::size_t>(crop.height);
-}
-
-std::vector<float> claim_pixels(std::size_t numbers, int threads) {
-    std::vector<float> rgb;
-    rgb.reserve(numbers);
-    advise_huge_pages(rgb.data(), numbers * sizeof(float));
-    prefault_pages(rgb.data(), numbers * sizeof(float), threads);
-    rgb.resize(numbers);
-    return rgb;
-}
-
 // The error if the caller's memory has the wrong size, or an empty string.
 std::string pixels_error(const RenderOptions& options, const Crop& crop) {
     if (options.pixels && !options.keep_image) return "pixels are given, and keep_image is false";
@@ -157,13 +116,13 @@ Result<Rendering> render_picture(const WorldParts& world, const RenderOptions& o
     result.image.width = crop.width;
     result.image.height = crop.height;
     if (!options.pixels && options.keep_image)
-        result.image.rgb = claim_pixels(count_numbers(crop), result.threads);
+        result.image.rgb = claim_floats(count_numbers(crop), result.threads, options.cancel);
     float* const rgb = options.pixels ? options.pixels->data() : result.image.rgb.data();
 
     const std::size_t tiles = count_tiles(crop);
     result.layers = empty_layers(options.layers, crop);
-    if (options.keep_image) claim_values(result.layers);
-    AtomicCounts rays;
+    if (options.keep_image) claim_values(result.layers, result.threads, options.cancel);
+    OneAtATime counting;
     std::atomic<bool> stopped{false};
     std::atomic<std::int64_t> no_tile{-1};  // a number that next_tile gave and no tile has
     Reporter reporter(options, tiles);
@@ -189,7 +148,7 @@ Result<Rendering> render_picture(const WorldParts& world, const RenderOptions& o
         TileScratch& scratch = thread_scratch();
         scratch.counts = {};
         kernels.render_tile(world, job, scratch);
-        rays.add(scratch.counts);
+        counting.run([&] { add_rays(result.rays, scratch.counts); });
         reporter.report({static_cast<std::uint32_t>(tile), area, job.rgb,
                          3 * static_cast<std::size_t>(job.row_pixels), targets.parts, scratch.counts});
     };
@@ -217,7 +176,6 @@ Result<Rendering> render_picture(const WorldParts& world, const RenderOptions& o
                                 std::to_string(tiles) + " tiles");
     }
     if (stopped) return glint::cancelled();
-    result.rays = rays.get();
     return result;
 }
 

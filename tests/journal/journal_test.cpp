@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "journal/hash.h"
+#include "trace/assemble.h"
 #include "trace/pictures.h"
 
 namespace glint::test {
@@ -91,7 +92,7 @@ TEST(Journal, TilesComeBack) {
     EXPECT_EQ(journal->tiles.size(), 6u);
     EXPECT_FALSE(journal->damaged);
     EXPECT_EQ(journal->size, bytes.size());
-    Rendering copy = empty_rendering(journal->header);
+    Rendering copy = empty_rendering(journal->header.layers, journal->header.picture, 1);
     for (const JournalTile& tile : journal->tiles) {
         copy_tile(tile, journal->header, copy);
         add_rays(copy.rays, tile.rays);
