@@ -130,6 +130,7 @@ Result<Rendering> render_picture(const WorldParts& world, const RenderOptions& o
         if (options.cancel != nullptr && options.cancel->load(std::memory_order_relaxed)) stopped = true;
         return stopped.load(std::memory_order_relaxed);
     };
+    if (cancelled()) return glint::cancelled();
     const auto render_one = [&](std::size_t tile) {
         const Crop area = tile_area(crop, tile);
         TileJob job;
@@ -145,9 +146,11 @@ Result<Rendering> render_picture(const WorldParts& world, const RenderOptions& o
         job.rgb = targets.rgb;
         job.row_pixels = targets.row_pixels;
         if (!result.layers.empty()) job.layers = &targets.layers;
+        job.cancel = options.cancel;
         TileScratch& scratch = thread_scratch();
         scratch.counts = {};
         kernels.render_tile(world, job, scratch);
+        if (cancelled()) return;  // the tile need not be finished
         counting.run([&] { add_rays(result.rays, scratch.counts); });
         reporter.report({static_cast<std::uint32_t>(tile), area, job.rgb,
                          3 * static_cast<std::size_t>(job.row_pixels), targets.parts, scratch.counts});

@@ -94,6 +94,7 @@ void render_tile(const WorldParts& world, const TileJob& job, TileScratch& s) {
     s.film.clear();
     for (int j = 0; j < samples; ++j) {
         for (int i = 0; i < samples; ++i) {
+            if (job.cancel != nullptr && job.cancel->load(std::memory_order_relaxed)) return;
             make_camera_rays(world, job, i, j, s.rays);
             s.counts.camera += static_cast<std::uint64_t>(s.rays.count);
             if (is_limited(world)) s.secondary.of_pixel.fill(0);

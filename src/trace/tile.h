@@ -2,6 +2,7 @@
 #pragma once
 // A tile: a rectangle of pixels whose rays go through the stages together.
 #include <array>
+#include <atomic>
 #include <cstddef>
 
 #include "glint/layers.h"
@@ -25,7 +26,8 @@ struct TileJob {
     int x = 0, y = 0, width = 0, height = 0;  // pixels of the picture
     float* rgb = nullptr;  // a pixel of the tile is written to rgb[3 (row * row_pixels + column)]
     int row_pixels = 0;
-    const LayerTargets* layers = nullptr;  // null: no layers requested
+    const LayerTargets* layers = nullptr;       // null: no layers requested
+    const std::atomic<bool>* cancel = nullptr;  // checked between samples; null: never cancelled
 };
 
 /// The batches of a tile. A thread reuses them for its next tile.
