@@ -44,6 +44,12 @@ inline std::string fuzz_journal(std::string_view data) {
     if (!again) return "the header is not read again: " + again.message;
     if (!header_difference(again->header, header).empty() || header_bytes(again->header) != written)
         return "another header comes back";
+    const std::string_view rest =
+        std::string_view(bytes).substr(again->size <= bytes.size() ? again->size : 0);
+    if (const auto tile = parse_unchecked_record(rest, header)) {
+        if (tile->number >= count_tiles(header.picture) || tile->floats.size() > rest.size())
+            return "a record of a wrong tile";
+    }
     for (const JournalTile& tile : journal->tiles) {
         const Crop area = tile_area(header.picture, tile.number);
         if (area.width < 1 || tile.floats.size() != 4 * header.floats_of_pixel() *

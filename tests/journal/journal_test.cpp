@@ -105,6 +105,32 @@ TEST(Journal, TilesComeBack) {
     EXPECT_EQ(copy.rays.shadow, whole->rays.shadow);
 }
 
+// Records without a checksum, and those whose checksum is wrong, are read only by the function for them.
+TEST(Journal, RecordsWithoutChecksum) {
+    std::string bytes;
+    ASSERT_TRUE(render_some(&bytes));
+    const JournalHeader header = some_header();
+    const std::string journal = header_bytes(header) + bytes;
+    const auto whole = parse_journal(journal);
+    ASSERT_TRUE(whole && whole->tiles.size() == 6);
+    const std::size_t length = 52 + whole->tiles[0].floats.size();
+    std::string record = bytes.substr(0, length + 4);
+    for (const bool with_checksum : {true, false}) {
+        const std::string_view part = std::string_view(record).substr(0, length + (with_checksum ? 4 : 0));
+        const auto tile = parse_unchecked_record(part, header);
+        ASSERT_TRUE(tile);
+        EXPECT_EQ(tile->number, whole->tiles[0].number);
+        EXPECT_EQ(tile->floats, whole->tiles[0].floats);
+        EXPECT_EQ(tile->rays.camera, whole->tiles[0].rays.camera);
+    }
+    for (const std::size_t size : {std::size_t{0}, std::size_t{51}, length - 1, length + 1, length + 3})
+        EXPECT_FALSE(parse_unchecked_record(std::string_view(record).substr(0, size), header)) << size;
+    EXPECT_FALSE(parse_unchecked_record(record + "x", header));
+    record[100] = static_cast<char>(record[100] ^ 1);
+    EXPECT_TRUE(parse_unchecked_record(record, header));
+    EXPECT_TRUE(parse_journal(header_bytes(header) + record)->tiles.empty());
+}
+
 // A journal that ends anywhere gives its whole records and no other.
 TEST(Journal, CutAnywhere) {
     std::string bytes = header_bytes(some_header());
