@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 import dataclasses
-import fnmatch
 import json
 import os
 import pathlib
@@ -32,6 +31,10 @@ class GradedPart:
     """The id of the likeliest cause of what is wrong."""
     explanation: str
     """What that cause is, and how to correct it."""
+    points_alone: float
+    """The points without regard to mistakes of earlier parts."""
+    followed: Tuple[str, ...] = ()
+    """The causes of earlier parts with which the picture was judged, because that gives more points."""
 
 
 @dataclasses.dataclass(frozen=True)
@@ -67,8 +70,7 @@ def grade(
     Without a rubric: submissions is a folder of pictures, or a mapping of names to pictures; each is compared
     with the reference, which is the scene's own picture unless given, and gets the fraction of equal
     pixels (within 2/255) as its points. With a rubric (docs/teaching.md): a folder of folders, or a mapping of
-    names to folders or to mappings of file names to pictures. Each part is judged alone: its points are the
-    command's `points_alone`.
+    names to folders or to mappings of file names to pictures. Files, points and causes are those of `glint grade`.
     """
     own = None if scene is None else to_scene(scene)
     if rubric is not None:
@@ -84,7 +86,10 @@ def grade(
         submissions = {n: p for n, p in _files(submissions).items() if p.suffix.lower() in _ENDINGS}
     rows = []
     for name, picture in submissions.items():
-        image, error = _open(picture, wanted)
+        image, error = _open(picture)
+        if image is not None and image.size != wanted.size:
+            error = f"{image.width}x{image.height} pixels, expected {wanted.width}x{wanted.height}"
+            image = None
         points = 0.0
         if image is not None:
             counts = json.loads(_compare_plainly(image, wanted))["all"]
@@ -102,7 +107,8 @@ def grade(
     graded = []
     for name, image, points, error in rows:
         cause = next(found) if image is not None and points < 1 else None
-        part = GradedPart("picture", points, 1.0, error, *(cause[:2] if cause else (None, "")))
+        name_of_cause, explanation = cause[:2] if cause else (None, "")
+        part = GradedPart("picture", points, 1.0, error, name_of_cause, explanation, points)
         graded.append(Graded(name, (part,)))
     return graded
 
@@ -111,51 +117,49 @@ def _compare_plainly(a: Image, b: Image) -> str:
     return _glint.compare(a._rendering, b._rendering, "a", "b", None, False, False, 2.0, None)[0]
 
 
-def _open(picture: Any, wanted: Image) -> Tuple[Optional[Image], str]:
+def _open(picture: Any) -> Tuple[Optional[Image], str]:
     try:
-        image = to_image(picture)
+        return to_image(picture), ""
     except (GlintError, OSError, ValueError) as error:
         return None, str(error)
-    if image.size != wanted.size:
-        return None, f"{image.width}x{image.height} pixels, expected {wanted.width}x{wanted.height}"
-    return image, ""
-
-
-def _find(files: Mapping[str, Any], pattern: str) -> Tuple[Any, str]:
-    matches = [name for name in files if fnmatch.fnmatchcase(name, pattern)]
-    if len(matches) == 1:
-        return files[matches[0]], ""
-    return None, f"no file {pattern}" if not matches else f"several files {pattern}: {', '.join(matches)}"
 
 
 def _grade_by_rubric(
     submissions: Submissions, scene: Scene, rubric: PathLike, progress: Progress
 ) -> List[Graded]:
-    if not isinstance(submissions, Mapping):
-        submissions = {n: p for n, p in _files(submissions).items() if p.is_dir()}
-    folders = {n: f if isinstance(f, Mapping) else _files(f) for n, f in submissions.items()}
-    graded: Dict[str, List[GradedPart]] = {name: [] for name in folders}
+    folders: List[Tuple[str, Any, str]]
+    if isinstance(submissions, Mapping):
+        folders = [(name, files, "") for name, files in submissions.items()]
+    else:
+        folders = [(*folder,) for folder in _glint.submission_folders(os.fspath(submissions))]
+    names = [name for name, _, _ in folders]
+
+    def find(submission: int, pattern: str) -> Tuple[str, str, Optional[_glint.Rendering]]:
+        _, files, error = folders[submission]
+        if error:
+            return "", error, None
+        if not isinstance(files, Mapping):
+            try:
+                files = {name: path for name, path in _files(files).items() if not path.is_dir()}
+            except OSError as unreadable:
+                return "", f"the folder cannot be read: {unreadable.strerror}", None
+        for name in sorted(files):
+            if _glint.is_match(name, pattern):
+                image, error = _open(files[name])
+                return name, error, None if image is None else image._rendering
+        return "", f"no file {pattern}", None
+
     with reporting(progress) as report:
-        for part in _glint.rubric_parts(
-            scene._state, os.fspath(rubric), pathlib.Path(rubric).read_bytes(), report
-        ):
-            wanted = Image._of(part.wanted())
-            images: Dict[str, Image] = {}
-            scores: Dict[str, Tuple[float, str]] = {}
-            for name, files in folders.items():
-                picture, error = _find(files, part.file)
-                image = None
-                if not error:
-                    image, error = _open(picture, wanted)
-                points = part.grade(image._rendering)[0] if image is not None else 0.0
-                scores[name] = points, error
-                if image is not None and points < part.points:
-                    images[name] = image
-            causes = part.causes([i._rendering for i in images.values()], report) if images else []
-            found = dict(zip(images, causes))
-            for name, (points, error) in scores.items():
-                cause = found.get(name)
-                graded[name].append(
-                    GradedPart(part.name, points, part.points, error, *(cause[:2] if cause else (None, "")))
-                )
-    return [Graded(name, tuple(parts)) for name, parts in graded.items()]
+        rows, graded = _glint.grade_by_rubric(
+            scene._state, os.fspath(rubric), pathlib.Path(rubric).read_bytes(), names, find, report
+        )
+    return [
+        Graded(
+            name,
+            tuple(
+                GradedPart(part, points, most, error, cause, explanation, alone, followed)
+                for (part, most), (points, error, cause, explanation, alone, followed) in zip(rows, parts)
+            ),
+        )
+        for name, parts in zip(names, graded)
+    ]

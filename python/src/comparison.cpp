@@ -3,8 +3,10 @@
 #include <pybind11/stl.h>
 
 #include "cli/compare_report.h"
+#include "cli/failure.h"
+#include "cli/submissions.h"
 #include "errors.h"
-#include "grade/part_renderer.h"
+#include "grade/grade_by_rubric.h"
 #include "rendering.h"
 #include "run.h"
 #include "scene_state.h"
@@ -77,11 +79,6 @@ py::list grade_causes(const std::vector<RenderingPointer>& pictures, const Rende
     return list;
 }
 
-struct Part {
-    RubricRow row;
-    WantedPicture wanted;
-};
-
 std::vector<RubricRow> rubric_rows(const std::string& name, const std::string& text) {
     RubricResult rubric = read_rubric(name, text);
     if (!rubric.diagnostics.empty())
@@ -89,22 +86,70 @@ std::vector<RubricRow> rubric_rows(const std::string& name, const std::string& t
     return std::move(rubric.rows);
 }
 
-// The parts of a rubric, each with the picture that it requires.
-std::vector<std::shared_ptr<Part>> rubric_parts(SceneState& state, const std::string& name,
-                                                const std::string& text, const py::object& progress) {
-    const auto scene = state.shared_scene();
-    const PartRenderer renderer(*scene, 0);
-    std::vector<std::shared_ptr<Part>> parts;
-    for (const RubricRow& row : rubric_rows(name, text)) {
-        auto part = std::make_shared<Part>(Part{row, {}});
-        part->wanted = run(progress, [&](Running&) { return renderer.render(row); });
-        if (!part->wanted.error.empty())
-            raise({ErrorCode::invalid_argument,
-                   name + ":" + std::to_string(row.line) + ": part '" + row.part + "': " + part->wanted.error,
-                   {}});
-        parts.push_back(std::move(part));
+// Submissions whose pictures a function of Python finds.
+class PythonSubmissions : public Submissions {
+  public:
+    PythonSubmissions(std::vector<std::string> names, const py::function& find)
+        : names_(std::move(names)), find_(find) {}
+    std::vector<std::string> names() const override { return names_; }
+    HandedIn find(std::size_t submission, const RubricRow& row) override {
+        const py::gil_scoped_acquire gil;
+        try {
+            const py::tuple found = find_(submission, row.file);
+            HandedIn picture{found[0].cast<std::string>(), found[1].cast<std::string>(), {}};
+            if (!found[2].is_none()) picture.image = found[2].cast<const Rendering&>().image;
+            return picture;
+        } catch (const std::exception& e) {
+            return {{}, e.what(), {}};
+        }
     }
-    return parts;
+
+  private:
+    const std::vector<std::string> names_;
+    const py::function& find_;
+};
+
+py::tuple part_tuple(const GradedPart& part) {
+    py::object cause = py::none();
+    if (part.cause) cause = py::str(part.cause->name);
+    return py::make_tuple(part.score.points, part.error, cause,
+                          part.cause ? part.cause->explanation : std::string(), part.points_alone,
+                          py::tuple(py::cast(part.followed)));
+}
+
+// (name, points) of each part, and for each submission what part_tuple() gives for each part.
+py::tuple grade_class(SceneState& state, const std::string& rubric, const std::string& text,
+                      const std::vector<std::string>& names, const py::function& find,
+                      const py::object& progress) {
+    const auto scene = state.shared_scene();
+    const std::vector<RubricRow> rows = rubric_rows(rubric, text);
+    PythonSubmissions submissions(names, find);
+    const auto graded = value_or_raise(run(progress, [&](Running& running) {
+        RubricOptions options;
+        options.progress = running.report();
+        options.cancel = &running.cancel;
+        return grade_by_rubric(*scene, rows, rubric, submissions, options);
+    }));
+    py::list parts, results;
+    for (const RubricRow& row : rows) parts.append(py::make_tuple(row.part, row.points));
+    for (const GradedSubmission& submission : graded) {
+        py::list list;
+        for (const GradedPart& part : submission.parts) list.append(part_tuple(part));
+        results.append(list);
+    }
+    return py::make_tuple(parts, results);
+}
+
+// (name, path, error) of each folder of a class.
+py::list submission_folders(const std::string& folder) {
+    py::list list;
+    try {
+        for (const cli::Submission& s : cli::list_folders(folder))
+            list.append(py::make_tuple(s.name, s.path, s.error));
+    } catch (const cli::Failure& e) {
+        raise({ErrorCode::invalid_argument, e.what(), {}});
+    }
+    return list;
 }
 
 }  // namespace
@@ -116,31 +161,9 @@ void bind_comparison(py::module_& m) {
                             const StatePointer& scene, const py::object& progress) {
         return grade_causes(pictures, reference, scene ? scene->shared_scene() : nullptr, progress);
     });
-    py::class_<Part, std::shared_ptr<Part>>(m, "RubricPart")
-        .def_property_readonly("name", [](const Part& p) { return p.row.part; })
-        .def_property_readonly("points", [](const Part& p) { return p.row.points; })
-        .def_property_readonly("file", [](const Part& p) { return p.row.file; })
-        .def("wanted",
-             [](const Part& p) {
-                 auto picture = std::make_shared<Rendering>();
-                 picture->image = p.wanted.image;
-                 return picture;
-             })
-        .def("grade",
-             [](const Part& p, const Rendering& picture) {
-                 const auto& wanted = p.wanted.image;
-                 if (picture.image.width != wanted.width || picture.image.height != wanted.height)
-                     throw py::value_error("the picture has another size than the reference");
-                 const PartScore score = grade(picture.image, p.wanted, p.row.points, 0);
-                 return py::make_tuple(score.points, score.share, score.part_share);
-             })
-        .def("causes",
-             [](const Part& p, const std::vector<RenderingPointer>& pictures, const py::object& progress) {
-                 Rendering reference;
-                 reference.image = p.wanted.image;
-                 return grade_causes(pictures, reference, std::make_shared<Scene>(p.wanted.scene), progress);
-             });
-    m.def("rubric_parts", &rubric_parts);
+    m.def("grade_by_rubric", &grade_class);
+    m.def("submission_folders", &submission_folders);
+    m.def("is_match", &cli::is_match);
 }
 
 }  // namespace glint::python

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Reading, explaining, checking, comparing and grading."""
 
+import json
 import subprocess
 import warnings
 
@@ -153,3 +154,48 @@ def test_grades_by_a_rubric(scene, tmp_path):
     assert ada.points == 6
     assert bob.points < 4 and bob.parts[1].error == "no file *diffuse*.png"
     assert bob.parts[0].cause == "shadows-missing"
+
+
+def test_points_are_the_commands(tmp_path):
+    """Of a class in which one program lacks the ambient term, and one picture is missing, is too small or not readable."""
+    rubric, size = ROOT / "docs" / "rt2.rubric", (96, 72)
+    scene, faulty = glint.load(CASTLE, size=size), glint.load(CASTLE, size=size)
+    for material in faulty.materials:
+        material.ambient = 0.0
+    plain = {"shadows": False, "reflections": 0}
+    parts = {
+        "diffuse": {"shading": "diffuse", **plain},
+        "phong": {"shading": "phong", **plain},
+        "Blinn": plain,
+        "shadows": {"reflections": 0},
+        "reflections": {},
+    }
+    class_ = tmp_path / "class"
+    for name, drawn in ("ada", scene), ("ben", faulty):
+        (class_ / name).mkdir(parents=True)
+        for part, settings in parts.items():
+            drawn.render(**settings).save(class_ / name / f"castle_{part}.png")
+    (class_ / "ada" / ".castle_ambient.png").write_bytes(b"hidden")
+    (class_ / "ada" / "castle_ambient.png").write_bytes(b"nothing")
+    scene.render(size=(20, 20)).save(class_ / "ben" / "castle_shadows.png")
+    out = tmp_path / "grades.json"
+    subprocess.run(
+        [COMMAND, "grade", class_, "--scene", CASTLE, "--size", "96x72", "--rubric", rubric, "--json", out, "-q"],
+        check=True,
+        stdout=subprocess.PIPE,
+    )
+    expected = json.loads(out.read_text())
+    graded = glint.grade(class_, scene, rubric=rubric)
+    assert [s.name for s in graded] == [s["name"] for s in expected] == ["ada", "ben"]
+    for ours, theirs in zip(graded, expected):
+        assert ours.points == theirs["total"]
+        for part, other in zip(ours.parts, theirs["parts"]):
+            assert (part.name, part.points, part.most) == (other["part"], other["points"], other["of"])
+            assert part.points_alone == other["points_alone"] and list(part.followed) == other["followed"]
+            assert part.cause == (other["cause"]["name"] if other["cause"] else None)
+            assert bool(part.error) == ("error" in other)
+    ben = graded[1]
+    assert ben.parts[6].followed == ("ambient-missing",) and ben.parts[6].points == 20 > ben.parts[6].points_alone
+    assert graded[0].parts[1].points == 15 and graded[0].parts[0].points == 0
+    files = {s.name: {p.name: p for p in (class_ / s.name).iterdir()} for s in graded}
+    assert glint.grade(files, scene, rubric=rubric) == graded

@@ -7,10 +7,10 @@
 #include "base/text.h"
 #include "cli/commands.h"
 #include "cli/failure.h"
-#include "cli/grade_by_rubric.h"
 #include "cli/grade_outputs.h"
 #include "cli/grade_report.h"
 #include "cli/grade_sheet.h"
+#include "cli/graded_folders.h"
 #include "cli/picture_file.h"
 #include "cli/progress.h"
 #include "cli/scene_option.h"
@@ -133,17 +133,15 @@ int grade_rubric(const GradeArguments& arguments, const Scene& scene, const std:
                            : list_folders(arguments.folder);
     const std::size_t cells = (submissions.size() + 1) * rows.size();
     GradeSheet sheet(outputs.sheet, lay_out_table(submissions.size(), rows.size()), cells);
-    for (std::size_t i = 0; i < cells; ++i) {
-        const std::size_t row = i / rows.size();
-        sheet.set_label(i, row == 0 ? rows[i].part : fmt::format("{} {}", row, submissions[row - 1].name));
-    }
     auto bar = std::make_unique<ProgressBar>(!arguments.quiet);
-    const RubricGrading grading{
-        scene, rows, arguments.rubric, submissions, arguments.threads, [&](double fraction) {
-            bar->update(fraction);
-        }};
-    const std::vector<GradedSubmission> graded = grade_by_rubric(grading, sheet);
+    GradedFolders folders(submissions, rows, sheet);
+    RubricOptions options;
+    options.threads = arguments.threads;
+    options.progress = [&](double fraction) { bar->update(fraction); };
+    const auto result = grade_by_rubric(scene, rows, arguments.rubric, folders, options);
     bar.reset();  // its line is free again
+    if (!result) throw_failure(result);
+    const std::vector<GradedSubmission>& graded = *result;
     if (outputs.table) fmt::print("{}", text_table(rows, graded));
     write_text(outputs.csv, csv_table(rows, graded));
     write_text(outputs.json, json_table(rows, graded));

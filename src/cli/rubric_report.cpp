@@ -87,12 +87,6 @@ double total_alone(const GradedSubmission& submission) {
 
 }  // namespace
 
-double GradedSubmission::total() const {
-    double sum = 0;
-    for (const GradedPart& part : parts) sum += part.score.points;
-    return sum;
-}
-
 std::string text_table(const std::vector<RubricRow>& rubric,
                        const std::vector<GradedSubmission>& submissions) {
     std::vector<std::vector<std::string>> rows = {{"#", "submission"}, {"", "of"}};

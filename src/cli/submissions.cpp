@@ -31,14 +31,16 @@ struct Listing {
     std::string error;
 };
 
-// Sorted by name. Hidden files, and files that archives of other systems contain ("__MACOSX"), are omitted.
+bool is_hidden(const std::string& name) { return name.starts_with('.') || name.starts_with("__"); }
+
+// Sorted by name, without hidden files.
 Listing list(const std::string& folder) {
     Listing found;
     std::error_code error;
     fs::directory_iterator at(folder, error);
     for (; !error && at != fs::directory_iterator(); at.increment(error)) {
         const std::string name = at->path().filename().string(), path = at->path().string();
-        if (name.starts_with('.') || name.starts_with("__")) continue;
+        if (is_hidden(name)) continue;
         std::error_code unknown;
         const auto add = [&](Kind kind, std::string fault) {
             found.entries.push_back({name, path, kind, std::move(fault)});
@@ -148,10 +150,8 @@ std::vector<Submission> list_folders(const std::string& folder) {
     return found;
 }
 
-std::string size_fault(const Image& picture, const Image& wanted) {
-    if (picture.width == wanted.width && picture.height == wanted.height) return {};
-    return fmt::format("{}x{} pixels, expected {}x{}", picture.width, picture.height, wanted.width,
-                       wanted.height);
+bool is_match(const std::string& name, const std::string& pattern) {
+    return !is_hidden(name) && ::fnmatch(pattern.c_str(), name.c_str(), FNM_CASEFOLD) == 0;
 }
 
 FoundFile find_file(const Submission& submission, const std::string& pattern) {
@@ -159,8 +159,7 @@ FoundFile find_file(const Submission& submission, const std::string& pattern) {
     const Listing listing = list(submission.path);
     if (!listing.error.empty()) return {{}, folder_fault(listing.error)};
     for (const Entry& entry : listing.entries) {
-        if (entry.kind != Kind::folder && ::fnmatch(pattern.c_str(), entry.name.c_str(), FNM_CASEFOLD) == 0)
-            return {entry.path, entry.error};
+        if (entry.kind != Kind::folder && is_match(entry.name, pattern)) return {entry.path, entry.error};
     }
     return {{}, fmt::format("no file {}", pattern)};
 }

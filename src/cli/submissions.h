@@ -5,8 +5,6 @@
 #include <string_view>
 #include <vector>
 
-#include "glint/image.h"
-
 namespace glint::cli {
 
 struct Submission {
@@ -34,10 +32,11 @@ struct FoundFile {
     std::string error;  ///< "no file *phong*.png", or why the folder cannot be read
 };
 
-/// Why a picture of this size cannot be graded; empty if it can.
-std::string size_fault(const Image& picture, const Image& wanted);
+/// Whether a file of a submission has a name that matches the pattern (* and ?). Case does not matter. Hidden
+/// files do not match, nor those that archives of other systems contain ("__MACOSX").
+bool is_match(const std::string& name, const std::string& pattern);
 
-/// The first file of a submission, by name, that matches the pattern (* and ?). Case does not matter.
+/// The first file of a submission, by name, that matches the pattern.
 FoundFile find_file(const Submission& submission, const std::string& pattern);
 
 }  // namespace glint::cli

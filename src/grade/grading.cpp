@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "grade/grading.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cstdlib>
 
@@ -32,6 +34,12 @@ bool is_right(const std::uint8_t* a, const std::uint8_t* b) {
 
 double points_factor(double share) {
     return std::clamp((share - k_no_share) / (k_full_share - k_no_share), 0.0, 1.0);
+}
+
+std::string size_fault(const Image& picture, const Image& wanted) {
+    if (picture.width == wanted.width && picture.height == wanted.height) return {};
+    return fmt::format("{}x{} pixels, expected {}x{}", picture.width, picture.height, wanted.width,
+                       wanted.height);
 }
 
 std::uint64_t count_not_finite(const Image& picture) {

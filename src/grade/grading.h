@@ -37,6 +37,9 @@ struct PartScore {
     std::uint64_t not_finite = 0;  ///< pixels with an infinite or NaN channel: never right
 };
 
+/// Why a picture of this size cannot be graded; empty if it can.
+std::string size_fault(const Image& picture, const Image& wanted);
+
 /// The number of pixels with an infinite or NaN channel.
 std::uint64_t count_not_finite(const Image& picture);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "cli/grade_by_rubric.h"
+#include "grade/grade_by_rubric.h"
 
 #include <fmt/format.h>
 
@@ -8,12 +8,11 @@
 #include <memory>
 #include <numeric>
 
+#include "base/status.h"
 #include "base/text.h"
-#include "cli/failure.h"
-#include "cli/picture_file.h"
 #include "grade/part_renderer.h"
 
-namespace glint::cli {
+namespace glint {
 namespace {
 
 constexpr std::size_t k_batch = 32;  // pictures in memory at a time
@@ -29,66 +28,68 @@ struct Faulty {
 
 class RubricGrader {
   public:
-    RubricGrader(const RubricGrading& grading, GradeSheet& sheet)
-        : g_(grading),
-          sheet_(sheet),
-          renderer_(grading.scene, grading.threads),
-          chains_(grading.submissions.size()) {
-        for (const Submission& s : g_.submissions)
-            graded_.push_back({s.name, std::vector<GradedPart>(g_.rows.size())});
+    RubricGrader(const Scene& scene, const std::vector<RubricRow>& rows, const std::string& rubric,
+                 Submissions& submissions, const RubricOptions& options)
+        : rows_(rows),
+          rubric_(rubric),
+          submissions_(submissions),
+          options_(options),
+          renderer_(scene, options.threads) {
+        for (std::string& name : submissions.names())
+            graded_.push_back({std::move(name), std::vector<GradedPart>(rows.size())});
+        chains_.resize(graded_.size());
     }
 
-    std::vector<GradedSubmission> run() {
-        for (std::size_t k = 0; k < g_.rows.size(); ++k) {
+    Result<std::vector<GradedSubmission>> run() {
+        for (std::size_t k = 0; k < rows_.size(); ++k) {
             const std::size_t same = first_like(k);
-            if (same < k)
+            if (same < k) {
                 copy_part(same, k);
-            else
-                grade_part(k);
+            } else if (Status status = grade_part(k); !status) {
+                return status;
+            }
             with_faults_.clear();
         }
         return std::move(graded_);
     }
 
   private:
-    std::size_t cell(std::size_t submission, std::size_t k) const {
-        return (submission + 1) * g_.rows.size() + k;
-    }
+    bool is_cancelled() const { return options_.cancel != nullptr && options_.cancel->load(); }
 
     // The first row with the same pictures.
     std::size_t first_like(std::size_t k) const {
-        const RubricRow& row = g_.rows[k];
+        const RubricRow& row = rows_[k];
         const auto is_like = [&](const RubricRow& r) {
             return r.file == row.file && r.settings == row.settings && r.without == row.without;
         };
-        return static_cast<std::size_t>(std::find_if(g_.rows.begin(), g_.rows.end(), is_like) -
-                                        g_.rows.begin());
+        return static_cast<std::size_t>(std::find_if(rows_.begin(), rows_.end(), is_like) - rows_.begin());
     }
 
     void copy_part(std::size_t from, std::size_t to) {
-        sheet_.copy(from, to);
+        submissions_.show_same(from, to);
         for (std::size_t i = 0; i < graded_.size(); ++i) {
             GradedPart& part = graded_[i].parts[to];
             part = graded_[i].parts[from];
-            const double factor = g_.rows[to].points / g_.rows[from].points;
+            const double factor = rows_[to].points / rows_[from].points;
             part.score.points *= factor;
             part.points_alone *= factor;
-            sheet_.copy(cell(i, from), cell(i, to));
         }
     }
 
-    void grade_part(std::size_t k) {
-        const RubricRow& row = g_.rows[k];
+    Status grade_part(std::size_t k) {
+        const RubricRow& row = rows_[k];
         const WantedPicture plain = renderer_.render(row);
-        if (!plain.error.empty())
-            throw Failure(k_bad_input, fmt::format("{}:{}: part {}: {}", g_.rubric, row.line,
-                                                   glint::quoted(row.part), plain.error));
-        sheet_.put(k, plain.image);
+        if (!plain.error.empty()) {
+            return invalid_argument(
+                fmt::format("{}:{}: part {}: {}", rubric_, row.line, quoted(row.part), plain.error));
+        }
+        submissions_.show_wanted(k, plain.image);
         const std::size_t count = graded_.size();
         for (std::size_t first = 0; first < count; first += k_batch) {
             const std::size_t last = std::min(first + k_batch, count);
             std::map<Wanted, std::vector<Faulty>> groups;
             for (std::size_t i = first; i < last; ++i) {
+                if (is_cancelled()) return cancelled();
                 if (auto faulty = grade_one(i, k, plain))
                     groups[faulty->judged_by].push_back(*std::move(faulty));
             }
@@ -100,40 +101,38 @@ class RubricGrader {
                 find_causes_of(group, k, plain, [&](double fraction) { report(k, start + fraction * part); });
                 done += group.size();
             }
+            if (is_cancelled()) return cancelled();
             report(k, static_cast<double>(last));
         }
+        return {};
     }
 
     static double share(std::size_t whole, std::size_t part, std::size_t of) {
         return static_cast<double>(whole) * static_cast<double>(part) / static_cast<double>(of);
     }
     void report(std::size_t k, double submissions) const {
-        g_.progress((static_cast<double>(k) + submissions / static_cast<double>(graded_.size())) /
-                    static_cast<double>(g_.rows.size()));
+        if (!options_.progress) return;
+        options_.progress((static_cast<double>(k) + submissions / static_cast<double>(graded_.size())) /
+                          static_cast<double>(rows_.size()));
     }
 
     // The picture, if its causes are to be searched.
     std::optional<Faulty> grade_one(std::size_t i, std::size_t k, const WantedPicture& plain) {
-        const RubricRow& row = g_.rows[k];
+        const RubricRow& row = rows_[k];
         GradedPart& part = graded_[i].parts[k];
-        FoundFile found = find_file(g_.submissions[i], row.file);
+        HandedIn found = submissions_.find(i, row);
         part.path = std::move(found.path);
         part.error = std::move(found.error);
         if (!part.error.empty()) return std::nullopt;
-        Result<DecodedImage> read = try_picture(part.path);
-        if (!read) {
-            part.error = read.message;
-            return std::nullopt;
-        }
-        Faulty faulty{i, std::move(read->image), nullptr};
+        Faulty faulty{i, std::move(found.image), nullptr};
         part.error = size_fault(faulty.picture, plain.image);
         if (!part.error.empty()) {
-            sheet_.put(cell(i, k), faulty.picture);
+            submissions_.show(i, k, faulty.picture, nullptr);
             return std::nullopt;
         }
-        part.score = grade(faulty.picture, plain, row.points, g_.threads);
+        part.score = grade(faulty.picture, plain, row.points, options_.threads);
         part.points_alone = part.score.points;
-        sheet_.put(cell(i, k), faulty.picture, plain.image);
+        submissions_.show(i, k, faulty.picture, &plain.image);
         if (part.score.points < row.points && !chains_[i].empty()) {
             const Wanted with_faults = judge_with(chains_[i], faulty.picture, i, k, plain);
             if (with_faults && with_faults->has_scene) faulty.judged_by = with_faults;
@@ -145,7 +144,7 @@ class RubricGrader {
     // The row's picture with the faults: the same for all students with equal faults.
     Wanted render_with(const FaultChain& chain, const Image& picture, std::size_t k) {
         const auto render = [&]() -> Wanted {
-            auto made = renderer_.render(g_.rows[k], chain, picture);
+            auto made = renderer_.render(rows_[k], chain, picture);
             return made ? std::make_shared<WantedPicture>(*std::move(made)) : nullptr;
         };
         if (chain.needs_picture()) return render();
@@ -161,7 +160,7 @@ class RubricGrader {
         const Wanted wanted = render_with(chain, picture, k);
         if (!wanted || !still_shows(*wanted, plain)) return nullptr;
         GradedPart& part = graded_[i].parts[k];
-        const PartScore score = grade(picture, *wanted, g_.rows[k].points, g_.threads);
+        const PartScore score = grade(picture, *wanted, rows_[k].points, options_.threads);
         const bool is_better = score.points > part.score.points ||
                                (score.points == part.score.points && score.share > part.score.share);
         if (!is_better) return nullptr;
@@ -178,8 +177,9 @@ class RubricGrader {
         std::vector<Image> pictures;
         for (Faulty& faulty : group) pictures.push_back(std::move(faulty.picture));
         CauseOptions options;
-        options.threads = g_.threads;
+        options.threads = options_.threads;
         options.progress = progress;
+        options.cancel = options_.cancel;
         auto reports = find_faults(pictures, wanted.image, &wanted.scene, options);
         for (std::size_t n = 0; n < reports.size(); ++n) {
             if (!reports[n] || reports[n]->report.causes.empty()) continue;
@@ -194,7 +194,7 @@ class RubricGrader {
     // Whether the picture is right by the row's picture with the faults.
     bool is_explained(const FaultChain& chain, const Image& picture, std::size_t k) {
         const Wanted wanted = render_with(chain, picture, k);
-        return wanted && grade(picture, *wanted, 1, g_.threads).share >= k_full_share;
+        return wanted && grade(picture, *wanted, 1, options_.threads).share >= k_full_share;
     }
 
     // Takes the faults that were found in part k for those of the student's program. A fault that has cost an
@@ -203,7 +203,7 @@ class RubricGrader {
                std::size_t i, std::size_t k, const WantedPicture& plain) {
         if (faults.empty()) return;
         FaultChain& chain = chains_[i];
-        const FaultChain alone{faults, renderer_.lights_of(g_.rows[k])};
+        const FaultChain alone{faults, renderer_.lights_of(rows_[k])};
         FaultChain both = chain;
         both.faults.insert(both.faults.end(), faults.begin(), faults.end());
         const bool may_join = chain.empty() || found_with_chain ||
@@ -228,18 +228,20 @@ class RubricGrader {
             if (!part.path.empty() || part.error.empty()) continue;
             const auto [at, is_new] = costs_all_.try_emplace({j, chain.key()}, false);
             if (is_new) {
-                const auto with_faults = renderer_.render(g_.rows[j], chain, picture);
+                const auto with_faults = renderer_.render(rows_[j], chain, picture);
                 at->second =
                     with_faults &&
-                    grade(with_faults->image, renderer_.render(g_.rows[j]), 1, g_.threads).points == 0;
+                    grade(with_faults->image, renderer_.render(rows_[j]), 1, options_.threads).points == 0;
             }
             if (at->second) return true;
         }
         return false;
     }
 
-    const RubricGrading& g_;
-    GradeSheet& sheet_;
+    const std::vector<RubricRow>& rows_;
+    const std::string& rubric_;
+    Submissions& submissions_;
+    const RubricOptions& options_;
     const PartRenderer renderer_;
     std::vector<GradedSubmission> graded_;
     std::vector<FaultChain> chains_;             // by submission
@@ -249,8 +251,16 @@ class RubricGrader {
 
 }  // namespace
 
-std::vector<GradedSubmission> grade_by_rubric(const RubricGrading& grading, GradeSheet& sheet) {
-    return RubricGrader(grading, sheet).run();
+double GradedSubmission::total() const {
+    double sum = 0;
+    for (const GradedPart& part : parts) sum += part.score.points;
+    return sum;
 }
 
-}  // namespace glint::cli
+Result<std::vector<GradedSubmission>> grade_by_rubric(const Scene& scene, const std::vector<RubricRow>& rows,
+                                                      const std::string& rubric, Submissions& submissions,
+                                                      const RubricOptions& options) {
+    return result_of([&] { return RubricGrader(scene, rows, rubric, submissions, options).run(); });
+}
+
+}  // namespace glint

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+// The points of every submission, part by part of a rubric, with the causes of what is wrong.
+#include <atomic>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "glint/compare.h"
+#include "glint/result.h"
+#include "grade/grading.h"
+
+namespace glint {
+
+/// A picture that a submission has for a part.
+struct HandedIn {
+    std::string path;   ///< empty: none was handed in
+    std::string error;  ///< why there is no picture: "no file *phong*.png", or why it cannot be read
+    Image image;
+};
+
+/// The submissions of a class. The functions are called on the thread of grade_by_rubric().
+class Submissions {
+  public:
+    virtual ~Submissions() = default;
+    /// Their names, in the order of the results.
+    virtual std::vector<std::string> names() const = 0;
+    /// The picture that submission number `submission` has for the row.
+    virtual HandedIn find(std::size_t submission, const RubricRow& row) = 0;
+
+    // What is judged, for a contact sheet.
+    /// The picture that the row requires.
+    virtual void show_wanted(std::size_t /*row*/, const Image& /*wanted*/) {}
+    /// A picture that was handed in, and the one that the row requires; null if it has another size.
+    virtual void show(std::size_t /*submission*/, std::size_t /*row*/, const Image& /*picture*/,
+                      const Image* /*wanted*/) {}
+    /// Row number `to` has the pictures of an earlier row.
+    virtual void show_same(std::size_t /*from*/, std::size_t /*to*/) {}
+};
+
+/// One part of a rubric, of one submission.
+struct GradedPart {
+    std::string path;   ///< of the picture; empty: none was handed in
+    std::string error;  ///< the reason why there are no points: "no file *phong*.png"
+    PartScore score;
+    std::optional<Cause> cause;  ///< of the difference
+    std::vector<Cause> then;     ///< further causes, together with the first
+    /// The causes of earlier parts with which the picture was judged, because that gives more points; none if
+    /// it was judged as it is.
+    std::vector<std::string> followed;
+    double points_alone = 0;  ///< the points without them
+};
+
+struct GradedSubmission {
+    std::string name;
+    std::vector<GradedPart> parts;  ///< as the rubric's rows
+    double total() const;
+};
+
+struct RubricOptions {
+    int threads = 0;
+    std::function<void(double)> progress = {};  ///< with the fraction done; called on the calling thread
+    const std::atomic<bool>* cancel = nullptr;
+};
+
+/// Grades all parts of all submissions. `rubric` is the rubric's name, for messages. Fails if a part cannot
+/// be rendered.
+Result<std::vector<GradedSubmission>> grade_by_rubric(const Scene& scene, const std::vector<RubricRow>& rows,
+                                                      const std::string& rubric, Submissions& submissions,
+                                                      const RubricOptions& options = {});
+
+}  // namespace glint
