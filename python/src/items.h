@@ -41,6 +41,9 @@ bool same(const Camera& a, const Camera& b);
 /// they are multiples of it.
 void set_color(Material& material, const Color& color);
 
-void bind_items(py::module_& m);
+void bind_lights(py::module_& m);
+void bind_materials(py::module_& m);
+/// Camera and CameraFrame.
+void bind_cameras(py::module_& m);
 
 }  // namespace glint::python

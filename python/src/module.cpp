@@ -12,7 +12,9 @@ PYBIND11_MODULE(_glint, m) {
     m.doc() = "glint's C++ library; use the package glint";
     m.attr("version") = GLINT_VERSION;
     bind_errors(m);
-    bind_items(m);
+    bind_lights(m);
+    bind_materials(m);
+    bind_cameras(m);
     bind_shapes(m);
     bind_rendering(m);
     bind_scene(m);

@@ -19,6 +19,9 @@ namespace glint::python {
 /// Settings and conventions as KEY, VALUE, as the command line has them.
 using SettingList = std::vector<std::pair<std::string, std::string>>;
 
+/// Names an item; an empty name removes the one that it has.
+void set_name(ItemTexts& texts, std::uint32_t index, const std::string& name);
+
 /// Sets them in the scene, or throws.
 void apply(const SettingList& settings, Scene& scene);
 

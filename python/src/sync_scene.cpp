@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: Apache-2.0
+// What has been changed in a scene's objects goes to the scene.
+#include "scene_state.h"
+
+namespace glint::python {
+namespace {
+
+bool same_affine(const Affine& a, const std::optional<Affine>& b) { return a == b.value_or(Affine{}); }
+
+const Affine& transform_of(const Scene& scene, const Shape& shape) {
+    static const Affine identity;
+    return shape.transform == k_none ? identity : scene.transforms[shape.transform];
+}
+
+// Objects that only the map refers to; their values are in the scene.
+template <class Map> void forget_unused(Map& objects) {
+    std::erase_if(objects, [](const auto& entry) { return entry.second.use_count() == 1; });
+}
+
+}  // namespace
+
+void set_name(ItemTexts& texts, std::uint32_t index, const std::string& name) {
+    if (texts.name(index) == name) return;
+    if (name.empty()) {
+        texts.names.erase(index);
+    } else {
+        texts.names[index] = name;
+    }
+}
+
+void SceneState::write_transform(Shape& shape, const ShapeBox& box) {
+    if (same_affine(transform_of(*scene_, shape), box.transform)) return;
+    if (!box.transform) {
+        shape.transform = k_none;
+    } else {
+        scene_->transforms.push_back(*box.transform);
+        shape.transform = static_cast<std::uint32_t>(scene_->transforms.size() - 1);
+    }
+}
+
+void SceneState::sync_materials() {
+    bool changed = false;
+    for (const auto& [index, box] : materials_) {
+        if (scene_->material_texts.name(index) != box->name) set_name(own().material_texts, index, box->name);
+        if (same(scene_->materials[index], box->value)) continue;
+        own().materials[index] = box->value;
+        changed = true;
+    }
+    if (changed) ++now_.materials;
+    std::erase_if(materials_, [&](const auto& entry) {
+        const bool unused = entry.second.use_count() == 1;
+        if (unused) material_indices_.erase(entry.second.get());
+        return unused;
+    });
+}
+
+void SceneState::sync_lights() {
+    bool changed = false;
+    for (const auto& [index, box] : lights_) {
+        if (scene_->light_texts.name(index) != box->name) set_name(own().light_texts, index, box->name);
+        if (same(scene_->lights[index], box->value)) continue;
+        own().lights[index] = box->value;
+        changed = true;
+    }
+    if (changed) ++now_.lights;
+    forget_unused(lights_);
+}
+
+void SceneState::sync_shapes() {
+    for (const auto& [index, box] : shapes_) {
+        const std::uint32_t material = index_of(box->material);
+        if (scene_->shape_texts.name(index) != box->name) set_name(own().shape_texts, index, box->name);
+        const Shape& shape = scene_->shapes[index];
+        const bool moved = !same_affine(transform_of(*scene_, shape), box->transform);
+        if (!moved && shape.material == material && box->is_shape(*scene_, index)) continue;
+        Scene& scene = own();
+        box->write(scene, index);
+        scene.shapes[index].material = material;
+        write_transform(scene.shapes[index], *box);
+        edited_shapes_.emplace_back(++edits_, index);
+    }
+    forget_unused(shapes_);
+}
+
+void SceneState::sync() {
+    sync_shapes();  // first: it may add materials
+    sync_materials();
+    sync_lights();
+    if (!same(camera_->whole(), scene_->camera)) {
+        own().camera = camera_->whole();
+        ++now_.camera;
+    }
+}
+
+}  // namespace glint::python
