@@ -131,7 +131,7 @@ def _grade_by_rubric(
     if isinstance(submissions, Mapping):
         folders = [(name, files, "") for name, files in submissions.items()]
     else:
-        folders = [(*folder,) for folder in _glint.submission_folders(os.fspath(submissions))]
+        folders = [(name, path, error) for name, path, error in _glint.submission_folders(os.fspath(submissions))]
     names = [name for name, _, _ in folders]
 
     def find(submission: int, pattern: str) -> Tuple[str, str, Optional[_glint.Rendering]]:
