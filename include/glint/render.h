@@ -67,7 +67,7 @@ struct RenderOptions {
     /// Called with each tile as soon as it is rendered, in any order. Each pixel is in one tile. Must not
     /// throw.
     std::function<void(const FinishedTile&)> on_tile = {};
-    const std::atomic<bool>* cancel = nullptr;  ///< checked between tiles
+    const std::atomic<bool>* cancel = nullptr;  ///< checked between tiles, and between samples of a tile
 };
 // progress and on_tile are called on the rendering threads, one call at a time. During a call the other
 // threads continue, and wait only to make a call themselves.
