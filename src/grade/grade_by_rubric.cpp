@@ -74,6 +74,7 @@ class RubricGrader {
             part.score.points *= factor;
             part.points_alone *= factor;
         }
+        report(to, static_cast<double>(graded_.size()));
     }
 
     Status grade_part(std::size_t k) {
@@ -112,8 +113,8 @@ class RubricGrader {
     }
     void report(std::size_t k, double submissions) const {
         if (!options_.progress) return;
-        options_.progress((static_cast<double>(k) + submissions / static_cast<double>(graded_.size())) /
-                          static_cast<double>(rows_.size()));
+        const auto count = static_cast<double>(std::max<std::size_t>(1, graded_.size()));
+        options_.progress((static_cast<double>(k) + submissions / count) / static_cast<double>(rows_.size()));
     }
 
     // The picture, if its causes are to be searched.
