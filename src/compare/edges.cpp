@@ -11,6 +11,8 @@ namespace {
 
 // A speck is darker by more than k_dark; k_calm of its neighbours differ by at most k_same. In 255ths.
 constexpr int k_dark = 8, k_same = 2, k_calm = 2;
+// What is mixed of two colours differs by more than this, or a tenth of their difference, from both.
+constexpr int k_mixed = 4;
 constexpr int k_step = static_cast<int>(k_edge_step);
 
 // Differences of a pixel: the smallest and the largest channel of faulty - reference.
@@ -32,6 +34,26 @@ bool is_step(const std::uint8_t* a, const std::uint8_t* b) {
         if (std::abs(int{a[c]} - int{b[c]}) > k_step) return true;
     }
     return false;
+}
+
+// Is the channel that varies most around a pixel clearly between its extremes there?
+bool is_mixed(const BytePicture& picture, std::int32_t x, std::int32_t y) {
+    int widest = 0;
+    bool is_between = false;
+    for (int c = 0; c < 3; ++c) {
+        int least = 255, most = 0;
+        for (int i = 0; i < 9; ++i) {
+            if (i == 4) continue;
+            const int near = picture.pixel(x - 1 + i % 3, y - 1 + i / 3)[c];
+            least = std::min(least, near);
+            most = std::max(most, near);
+        }
+        if (most - least <= widest) continue;
+        widest = most - least;
+        const int here = picture.pixel(x, y)[c], margin = std::max(widest / 10, k_mixed);
+        is_between = here > least + margin && here < most - margin;
+    }
+    return is_between;
 }
 
 bool is_speck(const BytePicture& reference, const BytePicture& faulty, std::int32_t x, std::int32_t y) {
@@ -79,6 +101,27 @@ void nearest_between(const BytePicture& reference, const BytePicture& faulty, in
             for (int c = 0; c < 3; ++c) pixel[c] = std::clamp(is[c], least[c], most[c]);
         }
     });
+}
+
+std::optional<double> mixed_share(const BytePicture& reference, const BytePicture& faulty, const Rows& rows,
+                                  int threads) {
+    struct Counts {
+        std::size_t steps = 0, mixed = 0;
+    };
+    std::vector<Counts> counts(static_cast<std::size_t>(reference.height));
+    for_each_row(rows, threads, [&](std::int32_t y) {
+        if (y < 1 || y >= reference.height - 1) return;
+        Counts& row = counts[static_cast<std::size_t>(y)];
+        for (std::int32_t x = 1; x < reference.width - 1; ++x) {
+            if (!is_step(reference.pixel(x, y), faulty.pixel(x, y))) continue;
+            ++row.steps;
+            row.mixed += is_mixed(reference, x, y) || is_mixed(faulty, x, y);
+        }
+    });
+    Counts all;
+    for (const Counts& row : counts) all = {all.steps + row.steps, all.mixed + row.mixed};
+    if (all.steps == 0) return std::nullopt;
+    return static_cast<double>(all.mixed) / static_cast<double>(all.steps);
 }
 
 void put_dark_specks(const BytePicture& reference, const BytePicture& faulty, const Rows& rows, int threads,

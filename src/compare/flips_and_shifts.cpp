@@ -78,6 +78,9 @@ std::array<double, 8> left_by_direction(const PictureSource& s, BytePicture& mad
 // have no direction).
 constexpr double k_diagonal_leaves = 0.3, k_opposite_leaves = 3;
 
+// Of anti-aliasing nearly all pixels are mixed, of edges that have moved about a quarter.
+constexpr double k_min_mixed = 0.6;
+
 std::optional<Direction> half_direction(const PictureSource& s, BytePicture& made) {
     const auto left = left_by_direction(s, made, half_shift_pixels);
     const auto side =
@@ -137,6 +140,8 @@ PictureFault half_shifted() {
 
 PictureFault anti_aliased() {
     return [](const PictureSource& s, BytePicture& made) -> Detail {
+        const auto mixed = mixed_share(s.bytes, s.faulty, s.fit.rows, s.fit.threads);
+        if (mixed && *mixed < k_min_mixed) return std::nullopt;  // edges have moved
         nearest_between(s.bytes, s.faulty, -1, 1, -1, 1, s.rows, s.fit.threads, made);
         return "";
     };

@@ -13,13 +13,24 @@ constexpr double k_min_gain = 0.01;       // of the squared difference: else the
 constexpr double k_enough = 0.01;         // mean difference in 255ths that is rounding
 constexpr double k_rounding_costs = 0.1;  // rounding a number may add this fraction of what remains
 constexpr double k_near_step = 6;         // units of one step without a blur
+constexpr double k_fine = 0.6;            // slopes are refined if this fraction is left, or less
 constexpr std::size_t k_max_values = 6;
 
-// Radii of the blur for a picture of this many columns, the last one none.
-std::vector<int> radii(std::int32_t columns, FitStart start) {
-    if (start == FitStart::near) return {0};
+// A stage of a fit: the radius of the blur, and the units by which slopes are measured. What moves edges by
+// less than a pixel needs smaller ones.
+struct Stage {
+    int radius = 0;
+    double by = 1;
+};
+std::vector<Stage> stages_of(std::int32_t columns, FitStart start) {
+    const std::vector<Stage> last = {{0, 1}, {0, 0.3}, {0, 0.1}};
+    if (start == FitStart::near) return last;
     const int first = std::max(columns / 16, 2);
-    return {first, first / 2, first / 4, 1, 0};
+    std::vector<Stage> stages;
+    for (const int radius : {first, first / 2, first / 4, 1})
+        stages.push_back({radius, std::max(1.0, radius / 2.0)});
+    stages.insert(stages.end(), last.begin(), last.end());
+    return stages;
 }
 
 void clamp_to_picture(std::vector<float>& values) {
@@ -122,13 +133,12 @@ std::vector<float> ParameterFit::blurred_difference(const std::vector<float>& to
 
 std::optional<ParameterFit::Step> ParameterFit::step_from(const FitProblem& problem,
                                                           std::span<const double> values,
-                                                          const std::vector<float>& rendered,
-                                                          int radius) const {
+                                                          const std::vector<float>& rendered, int radius,
+                                                          double by) const {
     const std::vector<float> error = blurred_difference(target_, rendered, radius);
     std::vector<std::vector<float>> slopes;
     for (std::size_t i = 0; i < values.size(); ++i) {
         std::vector<double> beside(values.begin(), values.end());
-        const double by = std::max(1.0, radius / 2.0);
         beside[i] += by * problem.units[i];
         const auto made = rendered_with(problem, beside);
         if (!made) return std::nullopt;
@@ -147,7 +157,8 @@ std::optional<ParameterFit::Step> ParameterFit::step_from(const FitProblem& prob
 double ParameterFit::promise(const FitProblem& problem, const std::vector<float>& at_start) const {
     std::vector<float> rendered = at_start;
     clamp_to_picture(rendered);
-    const auto step = step_from(problem, problem.start, rendered, radii(grid_.columns(), FitStart::far)[1]);
+    const Stage stage = stages_of(grid_.columns(), FitStart::far)[1];
+    const auto step = step_from(problem, problem.start, rendered, stage.radius, stage.by);
     if (!step || !(step->error > 0)) return 0;
     const std::vector<double> change = step->change(k_first_damping);
     double gain = 0;
@@ -171,11 +182,14 @@ std::optional<Fit> ParameterFit::fit(const FitProblem& problem, FitStart start) 
     if (!rendered) return std::nullopt;
     Fit best{values, left_of(*rendered)};
     double damping = k_first_damping;
-    const int iterations = start == FitStart::near ? k_near_iterations : k_iterations;
-    for (const int radius : radii(grid_.columns(), start)) {
-        const double most = start == FitStart::near ? k_near_step : 4 * std::max(radius, 1);
+    const double at_start = best.left;
+    for (const auto& [radius, by] : stages_of(grid_.columns(), start)) {
+        if (by < 1 && best.left > k_fine * at_start) break;
+        const double most =
+            (start == FitStart::near ? k_near_step : 4 * std::max(radius, 1)) * std::min(by, 1.0);
+        const int iterations = start == FitStart::near && by >= 1 ? k_near_iterations : k_iterations;
         for (int iteration = 0; iteration < iterations && best.left > k_enough; ++iteration) {
-            const auto step = step_from(problem, values, *rendered, radius);
+            const auto step = step_from(problem, values, *rendered, radius, by);
             if (!step) return std::nullopt;
             double gain = 0;
             for (int i = 0; i < k_dampings && gain <= 0; ++i) {

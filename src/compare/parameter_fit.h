@@ -46,7 +46,7 @@ class ParameterFit {
     std::vector<float> blurred_difference(const std::vector<float>& to, const std::vector<float>& from,
                                           int radius) const;
     std::optional<Step> step_from(const FitProblem& problem, std::span<const double> values,
-                                  const std::vector<float>& rendered, int radius) const;
+                                  const std::vector<float>& rendered, int radius, double by) const;
     double left_of(const std::vector<float>& rendered) const;
     Fit rounded(const FitProblem& problem, Fit found) const;
 
