@@ -29,6 +29,14 @@ std::string verdict(const GradedPicture& p) {
     return text;
 }
 
+// All causes in sentences for the student.
+std::string explanation_text(const CauseReport& report) {
+    const Cause& first = report.causes.front();
+    std::string text = (first.perhaps ? "Perhaps: " : "") + first.explanation;
+    for (const Cause& cause : report.then) text += " And then also: " + cause.explanation;
+    return text;
+}
+
 }  // namespace
 
 std::string cause_text(const Cause& cause) {
@@ -93,7 +101,8 @@ std::string csv_table(const std::vector<GradedPicture>& pictures) {
             cells.resize(17);
         } else {
             const Cause& cause = p.causes.causes.front();
-            cells.insert(cells.end(), {cause.name, fmt::format("{}", cause.explained), cause.explanation});
+            cells.insert(cells.end(),
+                         {cause.name, fmt::format("{}", cause.explained), explanation_text(p.causes)});
         }
         cells.push_back(p.error.empty() ? p.causes_error : p.error);
         text += csv_line(cells);

@@ -46,6 +46,17 @@ TEST_F(Grade, PicturesAgainstAReference) {
     EXPECT_EQ(own[4]["equal"], 1);
 }
 
+TEST_F(Grade, TheTableHasBothSentencesOfTwoCauses) {
+    draw("right.png", {});
+    draw("in/ada.png", {"--no-shadows", "--reflections", "0"});
+    const Finished r = grade({"in", "--scene", k_castle, "--reference", "right.png", "--csv", "t.csv"});
+    EXPECT_EQ(r.code, 0) << r.err;
+    const std::string csv = folder.read("t.csv");
+    EXPECT_TRUE(contains(csv, "Shadows are missing")) << csv;
+    EXPECT_TRUE(contains(csv, "And then also: ")) << csv;
+    EXPECT_TRUE(contains(csv, "Mirrors are missing")) << csv;
+}
+
 TEST_F(Grade, SaysWhatNoCauseExplains) {
     draw("right.png", {});
     draw("in/one.png", {});
