@@ -19,6 +19,13 @@ BytePicture to_bytes(const Image& image, int threads, Transfer transfer) {
     return picture;
 }
 
+Image to_floats(const BytePicture& picture) {
+    Image image{picture.width, picture.height, {}};
+    image.rgb.reserve(picture.rgb.size());
+    for (const std::uint8_t v : picture.rgb) image.rgb.push_back(static_cast<float>(v) / 255);
+    return image;
+}
+
 std::vector<std::uint8_t> edges_of(const BytePicture& picture, int threads) {
     const Levels levels{{picture.rgb.begin(), picture.rgb.end()}, 1, picture.width, picture.height};
     return find_edges(levels, threads);

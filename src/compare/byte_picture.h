@@ -24,6 +24,9 @@ struct BytePicture {
 /// The bytes that encode() writes. Throws bad_alloc.
 BytePicture to_bytes(const Image& image, int threads, Transfer transfer = Transfer::none);
 
+/// The same, as an image. Throws bad_alloc.
+Image to_floats(const BytePicture& picture);
+
 /// One number per pixel: whether it is on an edge (k_edge_step of glint/compare.h). Throws bad_alloc.
 std::vector<std::uint8_t> edges_of(const BytePicture& picture, int threads);
 

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The search for two causes at once.
+#include <algorithm>
 #include <optional>
 #include <vector>
 
-#include "compare/scene_search.h"
+#include "compare/cause_effects.h"
+#include "compare/cause_pair.h"
 
 namespace glint {
 
@@ -23,46 +25,54 @@ class PairSearch {
 
     /// The best pair; nothing if none explains much more than each cause that was found.
     std::optional<CausePair> find(const Search& search);
+    /// The same, of the best causes and a shift of the picture by a pixel or half of one.
+    std::optional<CausePair> find_shifted(const Search& search);
 
   private:
-    // `before` is put into the scene before `after`, which may be a fault of pictures.
-    struct Pair {
-        CauseCandidate before, after;
-        double left = 0, rating = 0;
-        bool is_fitted = false;  // its numbers, together
+    // A fault of pictures, the search for the picture without it, and how much that differs.
+    struct Undone {
+        std::size_t row = 0;
+        Search search;
+        double whole = 0;
     };
-    struct Trial;
 
-    // A fault of the scene and its picture on the coarse grid.
-    struct Effect {
-        CauseCandidate candidate;
-        RenderedScene rendered;
-        bool is_multiple = false;  // of a part of the light
+    // The search for the pair of one picture.
+    struct Trial {
+        const Search& whole;
+        Search coarse;
+        std::vector<PairCandidate> pairs;
+        std::vector<Undone> undone;
+
+        double least() const {
+            double left = coarse.whole.all;
+            for (const PairCandidate& pair : pairs) left = std::min(left, pair.left);
+            return left;
+        }
     };
 
     Search coarse_search(const BytePicture& target, const Search& whole) const;
+    std::vector<Undone> undone_faults(const Trial& trial) const;
     void try_undone(Trial& trial) const;
     void try_two_of_pictures(std::size_t after, const Search& undone, Trial& trial) const;
-    void make_effects();
     void try_pictures(Trial& trial);
-    std::vector<CauseCandidate> candidates_after(const RenderedScene& first, const CauseCandidate& cause,
-                                                 const BytePicture& target) const;
-    void try_scene(const CauseCandidate& first, bool with_parts, Trial& trial) const;
+    void try_scene(const CauseCandidate& first, std::size_t most, bool with_parts, Trial& trial) const;
     void try_geometry(const CauseCandidate& other, Trial& trial) const;
     static void add(Trial& trial, CauseCandidate before, CauseCandidate after);
-    void add_shifted(const std::vector<CauseCandidate>& firsts, std::vector<Pair>& pairs) const;
     void fit_best(Trial& trial) const;
-    void fit(Pair& pair, const Search& coarse) const;
-    std::optional<RenderedScene> render(Pair& pair, const PixelGrid& grid, const Search& search) const;
-    CausePair named(Pair pair, const Search& search) const;
+    bool confirm(const Search& search, PairCandidate& pair) const;
+    void refine(const Search& search, PairCandidate& pair) const;
+    std::optional<CausePair> best_by_all_pixels(const Search& search,
+                                                std::vector<PairCandidate>& pairs) const;
+    CausePair named(PairCandidate pair, const Search& search) const;
 
     const SceneRenderer& renderer_;
     const BytePicture& reference_;
-    const PixelGrid coarse_, all_;
+    const PixelGrid coarse_, fine_, all_;
+    const std::vector<std::uint8_t>& edges_;
     const BytePicture coarse_reference_;
     const std::vector<std::uint8_t> coarse_edges_;
-    const SceneSearch causes_;     // on the coarse grid
-    std::vector<Effect> effects_;  // of causes_, once they are needed
+    const SceneSearch causes_;          // on the coarse grid
+    std::vector<CauseEffect> effects_;  // of causes_, once they are needed
 };
 
 }  // namespace glint

@@ -12,6 +12,10 @@ namespace {
 // A cause without a free parameter needs to explain less than one that is fitted to the picture.
 constexpr double k_moved = k_min_explained, k_curved = 0.7, k_fitted = 0.85, k_specks = 0.4;
 
+PictureFault power(double exponent) {
+    return curved([=](double v) { return pow(v, exponent); });
+}
+
 }  // namespace
 
 const std::vector<PictureCause>& picture_causes() {
@@ -81,35 +85,34 @@ const std::vector<PictureCause>& picture_causes() {
          grey(0.2126, 0.7152, 0.0722)},
         {"inverted", "The picture is a negative: 1 - value was written.", k_moved,
          curved([](double v) { return 1 - v; })},
-        {"shifted-one-pixel",
-         "Everything is shifted by one pixel {}: an index begins at 1, or a coordinate is rounded up.",
-         k_curved, shifted()},
+        {"shifted-one-pixel", k_shift_text, k_curved, shifted()},
         {"gamma-applied",
          "The sRGB curve was applied once more than in the reference: omit it (or, if the reference has it, "
          "apply it only once, at the end).",
-         k_curved, curved(srgb_encode)},
+         k_curved, curved(srgb_encode), 0, false, false, curved(srgb_decoded)},
         {"gamma-applied",
          "A gamma of 1/2.2 was applied once more than in the reference: omit it (or, if the reference has "
          "it, "
          "apply it only once, at the end).",
-         k_curved, curved([](double v) { return pow(v, 1 / 2.2); })},
+         k_curved, power(1 / 2.2), 0, false, false, power(2.2)},
         {"gamma-missing",
          "The reference has the sRGB curve and the picture does not (or its colours were decoded once too "
          "often): apply the curve once, at the end.",
-         k_curved, curved(srgb_decoded)},
+         k_curved, curved(srgb_decoded), 0, false, false, curved(srgb_encode)},
         {"gamma-missing",
          "The reference has a gamma of 1/2.2 and the picture does not (or it was decoded once too often): "
          "apply it once, at the end.",
-         k_curved, curved([](double v) { return pow(v, 2.2); })},
+         k_curved, power(2.2), 0, false, false, power(1 / 2.2)},
         {"gamma-twice",
          "The sRGB curve was applied two times more than in the reference: omit it (or, if the reference has "
          "it, apply it only once, at the end).",
-         k_curved, curved([](double v) { return srgb_encode(srgb_encode(v)); })},
+         k_curved, curved([](double v) { return srgb_encode(srgb_encode(v)); }), 0, false, false,
+         curved([](double v) { return srgb_decoded(srgb_decoded(v)); })},
         {"gamma-twice",
          "A gamma of 1/2.2 was applied two times more than in the reference: omit it (or, if the reference "
          "has "
          "it, apply it only once, at the end).",
-         k_curved, curved([](double v) { return pow(v, 1 / (2.2 * 2.2)); })},
+         k_curved, power(1 / (2.2 * 2.2)), 0, false, false, power(2.2 * 2.2)},
         {"rounded-down",
          "Values are truncated and not rounded to bytes: write floor(255 v + 0.5). The difference is 1/255 "
          "at most.",
@@ -127,10 +130,7 @@ const std::vector<PictureCause>& picture_causes() {
         {"background",
          "One colour was replaced by another and nothing else differs: {}. Usually it is the background.",
          k_fitted, recolored()},
-        {"shifted-half-pixel",
-         "Everything is shifted by half a pixel {}: in one picture rays pass through a pixel's middle "
-         "(x + 0.5), in the other through its corner.",
-         k_fitted, half_shifted(), 1},
+        {"shifted-half-pixel", k_half_shift_text, k_fitted, half_shifted(), 1, false, false, {}, true},
         {"acne",
          "Dark specks on lit surfaces (acne): a shadow ray hits the surface that it starts from. Move its "
          "origin off the surface, or ignore hits with t below a small epsilon.",

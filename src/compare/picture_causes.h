@@ -17,7 +17,17 @@ struct PictureCause {
     bool is_turn = false;  ///< the whole picture, flipped or turned
     /// Applied to a picture that has the fault, it gives the picture without: flips and swaps.
     bool is_own_inverse = false;
+    /// Gives the picture without the fault, but for rounding.
+    PictureFault undo = {};
+    bool is_rendered = false;  ///< the causes of a scene have it exactly: not tried if there is a scene
 };
+
+/// Explanations with a direction, which are also those of shifts that are rendered.
+inline constexpr const char* k_shift_text =
+    "Everything is shifted by one pixel {}: an index begins at 1, or a coordinate is rounded up.";
+inline constexpr const char* k_half_shift_text =
+    "Everything is shifted by half a pixel {}: in one picture rays pass through a pixel's middle (x + 0.5), "
+    "in the other through its corner.";
 
 /// The table, simple causes first: of two that explain the same, the earlier is named.
 const std::vector<PictureCause>& picture_causes();

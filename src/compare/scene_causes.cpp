@@ -8,11 +8,15 @@
 #include <algorithm>
 
 #include "compare/edges.h"
+#include "compare/picture_causes.h"
 #include "compare/scene_faults.h"
 #include "world/prepare_camera.h"
 
 namespace glint {
 namespace {
+
+// A camera that is moved a little shows something like a shift.
+constexpr double k_min_shift = 0.7;
 
 // Turns the camera so that its rays pass (dx, dy) pixels further right and down.
 void shift_rays(Scene& s, double dx, double dy) {
@@ -23,16 +27,17 @@ void shift_rays(Scene& s, double dx, double dy) {
     if (!perspective) s.camera.position = s.camera.position + step;
 }
 
-void add_half_shifts(const Scene& scene, std::vector<SceneCause>& causes) {
-    if (scene.conventions.pixel_sample == PixelSample::whole) return;  // its pixels are world units
+// In eight directions.
+void add_shifts(const char* name, fmt::string_view explanation, double pixels, bool only_pairs,
+                std::vector<SceneCause>& causes) {
     for (const auto& [dx, dy] :
          {std::pair{1, 0}, {-1, 0}, {0, 1}, {0, -1}, {1, 1}, {1, -1}, {-1, 1}, {-1, -1}}) {
-        causes.push_back({"shifted-half-pixel",
-                          fmt::format("Everything is shifted by half a pixel {}: in one picture rays pass "
-                                      "through a pixel's middle "
-                                      "(x + 0.5), in the other through its corner.",
-                                      direction_text(dx, dy)),
-                          [dx = dx, dy = dy](Scene& s) { shift_rays(s, -0.5 * dx, -0.5 * dy); }});
+        SceneCause cause{name, fmt::format(fmt::runtime(explanation), direction_text(dx, dy)),
+                         [dx = -pixels * dx, dy = -pixels * dy](Scene& s) { shift_rays(s, dx, dy); }};
+        cause.least = k_min_shift;
+        cause.is_shift = true;
+        cause.only_pairs = only_pairs;
+        causes.push_back(std::move(cause));
     }
 }
 
@@ -184,7 +189,9 @@ std::vector<SceneCause> scene_causes(const Scene& scene) {
     add_raw_diffuse(scene, causes);
     add(tracing_faults());
     add_reflection_levels(scene, causes);
-    add_half_shifts(scene, causes);
+    add_shifts("shifted-half-pixel", k_half_shift_text, 0.5, false, causes);
+    // Alone it is found in the pictures.
+    add_shifts("shifted-one-pixel", k_shift_text, 1, true, causes);
     add_sample_counts(scene, causes);
     return causes;
 }

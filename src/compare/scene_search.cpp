@@ -89,7 +89,7 @@ std::optional<RenderedScene> SceneSearch::render_cause(std::size_t i) const {
 
 CauseCandidate SceneSearch::candidate(std::size_t i) const {
     const SceneCause& cause = causes_[i];
-    CauseCandidate candidate{{cause.name, cause.explanation, 0, 0, true}};
+    CauseCandidate candidate{{cause.name, cause.explanation, 0, 0, true}, cause.least};
     candidate.row = i;
     if (!cause.compose) {
         candidate.set_edit(edit_of(cause));

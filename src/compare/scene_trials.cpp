@@ -81,7 +81,7 @@ void SceneTrials::run_on(const PixelGrid& grid, std::vector<GridSearch>& searche
     const SceneSearch& search = own ? *own : *search_;
     if (!search.rendered()) return;
     for (std::size_t i = 0; i < search.size() && !is_cancelled(); ++i) {
-        search.try_cause(i, list);
+        if (!search.cause(i).only_pairs) search.try_cause(i, list);
         step();
     }
     for (GridSearch& s : searches) {
@@ -125,10 +125,10 @@ void SceneTrials::confirm(GridSearch& small) const {
     whole.report.tried = tried;
 }
 
-std::optional<CausePair> SceneTrials::find_pair(Search& search) {
+std::optional<CausePair> SceneTrials::find_pair(Search& search, PairKind kind) {
     if (!search_ || !search.has_content) return std::nullopt;
     if (!pairs_) pairs_ = std::make_unique<PairSearch>(renderer_, reference_, edges_);
-    return pairs_->find(search);
+    return kind == PairKind::with_shift ? pairs_->find_shifted(search) : pairs_->find(search);
 }
 
 std::string SceneTrials::where_text(const Search& search) {

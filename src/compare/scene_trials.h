@@ -10,6 +10,8 @@
 
 namespace glint {
 
+enum class PairKind : std::uint8_t { any, with_shift };
+
 class SceneTrials {
   public:
     /// At the reference's size. Throws bad_alloc.
@@ -24,7 +26,7 @@ class SceneTrials {
     /// Tries the faults of a scene for all searches that are open. `step` is called steps() times.
     void run(std::vector<Search>& searches, const std::function<void()>& step);
     /// The best pair of causes, if it explains what no single one does.
-    std::optional<CausePair> find_pair(Search& search);
+    std::optional<CausePair> find_pair(Search& search, PairKind kind);
     /// Which shapes show the difference.
     std::string where_text(const Search& search);
 

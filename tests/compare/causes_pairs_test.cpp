@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <tuple>
 
 #include "compare/small_scene.h"
 
@@ -87,6 +88,40 @@ TEST(CausesPairs, WithAGamma) {
         const CauseReport report = *find_causes(with_gamma(picture), right, &scene);
         EXPECT_EQ(names_of(report), (std::set<std::string>{"gamma-applied", other})) << all_causes(report);
     }
+}
+
+// A shift changes edges only; it is no turned camera.
+TEST(CausesPairs, WithAShift) {
+    const Scene scene = read_scene(k_scene);
+    const Image right = draw_text(k_scene);
+    const std::string no_ambient = replaced(k_scene, "ambient  intensity = 0.9", "ambient  intensity = 0");
+    const std::string no_shadows = replaced(k_scene, "shading = phong", "shading = phong  shadows = false");
+    const auto to_the_right = [](Image image) {
+        for (std::ptrdiff_t y = 0; y < 45; ++y)
+            std::copy_backward(image.rgb.begin() + 180 * y, image.rgb.begin() + 180 * y + 177,
+                               image.rgb.begin() + 180 * y + 180);
+        return image;
+    };
+    const std::string corner = with_key(no_shadows, "pixel_sample", "corner");
+    const std::tuple<Image, const char*, const char*> planted[] = {
+        {to_the_right(draw_text(no_ambient)), "ambient-missing", "shifted-one-pixel"},
+        {to_the_right(draw_text(no_shadows)), "shadows-missing", "shifted-one-pixel"},
+        {draw_text(corner), "shadows-missing", "shifted-half-pixel"}};
+    for (const auto& [picture, name, shift] : planted) {
+        const CauseReport report = *find_causes(picture, right, &scene);
+        EXPECT_EQ(names_of(report), (std::set<std::string>{name, shift})) << all_causes(report);
+    }
+}
+
+// Without mirrors and without the ambient term hardly any step of the colours stays.
+TEST(CausesPairs, ThatLookLikeAnotherScene) {
+    const std::string bright = replaced(k_scene, "mirror = 0.4", "mirror = 0.9");
+    const Scene scene = read_scene(bright);
+    const std::string dark = replaced(bright, "ambient  intensity = 0.9", "ambient  intensity = 0");
+    const Image both = draw_text(replaced(dark, "reflections = 2", "reflections = 0"));
+    const CauseReport report = *find_causes(both, draw_text(bright), &scene);
+    EXPECT_EQ(names_of(report), (std::set<std::string>{"ambient-missing", "reflections-missing"}))
+        << all_causes(report);
 }
 
 }  // namespace

@@ -1,0 +1,255 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "compare/cause_finder.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+#include "base/status.h"
+#include "compare/float_difference.h"
+#include "compare/lines.h"
+#include "compare/picture_causes.h"
+#include "compare/step_agreement.h"
+#include "image/levels.h"
+
+namespace glint {
+namespace {
+
+// The scene's own picture stands for a picture from which it differs by less than this part of the difference
+// to be explained.
+constexpr double k_same_part = 0.1;
+// Of a large picture causes are tried on a sample of rows, and the first of them once more on all. Where the
+// sample has not about as much of the difference as the whole, by this factor, it is of rows that differ.
+constexpr std::size_t k_confirmed = 5;
+constexpr double k_fair_sample = 2;
+// There is no second cause if all but this fraction of the pixels differ by at most k_faint.
+constexpr int k_faint = 4;
+constexpr double k_faint_pixels = 0.001;
+// A shift is looked for if a cause that leaves no structure leaves more than this fraction at edges.
+constexpr double k_edges_left = 0.01;
+// A second cause explains at least this fraction more.
+constexpr double k_second_explains = 0.003;
+// Smaller pictures are done before another thread has begun.
+constexpr std::int64_t k_min_for_threads = 1 << 18;
+
+}  // namespace
+
+CauseFinder::CauseFinder(const Image& reference, const Scene* scene, const CauseOptions& options)
+    : reference_(reference),
+      bytes_(to_bytes(reference, options.threads)),
+      edges_(edges_of(bytes_, options.threads)),
+      scene_(scene),
+      options_(options) {}
+
+Search CauseFinder::start(const Image& picture) const {
+    Search search;
+    if (std::string wrong = pair_fault(picture, reference_); !wrong.empty()) {
+        search.status = invalid_argument(std::move(wrong));
+        return search;
+    }
+    const bool is_small = std::int64_t{reference_.width} * reference_.height < k_min_for_threads;
+    search.area = {&edges_, all_rows(reference_.height), 1, is_small ? 1 : options_.threads};
+    if (std::min(reference_.width, reference_.height) < 3) search.area.rim = 0;
+    search.sample = search.area;
+    search.faulty = to_bytes(picture, options_.threads);
+    search.whole = distance(search.faulty, bytes_, search.area);
+    if (search.whole.all == 0) {
+        search.area.rim = search.sample.rim = 0;
+        search.whole = distance(search.faulty, bytes_, search.area);
+    }
+    search.report.difference = search.whole.all;
+    if (options_.as_floats && is_beyond_bytes(picture, reference_, search.whole.all == 0, search.report)) {
+        search.whole = {};
+        return search;
+    }
+    search.sample.rows = sample_of(search.area.rows, reference_.width);
+    const double sampled = distance(search.faulty, bytes_, search.sample).all;
+    if (sampled > k_fair_sample * search.whole.all || sampled * k_fair_sample < search.whole.all) {
+        Rows differing = search.area.rows;
+        std::erase_if(differing, [&](std::int32_t y) { return equal_rows(search.faulty, bytes_, {y}); });
+        search.sample.rows = sample_of(differing, reference_.width);
+    }
+    search.structure = structured_pixels(bytes_, search.faulty, search.area);
+    look_at(search);
+    return search;
+}
+
+void CauseFinder::find(std::vector<Search>& searches) {
+    for (Search& search : searches) search.target = &search.faulty;
+    const auto open =
+        std::count_if(searches.begin(), searches.end(), [](const Search& s) { return s.is_open(); });
+    if (open == 0) return;
+    if (scene_ != nullptr) render_scene(searches);
+    steps_ = static_cast<std::size_t>(open) * picture_causes().size() + (trials_ ? trials_->steps() : 0);
+    made_ = bytes_;
+    for (Search& search : searches) {
+        if (search.is_open() && search.has_content) try_pictures(search);
+    }
+    if (trials_) trials_->run(searches, [&] { step(); });
+    for (Search& search : searches) {
+        if (is_cancelled() && search.is_open()) search.status = cancelled();
+        if (search.is_open()) name(search);
+    }
+}
+
+// What can be said without any cause.
+void CauseFinder::look_at(Search& search) const {
+    const auto agreement = step_agreement(search.faulty, bytes_, search.sample.rows);
+    search.same_view = !agreement || agreement->one_way >= k_same_view;
+    const std::optional<std::string> color = one_color(search.faulty), of_b = one_color(bytes_);
+    search.has_content = color.has_value() == of_b.has_value();
+    if (search.has_content) return;
+    search.report.remark =
+        color ? fmt::format("The picture is one colour throughout, {}: nothing is visible.", *color)
+              : fmt::format("The reference is one colour throughout, {}: nothing is visible.", *of_b);
+}
+
+void CauseFinder::step() {
+    ++done_;
+    if (options_.progress) options_.progress(static_cast<double>(done_) / static_cast<double>(steps_));
+}
+
+void CauseFinder::render_scene(std::vector<Search>& searches) {
+    trials_ = std::make_unique<SceneTrials>(*scene_, bytes_, edges_, options_);
+    const auto& rendered = trials_->rendered();
+    for (Search& search : searches) {
+        if (!search.is_open()) continue;
+        if (!rendered) {
+            search.status = is_cancelled() ? cancelled()
+                                           : failure(ErrorCode::invalid_scene,
+                                                     "the scene cannot be rendered at the pictures' size");
+            continue;
+        }
+        CauseReport& report = search.report;
+        const double near = k_same_part * report.difference;
+        const double from_a = distance(rendered->bytes, search.faulty, search.area).all,
+                     from_b = distance(rendered->bytes, bytes_, search.area).all;
+        report.scene_from_a = from_a;
+        report.scene_from_b = from_b;
+        report.swapped = from_a < near && from_b > near;
+        if (report.swapped) search.target = &bytes_;
+    }
+}
+
+// What the causes that are seen in pictures are made from: the scene's floats know what bytes have lost,
+// if it draws this very picture.
+PictureSource CauseFinder::source(const Search& search, const Rows& rows) const {
+    const CauseReport& report = search.report;
+    const bool by_scene = trials_ && trials_->rendered() &&
+                          (report.swapped || *report.scene_from_b < k_same_part * report.difference);
+    return {by_scene ? trials_->rendered()->image : reference_,
+            by_scene ? trials_->rendered()->bytes : bytes_,
+            *search.target,
+            search.sample,
+            rows,
+            by_scene};
+}
+
+void CauseFinder::try_pictures(Search& search) {
+    const PictureSource from = source(search, search.sample.rows);
+    const bool is_sample = search.sample.rows.size() < search.area.rows.size();
+    const Distance of_sample = distance(from.bytes, *search.target, search.sample);
+    const auto estimate = [](double left, double sampled, double whole) {
+        return sampled > 0 ? left / sampled * whole : whole;
+    };
+    for (std::size_t i = 0; i < picture_causes().size() && !is_cancelled(); ++i, step()) {
+        const PictureCause& cause = picture_causes()[i];
+        if (cause.is_rendered && from.unclamped) continue;
+        const std::optional<std::string> detail = cause.make(from, made_);
+        if (!detail || equal_rows(made_, from.bytes, from.rows)) continue;
+        CauseCandidate candidate{
+            {cause.name, fmt::format(fmt::runtime(cause.explanation), *detail), 0, 0, false},
+            cause.least,
+            cause.freedom,
+            distance(made_, *search.target, search.sample)};
+        candidate.is_turn = cause.is_turn;
+        candidate.of_pictures = i;
+        if (is_sample) {
+            Distance& left = candidate.left;
+            left = {estimate(left.all, of_sample.all, search.whole.all),
+                    estimate(left.calm, of_sample.calm, search.whole.calm)};
+            candidate.is_estimated = true;
+        }
+        search.add(made_, std::move(candidate));
+    }
+}
+
+// Looks at the first ones on all rows, and drops what is only estimated.
+void CauseFinder::confirm(Search& search) {
+    bool away_from_edges = false;
+    std::vector<CauseCandidate> first = ranked(search, away_from_edges);
+    first.resize(std::min(first.size(), k_confirmed));
+    const PictureSource from = source(search, search.area.rows);
+    for (CauseCandidate& candidate : search.found) {
+        const auto is_it = [&](const CauseCandidate& c) { return c.of_pictures == candidate.of_pictures; };
+        if (!candidate.of_pictures || std::none_of(first.begin(), first.end(), is_it)) continue;
+        picture_causes()[*candidate.of_pictures].make(from, made_);
+        search.confirm(made_, candidate);
+    }
+    std::erase_if(search.found, [](const CauseCandidate& c) { return c.is_estimated; });
+    for (CauseCandidate& c : search.found) c.is_confirmed = true;
+}
+
+bool CauseFinder::is_faint(const Search& search) const {
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < bytes_.rgb.size(); i += 3) {
+        int most = 0;
+        for (std::size_t c = i; c < i + 3; ++c)
+            most = std::max(most, std::abs(int{bytes_.rgb[c]} - int{search.faulty.rgb[c]}));
+        count += most > k_faint;
+    }
+    return static_cast<double>(count) <= k_faint_pixels * static_cast<double>(bytes_.rgb.size() / 3);
+}
+
+std::optional<CausePair> CauseFinder::find_pair(Search& search) {
+    double least = search.whole.all;
+    bool is_explained = false;
+    for (const CauseCandidate& c : search.found) {
+        if (c.freedom == 0) least = std::min(least, c.left.all);
+        is_explained = is_explained || (c.is_exact && c.freedom == 0);
+    }
+    if (!is_explained) return trials_->find_pair(search, PairKind::any);
+    // Edges may be those of another renderer.
+    if (least <= k_edges_left * search.whole.all) return std::nullopt;
+    return trials_->find_pair(search, PairKind::with_shift);
+}
+
+void CauseFinder::name(Search& search) {
+    confirm(search);
+    std::optional<CausePair> pair;
+    if (trials_ && trials_->rendered() && !is_faint(search)) pair = find_pair(search);
+    name_causes(search);
+    CauseReport& report = search.report;
+    if (pair) name_pair(search, *pair);
+    if (trials_ && (report.causes.empty() || report.causes.front().perhaps))
+        report.where = trials_->where_text(search);
+}
+
+void CauseFinder::name_pair(Search& search, CausePair& pair) {
+    CauseReport& report = search.report;
+    CauseCandidate &first = pair.first, &second = pair.second;
+    for (CauseCandidate* c : {&first, &second}) {
+        c->cause.remaining = c->left.all;
+        c->cause.explained = std::max(1 - c->left.all / search.whole.all, 0.0);
+        c->cause.perhaps = !second.is_exact;
+    }
+    // Of causes that leave nearly the same alone, the one that was ranked first is named.
+    if (!report.causes.empty() && std::fabs(report.causes.front().remaining - first.cause.remaining) <=
+                                      k_second_explains * search.whole.all) {
+        const bool perhaps = first.cause.perhaps;
+        first.cause = report.causes.front();
+        first.cause.perhaps = perhaps;
+    }
+    std::erase_if(report.causes, [&](const Cause& c) { return c.name == first.cause.name; });
+    report.causes.insert(report.causes.begin(), first.cause);
+    // The first one may be all, once its numbers are fitted better.
+    if (first.left.all - second.left.all > k_second_explains * search.whole.all) report.then = {second.cause};
+    search.pair = {first};
+    if (!report.then.empty()) search.pair.push_back(second);
+    report.remark.clear();
+    report.nearest.reset();
+}
+
+}  // namespace glint

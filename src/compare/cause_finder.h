@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+// The search for causes, from pictures to reports.
+#include <memory>
+#include <vector>
+
+#include "compare/cause_ranking.h"
+#include "compare/picture_faults.h"
+#include "compare/scene_trials.h"
+#include "glint/compare.h"
+
+namespace glint {
+
+/// Each cause makes the picture that it would have made out of the reference. The one with the smallest mean
+/// difference from the faulty picture is named.
+class CauseFinder {
+  public:
+    /// All must outlive it; `scene` may be null. Throws bad_alloc.
+    CauseFinder(const Image& reference, const Scene* scene, const CauseOptions& options);
+
+    /// A search for this picture. Search::status says why there will be none.
+    Search start(const Image& picture) const;
+    /// Fills in the reports.
+    void find(std::vector<Search>& searches);
+
+  private:
+    bool is_cancelled() const {
+        return options_.cancel != nullptr && options_.cancel->load(std::memory_order_relaxed);
+    }
+    void look_at(Search& search) const;
+    void step();
+    void render_scene(std::vector<Search>& searches);
+    PictureSource source(const Search& search, const Rows& rows) const;
+    void try_pictures(Search& search);
+    void confirm(Search& search);
+    bool is_faint(const Search& search) const;
+    std::optional<CausePair> find_pair(Search& search);
+    void name(Search& search);
+    static void name_pair(Search& search, CausePair& pair);
+
+    const Image& reference_;
+    const BytePicture bytes_;
+    const std::vector<std::uint8_t> edges_;
+    const Scene* const scene_;
+    const CauseOptions& options_;
+    std::unique_ptr<SceneTrials> trials_;
+    BytePicture made_;  // what a cause makes, one after the other
+    std::size_t steps_ = 0, done_ = 0;
+};
+
+}  // namespace glint
