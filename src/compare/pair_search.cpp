@@ -180,9 +180,12 @@ std::optional<CausePair> PairSearch::find(const Search& search) {
     });
     std::set<std::string> known;
     std::erase_if(firsts, [&](const CauseCandidate& c) { return !known.insert(row_key(c)).second; });
+    for (std::size_t i = 0; i < firsts.size() && !renderer_.is_cancelled(); ++i) {
+        // A light that is missing may be hidden by the others, which are brighter.
+        const bool with_parts = i < k_firsts_with_parts || firsts[i].cause.name == "light-missing";
+        if (i < k_firsts || with_parts) try_scene(firsts[i], k_seconds_rendered, with_parts, trial);
+    }
     firsts.resize(std::min(firsts.size(), k_firsts));
-    for (std::size_t i = 0; i < firsts.size() && !renderer_.is_cancelled(); ++i)
-        try_scene(firsts[i], k_seconds_rendered, i < k_firsts_with_parts, trial);
     fit_best(trial);
     const double whole = trial.coarse.whole.all;
     const auto goes_on = [&] {  // not if it is found, nor if this is another scene
@@ -192,6 +195,7 @@ std::optional<CausePair> PairSearch::find(const Search& search) {
     for (std::size_t i = 0; i < std::min(firsts.size(), k_firsts_with_all) && goes_on(); ++i)
         try_scene(firsts[i], SIZE_MAX, false, trial);  // changes that do not add up
     fit_best(trial);
+    if (goes_on()) try_undone_geometry(trial);
     for (std::size_t i = 0; i < std::min(firsts.size(), k_geometry_firsts) && goes_on(); ++i)
         try_geometry(firsts[i], trial);
     fit_best(trial);

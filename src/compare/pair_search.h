@@ -57,6 +57,7 @@ class PairSearch {
     void try_pictures(Trial& trial);
     void try_scene(const CauseCandidate& first, std::size_t most, bool with_parts, Trial& trial) const;
     void try_geometry(const CauseCandidate& other, Trial& trial) const;
+    void try_undone_geometry(Trial& trial) const;
     static void add(Trial& trial, CauseCandidate before, CauseCandidate after);
     void fit_best(Trial& trial) const;
     bool confirm(const Search& search, PairCandidate& pair) const;

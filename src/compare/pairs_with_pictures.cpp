@@ -2,6 +2,7 @@
 // Pairs of which one is a fault of pictures.
 #include <string_view>
 
+#include "compare/geometry_search.h"
 #include "compare/pair_search.h"
 #include "compare/picture_causes.h"
 
@@ -9,6 +10,7 @@ namespace glint {
 namespace {
 
 constexpr std::size_t k_seconds = 3;  // are kept for each fault of pictures
+constexpr std::size_t k_fitted_numbers = 3;
 // A picture without a curve may differ this many times as much.
 constexpr double k_hidden = 1.5;
 constexpr std::string_view k_shift = "shifted-one-pixel";  // is a fault of the scene, too
@@ -62,6 +64,28 @@ void PairSearch::try_undone(Trial& trial) const {
             }
             add(trial, std::move(pair.before), std::move(pair.after));
         }
+    }
+}
+
+// Numbers of the scene that are fitted to the picture without a flip, the one that leaves least.
+void PairSearch::try_undone_geometry(Trial& trial) const {
+    Undone* best = nullptr;
+    for (Undone& u : trial.undone) {
+        if (picture_causes()[u.row].is_own_inverse && (best == nullptr || u.whole < best->whole)) best = &u;
+    }
+    if (best == nullptr) return;
+    Search search = best->search;
+    search.target = &search.faulty;
+    search.found.clear();
+    const auto shares =
+        shares_of_shapes(shapes_of_pixels(renderer_, coarse_), causes_.rendered()->bytes, search.faulty);
+    const auto render = [&](const FaultyScene& scene) { return renderer_.render(scene, coarse_); };
+    fit_geometry(geometry_causes(renderer_, shares), coarse_, renderer_.scene(), render, k_fitted_numbers,
+                 search);
+    for (CauseCandidate& before : best_of(search, 1)) {
+        CauseCandidate after = fault_of_pictures(best->row);
+        after.left = before.left;
+        add(trial, std::move(before), std::move(after));
     }
 }
 
