@@ -8,7 +8,7 @@ import {existsSync, mkdtempSync, readFileSync, readdirSync, rmSync, writeFileSyn
 import {createRequire} from 'node:module';
 import {tmpdir} from 'node:os';
 import {basename, join} from 'node:path';
-import {after} from 'node:test';
+import {after, test} from 'node:test';
 import {fileURLToPath} from 'node:url';
 
 import {serve} from '../../web/tools/serve.mjs';
@@ -76,6 +76,13 @@ export async function withBrowserPage(root, use, path = '', expected = null) {
         other.close();
         other.closeAllConnections();
     }
+}
+
+/** A test of several cases on one page, one after the other: each begins with a scene of its own. */
+export function testOnOnePage(name, cases, use, options = {}) {
+    test(name, {timeout: 300_000}, (t) => withPage(async (page) => {
+        for (const one of cases) await t.test(one[0], () => use(page, ...one));
+    }, options));
 }
 
 /** Waits until the picture is complete. */
@@ -166,9 +173,24 @@ export async function saved(page, act) {
     return {name: download.suggestedFilename(), bytes: readFileSync(file)};
 }
 
-/** The editor's whole text. */
-export async function sceneText(page) {
-    return (await saved(page, () => page.getByRole('button', {name: 'Save scene'}).click())).bytes.toString();
+/** The editor's whole text: what the button "Save scene" saves, without the browser's download (sharing.test.mjs tests that). */
+export function sceneText(page) {
+    return page.evaluate(() => {
+        const {createObjectURL} = URL, {click} = HTMLAnchorElement.prototype;
+        let file = null;
+        URL.createObjectURL = (blob) => {
+            file = blob;
+            return 'data:,';
+        };
+        HTMLAnchorElement.prototype.click = () => {};
+        try {
+            [...document.querySelectorAll('button')].find((button) => button.textContent === 'Save scene').click();
+        } finally {
+            URL.createObjectURL = createObjectURL;
+            HTMLAnchorElement.prototype.click = click;
+        }
+        return file.text();
+    });
 }
 
 /** Clicks a point of the picture, in fractions of its size. */

@@ -3,41 +3,39 @@
 import assert from 'node:assert/strict';
 import {test} from 'node:test';
 
-import {choose, nativeText, picture, sceneText, settled, withPage} from './browser.mjs';
+import {choose, nativeText, picture, sceneText, settled, testOnOnePage, withPage} from './browser.mjs';
 
 const cameras = ['cgfs/three_mirrors.cgfs', 'cgfs/from_the_side.cgfs', 'epfl/three_lights.json', 'snowman', 'csc473/glass_ball.pov',
                  'nff/pyramid.nff', 'glint/acne.glint', 'glint/lit_sphere.glint'];
-for (const scene of cameras) {
-    test(`orbit, pan and zoom move the camera of ${scene}`, () => withPage(async (page) => {
-        await choose(page, scene);
-        const box = await page.locator('.frame').boundingBox();
-        const at = [box.x + box.width / 2, box.y + box.height / 2];
-        const seen = [await sceneText(page)];
-        const drag = async (key) => {
-            if (key) await page.keyboard.down(key);
-            await page.mouse.move(...at);
-            await page.mouse.down();
-            for (let i = 1; i <= 5; ++i) await page.mouse.move(at[0] + 12 * i, at[1] + 6 * i);
-            await page.mouse.up();
-            if (key) await page.keyboard.up(key);
-        };
-        for (const act of [() => drag(), () => drag('Shift'), () => page.mouse.wheel(0, 300)]) {
-            const before = await picture(page);
-            const editor = page.locator('.cm-content');
-            const visible = await editor.innerText();
-            await page.mouse.move(...at);
-            await act();
-            for (let i = 0; i < 100 && await editor.innerText() === visible; ++i) await page.waitForTimeout(20);
-            await settled(page);
-            seen.push(await sceneText(page));
-            assert.notEqual(seen.at(-1), seen.at(-2));
-            assert.notDeepEqual(await picture(page), before);
-        }
-        assert.equal(await page.locator('.message.error').count(), 0);
-        const name = await page.locator('.file-name').innerText();
-        if (!name.includes(':')) assert.deepEqual(await picture(page), nativeText(name, seen.at(-1)));
-    }));
-}
+testOnOnePage('orbit, pan and zoom move the camera', cameras.map((scene) => [scene]), async (page, scene) => {
+    await choose(page, scene);
+    const box = await page.locator('.frame').boundingBox();
+    const at = [box.x + box.width / 2, box.y + box.height / 2];
+    const seen = [await sceneText(page)];
+    const drag = async (key) => {
+        if (key) await page.keyboard.down(key);
+        await page.mouse.move(...at);
+        await page.mouse.down();
+        for (let i = 1; i <= 5; ++i) await page.mouse.move(at[0] + 12 * i, at[1] + 6 * i);
+        await page.mouse.up();
+        if (key) await page.keyboard.up(key);
+    };
+    for (const act of [() => drag(), () => drag('Shift'), () => page.mouse.wheel(0, 300)]) {
+        const before = await picture(page);
+        const editor = page.locator('.cm-content');
+        const visible = await editor.innerText();
+        await page.mouse.move(...at);
+        await act();
+        for (let i = 0; i < 100 && await editor.innerText() === visible; ++i) await page.waitForTimeout(20);
+        await settled(page);
+        seen.push(await sceneText(page));
+        assert.notEqual(seen.at(-1), seen.at(-2));
+        assert.notDeepEqual(await picture(page), before);
+    }
+    assert.equal(await page.locator('.message.error').count(), 0);
+    const name = await page.locator('.file-name').innerText();
+    if (!name.includes(':')) assert.deepEqual(await picture(page), nativeText(name, seen.at(-1)));
+});
 
 test('what the camera looks at stays in the middle', () => withPage(async (page) => {
     await choose(page, 'glint/acne.glint');

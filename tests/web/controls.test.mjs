@@ -6,7 +6,7 @@ import {cpus, loadavg} from 'node:os';
 import {join} from 'node:path';
 import {test} from 'node:test';
 
-import {book, choose, drop, native, nativeText, paste, picture, sceneText, scenes, settled, withPage} from './browser.mjs';
+import {book, choose, drop, native, nativeText, paste, picture, sceneText, scenes, settled, testOnOnePage, withPage} from './browser.mjs';
 
 const still = readFileSync(join(scenes, 'glint/still_life.glint'), 'utf8').replace('640 x 480  aa = 2', '120 x 90  aa = 1');
 
@@ -46,25 +46,24 @@ const edits = [
     }, /conventions { mirror = add }/, null],
 ];
 
-for (const [name, act, now, then] of edits) {
-    test(`a control edits the text, and undo takes it back: ${name}`, () => withPage(async (page) => {
-        await drop(page, {name: 'still.glint', text: still});
-        await page.waitForFunction(() => document.querySelector('.file-name').textContent === 'still.glint');
-        await settled(page);
-        const before = await picture(page);
-        await act(page);
-        await settled(page);
-        const text = await sceneText(page);
-        assert.match(text, now);
-        if (then) assert.doesNotMatch(text, then);
-        assert.deepEqual(await picture(page), nativeText('still.glint', text));
-        assert.equal(await page.locator('.outside').count(), 0);
-        await page.getByRole('button', {name: 'Undo'}).click();
-        await settled(page);
-        assert.equal(await sceneText(page), still);
-        assert.deepEqual(await picture(page), before);
-    }));
-}
+testOnOnePage('a control edits the text, and undo takes it back', edits, async (page, name, act, now, then) => {
+    const file = `still_${edits.findIndex((one) => one[0] === name)}.glint`;
+    await drop(page, {name: file, text: still});
+    await page.waitForFunction((wanted) => document.querySelector('.file-name').textContent === wanted, file);
+    await settled(page);
+    const before = await picture(page);
+    await act(page);
+    await settled(page);
+    const text = await sceneText(page);
+    assert.match(text, now);
+    if (then) assert.doesNotMatch(text, then);
+    assert.deepEqual(await picture(page), nativeText(file, text));
+    assert.equal(await page.locator('.outside').count(), 0);
+    await page.getByRole('button', {name: 'Undo'}).click();
+    await settled(page);
+    assert.equal(await sceneText(page), still);
+    assert.deepEqual(await picture(page), before);
+});
 
 test('a fault that is taken back is as it was', () => withPage(async (page) => {
     await drop(page, {name: 'still.glint', text: still});
@@ -142,18 +141,16 @@ const lights = [
     ['nff/pyramid.nff', 0, /^l 3 1 6 0.5 0.5 0.44444$/m],
     ['snowman', 1, /position: \[6, 1, 9\], color: \[0.5, 0.425, 0.35\]/],
 ];
-for (const [scene, index, expected] of lights) {
-    test(`a light of ${scene}`, () => withPage(async (page) => {
-        await choose(page, scene);
-        const fields = page.locator(`[data-light="${index}"]`);
-        await fields.getByRole('spinbutton', {name: 'Intensity'}).fill('0.5');
-        await settled(page);
-        await fields.getByRole('spinbutton', {name: 'Position y'}).fill('1');
-        await settled(page);
-        assert.match(await sceneText(page), expected);
-        assert.equal(await page.locator('.message.error').count(), 0);
-    }));
-}
+testOnOnePage('a light', lights, async (page, scene, index, expected) => {
+    await choose(page, scene);
+    const fields = page.locator(`[data-light="${index}"]`);
+    await fields.getByRole('spinbutton', {name: 'Intensity'}).fill('0.5');
+    await settled(page);
+    await fields.getByRole('spinbutton', {name: 'Position y'}).fill('1');
+    await settled(page);
+    assert.match(await sceneText(page), expected);
+    assert.equal(await page.locator('.message.error').count(), 0);
+});
 
 test('dragging a slider shows more than 15 frames a second', () => withPage(async (page) => {
     // Other processes on the machine make it slower; it still has to move.

@@ -31,7 +31,7 @@ test('a link that holds nothing opens the book’s scene', () => withPage(async 
     assert.deepEqual(await picture(page), native(join(scenes, 'cgfs/three_mirrors.cgfs')));
 }, {path: '#1=AAAA'}));
 
-test('the picture is saved by key and by button, under the course’s name, as the command saves it', () => withPage(async (page, context) => {
+test('picture and scene are saved by button, the picture by key, too, under the course’s name, as the command saves it', () => withPage(async (page, context) => {
     await context.grantPermissions(['clipboard-read', 'clipboard-write']);
     const copied = async () => {
         await page.getByRole('button', {name: 'Copy as command'}).click();
@@ -46,6 +46,9 @@ test('the picture is saved by key and by button, under the course’s name, as t
     assert.equal(byKey.name, 'castle_BlinnPhong.png');
     assert.deepEqual(byKey.bytes, byButton.bytes);
     assert.ok(byKey.bytes.equals(byCommand(await copied(), 'castle.json', await sceneText(page))));
+    const scene = await saved(page, () => page.getByRole('button', {name: 'Save scene'}).click());
+    assert.equal(scene.name, 'castle.json');
+    assert.deepEqual(scene.bytes, readFileSync(join(scenes, 'epfl/castle.json')));
     // Settings that the text cannot say, and a name that a shell would take apart.
     const name = "it's a $HOME.cgfs";
     await drop(page, {name, text: book});
