@@ -16,7 +16,7 @@
 namespace glint::cli {
 namespace {
 
-constexpr auto k_examples = R"(Examples:
+constexpr auto k_check_examples = R"(Examples:
   glint check castle.json                              the likely mistakes, each with its line and remedy
   glint check castle.json --strict                     exit code 1 if there is any finding or warning
   glint check spheres.cgfs lights.cgfs --json          two listings as one scene; an array of findings
@@ -94,7 +94,7 @@ Run add_check(CLI::App& app) {
                      "Exit code 1 if there is any finding or warning; notes do not count");
     command.add_flag("--json", arguments->json, "Print the findings as a JSON array");
     command.add_flag("-q,--quiet", arguments->quiet, "No progress");
-    command.footer(k_examples);
+    command.footer(k_check_examples);
     return [arguments] { return check_command(*arguments); };
 }
 

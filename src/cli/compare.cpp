@@ -20,7 +20,7 @@
 namespace glint::cli {
 namespace {
 
-constexpr auto k_examples = R"(Examples:
+constexpr auto k_compare_examples = R"(Examples:
   glint compare mine.png reference.png                        figures, and the likeliest cause
   glint compare mine.png castle.png --scene castle.json       tests many more causes, by rendering
   glint compare mine.png castle.png --within 2 --fail-percent 1    exit code 0 if 99% are within 2/255
@@ -158,7 +158,7 @@ Run add_compare(CLI::App& app) {
     command.add_flag("--no-causes", a.no_causes, "Print only the figures; do not search for causes");
     command.add_flag("--json", a.json, "Print JSON");
     command.add_flag("-q,--quiet", a.quiet, "Print only errors; the exit code is the result");
-    command.footer(k_examples);
+    command.footer(k_compare_examples);
     return [arguments] { return compare_command(*arguments); };
 }
 

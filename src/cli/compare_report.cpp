@@ -17,7 +17,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::size_t k_max_other_causes = 3;
 
-std::string color_text(const float (&c)[3], bool as_floats) {
+std::string pixel_text(const float (&c)[3], bool as_floats) {
     if (as_floats) return fmt::format("({:.5g}, {:.5g}, {:.5g})", c[0], c[1], c[2]);
     return fmt::format("({}, {}, {})", to_byte(c[0]), to_byte(c[1]), to_byte(c[2]));
 }
@@ -101,7 +101,7 @@ template <class T> Json or_null(const std::optional<T>& value) {
     return value ? Json(*value) : Json(nullptr);
 }
 
-Json cause_json(const Cause& cause) {
+Json full_cause_json(const Cause& cause) {
     return {{"name", cause.name},           {"explanation", cause.explanation},
             {"explained", cause.explained}, {"remaining", cause.remaining},
             {"rendered", cause.rendered},   {"perhaps", cause.perhaps}};
@@ -115,12 +115,12 @@ Json causes_json(const Result<CauseReport>& result) {
     json["scene_from_b"] = or_null(report.scene_from_b);
     if (!result) json["error"] = result.message;
     json["remark"] = report.remark.empty() ? Json(nullptr) : Json(report.remark);
-    json["nearest"] = report.nearest ? cause_json(*report.nearest) : Json(nullptr);
+    json["nearest"] = report.nearest ? full_cause_json(*report.nearest) : Json(nullptr);
     json["where"] = report.where.empty() ? Json(nullptr) : Json(report.where);
     json["then"] = Json::array();
-    for (const Cause& cause : report.then) json["then"].push_back(cause_json(cause));
+    for (const Cause& cause : report.then) json["then"].push_back(full_cause_json(cause));
     json["causes"] = Json::array();
-    for (const Cause& cause : report.causes) json["causes"].push_back(cause_json(cause));
+    for (const Cause& cause : report.causes) json["causes"].push_back(full_cause_json(cause));
     return json;
 }
 
@@ -161,8 +161,8 @@ std::string text_report(const CompareReport& report) {
     if (d.psnr) fmt::format_to(out, "; PSNR {:.2f} dB", *d.psnr);
     if (d.ssim) fmt::format_to(out, ", SSIM {:.4f}", *d.ssim);
     fmt::format_to(out, "\nlargest    {:.4g} at x {}, y {}: {}, and in {} {}\n", d.largest.value, d.largest.x,
-                   d.largest.y, color_text(d.largest.a, report.as_floats), report.reference,
-                   color_text(d.largest.b, report.as_floats));
+                   d.largest.y, pixel_text(d.largest.a, report.as_floats), report.reference,
+                   pixel_text(d.largest.b, report.as_floats));
     if (report.causes) add_causes(text, report);
     return text;
 }

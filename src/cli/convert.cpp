@@ -15,7 +15,7 @@
 namespace glint::cli {
 namespace {
 
-constexpr auto k_examples = R"(Examples:
+constexpr auto k_convert_examples = R"(Examples:
   glint convert castle.json castle.glint
   glint convert spheres.cgfs lights.cgfs both.glint     two listings as one scene
   glint convert castle.json -o - | less                 to standard output
@@ -77,7 +77,7 @@ Run add_convert(CLI::App& app) {
                     "The output file: a name that ends in .glint; - is standard output")
         ->option_text("OUT");
     command.add_flag("-q,--quiet", arguments->quiet, "Print only errors");
-    command.footer(k_examples);
+    command.footer(k_convert_examples);
     return [arguments] { return convert_command(*arguments); };
 }
 

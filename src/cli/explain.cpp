@@ -22,14 +22,14 @@
 namespace glint::cli {
 namespace {
 
-constexpr auto k_examples = R"(Examples:
+constexpr auto k_explain_examples = R"(Examples:
   glint explain castle.json -p 320,200                        the pixel's rays, lights and sums
   glint explain castle.json -p 320,200 --why-not 2            why the second light adds nothing there
   glint explain castle.json -p 320,200 --overlay rays.png     the rays drawn over the picture
   glint explain castle.json -p 320,200 --as json | jq .value
   glint explain spheres.pov -p 315,185 --origin bottom-left --as printrays)";
 
-constexpr int k_max_listed = 8;  // --aa up to which samples are listed one by one
+constexpr int k_max_listed_samples = 8;  // --aa up to which samples are listed one by one
 
 struct ExplainArguments {
     SceneArguments scene;
@@ -136,7 +136,7 @@ int explain_command(ExplainArguments& arguments) {
     } else {
         fmt::print("{}", explanation_text(explanation, scene, style));
         const int samples = scene.settings.samples;
-        if (samples > 1 && samples <= k_max_listed) {
+        if (samples > 1 && samples <= k_max_listed_samples) {
             options.sample = -1;
             const Result<Explanation> all = explain(scene, *prepared, pixel.x, pixel.y, options);
             if (all) fmt::print("{}", samples_text(*all, scene, style));
@@ -186,7 +186,7 @@ Run add_explain(CLI::App& app) {
     add_number_arguments(command, a.numbers);
     command.add_option("--isa", a.isa, "Instruction set (`glint info --isa` lists them)")
         ->option_text("NAME");
-    command.footer(k_examples);
+    command.footer(k_explain_examples);
     return [arguments] { return explain_command(*arguments); };
 }
 

@@ -20,13 +20,12 @@
 namespace glint::cli {
 namespace {
 
-constexpr auto k_examples = R"(Examples:
+constexpr auto k_grade_examples = R"(Examples:
   glint grade handed_in --scene castle.json --reference castle.png
   glint grade handed_in --scene castle.json --csv grades.csv --sheet sheet.png
   glint grade handed_in --scene castle.json --rubric rt2.rubric --csv grades.csv
   glint grade ada --scene castle.json --rubric rt2.rubric --gradescope results.json)";
-
-constexpr std::size_t k_batch = 32;  // pictures in memory at a time
+constexpr std::size_t k_pictures_at_a_time = 32;  // in memory
 
 struct GradeArguments {
     std::string folder, reference, rubric;
@@ -66,8 +65,8 @@ int grade_pictures(const GradeArguments& arguments, const Scene* scene, const Im
     sheet.set_label(0, "0 reference");
     sheet.put(0, reference);
     auto bar = std::make_unique<ProgressBar>(!arguments.quiet);
-    for (std::size_t first = 0; first < count; first += k_batch) {
-        const std::size_t last = std::min(first + k_batch, count);
+    for (std::size_t first = 0; first < count; first += k_pictures_at_a_time) {
+        const std::size_t last = std::min(first + k_pictures_at_a_time, count);
         std::vector<Image> pictures;
         std::vector<std::size_t> whose;
         for (std::size_t i = first; i < last; ++i) {
@@ -204,7 +203,7 @@ Run add_grade(CLI::App& app) {
         ->option_text("OUT.png");
     add_threads_argument(command, a.threads);
     command.add_flag("-q,--quiet", a.quiet, "No warnings and no progress");
-    command.footer(k_examples);
+    command.footer(k_grade_examples);
     return [arguments] { return grade_command(*arguments); };
 }
 

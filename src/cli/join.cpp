@@ -17,7 +17,7 @@
 namespace glint::cli {
 namespace {
 
-constexpr auto k_examples = R"(Examples:
+constexpr auto k_join_examples = R"(Examples:
   glint join 1.tiles 2.tiles 3.tiles -o castle.png      what three runs with --part rendered
   glint join *.tiles -o castle.exr --partial            the tiles that there are, the others black
   glint join castle.png.journal -o now.png --partial    how far a run with --resume has come)";
@@ -117,7 +117,7 @@ Run add_join(CLI::App& app) {
     add_number_arguments(command, a.numbers);
     command.add_flag("--partial", a.partial, "Write the picture even if tiles are missing; they are black");
     command.add_flag("-q,--quiet", a.quiet, "Say nothing but errors");
-    command.footer(k_examples);
+    command.footer(k_join_examples);
     return [arguments] { return join_command(*arguments); };
 }
 

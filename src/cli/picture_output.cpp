@@ -4,20 +4,15 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <chrono>
 #include <utility>
 
+#include "cli/clock.h"
 #include "cli/failure.h"
 #include "cli/terminal.h"
 #include "cli/text.h"
 
 namespace glint::cli {
 namespace {
-
-using Clock = std::chrono::steady_clock;
-double seconds_since(Clock::time_point start) {
-    return std::chrono::duration<double>(Clock::now() - start).count();
-}
 
 std::optional<FileFormat> format_of_name(const std::string& path) {
     const std::string ending = extension(path);

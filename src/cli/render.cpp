@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <chrono>
 #include <memory>
 
 #include "base/text.h"
+#include "cli/clock.h"
 #include "cli/commands.h"
 #include "cli/failure.h"
 #include "cli/half_blocks.h"
@@ -23,7 +23,7 @@
 namespace glint::cli {
 namespace {
 
-constexpr auto k_examples = R"(Examples:
+constexpr auto k_render_examples = R"(Examples:
   glint render castle.json                              castle.png in the current folder
   glint render spheres.cgfs lights.cgfs -s 600x600      two listings as one scene
   glint render castle.json -o castle.exr --aa 3         9 samples per pixel, linear floats
@@ -35,11 +35,6 @@ constexpr auto k_examples = R"(Examples:
   glint render castle.json --resume                     continues an interrupted run
   glint render castle.json --part 2/4 -o 2.tiles        a quarter of the tiles, for `glint join`
   glint render castle.json --show                       also show it in the terminal)";
-
-using Clock = std::chrono::steady_clock;
-double seconds_since(Clock::time_point start) {
-    return std::chrono::duration<double>(Clock::now() - start).count();
-}
 
 std::optional<Crop> crop_of(const RenderArguments& arguments, const RenderSettings& settings) {
     if (arguments.crop.empty()) return std::nullopt;
@@ -185,7 +180,7 @@ Run add_render(CLI::App& app, const RenderHooks& hooks) {
                      "Treat warnings as errors: exit code 1, and no picture is written");
     command.add_flag("--show", a.show, "Also show the picture in the terminal, in 24-bit colours");
     command.add_flag("-q,--quiet", a.quiet, "Print only errors");
-    command.footer(k_examples);
+    command.footer(k_render_examples);
     return [arguments, &hooks] { return render_command(*arguments, hooks); };
 }
 

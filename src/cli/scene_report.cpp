@@ -18,8 +18,9 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::size_t k_max_listed = 20;  // lights and materials listed in the text
 
-std::string vec(Vec3 v) { return fmt::format("({:.6g}, {:.6g}, {:.6g})", v.x, v.y, v.z); }
-std::string color(Color c) {
+// To six digits.
+std::string rounded(Vec3 v) { return fmt::format("({:.6g}, {:.6g}, {:.6g})", v.x, v.y, v.z); }
+std::string rounded(Color c) {
     return c.r == c.g && c.g == c.b ? fmt::format("{:.6g}", c.r)
                                     : fmt::format("({:.6g}, {:.6g}, {:.6g})", c.r, c.g, c.b);
 }
@@ -61,25 +62,25 @@ std::string light_details(const Light& light) {
         });
     }
     if (light.has_specular_color() && !(light.specular_color == light.color)) {
-        text += "  specular " + color(light.specular_color);
+        text += "  specular " + rounded(light.specular_color);
     }
     return text;
 }
 
 std::string camera_text(const Camera& camera) {
     std::string text = camera.projection == Projection::perspective ? "perspective" : "orthographic";
-    text += " at " + vec(camera.position);
+    text += " at " + rounded(camera.position);
     if (camera.frame) {
-        text += fmt::format(", frame right {} up {} forward {}", vec(camera.frame->right),
-                            vec(camera.frame->up), vec(camera.frame->forward));
+        text += fmt::format(", frame right {} up {} forward {}", rounded(camera.frame->right),
+                            rounded(camera.frame->up), rounded(camera.frame->forward));
     } else {
-        text += fmt::format(" to {}, up {}, ", vec(camera.look_at), vec(camera.up));
+        text += fmt::format(" to {}, up {}, ", rounded(camera.look_at), rounded(camera.up));
         text += camera.projection == Projection::orthographic
                     ? fmt::format("{:.6g} wide", camera.width)
                     : fmt::format("fov {:.6g} degrees along {}", camera.fov_degrees,
                                   camera.fov_axis == FovAxis::x ? "x" : "y");
     }
-    if (camera.lighting_eye) text += ", lit for an eye at " + vec(*camera.lighting_eye);
+    if (camera.lighting_eye) text += ", lit for an eye at " + rounded(*camera.lighting_eye);
     return text;
 }
 
@@ -132,9 +133,9 @@ std::string text_report(const SceneReport& report) {
     const Bounds box = scene_bounds(report.world);
     fmt::format_to(
         out, "bounds      {}\n",
-        is_bounded(box) ? fmt::format("{} to {}", vec(box.min), vec(box.max)) : "no bounded shapes");
+        is_bounded(box) ? fmt::format("{} to {}", rounded(box.min), rounded(box.max)) : "no bounded shapes");
     fmt::format_to(out, "camera      {}\n", camera_text(scene.camera));
-    fmt::format_to(out, "background  {}\n", color(scene.background));
+    fmt::format_to(out, "background  {}\n", rounded(scene.background));
     fmt::format_to(out, "lights      {}\n",
                    counts_text(light_counts(scene), [](std::size_t n, std::size_t kind) {
                        return fmt::format("{} {}", n, to_string(static_cast<LightKind>(kind)));
@@ -142,8 +143,8 @@ std::string text_report(const SceneReport& report) {
     for (std::size_t i = 0; i < scene.lights.size() && i < k_max_listed; ++i) {
         const Light& light = scene.lights[i];
         const auto index = static_cast<std::uint32_t>(i);
-        std::string line =
-            fmt::format("  {:11} {:10} {}", to_string(light.kind), color(light.color), light_details(light));
+        std::string line = fmt::format("  {:11} {:10} {}", to_string(light.kind), rounded(light.color),
+                                       light_details(light));
         if (!scene.light_texts.name(index).empty())
             line += fmt::format("  \"{}\"", scene.light_texts.name(index));
         const std::string place = place_text(scene, scene.light_texts.place(index));
@@ -153,7 +154,7 @@ std::string text_report(const SceneReport& report) {
     if (scene.lights.size() > k_max_listed) {
         fmt::format_to(out, "  and {} more\n", with_commas(scene.lights.size() - k_max_listed));
     }
-    fmt::format_to(out, "  sum of intensities {}\n", color(sum_of_lights(scene)));
+    fmt::format_to(out, "  sum of intensities {}\n", rounded(sum_of_lights(scene)));
     fmt::format_to(out, "materials   {}", with_commas(scene.materials.size()));
     std::size_t named = 0;
     for (std::uint32_t i = 0; i < scene.materials.size() && named < k_max_listed; ++i) {

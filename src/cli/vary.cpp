@@ -28,7 +28,7 @@ struct Step {
 
 std::string_view key_name(const Variation& v) { return setting_keys()[v.key].name; }
 
-std::optional<int> whole_number(std::string_view text) {
+std::optional<int> parsed_whole_number(std::string_view text) {
     int number = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
     if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
@@ -42,7 +42,8 @@ std::optional<int> whole_number(std::string_view text) {
 std::vector<std::string> parse_values(const std::string& whole, std::string_view text) {
     std::vector<std::string> values;
     if (const std::size_t dots = text.find(".."); dots != std::string_view::npos) {
-        const auto first = whole_number(text.substr(0, dots)), last = whole_number(text.substr(dots + 2));
+        const auto first = parsed_whole_number(text.substr(0, dots)),
+                   last = parsed_whole_number(text.substr(dots + 2));
         if (!first || !last || *first > *last) fail(whole, "expected A..B, two whole numbers, A below B");
         if (*last - *first >= k_max_values) fail(whole, fmt::format("more than {} values", k_max_values));
         for (int i = *first; i <= *last; ++i) values.push_back(std::to_string(i));

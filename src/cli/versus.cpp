@@ -23,7 +23,7 @@
 namespace glint::cli {
 namespace {
 
-constexpr auto k_examples = R"(Examples:
+constexpr auto k_versus_examples = R"(Examples:
   glint versus castle.json --a profile=epfl --b profile=cgfs
   glint versus castle.json --a shading=phong --b shading=blinn-phong
   glint versus castle.json --a shading=phong --b shading=blinn-phong --match-exponents
@@ -239,7 +239,7 @@ Run add_versus(CLI::App& app) {
         ->option_text("OUT.png");
     command.add_flag("--json", v.json, "Print JSON");
     add_picture_arguments(command, v.picture);
-    command.footer(k_examples);
+    command.footer(k_versus_examples);
     return [arguments] { return versus_command(*arguments); };
 }
 
