@@ -69,13 +69,12 @@ TEST(CausesOfNothing, OneColourThatAFaultMakes) {
 }
 
 TEST(CausesOfNothing, AnotherScene) {
-    const auto& scenes = test_scenes();
-    int named = 0;
-    for (const TestScene& scene : scenes) {
+    int named = 0, reported = 0;
+    for (const TestScene& scene : scenes_to_test()) {
         const Scene reference_scene = read_scene(scene.text);
         const Image right = draw_text(scene.text);
         std::vector<Image> others;
-        for (const TestScene& other : scenes) {
+        for (const TestScene& other : test_scenes()) {
             if (other.name != scene.name) others.push_back(draw_text(other.text));
         }
         for (const Scene* with : {static_cast<const Scene*>(nullptr), &reference_scene}) {
@@ -86,10 +85,11 @@ TEST(CausesOfNothing, AnotherScene) {
                     << scene.name;
                 EXPECT_TRUE(report->causes.empty()) << scene.name << all_causes(report);
                 named += report->nearest && report->nearest->explained < 0.7;
+                ++reported;
             }
         }
     }
-    EXPECT_GT(named, 12);  // of 24: their shares are said all the same
+    EXPECT_GT(named, reported == 24 ? 12 : 0);  // their shares are said all the same
 }
 
 // One of two faults is named, or else the flip is said: it is not another scene.
