@@ -250,6 +250,7 @@ test('no control moves while it is used', () => withPage(async (page) => {
     await page.waitForSelector('.outside');
     assert.deepEqual(await slider.boundingBox(), before);
     await page.mouse.up();
+    await settled(page);
     assert.deepEqual(await slider.boundingBox(), before);
     assert.equal(await slider.inputValue(), '8');
 }));
