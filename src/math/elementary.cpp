@@ -21,5 +21,7 @@ double tan(double x) { return plain::tan(x); }
 double sin_degrees(double x) { return plain::sin_degrees(x); }
 double cos_degrees(double x) { return plain::cos_degrees(x); }
 double tan_degrees(double x) { return plain::tan_degrees(x); }
+double acos(double x) { return plain::acos(x); }
+double atan2(double y, double x) { return plain::atan2(y, x); }
 
 }  // namespace glint

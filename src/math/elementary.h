@@ -30,4 +30,13 @@ double sin_degrees(double x);
 double cos_degrees(double x);
 double tan_degrees(double x);
 
+/// The angle from 0 to pi, in radians, whose cosine is x. Numbers beyond -1 and 1 count as -1 and 1. Error
+/// below 0.66 ulp.
+double acos(double x);
+
+/// The angle of the point (x, y), in radians from -pi to pi: 0 on the positive x axis, pi on the negative
+/// one, positive for y > 0. 0 for (0, 0). -0 counts as 0. |x| and |y| at most 1e300. Error below 0.70 ulp; it
+/// may be larger if both are below 1e-270, or if the angle is below 1e-270.
+double atan2(double y, double x);
+
 }  // namespace glint

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// log, exp, pow, sin, cos and tan as templates over the number type T: double, or the lanes of
+// log, exp, pow, sin, cos, tan, acos and atan2 as templates over the number type T: double, or the lanes of
 // simd/lanes-inl.h.
 //
 // No include guard and no fixed namespace: functions of lanes must be in the namespace of their instruction
@@ -217,6 +217,83 @@ template <class T> GLINT_INLINE T tan(T x) { return tan_of(reduce_radians(x)); }
 template <class T> GLINT_INLINE T sin_degrees(T x) { return sin_of(reduce_degrees(x)); }
 template <class T> GLINT_INLINE T cos_degrees(T x) { return cos_of(reduce_degrees(x)); }
 template <class T> GLINT_INLINE T tan_degrees(T x) { return tan_of(reduce_degrees(x)); }
+
+/// k * pi / 4 + u + v for whole k from 0 to 4, where k = 0 or |u| <= k * pi / 4, and |v| is far below |u|.
+template <class T> GLINT_INLINE T add_to_eighths(T k, T u, T v) {
+    const T base = k * 0x1.921fb54442d18p-1;  // exact: the last three bits of the constant are 0
+    const T sum = base + u;
+    return sum + (((base - sum) + u) + (v + k * 0x1.1a62633145c07p-55));
+}
+
+/// The angle from 0 to pi, in radians, whose cosine is x. Numbers beyond -1 and 1 count as -1 and 1.
+/// |x| <= 1/2: pi/2 - asin(x); else 2 asin(s) or pi - 2 asin(s), s = sqrt((1 - |x|) / 2) = s + s_lo.
+template <class T> GLINT_INLINE T acos(T x) {
+    const T a = min(abs(x), T(1));
+    const auto steep = a > 0.5;
+    const T z = select(steep, (1.0 - a) * 0.5, a * a);  // 1 - a is exact
+    const T s = select(steep, sqrt(z), a);
+    const T s_hi = head(s);
+    const T remainder = (z - s_hi * s_hi) - (s - s_hi) * (s + s_hi);
+    const T s_lo = select(steep && (s > 0.0), remainder / select(s > 0.0, 2.0 * s, T(1)), T(0));
+
+    const T z2 = z * z;
+    const T z4 = z2 * z2;
+    const T p0 = (0x1.5555555555556p-3 + z * 0x1.3333333332ec4p-4) +
+                 z2 * (0x1.6db6db6e3292ep-5 + z * 0x1.f1c71c1d4aa0dp-6);
+    const T p1 = (0x1.6e8bb1d89492bp-6 + z * 0x1.1c4d343fa57f6p-6) +
+                 z2 * (0x1.c9cf3759fd8ffp-7 + z * 0x1.78246f32d075cp-7);
+    const T p2 = (0x1.524ea8b3aad31p-7 + z * 0x1.653a8f8cfd43dp-8) +
+                 z2 * (0x1.1d661531b222ep-6 - z * 0x1.e7a24f548c99dp-7);
+    const T p = p0 + z4 * (p1 + z4 * (p2 + z4 * 0x1.d78189767524ep-6));
+    const T rest = s * (z * p) + s_lo;  // asin(s + s_lo) - s
+
+    const T side = select(x < 0.0, T(-1), T(1));
+    const T factor = select(steep, 2.0 * side, -side);
+    const T k = select(steep, 2.0 - 2.0 * side, T(2));
+    return add_to_eighths(k, factor * s, factor * rest);
+}
+
+/// The angle of the point (x, y), in radians from -pi to pi: 0 on the positive x axis, pi on the negative
+/// one, positive for y > 0. 0 for (0, 0). -0 counts as 0. |x| and |y| at most 1e300; if both are below
+/// 1e-270, the error is larger. q = min / max of |x| and |y|; atan(q) = pi/4 + atan((q - 1) / (q + 1)) for q
+/// above tan(pi/8).
+template <class T> GLINT_INLINE T atan2(T y, T x) {
+    const T ax = abs(x), ay = abs(y);
+    const auto swapped = ay > ax;
+    const T large = max(ax, ay), small = min(ax, ay);
+    const auto folded = small > 0.4142135623730951 * large;
+    const T difference = small - large, sum = large + small;
+    const T over = select(folded, difference, small);
+    const T over_lo = select(folded, small - (difference + large), T(0));
+    const T under = select(folded, sum, select(large > 0.0, large, T(1)));
+    const T under_lo = select(folded, small - (sum - large), T(0));
+    const T t = over / under;
+    const T t_hi = head(t), under_hi = head(under);
+    const T product = t * under;
+    const T product_lo = ((t_hi * under_hi - product) + t_hi * (under - under_hi) + (t - t_hi) * under_hi) +
+                         (t - t_hi) * (under - under_hi);
+    const T t_lo = (((over - product) - product_lo) + (over_lo - t * under_lo)) / under;
+
+    const T z = t * t;
+    const T z2 = z * z;
+    const T z4 = z2 * z2;
+    const T p0 = (-0x1.5555555555555p-2 + z * 0x1.9999999999953p-3) +
+                 z2 * (-0x1.249249248d768p-3 + z * 0x1.c71c71c2fe5d9p-4);
+    const T p1 = (-0x1.745d165cb83aap-4 + z * 0x1.3b1392b641b06p-4) +
+                 z2 * (-0x1.110e858a72e28p-4 + z * 0x1.e199da4156fd9p-5);
+    const T p2 = (-0x1.ac78ec6b8cb98p-5 + z * 0x1.74d64aa665b0ap-5) +
+                 z2 * (-0x1.1b2058fb5da30p-5 + z * 0x1.0aa87c56e3eb5p-6);
+    const T p = p0 + z4 * (p1 + z4 * p2);
+    const T rest = t * (z * p) + t_lo * (1.0 - z);  // atan(t + t_lo) - t
+
+    const auto left = x < 0.0;
+    const T first = select(folded, T(1), select(swapped, T(2), T(0)));
+    const T turn = select(swapped, T(-1), T(1));
+    const T k = select(left, 4.0 - first, first);
+    const T sign = select(left, -turn, turn);
+    const T angle = add_to_eighths(k, sign * t, sign * rest);
+    return select(y < 0.0, -angle, angle);
+}
 
 }  // namespace GLINT_NUMBER_NAMESPACE
 }  // namespace glint

@@ -54,6 +54,12 @@ void apply(int which, const double* x, const double* y, double* out, std::size_t
             case 8:
                 r = tan_degrees(a);
                 break;
+            case 9:
+                r = acos(a);
+                break;
+            case 10:
+                r = atan2(a, b);
+                break;
         }
         store(r, out + i);
     }
@@ -108,8 +114,12 @@ double plain(int which, double x, double y) {
             return sin_degrees(x);
         case 7:
             return cos_degrees(x);
-        default:
+        case 8:
             return tan_degrees(x);
+        case 9:
+            return acos(x);
+        default:
+            return atan2(x, y);
     }
 }
 
@@ -117,13 +127,15 @@ TEST(ElementaryLanes, HaveTheBitsOfPlainNumbers) {
     constexpr std::size_t k_count = 100000;
     test::Random random(20);
     int tested = 0;
-    for (int which = 0; which < 9; ++which) {
+    for (int which = 0; which < 11; ++which) {
         std::vector<double> x(k_count), y(k_count), out(k_count);
         for (std::size_t i = 0; i < k_count; ++i) {
             const double wide = std::exp(random.uniform(which == 2 ? -708 : -744, 709));
             x[i] = which == 2 ? wide : i % 4 == 0 ? wide : i % 4 == 1 ? -wide : random.uniform(-1e5, 1e5);
             if (which == 0 && i % 4 >= 2) x[i] = random.uniform(-0.01, 1);
+            if (which >= 9 && i % 4 >= 2) x[i] = random.uniform(-1, 1);
             y[i] = i % 3 == 0 ? random.uniform(-1e300, 1e300) : std::exp(random.uniform(-3, 13.8));
+            if (which == 10 && i % 3 == 1) y[i] = random.uniform(-1, 1);
         }
         const double specials[] = {0.0, -0.0, 1,  0.5,   2,   30,      45,     60,
                                    90,  180,  -1, 1e300, 1e5, DBL_MIN, 5e-324, 1e308};
@@ -143,7 +155,7 @@ TEST(ElementaryLanes, HaveTheBitsOfPlainNumbers) {
             }
         }
     }
-    EXPECT_GE(tested, 9);
+    EXPECT_GE(tested, 11);
 }
 
 }  // namespace

@@ -301,6 +301,87 @@ TEST(Degrees, AreFiniteAndWithinOneForAnyAngle) {
     }
 }
 
+TEST(Acos, ErrorAndLimits) {
+    Random random(12);
+    WorstError worst;
+    for (int i = 0; i < 500000; ++i) {
+        const double near_one = 1 - std::exp(random.uniform(-36, 0));
+        for (const double x :
+             {random.uniform(-1, 1), near_one, -near_one, std::exp(random.uniform(-60, -0.7))}) {
+            if (x == 1) continue;
+            worst.add(ulps(acos(x), std::acos(static_cast<long double>(x))), x);
+        }
+    }
+    for (double x : {0.5, std::nextafter(0.5, 0), std::nextafter(0.5, 1)}) {
+        worst.add(ulps(acos(x), std::acos(static_cast<long double>(x))), x);
+        worst.add(ulps(acos(-x), std::acos(static_cast<long double>(-x))), -x);
+    }
+    report("acos", worst);
+    EXPECT_LT(worst.ulp, 0.66);
+    EXPECT_EQ(acos(1), 0);
+    EXPECT_EQ(acos(-1), k_pi);
+    EXPECT_EQ(acos(0), k_pi / 2);
+    EXPECT_EQ(acos(-0.0), k_pi / 2);
+    for (const double beyond : {1 + DBL_EPSILON, 2.0, 1e300, k_inf}) {
+        EXPECT_EQ(acos(beyond), 0);
+        EXPECT_EQ(acos(-beyond), k_pi);
+    }
+    for (int i = 0; i < 100000; ++i) {
+        const double x = random.uniform(-1, 1);
+        ASSERT_GE(acos(x), acos(x + 1e-12)) << x;
+        ASSERT_NEAR(cos(acos(x)), x, 4e-16) << x;
+    }
+}
+
+TEST(Atan2, ErrorAndLimits) {
+    Random random(13);
+    WorstError worst;
+    const auto add = [&](double y, double x) {
+        const long double exact = std::atan2(static_cast<long double>(y), static_cast<long double>(x));
+        if (y != 0) worst.add(ulps(atan2(y, x), exact), y, x);
+    };
+    for (int i = 0; i < 400000; ++i) {
+        const double x = random.uniform(-1, 1), y = random.uniform(-1, 1);
+        add(y, x);
+        add(y * std::exp(random.uniform(-300, 300)), x * std::exp(random.uniform(-300, 300)));
+        const double size = std::exp(random.uniform(-600, 690));
+        add(y * size, x * size);
+        add(x * (1 + random.uniform(-1, 1) * std::exp(random.uniform(-36, 0))), x);         // near pi/4
+        add(x * (0.4142135623730951 + random.uniform(-1e-9, 1e-9)), x * (i % 2 ? 1 : -1));  // near pi/8
+    }
+    report("atan2", worst);
+    EXPECT_LT(worst.ulp, 0.70);
+    EXPECT_GT(worst.points, 1000000);
+    EXPECT_EQ(atan2(0, 0), 0);
+    EXPECT_EQ(atan2(0, 5), 0);
+    EXPECT_EQ(atan2(0, -5), k_pi);
+    EXPECT_EQ(atan2(-0.0, -5), k_pi);
+    for (double size : {1e-270, 1.0, 3.0, 1e300}) {
+        EXPECT_EQ(atan2(size, 0), k_pi / 2);
+        EXPECT_EQ(atan2(-size, 0), -k_pi / 2);
+        EXPECT_EQ(atan2(size, size), k_pi / 4);
+        EXPECT_EQ(atan2(size, -size), std::atan2(1.0, -1.0));
+        EXPECT_EQ(atan2(-size, -size), std::atan2(-1.0, -1.0));
+    }
+    for (int i = 0; i < 100000; ++i) {
+        const double angle = random.uniform(-k_pi, k_pi);
+        ASSERT_NEAR(atan2(3 * sin(angle), 3 * cos(angle)), angle, 1e-15);
+    }
+}
+
+TEST(InverseFunctions, HaveTheSameBitsEverywhere) {
+    Random random(14);
+    std::uint64_t hash = 0xcbf29ce484222325u;
+    const auto add = [&hash](double value) {
+        hash = (hash ^ std::bit_cast<std::uint64_t>(value)) * 0x100000001b3u;
+    };
+    for (int i = 0; i < 100000; ++i) {
+        const double x = random.uniform(-1, 1), y = random.uniform(-1, 1);
+        add(acos(x)), add(atan2(y, x)), add(atan2(y * 1000, x)), add(acos(1 - x * x * 1e-9));
+    }
+    EXPECT_EQ(hash, 17527987311875556097u);
+}
+
 // A checksum over the bits of many results: every compiler and the browser build must give this number.
 TEST(Elementary, HasTheSameBitsEverywhere) {
     Random random(11);
