@@ -3,9 +3,9 @@
 
 # 1. The kind, its members, and its answers.
 add_line(include/glint/scene.h replace
-  "enum class LightKind : std::uint8_t { ambient, point, directional };\ninline constexpr int k_light_kinds = 3;"
-  "enum class LightKind : std::uint8_t { ambient, point, directional, shaft };\ninline constexpr int k_light_kinds = 4;")
-add_line(include/glint/scene.h after "    Attenuation attenuation{};      ///< point lights\n"
+  "enum class LightKind : std::uint8_t { ambient, point, directional, spot };\ninline constexpr int k_light_kinds = 4;"
+  "enum class LightKind : std::uint8_t { ambient, point, directional, spot, shaft };\ninline constexpr int k_light_kinds = 5;")
+add_line(include/glint/scene.h after "    Attenuation attenuation{};      ///< point lights and spots\n"
   "    Vec3 center{};                  ///< shafts: a point on the axis, which is parallel to to_light
     double shaft_radius = 1;        ///< shafts: of the cylinder around the axis, > 0\n")
 add_line(include/glint/scene.h before "            case LightKind::directional:\n" "            case LightKind::shaft:\n")

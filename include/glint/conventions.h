@@ -52,6 +52,11 @@ enum class GlassShadow : std::uint8_t { opaque, none };
 /// cylinders and cones.
 enum class Facing : std::uint8_t { none, open, all };
 
+/// How the light of a spot decreases with the angle off its axis. cubic: by s^2 (3 - 2 s), s the position of
+/// the angle's cosine between those of the outer and inner angle, times the cosine to the power `tightness`
+/// (POV-Ray; Blender's spots with tightness 1). linear: linearly in the angle (Tachyon); no tightness.
+enum class SpotFalloff : std::uint8_t { cubic, linear };
+
 /// All rules on which the sources disagree. The defaults are the profile `glint`.
 struct Conventions {
     PixelSample pixel_sample = PixelSample::center;
@@ -76,6 +81,9 @@ struct Conventions {
     double min_weight = 0;  ///< a ray whose weight is below this is not traced
     Facing facing = Facing::all;
     bool cones = true;  ///< false: cones are ignored, as in CSC 473's own program
+    SpotFalloff spot_falloff = SpotFalloff::cubic;
+    /// 1 / (c0 + c1 d + c2 d^2) is at most 1 (LIGHT-12); false: it may exceed 1 near the light (Tachyon).
+    bool clamp_attenuation = true;
     friend bool operator==(const Conventions&, const Conventions&) = default;
 };
 

@@ -27,6 +27,7 @@ struct LightTerms {
     Vec3 to_light;            ///< to the position of a point light; else the light's own direction. Not unit
     double distance = 0;      ///< its length
     double attenuation = 1;   ///< f_att
+    double spot = 1;          ///< of a spot: the factor of its light in this direction
     double n_l = 0;           ///< N·L
     double s = 0;             ///< R·V (Phong) or N·H (Blinn-Phong)
     double power = 0;         ///< S^n if there is a highlight, blocked or not; else 0
@@ -113,11 +114,12 @@ GLINT_API Result<Explanation> explain(const Scene& scene, const World& world, st
 /// The reason why a light adds light or not at a hit.
 enum class LightReason : std::uint8_t {
     adds,
-    blocked,     ///< something is between it and the point
-    behind,      ///< N·L <= 0, and there is no highlight
-    no_color,    ///< its colour times k_d is black, and there is no highlight
-    faded,       ///< f_att is 0
-    in_surface,  ///< the light is at the surface point, so it has no direction
+    blocked,       ///< something is between it and the point
+    behind,        ///< N·L <= 0, and there is no highlight
+    no_color,      ///< its colour times k_d is black, and there is no highlight
+    faded,         ///< f_att is 0
+    in_surface,    ///< the light is at the surface point, so it has no direction
+    outside_cone,  ///< beyond the spot's outer angle
 };
 GLINT_API LightReason reason(const LightTerms& terms);
 

@@ -51,21 +51,30 @@ struct Camera {
 };
 
 /// A new kind comes last (docs/adding_a_light.md).
-enum class LightKind : std::uint8_t { ambient, point, directional };
-inline constexpr int k_light_kinds = 3;
+enum class LightKind : std::uint8_t { ambient, point, directional, spot };
+inline constexpr int k_light_kinds = 4;
 
 struct Attenuation {
-    double c0 = 1, c1 = 0, c2 = 0;  ///< f_att = min(1 / (c0 + c1 d + c2 d^2), 1), d the distance (LIGHT-12)
+    /// f_att = 1 / (c0 + c1 d + c2 d^2), at most 1 (LIGHT-12; see Conventions::clamp_attenuation); d:
+    /// distance.
+    double c0 = 1, c1 = 0, c2 = 0;
     friend bool operator==(const Attenuation&, const Attenuation&) = default;
 };
 
 struct Light {
     LightKind kind = LightKind::point;
-    Vec3 position{};                ///< point lights
+    Vec3 position{};                ///< point lights and spots
     Vec3 to_light{0, 1, 0};         ///< directional lights: towards the light, any length except 0
     Color color{1, 1, 1};           ///< I_a of an ambient light, else I_l,d: intensity included
     Color specular_color{1, 1, 1};  ///< I_l,s; ambient lights have none
-    Attenuation attenuation{};      ///< point lights
+    Attenuation attenuation{};      ///< point lights and spots
+    /// Point lights and spots: if both are above 0, f_att also has the factor 2 / (1 + (d / fade_distance) ^
+    /// fade_power), d the distance (POV-Ray).
+    double fade_distance = 0, fade_power = 0;
+    Vec3 axis{0, -1, 0};      ///< spots: the middle of the cone, away from the light; any length except 0
+    double inner_angle = 30;  ///< spots: degrees off the axis, 0 to outer_angle; within it, the full light
+    double outer_angle = 45;  ///< spots: degrees off the axis, 0 < outer_angle <= 180; beyond it, no light
+    double tightness = 0;     ///< spots: exponent of the cosine off the axis (SpotFalloff::cubic), >= 0
 
     // The properties of the kind; other code calls these functions. The compiler warns if a switch lacks a
     // kind.
@@ -76,6 +85,7 @@ struct Light {
             case LightKind::ambient:
                 return true;
             case LightKind::point:
+            case LightKind::spot:
             case LightKind::directional:
                 return false;
         }
@@ -85,6 +95,7 @@ struct Light {
     constexpr bool has_position() const {
         switch (kind) {
             case LightKind::point:
+            case LightKind::spot:
                 return true;
             case LightKind::ambient:
             case LightKind::directional:
@@ -99,15 +110,21 @@ struct Light {
                 return true;
             case LightKind::ambient:
             case LightKind::point:
+            case LightKind::spot:
                 return false;
         }
         return false;
     }
+    /// Lights only a cone around `axis`.
+    constexpr bool is_spot() const { return kind == LightKind::spot; }
     constexpr bool has_specular_color() const { return !is_ambient(); }
     constexpr bool has_attenuation() const { return has_position(); }
-    /// Whether f_att may be below 1. With c0 <= 1 and c1 = c2 = 0 it is exactly 1 at any distance.
+    /// Whether f_att has POV-Ray's factor.
+    constexpr bool fades() const { return has_attenuation() && fade_distance > 0 && fade_power > 0; }
+    /// Whether f_att may be below 1. Otherwise it is exactly 1 at any distance (with clamp_attenuation).
     constexpr bool falls_off() const {
-        return has_attenuation() && (attenuation.c0 > 1 || attenuation.c1 != 0 || attenuation.c2 != 0);
+        return has_attenuation() &&
+               (attenuation.c0 > 1 || attenuation.c1 != 0 || attenuation.c2 != 0 || fades());
     }
     /// The vector from a point to the light's position, or the direction `to_light`; any length. Not for
     /// ambient lights.

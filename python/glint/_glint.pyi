@@ -62,7 +62,13 @@ class Light:
         specular_color: ColorLike = ...,
         position: VectorLike = ...,
         to_light: VectorLike = ...,
+        axis: VectorLike = ...,
+        inner_angle: float = ...,
+        outer_angle: float = ...,
+        tightness: float = ...,
         attenuation: VectorLike = ...,
+        fade_distance: float = ...,
+        fade_power: float = ...,
     ) -> None: ...
     name: str
     kind: str
@@ -71,7 +77,13 @@ class Light:
     specular_color: _ColorField
     position: _VectorField
     to_light: _VectorField
+    axis: _VectorField
+    inner_angle: float
+    outer_angle: float
+    tightness: float
     attenuation: _AttenuationField
+    fade_distance: float
+    fade_power: float
     def __eq__(self, other: object) -> bool: ...
     def __copy__(self) -> Light: ...
     def __deepcopy__(self, memo: Dict[Any, Any]) -> Light: ...

@@ -29,6 +29,8 @@ def test_attributes_are_those_of_the_tables():
     # One of each type; the stub test holds all of them against the stubs.
     light = glint.Light("point", attenuation=(1, 0, 0.5))
     assert light.attenuation.c2 == 0.5
+    spot = glint.Light("spot", axis=(0, -1, 0), outer_angle=30, fade_distance=2, fade_power=1.5)
+    assert spot.axis == (0, -1, 0) and spot.outer_angle == 30
     camera = glint.Camera(fov=40, lighting_eye=(0, 0, 1))
     assert camera.fov == 40 and camera.lighting_eye == (0, 0, 1)
     camera.lighting_eye = None

@@ -21,6 +21,7 @@ constexpr CheckKind k_kinds[] = {
     {"light-behind-everything", "a light is behind every surface that the camera sees"},
     {"light-behind-plane", "a plane is between a light and all that the camera sees"},
     {"light-blocked", "every shadow ray to a light is blocked"},
+    {"spot-aimed-elsewhere", "nothing that the camera sees is in the cone of a spot"},
     {"light-adds-nothing", "no material reflects a light"},
     {"light-too-weak", "a light adds less than half of 1/255 to any pixel"},
     {"light-without-color", "a light is black"},

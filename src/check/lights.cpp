@@ -74,7 +74,7 @@ class Effects {
 
 // Why points that the camera sees get no light from a light.
 struct Blockage {
-    std::size_t points = 0, facing = 0, reflecting = 0, blocked = 0;
+    std::size_t points = 0, facing = 0, in_cone = 0, reflecting = 0, blocked = 0;
     std::uint32_t blocker = k_none;  // the shape that most shadow rays of reflecting points meet
     std::size_t by_blocker = 0;
     bool beyond = false;  // most of those meet it beyond the light
@@ -96,6 +96,7 @@ Blockage find_blockage(const CheckContext& context, const VisibleHits& visible, 
     Blockage found;
     found.points = shadows.points;
     found.facing = shadows.rays.size();
+    found.in_cone = shadows.in_cone;
     for (const std::uint32_t material : shadows.material)
         found.reflecting += reflects(world, material, light) ? 1 : 0;
     if (!world.settings.shadows) return found;
@@ -166,6 +167,15 @@ void report_dark(CheckContext& context, const VisibleHits& visible, std::uint32_
                         b.points),
             light.has_position() ? "move the light to the side of the surfaces that the camera sees"
                                  : "negate the direction: it points from the surface towards the light");
+    }
+    if (b.in_cone == 0) {
+        return context.report(
+            "spot-aimed-elsewhere", place,
+            fmt::format(
+                "{} lights nothing that the camera sees: none of {} points that face it is within {:.4g} "
+                "degrees of its axis",
+                name, b.facing, light.outer_angle),
+            "turn the axis, aim the spot with `target`, or raise `outer_angle`");
     }
     // The rays of the small picture differ from these: a few may pass an edge.
     if (b.blocker == k_none || 2 * b.blocked < b.reflecting) {

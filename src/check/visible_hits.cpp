@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "geometry/kinds-inl.h"
+#include "math/elementary.h"
 #include "math/transform.h"
 #include "trace/camera_rays-inl.h"
 #include "trace/secondary_rays-inl.h"
@@ -35,6 +36,14 @@ std::vector<SurfaceHit> surface_hits(const WorldParts& world, const RayList& ray
         if (found.slot[i] != k_none) hits.push_back(surface_hit(world, rays, found, i));
     }
     return hits;
+}
+
+// Whether the point is nearer to the spot's axis than its outer angle; true for other lights.
+bool is_in_cone(const Light& light, Vec3 point) {
+    if (!light.is_spot()) return true;
+    const Vec3 way = point - light.position;
+    return glint::dot(way, glint::normalize(light.axis)) >
+           glint::length(way) * cos_degrees(light.outer_angle);
 }
 
 }  // namespace
@@ -140,6 +149,7 @@ ShadowRays shadow_rays(const WorldParts& world, const VisibleHits& visible, cons
             const Vec3 to_light = light.way_from(h.point);
             ++found.points;
             if (!(glint::dot(h.normal, to_light) > 0)) continue;
+            found.in_cone += is_in_cone(light, h.point) ? 1 : 0;
             found.material.push_back(h.material);
             const auto ray = shadow_ray(surface_point(h), light, triple_of(to_light), rules);
             found.rays.add(vec_of(ray.origin), vec_of(ray.direction), ray.t_min, ray.t_max);

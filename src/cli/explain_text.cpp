@@ -6,9 +6,12 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <numbers>
 
 #include "cli/text.h"
 #include "glint/image.h"
+#include "math/elementary.h"
+#include "math/transform.h"
 
 namespace glint::cli {
 namespace {
@@ -58,6 +61,11 @@ std::string_view cosine_name(const Scene& scene) {
     return scene.settings.shading == Shading::phong ? "R·V" : "N·H";
 }
 
+// The angle between the axis of a spot and the direction from it to P.
+double degrees_off_axis(const Light& light, const LightTerms& terms) {
+    return acos(dot(normalize(light.axis), terms.to_light) / -terms.distance) * (180 / std::numbers::pi);
+}
+
 // The reason why a light adds nothing; empty if it adds something.
 std::string nothing_text(const Scene& scene, const ExplainedHit& hit, const LightTerms& terms) {
     switch (reason(terms)) {
@@ -77,6 +85,10 @@ std::string nothing_text(const Scene& scene, const ExplainedHit& hit, const Ligh
             return "too far: its attenuation is 0";
         case LightReason::in_surface:
             return "the light is at P itself and has no direction";
+        case LightReason::outside_cone:
+            return fmt::format("outside its cone: {} degrees off its axis, the outer angle is {}",
+                               number(degrees_off_axis(scene.lights[terms.light], terms)),
+                               number(scene.lights[terms.light].outer_angle));
     }
     return {};
 }
@@ -178,6 +190,9 @@ class Tree {
         std::string how = fmt::format("L {}", vec(terms.to_light * (1 / terms.distance)));
         if (light.has_position()) how += fmt::format(", distance {}", number(terms.distance));
         if (terms.attenuation != 1) how += fmt::format(", attenuation {}", number(terms.attenuation));
+        if (light.is_spot() && reason(terms) != LightReason::outside_cone)
+            how += fmt::format(", spot {} at {} degrees off its axis", number(terms.spot),
+                               number(degrees_off_axis(light, terms)));
         line(depth + 1,
              fmt::format("{}; N·L = {}; {}", how, number(terms.n_l), highlight_text(scene_, hit, terms)));
     }

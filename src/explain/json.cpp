@@ -63,6 +63,7 @@ Json terms_json(const Scene& scene, const ExplainedHit& hit, const LightTerms& t
                  {"to_light", to_json(terms.to_light)},
                  {"distance", terms.distance},
                  {"attenuation", terms.attenuation},
+                 {"spot", terms.spot},
                  {"n_l", finite(terms.n_l)},
                  {"s", finite(terms.s)},
                  {"power", terms.power},

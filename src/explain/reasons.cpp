@@ -22,6 +22,7 @@ LightReason reason(const LightTerms& terms) {
     if (terms.may_add) return LightReason::adds;
     if (!(terms.distance > 0)) return LightReason::in_surface;
     if (!(terms.attenuation > 0)) return LightReason::faded;
+    if (!(terms.spot > 0)) return LightReason::outside_cone;
     return terms.n_l > 0 ? LightReason::no_color : LightReason::behind;
 }
 
@@ -43,8 +44,8 @@ const Material& material_of(const ExplainedHit& hit, const Scene& scene) {
 }
 
 std::string_view to_string(LightReason reason) {
-    constexpr std::array<std::string_view, 6> words = {"adds",     "blocked", "behind",
-                                                       "no_color", "faded",   "in_surface"};
+    constexpr std::array<std::string_view, 7> words = {"adds",  "blocked",    "behind",      "no_color",
+                                                       "faded", "in_surface", "outside_cone"};
     return word_of(reason, words);
 }
 

@@ -9,10 +9,10 @@
 namespace glint {
 namespace {
 
-// The keys: two that are not fields, then the fields.
-enum { k_type, k_intensity };
+// The keys: three that are not fields, then the fields.
+enum { k_type, k_intensity, k_target };
 const FieldKeys<Light>& light_keys() {
-    static const FieldKeys<Light> keys({{"type"}, {"intensity"}}, k_light_fields);
+    static const FieldKeys<Light> keys({{"type"}, {"intensity"}, {"target"}}, k_light_fields);
     return keys;
 }
 
@@ -40,6 +40,13 @@ bool read_kind(GlintText& t, LightKind& kind) {
     return true;
 }
 
+// The axis of a spot that is given by its target.
+void aim_at(GlintText& t, Light& light, Vec3 target, const Token& token, bool has_axis) {
+    if (has_axis) return t.p.error(token, "expected `axis` or `target` in the spot light, found both");
+    light.axis = target - light.position;
+    if (is_zero(light.axis)) t.p.error(token, "expected a target other than the position of the light");
+}
+
 }  // namespace
 
 std::span<const Field> glint_light_keys() { return light_keys().all(); }
@@ -50,6 +57,7 @@ void read_glint_light(GlintText& t, const Token& word) {
     std::string name = block_name(t);
     Light light;
     double intensity = 1;
+    Vec3 target;
     Token key_tokens[k_max_keys];
     const auto errors = t.reading.diagnostics.error_count();
     const bool whole = t.blocks.fields(set, word, [&](int key, const Token& token) {
@@ -59,6 +67,8 @@ void read_glint_light(GlintText& t, const Token& word) {
                 return read_kind(t, light.kind);
             case k_intensity:
                 return t.p.number(intensity, k_channel);
+            case k_target:
+                return read_point(t, target);
             default:
                 return read_field(t, *keys.field(key), light);
         }
@@ -73,12 +83,16 @@ void read_glint_light(GlintText& t, const Token& word) {
     if (has_direction && !set.has(k_type) && !set.has(position))
         return t.p.error(word,
                          "expected `type = directional` in a light that has a direction and no position");
+    const int axis = keys.key_of(&Light::axis);
+    const bool is_aimed = light.is_spot() && set.has(k_target);
+    if (is_aimed) aim_at(t, light, target, key_tokens[k_target], set.has(axis));
     for (const ItemField<Light>& field : k_light_fields) {
+        if (is_aimed && is_field_of(field, &Light::axis)) continue;
         if (field.required && applies(field, light) && !keys.is_given(set, field))
             t.p.error(word, fmt::format("expected `{}` in the {} light", field.key, to_string(light.kind)));
     }
     for (int key = 0; key < static_cast<int>(keys.all().size()); ++key) {
-        const ItemField<Light>* field = keys.field(key);
+        const ItemField<Light>* field = key == k_target ? keys.field(axis) : keys.field(key);
         if (field == nullptr || !set.has(key) || applies(*field, light)) continue;
         t.p.warn(key_tokens[key],
                  fmt::format("glint ignores the {} of {} light", t.p.describe(key_tokens[key]),

@@ -5,6 +5,13 @@
 
 namespace glint {
 
+/// The cone of a spot as its formula needs it: the cosines of its angles off the axis, and the angles.
+struct SpotCone {
+    double inner_cosine = 1, outer_cosine = 0;
+    double inner_radians = 0, outer_radians = 0;
+    double tightness = 0;
+};
+
 /// Whether shadow rays are traced from the light to the surface, so that all of them have the same origin.
 inline bool comes_from_light(const Light& light, const Conventions& conventions) {
     return light.has_position() && conventions.shadow_stops_at_light;

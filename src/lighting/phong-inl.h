@@ -9,6 +9,7 @@
 #endif
 
 #include "glint/conventions.h"
+#include "lighting/light.h"
 #include "simd/elementary-inl.h"
 #include "simd/vec3-inl.h"
 
@@ -22,6 +23,8 @@ struct LightingRules {
     bool specular_gate = true;  // the highlight needs N·L > 0
     bool clamp_cosines = true;  // N·L and S below 0 add nothing
     bool normalize = true;      // L, V, R and H are normalised before use
+    bool clamp_attenuation = true;
+    SpotFalloff spot_falloff = SpotFalloff::cubic;
 };
 
 /// The two cosines of the model: N·L, and S = R·V (Phong) or N·H (Blinn-Phong).
@@ -70,8 +73,29 @@ template <class T> HWY_INLINE T highlight_power(T s, T shininess, const Lighting
 }
 
 /// f_att = min(1 / (c0 + c1 d + c2 d^2), 1) (LIGHT-12).
-template <class T> HWY_INLINE T attenuation(T c0, T c1, T c2, T distance) {
-    return min(T(1) / (c0 + c1 * distance + c2 * (distance * distance)), T(1));
+/// most: 1, or with clamp_attenuation = false a number that keeps the film finite.
+template <class T> HWY_INLINE T attenuation(T c0, T c1, T c2, T distance, T most = T(1)) {
+    return min(T(1) / (c0 + c1 * distance + c2 * (distance * distance)), most);
+}
+
+/// 2 / (1 + (d / fade_distance)^fade_power) (POV-Ray, measured).
+template <class T> HWY_INLINE T fading(T fade_distance, T fade_power, T distance) {
+    return T(2) / (T(1) + pow(distance / fade_distance, fade_power));
+}
+
+/// The factor of a spot's light in a direction whose cosine with the axis is given: 1 within the inner angle,
+/// 0 from the outer angle on. cubic: POV-Ray, measured; linear: Tachyon, measured.
+template <class T> HWY_INLINE T spot_factor(T cosine, const SpotCone& cone, SpotFalloff falloff) {
+    const auto inside = cosine >= T(cone.inner_cosine), outside = cosine <= T(cone.outer_cosine);
+    if (falloff == SpotFalloff::linear) {
+        const double width = cone.outer_radians - cone.inner_radians;
+        const T s = (T(cone.outer_radians) - acos(cosine)) / T(width > 0 ? width : 1);
+        return select(inside, T(1), select(outside, T(0), min(max(s, T(0)), T(1))));  // rounding
+    }
+    const double width = cone.inner_cosine - cone.outer_cosine;
+    const T x = (cosine - T(cone.outer_cosine)) / T(width > 0 ? width : 1);
+    const T s = select(inside, T(1), select(outside, T(0), x * x * (T(3) - T(2) * x)));
+    return cone.tightness > 0 ? s * pow(cosine, T(cone.tightness)) : s;
 }
 
 }  // namespace HWY_NAMESPACE

@@ -25,6 +25,7 @@ constexpr std::string_view k_misses[] = {"background", "black"};
 constexpr std::string_view k_fresnels[] = {"none", "schlick"};
 constexpr std::string_view k_glass_shadows[] = {"opaque", "none"};
 constexpr std::string_view k_facings[] = {"none", "open", "all"};
+constexpr std::string_view k_spot_falloffs[] = {"cubic", "linear"};
 constexpr std::string_view k_shadings[] = {"phong", "blinn-phong", "diffuse", "color", "normals"};
 
 std::string found(std::string_view expected, std::string_view text) {
@@ -210,6 +211,13 @@ constexpr Row k_rows[] = {
         "which normals are turned to the incoming ray; open: those of surfaces that enclose no volume", true),
     bool_row<&C::cones>(
         "cones", "cones are rendered; CSC 473's own program reads them and does not render them", true),
+    word_row<&C::spot_falloff, k_spot_falloffs>("spot_falloff",
+                                                "how a spot's light decreases from its inner to its outer "
+                                                "angle; cubic: in the cosine, linear: in the "
+                                                "angle",
+                                                true),
+    bool_row<&C::clamp_attenuation>(
+        "clamp_attenuation", "1/(c0 + c1 d + c2 d^2) is at most 1; false: it exceeds 1 near the light", true),
     {{"size", "WIDTHxHEIGHT, each from 1 to 65536", "the size of the picture in pixels", false},
      parse_size,
      print_size},

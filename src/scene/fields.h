@@ -162,8 +162,8 @@ template <class Item> constexpr bool same_bits(const ItemField<Item>& field, con
     return compare_bits(field, a, b) == 0;
 }
 
-/// The value as a number, or as a list of numbers; null if it is absent. Json: the JSON library's, which this
-/// module does not include.
+/// The value as a number, or as a list of numbers; null if it is absent. Json: the JSON
+/// library's, which this module does not include.
 template <class Json, class Item> Json field_json(const ItemField<Item>& field, const Item& item) {
     Json json;
     visit_field(field, item, [&](const auto&, const auto& value) {

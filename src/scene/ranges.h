@@ -30,6 +30,9 @@ inline constexpr Range k_tint{0, 1e6, false, false, "a number from 0 to 1e6"};
 inline constexpr Range k_fraction{0, 1, false, false, "a number from 0 to 1"};
 inline constexpr Range k_exponent{0, 1e9, false, false, "a number from 0 to 1e9"};
 inline constexpr Range k_angle{0, 180, true, true, "an angle between 0 and 180 degrees"};
+/// Of a spot's cone, off its axis.
+inline constexpr Range k_cone_angle{0, 180, false, false, "an angle from 0 to 180 degrees"};
+inline constexpr Range k_cone_limit{0, 180, true, false, "an angle > 0 and at most 180 degrees"};
 inline constexpr Range k_index_of_refraction{0, 1e6, true, false, "a number > 0 and at most 1e6"};
 inline constexpr Range k_attenuation{0, 1e12, false, false, "a number from 0 to 1e12"};
 inline constexpr Range k_not_negative{0, 1e12, false, false, "a number from 0 to 1e12"};

@@ -31,6 +31,8 @@ std::string_view to_string(LightKind kind) {
             return "point";
         case LightKind::directional:
             return "directional";
+        case LightKind::spot:
+            return "spot";
     }
     return "unknown light";
 }

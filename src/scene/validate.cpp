@@ -204,6 +204,10 @@ class Validator {
         const std::string of = item("light", i, scene_.light_texts.name(i));
         if (static_cast<int>(l.kind) >= k_light_kinds) error(place, of + ": no such kind of light");
         check_fields<Light>(k_light_fields, l, place, of);
+        if (l.is_spot() && l.inner_angle > l.outer_angle)
+            error(place,
+                  fmt::format("{}: inner angle: expected at most the outer angle of {} degrees, found {}", of,
+                              l.outer_angle, l.inner_angle));
     }
 
     void check_material(const Material& m, std::uint32_t i) {

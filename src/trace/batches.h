@@ -144,8 +144,8 @@ struct RadianceBatch {
 
 /// The values of one light at the surfaces.
 struct LightSampleBatch {
-    BatchColumn<double> n_l, s, attenuation;  // N·L; R·V or N·H; f_att
-    BatchColumn<std::uint8_t> lit;            // by vector: a bit for each surface that the light may light
+    BatchColumn<double> n_l, s, strength;  // N·L; R·V or N·H; f_att, times the spot's factor
+    BatchColumn<std::uint8_t> lit;         // by vector: a bit for each surface that the light may light
 };
 
 /// The nonzero highlights of one light, compacted.

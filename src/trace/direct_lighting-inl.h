@@ -19,22 +19,41 @@ namespace HWY_NAMESPACE {
 
 HWY_INLINE LightingRules lighting_rules(const WorldParts& world) {
     const Conventions& c = world.conventions;
-    return {world.settings.shading, c.specular_gate, c.clamp_cosines, c.normalize};
+    return {world.settings.shading, c.specular_gate, c.clamp_cosines, c.normalize,
+            c.clamp_attenuation,    c.spot_falloff};
 }
 
 /// Whether the light has the same strength at any distance.
-HWY_INLINE bool has_no_attenuation(const Light& light) { return !light.falls_off(); }
+HWY_INLINE bool has_no_attenuation(const Light& light, const LightingRules& rules) {
+    return !light.falls_off() &&
+           (rules.clamp_attenuation || !light.has_attenuation() || light.attenuation.c0 == 1);
+}
+/// Whether the light has the same strength everywhere.
+HWY_INLINE bool is_constant(const Light& light, const LightingRules& rules) {
+    return has_no_attenuation(light, rules) && !light.is_spot();
+}
+
+/// The spot's factor at the end of a vector of this length from a surface to the light.
+HWY_INLINE Doubles spot_at(const PreparedLight& light, Vector3<Doubles> to_light, Doubles distance,
+                           const LightingRules& rules) {
+    const Doubles cosine = -dot(to_light, lanes_of(light.unit_axis)) / distance;
+    return spot_factor(cosine, light.cone, rules.spot_falloff);
+}
 
 /// The values of a light at a vector of surfaces.
 struct LightLanes {
     Vector3<Doubles> to_light;
-    Doubles distance;  // the length of to_light
-    Doubles attenuation;
+    Doubles distance;     // the length of to_light
+    Doubles attenuation;  // by the distance
+    Doubles spot;         // 1 if it is no spot
     Cosines<Doubles> cosines;
     LaneMask<double> lit;  // surfaces where it may add light
+
+    /// The factor of both terms.
+    HWY_INLINE Doubles strength() const { return attenuation * spot; }
 };
-HWY_INLINE LightLanes light_at(const WorldParts& world, const Light& light, const LightingRules& rules,
-                               const SurfaceBatch& surfaces, int i) {
+HWY_INLINE LightLanes light_at(const WorldParts& world, const PreparedLight& light,
+                               const LightingRules& rules, const SurfaceBatch& surfaces, int i) {
     const Doubles zero(0);
     const auto adds = [&](Vector3<Doubles> a, Vector3<Doubles> b)
                           HWY_ATTR { return !(a.x * b.x == zero && a.y * b.y == zero && a.z * b.z == zero); };
@@ -47,17 +66,25 @@ HWY_INLINE LightLanes light_at(const WorldParts& world, const Light& light, cons
     // A light at the surface point has no direction.
     auto lit = first_lanes<double>(surfaces.count - i) && distance > zero;
     Doubles f_att(1);
-    if (!has_no_attenuation(light)) {
+    if (!has_no_attenuation(light, rules)) {
         const Attenuation& a = light.attenuation;
-        f_att = attenuation(Doubles(a.c0), Doubles(a.c1), Doubles(a.c2), distance);
+        f_att = attenuation(Doubles(a.c0), Doubles(a.c1), Doubles(a.c2), distance,
+                            Doubles(rules.clamp_attenuation ? 1 : 1e30));
+        if (light.fades())
+            f_att = f_att * fading(Doubles(light.fade_distance), Doubles(light.fade_power), distance);
         lit = lit && f_att > zero;
+    }
+    Doubles spot(1);
+    if (light.is_spot()) {
+        spot = spot_at(light, to_light, distance, rules);
+        lit = lit && spot > zero;
     }
     const MaterialLanes material(world, surfaces.material.data() + i);
     const auto faces = rules.clamp_cosines ? c.n_l > zero : !(c.n_l == zero);
     lit = lit &&
           ((faces && adds(material.color(k_diffuse), lanes_of(light.color))) ||
            (has_highlight(c, rules) && adds(material.color(k_specular), lanes_of(light.specular_color))));
-    return {to_light, distance, f_att, c, lit};
+    return {to_light, distance, f_att, spot, c, lit};
 }
 
 /// The lit bits of the vector of surfaces at index i.
@@ -75,17 +102,17 @@ inline void clear_radiance(const SurfaceBatch& surfaces, RadianceBatch& radiance
 
 /// Samples a light at all surfaces: its cosines, its attenuation, the surfaces that it may light, and, if
 /// shadows are on, their shadow rays.
-inline void sample_light(const WorldParts& world, const Light& light, const SurfaceBatch& surfaces,
+inline void sample_light(const WorldParts& world, const PreparedLight& light, const SurfaceBatch& surfaces,
                          LightSampleBatch& samples, ShadowRayBatch& shadow_rays) {
     const LightingRules rules = lighting_rules(world);
-    const bool constant = has_no_attenuation(light);
+    const bool constant = is_constant(light, rules);
     int rays = 0;
     for (int i = 0; i < surfaces.count; i += lane_count<double>()) {
         const LightLanes at = light_at(world, light, rules, surfaces, i);
         samples.lit[static_cast<std::size_t>(i / lane_count<double>())] =
             static_cast<std::uint8_t>(to_bits(at.lit));
         if (!any(at.lit)) continue;
-        if (!constant) store(at.attenuation, samples.attenuation.data() + i);
+        if (!constant) store(at.strength(), samples.strength.data() + i);
         store(at.cosines.n_l, samples.n_l.data() + i);
         store(at.cosines.s, samples.s.data() + i);
         if (!world.settings.shadows) continue;
@@ -124,9 +151,9 @@ inline void compute_highlights(const WorldParts& world, const SurfaceBatch& surf
     }
 }
 
-/// k_d I_l,d N·L f_att or k_s I_l,s S^n f_att.
-HWY_INLINE Vector3<Doubles> contribution(Vector3<Doubles> k, Color light, Doubles term, Doubles attenuation) {
-    return (k * lanes_of(light) * term) * attenuation;
+/// k_d I_l,d N·L f_att or k_s I_l,s S^n f_att. strength: f_att, times the spot's factor.
+HWY_INLINE Vector3<Doubles> contribution(Vector3<Doubles> k, Color light, Doubles term, Doubles strength) {
+    return (k * lanes_of(light) * term) * strength;
 }
 
 /// Adds the light's terms to the surfaces that are lit.
@@ -134,26 +161,26 @@ inline void add_light(const WorldParts& world, const Light& light, const Surface
                       const LightSampleBatch& samples, const HighlightBatch& highlights,
                       RadianceBatch& radiance) {
     const LightingRules rules = lighting_rules(world);
-    const bool constant = has_no_attenuation(light);
+    const bool constant = is_constant(light, rules);
     const double* power = highlights.power.data();
     for (int i = 0; i < surfaces.count; i += lane_count<double>()) {
         const std::uint32_t bits = lit_bits(samples, i);
         if (bits == 0) continue;
         const auto lit = from_bits<double>(bits);
         const MaterialLanes material(world, surfaces.material.data() + i);
-        const Doubles f_att = constant ? Doubles(1) : load(samples.attenuation.data() + i);
+        const Doubles strength = constant ? Doubles(1) : load(samples.strength.data() + i);
         const auto add = [&](BatchColumn<double>* to, Vector3<Doubles> more) HWY_ATTR {
             const Vector3<Doubles> sum = load_vector3(to, i);
             store_vector3(select_vector3(lit, sum + more, sum), to, i);
         };
         add(radiance.diffuse, contribution(material.color(k_diffuse), light.color,
-                                           diffuse_term(load(samples.n_l.data() + i), rules), f_att));
+                                           diffuse_term(load(samples.n_l.data() + i), rules), strength));
         const auto bright = highlights_at(samples, rules, i);
         if (!any(bright)) continue;
         const Doubles specular = expand_load(power, bright);
         power += count(bright);
         add(radiance.specular,
-            contribution(material.color(k_specular), light.specular_color, specular, f_att));
+            contribution(material.color(k_specular), light.specular_color, specular, strength));
     }
 }
 

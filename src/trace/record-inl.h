@@ -103,7 +103,7 @@ inline void record_unlit(const WorldParts& world, const SurfaceBatch& surfaces, 
 }
 
 /// Records one light, after its terms have been added.
-inline void record_light(const WorldParts& world, const Light& light, const SurfaceBatch& surfaces,
+inline void record_light(const WorldParts& world, const PreparedLight& light, const SurfaceBatch& surfaces,
                          const LightSampleBatch& samples, const ShadowRayBatch& shadow_rays,
                          TileRecord& record) {
     const LightingRules rules = lighting_rules(world);
@@ -116,9 +116,9 @@ inline void record_light(const WorldParts& world, const Light& light, const Surf
             select(bright, highlight_power(at.cosines.s, material.value(k_shininess), rules), Doubles(0));
         const Vector3Elements to_light(at.to_light),
             diffuse(contribution(material.color(k_diffuse), light.color, diffuse_term(at.cosines.n_l, rules),
-                                 at.attenuation)),
-            specular(contribution(material.color(k_specular), light.specular_color, power, at.attenuation));
-        const LaneElements distance(at.distance), f_att(at.attenuation), n_l(at.cosines.n_l),
+                                 at.strength())),
+            specular(contribution(material.color(k_specular), light.specular_color, power, at.strength()));
+        const LaneElements distance(at.distance), f_att(at.attenuation), spot(at.spot), n_l(at.cosines.n_l),
             cosine(at.cosines.s), powers(power);
         const std::uint32_t may_add = to_bits(at.lit), lit = lit_bits(samples, h);
         for (int k = 0; k < lanes; ++k) {
@@ -127,6 +127,7 @@ inline void record_light(const WorldParts& world, const Light& light, const Surf
             r.to_light = to_light.vec3(k);
             r.distance = distance[k];
             r.attenuation = f_att[k];
+            r.spot = spot[k];
             r.n_l = n_l[k];
             r.s = cosine[k];
             r.power = powers[k];

@@ -21,7 +21,7 @@ namespace glint {
 namespace HWY_NAMESPACE {
 
 /// Runs the stages of one light.
-inline void light_surfaces(const WorldParts& world, const Light& light, TileScratch& s) {
+inline void light_surfaces(const WorldParts& world, const PreparedLight& light, TileScratch& s) {
     FirstHits* const first_hits = s.surfaces.generation == 0 && s.first_hits.wanted ? &s.first_hits : nullptr;
     sample_light(world, light, s.surfaces, s.light_samples, s.shadow_rays);
     if (s.shadow_rays.count > 0) {
@@ -57,7 +57,7 @@ inline void shade(const WorldParts& world, RayRange range, TileScratch& s) {
     apply_beer_law(world, s.surfaces);
     if (s.record != nullptr) record_rays(world, s.rays, s.hits, range, s.surfaces, *s.record);
     clear_radiance(s.surfaces, s.radiance);
-    for (const Light& light : *world.lights) light_surfaces(world, light, s);
+    for (const PreparedLight& light : *world.lights) light_surfaces(world, light, s);
     add_to_film(world, s.rays, s.hits, range.begin, s.surfaces, s.radiance, s.film);
     if (s.record != nullptr) record_sums(world, s.surfaces, s.radiance, *s.record);
     queue_secondary_rays(world, s.surfaces, s.secondary, s.film, s.counts, s.record);

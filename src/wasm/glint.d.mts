@@ -93,7 +93,7 @@ export interface FieldInfo {
     default: number | Vec3 | null;
 }
 
-export type LightKind = 'ambient' | 'point' | 'directional';
+export type LightKind = 'ambient' | 'point' | 'directional' | 'spot';
 
 /** Beside these, each of SceneInfo.light_fields that the kind has. */
 export interface LightInfo {
@@ -104,7 +104,13 @@ export interface LightInfo {
     specular_color?: Vec3;
     position?: Vec3;
     to_light?: Vec3;
+    axis?: Vec3;
+    inner_angle?: number;
+    outer_angle?: number;
+    tightness?: number;
     attenuation?: Vec3;
+    fade_distance?: number;
+    fade_power?: number;
 }
 
 /** Pixel (i, j) of width x height is at s (forward + u right + v up), u = (i + 0.5) / width - 0.5, v from the top. */
@@ -158,11 +164,13 @@ export interface NamedItem extends Partial<Place> {
 export interface LightTerms {
     light: NamedItem & {kind: LightKind; has_position: boolean; color: Vec3; specular_color: Vec3};
     /** Why it adds something, or nothing. */
-    reason: 'adds' | 'blocked' | 'behind' | 'no_color' | 'faded' | 'in_surface';
+    reason: 'adds' | 'blocked' | 'behind' | 'no_color' | 'faded' | 'in_surface' | 'outside_cone';
     highlight: 'adds' | 'none' | 'behind' | 'turned_away';
     to_light: Vec3;
     distance: number;
     attenuation: number;
+    /** Of a spot: the factor of its light in this direction. */
+    spot: number;
     /** N·L, and R·V (Phong) or N·H (Blinn-Phong); null if undefined. */
     n_l: number | null;
     s: number | null;

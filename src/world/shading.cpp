@@ -1,12 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "world/shading.h"
 
+#include "math/elementary.h"
 #include "math/transform.h"
 
 namespace glint {
 namespace {
 
-constexpr double k_min_direction = 1e-15;  // minimum length of a light's direction
+constexpr double k_min_direction = 1e-15;           // minimum length of a light's direction
+constexpr double k_radians = 0x1.1df46a2529d39p-6;  // pi / 180
+
+void prepare_spot(PreparedLight& light) {
+    light.unit_axis = normalize(light.axis);
+    // Rounding makes cosines below -1: they are within 180 degrees, too.
+    const double inner_cosine = light.inner_angle < 180 ? cos_degrees(light.inner_angle) : -2;
+    light.cone = {inner_cosine, cos_degrees(light.outer_angle), light.inner_angle * k_radians,
+                  light.outer_angle * k_radians, light.tightness};
+}
 
 }  // namespace
 
@@ -32,8 +42,9 @@ PreparedLights prepare_lights(std::span<const Light> lights) {
             prepared.ambient = prepared.ambient + light.color;
             continue;
         }
-        prepared.lights.push_back(light);
+        prepared.lights.push_back({light, {}, {}});
         Vec3& to_light = prepared.lights.back().to_light;
+        if (light.is_spot()) prepare_spot(prepared.lights.back());
         // The squares of shorter vectors underflow.
         if (light.has_direction() && length(to_light) < k_min_direction)
             to_light = normalize(to_light) * k_min_direction;

@@ -14,8 +14,8 @@ std::vector<double> pack_materials(std::span<const Material> materials);
 void pack_material(const Material& material, double* row);
 
 struct PreparedLights {
-    std::vector<Light> lights;  // point and directional, in scene order
-    Color ambient{0, 0, 0};     // the sum of the ambient lights
+    std::vector<PreparedLight> lights;  // all but the ambient ones, in scene order
+    Color ambient{0, 0, 0};             // the sum of the ambient lights
 };
 PreparedLights prepare_lights(std::span<const Light> lights);
 

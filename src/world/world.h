@@ -6,6 +6,7 @@
 
 #include "base/copy_on_write.h"
 #include "glint/world.h"
+#include "lighting/light.h"
 #include "world/packed_geometry.h"
 
 namespace glint {
@@ -33,12 +34,18 @@ struct PreparedCamera {
     Vec3 lighting_eye;
 };
 
+/// A light that is not ambient, with what the kernels need beside its fields.
+struct PreparedLight : Light {
+    Vec3 unit_axis;  // spots
+    SpotCone cone;
+};
+
 struct WorldParts {
     CopyOnWrite<PackedGeometry> geometry;
     CopyOnWrite<std::vector<std::uint32_t>> slot_material;  // by slot, padded: the row in `materials`
-    CopyOnWrite<std::vector<double>> materials;  // k_material_values each; the default material is last
-    CopyOnWrite<std::vector<Light>> lights;      // point and directional, in scene order
-    Color ambient{0, 0, 0};                      // I_a: the sum of the ambient lights
+    CopyOnWrite<std::vector<double>> materials;      // k_material_values each; the default material is last
+    CopyOnWrite<std::vector<PreparedLight>> lights;  // all but the ambient ones, in scene order
+    Color ambient{0, 0, 0};                          // I_a: the sum of the ambient lights
     Color background;
     Camera scene_camera;  // from which `camera` was prepared, for the settings' size
     PreparedCamera camera;

@@ -57,6 +57,16 @@ disc { center = (0, 0, -2)  normal = (0, 0, 1)  radius = 2  color = (0.2, 0.4, 0
               "light-behind-everything@3 light-behind-everything@4");
 }
 
+TEST(CheckLights, SpotAimedElsewhere) {
+    const std::string spot =
+        "light \"stage\" { type = spot  position = (3, 6, 5)  intensity = 0.6  outer_angle = ";
+    const std::string text = k_clean + spot + "30  axis = (0, 1, 0) }\n";
+    EXPECT_EQ(ids_of(text), "spot-aimed-elsewhere@7");
+    EXPECT_TRUE(has(only_message(text), "is within 30 degrees of its axis")) << only_message(text);
+    EXPECT_EQ(ids_of(k_clean + spot + "30  target = (0, 0, 0) }\n"), "");
+    EXPECT_EQ(ids_of(k_clean + spot + "180  axis = (0, 1, 0) }\n"), "");
+}
+
 TEST(CheckLights, BlockedByAShape) {
     const std::string text = R"(camera { position = (0, 4, 8)  look_at = (0, 0, 0)  fov_x = 30 }
 light { position = (3, 6, 8)  intensity = 0.7 }

@@ -202,6 +202,35 @@ TEST(Explain, APlaneUnderOneLight) {
     EXPECT_NEAR(e.value[0], 0.1f, 1e-7f);
 }
 
+TEST(Explain, ASpotAndItsCone) {
+    Scene scene;
+    scene.materials.push_back({.ambient = {0.1, 0.1, 0.1}, .diffuse = {0.5, 0.5, 0.5}});
+    scene.add(Plane{}, 0);
+    scene.add(Sphere{.center = {0, 2, 0}, .radius = 0.5}, 0);
+    Light spot;
+    spot.kind = LightKind::spot;
+    spot.position = {0, 4, 0};
+    spot.axis = {1, -2, 0};
+    spot.inner_angle = 10;
+    spot.outer_angle = 40;
+    spot.fade_distance = spot.fade_power = 2;
+    scene.lights = {spot, spot};
+    scene.lights[1].outer_angle = 20;
+    scene.camera.position = {0, 1, 4};
+    scene.camera.look_at = {0, 0, 0};
+    scene.settings.width = scene.settings.height = 65;
+    const Result<World> world = prepare(scene);
+    ASSERT_TRUE(world);
+    const Explanation e =
+        explain(scene, *world, 32, 32).value();  // of the origin, 26.57 degrees off the axis
+    ASSERT_TRUE(e.rays.at(0).hit);
+    const ExplainedHit& hit = *e.rays[0].hit;
+    ASSERT_EQ(hit.lights.size(), 2u);
+    EXPECT_EQ(reason(hit.lights[0]), LightReason::blocked);
+    EXPECT_EQ(reason(hit.lights[1]), LightReason::outside_cone);
+    EXPECT_EQ(hit.lights[1].spot, 0);
+}
+
 TEST(Explain, OneSampleAlone) {
     const auto scene = test::load_file(GLINT_PROJECT_DIR "/scenes/glint/glass.glint", "size=64x42 aa=3");
     const Result<World> world = prepare(*scene);

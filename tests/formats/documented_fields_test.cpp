@@ -178,6 +178,12 @@ TEST(LightKinds, HaveTheirProperties) {
     EXPECT_TRUE(light.has_direction() && light.has_specular_color());
     EXPECT_FALSE(light.is_ambient() || light.has_position() || light.has_attenuation());
     EXPECT_EQ(light.way_from({1, 0, 0}), (Vec3{0, 0, 5}));
+    EXPECT_FALSE(light.is_spot());
+    light.kind = LightKind::spot;
+    EXPECT_TRUE(light.is_spot() && light.has_position() && light.has_attenuation() &&
+                light.has_specular_color());
+    EXPECT_FALSE(light.is_ambient() || light.has_direction());
+    EXPECT_EQ(light.way_from({1, 0, 0}), (Vec3{0, 2, 3}));
 }
 
 TEST(LightKinds, FallOffWhereAttenuationIsBelowOne) {
@@ -192,6 +198,13 @@ TEST(LightKinds, FallOffWhereAttenuationIsBelowOne) {
         light.kind = LightKind::directional;
         EXPECT_FALSE(light.falls_off());
     }
+    light = {};
+    light.fade_distance = 2;
+    EXPECT_FALSE(light.fades() || light.falls_off());
+    light.fade_power = 1;
+    EXPECT_TRUE(light.fades() && light.falls_off());
+    light.kind = LightKind::directional;
+    EXPECT_FALSE(light.fades() || light.falls_off());
 }
 
 }  // namespace

@@ -210,6 +210,25 @@ TEST(Glint, ReadsLights) {
     EXPECT_EQ(s.lights[4].to_light, (Vec3{1, 4, 4}));
 }
 
+TEST(Glint, ReadsSpots) {
+    const Scene s = shapes_of(R"(light { type = spot  position = (2, 4, 5)  axis = (0, -2, 0) }
+        light { type = spot  position = (2, 4, 5)  target = (1, 0, 5)  inner_angle = 10  outer_angle = 10
+                tightness = 3  fade_distance = 2  fade_power = 1.5 }
+        light { target = (1, 2, 3)  position = (1, 2, 3)  axis = (0, 0, 1) })");
+    EXPECT_EQ(s.lights[0].kind, LightKind::spot);
+    EXPECT_EQ(s.lights[0].axis, (Vec3{0, -2, 0}));
+    EXPECT_EQ(s.lights[0].inner_angle, 30);
+    EXPECT_EQ(s.lights[0].outer_angle, 45);
+    const Light& other = s.lights[1];
+    EXPECT_EQ(other.axis, (Vec3{-1, -4, 0}));
+    EXPECT_EQ(other.inner_angle, 10);
+    EXPECT_EQ(other.outer_angle, 10);
+    EXPECT_EQ(other.tightness, 3);
+    EXPECT_EQ(other.fade_distance, 2);
+    EXPECT_EQ(other.fade_power, 1.5);
+    EXPECT_EQ(s.lights[2].kind, LightKind::point) << "its target and its axis are ignored, with a warning";
+}
+
 TEST(Glint, AppliesTransformsInTheOrderWritten) {
     const Scene s = shapes_of(k_ball + "scale = (1, 2, 3)  translate = (1, 0, 0)  rotate = (0, 0, 90) }\n" +
                               k_ball + "rotate = (90, 90, 0) }\n" + k_ball +

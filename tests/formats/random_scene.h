@@ -113,6 +113,10 @@ class RandomScene {
         l.color = color();
         l.specular_color = pick(2) == 0 ? l.color : color();
         if (pick(2) == 0) l.attenuation = {length(), fraction(), fraction()};
+        if (pick(2) == 0) l.fade_distance = length(), l.fade_power = 3 * fraction();
+        l.axis = direction();
+        if (pick(2) == 0) l.outer_angle = between(1, 180), l.inner_angle = l.outer_angle * fraction();
+        if (pick(2) == 0) l.tightness = 1e9 * fraction();
         note(s.light_texts, s.lights.size());
         s.lights.push_back(l);
     }

@@ -89,7 +89,12 @@ class SceneFingerprint {
         if (l.has_specular_color()) add(l.specular_color);
         if (l.has_direction()) add(l.to_light);
         if (l.has_position()) add(l.position);
-        if (l.has_attenuation()) add(Vec3{l.attenuation.c0, l.attenuation.c1, l.attenuation.c2});
+        if (l.has_attenuation()) {
+            add(Vec3{l.attenuation.c0, l.attenuation.c1, l.attenuation.c2});
+            add(l.fade_distance), add(l.fade_power);
+        }
+        if (!l.is_spot()) return;
+        add(l.axis), add(l.inner_angle), add(l.outer_angle), add(l.tightness);
     }
 
     void add_shape(std::uint32_t i) {

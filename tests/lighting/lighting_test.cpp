@@ -150,6 +150,42 @@ TEST(Lighting, Attenuation) {
     EXPECT_EQ(plain::attenuation(0.25, 0.0, 0.0, 3.0), 1);
 }
 
+TEST(Lighting, FadingIsOneAtItsDistance) {
+    EXPECT_EQ(plain::fading(3.0, 2.0, 3.0), 1);
+    EXPECT_EQ(plain::fading(3.0, 2.0, 6.0), 0.4);
+    EXPECT_EQ(plain::fading(1.0, 1.0, 1e-300), 2);
+    EXPECT_EQ(plain::fading(1e-300, 1e9, 1e300), 0);  // the power overflows
+}
+
+TEST(Lighting, SpotFactorAtTheEndsOfItsRange) {
+    const double ci = std::cos(0.3), co = std::cos(0.7);
+    for (const double tightness : {0.0, 2.0}) {
+        const SpotCone cone{ci, co, 0.3, 0.7, tightness};
+        for (const SpotFalloff falloff : {SpotFalloff::cubic, SpotFalloff::linear}) {
+            const double power = falloff == SpotFalloff::cubic ? tightness : 0;
+            EXPECT_EQ(plain::spot_factor(1.0, cone, falloff), 1);
+            EXPECT_EQ(plain::spot_factor(ci, cone, falloff), plain::pow(ci, power));
+            EXPECT_EQ(plain::spot_factor(co, cone, falloff), 0);
+            EXPECT_EQ(plain::spot_factor(-1.0, cone, falloff), 0);
+            double last = 1;
+            for (double angle = 0.3; angle < 0.7; angle += 0.001) {
+                const double factor = plain::spot_factor(std::cos(angle), cone, falloff);
+                EXPECT_LE(factor, last);
+                EXPECT_GE(factor, 0);
+                last = factor;
+            }
+            EXPECT_LT(last, 0.01);
+        }
+        EXPECT_NEAR(plain::spot_factor(std::cos(0.4), cone, SpotFalloff::linear), 0.75, 1e-15);
+        const double s = (std::cos(0.5) - co) / (ci - co);
+        EXPECT_NEAR(plain::spot_factor(std::cos(0.5), cone, SpotFalloff::cubic),
+                    s * s * (3 - 2 * s) * std::pow(std::cos(0.5), tightness), 1e-15);
+    }
+    const SpotCone all{-2, -1, 3.15, 3.15, 0};  // 180 degrees
+    EXPECT_EQ(plain::spot_factor(-1 - 1e-15, all, SpotFalloff::linear), 1);
+    EXPECT_EQ(plain::spot_factor(-0.5, all, SpotFalloff::cubic), 1);
+}
+
 TEST(Lighting, DoubleAgreesWithLongDouble) {
     Random random(63);
     double worst = 0;

@@ -108,6 +108,9 @@ const Target k_targets[] = {
 #if (HWY_TARGETS) & HWY_SSE4
     {"sse4", HWY_SSE4, N_SSE4::hash_lanes},
 #endif
+#if (HWY_TARGETS) & HWY_NEON
+    {"neon", HWY_NEON, N_NEON::hash_lanes},
+#endif
 #if (HWY_TARGETS) & HWY_SCALAR
     {"scalar", HWY_SCALAR, N_SCALAR::hash_lanes},
 #endif

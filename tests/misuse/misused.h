@@ -27,7 +27,10 @@ inline Scene some_scene() {
     scene.settings.height = 12;
     scene.camera.position = {0, 1, 6};
     scene.camera.look_at = {0, 0.5, 0};
-    scene.lights = {{.kind = LightKind::ambient}, {.position = {3, 5, 4}}, {.kind = LightKind::directional}};
+    scene.lights = {{.kind = LightKind::ambient},
+                    {.position = {3, 5, 4}},
+                    {.kind = LightKind::directional},
+                    {.kind = LightKind::spot, .position = {0, 6, 0}}};
     scene.materials = {{.specular = {0.5, 0.5, 0.5}, .mirror = 0.5}, {.transmission = 0.8, .ior = 1.5}};
     scene.transforms = {Affine{}};
     scene.add(Plane{.point = {0, -1, 0}}, 0);

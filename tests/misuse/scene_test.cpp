@@ -57,6 +57,7 @@ TEST(Misuse, OfEnumerations) {
         [](Scene& s) { s.conventions.fresnel = beyond<Fresnel>(); },
         [](Scene& s) { s.conventions.glass_shadow = beyond<GlassShadow>(); },
         [](Scene& s) { s.conventions.facing = beyond<Facing>(); },
+        [](Scene& s) { s.conventions.spot_falloff = beyond<SpotFalloff>(); },
     };
     for (const Edit& edit : edits) expect_refused(edit, "an enumeration");
     EXPECT_EQ(to_string(beyond<ShapeKind>()), "unknown shape");
@@ -97,6 +98,12 @@ std::vector<std::function<double&(Scene&)>> numbers() {
     number([](Scene& s) -> double& { return s.lights[1].attenuation.c1; });
     number([](Scene& s) -> double& { return s.lights[1].attenuation.c2; });
     point([](Scene& s) -> Vec3& { return s.lights[2].to_light; });
+    number([](Scene& s) -> double& { return s.lights[1].fade_distance; });
+    number([](Scene& s) -> double& { return s.lights[1].fade_power; });
+    point([](Scene& s) -> Vec3& { return s.lights[3].axis; });
+    number([](Scene& s) -> double& { return s.lights[3].inner_angle; });
+    number([](Scene& s) -> double& { return s.lights[3].outer_angle; });
+    number([](Scene& s) -> double& { return s.lights[3].tightness; });
     color([](Scene& s) -> Color& { return s.materials[0].color; });
     color([](Scene& s) -> Color& { return s.materials[0].ambient; });
     color([](Scene& s) -> Color& { return s.materials[0].diffuse; });
@@ -194,7 +201,7 @@ TEST(Misuse, OfLights) {
     const Light odd{
         .kind = beyond<LightKind>(), .position = {k_nan, 0, 0}, .attenuation = {k_nan, k_nan, k_nan}};
     EXPECT_FALSE(odd.is_ambient() || odd.has_position() || odd.has_direction() || odd.has_attenuation() ||
-                 odd.falls_off());
+                 odd.falls_off() || odd.fades() || odd.is_spot());
     EXPECT_TRUE(odd.has_specular_color());  // as of all that are not ambient
     EXPECT_EQ(odd.way_from({k_nan, k_nan, k_nan}), odd.to_light);
 }

@@ -15,7 +15,7 @@ std::string set(Scene& scene, std::string_view key, std::string_view value) {
 
 TEST(Settings, KeysAreFoundByName) {
     const auto keys = setting_keys();
-    ASSERT_EQ(keys.size(), 23u);
+    ASSERT_EQ(keys.size(), 25u);
     for (std::size_t i = 0; i < keys.size(); ++i) {
         EXPECT_EQ(find_setting(keys[i].name), i);
         EXPECT_FALSE(keys[i].values.empty());
@@ -53,6 +53,8 @@ TEST(Settings, EveryFieldHasAKey) {
                                                           {"min_weight", "0.01"},
                                                           {"facing", "open"},
                                                           {"cones", "false"},
+                                                          {"spot_falloff", "linear"},
+                                                          {"clamp_attenuation", "false"},
                                                           {"size", "320x200"},
                                                           {"shading", "normals"},
                                                           {"shadows", "false"},
@@ -81,6 +83,8 @@ TEST(Settings, EveryFieldHasAKey) {
                                GlassShadow::none,
                                0.01,
                                Facing::open,
+                               false,
+                               SpotFalloff::linear,
                                false};
     EXPECT_EQ(scene.conventions, expected);
     const RenderSettings settings{320, 200, Shading::normals, false, 7, 3};

@@ -175,6 +175,29 @@ INSTANTIATE_TEST_SUITE_P(
                [](Scene& s) {
                    s.lights[0].attenuation = {0, 0, 0};
                }},
+        Broken{"light 1: fade distance", [](Scene& s) { s.lights[0].fade_distance = -1; }},
+        Broken{"light 1: fade power", [](Scene& s) { s.lights[0].fade_power = k_nan; }},
+        Broken{"light 1: axis: expected a direction",
+               [](Scene& s) {
+                   s.lights[0].kind = LightKind::spot;
+                   s.lights[0].axis = {0, 0, 0};
+               }},
+        Broken{"light 1: outer angle: expected an angle > 0",
+               [](Scene& s) {
+                   s.lights[0].kind = LightKind::spot;
+                   s.lights[0].outer_angle = s.lights[0].inner_angle = 0;
+               }},
+        Broken{"light 1: inner angle: expected at most the outer angle of 30 degrees, found 31",
+               [](Scene& s) {
+                   s.lights[0].kind = LightKind::spot;
+                   s.lights[0].outer_angle = 30;
+                   s.lights[0].inner_angle = 31;
+               }},
+        Broken{"light 1: tightness",
+               [](Scene& s) {
+                   s.lights[0].kind = LightKind::spot;
+                   s.lights[0].tightness = -1;
+               }},
         Broken{"no such kind of light", [](Scene& s) { s.lights[0].kind = static_cast<LightKind>(9); }},
         Broken{"material 1: color", [](Scene& s) { s.materials[0].color.r = k_nan; }},
         Broken{"material 1: ambient", [](Scene& s) { s.materials[0].ambient.r = k_nan; }},

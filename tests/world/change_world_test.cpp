@@ -53,6 +53,13 @@ const Change k_changes[] = {
          s.lights.push_back(sun);
      },
      apply_lights},
+    {"a spot",
+     [](Scene& s) {
+         Light spot{LightKind::spot};
+         spot.position = {1, 5, 2};
+         s.lights.push_back(spot);
+     },
+     apply_lights},
     {"no lights", [](Scene& s) { s.lights.clear(); }, apply_lights},
     {"camera moved",
      [](Scene& s) {

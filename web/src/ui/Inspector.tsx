@@ -80,6 +80,7 @@ function Light({terms, hit, ray, index}: {terms: LightTerms; hit: ExplainedHit; 
             <Term name="L" place={light} formula={light.has_position ? 'P to the light' : 'towards the light'} value={shortVector(terms.to_light)} />
             {light.has_position && <Term name="distance" place={light} value={short(terms.distance)} />}
             {terms.attenuation !== 1 && <Term name="f_att" place={light} value={short(terms.attenuation)} />}
+            {terms.spot !== 1 && <Term name="spot" place={light} value={short(terms.spot)} />}
             <Term name="N·L" place={light} value={short(terms.n_l)} />
             <Term name={isPhong ? 'R·V' : 'N·H'} place={light} value={short(terms.s)} />
             {terms.highlight === 'adds'

@@ -50,6 +50,7 @@ export function sentence(explanation: Explanation): string {
     }
     for (const {light, reason, blocker} of hit.lights) {
         if (reason === 'blocked') parts.push(`${phrase(lightName(light))} is blocked${blocker ? ` by ${phrase(itemName(blocker.shape))}` : ''}`);
+        if (reason === 'outside_cone') parts.push(`${phrase(lightName(light))} shines past the point`);
         if (reason === 'behind') parts.push(`${phrase(lightName(light))} is behind the surface`);
         if (reason === 'faded') parts.push(`${phrase(lightName(light))} is too far to add anything`);
         if (reason === 'in_surface') parts.push(`${phrase(lightName(light))} is at the very point`);
