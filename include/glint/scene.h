@@ -71,10 +71,11 @@ struct Light {
     /// Point lights and spots: if both are above 0, f_att also has the factor 2 / (1 + (d / fade_distance) ^
     /// fade_power), d the distance (POV-Ray).
     double fade_distance = 0, fade_power = 0;
-    Vec3 axis{0, -1, 0};      ///< spots: the middle of the cone, away from the light; any length except 0
-    double inner_angle = 30;  ///< spots: degrees off the axis, 0 to outer_angle; within it, the full light
-    double outer_angle = 45;  ///< spots: degrees off the axis, 0 < outer_angle <= 180; beyond it, no light
-    double tightness = 0;     ///< spots: exponent of the cosine off the axis (SpotFalloff::cubic), >= 0
+    Vec3 axis{0, -1, 0};        ///< spots: the middle of the cone, away from the light; any length except 0
+    double inner_angle = 30;    ///< spots: degrees off the axis, 0 to outer_angle; within it, the full light
+    double outer_angle = 45;    ///< spots: degrees off the axis, 0 < outer_angle <= 180; beyond it, no light
+    double tightness = 0;       ///< spots: exponent of the cosine off the axis (SpotFalloff::cubic), >= 0
+    bool casts_shadows = true;  ///< false: nothing blocks the light; not for ambient lights
 
     // The properties of the kind; other code calls these functions. The compiler warns if a switch lacks a
     // kind.
@@ -142,6 +143,7 @@ struct Material {
     double transmission = 0;  ///< f (CSC 473's filter) or T (NFF), 0 to 1
     double ior = 1;           ///< index of refraction, > 0
     Color transmission_tint{1, 1, 1};
+    bool casts_shadow = true;  ///< false: a surface with this material blocks no light
 };
 
 /// One shape of the scene: parameters number `index` of its kind, its material and its transform.

@@ -69,6 +69,7 @@ class Light:
         attenuation: VectorLike = ...,
         fade_distance: float = ...,
         fade_power: float = ...,
+        casts_shadows: bool = ...,
     ) -> None: ...
     name: str
     kind: str
@@ -84,6 +85,7 @@ class Light:
     attenuation: _AttenuationField
     fade_distance: float
     fade_power: float
+    casts_shadows: bool
     def __eq__(self, other: object) -> bool: ...
     def __copy__(self) -> Light: ...
     def __deepcopy__(self, memo: Dict[Any, Any]) -> Light: ...
@@ -103,6 +105,7 @@ class Material:
         mirror_tint: ColorLike = ...,
         transmission: float = ...,
         transmission_tint: ColorLike = ...,
+        casts_shadow: bool = ...,
         ior: float = ...,
     ) -> None: ...
     name: str
@@ -115,6 +118,7 @@ class Material:
     mirror_tint: _ColorField
     transmission: float
     transmission_tint: _ColorField
+    casts_shadow: bool
     ior: float
     def __eq__(self, other: object) -> bool: ...
     def __copy__(self) -> Material: ...

@@ -28,6 +28,10 @@ inline Vec3 from_python(const DirectionType&, const py::handle& value, std::stri
 inline double from_python(const NumberType& type, const py::handle& value, std::string_view name) {
     return to_number(value, name, type.range);
 }
+inline bool from_python(const BoolType&, const py::handle& value, std::string_view name) {
+    if (py::isinstance<py::bool_>(value)) return value.cast<bool>();
+    throw py::value_error(fmt::format("{}: expected True or False, found {}", name, repr_of(value)));
+}
 inline Color from_python(const ColorType& type, const py::handle& value, std::string_view name) {
     return to_color(value, name, type.range);
 }

@@ -29,8 +29,10 @@ def test_attributes_are_those_of_the_tables():
     # One of each type; the stub test holds all of them against the stubs.
     light = glint.Light("point", attenuation=(1, 0, 0.5))
     assert light.attenuation.c2 == 0.5
-    spot = glint.Light("spot", axis=(0, -1, 0), outer_angle=30, fade_distance=2, fade_power=1.5)
-    assert spot.axis == (0, -1, 0) and spot.outer_angle == 30
+    spot = glint.Light("spot", axis=(0, -1, 0), outer_angle=30, fade_distance=2, fade_power=1.5, casts_shadows=False)
+    assert spot.axis == (0, -1, 0) and spot.outer_angle == 30 and spot.casts_shadows is False
+    assert "casts_shadows=False" in repr(spot)
+    assert glint.Material(casts_shadow=False).casts_shadow is False
     camera = glint.Camera(fov=40, lighting_eye=(0, 0, 1))
     assert camera.fov == 40 and camera.lighting_eye == (0, 0, 1)
     camera.lighting_eye = None
@@ -46,6 +48,7 @@ def test_attributes_are_those_of_the_tables():
         (lambda m: setattr(m, "color", (1, 2)), "color: expected a color: three numbers"),
         (lambda m: setattr(m, "color", "red"), "'#rrggbb', found 'red'"),
         (lambda m: setattr(m, "shininess", float("nan")), "shininess: expected"),
+        (lambda m: setattr(m, "casts_shadow", 1), "casts_shadow: expected True or False, found 1"),
     ],
 )
 def test_refuses_values_out_of_range(set_it, message):

@@ -99,7 +99,7 @@ Blockage find_blockage(const CheckContext& context, const VisibleHits& visible, 
     found.in_cone = shadows.in_cone;
     for (const std::uint32_t material : shadows.material)
         found.reflecting += reflects(world, material, light) ? 1 : 0;
-    if (!world.settings.shadows) return found;
+    if (!world.settings.shadows || !light.casts_shadows) return found;
     const HitList hits = nearest_occluders(world, shadows.rays, context.threads());
     const bool may_pass = light.has_position() && !shadows.from_light;
     std::unordered_map<std::uint32_t, Count> counts;
@@ -122,7 +122,8 @@ Blockage find_blockage(const CheckContext& context, const VisibleHits& visible, 
 // The closed shape that encloses a light, or k_none: the light is inside and the visible points are not.
 std::uint32_t case_of(const CheckContext& context, const Light& light, const Blockage& b) {
     const Scene& scene = context.scene();
-    if (!light.has_position() || !context.world().settings.shadows || b.beyond) return k_none;
+    if (!light.has_position() || !light.casts_shadows || !context.world().settings.shadows || b.beyond)
+        return k_none;
     std::vector<std::uint32_t> around_camera;
     if (b.facing == 0) around_camera = shapes_around(context, scene.camera.position);
     for (const std::uint32_t shape : shapes_around(context, light.position)) {

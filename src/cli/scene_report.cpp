@@ -48,6 +48,7 @@ bool is_bounded(const Bounds& box) { return box.min.x <= box.max.x; }
 
 // A value in six digits.
 std::string text_of(double x) { return fmt::format("{:.6g}", x); }
+std::string text_of(bool value) { return value ? "true" : "false"; }
 std::string text_of(const auto& value) { return fmt::format("({:.6g})", fmt::join(numbers_of(value), ", ")); }
 
 // What a light's kind needs beyond its colour.

@@ -29,10 +29,14 @@ inline bool read_point(GlintText& t, Vec3& point) { return t.p.point(point, k_co
 /// (x, y, z) other than (0, 0, 0).
 bool read_direction(GlintText& t, Vec3& direction);
 
+/// true or false.
+bool read_bool(GlintText& t, bool& value);
+
 /// Reads a value by its type. False if there is no such value.
 struct ValueReader {
     GlintText& t;
     bool operator()(const NumberType& type, double& value) const { return t.p.number(value, type.range); }
+    bool operator()(BoolType, bool& value) const { return read_bool(t, value); }
     bool operator()(PointType, Vec3& point) const { return read_point(t, point); }
     bool operator()(PointType, std::optional<Vec3>& point) const { return read_point(t, point.emplace()); }
     bool operator()(DirectionType, Vec3& direction) const { return read_direction(t, direction); }
@@ -46,9 +50,6 @@ struct ValueReader {
 template <class Item> bool read_field(GlintText& t, const ItemField<Item>& field, Item& item) {
     return visit_field(field, item, ValueReader{t});
 }
-
-/// true or false.
-bool read_bool(GlintText& t, bool& value);
 
 /// A nonempty name, bare or quoted. If there is none, reports an error and returns false.
 bool read_name(GlintText& t, std::string_view what, Token& name);

@@ -27,6 +27,9 @@ struct NumberType {
     static constexpr std::string_view word = "number";
     Range range;
 };
+struct BoolType {
+    static constexpr std::string_view word = "boolean";
+};
 struct PointType {
     static constexpr std::string_view word = "point";
 };
@@ -73,6 +76,9 @@ template <class Item> struct ItemField {
 
 template <class Item> constexpr auto number_field(double Item::*at, const Range& range) {
     return FieldMember<Item, double, NumberType>{at, {range}};
+}
+template <class Item> constexpr auto bool_field(bool Item::*at) {
+    return FieldMember<Item, bool, BoolType>{at, {}};
 }
 template <class Item, class Point> constexpr auto point_field(Point Item::*at) {
     return FieldMember<Item, Point, PointType>{at, {}};
@@ -128,6 +134,7 @@ constexpr bool is_field_of(const ItemField<Item>& field, Value Item::*member) {
 }
 
 constexpr std::array<double, 1> numbers_of(double x) { return {x}; }
+constexpr std::array<double, 1> numbers_of(bool b) { return {b ? 1.0 : 0.0}; }
 constexpr std::array<double, 3> numbers_of(const Vec3& v) { return {v.x, v.y, v.z}; }
 constexpr std::array<double, 3> numbers_of(const Color& c) { return {c.r, c.g, c.b}; }
 constexpr std::array<double, 3> numbers_of(const Attenuation& a) { return {a.c0, a.c1, a.c2}; }
@@ -162,12 +169,13 @@ template <class Item> constexpr bool same_bits(const ItemField<Item>& field, con
     return compare_bits(field, a, b) == 0;
 }
 
-/// The value as a number, or as a list of numbers; null if it is absent. Json: the JSON
+/// The value as a number, true or false, or as a list of numbers; null if it is absent. Json: the JSON
 /// library's, which this module does not include.
 template <class Json, class Item> Json field_json(const ItemField<Item>& field, const Item& item) {
     Json json;
     visit_field(field, item, [&](const auto&, const auto& value) {
-        if constexpr (std::same_as<std::remove_cvref_t<decltype(value)>, double>) {
+        using Value = std::remove_cvref_t<decltype(value)>;
+        if constexpr (std::same_as<Value, double> || std::same_as<Value, bool>) {
             json = value;
         } else {
             json = numbers_of(value);

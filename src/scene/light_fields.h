@@ -5,9 +5,10 @@
 namespace glint {
 
 template <> struct FieldMembers<Light> {
-    using Any = std::variant<FieldMember<Light, double, NumberType>, FieldMember<Light, Vec3, PointType>,
-                             FieldMember<Light, Vec3, DirectionType>, FieldMember<Light, Color, ColorType>,
-                             FieldMember<Light, Attenuation, AttenuationType>>;
+    using Any =
+        std::variant<FieldMember<Light, double, NumberType>, FieldMember<Light, bool, BoolType>,
+                     FieldMember<Light, Vec3, PointType>, FieldMember<Light, Vec3, DirectionType>,
+                     FieldMember<Light, Color, ColorType>, FieldMember<Light, Attenuation, AttenuationType>>;
 };
 
 /// .glint also has `type`, the kind, and `intensity`, a factor of both colors.
@@ -59,6 +60,8 @@ inline constexpr ItemField<Light> k_light_fields[] = {
      "with fade_power, both > 0: a factor 2/(1 + (d/fade_distance)^fade_power)", &Light::has_attenuation},
     {"fade_power", "fade_power", "fade power", number_field(&Light::fade_power, k_exponent),
      "the power of the distance in that factor", &Light::has_attenuation},
+    {"casts_shadows", "casts_shadows", "casts shadows", bool_field(&Light::casts_shadows),
+     "false: nothing blocks the light", &Light::has_specular_color},
 };
 
 /// Whether the field is a color, which .glint multiplies by the intensity.

@@ -4,6 +4,11 @@
 
 namespace glint {
 
+template <> struct FieldMembers<Material> {
+    using Any = std::variant<FieldMember<Material, double, NumberType>, FieldMember<Material, bool, BoolType>,
+                             FieldMember<Material, Color, ColorType>>;
+};
+
 /// In the order in which they are written.
 inline constexpr ItemField<Material> k_material_fields[] = {
     {"color", "color", "color", color_field(&Material::color, k_channel, ColorUse::surface),
@@ -38,6 +43,8 @@ inline constexpr ItemField<Material> k_material_fields[] = {
      color_field(&Material::transmission_tint, k_tint, ColorUse::surface), "the tint of what is transmitted"},
     {"ior", "ior", "index of refraction", number_field(&Material::ior, k_index_of_refraction),
      "the index of refraction"},
+    {"casts_shadow", "casts_shadow", "casts a shadow", bool_field(&Material::casts_shadow),
+     "false: the surface blocks no light"},
 };
 
 /// A key of .glint that gives a field as a factor of the color.

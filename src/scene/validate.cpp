@@ -176,6 +176,7 @@ class Validator {
         void operator()(const NumberType& type, double x) const {
             validator.check(type.range, x, place, of, label);
         }
+        void operator()(BoolType, bool) const {}
         void operator()(PointType, Vec3 p) const { validator.check_point(p, place, of, label); }
         void operator()(DirectionType, Vec3 d) const { validator.check_direction(d, place, of, label); }
         void operator()(const ColorType& type, Color c) const {

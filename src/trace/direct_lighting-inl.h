@@ -23,6 +23,11 @@ HWY_INLINE LightingRules lighting_rules(const WorldParts& world) {
             c.clamp_attenuation,    c.spot_falloff};
 }
 
+/// Whether shadow rays are traced for the light.
+HWY_INLINE bool has_shadow_rays(const WorldParts& world, const Light& light) {
+    return world.settings.shadows && light.casts_shadows;
+}
+
 /// Whether the light has the same strength at any distance.
 HWY_INLINE bool has_no_attenuation(const Light& light, const LightingRules& rules) {
     return !light.falls_off() &&
@@ -115,7 +120,7 @@ inline void sample_light(const WorldParts& world, const PreparedLight& light, co
         if (!constant) store(at.strength(), samples.strength.data() + i);
         store(at.cosines.n_l, samples.n_l.data() + i);
         store(at.cosines.s, samples.s.data() + i);
-        if (!world.settings.shadows) continue;
+        if (!has_shadow_rays(world, light)) continue;
         store_shadow_rays(light, surface_at(surfaces, i), at.to_light, world.conventions, at.lit, shadow_rays,
                           rays);
         rays += count(at.lit);

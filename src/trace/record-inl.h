@@ -133,7 +133,7 @@ inline void record_light(const WorldParts& world, const PreparedLight& light, co
             r.power = powers[k];
             r.may_add = (may_add >> k & 1) != 0;
             r.blocked = r.may_add && (lit >> k & 1) == 0;
-            if (r.may_add && world.settings.shadows) {
+            if (r.may_add && has_shadow_rays(world, light)) {
                 r.has_ray = true;
                 r.origin = vec3_at(shadow_rays.origin, rays);
                 r.direction = vec3_at(shadow_rays.direction, rays);

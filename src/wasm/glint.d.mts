@@ -84,13 +84,13 @@ export interface FieldInfo {
     keys: string[];
     label: string;
     description: string;
-    type: 'number' | 'point' | 'direction' | 'color' | 'attenuation';
+    type: 'number' | 'boolean' | 'point' | 'direction' | 'color' | 'attenuation';
     /** Of a number, or of each channel of a color. */
     min?: number;
     max?: number;
     required: boolean;
     /** Null: there is none. */
-    default: number | Vec3 | null;
+    default: number | boolean | Vec3 | null;
 }
 
 export type LightKind = 'ambient' | 'point' | 'directional' | 'spot';
@@ -111,6 +111,7 @@ export interface LightInfo {
     attenuation?: Vec3;
     fade_distance?: number;
     fade_power?: number;
+    casts_shadows?: boolean;
 }
 
 /** Pixel (i, j) of width x height is at s (forward + u right + v up), u = (i + 0.5) / width - 0.5, v from the top. */
@@ -200,6 +201,7 @@ export interface ExplainedHit {
         mirror_tint: Vec3;
         transmission: number;
         transmission_tint: Vec3;
+        casts_shadow: boolean;
         ior: number;
     };
     point: Vec3;

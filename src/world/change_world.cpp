@@ -113,6 +113,10 @@ Result<World> with_material(const World& world, std::uint32_t index, const Mater
         if (index >= count) return no_material(index, count);
         return changed(world, find_mistakes(material, index), [&](WorldParts& parts) {
             pack_material(material, parts.materials.own().data() + std::size_t{index} * k_material_values);
+            if (parts.no_shadow->empty() && material.casts_shadow) return;
+            std::vector<std::uint8_t>& no_shadow = parts.no_shadow.own();
+            no_shadow.resize(std::size_t{count} + 1);
+            no_shadow[index] = material.casts_shadow ? 0 : 1;
         });
     });
 }
@@ -131,6 +135,7 @@ Result<World> with_materials(const World& world, std::span<const Material> mater
         return changed(world, find_mistakes(given, ScenePart::materials), [&](WorldParts& parts) {
             if (materials.size() != parts.scene_materials()) move_default_material(parts, materials.size());
             parts.materials = pack_materials(materials);
+            parts.no_shadow = find_no_shadow(materials);
         });
     });
 }

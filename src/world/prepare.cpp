@@ -21,6 +21,7 @@ Result<World> prepare(const Scene& scene, const PrepareOptions& options) {
         parts.slot_material = find_slot_materials(scene, *geometry, scene.materials.size(), options.threads);
         parts.geometry = std::move(*geometry);
         parts.materials = pack_materials(scene.materials);
+        parts.no_shadow = find_no_shadow(scene.materials);
         PreparedLights lights = prepare_lights(scene.lights);
         parts.lights = std::move(lights.lights);
         parts.ambient = lights.ambient;

@@ -35,6 +35,16 @@ std::vector<double> pack_materials(std::span<const Material> materials) {
     return table;
 }
 
+std::vector<std::uint8_t> find_no_shadow(std::span<const Material> materials) {
+    std::vector<std::uint8_t> rows;
+    for (std::size_t i = 0; i < materials.size(); ++i) {
+        if (materials[i].casts_shadow) continue;
+        rows.resize(materials.size() + 1);  // the default material casts a shadow
+        rows[i] = 1;
+    }
+    return rows;
+}
+
 PreparedLights prepare_lights(std::span<const Light> lights) {
     PreparedLights prepared;
     for (const Light& light : lights) {

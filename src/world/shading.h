@@ -10,6 +10,8 @@ namespace glint {
 
 /// The table of materials; the default material is last.
 std::vector<double> pack_materials(std::span<const Material> materials);
+/// WorldParts::no_shadow.
+std::vector<std::uint8_t> find_no_shadow(std::span<const Material> materials);
 /// Writes one row of the table.
 void pack_material(const Material& material, double* row);
 

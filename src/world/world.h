@@ -43,9 +43,10 @@ struct PreparedLight : Light {
 struct WorldParts {
     CopyOnWrite<PackedGeometry> geometry;
     CopyOnWrite<std::vector<std::uint32_t>> slot_material;  // by slot, padded: the row in `materials`
-    CopyOnWrite<std::vector<double>> materials;      // k_material_values each; the default material is last
-    CopyOnWrite<std::vector<PreparedLight>> lights;  // all but the ambient ones, in scene order
-    Color ambient{0, 0, 0};                          // I_a: the sum of the ambient lights
+    CopyOnWrite<std::vector<double>> materials;        // k_material_values each; the default material is last
+    CopyOnWrite<std::vector<std::uint8_t>> no_shadow;  // by row of `materials`; empty: all cast shadows
+    CopyOnWrite<std::vector<PreparedLight>> lights;    // all but the ambient ones, in scene order
+    Color ambient{0, 0, 0};                            // I_a: the sum of the ambient lights
     Color background;
     Camera scene_camera;  // from which `camera` was prepared, for the settings' size
     PreparedCamera camera;
@@ -66,8 +67,9 @@ struct WorldParts {
         return conventions.facing == Facing::all ||
                (conventions.facing == Facing::open && geometry->is_open(slot));
     }
-    /// Whether the conventions let a slot's shape cast a shadow.
+    /// Whether the conventions and the material let a slot's shape cast a shadow.
     bool casts_shadow(std::uint32_t slot) const {
+        if (!no_shadow->empty() && (*no_shadow)[(*slot_material)[slot]] != 0) return false;
         return conventions.glass_shadow != GlassShadow::none ||
                !(material((*slot_material)[slot])[k_transmission] > 0);
     }

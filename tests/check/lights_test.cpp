@@ -67,6 +67,12 @@ TEST(CheckLights, SpotAimedElsewhere) {
     EXPECT_EQ(ids_of(k_clean + spot + "180  axis = (0, 1, 0) }\n"), "");
 }
 
+TEST(CheckLights, ALightWithoutShadowsIsNotBlocked) {
+    const std::string end = "intensity = 0.2  casts_shadows = false }\n";
+    EXPECT_EQ(ids_of(k_clean + "light { position = (-1.5, 1, 0.2)  " + end), "") << "inside a ball";
+    EXPECT_EQ(ids_of(k_clean + "light { position = (0, -3, 4)  " + end), "") << "below the floor";
+}
+
 TEST(CheckLights, BlockedByAShape) {
     const std::string text = R"(camera { position = (0, 4, 8)  look_at = (0, 0, 0)  fov_x = 30 }
 light { position = (3, 6, 8)  intensity = 0.7 }

@@ -214,8 +214,9 @@ TEST(Explain, ASpotAndItsCone) {
     spot.inner_angle = 10;
     spot.outer_angle = 40;
     spot.fade_distance = spot.fade_power = 2;
-    scene.lights = {spot, spot};
+    scene.lights = {spot, spot, spot};
     scene.lights[1].outer_angle = 20;
+    scene.lights[2].casts_shadows = false;
     scene.camera.position = {0, 1, 4};
     scene.camera.look_at = {0, 0, 0};
     scene.settings.width = scene.settings.height = 65;
@@ -225,10 +226,17 @@ TEST(Explain, ASpotAndItsCone) {
         explain(scene, *world, 32, 32).value();  // of the origin, 26.57 degrees off the axis
     ASSERT_TRUE(e.rays.at(0).hit);
     const ExplainedHit& hit = *e.rays[0].hit;
-    ASSERT_EQ(hit.lights.size(), 2u);
+    ASSERT_EQ(hit.lights.size(), 3u);
     EXPECT_EQ(reason(hit.lights[0]), LightReason::blocked);
     EXPECT_EQ(reason(hit.lights[1]), LightReason::outside_cone);
     EXPECT_EQ(hit.lights[1].spot, 0);
+    EXPECT_EQ(reason(hit.lights[2]), LightReason::adds);
+    EXPECT_FALSE(hit.lights[2].has_ray);
+    EXPECT_NEAR(hit.lights[2].attenuation, 0.4, 1e-6);
+    const double ct = 2 / std::sqrt(5.0), ci = std::cos(M_PI / 18), co = std::cos(M_PI * 2 / 9),
+                 s = (ct - co) / (ci - co);
+    EXPECT_NEAR(hit.lights[2].spot, s * s * (3 - 2 * s), 1e-5);
+    EXPECT_NEAR(hit.lights[2].diffuse.r, 0.5 * 0.4 * s * s * (3 - 2 * s), 1e-5);
 }
 
 TEST(Explain, OneSampleAlone) {

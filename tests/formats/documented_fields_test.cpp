@@ -34,12 +34,14 @@ std::vector<std::string> rows_below(const std::string& document, const std::stri
 }
 
 std::string value_text(const NumberType& type) { return std::string(type.range.text); }
+std::string value_text(BoolType) { return "true or false"; }
 std::string value_text(PointType) { return "(x, y, z)"; }
 std::string value_text(DirectionType) { return "(x, y, z), any length but 0"; }
 std::string value_text(const ColorType&) { return "a color"; }
 std::string value_text(AttenuationType) { return "(c0, c1, c2), each >= 0, not all 0"; }
 
 std::string default_text(double x) { return fmt::format("{}", x); }
+std::string default_text(bool value) { return value ? "true" : "false"; }
 std::string default_text(const auto& value) {
     return fmt::format("({})", fmt::join(numbers_of(value), ", "));
 }

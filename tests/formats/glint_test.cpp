@@ -213,12 +213,13 @@ TEST(Glint, ReadsLights) {
 TEST(Glint, ReadsSpots) {
     const Scene s = shapes_of(R"(light { type = spot  position = (2, 4, 5)  axis = (0, -2, 0) }
         light { type = spot  position = (2, 4, 5)  target = (1, 0, 5)  inner_angle = 10  outer_angle = 10
-                tightness = 3  fade_distance = 2  fade_power = 1.5 }
+                tightness = 3  fade_distance = 2  fade_power = 1.5  casts_shadows = false }
         light { target = (1, 2, 3)  position = (1, 2, 3)  axis = (0, 0, 1) })");
     EXPECT_EQ(s.lights[0].kind, LightKind::spot);
     EXPECT_EQ(s.lights[0].axis, (Vec3{0, -2, 0}));
     EXPECT_EQ(s.lights[0].inner_angle, 30);
     EXPECT_EQ(s.lights[0].outer_angle, 45);
+    EXPECT_TRUE(s.lights[0].casts_shadows);
     const Light& other = s.lights[1];
     EXPECT_EQ(other.axis, (Vec3{-1, -4, 0}));
     EXPECT_EQ(other.inner_angle, 10);
@@ -226,7 +227,17 @@ TEST(Glint, ReadsSpots) {
     EXPECT_EQ(other.tightness, 3);
     EXPECT_EQ(other.fade_distance, 2);
     EXPECT_EQ(other.fade_power, 1.5);
+    EXPECT_FALSE(other.casts_shadows);
     EXPECT_EQ(s.lights[2].kind, LightKind::point) << "its target and its axis are ignored, with a warning";
+}
+
+TEST(Glint, ReadsSurfacesWithoutShadows) {
+    const Scene s =
+        shapes_of("material ghost { casts_shadow = false }\n" + k_ball + "material = ghost }\n" + k_ball +
+                  "casts_shadow = false }\n" + k_ball + "material = ghost  casts_shadow = true }\n");
+    EXPECT_FALSE(s.materials[s.shapes[0].material].casts_shadow);
+    EXPECT_FALSE(s.materials[s.shapes[1].material].casts_shadow);
+    EXPECT_TRUE(s.materials[s.shapes[2].material].casts_shadow);
 }
 
 TEST(Glint, AppliesTransformsInTheOrderWritten) {

@@ -117,6 +117,7 @@ class RandomScene {
         l.axis = direction();
         if (pick(2) == 0) l.outer_angle = between(1, 180), l.inner_angle = l.outer_angle * fraction();
         if (pick(2) == 0) l.tightness = 1e9 * fraction();
+        l.casts_shadows = pick(4) != 0;
         note(s.light_texts, s.lights.size());
         s.lights.push_back(l);
     }
@@ -129,6 +130,7 @@ class RandomScene {
             m.specular = pick(2) == 0 ? m.color * channel() : color();
             m.shininess = pick(2) == 0 ? 40 : 1e9 * fraction();
             m.mirror = fraction();
+            m.casts_shadow = pick(4) != 0;
             m.mirror_tint = pick(2) == 0 ? Color{1, 1, 1} : tint();
             m.transmission = fraction();
             m.ior = often() ? 1.5 : length();

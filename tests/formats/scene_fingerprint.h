@@ -44,6 +44,7 @@ class SceneFingerprint {
     void add(const Material& m) {
         add(m.color), add(m.ambient), add(m.diffuse), add(m.specular), add(m.shininess), add(m.mirror);
         add(m.mirror_tint), add(m.transmission), add(m.ior), add(m.transmission_tint);
+        line(m.casts_shadow ? "casts a shadow" : "casts no shadow");
     }
     void add(const Affine& map) {
         for (const auto& row : map.m) {
@@ -93,6 +94,7 @@ class SceneFingerprint {
             add(Vec3{l.attenuation.c0, l.attenuation.c1, l.attenuation.c2});
             add(l.fade_distance), add(l.fade_power);
         }
+        if (!l.is_ambient()) line(l.casts_shadows ? "casts shadows" : "casts no shadows");
         if (!l.is_spot()) return;
         add(l.axis), add(l.inner_angle), add(l.outer_angle), add(l.tightness);
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a light's own fields do to a picture: spots and attenuation.
+// What a light's own fields do to a picture: spots, attenuation, lights and surfaces without shadows.
 #include <gtest/gtest.h>
 
 #include "trace/pictures.h"
@@ -144,6 +144,46 @@ TEST(Attenuation, ExceedsOneIfItIsNotClamped) {
         scene.conventions.clamp_attenuation = false;
         expect_floor(scene, [&](double d, double) { return factor(d); });
     }
+}
+
+// A ball above the floor, under a light above it.
+Scene ball_under(const Light& light) {
+    Scene scene = floor_under(light);
+    scene.camera.position = {0, 50, 0};
+    Material black;
+    black.diffuse = {0, 0, 0};
+    scene.add(Sphere{{0, 2, 0}, 1}, add_material(scene, black));
+    return scene;
+}
+
+double middle_ring(const Scene& scene) {  // a point in the shadow that the ball does not hide from the camera
+    const Image image = render_scene(scene);
+    return image.rgb[3 * (60 * k_size + 60 + 14)];
+}
+
+TEST(Shadows, CanBeOffForALight) {
+    Light light = point_light({0, 4, 0});
+    Scene scene = ball_under(light);
+    EXPECT_EQ(middle_ring(scene), 0);
+    scene.lights[0].casts_shadows = false;
+    EXPECT_GT(middle_ring(scene), 0.5);
+    scene.lights.push_back(light);  // another light still has its shadow
+    EXPECT_EQ(middle_ring(scene) * 2, [&] {
+        Scene both = scene;
+        both.lights[1].casts_shadows = false;
+        return middle_ring(both);
+    }());
+}
+
+TEST(Shadows, CanBeOffForAMaterial) {
+    Scene scene = ball_under(point_light({0, 4, 0}));
+    scene.materials[1].casts_shadow = false;
+    EXPECT_GT(middle_ring(scene), 0.5);
+    // A second ball of another material below it still casts one, and so does the default material.
+    scene.add(Sphere{{0, 1.1, 0}, 1.05}, add_material(scene, {}));
+    EXPECT_EQ(middle_ring(scene), 0);
+    scene.shapes.back().material = k_none;
+    EXPECT_EQ(middle_ring(scene), 0);
 }
 
 }  // namespace

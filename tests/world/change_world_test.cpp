@@ -53,10 +53,11 @@ const Change k_changes[] = {
          s.lights.push_back(sun);
      },
      apply_lights},
-    {"a spot",
+    {"a spot without shadows",
      [](Scene& s) {
          Light spot{LightKind::spot};
          spot.position = {1, 5, 2};
+         spot.casts_shadows = false;
          s.lights.push_back(spot);
      },
      apply_lights},
@@ -107,6 +108,25 @@ const Change k_changes[] = {
      [](const World& world, const Scene& s) {
          return s.materials.empty() ? with_materials(world, {}) : with_material(world, 0, s.materials[0]);
      }},
+    {"first material without shadow",
+     [](Scene& s) {
+         if (!s.materials.empty()) s.materials[0].casts_shadow = false;
+     },
+     [](const World& world, const Scene& s) {
+         return s.materials.empty() ? with_materials(world, {}) : with_material(world, 0, s.materials[0]);
+     }},
+    {"first material with shadow",
+     [](Scene& s) {
+         if (!s.materials.empty()) s.materials[0].casts_shadow = true;
+     },
+     [](const World& world, const Scene& s) {
+         return s.materials.empty() ? with_materials(world, {}) : with_material(world, 0, s.materials[0]);
+     }},
+    {"materials without shadow",
+     [](Scene& s) {
+         for (Material& m : s.materials) m.casts_shadow = false;
+     },
+     [](const World& world, const Scene& s) { return with_materials(world, s.materials); }},
     {"all materials",
      [](Scene& s) {
          for (Material& m : s.materials) m = some_material();

@@ -20,9 +20,11 @@ export function lightText(index: number): LightText | null {
     return offset === null ? null : (format.value?.light(text.value, offset) ?? null);
 }
 
+export type FieldValue = number | boolean | Vec3;
+
 /** The value of a field, or undefined if the light's kind has none. */
-export function fieldValue(light: LightInfo, field: FieldInfo): number | Vec3 | undefined {
-    return (light as unknown as Record<string, number | Vec3 | undefined>)[field.name];
+export function fieldValue(light: LightInfo, field: FieldInfo): FieldValue | undefined {
+    return (light as unknown as Record<string, FieldValue | undefined>)[field.name];
 }
 
 export function setIntensity(index: number, value: number) {
@@ -30,7 +32,7 @@ export function setIntensity(index: number, value: number) {
     if (light) services.editor?.apply(light.setIntensity(value));
 }
 
-export function setField(index: number, field: FieldInfo, value: number | Vec3) {
+export function setField(index: number, field: FieldInfo, value: FieldValue) {
     const edits = lightText(index)?.setField(field, value);
     if (edits) services.editor?.apply(edits);
 }

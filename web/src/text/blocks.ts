@@ -142,9 +142,9 @@ function light(text: string, offset: number, canAdd: boolean): LightText | null 
     const block = blockAt(text, offset, 'light');
     if (!block) return null;
     const intensity = block.entries.findLast((entry) => entry.key === 'intensity');
-    const setField = (field: FieldInfo, value: number | Vec3) => {
+    const setField = (field: FieldInfo, value: number | boolean | Vec3) => {
         const key = block.entries.findLast((entry) => field.keys.includes(entry.key))?.key ?? (canAdd ? field.keys[0]! : null);
-        return key === null ? null : set(text, block, key, typeof value === 'number' ? number(value) : vector(value));
+        return key === null ? null : set(text, block, key, typeof value === 'number' ? number(value) : typeof value === 'boolean' ? String(value) : vector(value));
     };
     return {
         intensity: intensity ? Number(text.slice(intensity.from, intensity.to)) : 1,

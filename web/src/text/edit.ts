@@ -15,7 +15,7 @@ export interface LightText {
     intensity: number;
     setIntensity(value: number): Edit[];
     /** Null if the format cannot say the field, or not in this text. */
-    setField(field: FieldInfo, value: number | Vec3): Edit[] | null;
+    setField(field: FieldInfo, value: number | boolean | Vec3): Edit[] | null;
 }
 
 /** The edits of one format's text. Null or false: this format cannot express it. */

@@ -4,7 +4,7 @@
 import type {FieldInfo, LightInfo, Setting, Vec3} from 'glint-wasm';
 import {useSignal} from '@preact/signals';
 
-import {fieldValue, lightText, setField, setIntensity, switchLight} from '../store/lights';
+import {type FieldValue, fieldValue, lightText, setField, setIntensity, switchLight} from '../store/lights';
 import {isHere, reveal} from '../store/places';
 import {setSetting} from '../store/settings';
 import {info, settingOf} from '../store/state';
@@ -62,8 +62,14 @@ const parts: Partial<Record<FieldInfo['type'], string[]>> = {
     point: ['x', 'y', 'z'], direction: ['x', 'y', 'z'], color: ['red', 'green', 'blue'], attenuation: ['c0', 'c1', 'c2'],
 };
 
-/** The controls of a field: places have sliders, other numbers are typed. */
-function Field({field, value, set}: {field: FieldInfo; value: number | Vec3; set: (value: number | Vec3) => void}) {
+/** The controls of a field. */
+function Field({field, value, set}: {field: FieldInfo; value: FieldValue; set: (value: FieldValue) => void}) {
+    if (typeof value === 'boolean') return <Switch label={capital(field.label)} hint={field.description} on={value} set={set} />;
+    return <NumbersField field={field} value={value} set={set} />;
+}
+
+/** Places have sliders, other numbers are typed. */
+function NumbersField({field, value, set}: {field: FieldInfo; value: number | Vec3; set: (value: number | Vec3) => void}) {
     const label = capital(field.label);
     const numbers = typeof value === 'number' ? [value] : value;
     const hasSliders = field.type === 'point' || field.type === 'direction';
