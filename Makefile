@@ -3,7 +3,7 @@
 PREFIX ?= /usr/local
 glint = build/release/glint
 
-.PHONY: help deps demo test test-all test-aarch64 test-blender test-mpi test-python blender build install release web playground site tidy fuzz bench format generated clean
+.PHONY: help deps demo test test-all test-aarch64 test-blender test-mpi test-peers test-python blender build install release web playground site tidy fuzz bench format generated clean
 
 help:
 	@echo 'make demo     installs what is missing, builds glint, renders castle.png and explains one of its pixels'
@@ -18,6 +18,7 @@ help:
 	@echo 'make test-aarch64  cross-compiles for 64-bit ARM and runs tests under qemu'
 	@echo 'make test-mpi  installs Open MPI, Dask and GNU parallel and tests rendering on many processes (docs/scale_out.md)'
 	@echo 'make test-blender  installs Blender (571 MB) and tests the add-on for it (docs/blender.md); make blender builds its zip'
+	@echo 'make test-peers  installs POV-Ray and Tachyon and compares their pixels with those of glint, rule by rule'
 	@echo 'make test-python  installs the Python package in build/python-venv and tests it (docs/python.md)'
 	@echo 'make release  writes the files of a release to build/release-files (tools/make-release)'
 	@echo 'make tidy     runs clang-tidy; make format, clang-format; make fuzz, the fuzzers'
@@ -58,6 +59,11 @@ test-blender:
 	@tools/run-tests blender
 
 # The Python package, by Debian's Python.
+test-peers:
+	@tools/install-dependencies command
+	@tools/install-dependencies peers
+	@tools/run-tests peers
+
 test-python:
 	@tools/install-dependencies python
 	@tools/run-tests python
