@@ -53,6 +53,7 @@ const GalleryPicture k_gallery[] = {
     {"glint/moon_phases.glint", "size=160x80", 0x825214feb3b7d955},
     {"glint/still_life.glint", "size=160x160", 0xc59e2be8e3fb8caa},
     {"glint/temple.glint", "size=160x160", 0xb8bd77e115244a2c},
+    {"glint/three_spots.glint", "size=160x107", 0x39bec1930ad04fca},
     {"glint/two_colors_of_light.glint", "size=160x56", 0x57bcbe22b1d9adc1},
     {"nff/fullerene.nff", "size=160x160", 0x7aa7f30a328e56de},
     {"nff/pyramid.nff", "size=160x160", 0x6294b60ab0edf756},
