@@ -54,7 +54,7 @@ enum class Facing : std::uint8_t { none, open, all };
 
 /// How the light of a spot decreases with the angle off its axis. cubic: by s^2 (3 - 2 s), s the position of
 /// the angle's cosine between those of the outer and inner angle, times the cosine to the power `tightness`
-/// (POV-Ray; Blender's spots with tightness 1). linear: linearly in the angle (Tachyon); no tightness.
+/// (POV-Ray). linear: linearly in the angle (Tachyon); no tightness.
 enum class SpotFalloff : std::uint8_t { cubic, linear };
 
 /// All rules on which the sources disagree. The defaults are the profile `glint`.
