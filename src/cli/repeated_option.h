@@ -5,8 +5,8 @@
 
 namespace glint::cli {
 
-/// Lets an option of a list be repeated. Each use takes exactly one value: CLI11 would also take the positional arguments
-/// that follow.
+/// Lets an option of a list be repeated. Each use takes exactly one value: CLI11 would also take the
+/// positional arguments that follow.
 inline CLI::Option* repeated(CLI::Option* option) {
     return option->expected(1)->allow_extra_args(false)->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
 }
