@@ -148,7 +148,7 @@ test('the facts of a scene', () => {
     assert.deepEqual(info.camera_fields.map((field) => field.name), ['position', 'look_at', 'up', 'fov', 'width', 'lighting_eye']);
     assert.deepEqual(info.material_fields.find((field) => field.name === 'diffuse').keys, ['diffuse_color']);
     assert.deepEqual(info.blocks.sphere.slice(0, 3), ['center', 'radius', 'material']);
-    assert.deepEqual(info.blocks.light.slice(0, 4), ['type', 'intensity', 'color', 'specular_color']);
+    assert.deepEqual(info.blocks.light.slice(0, 4), ['type', 'intensity', 'target', 'color']);
     // Each key is one that the reader knows, and it names no other.
     for (const [word, keys] of Object.entries(info.blocks)) {
         const isKnown = (key) => {
