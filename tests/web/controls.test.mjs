@@ -28,7 +28,7 @@ const edits = [
     ['samples', (page) => slide(page, page.getByRole('slider', {name: 'Samples'}), 2), / aa = 2 /, / aa = 1 /],
     ['size', (page) => page.getByRole('spinbutton', {name: 'Width'}).fill('100'), /size = 100 x 90/, /size = 120 x 90/],
     ['shadows', (page) => flip(page, 'Shadows'), / shadows = false /, null],
-    ['a light off', (page) => page.locator('[data-light="1"]').getByRole('switch').click({force: true}), /"lamp" .* intensity = 0 /, /intensity = 1\.2 /],
+    ['a light off', (page) => page.locator('[data-light="1"]').getByRole('switch', {name: 'lamp', exact: true}).click({force: true}), /"lamp" .* intensity = 0 /, /intensity = 1\.2 /],
     ['intensity', (page) => slide(page, page.locator('[data-light="1"]').getByRole('slider', {name: 'Intensity'}), 0.5), /intensity = 0\.5 /, /intensity = 1\.2 /],
     ['an intensity that was not said', (page) => slide(page, page.locator('[data-light="0"]').getByRole('slider', {name: 'Intensity'}), 0.25), /type = ambient  intensity = 0\.25 /, null],
     ['position', (page) => page.locator('[data-light="1"]').getByRole('spinbutton', {name: 'Position y'}).fill('2.5'), /position = \(3\.5, 2\.5, 4\)/, /position = \(3\.5, 5, 4\)/],
@@ -79,7 +79,7 @@ test('a fault that is taken back is as it was', () => withPage(async (page) => {
 }));
 
 test('a light that was off is as bright again', () => withPage(async (page) => {
-    const light = page.locator('[data-light="1"]').getByRole('switch');
+    const light = page.locator('[data-light="1"]').getByRole('switch').first();
     await light.click({force: true});
     await settled(page);
     assert.match(await sceneText(page), /type = point {8}intensity = 0 /);
