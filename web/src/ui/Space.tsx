@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The place of the view in space, in the inspector or in that of the picture. Its code is loaded when it is opened.
+// The place of the view in space, in the inspector or in that of the picture. Its code is loaded after the first picture.
 import {type Signal, signal} from '@preact/signals';
 import type {ComponentType} from 'preact';
 import {useEffect} from 'preact/hooks';
@@ -10,11 +10,15 @@ import {startTurn} from '../space/frame';
 
 const loaded: Signal<ComponentType | null> = signal(null);
 
+async function load() {
+    loaded.value ??= (await import('../space/SpaceView')).SpaceView;
+}
+
+requestIdleCallback(() => void load().catch(() => {}));  // the page makes no connections later
+
 function Content() {
     useEffect(() => {
-        import('../space/SpaceView').then((module) => {
-            loaded.value = module.SpaceView;
-        }, () => {
+        load().catch(() => {
             isOpen.value = false;
         });
     }, []);
