@@ -91,6 +91,9 @@ const Target k_targets[] = {
 #if (HWY_TARGETS) & HWY_SSE4
     {"sse4", HWY_SSE4, N_SSE4::apply},
 #endif
+#if (HWY_TARGETS) & HWY_NEON
+    {"neon", HWY_NEON, N_NEON::apply},
+#endif
 #if (HWY_TARGETS) & HWY_SCALAR
     {"scalar", HWY_SCALAR, N_SCALAR::apply},
 #endif
