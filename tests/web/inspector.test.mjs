@@ -52,6 +52,21 @@ test('the ray tree opens and closes, and its terms lead to their lines', () => w
     angles.forEach((angle) => assert.match(angle, /^\d+\.\d°$/));
 }));
 
+test('a pixel that is clicked before the picture of a new scene is explained in that picture', () => withPage(async (page) => {
+    await settled(page);
+    await page.evaluate(() => {
+        const send = Worker.prototype.postMessage;
+        Worker.prototype.postMessage = function (...message) {
+            setTimeout(() => send.apply(this, message), 1000);
+        };
+    });
+    await page.getByRole('button', {name: 'Scenes', exact: true}).click();
+    await page.locator('[data-scene$="glint/glass.glint"]').click();
+    await clickPicture(page, 0.25, 0.5);
+    await page.locator('.inspector').waitFor();
+    assert.match(await page.locator('.ray-node').first().innerText(), /Glass ray/);
+}));
+
 test('in a comparison, a pixel is explained in the picture it is seen in', () => withPage(async (page) => {
     await page.getByRole('tab', {name: 'Compare'}).click();
     await page.getByRole('button', {name: '0 | 3 reflections'}).click();

@@ -47,14 +47,24 @@ export async function hover(at: [number, number] | null) {
 
 const isPhong = (side: Side) => settingIn(services[side]?.current?.info, 'shading')?.value === 'phong';
 
+let pinNext: [number, number] | null = null;
+let pins = 0;
+
+/** Explains a pixel and keeps its explanation. While the picture is replaced, this waits for the next one. */
 export async function pin(at: [number, number] | null) {
+    const number = ++pins;
+    pinNext = null;
     if (!at) {
         pinned.value = null;
         return;
     }
     const side = sideAt(at);
     const explanation = await ask(at, side);
-    if (!explanation) return;
+    if (number !== pins) return;  // another pixel was pinned meanwhile
+    if (!explanation) {
+        pinNext = at;
+        return;
+    }
     batch(() => {
         pinned.value = explanation;
         pinnedIn.value = {side, isPhong: isPhong(side)};
@@ -63,8 +73,6 @@ export async function pin(at: [number, number] | null) {
         tab.value = 'inspect';
     });
 }
-
-let pinNext: [number, number] | null = null;
 
 /** Pins a pixel as soon as the picture is complete. */
 export function pinLater(at: [number, number]) {
@@ -75,17 +83,19 @@ export function pinLater(at: [number, number]) {
 export async function explainAgain(side: Side) {
     if (pixel.value && sideAt(pixel.value) === side) void hover(pixel.value);
     if (pinNext && side === 'first') {
-        const next = pinNext, before = tab.value;
-        pinNext = null;
-        await pin(next);
+        const before = tab.value;
+        await pin(pinNext);
         tab.value = before;
         return;
     }
     const at = pinned.value?.pixel;
     const facts = services[side]?.current?.info;
     if (!at || !facts || pinnedIn.value.side !== side) return;
-    const explanation = at[0] < facts.width && at[1] < facts.height ? await ask(at, side) : null;
-    if (!pinned.value) return;
+    const number = pins;
+    const isInside = at[0] < facts.width && at[1] < facts.height;
+    const explanation = isInside ? await ask(at, side) : null;
+    if (!pinned.value || number !== pins) return;
+    if (isInside && !explanation) return;  // the picture is being replaced: the next one explains it
     batch(() => {
         pinned.value = explanation;
         pinnedIn.value = {side, isPhong: isPhong(side)};
