@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-# With GLINT_FILES_TOGETHER, the files of the command are compiled together, up to eight at a time: their headers are read once,
-# and the whole takes a third of the time. Without it each file is compiled by itself, so that a missing include is found.
+# With GLINT_FILES_TOGETHER, the files of the command, and those of each test program, are compiled together, up to eight at a
+# time: their headers are read once, and the whole takes a third of the time. Without it each file is compiled by itself, so that a missing include is found.
 #
-# So a name in an unnamed namespace must be the only one in its folder. Kernels are compiled by themselves, and so are files
-# that define macros for the headers that they include: these have the property SKIP_UNITY_BUILD_INCLUSION.
+# So a name in an unnamed namespace must be the only one in its folder. Files that define macros are compiled by themselves: the
+# kernels, for example. So are those with the property SKIP_UNITY_BUILD_INCLUSION.
 
 # glint_group_sources(TARGET): after all sources have been added.
 function(glint_group_sources target)
@@ -22,8 +22,8 @@ function(glint_group_sources target)
     if(is_alone OR NOT path MATCHES "[.]cpp$")
       continue()
     endif()
-    file(STRINGS ${path} kernels REGEX "define HWY_TARGET_INCLUDE")
-    if(kernels)
+    file(STRINGS ${path} macros REGEX "^#define")
+    if(macros)
       continue()
     endif()
     cmake_path(GET path PARENT_PATH path)

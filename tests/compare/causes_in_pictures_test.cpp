@@ -13,7 +13,7 @@ namespace {
 
 using Change = std::function<Image(const Image& drawn)>;  // of the unclamped picture
 
-struct Plant {
+struct PicturePlant {
     const char* label;
     const char* cause;
     Change change;
@@ -87,7 +87,7 @@ Change in_bytes(std::array<int, 3> factors, int added) {
     };
 }
 
-const Plant k_plants[] = {
+const PicturePlant k_picture_plants[] = {
     {"without blue", "channel-missing", in_bytes({1, 1, 0}, 0)},
     {"only red", "channel-missing", in_bytes({1, 0, 0}, 0)},
     {"red thrice", "grey", channels({0, 0, 0})},
@@ -124,12 +124,12 @@ TEST_P(PlantedInPixels, AreNamedFirst) {
     const Scene reference_scene = read_scene(text);
     const Image drawn = draw(reference_scene), reference = as_file(drawn);
     std::vector<Image> pictures;
-    for (const Plant& plant : k_plants) pictures.push_back(as_file(plant.change(drawn)));
+    for (const PicturePlant& plant : k_picture_plants) pictures.push_back(as_file(plant.change(drawn)));
     for (const bool with_scene : {false, true}) {
         const auto reports =
             find_causes(std::span(pictures), reference, with_scene ? &reference_scene : nullptr);
         for (std::size_t i = 0; i < reports.size(); ++i) {
-            const Plant& plant = k_plants[i];
+            const PicturePlant& plant = k_picture_plants[i];
             EXPECT_NE(reference.rgb, pictures[i].rgb) << plant.label << ": nothing was planted";
             if (plant.needs_scene && !with_scene) continue;
             EXPECT_EQ(first_cause(reports[i]), plant.cause) << plant.label << with_scene << "\n"

@@ -5,7 +5,7 @@
 namespace glint::test {
 namespace {
 
-Scene scene_of(std::string_view text, std::size_t warnings = 0) {
+Scene cgfs_scene(std::string_view text, std::size_t warnings = 0) {
     const Result<Scene> result = load_text(text, "a.cgfs");
     std::string messages;
     for (const Diagnostic& d : result.diagnostics) messages += to_string(d);
@@ -18,9 +18,9 @@ constexpr std::string_view k_light = "light { type = ambient intensity = 0.2 }\n
 constexpr std::string_view k_sphere = "sphere { center = (1, 2, 3) radius = 4 color = (255, 51, 0) }\n";
 
 TEST(Cgfs, ReadsASphere) {
-    const Scene s = scene_of(std::string(k_light) +
-                             "sphere {\n center = (0, -1, 3)\n radius = 1.5\n color = (255, 51, 0)  # Red\n"
-                             " specular = 500 // shiny\n reflective = 0.2\n}\n");
+    const Scene s = cgfs_scene(std::string(k_light) +
+                               "sphere {\n center = (0, -1, 3)\n radius = 1.5\n color = (255, 51, 0)  # Red\n"
+                               " specular = 500 // shiny\n reflective = 0.2\n}\n");
     ASSERT_EQ(s.shapes.size(), 1u);
     EXPECT_EQ(s.shapes[0].kind, ShapeKind::sphere);
     EXPECT_EQ(s.get<Sphere>()[0].center, (Vec3{0, -1, 3}));
@@ -39,22 +39,22 @@ TEST(Cgfs, ReadsASphere) {
 
 TEST(Cgfs, SpheresWithoutASpecularExponentAreMatte) {
     for (const char* specular : {"", "specular = -1", "specular = none"}) {
-        const Scene s = scene_of(std::string(k_light) +
-                                 "sphere { center = (0,0,3) radius = 1 color = (9,9,9) " + specular + " }");
+        const Scene s = cgfs_scene(std::string(k_light) +
+                                   "sphere { center = (0,0,3) radius = 1 color = (9,9,9) " + specular + " }");
         EXPECT_EQ(s.materials[0].specular, (Color{0, 0, 0})) << specular;
         EXPECT_EQ(s.materials[0].mirror, 0);
     }
     const Scene s =
-        scene_of(std::string(k_light) + "sphere { center=(0,0,3) radius=1 color=(255,0,0) specular=0 }");
+        cgfs_scene(std::string(k_light) + "sphere { center=(0,0,3) radius=1 color=(255,0,0) specular=0 }");
     EXPECT_EQ(s.materials[0].specular, (Color{1, 0, 0})) << "an exponent of 0 is a highlight everywhere";
     EXPECT_EQ(s.materials[0].shininess, 0);
 }
 
 TEST(Cgfs, ReadsLights) {
-    const Scene s = scene_of(std::string(k_sphere) +
-                             "light {\n type = ambient\n intensity = 0.2\n}\n"
-                             "light { type = point intensity = 0.6 position = (2, 1, 0) }\n"
-                             "light { direction = (1, 4, 4) intensity = 0.25 type = directional }\n");
+    const Scene s = cgfs_scene(std::string(k_sphere) +
+                               "light {\n type = ambient\n intensity = 0.2\n}\n"
+                               "light { type = point intensity = 0.6 position = (2, 1, 0) }\n"
+                               "light { direction = (1, 4, 4) intensity = 0.25 type = directional }\n");
     ASSERT_EQ(s.lights.size(), 3u);
     EXPECT_EQ(s.lights[0].kind, LightKind::ambient);
     EXPECT_EQ(s.lights[0].color, (Color{0.2, 0.2, 0.2}));
@@ -69,7 +69,7 @@ TEST(Cgfs, ReadsLights) {
 }
 
 TEST(Cgfs, HasItsConventionsCameraAndBackground) {
-    const Scene s = scene_of(std::string(k_light) + std::string(k_sphere));
+    const Scene s = cgfs_scene(std::string(k_light) + std::string(k_sphere));
     EXPECT_EQ(s.profile, "cgfs");
     EXPECT_EQ(s.conventions.pixel_sample, PixelSample::corner);
     EXPECT_EQ(s.settings.width, 600);
@@ -81,7 +81,7 @@ TEST(Cgfs, HasItsConventionsCameraAndBackground) {
 }
 
 TEST(Cgfs, ReadsTheCameraAndTheBackground) {
-    const Scene s = scene_of(
+    const Scene s = cgfs_scene(
         std::string(k_light) + std::string(k_sphere) +
         "camera { position = (3, 0, 1)\n rotation = ((0.5, 0, -0.7), (0, 1, 0.25), (0.7, 0, 0.6)) }\n"
         "background = (0, 51, 255)\n");
@@ -95,15 +95,16 @@ TEST(Cgfs, ReadsTheCameraAndTheBackground) {
 
 TEST(Cgfs, ReadsTheViewportOfChapterTwo) {
     const std::string items = std::string(k_light) + std::string(k_sphere);
-    const Scene plain = scene_of("viewport_size = 1 x 1\nprojection_plane_d = 1\n" + items);
+    const Scene plain = cgfs_scene("viewport_size = 1 x 1\nprojection_plane_d = 1\n" + items);
     EXPECT_EQ(*plain.camera.frame, CameraFrame{});
-    const Scene wide = scene_of("viewport_size = 2 x 1.5\n" + items +
-                                "projection_plane_d = 3\ncamera { rotation = ((0,0,1),(0,1,0),(-1,0,0)) }\n");
+    const Scene wide =
+        cgfs_scene("viewport_size = 2 x 1.5\n" + items +
+                   "projection_plane_d = 3\ncamera { rotation = ((0,0,1),(0,1,0),(-1,0,0)) }\n");
     EXPECT_EQ(*wide.camera.frame, (CameraFrame{{0, 0, -2}, {0, 1.5, 0}, {3, 0, 0}}));
 }
 
 TEST(Cgfs, StoresThePlacesOfItems) {
-    const Scene s = scene_of(std::string(k_light) + "\n  " + std::string(k_sphere));
+    const Scene s = cgfs_scene(std::string(k_light) + "\n  " + std::string(k_sphere));
     EXPECT_EQ(s.files, std::vector<std::string>{"a.cgfs"});
     EXPECT_EQ(s.light_texts.place(0), (SourcePlace{1, 1, 0}));
     EXPECT_EQ(s.shape_texts.place(0), (SourcePlace{3, 3, 0}));
@@ -113,7 +114,7 @@ TEST(Cgfs, EqualSurfacesShareAMaterial) {
     std::string text(k_light);
     for (int i = 0; i < 10; ++i) text += k_sphere;
     text += "sphere { center = (1, 2, 3) radius = 4 color = (255, 51, 0) reflective = 0.5 }\n";
-    const Scene s = scene_of(text);
+    const Scene s = cgfs_scene(text);
     EXPECT_EQ(s.shapes.size(), 11u);
     EXPECT_EQ(s.materials.size(), 2u);
 }
@@ -124,9 +125,9 @@ TEST(Cgfs, LineEndsMarksAndSeparatorsDoNotMatter) {
     for (const char c : text) crlf += c == '\n' ? std::string("\r\n") : std::string(1, c);
     std::string one_line =
         "light{type=ambient,intensity=0.2;};sphere{center=(1,2,3)radius=4 color=(255,51,0,)},";
-    const Scene a = scene_of(text);
+    const Scene a = cgfs_scene(text);
     for (const std::string& other : {crlf, one_line}) {
-        const Scene b = scene_of(other);
+        const Scene b = cgfs_scene(other);
         EXPECT_EQ(a.get<Sphere>()[0].center, b.get<Sphere>()[0].center);
         EXPECT_EQ(a.materials[0].color, b.materials[0].color);
         EXPECT_EQ(a.lights[0].color, b.lights[0].color);

@@ -19,7 +19,7 @@ constexpr std::string_view k_json = R"({
 }
 )";
 
-Scene scene_of(std::string_view text, const LoadOptions& options = {}) {
+Scene epfl_scene(std::string_view text, const LoadOptions& options = {}) {
     const Result<Scene> result = load_text(text, "a.json", options);
     EXPECT_TRUE(result) << messages(result);
     return result.value_or(Scene{});
@@ -78,7 +78,7 @@ TEST(Epfl, AxesOfAnySizeAreDirections) {
     for (const char* axis : {"[3e-200, 0, 4e-200]", "[3e11, 0, 4e11]", "[3, 0, 4]"}) {
         std::string with = text;
         with.replace(with.find("[0, 0, -5]"), 10, axis);
-        const Scene s = scene_of(with);
+        const Scene s = epfl_scene(with);
         EXPECT_NEAR(s.get<Cylinder>()[0].to.x - s.get<Cylinder>()[0].from.x, 2.4, 1e-12) << axis;
         EXPECT_NEAR(s.get<Cylinder>()[0].to.z - s.get<Cylinder>()[0].from.z, 3.2, 1e-12) << axis;
     }

@@ -38,12 +38,12 @@ bool is_standard(std::string_view name) {
     return std::all_of(name.begin(), name.end(), [](char c) { return (c >= 'a' && c <= 'z') || c == '_'; });
 }
 
-std::string quoted(std::string_view name) { return "<" + std::string(name) + ">"; }
+std::string bracketed(std::string_view name) { return "<" + std::string(name) + ">"; }
 
 std::optional<std::string> check_public(const Include& include) {
     if (include.name.starts_with("glint/")) return std::nullopt;
     if (!include.quoted && is_standard(include.name)) return std::nullopt;
-    return "a public header includes only the standard library and glint/, not " + quoted(include.name);
+    return "a public header includes only the standard library and glint/, not " + bracketed(include.name);
 }
 
 std::optional<std::string> check_library(std::string_view path, const Module& module,
@@ -52,16 +52,16 @@ std::optional<std::string> check_library(std::string_view path, const Module& mo
     const bool is_face = module.name == "cli" || module.name == "mpi" || module.name == "wasm";
     if (is_standard(name)) {
         if (module.in_browser && k_not_in_browser.contains(name))
-            return quoted(name) + " does not exist in the browser build";
+            return bracketed(name) + " does not exist in the browser build";
         if (!is_face && k_printing.contains(name))
-            return "the library never prints, but includes " + quoted(name);
+            return "the library never prints, but includes " + bracketed(name);
         return std::nullopt;
     }
     // The files that compile the kernels for every instruction set.
     if (path.starts_with("src/trace/") && path.ends_with("kernels.cpp") && name == "hwy/foreach_target.h")
         return std::nullopt;
     if (starts_with_any(name, module.libraries)) return std::nullopt;
-    return std::string(module.name) + " may not include " + quoted(name);
+    return std::string(module.name) + " may not include " + bracketed(name);
 }
 
 }  // namespace

@@ -9,9 +9,9 @@ namespace glint::test {
 namespace {
 
 // The recursion of CGFS and RT2, with ambient light only.
-class Recursion {
+class MirrorRecursion {
   public:
-    Recursion(const Scene& scene, const World& world) : scene_(scene), world_(world) {}
+    MirrorRecursion(const Scene& scene, const World& world) : scene_(scene), world_(world) {}
 
     Color seen(Vec3 o, Vec3 d, double t_min, Color weight, int generation) {
         ++rays_;
@@ -85,7 +85,7 @@ void expect_recursion(Scene& scene, const std::optional<World>& world) {
     ASSERT_TRUE(result);
     const Vec3 forward = normalize(scene.camera.look_at - scene.camera.position);
     const Vec3 x = normalize(cross(forward, scene.camera.up)), y = cross(x, forward);
-    Recursion recursion(scene, *world);
+    MirrorRecursion recursion(scene, *world);
     const PreparedCamera& camera = world->parts().camera;
     EXPECT_NEAR(dot(camera.forward, forward) + dot(normalize(camera.right), x) + dot(normalize(camera.up), y),
                 3, 1e-14);

@@ -12,7 +12,7 @@
 namespace glint::test {
 namespace {
 
-World prepared(const Scene& scene) { return *make_world(scene); }
+World world_of(const Scene& scene) { return *make_world(scene); }
 
 std::vector<std::uint32_t> all_of(const Scene& scene) {
     std::vector<std::uint32_t> all(scene.shapes.size());
@@ -112,7 +112,7 @@ TEST(EditShapes, AFewOrAllMoved) {
         const double half = 10;
         Scene scene = lit(random_scene(random, 60 + 200 * (round % 3), half), half);
         scene.conventions.facing = round % 2 == 0 ? Facing::open : Facing::all;
-        World world = prepared(scene);
+        World world = world_of(scene);
         for (const std::size_t count : {std::size_t{1}, std::size_t{3}, scene.shapes.size()}) {
             std::vector<std::uint32_t> changed = all_of(scene);
             for (std::size_t i = 0; i < count; ++i)
@@ -123,27 +123,27 @@ TEST(EditShapes, AFewOrAllMoved) {
                 scene.shapes[shape].material = static_cast<std::uint32_t>(below(random, 3));
             }
             EXPECT_EQ(edit(world, scene, changed, 1 + round % 2), ShapeEdit::refitted);
-            EXPECT_TRUE(draw_the_same(world, prepared(scene))) << round << ' ' << count;
-            expect_same_hits(world, prepared(scene), random, half);
+            EXPECT_TRUE(draw_the_same(world, world_of(scene))) << round << ' ' << count;
+            expect_same_hits(world, world_of(scene), random, half);
         }
         // All shapes in the order of the scene, on two threads.
         for (std::uint32_t i = 0; i < scene.shapes.size(); ++i) move(scene, i, {0.1, 0.2, -0.1});
         EXPECT_EQ(edit(world, scene, all_of(scene), 2), ShapeEdit::refitted);
-        EXPECT_TRUE(draw_the_same(world, prepared(scene))) << round;
+        EXPECT_TRUE(draw_the_same(world, world_of(scene))) << round;
         // Other transforms for the same shapes.
         std::vector<std::uint32_t> mapped;
         for (std::uint32_t i = 0; i < scene.shapes.size(); ++i)
             if (scene.shapes[i].transform != k_none) mapped.push_back(i);
         for (Affine& map : scene.transforms) map = compose(translation({0.3, -0.2, 0.1}), map);
         EXPECT_EQ(edit(world, scene, mapped), ShapeEdit::refitted);
-        EXPECT_TRUE(draw_the_same(world, prepared(scene)));
+        EXPECT_TRUE(draw_the_same(world, world_of(scene)));
     }
 }
 
 TEST(EditShapes, RefittedBoxesAreExact) {
     Random random(202);
     Scene scene = random_scene(random, 3000);
-    World world = prepared(scene);
+    World world = world_of(scene);
     for (int round = 0; round < 40; ++round) {
         std::vector<std::uint32_t> changed;
         for (int i = 0; i < (round % 8 == 7 ? 1000 : 5); ++i)
@@ -177,7 +177,7 @@ TEST(EditShapes, RefittedBoxesAreExact) {
 TEST(EditShapes, IsInPlaceUnlessACopyExists) {
     Random random(203);
     Scene scene = lit(random_scene(random, 200), 10);
-    World world = prepared(scene);
+    World world = world_of(scene);
     const PackedGeometry* before = &*world.parts().geometry;
     move(scene, 5, {0.1, 0, 0});
     edit(world, scene, {5});
@@ -188,8 +188,8 @@ TEST(EditShapes, IsInPlaceUnlessACopyExists) {
     edit(world, scene, {6});
     EXPECT_NE(&*world.parts().geometry, before);
     EXPECT_EQ(&*copy.parts().geometry, before);
-    EXPECT_TRUE(draw_the_same(copy, prepared(old)));
-    EXPECT_TRUE(draw_the_same(world, prepared(scene)));
+    EXPECT_TRUE(draw_the_same(copy, world_of(old)));
+    EXPECT_TRUE(draw_the_same(world, world_of(scene)));
     // Another World of the same geometry is a copy, too.
     const World other = *with_background(world, {1, 0, 0});
     before = &*world.parts().geometry;
@@ -202,7 +202,7 @@ TEST(EditShapes, IsInPlaceUnlessACopyExists) {
 TEST(EditShapes, CopiesOfAWorldShareOneIndex) {
     Random random(211);
     const Scene original = lit(random_scene(random, 200), 10);
-    const World base = prepared(original);
+    const World base = world_of(original);
     constexpr std::size_t k_copies = 4;
     std::vector<World> copies(k_copies, base);
     std::vector<Scene> scenes(k_copies, original);
@@ -216,12 +216,12 @@ TEST(EditShapes, CopiesOfAWorldShareOneIndex) {
         });
     }
     for (std::thread& thread : threads) thread.join();
-    EXPECT_TRUE(draw_the_same(base, prepared(original)));
+    EXPECT_TRUE(draw_the_same(base, world_of(original)));
     const EditIndex* const index = copies[0].parts().geometry->edit_index.get();
     ASSERT_NE(index, nullptr);
     for (std::size_t i = 0; i < k_copies; ++i) {
         EXPECT_EQ(copies[i].parts().geometry->edit_index.get(), index) << i;
-        EXPECT_TRUE(draw_the_same(copies[i], prepared(scenes[i]))) << i;
+        EXPECT_TRUE(draw_the_same(copies[i], world_of(scenes[i]))) << i;
         const PackedGeometry& geometry = *copies[i].parts().geometry;
         const double cost = find_cost(geometry.bvh).expected();
         EXPECT_NEAR(geometry.cost.expected(), cost, 1e-9 * cost) << i;
@@ -232,7 +232,7 @@ TEST(EditShapes, CopiesOfAWorldShareOneIndex) {
     move(scene, 3, {0, 1, 0});
     edit(later, scene, {3});
     EXPECT_EQ(later.parts().geometry->edit_index.get(), index);
-    EXPECT_TRUE(draw_the_same(later, prepared(scene)));
+    EXPECT_TRUE(draw_the_same(later, world_of(scene)));
 }
 
 TEST(EditShapes, RebuildsWhenTheStructureChanges) {
@@ -241,12 +241,12 @@ TEST(EditShapes, RebuildsWhenTheStructureChanges) {
     const auto expect_rebuilt = [&](const char* what, std::uint32_t shape, const auto& change) {
         SCOPED_TRACE(what);
         Scene scene = original;
-        World world = prepared(scene);
+        World world = world_of(scene);
         const World copy = world;
         change(scene);
         EXPECT_EQ(edit(world, scene, {shape}), ShapeEdit::rebuilt);
-        EXPECT_TRUE(draw_the_same(world, prepared(scene)));
-        EXPECT_TRUE(draw_the_same(copy, prepared(original)));
+        EXPECT_TRUE(draw_the_same(world, world_of(scene)));
+        EXPECT_TRUE(draw_the_same(copy, world_of(original)));
     };
     const auto first = [&](ShapeKind kind) {
         for (std::uint32_t i = 0; i < original.shapes.size(); ++i)
@@ -282,12 +282,12 @@ TEST(EditShapes, ATriangleAsAPolygonIsRefitted) {
     Scene scene;
     scene.polygon_vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
     scene.add(Triangle{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}});
-    World world = prepared(scene);
+    World world = world_of(scene);
     const std::uint32_t at = scene.add(Polygon{0, 3});
     scene.shapes[0] = scene.shapes[at];
     scene.shapes.pop_back();
     EXPECT_EQ(edit(world, scene, {0}), ShapeEdit::refitted);
-    EXPECT_TRUE(draw_the_same(world, prepared(scene)));
+    EXPECT_TRUE(draw_the_same(world, world_of(scene)));
 }
 
 TEST(EditShapes, RebuildsWhenTheCostIncreases) {
@@ -295,7 +295,7 @@ TEST(EditShapes, RebuildsWhenTheCostIncreases) {
     Scene scene;
     for (int i = 0; i < 4000; ++i) scene.add(Sphere{point_in_cube(random, 10), 0.05});
     scene = lit(std::move(scene), 10);
-    World world = prepared(scene);
+    World world = world_of(scene);
     const std::vector<std::uint32_t> all = all_of(scene);
     // The same cloud, moved and enlarged.
     for (Sphere& s : scene.get<Sphere>()) s = {s.center * 2 + Vec3{3, 4, 5}, s.radius * 2};
@@ -303,10 +303,10 @@ TEST(EditShapes, RebuildsWhenTheCostIncreases) {
     // All shapes exchange their places.
     for (Sphere& s : scene.get<Sphere>()) s.center = point_in_cube(random, 10);
     EXPECT_EQ(edit(world, scene, all), ShapeEdit::rebuilt);
-    EXPECT_TRUE(draw_the_same(world, prepared(scene)));
+    EXPECT_TRUE(draw_the_same(world, world_of(scene)));
     for (Sphere& s : scene.get<Sphere>()) s.center = s.center + Vec3{0.1, 0, 0};
     EXPECT_EQ(edit(world, scene, all), ShapeEdit::refitted) << "the new hierarchy's cost is the new measure";
-    EXPECT_TRUE(draw_the_same(world, prepared(scene)));
+    EXPECT_TRUE(draw_the_same(world, world_of(scene)));
 }
 
 // A bent polygon: its triangles have different normals, and rays along the cuts hit two at the same t.
@@ -328,11 +328,11 @@ TEST(EditShapes, TiesWithinAPolygonDoNotDependOnTheHierarchy) {
         scene.camera.look_at = {0, 0, 0};
         scene.camera.width = 33;
         scene.settings.width = scene.settings.height = 33;
-        World world = prepared(scene);
+        World world = world_of(scene);
         for (Vec3& v : scene.polygon_vertices)
             v = {v.x + below(random, 7) - 3, v.y + below(random, 7) - 3, (below(random, 3) - 1) * 1e-3};
         const ShapeEdit how = edit(world, scene, {0});
-        const World again = prepared(scene);
+        const World again = world_of(scene);
         EXPECT_TRUE(draw_the_same(world, again)) << round;
         differing_orders +=
             how == ShapeEdit::refitted && world.parts().geometry->piece != again.parts().geometry->piece;
@@ -343,7 +343,7 @@ TEST(EditShapes, TiesWithinAPolygonDoNotDependOnTheHierarchy) {
 TEST(EditShapes, ErrorsLeaveTheWorldUnchanged) {
     Random random(207);
     const Scene original = lit(random_scene(random, 50), 10);
-    World world = prepared(original);
+    World world = world_of(original);
     const PackedGeometry* before = &*world.parts().geometry;
     const auto expect_error = [&](const Scene& scene, std::uint32_t shape, const char* message) {
         const Result<ShapeEdit> result = edit_shapes(world, scene, {{0, shape}});
@@ -373,14 +373,14 @@ TEST(EditShapes, ErrorsLeaveTheWorldUnchanged) {
     scene = original;
     scene.add(Sphere{{0, 0, 0}, -1});
     expect_error(scene, 7, "radius");
-    EXPECT_TRUE(draw_the_same(world, prepared(original)));
+    EXPECT_TRUE(draw_the_same(world, world_of(original)));
     EXPECT_EQ(edit_shapes(world, original, {}).value(), ShapeEdit::none);
 }
 
 TEST(EditShapes, ErrorsAmongManyShapesAreInTheOrderOfTheList) {
     Scene scene;
     for (int i = 0; i < 50000; ++i) scene.add(Sphere{{0.001 * i, 0, 0}, 0.1});
-    World world = prepared(scene);
+    World world = world_of(scene);
     std::vector<std::uint32_t> changed = all_of(scene);
     std::reverse(changed.begin(), changed.end());
     for (const std::size_t sphere : {100u, 20000u, 45000u}) scene.get<Sphere>()[sphere].radius = -1;
@@ -395,7 +395,7 @@ TEST(EditShapes, ErrorsAmongManyShapesAreInTheOrderOfTheList) {
 TEST(EditShapes, OtherShapesKeepTheirMaterial) {
     Random random(208);
     Scene scene = lit(random_scene(random, 50), 10);
-    World world = prepared(scene);
+    World world = world_of(scene);
     const std::uint32_t shapes[] = {1, 2};
     ASSERT_TRUE(assign_material(world, shapes, 1));
     Scene expected = scene;
@@ -407,14 +407,14 @@ TEST(EditShapes, OtherShapesKeepTheirMaterial) {
     expected.shapes[3] = expected.shapes[expected.add(Box{}, 2)];
     expected.shapes.pop_back();
     EXPECT_EQ(edit(world, scene, {2, 3}), ShapeEdit::rebuilt);
-    EXPECT_TRUE(draw_the_same(world, prepared(expected)));
+    EXPECT_TRUE(draw_the_same(world, world_of(expected)));
 }
 
 // One thread renders a copy repeatedly while another changes the World.
 TEST(EditShapes, CopiesStayValidWhileTheyRender) {
     Random random(210);
     Scene scene = lit(random_scene(random, 60), 10);
-    World world = prepared(scene);
+    World world = world_of(scene);
     const World copy = world;
     std::thread drawing([copy, expected = render(copy)] {
         for (int i = 0; i < 20; ++i) {
@@ -431,13 +431,13 @@ TEST(EditShapes, CopiesStayValidWhileTheyRender) {
         edit(world, scene, shapes);
     }
     drawing.join();
-    EXPECT_TRUE(draw_the_same(world, prepared(scene)));
+    EXPECT_TRUE(draw_the_same(world, world_of(scene)));
 }
 
 TEST(EditShapes, ARebuildCanBeCancelled) {
     Random random(209);
     Scene scene = lit(random_scene(random, 50), 10);
-    World world = prepared(scene);
+    World world = world_of(scene);
     const World copy = world;
     const std::atomic<bool> cancel{true};
     scene.add(Sphere{});
