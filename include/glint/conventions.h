@@ -94,6 +94,10 @@ struct RenderSettings {
     bool shadows = true;
     std::int32_t reflections = 4;  ///< maximum generations of mirror and glass rays, 0 to k_max_reflections
     std::int32_t samples = 1;      ///< n: n x n regular samples per pixel, 1 to k_max_samples
+    /// If set, only pixels whose colour with one sample differs by more than this, in any channel, from that
+    /// of a neighbour left, right, above or below have n x n samples; the others have one. 0 to 1e6.
+    std::optional<double> aa_threshold = {};
+    constexpr bool is_adaptive() const { return samples > 1 && aa_threshold.has_value(); }
     friend bool operator==(const RenderSettings&, const RenderSettings&) = default;
 };
 

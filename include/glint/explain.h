@@ -84,12 +84,20 @@ struct ExplainedRay {
     Color background;  ///< the light that the ray adds to the pixel if it hits nothing
 };
 
+/// With adaptive sampling: the neighbour from which the pixel differs most with one sample each.
+struct SampleDifference {
+    std::int32_t x = -1, y = -1;  ///< the neighbour; -1: the picture has one pixel
+    double difference = 0;        ///< of the channel that differs most
+    Color own, neighbor;          ///< the colours with one sample
+};
+
 /// All data of one pixel. Rays are in the order of summation: by sample, then by generation. The sum of a
 /// layer (docs/explain.md) adds, ray by ray, the background or the parts of the hit. `layers` are the sums
 /// divided by the number of samples and rounded to float; `value` is the sum of the layers in their order.
 struct Explanation {
     std::int32_t x = 0, y = 0;
-    int samples = 1;  ///< n for n x n samples
+    int samples = 1;  ///< n for n x n samples; with adaptive sampling, those that this pixel has
+    std::optional<SampleDifference> adaptive;  ///< set if the scene has adaptive sampling
     std::vector<ExplainedRay> rays;
     float layers[k_light_layers][3] = {};
     float value[3] = {};  ///< linear, not clamped: the value in the picture
@@ -100,7 +108,8 @@ inline constexpr std::size_t k_max_explained_rays = 100000;
 
 struct ExplainOptions {
     /// Only the rays of this sample (row * n + column) are stored; -1: the rays of all samples, if there are
-    /// at most k_max_explained_rays. Layers and value are always those of the pixel.
+    /// at most k_max_explained_rays. A pixel that adaptive sampling gives one sample has that one. Layers and
+    /// value are always those of the pixel.
     int sample = -1;
     std::string isa = {};  ///< one of isa_names(); empty: the best
 };

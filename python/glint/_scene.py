@@ -251,7 +251,7 @@ class Scene:
         self,
         *,
         size: Union[None, Tuple[int, int], str] = None,
-        aa: Optional[int] = None,
+        aa: Union[None, int, str] = None,
         shading: Optional[str] = None,
         reflections: Optional[int] = None,
         shadows: Optional[bool] = None,
@@ -264,7 +264,8 @@ class Scene:
     ) -> Image:
         """The picture. The keywords are the options of the command; None is what scene.settings has.
 
-        size: (width, height) in pixels; aa: N x N samples a pixel; shading: 'phong', 'blinn-phong', 'diffuse',
+        size: (width, height) in pixels; aa: N x N samples a pixel, or
+        'adaptive:N:T'; shading: 'phong', 'blinn-phong', 'diffuse',
         'color' or 'normals'; reflections: the largest number in succession; convention: changes for this
         picture alone; aov: names of layers, or 'all'; crop: (width, height, x, y), a part of the picture;
         threads: 0 for all, which changes nothing in the picture. progress: True for a bar, or a function that

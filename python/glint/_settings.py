@@ -42,7 +42,7 @@ def from_text(key: str, text: str) -> Setting:
         width, height = text.split("x")
         return int(width), int(height)
     if key in ("reflections", "aa"):
-        return int(text)
+        return int(text) if text.isdigit() else text
     try:
         return float(text)
     except ValueError:

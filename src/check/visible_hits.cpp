@@ -113,9 +113,10 @@ RayList camera_rays(const WorldParts& world, SmallSize size, double x, double y)
     settings.height = size.height;
     RayList rays;
     for (std::int32_t row = 0; row < size.height; ++row) {
-        const double up = viewport_y(settings, where, row + y, 0);
+        const double up = viewport_y(settings, where, row + y, offset_y(where));
         for (std::int32_t column = 0; column < size.width; ++column) {
-            const auto ray = viewport_ray(camera, viewport_x(settings, where, column + x, 0), up);
+            const auto ray =
+                viewport_ray(camera, viewport_x(settings, where, column + x, offset_x(where)), up);
             const bool unit = world.conventions.ray_direction == RayDirection::unit;
             rays.add(ray.origin, unit ? glint::normalize(ray.direction) : ray.direction,
                      world.conventions.camera_t_min);

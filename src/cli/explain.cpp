@@ -135,7 +135,7 @@ int explain_command(ExplainArguments& arguments) {
         fmt::print("{}", print_rays(explanation, scene, row, style));
     } else {
         fmt::print("{}", explanation_text(explanation, scene, style));
-        const int samples = scene.settings.samples;
+        const int samples = explanation.samples;
         if (samples > 1 && samples <= k_max_listed_samples) {
             options.sample = -1;
             const Result<Explanation> all = explain(scene, *prepared, pixel.x, pixel.y, options);

@@ -279,6 +279,18 @@ void add_sum(const Explanation& e, const ExplainStyle& style, std::string& text)
                    swatch(style, e.value[0], e.value[1], e.value[2]));
 }
 
+// Why adaptive sampling gives the pixel several samples, or one.
+std::string adaptive_text(const Explanation& e, const Scene& scene, const ExplainStyle& style) {
+    const SampleDifference& d = *e.adaptive;
+    if (d.x < 0) return "adaptive sampling: one sample, the pixel has no neighbour\n";
+    return fmt::format(
+        "adaptive sampling: {}, one sample {} differs by {} from that of pixel {},{}, {}; the threshold is "
+        "{}\n",
+        e.samples > 1 ? fmt::format("{0} x {0} samples", e.samples) : std::string("one sample"), color(d.own),
+        number(d.difference), d.x, style.from_below ? scene.settings.height - 1 - d.y : d.y,
+        color(d.neighbor), number(scene.settings.aa_threshold.value_or(0)));
+}
+
 }  // namespace
 
 std::size_t camera_ray(const Explanation& e, int sample) {
@@ -310,6 +322,7 @@ std::string explanation_text(const Explanation& e, const Scene& scene, const Exp
         text += fmt::format(", sample {},{} of {}x{}", style.sample % e.samples, style.sample / e.samples,
                             e.samples, e.samples);
     text += '\n';
+    if (e.adaptive) text += adaptive_text(e, scene, style);
     Tree tree(e, scene, style);
     tree.add_ray(camera_ray(e, style.sample), 0);
     text += tree.text;

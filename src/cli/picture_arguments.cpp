@@ -58,7 +58,11 @@ void add_picture_arguments(CLI::App& command, PictureArguments& a) {
     command
         .add_option("--reflections", a.reflections, "Largest number of successive reflections; 0: no mirrors")
         ->option_text("N");
-    command.add_option("--aa", a.aa, "N x N regular samples per pixel")->option_text("N");
+    command
+        .add_option("--aa", a.aa,
+                    "N x N regular samples per pixel; adaptive:N:T: only for pixels whose one sample differs "
+                    "by more than T from that of a neighbour")
+        ->option_text("N");
 }
 
 void add_settings(const PictureArguments& arguments, PictureMemory memory, SceneArguments& scene) {

@@ -167,7 +167,10 @@ void add_sample_counts(const Scene& scene, std::vector<SceneCause>& causes) {
             {"anti-aliasing",
              fmt::format("Only edges differ: {} x {} samples per pixel, and the scene sets {} x {}.", n, n,
                          scene.settings.samples, scene.settings.samples),
-             [n](Scene& s) { s.settings.samples = n; }});
+             [n](Scene& s) {
+                 s.settings.samples = n;
+                 s.settings.aa_threshold.reset();
+             }});
         causes.back().is_of_samples = true;
     }
 }

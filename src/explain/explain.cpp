@@ -78,6 +78,8 @@ Status render_pixel(const WorldParts& world, const Kernels& kernels, int sample,
         return invalid_argument("the pixel has more than " + std::to_string(k_max_explained_rays) +
                                 " rays: ask for one of its samples");
     e.rays = std::move(record.rays);
+    e.adaptive = record.difference;
+    if (e.adaptive && !record.refined) e.samples = 1;
     e.counts = scratch->counts;
     return {};
 }

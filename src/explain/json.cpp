@@ -139,6 +139,15 @@ Json ray_json(const Explanation& e, const Scene& scene, std::size_t number) {
     return json;
 }
 
+Json adaptive_json(const Explanation& e) {
+    const SampleDifference& d = *e.adaptive;
+    return {{"refined", e.samples > 1},
+            {"neighbor", {d.x, d.y}},
+            {"difference", d.difference},
+            {"one_sample", to_json(d.own)},
+            {"neighbor_one_sample", to_json(d.neighbor)}};
+}
+
 }  // namespace
 
 Result<std::string> explanation_json(const Explanation& e, const Scene& scene, const EncodeOptions& file) {
@@ -147,6 +156,7 @@ Result<std::string> explanation_json(const Explanation& e, const Scene& scene, c
         if (std::string fault = explanation_fault(e, scene); !fault.empty())
             return invalid_argument(std::move(fault));
         Json json = {{"pixel", {e.x, e.y}}, {"samples", e.samples}};
+        if (e.adaptive) json["adaptive"] = adaptive_json(e);
         json["value"] = to_json(e.value);
         json["transfer"] = file.transfer == Transfer::srgb ? "srgb" : "none";
         for (const float v : e.value)

@@ -101,6 +101,8 @@ class GlintWriter {
         if (key == "size") {
             fmt::format_to(std::back_inserter(block_.key(key)), "{} x {}", scene_.settings.width,
                            scene_.settings.height);
+        } else if (value.find(':') != std::string_view::npos) {  // aa = "adaptive:4:0.1"
+            fmt::format_to(std::back_inserter(block_.key(key)), "\"{}\"", value);
         } else {
             block_.key(key) += value;
         }

@@ -167,6 +167,34 @@ std::string print_size(const Conventions&, const RenderSettings& s) {
     return fmt::format("{}x{}", s.width, s.height);
 }
 
+// "N" or "adaptive:N:T".
+std::string parse_aa(Conventions&, RenderSettings& s, const SettingKey& key, std::string_view text) {
+    constexpr std::string_view adaptive = "adaptive:";
+    std::string_view number = text;
+    std::optional<double> threshold;
+    if (text.starts_with(adaptive)) {
+        number.remove_prefix(adaptive.size());
+        const std::size_t colon = number.find(':');
+        double value = 0;
+        if (colon == std::string_view::npos || !parse_number(number.substr(colon + 1), value) ||
+            !k_threshold.contains(value))
+            return found(key.values, text);
+        threshold = value;
+        number = number.substr(0, colon);
+    }
+    std::int32_t samples = 0;
+    if (!parse_whole(number, samples) || samples < 1 || samples > k_max_samples)
+        return found(key.values, text);
+    s.samples = samples;
+    s.aa_threshold = threshold;
+    return {};
+}
+
+std::string print_aa(const Conventions&, const RenderSettings& s) {
+    return s.aa_threshold ? fmt::format("adaptive:{}:{}", s.samples, *s.aa_threshold)
+                          : fmt::format("{}", s.samples);
+}
+
 using C = Conventions;
 using S = RenderSettings;
 
@@ -225,8 +253,12 @@ constexpr Row k_rows[] = {
     bool_row<&S::shadows>("shadows", "whether objects cast shadows", false),
     whole_row<&S::reflections, 0, k_max_reflections>("reflections", "a whole number from 0 to 1000",
                                                      "the greatest generation of mirror and glass rays"),
-    whole_row<&S::samples, 1, k_max_samples>("aa", "a whole number from 1 to 64",
-                                             "n: n x n regular samples for each pixel"),
+    {{"aa", "a whole number from 1 to 64, or adaptive:N:T",
+      "n: n x n regular samples for each pixel; adaptive: only where one sample differs by more than T from "
+      "that of a neighbour",
+      false},
+     parse_aa,
+     print_aa},
 };
 constexpr std::size_t k_count = std::size(k_rows);
 

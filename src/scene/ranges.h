@@ -36,6 +36,7 @@ inline constexpr Range k_cone_limit{0, 180, true, false, "an angle > 0 and at mo
 inline constexpr Range k_index_of_refraction{0, 1e6, true, false, "a number > 0 and at most 1e6"};
 inline constexpr Range k_attenuation{0, 1e12, false, false, "a number from 0 to 1e12"};
 inline constexpr Range k_not_negative{0, 1e12, false, false, "a number from 0 to 1e12"};
+inline constexpr Range k_threshold{0, 1e6, false, false, "a number from 0 to 1e6"};
 
 inline bool is_coordinate(Vec3 p) {
     return k_coordinate.contains(p.x) && k_coordinate.contains(p.y) && k_coordinate.contains(p.z);

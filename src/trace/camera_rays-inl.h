@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The first stage: one camera ray per pixel of the tile, in blocks of 8 x 8, so that packets are coherent.
+// The first stage: one camera ray per pixel of the tile, in blocks of 8 x 8, so that packets are coherent; or
+// per pixel of a list.
 #if defined(GLINT_TRACE_CAMERA_RAYS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLINT_TRACE_CAMERA_RAYS_INL_H_
 #undef GLINT_TRACE_CAMERA_RAYS_INL_H_
@@ -40,15 +41,19 @@ HWY_INLINE double middle(PixelSample where, int size) {
     return where == PixelSample::whole ? size / 2 : size * 0.5;
 }
 
-/// The viewport coordinate of sample i in pixel column x, relative to the centre, in picture widths.
-template <class T> HWY_INLINE T viewport_x(const RenderSettings& settings, PixelSample where, T x, int i) {
-    return (x + T((i + offset_x(where)) / settings.samples) - T(middle(where, settings.width))) /
-           T(settings.width);
+/// The position of a sample in its pixel, from the top-left corner, in pixels.
+HWY_INLINE double sample_x(PixelSample where, SampleIndex s) { return (s.i + offset_x(where)) / s.n; }
+HWY_INLINE double sample_y(PixelSample where, SampleIndex s) { return (s.j + offset_y(where)) / s.n; }
+
+/// The viewport coordinate of a position in pixel column x, relative to the centre, in picture widths.
+template <class T>
+HWY_INLINE T viewport_x(const RenderSettings& settings, PixelSample where, T x, T in_pixel) {
+    return (x + in_pixel - T(middle(where, settings.width))) / T(settings.width);
 }
-/// The same for sample j in pixel row y, upwards, in picture heights.
-HWY_INLINE double viewport_y(const RenderSettings& settings, PixelSample where, double y, int j) {
-    return (middle(where, settings.height) - (y + (j + offset_y(where)) / settings.samples)) /
-           settings.height;
+/// The same in pixel row y, upwards, in picture heights.
+template <class T>
+HWY_INLINE T viewport_y(const RenderSettings& settings, PixelSample where, T y, T in_pixel) {
+    return (T(middle(where, settings.height)) - (y + in_pixel)) / T(settings.height);
 }
 
 /// The ray through a point of the viewport. V: Vec3, or Vector3 of lanes. across: the vector from the centre
@@ -65,40 +70,74 @@ inline ViewportRay<Vec3> viewport_ray(const PreparedCamera& camera, double sx, d
                         camera.right * sx + camera.up * sy);
 }
 
-/// Makes one ray for each pixel of the tile, through sample (i, j). The terms that are the same for a column
-/// or a row of pixels are computed once.
-inline void make_camera_rays(const WorldParts& world, const TileJob& job, int i, int j, RayBatch& rays) {
-    const PreparedCamera& camera = world.camera;
-    const PixelSample where = world.conventions.pixel_sample;
-    const bool orthographic = camera.projection == Projection::orthographic;
-    const bool unit = world.conventions.ray_direction == RayDirection::unit;
-    const int count = job.width * job.height;
-    rays.start_uniform(count, camera.position, world.conventions.camera_t_min, k_infinity);
-    if (orthographic) rays.reserve(count);  // the common origin is overwritten
-    const RayFields<double*> to = rays.end();
+/// Starts a batch of camera rays.
+inline RayFields<double*> start_camera_rays(const WorldParts& world, int count, RayBatch& rays) {
+    rays.start_uniform(count, world.camera.position, world.conventions.camera_t_min, k_infinity);
+    // The common origin is overwritten.
+    if (world.camera.projection == Projection::orthographic) rays.reserve(count);
+    return rays.end();
+}
 
-    alignas(k_ray_alignment) double column_offset[3][k_tile_side];  // by column of the tile
-    for (int x = 0; x < k_tile_side; x += lane_count<double>()) {
-        const Doubles column = Doubles(static_cast<double>(job.x + x)) + iota();
-        store_vector3(lanes_of(camera.right) * viewport_x(world.settings, where, column, i), column_offset,
-                      x);
-    }
-    Vec3 row_offset[k_tile_side];
-    for (int y = 0; y < job.height; ++y) {
-        row_offset[y] = camera.up * viewport_y(world.settings, where, job.y + y, j);
-    }
-    for_each_row(job, [&](int x, int y, int first, int width) HWY_ATTR {
-        for (int c = 0; c < width; c += lane_count<double>()) {
-            const Vector3<Doubles> across = load_vector3(column_offset, x + c) + lanes_of(row_offset[y]);
-            const auto ray =
-                viewport_ray(camera.projection, lanes_of(camera.position), lanes_of(camera.forward), across);
-            if (orthographic) store_vector3(ray.origin, to.origin, first + c);
-            store_vector3(unit ? normalize(ray.direction) : ray.direction, to.direction, first + c);
-        }
-    });
+/// Stores the rays of a vector of pixels.
+HWY_INLINE void store_camera_rays(const WorldParts& world, Vector3<Doubles> across,
+                                  const RayFields<double*>& to, int first) {
+    const PreparedCamera& camera = world.camera;
+    const auto ray =
+        viewport_ray(camera.projection, lanes_of(camera.position), lanes_of(camera.forward), across);
+    if (camera.projection == Projection::orthographic) store_vector3(ray.origin, to.origin, first);
+    const bool unit = world.conventions.ray_direction == RayDirection::unit;
+    store_vector3(unit ? normalize(ray.direction) : ray.direction, to.direction, first);
+}
+
+inline void end_camera_rays(int count, RayBatch& rays) {
     rays.generation = 0;
     rays.count = count;
     rays.end_group();
+}
+
+/// Makes one ray for each pixel of the tile, through a sample. The terms that are the same for a column or a
+/// row of pixels are computed once.
+inline void make_camera_rays(const WorldParts& world, const TileJob& job, SampleIndex sample,
+                             RayBatch& rays) {
+    const PreparedCamera& camera = world.camera;
+    const PixelSample where = world.conventions.pixel_sample;
+    const int count = job.width * job.height;
+    const RayFields<double*> to = start_camera_rays(world, count, rays);
+
+    alignas(k_ray_alignment) double column_offset[3][k_tile_side];  // by column of the tile
+    const Doubles in_column(sample_x(where, sample));
+    for (int x = 0; x < k_tile_side; x += lane_count<double>()) {
+        const Doubles column = Doubles(static_cast<double>(job.x + x)) + iota();
+        store_vector3(lanes_of(camera.right) * viewport_x(world.settings, where, column, in_column),
+                      column_offset, x);
+    }
+    Vec3 row_offset[k_tile_side];
+    for (int y = 0; y < job.height; ++y) {
+        row_offset[y] = camera.up * viewport_y(world.settings, where, static_cast<double>(job.y + y),
+                                               sample_y(where, sample));
+    }
+    for_each_row(job, [&](int x, int y, int first, int width) HWY_ATTR {
+        for (int c = 0; c < width; c += lane_count<double>()) {
+            store_camera_rays(world, load_vector3(column_offset, x + c) + lanes_of(row_offset[y]), to,
+                              first + c);
+        }
+    });
+    end_camera_rays(count, rays);
+}
+
+/// Makes one ray for each pixel of a list, through a sample: the same rays as for a tile.
+inline void make_listed_camera_rays(const WorldParts& world, const PixelList& pixels, SampleIndex sample,
+                                    RayBatch& rays) {
+    const PreparedCamera& camera = world.camera;
+    const PixelSample where = world.conventions.pixel_sample;
+    const RayFields<double*> to = start_camera_rays(world, pixels.count, rays);
+    const Doubles in_column(sample_x(where, sample)), in_row(sample_y(where, sample));
+    for (int p = 0; p < pixels.count; p += lane_count<double>()) {
+        const Doubles x = viewport_x(world.settings, where, load(pixels.x.data() + p), in_column);
+        const Doubles y = viewport_y(world.settings, where, load(pixels.y.data() + p), in_row);
+        store_camera_rays(world, lanes_of(camera.right) * x + lanes_of(camera.up) * y, to, p);
+    }
+    end_camera_rays(pixels.count, rays);
 }
 
 }  // namespace HWY_NAMESPACE

@@ -150,41 +150,52 @@ template <class T> HWY_INLINE T film_value(T value) {
     return min(max(value, T(-1e30)), T(1e30));
 }
 
-/// Computes the pixels (docs/architecture.md): each layer is averaged over the samples and rounded to float;
-/// then background + ambient + diffuse + specular + reflected + transmitted are added in this order.
-inline void resolve(const WorldParts& world, const TileJob& job, const Film& film) {
-    const double samples = static_cast<double>(world.settings.samples) * world.settings.samples;
+/// Computes `count` pixels from number `first` on (docs/architecture.md): each layer is averaged over the
+/// samples and rounded to float; then background + ambient + diffuse + specular + reflected + transmitted are
+/// added in this order.
+inline void resolve_row(const Film& film, double samples, int first, int count, float* to) {
     Layer layers[k_light_layers];
     int touched = 0;
     for (int layer = 0; layer < k_light_layers; ++layer) {
         if (film.touched[static_cast<std::size_t>(layer)]) layers[touched++] = static_cast<Layer>(layer);
     }
-    const auto add = [&](NarrowFloats& to, const double* from) HWY_ATTR {
+    const auto add = [&](NarrowFloats& sum_of_layers, const double* from) HWY_ATTR {
         const Doubles sum = load(from);
-        to.add(film_value(samples > 1 ? sum / Doubles(samples) : sum));
+        sum_of_layers.add(film_value(samples > 1 ? sum / Doubles(samples) : sum));
     };
-    for_each_row(job, [&](int x, int y, int first, int width) HWY_ATTR {
-        float* to = job.rgb + 3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(job.row_pixels) +
-                                   static_cast<std::size_t>(x));
-        for (int i = 0; i < width; i += lane_count<double>(), to += 3 * lane_count<double>()) {
-            NarrowFloats rgb[3];
-            for (int layer = 0; layer < touched; ++layer) {
-                for (int c = 0; c < 3; ++c) add(rgb[c], film.of(layers[layer], c) + first + i);
-            }
-            if (i + lane_count<double>() <= width) {
-                store_interleaved(rgb[0], rgb[1], rgb[2], to);
-            } else {
-                float lanes[3 * lane_count<double>()];
-                store_interleaved(rgb[0], rgb[1], rgb[2], lanes);
-                std::copy_n(lanes, 3 * (width - i), to);
-            }
+    for (int i = 0; i < count; i += lane_count<double>(), to += 3 * lane_count<double>()) {
+        NarrowFloats rgb[3];
+        for (int layer = 0; layer < touched; ++layer) {
+            for (int c = 0; c < 3; ++c) add(rgb[c], film.of(layers[layer], c) + first + i);
         }
+        if (i + lane_count<double>() <= count) {
+            store_interleaved(rgb[0], rgb[1], rgb[2], to);
+        } else {
+            float lanes[3 * lane_count<double>()];
+            store_interleaved(rgb[0], rgb[1], rgb[2], lanes);
+            std::copy_n(lanes, 3 * (count - i), to);
+        }
+    }
+}
+
+/// A pixel of the tile in the memory of the picture, or of a layer with this number of channels.
+HWY_INLINE float* pixel_in(float* memory, const TileJob& job, int channels, int x, int y) {
+    return memory + static_cast<std::size_t>(channels) *
+                        (static_cast<std::size_t>(y) * static_cast<std::size_t>(job.row_pixels) +
+                         static_cast<std::size_t>(x));
+}
+
+/// Computes the pixels of the tile, which have n x n samples.
+inline void resolve(const TileJob& job, const Film& film, int n) {
+    const double samples = static_cast<double>(n) * n;
+    for_each_row(job, [&](int x, int y, int first, int width) HWY_ATTR {
+        resolve_row(film, samples, first, width, pixel_in(job.rgb, job, 3, x, y));
     });
 }
 
 /// Fills a tile whose rays all hit nothing. The pixels are the same as those of resolve().
-inline void fill_background(const WorldParts& world, const TileJob& job) {
-    const int samples = world.settings.samples * world.settings.samples;
+inline void fill_background(const WorldParts& world, const TileJob& job, int n) {
+    const int samples = n * n;
     const Vector3<Doubles> color = lanes_of(miss_color(world));
     Vector3<Doubles> sum = lanes_of(Vec3{});
     for (int i = 0; i < samples; ++i) sum = sum + color;

@@ -98,25 +98,30 @@ inline float layer_value(const Film& film, const FirstHits& first_hits, Layer la
     return static_cast<float>(film_value(samples > 1 ? sum / samples : sum));
 }
 
-/// Writes the layers of the tile.
-inline void write_layers(const WorldParts& world, const TileJob& job, const Film& film,
-                         const FirstHits& first_hits) {
-    const double samples = static_cast<double>(world.settings.samples) * world.settings.samples;
+/// Writes the layers of pixels with n x n samples. for_each_pixel calls visit(x, y, p) with the place of each
+/// in the tile and its number in the film.
+template <class ForEachPixel>
+inline void write_layers(const TileJob& job, const Film& film, const FirstHits& first_hits, int n,
+                         const ForEachPixel& for_each_pixel) {
+    const double samples = static_cast<double>(n) * n;
     for (const LayerInfo& info : layer_infos()) {
         float* const to = job.layers->of(info.layer);
         if (to == nullptr) continue;
         const auto channels = static_cast<int>(info.channels.size());
-        for_each_row(job, [&](int x, int y, int first, int width) {
-            float* at = to + static_cast<std::size_t>(channels) *
-                                 (static_cast<std::size_t>(y) * static_cast<std::size_t>(job.row_pixels) +
-                                  static_cast<std::size_t>(x));
-            for (int p = first; p < first + width; ++p) {
-                for (int c = 0; c < channels; ++c)
-                    *at++ =
-                        layer_value(film, first_hits, info.layer, c, static_cast<std::size_t>(p), samples);
-            }
+        for_each_pixel([&](int x, int y, int p) {
+            float* at = pixel_in(to, job, channels, x, y);
+            for (int c = 0; c < channels; ++c)
+                at[c] = layer_value(film, first_hits, info.layer, c, static_cast<std::size_t>(p), samples);
         });
     }
+}
+/// The same for all pixels of the tile.
+inline void write_layers(const TileJob& job, const Film& film, const FirstHits& first_hits, int n) {
+    write_layers(job, film, first_hits, n, [&](const auto& visit) {
+        for_each_row(job, [&](int x, int y, int first, int width) {
+            for (int p = 0; p < width; ++p) visit(x + p, y, first + p);
+        });
+    });
 }
 
 }  // namespace HWY_NAMESPACE

@@ -2,6 +2,7 @@
 #pragma once
 // The data that the stages of a one-pixel tile record (trace/record-inl.h), for explain().
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "glint/explain.h"
@@ -14,6 +15,15 @@ struct TileRecord {
     int sample = 0;        // the current sample
     int only = -1;         // the sample to record; -1: all
     bool is_full = false;  // the rays of all samples exceed k_max_explained_rays
+
+    /// With adaptive sampling: why the pixel has several samples, or one.
+    std::optional<SampleDifference> difference;
+    bool refined = false;
+    void decide(const SampleDifference& found, bool has_several) {
+        difference = found;
+        refined = has_several;
+        if (!refined && only > 0) only = 0;
+    }
 
     /// Starts sample number `next`. Returns whether it is to be recorded.
     bool begin(int next) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Renders a tile: calls the stages, from camera rays to pixels.
+// Renders a tile with the samples that the settings ask for.
 #if defined(GLINT_TRACE_TILE_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLINT_TRACE_TILE_INL_H_
 #undef GLINT_TRACE_TILE_INL_H_
@@ -7,107 +7,15 @@
 #define GLINT_TRACE_TILE_INL_H_
 #endif
 
-#include "trace/camera_rays-inl.h"
-#include "trace/direct_lighting-inl.h"
-#include "trace/film-inl.h"
-#include "trace/intersect-inl.h"
-#include "trace/layers-inl.h"
-#include "trace/queue_secondary_rays-inl.h"
-#include "trace/surface-inl.h"
-#include "trace/tile_culling-inl.h"
+#include "trace/adaptive_tile-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace glint {
 namespace HWY_NAMESPACE {
 
-/// Runs the stages of one light.
-inline void light_surfaces(const WorldParts& world, const PreparedLight& light, TileScratch& s) {
-    FirstHits* const first_hits = s.surfaces.generation == 0 && s.first_hits.wanted ? &s.first_hits : nullptr;
-    sample_light(world, light, s.surfaces, s.light_samples, s.shadow_rays);
-    if (s.shadow_rays.count > 0) {
-        intersect_shadow(world, s.shadow_rays);
-        if (first_hits != nullptr) count_tested(s.surfaces, s.light_samples, *first_hits);
-        apply_occlusion(s.shadow_rays, s.surfaces.count, s.light_samples);
-        if (first_hits != nullptr) count_unoccluded(s.surfaces, s.light_samples, *first_hits);
-        s.counts.shadow += static_cast<std::uint64_t>(s.shadow_rays.count);
-    }
-    compute_highlights(world, s.surfaces, s.light_samples, s.highlights);
-    add_light(world, light, s.surfaces, s.light_samples, s.highlights, s.radiance);
-    if (s.record != nullptr)
-        record_light(world, light, s.surfaces, s.light_samples, s.shadow_rays, *s.record);
-}
-
-/// Runs the stages that follow intersect() for a range of rays. Adds their light to the film, and the mirror
-/// and glass rays of their surfaces to the next generation.
-inline void shade(const WorldParts& world, RayRange range, TileScratch& s) {
-    const Shading shading = world.settings.shading;
-    collect_hits(world, s.rays, s.hits, range, s.surfaces);
-    compute_surfaces(world, s.surfaces);
-    if (s.rays.generation == 0 && s.first_hits.wanted)
-        store_first_hits(world, s.rays, s.hits, range, s.surfaces, s.first_hits);
-    if (shading == Shading::color || shading == Shading::normals) {
-        add_misses(world, s.rays, s.hits, range, s.film);
-        add_unlit(world, s.surfaces, s.film);
-        if (s.record != nullptr) {
-            record_rays(world, s.rays, s.hits, range, s.surfaces, *s.record);
-            record_unlit(world, s.surfaces, *s.record);
-        }
-        return;
-    }
-    apply_beer_law(world, s.surfaces);
-    if (s.record != nullptr) record_rays(world, s.rays, s.hits, range, s.surfaces, *s.record);
-    clear_radiance(s.surfaces, s.radiance);
-    for (const PreparedLight& light : *world.lights) light_surfaces(world, light, s);
-    add_to_film(world, s.rays, s.hits, range.begin, s.surfaces, s.radiance, s.film);
-    if (s.record != nullptr) record_sums(world, s.surfaces, s.radiance, *s.record);
-    queue_secondary_rays(world, s.surfaces, s.secondary, s.film, s.counts, s.record);
-}
-
-/// Traces one sample of each pixel: the camera rays, then the secondary rays, one generation after the other.
-/// Returns false if all camera rays miss; their light has then not been added.
-inline bool trace_sample(const WorldParts& world, TileScratch& s) {
-    while (s.rays.count > 0) {
-        s.secondary.rays.clear();
-        s.secondary.rays.generation = s.rays.generation + 1;
-        for (int first = 0; first < s.rays.count; first += k_stream_size) {
-            intersect(world, s.rays, first, s.hits);
-            if (s.rays.generation == 0 && !s.needs_every_stage() && all_missed(s.hits)) return false;
-            for (int i = 0; i < s.hits.count; i += k_batch_size)
-                shade(world, {i, number::min(i + k_batch_size, s.hits.count)}, s);
-        }
-        std::swap(s.rays, s.secondary.rays);
-    }
-    return true;
-}
-
 void render_tile(const WorldParts& world, const TileJob& job, TileScratch& s) {
-    const int samples = world.settings.samples;
-    const bool layers = job.layers != nullptr;
-    TileRecord* const record = s.record;
-    s.first_hits.wanted = layers;
-    if (layers) clear_first_hits(s.first_hits);
-    if (!s.needs_every_stage() && is_tile_empty(world, job)) {
-        s.counts.camera += static_cast<std::uint64_t>(samples) * static_cast<std::uint64_t>(samples) *
-                           static_cast<std::uint64_t>(job.width * job.height);
-        return fill_background(world, job);
-    }
-    s.film.clear();
-    for (int j = 0; j < samples; ++j) {
-        for (int i = 0; i < samples; ++i) {
-            if (job.cancel != nullptr && job.cancel->load(std::memory_order_relaxed)) return;
-            make_camera_rays(world, job, i, j, s.rays);
-            s.counts.camera += static_cast<std::uint64_t>(s.rays.count);
-            if (is_limited(world)) s.secondary.of_pixel.fill(0);
-            s.first_hits.is_middle = i == samples / 2 && j == samples / 2;
-            if (record != nullptr) s.record = record->begin(j * samples + i) ? record : nullptr;
-            if (trace_sample(world, s)) continue;
-            if (samples == 1) return fill_background(world, job);
-            add_misses(world, s.rays, s.hits, {0, s.hits.count}, s.film);
-        }
-    }
-    s.record = record;
-    resolve(world, job, s.film);
-    if (layers) write_layers(world, job, s.film, s.first_hits);
+    if (world.settings.is_adaptive()) return render_adaptive_tile(world, job, s);
+    render_uniform_tile(world, job, world.settings.samples, s);
 }
 
 }  // namespace HWY_NAMESPACE

@@ -14,7 +14,29 @@ namespace glint {
 /// Camera rays are ordered in blocks of 8 x 8, so that packets of consecutive rays are coherent.
 inline constexpr int k_tile_block = 8;
 
+/// The floats of the pixels of a tile and of those around it.
+inline constexpr std::size_t k_bordered_tile_floats = 3 * std::size_t{k_tile_side + 2} * (k_tile_side + 2);
+
 struct TileRecord;
+
+/// Column i and row j of a pixel's n x n samples.
+struct SampleIndex {
+    int i = 0, j = 0, n = 1;
+    int number() const { return j * n + i; }
+    bool is_middle() const { return i == n / 2 && j == n / 2; }
+};
+
+/// Pixels of the picture whose rays go through the stages together, in place of a whole tile. Their numbers
+/// in the film are their positions in the list.
+struct PixelList {
+    int count = 0;
+    StreamColumn<double> x, y;  // in the picture
+    void add(int px, int py) {
+        x[static_cast<std::size_t>(count)] = px;
+        y[static_cast<std::size_t>(count)] = py;
+        ++count;
+    }
+};
 
 /// The destinations of the layers of a tile, like TileJob::rgb. Null: not requested.
 struct LayerTargets {
@@ -42,6 +64,8 @@ struct TileScratch {
     SecondaryRayBatch secondary;
     Film film;
     FirstHits first_hits;
+    PixelList pixels;  // for adaptive sampling only
+    std::array<float, k_bordered_tile_floats> one_sample;
 
     RayCounts counts;
     TileRecord* record = nullptr;  // records the stages of a one-pixel tile (trace/record.h); null: none

@@ -29,10 +29,13 @@ struct TileFrustum {
 inline TileFrustum tile_frustum(const WorldParts& world, const TileJob& job) {
     const PreparedCamera& camera = world.camera;
     const double left = job.x - 1.0, top = job.y - 1.0;
+    const SampleIndex first{0, 0, world.settings.samples};
     const auto corner = [&](int i, int j) {
         const PixelSample where = world.conventions.pixel_sample;
-        const double x = viewport_x(world.settings, where, left + i * (job.width + 2.0), 0);
-        const double y = viewport_y(world.settings, where, top + j * (job.height + 2.0), 0);
+        const double x =
+            viewport_x(world.settings, where, left + i * (job.width + 2.0), sample_x(where, first));
+        const double y =
+            viewport_y(world.settings, where, top + j * (job.height + 2.0), sample_y(where, first));
         return viewport_ray(camera, x, y).direction;
     };
     const Vec3 corners[4] = {corner(0, 0), corner(1, 0), corner(1, 1), corner(0, 1)};

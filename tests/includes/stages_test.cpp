@@ -90,7 +90,7 @@ TEST(Stages, AreListedWithWhatTheyReadAndWrite) {
 
 TEST(Stages, AreAllListed) {
     const std::string document = read_project_file("docs/architecture.md");
-    const std::string tile = read_project_file("src/trace/tile-inl.h");
+    const std::string tile = read_project_file("src/trace/uniform_tile-inl.h");
     const Stages declared = declared_stages();
     static const std::regex call(R"(\b(\w+)\()");
     std::size_t found = 0;
@@ -100,7 +100,7 @@ TEST(Stages, AreAllListed) {
         if (is_other || !declared.contains(name)) continue;
         ++found;
         EXPECT_NE(document.find('`' + name + '`'), std::string::npos)
-            << name << " is called in tile-inl.h, but is not in docs/architecture.md";
+            << name << " is called in uniform_tile-inl.h, but is not in docs/architecture.md";
     }
     EXPECT_GE(found, 10u);
 }

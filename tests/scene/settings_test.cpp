@@ -115,6 +115,19 @@ TEST(Settings, NumbersKeepTheirDigits) {
     }
 }
 
+TEST(Settings, AdaptiveSampling) {
+    Scene scene;
+    EXPECT_EQ(set(scene, "aa", "adaptive:4:0.05"), "");
+    EXPECT_EQ(scene.settings.samples, 4);
+    EXPECT_EQ(scene.settings.aa_threshold, 0.05);
+    EXPECT_TRUE(scene.settings.is_adaptive());
+    EXPECT_EQ(get_setting(scene, *find_setting("aa")), "adaptive:4:0.05");
+    EXPECT_EQ(set(scene, "aa", "3"), "");
+    EXPECT_FALSE(scene.settings.is_adaptive());
+    EXPECT_EQ(set(scene, "aa", "adaptive:1:0"), "");
+    EXPECT_FALSE(scene.settings.is_adaptive()) << "one sample is one sample";
+}
+
 TEST(Settings, BlanksAroundValuesDoNotMatter) {
     Scene scene;
     EXPECT_EQ(set(scene, "size", " 320 x 200\t"), "");
@@ -158,7 +171,20 @@ INSTANTIATE_TEST_SUITE_P(
         Wrong{"size", "99999999999x1", "expected WIDTHxHEIGHT, each from 1 to 65536, found '99999999999x1'"},
         Wrong{"reflections", "1001", "expected a whole number from 0 to 1000, found '1001'"},
         Wrong{"reflections", "2.5", "expected a whole number from 0 to 1000, found '2.5'"},
-        Wrong{"aa", "0", "expected a whole number from 1 to 64, found '0'"},
+        Wrong{"aa", "0", "expected a whole number from 1 to 64, or adaptive:N:T, found '0'"},
+        Wrong{"aa", "adaptive", "expected a whole number from 1 to 64, or adaptive:N:T, found 'adaptive'"},
+        Wrong{"aa", "adaptive:4",
+              "expected a whole number from 1 to 64, or adaptive:N:T, found 'adaptive:4'"},
+        Wrong{"aa", "adaptive:0:1",
+              "expected a whole number from 1 to 64, or adaptive:N:T, found 'adaptive:0:1'"},
+        Wrong{"aa", "adaptive:65:1",
+              "expected a whole number from 1 to 64, or adaptive:N:T, found 'adaptive:65:1'"},
+        Wrong{"aa", "adaptive:4:-0.1",
+              "expected a whole number from 1 to 64, or adaptive:N:T, found 'adaptive:4:-0.1'"},
+        Wrong{"aa", "adaptive:4:nan",
+              "expected a whole number from 1 to 64, or adaptive:N:T, found 'adaptive:4:nan'"},
+        Wrong{"aa", "adaptive:4:1:1",
+              "expected a whole number from 1 to 64, or adaptive:N:T, found 'adaptive:4:1:1'"},
         Wrong{"shading", "blinn_phong",
               "expected phong | blinn-phong | diffuse | color | normals, found 'blinn_phong'; did you mean "
               "`blinn-phong`?"},

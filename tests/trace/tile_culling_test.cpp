@@ -33,7 +33,7 @@ double greatest_cosine(const WorldParts& world, const TileJob& job) {
     for (int j = 0; j < world.settings.samples; ++j) {
         for (int i = 0; i < world.settings.samples; ++i) {
             RayBatch rays;
-            plain::make_camera_rays(world, job, i, j, rays);
+            plain::make_camera_rays(world, job, SampleIndex{i, j, world.settings.samples}, rays);
             for (std::size_t r = 0; r < static_cast<std::size_t>(rays.count); ++r) {
                 const Vec3 d{rays.direction[0][r], rays.direction[1][r], rays.direction[2][r]};
                 for (const Vec3& n : frustum.outward)

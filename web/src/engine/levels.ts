@@ -20,12 +20,18 @@ function setting(info: SceneInfo, name: string): string {
     return info.settings.find((one) => one.name === name)?.value ?? '';
 }
 
+/** N of the setting aa, "N" or "adaptive:N:T". */
+export function samplesPerSide(aa: string): number {
+    return Number(aa.startsWith('adaptive:') ? aa.split(':')[1] : aa);
+}
+
 /** The pictures of a content, coarse to fine; the first has at most `affordable` samples, if that is possible. */
 export function levelsOf({prepare: wanted}: {prepare: PrepareRequest}, info: SceneInfo, affordable: number): Level[] {
     const asked = wanted.settings?.['size']?.split('x').map(Number) ?? [info.width, info.height];
     const [wholeWidth, wholeHeight] = asked as [number, number];
     const shrink = Math.min(1, Math.sqrt(maxPixels / (wholeWidth * wholeHeight)));
-    const n = Number(wanted.settings?.['aa'] ?? setting(info, 'aa'));
+    const samples = wanted.settings?.['aa'] ?? setting(info, 'aa');
+    const n = samplesPerSide(samples);
     const level = (scale: number, aa: number): Level => {
         const width = Math.max(1, Math.round(wholeWidth * scale)), height = Math.max(1, Math.round(wholeHeight * scale));
         const settings: Record<string, string> = {...wanted.settings};

@@ -169,7 +169,7 @@ export const glint: SceneFormat = {
     name: '.glint',
     setting(text, key, value, isConvention) {
         const word = isConvention ? 'conventions' : 'render';
-        const shown = value.replace(/^(\d+)x(\d+)$/, '$1 x $2');
+        const shown = value.includes(':') ? JSON.stringify(value) : value.replace(/^(\d+)x(\d+)$/, '$1 x $2');
         const blocks = parse(text).blocks.filter((block) => block.word === word);
         const said = blocks.findLast((block) => block.entries.some((entry) => entry.key === key)) ?? blocks.at(-1);
         if (said) return set(text, said, key, shown);

@@ -4,6 +4,7 @@
 import type {FieldInfo, LightInfo, Setting, Vec3} from 'glint-wasm';
 import {useSignal} from '@preact/signals';
 
+import {samplesPerSide} from '../engine/levels';
 import {type FieldValue, fieldValue, lightText, setField, setIntensity, switchLight} from '../store/lights';
 import {isHere, reveal} from '../store/places';
 import {setSetting} from '../store/settings';
@@ -44,13 +45,27 @@ export function Shading() {
     );
 }
 
+/** The number of samples, and whether only the pixels at edges have them. */
+function SampleControls({aa}: {aa: string}) {
+    const n = samplesPerSide(aa), adaptive = aa.startsWith('adaptive:');
+    const threshold = adaptive ? aa.split(':')[2] : '0.05';
+    const set = (samples: number, edges: boolean) =>
+        setSetting('aa', edges ? `adaptive:${samples}:${threshold}` : String(samples));
+    return (
+        <>
+            <Slider label="Samples n×n" value={n} min={1} max={Math.max(4, n)} step={1}
+                    text={`${n} by ${n}: ${n ** 2} per pixel`} set={(v) => set(Math.round(v), adaptive)} />
+            {n > 1 && <Switch label="Only at edges" on={adaptive} set={(on) => set(n, on)} />}
+        </>
+    );
+}
+
 export function PictureControls() {
     return (
         <section>
             <h2>Picture</h2>
+            <SampleControls aa={valueOf('aa')} />
             <Size />
-            <Slider label="Samples n×n" value={Number(valueOf('aa'))} min={1} max={Math.max(4, Number(valueOf('aa')))} step={1}
-                    text={`${valueOf('aa')} by ${valueOf('aa')}: ${Number(valueOf('aa')) ** 2} per pixel`} set={(v) => setSetting('aa', String(Math.round(v)))} />
         </section>
     );
 }

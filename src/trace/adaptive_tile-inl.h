@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: Apache-2.0
+// Adaptive sampling (docs/lighting.md): one sample for each pixel, then n x n samples for those whose colour
+// differs from that of a neighbour.
+#if defined(GLINT_TRACE_ADAPTIVE_TILE_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef GLINT_TRACE_ADAPTIVE_TILE_INL_H_
+#undef GLINT_TRACE_ADAPTIVE_TILE_INL_H_
+#else
+#define GLINT_TRACE_ADAPTIVE_TILE_INL_H_
+#endif
+
+#include "trace/uniform_tile-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace glint {
+namespace HWY_NAMESPACE {
+
+/// Traces n x n samples of the listed pixels, and writes their colours to `rgb`, one after the other.
+inline void trace_listed(const WorldParts& world, const TileJob& job, int n, TileScratch& s, float* rgb) {
+    if (!trace_samples(world, job, &s.pixels, n, s))
+        add_misses(world, s.rays, s.hits, {0, s.hits.count}, s.film);
+    resolve_row(s.film, static_cast<double>(n) * n, 0, s.pixels.count, rgb);
+}
+
+/// The tile and the pixels around it.
+inline TileJob with_border(const TileJob& job) {
+    TileJob wider = job;
+    --wider.x;
+    --wider.y;
+    wider.width += 2;
+    wider.height += 2;
+    return wider;
+}
+
+/// The colours with one sample of the tile's pixels and of those around it.
+class OneSampleColors {
+  public:
+    OneSampleColors(const WorldParts& world, const TileJob& job, float* memory)
+        : settings_(world.settings), job_(job), memory_(memory) {}
+
+    /// (x, y) in the tile, from -1.
+    float* at(int x, int y) const { return memory_ + 3 * ((y + 1) * (k_tile_side + 2) + x + 1); }
+
+    bool is_in_picture(int x, int y) const {
+        const int px = job_.x + x, py = job_.y + y;
+        return px >= 0 && py >= 0 && px < settings_.width && py < settings_.height;
+    }
+
+    /// Visits the neighbours of the tile's pixels that are in the picture and not in the tile.
+    template <class Visit> void for_each_on_border(const Visit& visit) const {
+        const auto visit_one = [&](int x, int y) {
+            if (is_in_picture(x, y)) visit(x, y);
+        };
+        for (int x = 0; x < job_.width; ++x) visit_one(x, -1);
+        for (int x = 0; x < job_.width; ++x) visit_one(x, job_.height);
+        for (int y = 0; y < job_.height; ++y) visit_one(-1, y);
+        for (int y = 0; y < job_.height; ++y) visit_one(job_.width, y);
+    }
+
+    /// The neighbour from which a pixel of the tile differs most.
+    SampleDifference greatest_difference(int x, int y) const {
+        SampleDifference greatest;
+        const float* const own = at(x, y);
+        constexpr int steps[4][2] = {{-1, 0}, {1, 0}, {0, -1}, {0, 1}};
+        for (const auto& [dx, dy] : steps) {
+            if (!is_in_picture(x + dx, y + dy)) continue;
+            const float* const other = at(x + dx, y + dy);
+            double difference = 0;
+            for (int c = 0; c < 3; ++c) {
+                const double d = static_cast<double>(own[c]) - static_cast<double>(other[c]);
+                difference = number::max(difference, d < 0 ? -d : d);
+            }
+            if (greatest.x >= 0 && !(difference > greatest.difference)) continue;
+            greatest = {job_.x + x + dx,
+                        job_.y + y + dy,
+                        difference,
+                        {own[0], own[1], own[2]},
+                        {other[0], other[1], other[2]}};
+        }
+        return greatest;
+    }
+
+  private:
+    const RenderSettings& settings_;
+    const TileJob& job_;
+    float* const memory_;
+};
+
+/// Traces one sample of each pixel around the tile, into `colors`.
+inline void trace_border(const WorldParts& world, const TileJob& job, const OneSampleColors& colors,
+                         TileScratch& s) {
+    s.pixels.count = 0;
+    colors.for_each_on_border([&](int x, int y) { s.pixels.add(job.x + x, job.y + y); });
+    if (s.pixels.count == 0) return;
+    float rgb[3 * 4 * k_tile_side];
+    trace_listed(world, job, 1, s, rgb);
+    const float* next = rgb;
+    colors.for_each_on_border([&](int x, int y) {
+        std::copy_n(next, 3, colors.at(x, y));
+        next += 3;
+    });
+}
+
+/// Renders the listed pixels of the tile with n x n samples.
+inline void refine(const WorldParts& world, const TileJob& job, TileScratch& s) {
+    const int n = world.settings.samples;
+    float rgb[3 * k_tile_pixels];
+    s.first_hits.wanted = job.layers != nullptr;
+    if (s.first_hits.wanted) clear_first_hits(s.first_hits);
+    trace_listed(world, job, n, s, rgb);
+    const auto for_each_pixel = [&](const auto& visit) {
+        for (int p = 0; p < s.pixels.count; ++p) {
+            const auto i = static_cast<std::size_t>(p);
+            visit(static_cast<int>(s.pixels.x[i]) - job.x, static_cast<int>(s.pixels.y[i]) - job.y, p);
+        }
+    };
+    for_each_pixel(
+        [&](int x, int y, int p) { std::copy_n(rgb + 3 * p, 3, pixel_in(job.rgb, job, 3, x, y)); });
+    if (s.first_hits.wanted) write_layers(job, s.film, s.first_hits, n, for_each_pixel);
+}
+
+/// Renders a tile with adaptive sampling. A one-pixel tile of explain() is recorded with its final samples.
+inline void render_adaptive_tile(const WorldParts& world, const TileJob& job, TileScratch& s) {
+    TileRecord* const record = s.record;
+    if (record == nullptr && job.layers == nullptr && is_tile_empty(world, with_border(job))) {
+        s.counts.camera += static_cast<std::uint64_t>(job.width * job.height);
+        return fill_background(world, job, 1);
+    }
+    s.record = nullptr;
+    render_uniform_tile(world, job, 1, s);
+    s.first_hits.wanted = false;
+    const OneSampleColors colors(world, job, s.one_sample.data());
+    for (int y = 0; y < job.height; ++y)
+        std::copy_n(pixel_in(job.rgb, job, 3, 0, y), 3 * job.width, colors.at(0, y));
+    trace_border(world, job, colors, s);
+
+    s.pixels.count = 0;
+    SampleDifference difference;
+    for_each_row(job, [&](int x, int y, int, int width) {
+        for (int i = x; i < x + width; ++i) {
+            difference = colors.greatest_difference(i, y);
+            if (difference.difference > *world.settings.aa_threshold) s.pixels.add(job.x + i, job.y + y);
+        }
+    });
+    const bool refined = s.pixels.count > 0;
+    s.record = record;
+    if (record != nullptr) record->decide(difference, refined);
+    if (refined) {
+        refine(world, job, s);
+    } else if (record != nullptr) {
+        render_uniform_tile(world, job, 1, s);
+    }
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace glint
+HWY_AFTER_NAMESPACE();
+
+#endif
