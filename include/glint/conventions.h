@@ -97,6 +97,9 @@ struct RenderSettings {
     /// If set, only pixels whose colour with one sample differs by more than this, in any channel, from that
     /// of a neighbour left, right, above or below have n x n samples; the others have one. 0 to 1e6.
     std::optional<double> aa_threshold = {};
+    /// The background, where it is seen directly or through glass, is left out: pixels have its share as
+    /// alpha (Layer::alpha), and their light is multiplied by it.
+    bool alpha = false;
     constexpr bool is_adaptive() const { return samples > 1 && aa_threshold.has_value(); }
     friend bool operator==(const RenderSettings&, const RenderSettings&) = default;
 };
@@ -121,7 +124,7 @@ struct SettingKey {
     std::string_view name;         ///< "specular_gate"
     std::string_view values;       ///< "true | false", "a number >= 0", ...
     std::string_view description;  ///< one line
-    bool is_convention;            ///< false: a render setting (size, shading, shadows, reflections, aa)
+    bool is_convention;  ///< false: a render setting (size, shading, shadows, reflections, aa, alpha)
 };
 
 /// All keys, in a fixed order; the index is also that of SettingOrigins.

@@ -82,6 +82,9 @@ struct ExplainedRay {
     Color weight;
     std::optional<ExplainedHit> hit;
     Color background;  ///< the light that the ray adds to the pixel if it hits nothing
+    /// It hits nothing and shows the background directly or through glass: the mean of its weight is
+    /// subtracted from alpha. With RenderSettings::alpha, `background` is then black.
+    bool transparent = false;
 };
 
 /// With adaptive sampling: the neighbour from which the pixel differs most with one sample each.
@@ -101,6 +104,7 @@ struct Explanation {
     std::vector<ExplainedRay> rays;
     float layers[k_light_layers][3] = {};
     float value[3] = {};  ///< linear, not clamped: the value in the picture
+    float alpha = 1;      ///< the value in Layer::alpha
     RayCounts counts;
 };
 

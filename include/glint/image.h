@@ -53,6 +53,13 @@ struct EncodeOptions {
 /// invalid format, number of bits or transfer. Never throws.
 GLINT_API Result<std::vector<std::uint8_t>> encode(const Image& image, const EncodeOptions& options = {});
 
+/// The same with an alpha channel, for pictures that were rendered with RenderSettings::alpha. alpha: width *
+/// height numbers, those of Layer::alpha. The picture's numbers are already multiplied by alpha: OpenEXR
+/// keeps them so; PNG has them divided by alpha, before the transfer curve. An error if `alpha` does not
+/// match the picture's size, and for PPM, which has no alpha. Never throws.
+GLINT_API Result<std::vector<std::uint8_t>> encode(const Image& image, std::span<const float> alpha,
+                                                   const EncodeOptions& options = {});
+
 /// The number that `encode` writes for a channel value: 0 to 255 with 8 bits, 0 to 65535 with 16 (and with
 /// any other number of bits). 0 for NaN.
 GLINT_API std::uint32_t to_number(float value, int bits, Transfer transfer = Transfer::none);

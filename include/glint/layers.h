@@ -15,8 +15,8 @@ namespace glint {
 
 /// The first six are light: their sum, as floats and in this order, is exactly the picture. Light seen in a
 /// mirror belongs to reflection, light seen through glass to transmission; the first secondary ray of the
-/// path decides. The other layers describe the first hit of the pixel's middle sample (row and column n / 2
-/// of n).
+/// path decides. The other layers but shadow and alpha describe the first hit of the pixel's middle sample
+/// (row and column n / 2 of n).
 enum class Layer : std::uint8_t {
     background,
     ambient,
@@ -31,8 +31,9 @@ enum class Layer : std::uint8_t {
     shadow,    ///< 0 to 1: the blocked fraction of the lights that would add light
     object,    ///< index in Scene::shapes + 1 (exact up to 2^24); 0: no hit
     material,  ///< index in Scene::materials + 1, their number + 1 for the default; 0: no hit
+    alpha,     ///< 1 - the part of the pixel that shows the background, directly or through glass; 0 to 1
 };
-inline constexpr int k_light_layers = 6, k_layers = 13;
+inline constexpr int k_light_layers = 6, k_layers = 14;
 
 struct LayerInfo {
     Layer layer;
@@ -53,14 +54,16 @@ struct LayerImage {
 };
 
 /// A layer as a picture for display: light and albedo unchanged; normals as 0.5 (N + 1); depth from white
-/// (nearest) to dark (farthest), black for no hit; position scaled to the layer's range; shadow as grey; a
-/// distinct colour for each object and material. An error if the layer's channels or values do not match its
-/// kind and size. Never throws.
+/// (nearest) to dark (farthest), black for no hit; position scaled to the layer's range; shadow and alpha as
+/// grey; a distinct colour for each object and material. An error if the layer's channels or values do not
+/// match its kind and size. Never throws.
 GLINT_API Result<Image> viewable(const LayerImage& layer);
 
 /// One OpenEXR file of several parts: `beauty` (the picture), then each layer under its name. Each layer may
-/// occur once, and must have the picture's size and the channels and values of its kind. Never throws.
+/// occur once, and must have the picture's size and the channels and values of its kind. alpha: the alpha
+/// channel of `beauty`, as for encode(); empty: none. Never throws.
 GLINT_API Result<std::vector<std::uint8_t>> encode_layers(const Image& picture,
-                                                          std::span<const LayerImage> layers);
+                                                          std::span<const LayerImage> layers,
+                                                          std::span<const float> alpha = {});
 
 }  // namespace glint

@@ -75,6 +75,7 @@ struct RenderOptions {
 struct Rendering {
     Image image;  ///< its size; no numbers with RenderOptions::pixels or without keep_image
     std::vector<LayerImage> layers;  ///< in the order of RenderOptions::layers
+    bool has_alpha = false;          ///< RenderSettings::alpha: the picture is multiplied by Layer::alpha
     RayCounts rays;
     std::string isa;  ///< the instruction set used
     int threads = 0;

@@ -255,6 +255,7 @@ class Scene:
         shading: Optional[str] = None,
         reflections: Optional[int] = None,
         shadows: Optional[bool] = None,
+        alpha: Optional[bool] = None,
         convention: Optional[Mapping[str, object]] = None,
         aov: Union[str, Sequence[str]] = (),
         crop: Optional[Tuple[int, int, int, int]] = None,
@@ -266,13 +267,16 @@ class Scene:
 
         size: (width, height) in pixels; aa: N x N samples a pixel, or
         'adaptive:N:T'; shading: 'phong', 'blinn-phong', 'diffuse',
-        'color' or 'normals'; reflections: the largest number in succession; convention: changes for this
+        'color' or 'normals'; reflections: the largest number in succession; alpha: True for a transparent
+        background, which PNG and EXR files then have (the layer 'alpha' is added to aov); convention: changes for this
         picture alone; aov: names of layers, or 'all'; crop: (width, height, x, y), a part of the picture;
         threads: 0 for all, which changes nothing in the picture. progress: True for a bar, or a function that
         is called with the fraction done. Ctrl-C stops it.
         """
         settings = to_list(
-            dict(size=size, aa=aa, shading=shading, reflections=reflections, shadows=shadows)
+            dict(
+                size=size, aa=aa, shading=shading, reflections=reflections, shadows=shadows, alpha=alpha
+            )
         ) + to_list(convention or {})
         if aov == "all":
             aov = [info[0] for info in _glint.layer_infos()]

@@ -83,6 +83,9 @@ std::shared_ptr<Rendering> render_scene(SceneState& state, const SettingList& se
     options.threads = threads;
     options.isa = isa;
     const Snapshot snapshot = state.prepare(settings, py::none(), threads);
+    const bool has_alpha =
+        std::find(options.layers.begin(), options.layers.end(), Layer::alpha) != options.layers.end();
+    if (snapshot.world.parts().settings.alpha && !has_alpha) options.layers.push_back(Layer::alpha);
     return std::make_shared<Rendering>(value_or_raise(run(progress, [&](Running& running) {
         options.progress = running.report();
         options.cancel = &running.cancel;

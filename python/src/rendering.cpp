@@ -52,8 +52,16 @@ py::bytes encoded(const Rendering& r, const std::string& format, int bits, const
     Result<std::vector<std::uint8_t>> result;
     {
         const py::gil_scoped_release release;
-        result = options.format == FileFormat::exr && !r.layers.empty() ? encode_layers(r.image, r.layers)
-                                                                        : encode(r.image, options);
+        std::vector<LayerImage> layers = r.layers;
+        std::vector<float> alpha;
+        std::erase_if(layers, [&](LayerImage& layer) {
+            const bool is_alpha = r.has_alpha && layer.layer == Layer::alpha;
+            if (is_alpha) alpha = std::move(layer.values);
+            return is_alpha;
+        });
+        result = options.format == FileFormat::exr && !layers.empty() ? encode_layers(r.image, layers, alpha)
+                 : alpha.empty()                                      ? encode(r.image, options)
+                                                                      : encode(r.image, alpha, options);
     }
     return to_bytes(value_or_raise(std::move(result)));
 }

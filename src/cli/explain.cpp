@@ -183,6 +183,7 @@ Run add_explain(CLI::App& app) {
         .add_option("--overlay", a.overlay, "Also render the picture, with the pixel's rays drawn over it")
         ->option_text("OUT.png");
     add_picture_arguments(command, a.picture);
+    add_alpha_argument(command, a.picture);
     add_number_arguments(command, a.numbers);
     command.add_option("--isa", a.isa, "Instruction set (`glint info --isa` lists them)")
         ->option_text("NAME");

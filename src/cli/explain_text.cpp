@@ -57,6 +57,7 @@ std::string swatch(const ExplainStyle& style, double r, double g, double b) {
     return fmt::format("  \x1b[48;2;{};{};{}m    \x1b[0m", to_byte(static_cast<float>(r)),
                        to_byte(static_cast<float>(g)), to_byte(static_cast<float>(b)));
 }
+double mean(Color c) { return (c.r + c.g + c.b) / 3; }
 std::string_view cosine_name(const Scene& scene) {
     return scene.settings.shading == Shading::phong ? "R·V" : "N·H";
 }
@@ -125,6 +126,8 @@ class Tree {
                                 r.parent < 0 ? "" : ", weight " + color(r.weight)));
         if (!r.hit) {
             const bool black = r.background.r == 0 && r.background.g == 0 && r.background.b == 0;
+            if (r.transparent && scene_.settings.alpha)
+                return line(depth + 1, fmt::format("hits nothing: alpha loses {}", number(mean(r.weight))));
             line(depth + 1, black ? "hits nothing: adds nothing"
                                   : fmt::format("hits nothing: adds the background {}{}", color(r.background),
                                                 swatch(style_, r.background)));
@@ -256,7 +259,7 @@ std::string rays_text(const Explanation& e, Layer layer) {
 }
 
 // The layers that are not black, and their sum.
-void add_sum(const Explanation& e, const ExplainStyle& style, std::string& text) {
+void add_sum(const Explanation& e, const Scene& scene, const ExplainStyle& style, std::string& text) {
     auto out = std::back_inserter(text);
     if (e.samples > 1)
         fmt::format_to(out, "the pixel: the mean of {0} x {0} samples\n", e.samples);
@@ -270,6 +273,7 @@ void add_sum(const Explanation& e, const ExplainStyle& style, std::string& text)
                        swatch(style, part[0], part[1], part[2]), e.samples == 1 ? rays_text(e, layer) : "");
     }
     fmt::format_to(out, "  = {:13}{}\n", "value", color(e.value));
+    if (scene.settings.alpha) fmt::format_to(out, "    {:13}{}\n", "alpha", e.alpha);
     const bool clamps = std::any_of(e.value, e.value + 3, [](float v) { return v < 0 || v > 1; });
     const auto written = [&](float v) { return to_number(v, style.file.bits, style.file.transfer); };
     const std::string name = fmt::format("{}{}", style.file.bits == 8 ? "bytes" : "words",
@@ -326,7 +330,7 @@ std::string explanation_text(const Explanation& e, const Scene& scene, const Exp
     Tree tree(e, scene, style);
     tree.add_ray(camera_ray(e, style.sample), 0);
     text += tree.text;
-    add_sum(e, style, text);
+    add_sum(e, scene, style, text);
     return text;
 }
 

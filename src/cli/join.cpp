@@ -79,6 +79,7 @@ int join_command(const JoinArguments& arguments) {
     const JournalHeader& header = inputs.front().journal.header;
     PictureOutput picture(arguments.output, arguments.numbers, 0, false);
     picture.set_layers(header.layers);
+    if (has_alpha(header)) picture.set_alpha();
     const JournalPicture tiles(inputs);
     for (const JournalInput& input : inputs) {
         if (input.journal.damaged)

@@ -65,6 +65,11 @@ void add_picture_arguments(CLI::App& command, PictureArguments& a) {
         ->option_text("N");
 }
 
+void add_alpha_argument(CLI::App& command, PictureArguments& a) {
+    command.add_flag("--alpha", a.alpha,
+                     "The background is transparent: PNG and OpenEXR have an alpha channel");
+}
+
 void add_settings(const PictureArguments& arguments, PictureMemory memory, SceneArguments& scene) {
     auto& settings = scene.settings;
     if (!arguments.size.empty()) {
@@ -80,6 +85,7 @@ void add_settings(const PictureArguments& arguments, PictureMemory memory, Scene
     if (!arguments.shading.empty()) settings.emplace_back("shading", arguments.shading);
     if (arguments.no_shadows) settings.emplace_back("shadows", "false");
     if (!arguments.reflections.empty()) settings.emplace_back("reflections", arguments.reflections);
+    if (arguments.alpha) settings.emplace_back("alpha", "true");
     if (!arguments.aa.empty()) settings.emplace_back("aa", arguments.aa);
 }
 

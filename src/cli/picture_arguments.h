@@ -10,11 +10,13 @@ namespace glint::cli {
 
 struct PictureArguments {
     std::string size, shading, reflections, aa;
-    bool no_shadows = false;
+    bool no_shadows = false, alpha = false;
 };
 
 /// Adds --size, --shading, --no-shadows, --reflections and --aa.
 void add_picture_arguments(CLI::App& command, PictureArguments& arguments);
+/// Adds --alpha.
+void add_alpha_argument(CLI::App& command, PictureArguments& arguments);
 
 /// What of a picture is in memory: some of its pixels, rows of it, or all.
 enum class PictureMemory { some, rows, whole };

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "cli/clock.h"
@@ -53,19 +54,38 @@ void PictureOutput::set_layers(const std::vector<Layer>& layers) {
     layers_ = LayerFiles(layers, path_, encoding_.format, output_.is_stream());
 }
 
+void PictureOutput::set_alpha() {
+    if (encoding_.format == FileFormat::ppm)
+        throw Failure(k_usage, fmt::format("--output '{}': PPM has no alpha channel; write .png or .exr, or "
+                                           "render without alpha",
+                                           path_));
+    alpha_ = true;
+    std::vector<Layer> others = layers_.wanted();
+    if (std::erase(others, Layer::alpha) > 0) set_layers(others);
+}
+
+double PictureOutput::bytes_a_pixel() const {
+    return layers_.bytes_a_pixel() + (alpha_ ? 2 * sizeof(float) : 0);
+}
+
 double PictureOutput::memory(std::int32_t width, std::int32_t height) const {
-    return static_cast<double>(width) * static_cast<double>(height) * layers_.bytes_a_pixel();
+    return static_cast<double>(width) * static_cast<double>(height) * bytes_a_pixel();
 }
 
 void PictureOutput::check_memory(std::int32_t width, std::int32_t height) const {
-    cli::check_memory(width, height, layers_.bytes_a_pixel());
+    cli::check_memory(width, height, bytes_a_pixel());
 }
 
 double PictureOutput::write(const Rendering& rendering) const {
     const auto start = Clock::now();
-    const auto encoded = encoding_.format == FileFormat::exr && !rendering.layers.empty()
-                             ? encode_layers(rendering.image, rendering.layers)
-                             : encode(rendering.image, encoding_);
+    const std::span<const LayerImage> layers =
+        std::span(rendering.layers).first(rendering.layers.size() - (alpha_ ? 1 : 0));
+    const std::span<const float> alpha =
+        alpha_ ? std::span<const float>(rendering.layers.back().values) : std::span<const float>();
+    const auto encoded = encoding_.format == FileFormat::exr && !layers.empty()
+                             ? encode_layers(rendering.image, layers, alpha)
+                         : alpha_ ? encode(rendering.image, alpha, encoding_)
+                                  : encode(rendering.image, encoding_);
     const double seconds = seconds_since(start);
     if (!encoded) throw Failure(k_bad_input, fmt::format("cannot encode the picture: {}", encoded.message));
     layers_.write(rendering.layers, encoding_);
@@ -79,20 +99,23 @@ double PictureOutput::write(const JournalPicture& picture) const {
     const Crop& size = picture.header().picture;
     if (encoding_.format == FileFormat::exr && has_layers()) {
         const auto file = output_.begin();
-        const auto encoder = make_parts_encoder(size.width, size.height, layers_.wanted(), *file);
+        const auto encoder = make_parts_encoder(size.width, size.height, layers_.wanted(), *file, alpha_);
         if (encoder == nullptr) throw Failure(k_bad_input, "this build writes no OpenEXR");
         for (std::size_t part = 0; part <= layers_.wanted().size(); ++part) {
             picture.for_each_strip(part, 1, [&](std::int32_t strip, std::span<const float> values) {
                 const Crop area = strip_area(size, strip);
-                encoder->append(part, area.y - size.y, area.height, values.data());
+                const auto rows = part == 0 ? picture_rows(picture, strip, values) : std::vector<float>();
+                encoder->append(part, area.y - size.y, area.height,
+                                rows.empty() ? values.data() : rows.data());
             });
         }
         encoder->finish();
         file->commit(true);
     } else {
-        StripFile file(output_, encoding_, size.width, size.height);
+        StripFile file(output_, encoding_, size.width, size.height, alpha_);
         picture.for_each_strip(0, encoding_.threads, [&](std::int32_t strip, std::span<const float> values) {
-            file.put(strip, values);
+            const std::vector<float> rows = picture_rows(picture, strip, values);
+            file.put(strip, rows.empty() ? values : std::span<const float>(rows));
         });
         file.finish(true);
     }
@@ -100,7 +123,25 @@ double PictureOutput::write(const JournalPicture& picture) const {
 }
 
 std::unique_ptr<StripFile> PictureOutput::begin_strips(std::int32_t width, std::int32_t height) const {
-    return std::make_unique<StripFile>(output_, encoding_, width, height);
+    return std::make_unique<StripFile>(output_, encoding_, width, height, alpha_);
+}
+
+// The rows of the picture with their alpha, which is the journal's last layer; empty without alpha.
+std::vector<float> PictureOutput::picture_rows(const JournalPicture& picture, std::int32_t strip,
+                                               std::span<const float> rgb) const {
+    if (!alpha_) return {};
+    return with_alpha(rgb, picture.read_strip(picture.header().layers.size(), strip));
+}
+
+bool has_alpha(const JournalHeader& header) {
+    const std::pair<std::string, std::string> alpha("alpha", "true");
+    return std::find(header.settings.begin(), header.settings.end(), alpha) != header.settings.end() &&
+           !header.layers.empty() && header.layers.back() == Layer::alpha;
+}
+
+void put_alpha_last(std::vector<Layer>& layers) {
+    std::erase(layers, Layer::alpha);
+    layers.push_back(Layer::alpha);
 }
 
 }  // namespace glint::cli

@@ -19,6 +19,10 @@ class PictureOutput {
     PictureOutput(const std::string& path, const NumberArguments& numbers, int threads, bool shows);
     /// The layers that are written with the picture, none by default. Throws Failure as LayerFiles().
     void set_layers(const std::vector<Layer>& layers);
+    /// Gives the picture an alpha channel: the last of the layers that were rendered. It is then not written
+    /// as a layer. Throws Failure if the format has no alpha.
+    void set_alpha();
+    bool has_alpha() const { return alpha_; }
 
     Transfer transfer() const { return encoding_.transfer; }
     bool is_stream() const { return output_.is_stream(); }
@@ -38,11 +42,21 @@ class PictureOutput {
     std::unique_ptr<StripFile> begin_strips(std::int32_t width, std::int32_t height) const;
 
   private:
+    double bytes_a_pixel() const;
+    std::vector<float> picture_rows(const JournalPicture& picture, std::int32_t strip,
+                                    std::span<const float> rgb) const;
+
     const std::string path_;
     OutputFile output_;
     EncodeOptions encoding_;
     LayerFiles layers_;
+    bool alpha_ = false;
 };
+
+/// Whether the picture of a journal has an alpha channel.
+bool has_alpha(const JournalHeader& header);
+/// Moves the layer alpha to the end of the list, or adds it there.
+void put_alpha_last(std::vector<Layer>& layers);
 
 /// True for a path that ends in .png, .ppm or .exr.
 bool is_picture_path(const std::string& path);

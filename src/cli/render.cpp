@@ -29,6 +29,7 @@ constexpr auto k_render_examples = R"(Examples:
   glint render castle.json -o castle.exr --aa 3         9 samples per pixel, linear floats
   glint render castle.json --shading phong --no-shadows --reflections 0
   glint render castle.json -o castle.exr --aov all      normals, depth, shadows ... as parts of the file
+  glint render molecule.glint --alpha                   a transparent background
   glint render castle.json --crop 100x80+320+200        a part, as in the whole picture
   glint render castle.json --convention limit=drop      one convention changed
   glint render - --format cgfs -o - < a.cgfs > a.png    from standard input to standard output
@@ -105,6 +106,10 @@ int render_command(RenderArguments& arguments, const RenderHooks& hooks) {
     TextReader disk;
     LoadedScene loaded = load_scene(arguments.scene, hooks.reader != nullptr ? *hooks.reader : disk);
     times.load = seconds_since(start);
+    if (loaded.scene.settings.alpha) {
+        put_alpha_last(options.layers);
+        if (target) target->set_alpha();
+    }
     if (hooks.loaded) hooks.loaded();
     options.crop = crop_of(arguments, loaded.scene.settings);
     const Crop rendered =
@@ -156,6 +161,7 @@ Run add_render(CLI::App& app, const RenderHooks& hooks) {
                     "current folder")
         ->option_text("OUT");
     add_picture_arguments(command, a.picture);
+    add_alpha_argument(command, a.picture);
     add_layer_argument(command, a.aov);
     command
         .add_option("--crop", a.crop, "Render only this part of the picture; X and Y count from the top left")

@@ -41,6 +41,10 @@ void RenderTarget::set_layers(const std::vector<Layer>& layers) {
     if (picture_) picture_->set_layers(layers);
 }
 
+void RenderTarget::set_alpha() {
+    if (picture_) picture_->set_alpha();
+}
+
 bool RenderTarget::is_in_strips(const Crop& picture) const {
     if (tiles_) return true;
     if (arguments_.show || picture_->is_stream()) return false;

@@ -20,6 +20,8 @@ class RenderTarget {
     explicit RenderTarget(const RenderArguments& arguments);
     /// The layers that are rendered, none by default. Throws Failure.
     void set_layers(const std::vector<Layer>& layers);
+    /// The picture has an alpha channel: the last layer that is rendered. Throws Failure.
+    void set_alpha();
 
     const std::string& path() const { return path_; }
     Transfer transfer() const { return picture_->transfer(); }

@@ -19,8 +19,9 @@ namespace {
 // row too far ahead waits until rows have been written.
 class Rows {
   public:
-    Rows(const Crop& picture, int threads, StripFile& file)
+    Rows(const Crop& picture, int threads, bool alpha, StripFile& file)
         : picture_(picture),
+          alpha_(alpha),
           file_(file),
           across_((picture.width - 1) / k_tile_side + 1),
           strips_(count_strips(picture.height)),
@@ -48,15 +49,23 @@ class Rows {
         const std::int64_t strip = tile.number / across_;
         Row& row = rows_[strip];  // only this function uses rows_, and one call of it at a time
         const Crop area = strip_area(picture_, static_cast<std::int32_t>(strip));
+        const std::size_t channels = alpha_ ? 4 : 3;
         if (row.values.empty())
-            row.values.resize(std::size_t{3} * static_cast<std::size_t>(area.width) *
+            row.values.resize(channels * static_cast<std::size_t>(area.width) *
                               static_cast<std::size_t>(area.height));
         for (std::int32_t y = 0; y < tile.area.height; ++y) {
-            const float* from = tile.rgb + static_cast<std::size_t>(y) * tile.row_floats;
-            float* to =
-                row.values.data() + 3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(area.width) +
-                                         static_cast<std::size_t>(tile.area.x - area.x));
-            std::copy_n(from, 3 * static_cast<std::size_t>(tile.area.width), to);
+            const auto tile_row = static_cast<std::size_t>(y);
+            const auto width = static_cast<std::size_t>(tile.area.width);
+            const std::span<const float> rgb(tile.rgb + tile_row * tile.row_floats, 3 * width);
+            float* to = row.values.data() + channels * (tile_row * static_cast<std::size_t>(area.width) +
+                                                        static_cast<std::size_t>(tile.area.x - area.x));
+            if (alpha_) {
+                const TileLayer& alpha = tile.layers.back();
+                const auto rgba = with_alpha(rgb, {alpha.values + tile_row * alpha.row_floats, width});
+                std::copy(rgba.begin(), rgba.end(), to);
+            } else {
+                std::copy(rgb.begin(), rgb.end(), to);
+            }
         }
         if (++row.tiles < across_) return;
         const std::scoped_lock lock(mutex_);
@@ -95,6 +104,7 @@ class Rows {
     }
 
     const Crop picture_;
+    const bool alpha_;
     StripFile& file_;
     const std::int64_t across_, strips_, ahead_;
     std::mutex mutex_;
@@ -109,7 +119,8 @@ class Rows {
 
 Result<Rendering> render_strips(const World& world, RenderOptions options, const Crop& picture,
                                 StripFile& file) {
-    Rows rows(picture, thread_count(options.threads), file);
+    const bool alpha = !options.layers.empty() && options.layers.back() == Layer::alpha;
+    Rows rows(picture, thread_count(options.threads), alpha, file);
     options.keep_image = false;
     options.next_tile = [&rows] { return rows.next_tile(); };
     options.on_tile = [&rows](const FinishedTile& tile) { rows.add(tile); };

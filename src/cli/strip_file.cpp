@@ -9,8 +9,8 @@
 namespace glint::cli {
 
 StripFile::StripFile(const OutputFile& output, const EncodeOptions& encoding, std::int32_t width,
-                     std::int32_t height)
-    : file_(output.begin()), encoder_(make_strip_encoder(width, height, encoding, *file_)) {
+                     std::int32_t height, bool alpha)
+    : file_(output.begin()), encoder_(make_strip_encoder(width, height, encoding, *file_, alpha)) {
     if (encoder_ == nullptr) throw Failure(k_bad_input, "this build does not write the picture's format");
 }
 

@@ -15,10 +15,10 @@ class StripFile {
   public:
     /// output: the destination, which must outlive this. Throws Failure.
     StripFile(const OutputFile& output, const EncodeOptions& encoding, std::int32_t width,
-              std::int32_t height);
+              std::int32_t height, bool alpha = false);
 
-    /// Encodes a strip, given as linear RGB, and writes what is next in the file. Each strip once, in any
-    /// order, from any thread. Throws Failure.
+    /// Encodes a strip, given as linear RGB (with alpha: RGBA), and writes what is next in the file. Each
+    /// strip once, in any order, from any thread. Throws Failure.
     void put(std::int32_t strip, std::span<const float> values);
 
     /// After all strips. durable: as OutputFile::write(). Throws Failure.

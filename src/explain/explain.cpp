@@ -72,6 +72,7 @@ Status render_pixel(const WorldParts& world, const Kernels& kernels, int sample,
     job.rgb = e.value;
     LayerTargets layers;
     for (std::size_t l = 0; l < k_light_layers; ++l) layers.data[l] = e.layers[l];
+    layers.data[static_cast<std::size_t>(Layer::alpha)] = &e.alpha;
     job.layers = &layers;
     kernels.render_tile(world, job, *scratch);
     if (record.is_full)

@@ -135,6 +135,7 @@ Json ray_json(const Explanation& e, const Scene& scene, std::size_t number) {
         json["hit"] = hit_json(scene, *ray.hit);
     } else {
         json["background"] = to_json(ray.background);
+        json["transparent"] = ray.transparent;
     }
     return json;
 }
@@ -158,6 +159,7 @@ Result<std::string> explanation_json(const Explanation& e, const Scene& scene, c
         Json json = {{"pixel", {e.x, e.y}}, {"samples", e.samples}};
         if (e.adaptive) json["adaptive"] = adaptive_json(e);
         json["value"] = to_json(e.value);
+        json["alpha"] = e.alpha;
         json["transfer"] = file.transfer == Transfer::srgb ? "srgb" : "none";
         for (const float v : e.value)
             json[file.bits == 8 ? "bytes" : "words"].push_back(to_number(v, file.bits, file.transfer));

@@ -110,11 +110,10 @@ class GlintReader {
     void read_settings(const Token& word, bool are_conventions) {
         static const SettingFields conventions(true), settings(false);
         const std::string_view what = are_conventions ? "conventions block" : "render block";
-        static constexpr SpellingHint conventions_hints[] = {{"size", "it in a `render` block"},
-                                                             {"shading", "it in a `render` block"},
-                                                             {"shadows", "it in a `render` block"},
-                                                             {"reflections", "it in a `render` block"},
-                                                             {"aa", "it in a `render` block"}};
+        static constexpr SpellingHint conventions_hints[] = {
+            {"size", "it in a `render` block"},    {"shading", "it in a `render` block"},
+            {"shadows", "it in a `render` block"}, {"reflections", "it in a `render` block"},
+            {"aa", "it in a `render` block"},      {"alpha", "it in a `render` block"}};
         static constexpr SpellingHint render_hints[] = {
             {"depth", "`reflections`"},           {"samples", "`aa`"},
             {"width", "`size = 640 x 480`"},      {"height", "`size = 640 x 480`"},

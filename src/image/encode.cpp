@@ -29,6 +29,12 @@ std::string fault(const Image& image, const EncodeOptions& options) {
     return {};
 }
 
+std::string alpha_fault(const Image& image, std::span<const float> alpha) {
+    if (alpha.size() == image.rgb.size() / 3) return {};
+    return "alpha has " + std::to_string(alpha.size()) + " numbers, and the picture " +
+           std::to_string(image.rgb.size() / 3) + " pixels";
+}
+
 std::string layers_fault(const Image& picture, std::span<const LayerImage> layers) {
     bool seen[k_layers] = {};
     for (const LayerImage& layer : layers) {
@@ -50,11 +56,12 @@ Status not_built(const char* format) {
 }
 
 // Strips in parallel: all are in memory together.
-std::vector<std::uint8_t> encode_strips(const Image& image, const EncodeOptions& options) {
+std::vector<std::uint8_t> encode_strips(const Image& image, std::span<const float> alpha,
+                                        const EncodeOptions& options) {
     std::vector<std::uint8_t> bytes;
     MemoryFile file(bytes);
     const std::unique_ptr<StripEncoder> encoder =
-        make_strip_encoder(image.width, image.height, options, file);
+        make_strip_encoder(image.width, image.height, options, file, !alpha.empty());
     const std::size_t strip_floats =
         std::size_t{3} * static_cast<std::size_t>(image.width) * std::size_t{k_strip_rows};
     std::vector<EncodedStrip> strips(static_cast<std::size_t>(count_strips(image.height)));
@@ -64,7 +71,12 @@ std::vector<std::uint8_t> encode_strips(const Image& image, const EncodeOptions&
             const std::size_t first = i * strip_floats;
             const std::span<const float> rows(image.rgb.data() + first,
                                               std::min(strip_floats, image.rgb.size() - first));
-            strips[i] = encoder->encode(static_cast<std::int32_t>(i), rows);
+            if (alpha.empty()) {
+                strips[i] = encoder->encode(static_cast<std::int32_t>(i), rows);
+            } else {
+                strips[i] = encoder->encode(static_cast<std::int32_t>(i),
+                                            with_alpha(rows, alpha.subspan(first / 3, rows.size() / 3)));
+            }
         });
     });
     std::size_t total = 0;
@@ -81,11 +93,12 @@ std::vector<std::uint8_t> encode_strips(const Image& image, const EncodeOptions&
 }  // namespace
 
 std::unique_ptr<StripEncoder> make_strip_encoder(std::int32_t width, std::int32_t height,
-                                                 const EncodeOptions& options, ByteFile& file) {
+                                                 const EncodeOptions& options, ByteFile& file,
+                                                 [[maybe_unused]] bool alpha) {
     switch (options.format) {
         case FileFormat::png:
 #if defined(GLINT_WITH_PNG)
-            return make_png_encoder(width, height, options, file);
+            return make_png_encoder(width, height, options, file, alpha);
 #else
             return nullptr;
 #endif
@@ -93,7 +106,7 @@ std::unique_ptr<StripEncoder> make_strip_encoder(std::int32_t width, std::int32_
             return make_ppm_encoder(width, height, options, file);
         case FileFormat::exr:
 #if defined(GLINT_WITH_EXR)
-            return make_exr_encoder(width, height, file);
+            return make_exr_encoder(width, height, file, alpha);
 #else
             break;
 #endif
@@ -103,42 +116,75 @@ std::unique_ptr<StripEncoder> make_strip_encoder(std::int32_t width, std::int32_
 
 #if !defined(GLINT_WITH_EXR)
 std::unique_ptr<PartsEncoder> make_parts_encoder(std::int32_t, std::int32_t, std::span<const Layer>,
-                                                 ByteFile&) {
+                                                 ByteFile&, bool) {
     return nullptr;
 }
 #endif
+
+std::vector<float> with_alpha(std::span<const float> rgb, std::span<const float> alpha) {
+    std::vector<float> rgba(4 * alpha.size());
+    for (std::size_t i = 0; i < alpha.size(); ++i) {
+        std::copy_n(rgb.begin() + static_cast<std::ptrdiff_t>(3 * i), 3,
+                    rgba.begin() + static_cast<std::ptrdiff_t>(4 * i));
+        rgba[4 * i + 3] = alpha[i];
+    }
+    return rgba;
+}
+
+namespace {
+
+// alpha: empty, or of the picture's size.
+Result<std::vector<std::uint8_t>> encode_checked(const Image& image, std::span<const float> alpha,
+                                                 const EncodeOptions& options) {
+    switch (options.format) {
+        case FileFormat::png:
+#if defined(GLINT_WITH_PNG)
+            return encode_strips(image, alpha, options);
+#else
+            return not_built("PNG");
+#endif
+        case FileFormat::ppm:
+            return encode_strips(image, {}, options);
+        case FileFormat::exr:
+#if defined(GLINT_WITH_EXR)
+            return encode_exr(image, alpha);
+#else
+            break;
+#endif
+    }
+    return not_built("OpenEXR");
+}
+
+}  // namespace
 
 Result<std::vector<std::uint8_t>> encode(const Image& image, const EncodeOptions& options) {
     return result_of([&]() -> Result<std::vector<std::uint8_t>> {
         std::string wrong = fault(image, options);
         if (!wrong.empty()) return invalid_argument(std::move(wrong));
-        switch (options.format) {
-            case FileFormat::png:
-#if defined(GLINT_WITH_PNG)
-                return encode_strips(image, options);
-#else
-                return not_built("PNG");
-#endif
-            case FileFormat::ppm:
-                return encode_strips(image, options);
-            case FileFormat::exr:
-#if defined(GLINT_WITH_EXR)
-                return encode_exr(image);
-#else
-                break;
-#endif
-        }
-        return not_built("OpenEXR");
+        return encode_checked(image, {}, options);
     });
 }
 
-Result<std::vector<std::uint8_t>> encode_layers(const Image& picture, std::span<const LayerImage> layers) {
+Result<std::vector<std::uint8_t>> encode(const Image& image, std::span<const float> alpha,
+                                         const EncodeOptions& options) {
+    return result_of([&]() -> Result<std::vector<std::uint8_t>> {
+        std::string wrong = fault(image, options);
+        if (wrong.empty()) wrong = alpha_fault(image, alpha);
+        if (wrong.empty() && options.format == FileFormat::ppm) wrong = "PPM has no alpha channel";
+        if (!wrong.empty()) return invalid_argument(std::move(wrong));
+        return encode_checked(image, alpha, options);
+    });
+}
+
+Result<std::vector<std::uint8_t>> encode_layers(const Image& picture, std::span<const LayerImage> layers,
+                                                std::span<const float> alpha) {
     return result_of([&]() -> Result<std::vector<std::uint8_t>> {
         std::string wrong = fault(picture, {});
         if (wrong.empty()) wrong = layers_fault(picture, layers);
+        if (wrong.empty() && !alpha.empty()) wrong = alpha_fault(picture, alpha);
         if (!wrong.empty()) return invalid_argument(std::move(wrong));
 #if defined(GLINT_WITH_EXR)
-        return encode_exr_layers(picture, layers);
+        return encode_exr_layers(picture, layers, alpha);
 #else
         return not_built("OpenEXR");
 #endif

@@ -79,8 +79,11 @@ Imf::FrameBuffer frame_of(std::string_view channels, const float* values, std::i
 
 class ExrEncoder : public StripEncoder {
   public:
-    ExrEncoder(std::int32_t width, std::int32_t height, ByteFile& file)
-        : width_(width), stream_(file), file_(std::in_place, stream_, header_of("RGB", width, height), 0) {}
+    ExrEncoder(std::int32_t width, std::int32_t height, ByteFile& file, bool alpha)
+        : channels_(alpha ? "RGBA" : "RGB"),
+          width_(width),
+          stream_(file),
+          file_(std::in_place, stream_, header_of(channels_, width, height), 0) {}
 
     EncodedStrip encode(std::int32_t, std::span<const float> values) const override {
         EncodedStrip strip;
@@ -90,8 +93,9 @@ class ExrEncoder : public StripEncoder {
     void append(EncodedStrip strip) override { append_rows(strip.values); }
 
     void append_rows(std::span<const float> values) {
-        const auto rows = static_cast<std::int32_t>(values.size() / 3 / static_cast<std::size_t>(width_));
-        file_->setFrameBuffer(frame_of("RGB", values.data(), width_, done_));
+        const auto rows =
+            static_cast<std::int32_t>(values.size() / channels_.size() / static_cast<std::size_t>(width_));
+        file_->setFrameBuffer(frame_of(channels_, values.data(), width_, done_));
         file_->writePixels(rows);
         done_ += rows;
     }
@@ -101,6 +105,7 @@ class ExrEncoder : public StripEncoder {
     }
 
   private:
+    const std::string_view channels_;
     const std::int32_t width_;
     std::int32_t done_ = 0;
     Stream stream_;
@@ -109,15 +114,16 @@ class ExrEncoder : public StripEncoder {
 
 class ExrPartsEncoder : public PartsEncoder {
   public:
-    ExrPartsEncoder(std::int32_t width, std::int32_t height, std::span<const Layer> layers, ByteFile& file)
-        : width_(width), stream_(file), channels_{"RGB"} {
+    ExrPartsEncoder(std::int32_t width, std::int32_t height, std::span<const Layer> layers, ByteFile& file,
+                    bool alpha)
+        : width_(width), stream_(file), channels_{alpha ? "RGBA" : "RGB"} {
         std::vector<Imf::Header> headers;
         const auto add = [&](std::string_view name, std::string_view channels) {
             headers.push_back(header_of(channels, width, height));
             headers.back().setName(std::string(name));
             headers.back().setType(Imf::SCANLINEIMAGE);
         };
-        add("beauty", "RGB");
+        add("beauty", channels_.front());
         for (const Layer layer : layers) {
             const LayerInfo& info = layer_infos()[static_cast<std::size_t>(layer)];
             channels_.push_back(info.channels);
@@ -145,31 +151,41 @@ class ExrPartsEncoder : public PartsEncoder {
 
 }  // namespace
 
-std::unique_ptr<StripEncoder> make_exr_encoder(std::int32_t width, std::int32_t height, ByteFile& file) {
-    return std::make_unique<ExrEncoder>(width, height, file);
+std::unique_ptr<StripEncoder> make_exr_encoder(std::int32_t width, std::int32_t height, ByteFile& file,
+                                               bool alpha) {
+    return std::make_unique<ExrEncoder>(width, height, file, alpha);
 }
 
 std::unique_ptr<PartsEncoder> make_parts_encoder(std::int32_t width, std::int32_t height,
-                                                 std::span<const Layer> layers, ByteFile& file) {
-    return std::make_unique<ExrPartsEncoder>(width, height, layers, file);
+                                                 std::span<const Layer> layers, ByteFile& file, bool alpha) {
+    return std::make_unique<ExrPartsEncoder>(width, height, layers, file, alpha);
 }
 
-std::vector<std::uint8_t> encode_exr(const Image& image) {
+std::vector<std::uint8_t> encode_exr(const Image& image, std::span<const float> alpha) {
     std::vector<std::uint8_t> bytes;
     MemoryFile file(bytes);
-    ExrEncoder encoder(image.width, image.height, file);
-    encoder.append_rows(image.rgb);
+    ExrEncoder encoder(image.width, image.height, file, !alpha.empty());
+    if (alpha.empty()) {
+        encoder.append_rows(image.rgb);
+    } else {
+        encoder.append_rows(with_alpha(image.rgb, alpha));
+    }
     encoder.finish();
     return bytes;
 }
 
-std::vector<std::uint8_t> encode_exr_layers(const Image& picture, std::span<const LayerImage> layers) {
+std::vector<std::uint8_t> encode_exr_layers(const Image& picture, std::span<const LayerImage> layers,
+                                            std::span<const float> alpha) {
     std::vector<std::uint8_t> bytes;
     MemoryFile file(bytes);
     std::vector<Layer> kinds;
     for (const LayerImage& layer : layers) kinds.push_back(layer.layer);
-    ExrPartsEncoder encoder(picture.width, picture.height, kinds, file);
-    encoder.append(0, 0, picture.height, picture.rgb.data());
+    ExrPartsEncoder encoder(picture.width, picture.height, kinds, file, !alpha.empty());
+    if (alpha.empty()) {
+        encoder.append(0, 0, picture.height, picture.rgb.data());
+    } else {
+        encoder.append(0, 0, picture.height, with_alpha(picture.rgb, alpha).data());
+    }
     for (std::size_t i = 0; i < layers.size(); ++i)
         encoder.append(i + 1, 0, picture.height, layers[i].values.data());
     encoder.finish();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// PNG (https://www.w3.org/TR/png-3/), RGB with 8 or 16 bits. Strips are filtered and compressed separately,
-// each to complete bytes of one deflate stream. So the file does not depend on the number of threads.
+// PNG (https://www.w3.org/TR/png-3/), RGB or RGBA with 8 or 16 bits. Strips are filtered and compressed
+// separately, each to complete bytes of one deflate stream. So the file does not depend on the number of
+// threads.
 #include <zlib.h>
 
 #include <algorithm>
@@ -39,18 +40,35 @@ void write_chunk(ByteFile& file, std::string_view type, const Bytes& data) {
     file.write(chunk);
 }
 
+// PNG's alpha is straight: the colour is that of the opaque part. Alpha itself is linear.
+void quantize_straight(const float* rgba, std::size_t pixels, const EncodeOptions& options,
+                       std::uint8_t* out) {
+    const std::size_t bytes = options.bits / 8;
+    for (std::size_t i = 0; i < pixels; ++i, rgba += 4, out += 4 * bytes) {
+        const float alpha = rgba[3];
+        float color[3] = {};
+        for (int c = 0; c < 3 && alpha > 0; ++c) color[c] = rgba[c] / alpha;
+        quantize_row(color, 3, options.bits, options.transfer, out);
+        quantize_row(&alpha, 1, options.bits, Transfer::none, out + 3 * bytes);
+    }
+}
+
 // Filters rows with Sub: a pixel minus its left neighbour. On ray-traced pictures, this with
 // runs alone (below) gives files as small as fast matching with any filter, and is faster; and strips do
 // not depend on each other.
-Bytes filter_rows(std::span<const float> rows, std::int32_t width, const EncodeOptions& options) {
-    const std::size_t samples = std::size_t{3} * width;
-    const std::size_t pixel_bytes = options.bits == 8 ? 3 : 6;
+Bytes filter_rows(std::span<const float> rows, std::int32_t width, const EncodeOptions& options, bool alpha) {
+    const std::size_t channels = alpha ? 4 : 3, samples = channels * static_cast<std::size_t>(width);
+    const std::size_t pixel_bytes = options.bits == 8 ? channels : 2 * channels;
     const std::size_t row_bytes = pixel_bytes * width;
     Bytes row(row_bytes);
     Bytes filtered((row_bytes + 1) * (rows.size() / samples));
     std::uint8_t* out = filtered.data();
     for (std::size_t first = 0; first < rows.size(); first += samples) {
-        quantize_row(&rows[first], samples, options.bits, options.transfer, row.data());
+        if (alpha) {
+            quantize_straight(&rows[first], static_cast<std::size_t>(width), options, row.data());
+        } else {
+            quantize_row(&rows[first], samples, options.bits, options.transfer, row.data());
+        }
         *out++ = 1;
         std::memcpy(out, row.data(), pixel_bytes);
         for (std::size_t i = pixel_bytes; i < row_bytes; ++i) {
@@ -91,23 +109,25 @@ EncodedStrip compress_strip(const Bytes& data, bool is_first, bool is_last) {
 
 class PngEncoder : public StripEncoder {
   public:
-    PngEncoder(std::int32_t width, std::int32_t height, const EncodeOptions& options, ByteFile& file)
-        : width_(width), strips_(count_strips(height)), options_(options), file_(file) {
+    PngEncoder(std::int32_t width, std::int32_t height, const EncodeOptions& options, ByteFile& file,
+               bool alpha)
+        : width_(width), strips_(count_strips(height)), options_(options), alpha_(alpha), file_(file) {
         constexpr std::uint8_t signature[] = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
         file_.write(signature);
-        Bytes header(
-            13);  // width, height, bits, colour type 2 (RGB), deflate, filters by row, not interlaced
+        Bytes header(13);  // width, height, bits, colour type 2 (RGB) or 6 (RGBA), deflate, filters by row,
+                           // not interlaced
         put32(header.data(), static_cast<std::uint32_t>(width));
         put32(header.data() + 4, static_cast<std::uint32_t>(height));
         header[8] = static_cast<std::uint8_t>(options.bits);
-        header[9] = 2;
+        header[9] = alpha ? 6 : 2;
         write_chunk(file_, "IHDR", header);
         if (options.transfer == Transfer::srgb) write_chunk(file_, "sRGB", {0});
     }
 
     EncodedStrip encode(std::int32_t strip, std::span<const float> values) const override {
         const bool is_last = strip == strips_ - 1;
-        EncodedStrip encoded = compress_strip(filter_rows(values, width_, options_), strip == 0, is_last);
+        EncodedStrip encoded =
+            compress_strip(filter_rows(values, width_, options_, alpha_), strip == 0, is_last);
         if (is_last) return encoded;  // sealed when the checksum of all data is known
         encoded.bytes.resize(encoded.bytes.size() + k_chunk_tail);
         seal_chunk(encoded.bytes, "IDAT");
@@ -130,6 +150,7 @@ class PngEncoder : public StripEncoder {
   private:
     const std::int32_t width_, strips_;
     const EncodeOptions options_;
+    const bool alpha_;
     ByteFile& file_;
     uLong adler_ = 1;
     std::int32_t appended_ = 0;
@@ -138,8 +159,8 @@ class PngEncoder : public StripEncoder {
 }  // namespace
 
 std::unique_ptr<StripEncoder> make_png_encoder(std::int32_t width, std::int32_t height,
-                                               const EncodeOptions& options, ByteFile& file) {
-    return std::make_unique<PngEncoder>(width, height, options, file);
+                                               const EncodeOptions& options, ByteFile& file, bool alpha) {
+    return std::make_unique<PngEncoder>(width, height, options, file, alpha);
 }
 
 }  // namespace glint

@@ -9,13 +9,16 @@
 namespace glint {
 
 std::unique_ptr<StripEncoder> make_png_encoder(std::int32_t width, std::int32_t height,
-                                               const EncodeOptions& options, ByteFile& file);
+                                               const EncodeOptions& options, ByteFile& file, bool alpha);
 std::unique_ptr<StripEncoder> make_ppm_encoder(std::int32_t width, std::int32_t height,
                                                const EncodeOptions& options, ByteFile& file);
-std::unique_ptr<StripEncoder> make_exr_encoder(std::int32_t width, std::int32_t height, ByteFile& file);
+std::unique_ptr<StripEncoder> make_exr_encoder(std::int32_t width, std::int32_t height, ByteFile& file,
+                                               bool alpha);
 
-std::vector<std::uint8_t> encode_exr(const Image& image);
+/// alpha: empty, or of the picture's size.
+std::vector<std::uint8_t> encode_exr(const Image& image, std::span<const float> alpha);
 /// A file of several parts. The layers have the picture's size.
-std::vector<std::uint8_t> encode_exr_layers(const Image& picture, std::span<const LayerImage> layers);
+std::vector<std::uint8_t> encode_exr_layers(const Image& picture, std::span<const LayerImage> layers,
+                                            std::span<const float> alpha);
 
 }  // namespace glint

@@ -63,6 +63,7 @@ void LayerPreview::convert(std::span<const float> values, float* rgb) const {
             }
             return;
         case Layer::shadow:
+        case Layer::alpha:
             for (std::size_t p = 0; p < values.size(); ++p) std::fill_n(rgb + 3 * p, 3, values[p]);
             return;
         default:

@@ -42,7 +42,8 @@ struct EncodedStrip {
 class StripEncoder {
   public:
     virtual ~StripEncoder() = default;
-    /// values: the strip's linear RGB, row by row. Any number of threads may call this at the same time.
+    /// values: the strip's linear RGB, row by row; with alpha, that of with_alpha(). Any number of threads
+    /// may call this at the same time.
     virtual EncodedStrip encode(std::int32_t strip, std::span<const float> values) const = 0;
     /// Writes the strips, in order; one call at a time.
     virtual void append(EncodedStrip strip) = 0;
@@ -50,10 +51,14 @@ class StripEncoder {
     virtual void finish() = 0;
 };
 
-/// The encoder of a picture with 1 to k_max_size pixels a side. The file must outlive it. Null if this build
-/// does not write the format.
+/// The encoder of a picture with 1 to k_max_size pixels a side, which may have alpha (not PPM). The file must
+/// outlive it. Null if this build does not write the format.
 std::unique_ptr<StripEncoder> make_strip_encoder(std::int32_t width, std::int32_t height,
-                                                 const EncodeOptions& options, ByteFile& file);
+                                                 const EncodeOptions& options, ByteFile& file,
+                                                 bool alpha = false);
+
+/// r, g, b and alpha of each pixel, from r, g and b and from alpha.
+std::vector<float> with_alpha(std::span<const float> rgb, std::span<const float> alpha);
 
 /// Encodes an OpenEXR file of several parts: the picture (part 0) and layers, as encode_layers() does.
 class PartsEncoder {
@@ -66,6 +71,7 @@ class PartsEncoder {
 
 /// As make_strip_encoder().
 std::unique_ptr<PartsEncoder> make_parts_encoder(std::int32_t width, std::int32_t height,
-                                                 std::span<const Layer> layers, ByteFile& file);
+                                                 std::span<const Layer> layers, ByteFile& file,
+                                                 bool alpha = false);
 
 }  // namespace glint

@@ -259,6 +259,7 @@ constexpr Row k_rows[] = {
       false},
      parse_aa,
      print_aa},
+    bool_row<&S::alpha>("alpha", "the background is transparent: the picture has an alpha channel", false),
 };
 constexpr std::size_t k_count = std::size(k_rows);
 

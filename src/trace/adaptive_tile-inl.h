@@ -14,6 +14,9 @@ HWY_BEFORE_NAMESPACE();
 namespace glint {
 namespace HWY_NAMESPACE {
 
+/// The numbers of a colour with one sample: with the setting alpha, alpha is the fourth, else 0.
+constexpr int k_compared = 4;
+
 /// Traces n x n samples of the listed pixels, and writes their colours to `rgb`, one after the other.
 inline void trace_listed(const WorldParts& world, const TileJob& job, int n, TileScratch& s, float* rgb) {
     if (!trace_samples(world, job, &s.pixels, n, s))
@@ -38,7 +41,11 @@ class OneSampleColors {
         : settings_(world.settings), job_(job), memory_(memory) {}
 
     /// (x, y) in the tile, from -1.
-    float* at(int x, int y) const { return memory_ + 3 * ((y + 1) * (k_tile_side + 2) + x + 1); }
+    float* at(int x, int y) const { return memory_ + k_compared * ((y + 1) * (k_tile_side + 2) + x + 1); }
+    void set(int x, int y, const float* rgb, float alpha) const {
+        std::copy_n(rgb, 3, at(x, y));
+        at(x, y)[3] = alpha;
+    }
 
     bool is_in_picture(int x, int y) const {
         const int px = job_.x + x, py = job_.y + y;
@@ -65,7 +72,7 @@ class OneSampleColors {
             if (!is_in_picture(x + dx, y + dy)) continue;
             const float* const other = at(x + dx, y + dy);
             double difference = 0;
-            for (int c = 0; c < 3; ++c) {
+            for (int c = 0; c < k_compared; ++c) {
                 const double d = static_cast<double>(own[c]) - static_cast<double>(other[c]);
                 difference = number::max(difference, d < 0 ? -d : d);
             }
@@ -93,10 +100,10 @@ inline void trace_border(const WorldParts& world, const TileJob& job, const OneS
     if (s.pixels.count == 0) return;
     float rgb[3 * 4 * k_tile_side];
     trace_listed(world, job, 1, s, rgb);
-    const float* next = rgb;
+    std::size_t p = 0;
     colors.for_each_on_border([&](int x, int y) {
-        std::copy_n(next, 3, colors.at(x, y));
-        next += 3;
+        colors.set(x, y, rgb + 3 * p, world.settings.alpha ? alpha_value(s.film, p, 1) : 0);
+        ++p;
     });
 }
 
@@ -126,11 +133,14 @@ inline void render_adaptive_tile(const WorldParts& world, const TileJob& job, Ti
         return fill_background(world, job, 1);
     }
     s.record = nullptr;
-    render_uniform_tile(world, job, 1, s);
+    const bool has_alpha = render_uniform_tile(world, job, 1, s) && world.settings.alpha;
     s.first_hits.wanted = false;
     const OneSampleColors colors(world, job, s.one_sample.data());
-    for (int y = 0; y < job.height; ++y)
-        std::copy_n(pixel_in(job.rgb, job, 3, 0, y), 3 * job.width, colors.at(0, y));
+    for_each_row(job, [&](int x, int y, int first, int width) {
+        for (int i = 0; i < width; ++i)
+            colors.set(x + i, y, pixel_in(job.rgb, job, 3, x + i, y),
+                       has_alpha ? alpha_value(s.film, static_cast<std::size_t>(first + i), 1) : 0);
+    });
     trace_border(world, job, colors, s);
 
     s.pixels.count = 0;

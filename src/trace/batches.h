@@ -33,8 +33,9 @@ template <class Column> struct RayFields {
     Column origin[3], direction[3], t_min, t_max;
     // Only for secondary rays. Camera rays have weight 1, are in the order of their pixels, and start in air.
     Column weight[3];
-    Column target;  // the pixel in the tile; + k_layer_stride: light is added to the transmission layer
-    Column medium;  // for Beer's law: the index of the material inside which the ray travels; k_none: air
+    Column target;    // the pixel in the tile; + k_layer_stride: light is added to the transmission layer
+    Column straight;  // if alpha is wanted: 1 if the path has no mirror ray, else 0
+    Column medium;    // for Beer's law: the index of the material inside which the ray travels; k_none: air
 };
 
 /// Calls visit(column...) for each column, with the same column of all arguments.
@@ -45,6 +46,7 @@ template <class Visit, class... Columns> void for_each_column(const Visit& visit
     visit(of.t_max...);
     for (int c = 0; c < 3; ++c) visit(of.weight[c]...);
     visit(of.target...);
+    visit(of.straight...);
     visit(of.medium...);
 }
 
@@ -54,6 +56,7 @@ class RayBatch : public RayFields<GrowingColumn> {
   public:
     int generation = 0;
     int count = 0;
+    bool alpha = false;  // alpha is wanted
 
     void clear() {
         count = 0;
@@ -122,6 +125,7 @@ struct RayRange {
 struct SurfaceBatch {
     int generation = 0;  // of the rays
     int count = 0;
+    bool alpha = false;  // as in RayBatch
 
     // The end of a group of rays (RayBatch): the index after its last entry in the HitBatch, and here.
     struct GroupEnd {
@@ -133,6 +137,7 @@ struct SurfaceBatch {
     BatchColumn<std::uint32_t> slot, material;
     BatchColumn<double> behind;                     // 1: the ray hit the back of the shape; else 0
     BatchColumn<double> hit_t;                      // for Beer's law only
+    BatchColumn<double> straight;                   // the ray's, if alpha is wanted
     BatchColumn<double> weight[3], target, medium;  // the ray's (RayFields)
     BatchColumn<double> point[3], normal[3], incoming[3], to_eye[3], magnitude;
 };
@@ -178,8 +183,13 @@ struct SecondaryRayBatch {
 struct Film {
     alignas(k_ray_alignment) std::array<double, k_light_layers * k_layer_stride> channel[3];
     std::array<bool, k_light_layers> touched;  // the sums of other layers are uninitialised and count as 0
+    // If alpha is wanted: the weights with which the background is seen, directly or through glass.
+    std::array<double, k_layer_stride> transparency;
 
-    void clear() { touched.fill(false); }
+    void clear(bool alpha) {
+        touched.fill(false);
+        if (alpha) transparency.fill(0);
+    }
     /// Must be called before light is added to a layer. The first call sets the layer to 0.
     void touch(Layer layer) {
         if (touched[static_cast<std::size_t>(layer)]) return;

@@ -53,6 +53,24 @@ HWY_INLINE Color miss_color(const WorldParts& world) {
     return world.settings.shading == Shading::normals ? Color{0, 0, 1} : world.background;
 }
 
+/// The rays that show the background directly or through glass, of those that miss.
+HWY_INLINE LaneMask<double> see_through(const RayBatch& rays, int ray, LaneMask<double> missed) {
+    return rays.generation == 0 ? missed : missed && load(rays.straight.data() + ray) > Doubles(0);
+}
+
+/// For alpha: adds the weights of rays that show the background; of a coloured weight, the mean.
+inline void add_transparency(const RayBatch& rays, int ray, LaneMask<double> seen, Film& film) {
+    for (std::uint32_t bits = to_bits(seen); bits != 0; bits &= bits - 1) {
+        const auto k = static_cast<std::size_t>(ray + __builtin_ctz(bits));
+        if (rays.generation == 0) {
+            film.transparency[k] += 1;
+        } else {
+            const auto pixel = static_cast<std::size_t>(rays.target[k]) % std::size_t{k_layer_stride};
+            film.transparency[pixel] += (rays.weight[0][k] + rays.weight[1][k] + rays.weight[2][k]) / 3;
+        }
+    }
+}
+
 /// Adds the light of those rays of a range that hit nothing.
 inline void add_misses(const WorldParts& world, const RayBatch& rays, const HitBatch& hits, RayRange range,
                        Film& film) {
@@ -60,10 +78,15 @@ inline void add_misses(const WorldParts& world, const RayBatch& rays, const HitB
     if (!camera && world.conventions.mirror_miss == MissRule::black) return;
     const Vector3<Doubles> color = lanes_of(miss_color(world));
     for (int i = range.begin; i < range.end; i += lane_count<double>()) {
-        const auto missed =
-            !(load(hits.t.data() + i) < Doubles(k_infinity)) && first_lanes<double>(range.end - i);
+        auto missed = !(load(hits.t.data() + i) < Doubles(k_infinity)) && first_lanes<double>(range.end - i);
         if (!any(missed)) continue;
         const int ray = hits.first + i;
+        if (rays.alpha) {
+            const auto seen = see_through(rays, ray, missed);
+            add_transparency(rays, ray, seen, film);
+            if (world.settings.alpha) missed = missed && !seen;
+            if (!any(missed)) continue;
+        }
         if (camera) {
             alignas(k_ray_alignment) double pixels[lane_count<double>()];
             store(Doubles(static_cast<double>(ray)) + iota(), pixels);
@@ -150,6 +173,12 @@ template <class T> HWY_INLINE T film_value(T value) {
     return min(max(value, T(-1e30)), T(1e30));
 }
 
+/// The alpha of a pixel with this number of samples.
+HWY_INLINE float alpha_value(const Film& film, std::size_t p, double samples) {
+    const double alpha = 1 - (samples > 1 ? film.transparency[p] / samples : film.transparency[p]);
+    return static_cast<float>(number::min(number::max(alpha, 0.0), 1.0));
+}
+
 /// Computes `count` pixels from number `first` on (docs/architecture.md): each layer is averaged over the
 /// samples and rounded to float; then background + ambient + diffuse + specular + reflected + transmitted are
 /// added in this order.
@@ -196,7 +225,7 @@ inline void resolve(const TileJob& job, const Film& film, int n) {
 /// Fills a tile whose rays all hit nothing. The pixels are the same as those of resolve().
 inline void fill_background(const WorldParts& world, const TileJob& job, int n) {
     const int samples = n * n;
-    const Vector3<Doubles> color = lanes_of(miss_color(world));
+    const Vector3<Doubles> color = lanes_of(world.settings.alpha ? Color{} : miss_color(world));
     Vector3<Doubles> sum = lanes_of(Vec3{});
     for (int i = 0; i < samples; ++i) sum = sum + color;
     if (samples > 1) sum = sum / Doubles(static_cast<double>(samples));

@@ -89,6 +89,8 @@ inline float layer_value(const Film& film, const FirstHits& first_hits, Layer la
             return first_hits.tested[p] > 0
                        ? static_cast<float>(first_hits.occluded[p] / first_hits.tested[p])
                        : 0.0f;
+        case Layer::alpha:
+            return alpha_value(film, p, samples);
         default:
             break;
     }

@@ -20,6 +20,8 @@ std::span<const LayerInfo> layer_infos() {
          "of the lights that would add something, how many are blocked, 0 to 1"},
         {Layer::object, "object", "I", "its number in the scene, from 1; 0: nothing is hit"},
         {Layer::material, "material", "I", "its material's number in the scene, from 1; 0: nothing is hit"},
+        {Layer::alpha, "alpha", "A",
+         "1 minus the part of the pixel that shows the background, directly or through glass"},
     };
     return list;
 }

@@ -19,15 +19,17 @@ namespace HWY_NAMESPACE {
 /// The secondary rays of a vector of surfaces, to be stored by push().
 struct SecondaryRays {
     Vector3<Doubles> origin, direction, weight;
-    Doubles target, medium;
+    Doubles target, straight, medium;
     double t_min;
 };
-HWY_INLINE void push(RayBatch& batch, const SecondaryRays& rays, LaneMask<double> set, bool medium) {
+HWY_INLINE void push(RayBatch& batch, const SecondaryRays& rays, LaneMask<double> set, bool alpha,
+                     bool medium) {
     const RayFields<double*> to = batch.end();
     compress_vector3(rays.origin, set, to.origin, 0);
     compress_vector3(rays.direction, set, to.direction, 0);
     compress_vector3(rays.weight, set, to.weight, 0);
     compress_store(rays.target, set, to.target);
+    if (alpha) compress_store(rays.straight, set, to.straight);
     if (medium) compress_store(rays.medium, set, to.medium);
     store(Doubles(rays.t_min), to.t_min);
     store(Doubles(k_infinity), to.t_max);
@@ -85,9 +87,13 @@ HWY_INLINE void queue_vector(const WorldParts& world, const SurfaceBatch& surfac
         const auto set = has_secondary && most > zero && most >= Doubles(rules.min_weight);
         return limited ? limit_rays(surfaces.target.data() + h, set, secondary, counts) : set;
     };
-    SecondaryRays rays{surface.point, surface.incoming,
-                       b.reflected,   load(surfaces.target.data() + h),
-                       zero,          offset_t_min(rules.offset, rules.epsilon)};
+    SecondaryRays rays{surface.point,
+                       surface.incoming,
+                       b.reflected,
+                       load(surfaces.target.data() + h),
+                       zero,
+                       zero,
+                       offset_t_min(rules.offset, rules.epsilon)};
     const Doubles own = beer ? material_numbers(surfaces.material.data() + h) : zero,
                   none(static_cast<double>(k_none));
 
@@ -97,7 +103,7 @@ HWY_INLINE void queue_vector(const WorldParts& world, const SurfaceBatch& surfac
         rays.direction = ray.direction;
         rays.origin = ray.origin;
         if (beer) rays.medium = select(from_inside, own, load(surfaces.medium.data() + h));
-        push(secondary.rays, rays, reflected, beer);
+        push(secondary.rays, rays, reflected, surfaces.alpha, beer);
         counts.mirror += static_cast<std::uint64_t>(count(reflected));
     }
     const auto transmitted = any(glass) ? kept(b.transmitted) && glass : glass;
@@ -109,8 +115,9 @@ HWY_INLINE void queue_vector(const WorldParts& world, const SurfaceBatch& surfac
     rays.origin = offset_transmitted_origin(surface, rays.direction, rules.offset, rules.epsilon);
     rays.weight = b.transmitted;
     if (surfaces.generation == 0) rays.target = rays.target + Doubles(k_layer_stride);
+    if (surfaces.alpha) rays.straight = load(surfaces.straight.data() + h);
     if (beer) rays.medium = select(from_inside, none, own);
-    push(secondary.transmitted, rays, transmitted, beer);
+    push(secondary.transmitted, rays, transmitted, surfaces.alpha, beer);
     counts.transmitted += static_cast<std::uint64_t>(count(transmitted));
 }
 

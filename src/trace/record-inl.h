@@ -85,7 +85,8 @@ inline void record_rays(const WorldParts& world, const RayBatch& rays, const Hit
             ray.hit = recorded_hit(world, surfaces, record.batch.size());
             record.batch.push_back(record.rays.size());
         } else if (camera || world.conventions.mirror_miss != MissRule::black) {
-            ray.background = ray.weight * miss_color(world);
+            ray.transparent = rays.alpha && (camera || rays.straight[static_cast<std::size_t>(number)] > 0);
+            if (!(ray.transparent && world.settings.alpha)) ray.background = ray.weight * miss_color(world);
         }
         record.rays.push_back(std::move(ray));
     }

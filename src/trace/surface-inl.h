@@ -41,6 +41,10 @@ HWY_INLINE void append_hits(const WorldParts& world, const RayBatch& rays, const
         compress_vector3(load_vector3(rays.weight, ray), hit, surfaces.weight, h);
         compress_store(load(rays.target.data() + ray), hit, surfaces.target.data() + h);
     }
+    if (rays.alpha) {
+        const Doubles straight = camera ? Doubles(1) : load(rays.straight.data() + ray);
+        compress_store(straight, hit, surfaces.straight.data() + h);
+    }
     if (world.conventions.beer > 0) {
         compress_store(t, hit, surfaces.hit_t.data() + h);
         const Doubles medium = camera ? Doubles(static_cast<double>(k_none)) : load(rays.medium.data() + ray);
@@ -53,6 +57,7 @@ HWY_INLINE void append_hits(const WorldParts& world, const RayBatch& rays, const
 inline void collect_hits(const WorldParts& world, const RayBatch& rays, const HitBatch& hits, RayRange range,
                          SurfaceBatch& surfaces) {
     surfaces.generation = rays.generation;
+    surfaces.alpha = rays.alpha;
     surfaces.count = surfaces.groups = 0;
     std::size_t group = rays.group_of(hits.first + range.begin);
     for (int i = range.begin; i < range.end; ++group) {

@@ -14,8 +14,8 @@ namespace glint {
 /// Camera rays are ordered in blocks of 8 x 8, so that packets of consecutive rays are coherent.
 inline constexpr int k_tile_block = 8;
 
-/// The floats of the pixels of a tile and of those around it.
-inline constexpr std::size_t k_bordered_tile_floats = 3 * std::size_t{k_tile_side + 2} * (k_tile_side + 2);
+/// The floats of the pixels of a tile and of those around it: r, g, b and alpha.
+inline constexpr std::size_t k_bordered_tile_floats = 4 * std::size_t{k_tile_side + 2} * (k_tile_side + 2);
 
 struct TileRecord;
 

@@ -87,7 +87,10 @@ inline bool trace_samples(const WorldParts& world, const TileJob& job, const Pix
                           TileScratch& s) {
     TileRecord* const record = s.record;
     bool added = true;
-    s.film.clear();
+    const bool alpha =
+        world.settings.alpha || (job.layers != nullptr && job.layers->of(Layer::alpha) != nullptr);
+    s.film.clear(alpha);
+    s.rays.alpha = s.secondary.rays.alpha = alpha;
     SampleIndex sample{0, 0, n};
     for (sample.j = 0; sample.j < n; ++sample.j) {
         for (sample.i = 0; sample.i < n; ++sample.i) {
@@ -113,19 +116,25 @@ inline bool trace_samples(const WorldParts& world, const TileJob& job, const Pix
     return added;
 }
 
-/// Renders a tile with n x n samples for each pixel.
-inline void render_uniform_tile(const WorldParts& world, const TileJob& job, int n, TileScratch& s) {
+/// Renders a tile with n x n samples for each pixel. Returns false if all is background, and the film has
+/// not been used.
+inline bool render_uniform_tile(const WorldParts& world, const TileJob& job, int n, TileScratch& s) {
     const bool layers = job.layers != nullptr;
     s.first_hits.wanted = layers;
     if (layers) clear_first_hits(s.first_hits);
     if (!s.needs_every_stage() && is_tile_empty(world, job)) {
         s.counts.camera += static_cast<std::uint64_t>(n) * static_cast<std::uint64_t>(n) *
                            static_cast<std::uint64_t>(job.width * job.height);
-        return fill_background(world, job, n);
+        fill_background(world, job, n);
+        return false;
     }
-    if (!trace_samples(world, job, nullptr, n, s)) return fill_background(world, job, n);
+    if (!trace_samples(world, job, nullptr, n, s)) {
+        fill_background(world, job, n);
+        return false;
+    }
     resolve(job, s.film, n);
     if (layers) write_layers(job, s.film, s.first_hits, n);
+    return true;
 }
 
 }  // namespace HWY_NAMESPACE

@@ -36,6 +36,7 @@ struct GlintScene {
     std::optional<glint::World> world;
     glint::Image image;
     std::vector<glint::LayerImage> layers;
+    std::vector<float> alpha;  // of the image, if it is not opaque
     glint::RayCounts rays;
     std::vector<std::uint8_t> pixels;
     ordered_json report;
@@ -55,6 +56,7 @@ struct GlintScene {
     bool render(const glint::Crop& crop, std::vector<glint::Layer> wanted) {
         if (!world) return false;
         layers.clear();
+        alpha.clear();
         const auto images = static_cast<std::int64_t>(wanted.size()) + 1;
         if (std::int64_t{crop.width} * crop.height > k_max_pixels / images) {
             write_report(too_many_pixels(crop.width, crop.height));
@@ -64,11 +66,17 @@ struct GlintScene {
         options.threads = 1;
         options.crop = crop;
         options.layers = std::move(wanted);
+        const bool has_alpha = scene->settings.alpha;
+        if (has_alpha) options.layers.push_back(glint::Layer::alpha);
         glint::Result<glint::Rendering> result = glint::render(*world, options);
         if (!result || report.contains("error")) write_report(result.message);
         image = result ? std::move(result->image) : glint::Image{};
         if (!result) return false;
         layers = std::move(result->layers);
+        if (has_alpha) {
+            alpha = std::move(layers.back().values);
+            layers.pop_back();
+        }
         rays = result->rays;
         return true;
     }
@@ -178,11 +186,14 @@ const std::uint8_t* glint_pixels(GlintScene* scene) {
     if (rgb.empty()) return nullptr;
     scene->pixels.resize(rgb.size() / 3 * 4);
     for (std::size_t from = 0, to = 0; from < rgb.size(); from += 3, to += 4) {
+        // Straight alpha, as in PNG.
+        const float alpha = scene->alpha.empty() ? 1 : scene->alpha[from / 3];
         for (std::size_t c = 0; c < 3; ++c) {
+            const float value = alpha == 1 ? rgb[from + c] : alpha > 0 ? rgb[from + c] / alpha : 0;
             scene->pixels[to + c] =
-                static_cast<std::uint8_t>(glint::quantize(static_cast<double>(rgb[from + c]), 255));
+                static_cast<std::uint8_t>(glint::quantize(static_cast<double>(value), 255));
         }
-        scene->pixels[to + 3] = 255;
+        scene->pixels[to + 3] = static_cast<std::uint8_t>(glint::quantize(static_cast<double>(alpha), 255));
     }
     return scene->pixels.data();
 }

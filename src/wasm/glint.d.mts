@@ -67,7 +67,7 @@ export interface Setting {
     /** "true | false", "a number from 0 to 1e12", ... */
     values: string;
     description: string;
-    /** False: a render setting (size, shading, shadows, reflections, aa). */
+    /** False: a render setting (size, shading, shadows, reflections, aa, alpha). */
     is_convention: boolean;
     value: string;
     /** The value in the scene's profile. */

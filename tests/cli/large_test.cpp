@@ -37,6 +37,21 @@ TEST(Large, PicturesHaveTheBytesOfThoseInMemory) {
     EXPECT_EQ(folder.count(), 3);
 }
 
+TEST(Large, AlphaIsStreamedToo) {
+    const Folder folder;
+    folder.write("a.cgfs", k_scene);
+    const std::vector<std::string> arguments{"render", "a.cgfs", "-s", "4000x3400", "--alpha", "-o"};
+    const auto with = [&](const char* output) {
+        auto all = arguments;
+        all.emplace_back(output);
+        return all;
+    };
+    const Finished whole = run(folder, with("-"));
+    ASSERT_EQ(whole.code, 0) << whole.err;
+    ASSERT_EQ(run(folder, with("b.png")).code, 0);
+    EXPECT_TRUE(folder.read("b.png") == whole.out);
+}
+
 TEST(Large, LayersGoThroughATemporaryJournal) {
     const Folder folder;
     folder.write("a.cgfs", k_scene);

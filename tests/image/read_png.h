@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// A PNG decoder for tests: RGB of 8 or 16 bits, every checksum verified.
+// A PNG decoder for tests: RGB or RGBA of 8 or 16 bits, every checksum verified.
 #include <zlib.h>
 
 #include <cstdint>
@@ -12,11 +12,12 @@
 
 namespace glint::test {
 
-/// width x height x 3 samples of 8 or 16 bits. Without samples, `error` is the reason.
+/// width x height x channels samples of 8 or 16 bits. Without samples, `error` is the reason.
 struct Picture {
     int width = 0, height = 0, bits = 8;
     std::vector<std::uint16_t> samples;
     std::string error;
+    int channels = 3;
 };
 
 inline std::vector<std::uint8_t> read_bytes(const std::string& path) {
@@ -30,7 +31,7 @@ inline std::uint8_t paeth(int a, int b, int c) {
 }
 
 inline Picture decode_png(const std::vector<std::uint8_t>& file) {
-    const auto failure = [](std::string why) { return Picture{0, 0, 8, {}, std::move(why)}; };
+    const auto failure = [](std::string why) { return Picture{0, 0, 8, {}, std::move(why), 3}; };
     const auto get32 = [&](std::size_t at) {
         return std::uint32_t{file[at]} << 24 | file[at + 1] << 16 | file[at + 2] << 8 | file[at + 3];
     };
@@ -54,7 +55,8 @@ inline Picture decode_png(const std::vector<std::uint8_t>& file) {
             picture.width = static_cast<int>(get32(at + 8));
             picture.height = static_cast<int>(get32(at + 12));
             picture.bits = file[at + 16];
-            if (file[at + 17] != 2) return failure("not RGB");
+            if (file[at + 17] != 2 && file[at + 17] != 6) return failure("not RGB or RGBA");
+            picture.channels = file[at + 17] == 6 ? 4 : 3;
             if (picture.bits != 8 && picture.bits != 16) return failure("not 8 or 16 bits");
         } else if (type == "IDAT") {
             packed.insert(packed.end(), file.begin() + static_cast<long>(at) + 8,
@@ -65,7 +67,8 @@ inline Picture decode_png(const std::vector<std::uint8_t>& file) {
         at += 12 + length;
     }
     if (!ended) return failure("no IEND");
-    const std::size_t pixel = picture.bits == 8 ? 3 : 6, row = pixel * picture.width;
+    const std::size_t channels = static_cast<std::size_t>(picture.channels),
+                      pixel = picture.bits == 8 ? channels : 2 * channels, row = pixel * picture.width;
     std::vector<std::uint8_t> rows((row + 1) * picture.height);
     uLongf size = rows.size();
     uLong used = packed.size();
@@ -89,7 +92,7 @@ inline Picture decode_png(const std::vector<std::uint8_t>& file) {
                                             : paeth(a, b, c);
             line[i] = static_cast<std::uint8_t>(in[i] + guess);
         }
-        for (std::size_t i = 0; i < row; i += pixel / 3) {
+        for (std::size_t i = 0; i < row; i += pixel / channels) {
             picture.samples.push_back(
                 picture.bits == 8 ? line[i] : static_cast<std::uint16_t>(line[i] << 8 | line[i + 1]));
         }

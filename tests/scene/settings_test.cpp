@@ -15,7 +15,7 @@ std::string set(Scene& scene, std::string_view key, std::string_view value) {
 
 TEST(Settings, KeysAreFoundByName) {
     const auto keys = setting_keys();
-    ASSERT_EQ(keys.size(), 25u);
+    ASSERT_EQ(keys.size(), 26u);
     for (std::size_t i = 0; i < keys.size(); ++i) {
         EXPECT_EQ(find_setting(keys[i].name), i);
         EXPECT_FALSE(keys[i].values.empty());
@@ -28,7 +28,7 @@ TEST(Settings, KeysAreFoundByName) {
 TEST(Settings, RenderSettingsAreNotConventions) {
     for (const SettingKey& key : setting_keys()) {
         const bool is_render = key.name == "size" || key.name == "shading" || key.name == "shadows" ||
-                               key.name == "reflections" || key.name == "aa";
+                               key.name == "reflections" || key.name == "aa" || key.name == "alpha";
         EXPECT_EQ(key.is_convention, !is_render) << key.name;
     }
 }
@@ -59,7 +59,8 @@ TEST(Settings, EveryFieldHasAKey) {
                                                           {"shading", "normals"},
                                                           {"shadows", "false"},
                                                           {"reflections", "7"},
-                                                          {"aa", "3"}};
+                                                          {"aa", "3"},
+                                                          {"alpha", "true"}};
     ASSERT_EQ(std::size(values), setting_keys().size());
     for (const auto& [key, value] : values) {
         EXPECT_EQ(set(scene, key, value), "") << key;
@@ -87,7 +88,7 @@ TEST(Settings, EveryFieldHasAKey) {
                                SpotFalloff::linear,
                                false};
     EXPECT_EQ(scene.conventions, expected);
-    const RenderSettings settings{320, 200, Shading::normals, false, 7, 3};
+    const RenderSettings settings{320, 200, Shading::normals, false, 7, 3, std::nullopt, true};
     EXPECT_EQ(scene.settings, settings);
 }
 

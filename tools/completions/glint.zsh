@@ -31,14 +31,15 @@ _glint() {
                 '--scene[The scene to use, if the file has several]:NAME: ' \
                 '--format[The scene'\''s format]:cgfs|epfl|csc473|nff|glint:(cgfs epfl csc473 nff glint)' \
                 '--profile[Conventions to start from instead of the format'\''s: cgfs, epfl, lecture5, light, csc473, nff and glint]:NAME|FILE:{compadd -- cgfs epfl lecture5 light csc473 nff glint; _files}' \
-                '*--convention[Set one convention (docs/conventions.md lists them; `glint info SCENE` shows the values in force)]:KEY=VALUE:{compadd -S "" -- pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= min_weight= facing= cones= spot_falloff= clamp_attenuation= size= shading= shadows= reflections= aa=}' \
+                '*--convention[Set one convention (docs/conventions.md lists them; `glint info SCENE` shows the values in force)]:KEY=VALUE:{compadd -S "" -- pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= min_weight= facing= cones= size= shading= shadows= reflections= aa= alpha=}' \
                 '(-o --output)'{-o,--output}'[The picture: .png, .ppm or .exr]:OUT:_files' \
                 '(-s --size)'{-s,--size}'[Size in pixels]:WxH: ' \
                 '--shading[How surfaces are shaded]:phong|blinn-phong|diffuse|color|normals:(phong blinn-phong diffuse color normals)' \
                 '--no-shadows[No shadows: every light reaches every surface]' \
                 '--reflections[Largest number of successive reflections]:N: ' \
                 '--aa[N x N regular samples per pixel]:N: ' \
-                '--aov[Also write these layers, separated by commas: background, ambient, diffuse, specular, reflection, transmission, normal, depth, position, albedo, shadow, object and material]:LAYERS:(all background ambient diffuse specular reflection transmission normal depth position albedo shadow object material)' \
+                '--alpha[The background is transparent: PNG and OpenEXR have an alpha channel]' \
+                '--aov[Also write these layers, separated by commas: background, ambient, diffuse, specular, reflection, transmission, normal, depth, position, albedo, shadow, object, material and alpha]:LAYERS:(all background ambient diffuse specular reflection transmission normal depth position albedo shadow object material alpha)' \
                 '--crop[Render only this part of the picture]:WxH+X+Y: ' \
                 '--transfer[none: the numbers as computed (default)]:none|srgb:(none srgb)' \
                 '--bits[Bits per channel of PNG and PPM: 8 (default) or 16]:8|16:(8 16)' \
@@ -57,7 +58,7 @@ _glint() {
                 '--scene[The scene to use, if the file has several]:NAME: ' \
                 '--format[The scene'\''s format]:cgfs|epfl|csc473|nff|glint:(cgfs epfl csc473 nff glint)' \
                 '--profile[Conventions to start from instead of the format'\''s: cgfs, epfl, lecture5, light, csc473, nff and glint]:NAME|FILE:{compadd -- cgfs epfl lecture5 light csc473 nff glint; _files}' \
-                '*--convention[Set one convention (docs/conventions.md lists them; `glint info SCENE` shows the values in force)]:KEY=VALUE:{compadd -S "" -- pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= min_weight= facing= cones= spot_falloff= clamp_attenuation= size= shading= shadows= reflections= aa=}' \
+                '*--convention[Set one convention (docs/conventions.md lists them; `glint info SCENE` shows the values in force)]:KEY=VALUE:{compadd -S "" -- pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= min_weight= facing= cones= size= shading= shadows= reflections= aa= alpha=}' \
                 '--json[Print JSON]' \
                 '--isa[List the instruction sets of this machine, the best first]' ;;
         convert)
@@ -67,7 +68,7 @@ _glint() {
                 '--scene[The scene to use, if the file has several]:NAME: ' \
                 '--format[The scene'\''s format]:cgfs|epfl|csc473|nff|glint:(cgfs epfl csc473 nff glint)' \
                 '--profile[Conventions to start from instead of the format'\''s: cgfs, epfl, lecture5, light, csc473, nff and glint]:NAME|FILE:{compadd -- cgfs epfl lecture5 light csc473 nff glint; _files}' \
-                '*--convention[Set one convention (docs/conventions.md lists them; `glint info SCENE` shows the values in force)]:KEY=VALUE:{compadd -S "" -- pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= min_weight= facing= cones= spot_falloff= clamp_attenuation= size= shading= shadows= reflections= aa=}' \
+                '*--convention[Set one convention (docs/conventions.md lists them; `glint info SCENE` shows the values in force)]:KEY=VALUE:{compadd -S "" -- pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= min_weight= facing= cones= size= shading= shadows= reflections= aa= alpha=}' \
                 '(-o --output)'{-o,--output}'[The output file: a name that ends in .glint]:OUT:_files' \
                 '(-q --quiet)'{-q,--quiet}'[Print only errors]' ;;
         check)
@@ -77,7 +78,7 @@ _glint() {
                 '--scene[The scene to use, if the file has several]:NAME: ' \
                 '--format[The scene'\''s format]:cgfs|epfl|csc473|nff|glint:(cgfs epfl csc473 nff glint)' \
                 '--profile[Conventions to start from instead of the format'\''s: cgfs, epfl, lecture5, light, csc473, nff and glint]:NAME|FILE:{compadd -- cgfs epfl lecture5 light csc473 nff glint; _files}' \
-                '*--convention[Set one convention (docs/conventions.md lists them; `glint info SCENE` shows the values in force)]:KEY=VALUE:{compadd -S "" -- pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= min_weight= facing= cones= spot_falloff= clamp_attenuation= size= shading= shadows= reflections= aa=}' \
+                '*--convention[Set one convention (docs/conventions.md lists them; `glint info SCENE` shows the values in force)]:KEY=VALUE:{compadd -S "" -- pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= min_weight= facing= cones= size= shading= shadows= reflections= aa= alpha=}' \
                 '(-s --size)'{-s,--size}'[Size in pixels]:WxH: ' \
                 '--shading[How surfaces are shaded]:phong|blinn-phong|diffuse|color|normals:(phong blinn-phong diffuse color normals)' \
                 '--no-shadows[No shadows: every light reaches every surface]' \
@@ -94,7 +95,7 @@ _glint() {
                 '--scene[The scene to use, if the file has several]:NAME: ' \
                 '--format[The scene'\''s format]:cgfs|epfl|csc473|nff|glint:(cgfs epfl csc473 nff glint)' \
                 '--profile[Conventions to start from instead of the format'\''s: cgfs, epfl, lecture5, light, csc473, nff and glint]:NAME|FILE:{compadd -- cgfs epfl lecture5 light csc473 nff glint; _files}' \
-                '*--convention[Set one convention (docs/conventions.md lists them; `glint info SCENE` shows the values in force)]:KEY=VALUE:{compadd -S "" -- pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= min_weight= facing= cones= spot_falloff= clamp_attenuation= size= shading= shadows= reflections= aa=}' \
+                '*--convention[Set one convention (docs/conventions.md lists them; `glint info SCENE` shows the values in force)]:KEY=VALUE:{compadd -S "" -- pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= min_weight= facing= cones= size= shading= shadows= reflections= aa= alpha=}' \
                 '(-p --pixel)'{-p,--pixel}'[The pixel, counted from 0 at the top left]:X,Y: ' \
                 '--sample[The sample whose rays are printed: its column and row in the pixel]:I,J: ' \
                 '--as[text (default)]:text|json|printrays:(text json printrays)' \
@@ -106,6 +107,7 @@ _glint() {
                 '--no-shadows[No shadows: every light reaches every surface]' \
                 '--reflections[Largest number of successive reflections]:N: ' \
                 '--aa[N x N regular samples per pixel]:N: ' \
+                '--alpha[The background is transparent: PNG and OpenEXR have an alpha channel]' \
                 '--transfer[none: the numbers as computed (default)]:none|srgb:(none srgb)' \
                 '--bits[Bits per channel of PNG and PPM: 8 (default) or 16]:8|16:(8 16)' \
                 '--isa[Instruction set (`glint info --isa` lists them)]:NAME:{compadd -- $(glint info --isa 2>/dev/null)}' ;;
@@ -117,12 +119,12 @@ _glint() {
                 '--fail-percent[P percent of the pixels may differ by more than --within]:P: ' \
                 '--hard-fail[No pixel may differ by more than N 255ths]:N: ' \
                 '--diff[Write |A - B| as a PNG, amplified so that the largest difference is white]:OUT.png:_files' \
-                '--vary[Render a scene with each value of a setting]:KEY=VALUES:{compadd -S "" -- pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= min_weight= facing= cones= spot_falloff= clamp_attenuation= size= shading= shadows= reflections= aa=}' \
+                '--vary[Render a scene with each value of a setting]:KEY=VALUES:{compadd -S "" -- pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= min_weight= facing= cones= size= shading= shadows= reflections= aa= alpha=}' \
                 '*--scene[The scene of B: causes are tested by rendering it]:FILE:_files -g "*.(cgfs|json|js|pov|nff|glint)"' \
                 '--scene-name[The scene to use, if the file has several]:NAME: ' \
                 '--format[The scene'\''s format]:cgfs|epfl|csc473|nff|glint:(cgfs epfl csc473 nff glint)' \
                 '--profile[Conventions to start from instead of the format'\''s: cgfs, epfl, lecture5, light, csc473, nff and glint]:NAME|FILE:{compadd -- cgfs epfl lecture5 light csc473 nff glint; _files}' \
-                '*--convention[Set one convention (docs/conventions.md lists them; `glint info SCENE` shows the values in force)]:KEY=VALUE:{compadd -S "" -- pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= min_weight= facing= cones= spot_falloff= clamp_attenuation= size= shading= shadows= reflections= aa=}' \
+                '*--convention[Set one convention (docs/conventions.md lists them; `glint info SCENE` shows the values in force)]:KEY=VALUE:{compadd -S "" -- pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= min_weight= facing= cones= size= shading= shadows= reflections= aa= alpha=}' \
                 '(-s --size)'{-s,--size}'[Size in pixels]:WxH: ' \
                 '--shading[How surfaces are shaded]:phong|blinn-phong|diffuse|color|normals:(phong blinn-phong diffuse color normals)' \
                 '--no-shadows[No shadows: every light reaches every surface]' \
@@ -139,9 +141,9 @@ _glint() {
                 '--scene[The scene to use, if the file has several]:NAME: ' \
                 '--format[The scene'\''s format]:cgfs|epfl|csc473|nff|glint:(cgfs epfl csc473 nff glint)' \
                 '--profile[Conventions to start from instead of the format'\''s: cgfs, epfl, lecture5, light, csc473, nff and glint]:NAME|FILE:{compadd -- cgfs epfl lecture5 light csc473 nff glint; _files}' \
-                '*--convention[Set one convention (docs/conventions.md lists them; `glint info SCENE` shows the values in force)]:KEY=VALUE:{compadd -S "" -- pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= min_weight= facing= cones= spot_falloff= clamp_attenuation= size= shading= shadows= reflections= aa=}' \
-                '*--a[A setting of the first picture: a convention, a render setting, or profile=NAME]:KEY=VALUE:{compadd -S "" -- pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= min_weight= facing= cones= spot_falloff= clamp_attenuation= size= shading= shadows= reflections= aa= profile=}' \
-                '*--b[The same for the second picture]:KEY=VALUE:{compadd -S "" -- pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= min_weight= facing= cones= spot_falloff= clamp_attenuation= size= shading= shadows= reflections= aa= profile=}' \
+                '*--convention[Set one convention (docs/conventions.md lists them; `glint info SCENE` shows the values in force)]:KEY=VALUE:{compadd -S "" -- pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= min_weight= facing= cones= size= shading= shadows= reflections= aa= alpha=}' \
+                '*--a[A setting of the first picture: a convention, a render setting, or profile=NAME]:KEY=VALUE:{compadd -S "" -- pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= min_weight= facing= cones= size= shading= shadows= reflections= aa= alpha= profile=}' \
+                '*--b[The same for the second picture]:KEY=VALUE:{compadd -S "" -- pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= min_weight= facing= cones= size= shading= shadows= reflections= aa= alpha= profile=}' \
                 '--match-exponents[With Blinn-Phong, multiply exponents by 4: highlights are then about as wide as Phong'\''s]' \
                 '(-o --output)'{-o,--output}'[Write both pictures and their difference side by side]:OUT.png:_files' \
                 '--json[Print JSON]' \
@@ -159,7 +161,7 @@ _glint() {
                 '--scene-name[The scene to use, if the file has several]:NAME: ' \
                 '--format[The scene'\''s format]:cgfs|epfl|csc473|nff|glint:(cgfs epfl csc473 nff glint)' \
                 '--profile[Conventions to start from instead of the format'\''s: cgfs, epfl, lecture5, light, csc473, nff and glint]:NAME|FILE:{compadd -- cgfs epfl lecture5 light csc473 nff glint; _files}' \
-                '*--convention[Set one convention (docs/conventions.md lists them; `glint info SCENE` shows the values in force)]:KEY=VALUE:{compadd -S "" -- pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= min_weight= facing= cones= spot_falloff= clamp_attenuation= size= shading= shadows= reflections= aa=}' \
+                '*--convention[Set one convention (docs/conventions.md lists them; `glint info SCENE` shows the values in force)]:KEY=VALUE:{compadd -S "" -- pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= min_weight= facing= cones= size= shading= shadows= reflections= aa= alpha=}' \
                 '(-s --size)'{-s,--size}'[Size in pixels]:WxH: ' \
                 '--shading[How surfaces are shaded]:phong|blinn-phong|diffuse|color|normals:(phong blinn-phong diffuse color normals)' \
                 '--no-shadows[No shadows: every light reaches every surface]' \

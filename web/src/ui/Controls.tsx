@@ -66,6 +66,7 @@ export function PictureControls() {
             <h2>Picture</h2>
             <SampleControls aa={valueOf('aa')} />
             <Size />
+            <Switch label="Transparent background" on={valueOf('alpha') === 'true'} set={(on) => setSetting('alpha', String(on))} />
         </section>
     );
 }
