@@ -57,6 +57,10 @@ enum class Facing : std::uint8_t { none, open, all };
 /// (POV-Ray). linear: linearly in the angle (Tachyon); no tightness.
 enum class SpotFalloff : std::uint8_t { cubic, linear };
 
+/// The distance that fog depends on. ray: along the ray (POV-Ray, Tachyon). depth: of camera rays, along the
+/// view; of others, along the ray (Tachyon's Fog_VMD).
+enum class FogDistance : std::uint8_t { ray, depth };
+
 /// All rules on which the sources disagree. The defaults are the profile `glint`.
 struct Conventions {
     PixelSample pixel_sample = PixelSample::center;
@@ -84,6 +88,8 @@ struct Conventions {
     SpotFalloff spot_falloff = SpotFalloff::cubic;
     /// 1 / (c0 + c1 d + c2 d^2) is at most 1 (LIGHT-12); false: it may exceed 1 near the light (Tachyon).
     bool clamp_attenuation = true;
+    FogDistance fog_distance = FogDistance::ray;
+    bool fog_background = true;  ///< the background is in the fog, at an infinite distance
     friend bool operator==(const Conventions&, const Conventions&) = default;
 };
 

@@ -61,7 +61,7 @@ struct ExplainedHit {
     Vec3 point, normal, to_eye;       ///< N as used for shading, unit; V
     bool behind = false;              ///< the ray came from the back of the shape
     bool turned = false;              ///< N was flipped towards the ray
-    Color weight;                     ///< the ray's weight after absorption in glass
+    Color weight;                     ///< the ray's weight after absorption in glass and in fog
     double local_share = 1;           ///< the factor of the surface's own light; the rest is mirror and glass
     Color ambient;                    ///< k_a I_a; for shading color or normals, the shown colour
     std::vector<LightTerms> lights;   ///< in scene order, without ambient lights
@@ -85,6 +85,8 @@ struct ExplainedRay {
     /// It hits nothing and shows the background directly or through glass: the mean of its weight is
     /// subtracted from alpha. With RenderSettings::alpha, `background` is then black.
     bool transparent = false;
+    double visibility = 1;  ///< in fog: f, of the hit or of the background; included in the hit's weight
+    Color fog;  ///< the light that the fog adds to the pixel, after that of the hit or the background
 };
 
 /// With adaptive sampling: the neighbour from which the pixel differs most with one sample each.
@@ -95,8 +97,9 @@ struct SampleDifference {
 };
 
 /// All data of one pixel. Rays are in the order of summation: by sample, then by generation. The sum of a
-/// layer (docs/explain.md) adds, ray by ray, the background or the parts of the hit. `layers` are the sums
-/// divided by the number of samples and rounded to float; `value` is the sum of the layers in their order.
+/// layer (docs/explain.md) adds, ray by ray, the background or the parts of the hit, then the fog. `layers`
+/// are the sums divided by the number of samples and rounded to float; `value` is the sum of the layers in
+/// their order.
 struct Explanation {
     std::int32_t x = 0, y = 0;
     int samples = 1;  ///< n for n x n samples; with adaptive sampling, those that this pixel has

@@ -132,6 +132,26 @@ struct Light {
     constexpr Vec3 way_from(Vec3 point) const { return has_position() ? position - point : to_light; }
 };
 
+enum class FogKind : std::uint8_t { linear, exp, exp2 };
+
+/// Fog, and depth cueing: of the light that comes from distance d, the part f is seen, and 1 - f of the fog's
+/// colour is added. linear: f = (end - d) / (end - start); exp: exp(-density (d - start)); exp2:
+/// exp(-(density (d - start))^2); at least `transmit` and 0, at most 1. The conventions fog_distance and
+/// fog_background say what d is, and whether the background is in the fog. (POV-Ray, Tachyon; measured)
+struct Fog {
+    FogKind kind = FogKind::exp;
+    Color color{0.5, 0.5, 0.5};
+    double density = 0.1;  ///< exp, exp2: per world unit
+    double start = 0;      ///< in world units
+    double end = 100;      ///< linear: above start
+    double transmit = 0;   ///< the least f, 0 to 1
+
+    // The fields that are used.
+    constexpr bool has_density() const { return kind != FogKind::linear; }
+    constexpr bool has_end() const { return kind == FogKind::linear; }
+    friend bool operator==(const Fog&, const Fog&) = default;
+};
+
 struct Material {
     Color color{0.8, 0.8, 0.8};       ///< the colour in shading mode `color`
     Color ambient{0.08, 0.08, 0.08};  ///< k_a
@@ -174,6 +194,7 @@ struct UnitNormals {
 struct Scene {
     Camera camera;
     Color background{0, 0, 0};
+    std::optional<Fog> fog;  ///< not in the shading modes color and normals
     std::vector<Light> lights;
     std::vector<Material> materials;
     std::vector<Affine> transforms;      ///< world_from_object, invertible
@@ -188,7 +209,7 @@ struct Scene {
     std::vector<SettingOrigin> origins;  ///< by setting key; may be empty (all from the profile)
     std::vector<std::string> files;      ///< the names of the texts it was read from
     ItemTexts light_texts, material_texts, shape_texts;
-    SourcePlace camera_place, background_place;
+    SourcePlace camera_place, background_place, fog_place;
 
     /// The parameters of all shapes of one kind, e.g. get<Sphere>().
     template <class T> std::vector<T>& get() { return std::get<std::vector<T>>(parameters); }
@@ -224,6 +245,7 @@ template <class T> std::uint32_t Scene::add(const T& shape, std::uint32_t materi
 /// The word of a kind in scene files and messages: "sphere", "point".
 GLINT_API std::string_view to_string(ShapeKind kind);
 GLINT_API std::string_view to_string(LightKind kind);
+GLINT_API std::string_view to_string(FogKind kind);
 
 /// Checks every number and index of the scene; prepare() needs a scene without errors. Warnings report
 /// likely mistakes (no lights: the picture will be black). Messages have the item's place if it is

@@ -55,6 +55,7 @@ GLINT_API Result<World> prepare(const Scene& scene, const PrepareOptions& option
 GLINT_API Result<World> with_lights(const World& world, std::span<const Light> lights);
 GLINT_API Result<World> with_camera(const World& world, const Camera& camera);
 GLINT_API Result<World> with_background(const World& world, Color background);
+GLINT_API Result<World> with_fog(const World& world, const std::optional<Fog>& fog);
 /// Replaces conventions and settings, and prepares the camera again, which depends on the picture's aspect
 /// ratio. An error if `cones` differs and the scene has cones: the geometry contains them or not, which needs
 /// prepare().

@@ -125,6 +125,7 @@ class Tree {
         line(depth, fmt::format("{} {} from {} towards {}{}", kind, ray, vec(r.origin), vec(r.direction),
                                 r.parent < 0 ? "" : ", weight " + color(r.weight)));
         if (!r.hit) {
+            add_fog(r, depth + 1);
             const bool black = r.background.r == 0 && r.background.g == 0 && r.background.b == 0;
             if (r.transparent && scene_.settings.alpha)
                 return line(depth + 1, fmt::format("hits nothing: alpha loses {}", number(mean(r.weight))));
@@ -169,14 +170,25 @@ class Tree {
         line(depth + 1,
              fmt::format("sum: ambient {} + diffuse {} + specular {} = {}{}", color(hit.ambient),
                          color(hit.diffuse), color(hit.specular), color(sum), swatch(style_, sum)));
+        add_fog(r, depth + 1);
         if (!(hit.weight == r.weight))
-            line(depth + 1, fmt::format("weight after absorption in the glass: {}", color(hit.weight)));
+            line(depth + 1, fmt::format("weight after absorption in {}: {}",
+                                        !scene_.fog                   ? "the glass"
+                                        : scene_.conventions.beer > 0 ? "glass and fog"
+                                                                      : "the fog",
+                                        color(hit.weight)));
         if (hit.local_share != 1 || r.parent >= 0) {
             const Color part = hit.parts[0] + hit.parts[1] + hit.parts[2];
             line(depth + 1,
                  fmt::format("own light: {} x {} (the rest is mirror and glass): {}{}", color(hit.weight),
                              number(hit.local_share), color(part), swatch(style_, part)));
         }
+    }
+
+    void add_fog(const ExplainedRay& r, int depth) {
+        if (r.visibility == 1) return;
+        line(depth, fmt::format("fog: {} of the light is seen, and the fog adds {}{}", number(r.visibility),
+                                color(r.fog), swatch(style_, r.fog)));
     }
 
     void add_light(const ExplainedHit& hit, const LightTerms& terms, int depth) {
@@ -250,7 +262,7 @@ std::string rays_text(const Explanation& e, Layer layer) {
         if (layer_of(e, i) != layer) continue;
         const ExplainedRay& ray = e.rays[i];
         const Color adds =
-            ray.hit ? ray.hit->parts[0] + ray.hit->parts[1] + ray.hit->parts[2] : ray.background;
+            (ray.hit ? ray.hit->parts[0] + ray.hit->parts[1] + ray.hit->parts[2] : ray.background) + ray.fog;
         if (adds == Color{}) continue;
         if (++told > 12) return text + " + ...";
         text += fmt::format("{}ray {}: {}", told == 1 ? "   " : " + ", i, color(adds));

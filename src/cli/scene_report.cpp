@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/text.h"
+#include "scene/fog_fields.h"
 #include "scene/light_fields.h"
 
 namespace glint::cli {
@@ -64,6 +65,17 @@ std::string light_details(const Light& light) {
     }
     if (light.has_specular_color() && !(light.specular_color == light.color)) {
         text += "  specular " + rounded(light.specular_color);
+    }
+    return text;
+}
+
+std::string fog_text(const Fog& fog) {
+    std::string text(to_string(fog.kind));
+    for (const ItemField<Fog>& field : k_fog_fields) {
+        if (!applies(field, fog)) continue;
+        visit_field(field, fog, [&](const auto&, const auto& value) {
+            text += fmt::format("  {} {}", field.label, text_of(value));
+        });
     }
     return text;
 }
@@ -137,6 +149,7 @@ std::string text_report(const SceneReport& report) {
         is_bounded(box) ? fmt::format("{} to {}", rounded(box.min), rounded(box.max)) : "no bounded shapes");
     fmt::format_to(out, "camera      {}\n", camera_text(scene.camera));
     fmt::format_to(out, "background  {}\n", rounded(scene.background));
+    if (scene.fog) fmt::format_to(out, "fog         {}\n", fog_text(*scene.fog));
     fmt::format_to(out, "lights      {}\n",
                    counts_text(light_counts(scene), [](std::size_t n, std::size_t kind) {
                        return fmt::format("{} {}", n, to_string(static_cast<LightKind>(kind)));
@@ -202,6 +215,13 @@ std::string json_report(const SceneReport& report) {
         json["bounds"] = nullptr;
     }
     json["background"] = color_json(scene.background);
+    if (scene.fog) {
+        json["fog"] = {{"kind", to_string(scene.fog->kind)}};
+        for (const ItemField<Fog>& field : k_fog_fields) {
+            if (applies(field, *scene.fog))
+                json["fog"][std::string(field.name)] = field_json<Json>(field, *scene.fog);
+        }
+    }
     json["lights"] = Json::array();
     for (std::uint32_t i = 0; i < scene.lights.size(); ++i) {
         const Light& light = scene.lights[i];

@@ -131,6 +131,7 @@ Json ray_json(const Explanation& e, const Scene& scene, std::size_t number) {
     json["t_min"] = ray.t_min;
     json["t"] = finite(ray.t);
     json["weight"] = to_json(ray.weight);
+    if (scene.fog) json["fog"] = {{"visibility", ray.visibility}, {"added", to_json(ray.fog)}};
     if (ray.hit) {
         json["hit"] = hit_json(scene, *ray.hit);
     } else {

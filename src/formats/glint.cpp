@@ -15,9 +15,9 @@ namespace {
 
 constexpr std::string_view k_what =
     "a block (`camera`, `light`, `material`, `sphere`, `group`, ...), a setting or `include`";
-constexpr std::string_view k_block_words[] = {"sphere",   "material", "light",  "group",      "camera",
-                                              "plane",    "cylinder", "cone",   "disc",       "box",
-                                              "triangle", "polygon",  "render", "conventions"};
+constexpr std::string_view k_block_words[] = {"sphere",   "material", "light",  "group",       "camera",
+                                              "plane",    "cylinder", "cone",   "disc",        "box",
+                                              "triangle", "polygon",  "render", "conventions", "fog"};
 constexpr std::string_view k_setting_words[] = {"background", "profile", "glint"};
 
 // The keys of Conventions, or of RenderSettings.
@@ -86,11 +86,19 @@ class GlintReader {
             read_glint_camera(t_, word);
         } else if (name == "light") {
             read_glint_light(t_, word);
+        } else if (name == "fog") {
+            read_fog(word);
         } else if (name == "material") {
             read_material(word);
         } else {
             read_settings(word, name == "conventions");
         }
+    }
+
+    void read_fog(const Token& word) {
+        if (!t_.text.is_included) return read_glint_fog(t_, word);
+        warn_ignored(word);
+        t_.blocks.skip_block();
     }
 
     void read_material(const Token& word) {

@@ -78,5 +78,6 @@ template <class ReadItem> bool read_list(GlintText& t, std::string_view what, Re
 
 void read_glint_camera(GlintText& t, const Token& word);
 void read_glint_light(GlintText& t, const Token& word);
+void read_glint_fog(GlintText& t, const Token& word);
 
 }  // namespace glint

@@ -13,6 +13,7 @@
 #include "glint/version.h"
 #include "glint/write.h"
 #include "scene/camera_fields.h"
+#include "scene/fog_fields.h"
 #include "scene/light_fields.h"
 
 namespace glint {
@@ -31,6 +32,7 @@ class GlintWriter {
         write_heading();
         write_settings();
         write_camera();
+        write_fog();
         write_lights();
         write_materials();
         if (!scene_.shapes.empty()) out_ += '\n';
@@ -124,6 +126,18 @@ class GlintWriter {
             for (const ItemField<CameraFrame>& axis : k_frame_fields) write_field(block_, axis, *c.frame);
         }
         end(ItemKind::camera, 0);
+    }
+
+    void write_fog() {
+        if (!scene_.fog) return;
+        out_ += '\n';
+        block_.begin("fog");
+        block_.key("type") += to_string(scene_.fog->kind);
+        for (const ItemField<Fog>& field : k_fog_fields) {
+            if (applies(field, *scene_.fog) && !same_bits(field, *scene_.fog, Fog{}))
+                write_field(block_, field, *scene_.fog);
+        }
+        end(ItemKind::fog, 0);
     }
 
     void write_lights() {

@@ -26,6 +26,7 @@ constexpr std::string_view k_fresnels[] = {"none", "schlick"};
 constexpr std::string_view k_glass_shadows[] = {"opaque", "none"};
 constexpr std::string_view k_facings[] = {"none", "open", "all"};
 constexpr std::string_view k_spot_falloffs[] = {"cubic", "linear"};
+constexpr std::string_view k_fog_distances[] = {"ray", "depth"};
 constexpr std::string_view k_shadings[] = {"phong", "blinn-phong", "diffuse", "color", "normals"};
 
 std::string found(std::string_view expected, std::string_view text) {
@@ -246,6 +247,11 @@ constexpr Row k_rows[] = {
                                                 true),
     bool_row<&C::clamp_attenuation>(
         "clamp_attenuation", "1/(c0 + c1 d + c2 d^2) is at most 1; false: it exceeds 1 near the light", true),
+    word_row<&C::fog_distance, k_fog_distances>(
+        "fog_distance",
+        "what fog depends on: the distance along the ray, or of camera rays the depth along the view", true),
+    bool_row<&C::fog_background>("fog_background", "the background is in the fog, at an infinite distance",
+                                 true),
     {{"size", "WIDTHxHEIGHT, each from 1 to 65536", "the size of the picture in pixels", false},
      parse_size,
      print_size},

@@ -37,4 +37,16 @@ std::string_view to_string(LightKind kind) {
     return "unknown light";
 }
 
+std::string_view to_string(FogKind kind) {
+    switch (kind) {
+        case FogKind::linear:
+            return "linear";
+        case FogKind::exp:
+            return "exp";
+        case FogKind::exp2:
+            return "exp2";
+    }
+    return "unknown fog";
+}
+
 }  // namespace glint

@@ -11,6 +11,7 @@
 #include "base/text.h"
 #include "math/number.h"
 #include "scene/camera_fields.h"
+#include "scene/fog_fields.h"
 #include "scene/light_fields.h"
 #include "scene/material_fields.h"
 #include "scene/mistakes.h"
@@ -76,8 +77,8 @@ class Validator {
                 return check_camera();
             case ScenePart::background:
                 begin(SceneItem::background);
-                return check_color(k_channel, scene_.background, scene_.background_place, "the scene",
-                                   "background");
+                check_color(k_channel, scene_.background, scene_.background_place, "the scene", "background");
+                return check_fog();
             case ScenePart::lights:
                 for (std::uint32_t i = 0; !full() && i < scene_.lights.size(); ++i) check_light(i);
                 return;
@@ -134,6 +135,16 @@ class Validator {
             const SourcePlace place = i < scene_.origins.size() ? scene_.origins[i].place : SourcePlace{};
             if (!wrong.empty()) error(place, fmt::format("{}: {}", keys[i].name, wrong));
         }
+    }
+
+    void check_fog() {
+        if (!scene_.fog) return;
+        const Fog& fog = *scene_.fog;
+        if (fog.kind > FogKind::exp2) error(scene_.fog_place, "the fog: no such kind of fog");
+        check_fields<Fog>(k_fog_fields, fog, scene_.fog_place, "the fog");
+        if (fog.has_end() && !(fog.end > fog.start))
+            error(scene_.fog_place, fmt::format("the fog: end: expected a number above start {}, found {}",
+                                                fog.start, fog.end));
     }
 
     void check_camera() {

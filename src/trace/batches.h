@@ -136,7 +136,8 @@ struct SurfaceBatch {
 
     BatchColumn<std::uint32_t> slot, material;
     BatchColumn<double> behind;                     // 1: the ray hit the back of the shape; else 0
-    BatchColumn<double> hit_t;                      // for Beer's law only
+    BatchColumn<double> hit_t;                      // for Beer's law and fog only
+    BatchColumn<double> fog[3], visibility;         // the fog's weighted light, and f; if the scene has fog
     BatchColumn<double> straight;                   // the ray's, if alpha is wanted
     BatchColumn<double> weight[3], target, medium;  // the ray's (RayFields)
     BatchColumn<double> point[3], normal[3], incoming[3], to_eye[3], magnitude;

@@ -8,6 +8,7 @@
 #endif
 
 #include "trace/camera_rays-inl.h"
+#include "trace/fog-inl.h"
 #include "trace/ray_weights-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -59,43 +60,53 @@ HWY_INLINE LaneMask<double> see_through(const RayBatch& rays, int ray, LaneMask<
 }
 
 /// For alpha: adds the weights of rays that show the background; of a coloured weight, the mean.
-inline void add_transparency(const RayBatch& rays, int ray, LaneMask<double> seen, Film& film) {
+inline void add_transparency(const RayBatch& rays, int ray, LaneMask<double> seen, double visibility,
+                             Film& film) {
     for (std::uint32_t bits = to_bits(seen); bits != 0; bits &= bits - 1) {
         const auto k = static_cast<std::size_t>(ray + __builtin_ctz(bits));
         if (rays.generation == 0) {
-            film.transparency[k] += 1;
+            film.transparency[k] += visibility;
         } else {
             const auto pixel = static_cast<std::size_t>(rays.target[k]) % std::size_t{k_layer_stride};
-            film.transparency[pixel] += (rays.weight[0][k] + rays.weight[1][k] + rays.weight[2][k]) / 3;
+            film.transparency[pixel] +=
+                (rays.weight[0][k] + rays.weight[1][k] + rays.weight[2][k]) / 3 * visibility;
         }
+    }
+}
+
+/// Adds a colour that rays see to their pixels. layer: that of camera rays.
+inline void add_seen(const RayBatch& rays, int ray, LaneMask<double> set, Layer layer, Color color,
+                     Film& film) {
+    if (!any(set)) return;
+    if (rays.generation == 0) {
+        alignas(k_ray_alignment) double pixels[lane_count<double>()];
+        store(Doubles(static_cast<double>(ray)) + iota(), pixels);
+        film.touch(layer);
+        PixelLanes(pixels, set).add(film, layer, lanes_of(color));
+    } else {
+        const PixelLanes pixels(rays.target.data() + ray, set);
+        pixels.add(film, Layer::reflection, load_vector3(rays.weight, ray) * lanes_of(color));
     }
 }
 
 /// Adds the light of those rays of a range that hit nothing.
 inline void add_misses(const WorldParts& world, const RayBatch& rays, const HitBatch& hits, RayRange range,
                        Film& film) {
-    const bool camera = rays.generation == 0;
-    if (!camera && world.conventions.mirror_miss == MissRule::black) return;
-    const Vector3<Doubles> color = lanes_of(miss_color(world));
+    if (rays.generation > 0 && world.conventions.mirror_miss == MissRule::black) return;
+    const FoggedBackground seen = fogged_background(world, miss_color(world));
     for (int i = range.begin; i < range.end; i += lane_count<double>()) {
-        auto missed = !(load(hits.t.data() + i) < Doubles(k_infinity)) && first_lanes<double>(range.end - i);
+        const auto missed =
+            !(load(hits.t.data() + i) < Doubles(k_infinity)) && first_lanes<double>(range.end - i);
         if (!any(missed)) continue;
         const int ray = hits.first + i;
+        auto opaque = missed;
         if (rays.alpha) {
-            const auto seen = see_through(rays, ray, missed);
-            add_transparency(rays, ray, seen, film);
-            if (world.settings.alpha) missed = missed && !seen;
-            if (!any(missed)) continue;
+            const auto transparent = see_through(rays, ray, missed);
+            add_transparency(rays, ray, transparent, seen.visibility, film);
+            if (world.settings.alpha) opaque = missed && !transparent;
         }
-        if (camera) {
-            alignas(k_ray_alignment) double pixels[lane_count<double>()];
-            store(Doubles(static_cast<double>(ray)) + iota(), pixels);
-            film.touch(Layer::background);
-            PixelLanes(pixels, missed).add(film, Layer::background, color);
-        } else {
-            const PixelLanes pixels(rays.target.data() + ray, missed);
-            pixels.add(film, Layer::reflection, load_vector3(rays.weight, ray) * color);
-        }
+        add_seen(rays, ray, opaque, Layer::background, seen.background, film);
+        if (seen.visibility < 1) add_seen(rays, ray, missed, Layer::fog, seen.fog, film);
     }
 }
 
@@ -139,6 +150,7 @@ inline void add_hits(const WorldParts& world, const SurfaceBatch& surfaces, cons
     const bool camera = surfaces.generation == 0;
     if (camera) {
         for (const Layer layer : {Layer::ambient, Layer::diffuse, Layer::specular}) film.touch(layer);
+        if (world.fog) film.touch(Layer::fog);
     }
     for (int h = begin; h < end; h += lane_count<double>()) {
         const MaterialLanes material(world, surfaces.material.data() + h);
@@ -148,6 +160,10 @@ inline void add_hits(const WorldParts& world, const SurfaceBatch& surfaces, cons
             pixels.add(film, Layer::ambient, light.ambient);
             pixels.add(film, Layer::diffuse, light.diffuse);
             pixels.add(film, Layer::specular, light.specular);
+            if (world.fog) pixels.add(film, Layer::fog, load_vector3(surfaces.fog, h));
+        } else if (world.fog) {
+            pixels.add(film, Layer::reflection, light.ambient, light.diffuse, light.specular,
+                       load_vector3(surfaces.fog, h));
         } else {
             pixels.add(film, Layer::reflection, light.ambient, light.diffuse, light.specular);
         }
@@ -180,8 +196,8 @@ HWY_INLINE float alpha_value(const Film& film, std::size_t p, double samples) {
 }
 
 /// Computes `count` pixels from number `first` on (docs/architecture.md): each layer is averaged over the
-/// samples and rounded to float; then background + ambient + diffuse + specular + reflected + transmitted are
-/// added in this order.
+/// samples and rounded to float; then background + ambient + diffuse + specular + reflected + transmitted +
+/// fog are added in this order.
 inline void resolve_row(const Film& film, double samples, int first, int count, float* to) {
     Layer layers[k_light_layers];
     int touched = 0;
@@ -225,14 +241,19 @@ inline void resolve(const TileJob& job, const Film& film, int n) {
 /// Fills a tile whose rays all hit nothing. The pixels are the same as those of resolve().
 inline void fill_background(const WorldParts& world, const TileJob& job, int n) {
     const int samples = n * n;
-    const Vector3<Doubles> color = lanes_of(world.settings.alpha ? Color{} : miss_color(world));
-    Vector3<Doubles> sum = lanes_of(Vec3{});
-    for (int i = 0; i < samples; ++i) sum = sum + color;
-    if (samples > 1) sum = sum / Doubles(static_cast<double>(samples));
+    const FoggedBackground seen = fogged_background(world, miss_color(world));
     NarrowFloats r, g, b;
-    r.add(film_value(sum.x));
-    g.add(film_value(sum.y));
-    b.add(film_value(sum.z));
+    const auto add = [&](Color layer) HWY_ATTR {
+        const Vector3<Doubles> color = lanes_of(layer);
+        Vector3<Doubles> sum = lanes_of(Vec3{});
+        for (int i = 0; i < samples; ++i) sum = sum + color;
+        if (samples > 1) sum = sum / Doubles(static_cast<double>(samples));
+        r.add(film_value(sum.x));
+        g.add(film_value(sum.y));
+        b.add(film_value(sum.z));
+    };
+    if (!world.settings.alpha) add(seen.background);
+    if (seen.visibility < 1) add(seen.fog);
     float rgb[3 * lane_count<double>()];
     store_interleaved(r, g, b, rgb);
     for (int y = 0; y < job.height; ++y) {

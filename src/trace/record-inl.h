@@ -59,6 +59,10 @@ inline ExplainedHit recorded_hit(const WorldParts& world, const SurfaceBatch& su
     return hit;
 }
 
+inline bool is_lit(const WorldParts& world) {
+    return world.settings.shading != Shading::color && world.settings.shading != Shading::normals;
+}
+
 /// Records a range of rays and their hits, after compute_surfaces() and apply_beer_law().
 inline void record_rays(const WorldParts& world, const RayBatch& rays, const HitBatch& hits, RayRange range,
                         const SurfaceBatch& surfaces, TileRecord& record) {
@@ -82,11 +86,19 @@ inline void record_rays(const WorldParts& world, const RayBatch& rays, const Hit
         ray.t = hits.t[static_cast<std::size_t>(i)];
         ray.weight = camera ? Color{1, 1, 1} : color_at(rays.weight, number);
         if (ray.t < k_infinity) {
+            if (world.fog && is_lit(world)) {
+                const auto h = static_cast<int>(record.batch.size());
+                ray.visibility = surfaces.visibility[record.batch.size()];
+                ray.fog = color_at(surfaces.fog, h);
+            }
             ray.hit = recorded_hit(world, surfaces, record.batch.size());
             record.batch.push_back(record.rays.size());
         } else if (camera || world.conventions.mirror_miss != MissRule::black) {
             ray.transparent = rays.alpha && (camera || rays.straight[static_cast<std::size_t>(number)] > 0);
-            if (!(ray.transparent && world.settings.alpha)) ray.background = ray.weight * miss_color(world);
+            const FoggedBackground seen = fogged_background(world, miss_color(world));
+            if (!(ray.transparent && world.settings.alpha)) ray.background = ray.weight * seen.background;
+            ray.visibility = seen.visibility;
+            ray.fog = ray.weight * seen.fog;
         }
         record.rays.push_back(std::move(ray));
     }

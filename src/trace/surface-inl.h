@@ -45,8 +45,8 @@ HWY_INLINE void append_hits(const WorldParts& world, const RayBatch& rays, const
         const Doubles straight = camera ? Doubles(1) : load(rays.straight.data() + ray);
         compress_store(straight, hit, surfaces.straight.data() + h);
     }
+    if (world.conventions.beer > 0 || world.fog) compress_store(t, hit, surfaces.hit_t.data() + h);
     if (world.conventions.beer > 0) {
-        compress_store(t, hit, surfaces.hit_t.data() + h);
         const Doubles medium = camera ? Doubles(static_cast<double>(k_none)) : load(rays.medium.data() + ray);
         compress_store(medium, hit, surfaces.medium.data() + h);
     }

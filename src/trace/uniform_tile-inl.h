@@ -55,6 +55,7 @@ inline void shade(const WorldParts& world, RayRange range, TileScratch& s) {
         return;
     }
     apply_beer_law(world, s.surfaces);
+    apply_fog(world, s.surfaces);
     if (s.record != nullptr) record_rays(world, s.rays, s.hits, range, s.surfaces, *s.record);
     clear_radiance(s.surfaces, s.radiance);
     for (const PreparedLight& light : *world.lights) light_surfaces(world, light, s);

@@ -91,6 +91,15 @@ Result<World> with_background(const World& world, Color background) {
     });
 }
 
+Result<World> with_fog(const World& world, const std::optional<Fog>& fog) {
+    return change_world([&]() -> Result<World> {
+        Scene given;
+        given.fog = fog;
+        return changed(world, find_mistakes(given, ScenePart::background),
+                       [&](WorldParts& parts) { parts.fog = fog; });
+    });
+}
+
 Result<World> with_rules(const World& world, const Conventions& conventions, const RenderSettings& settings) {
     return change_world([&]() -> Result<World> {
         const WorldParts& now = world.parts();

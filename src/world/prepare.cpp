@@ -26,6 +26,7 @@ Result<World> prepare(const Scene& scene, const PrepareOptions& options) {
         parts.lights = std::move(lights.lights);
         parts.ambient = lights.ambient;
         parts.background = scene.background;
+        parts.fog = scene.fog;
         parts.scene_camera = scene.camera;
         parts.camera = prepare_camera(scene.camera, scene.settings);
         parts.conventions = scene.conventions;

@@ -48,6 +48,7 @@ struct WorldParts {
     CopyOnWrite<std::vector<PreparedLight>> lights;    // all but the ambient ones, in scene order
     Color ambient{0, 0, 0};                            // I_a: the sum of the ambient lights
     Color background;
+    std::optional<Fog> fog;
     Camera scene_camera;  // from which `camera` was prepared, for the settings' size
     PreparedCamera camera;
     Conventions conventions;

@@ -37,10 +37,12 @@ void add_up(const Explanation& e, float (&layers)[k_light_layers][3]) {
         const auto layer = layer_of(e, i);
         if (!ray.hit) {
             add(layer.value_or(Layer::background), ray.background);
+            add(layer.value_or(Layer::fog), ray.fog);
             continue;
         }
         constexpr Layer own[] = {Layer::ambient, Layer::diffuse, Layer::specular};
         for (int part = 0; part < 3; ++part) add(layer.value_or(own[part]), ray.hit->parts[part]);
+        add(layer.value_or(Layer::fog), ray.fog);
     }
     for (int l = 0; l < k_light_layers; ++l)
         for (int c = 0; c < 3; ++c) layers[l][c] = film(sums[l][c], e.samples);

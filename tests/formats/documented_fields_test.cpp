@@ -8,6 +8,7 @@
 #include <set>
 
 #include "scene/camera_fields.h"
+#include "scene/fog_fields.h"
 #include "scene/light_fields.h"
 #include "scene/material_fields.h"
 
@@ -105,6 +106,25 @@ TEST(DocumentedFields, OfLights) {
         kinds += fmt::format("{}{}", k == 0 ? "" : ", ", to_string(static_cast<LightKind>(k)));
     expected.push_back(fmt::format("| type | {} | point | all | the kind of light |", kinds));
     expect_rows(rows_below(read_document("formats/glint.md"), "light"), expected, {"intensity"});
+}
+
+TEST(DocumentedFields, OfFog) {
+    std::vector<std::string> expected;
+    const auto kinds_with = [](const ItemField<Fog>& field) {
+        std::string kinds;
+        int count = 0;
+        for (const FogKind kind : {FogKind::linear, FogKind::exp, FogKind::exp2}) {
+            Fog fog;
+            fog.kind = kind;
+            if (!applies(field, fog)) continue;
+            kinds += fmt::format("{}{}", count++ == 0 ? "" : ", ", to_string(kind));
+        }
+        return count == 3 ? std::string("all") : kinds;
+    };
+    for (const ItemField<Fog>& field : k_fog_fields)
+        expected.push_back(
+            fmt::format("{} | {} | {} |", row_start(field), kinds_with(field), field.description));
+    expect_rows(rows_below(read_document("formats/glint.md"), "fog"), expected, {"type"});
 }
 
 TEST(DocumentedFields, OfMaterials) {

@@ -22,6 +22,7 @@ class RandomScene {
         for (std::size_t n = 1 + pick(6), i = 0; i < n; ++i) make_material(s);
         for (std::size_t n = pick(4), i = 0; i < n; ++i) s.transforms.push_back(map());
         for (std::size_t n = 1 + pick(20), i = 0; i < n; ++i) make_shape(s);
+        if (!often()) make_fog(s);
         return s;
     }
 
@@ -46,6 +47,16 @@ class RandomScene {
     double fraction() {
         static constexpr double odd[] = {0, -0.0, 1, 5e-324, 0.1};
         return often() ? between(0, 1) : odd[pick(std::size(odd))];
+    }
+    void make_fog(Scene& s) {
+        Fog fog;
+        fog.kind = static_cast<FogKind>(pick(3));
+        fog.color = color();
+        fog.start = often() ? between(-3, 3) : 0;
+        if (fog.has_density()) fog.density = length();
+        if (fog.has_end()) fog.end = fog.start + between(0.1, 9);
+        fog.transmit = often() ? 0 : fraction();
+        s.fog = fog;
     }
     Vec3 point() { return {coordinate(), coordinate(), coordinate()}; }
     Vec3 direction() {

@@ -59,6 +59,13 @@ class SceneFingerprint {
         }
         line("background");
         add(s_.background);
+        if (s_.fog) {
+            line("fog");
+            out_ += ' ' + std::string(to_string(s_.fog->kind));
+            add(s_.fog->color);
+            add(s_.fog->start), add(s_.fog->transmit);
+            add(s_.fog->has_density() ? s_.fog->density : s_.fog->end);
+        }
         add_camera();
         for (std::uint32_t i = 0; i < s_.lights.size(); ++i) add_light(i);
         for (std::uint32_t i = 0; i < s_.shapes.size(); ++i) add_shape(i);

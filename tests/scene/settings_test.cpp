@@ -15,7 +15,7 @@ std::string set(Scene& scene, std::string_view key, std::string_view value) {
 
 TEST(Settings, KeysAreFoundByName) {
     const auto keys = setting_keys();
-    ASSERT_EQ(keys.size(), 26u);
+    ASSERT_EQ(keys.size(), 28u);
     for (std::size_t i = 0; i < keys.size(); ++i) {
         EXPECT_EQ(find_setting(keys[i].name), i);
         EXPECT_FALSE(keys[i].values.empty());
@@ -55,6 +55,8 @@ TEST(Settings, EveryFieldHasAKey) {
                                                           {"cones", "false"},
                                                           {"spot_falloff", "linear"},
                                                           {"clamp_attenuation", "false"},
+                                                          {"fog_distance", "depth"},
+                                                          {"fog_background", "false"},
                                                           {"size", "320x200"},
                                                           {"shading", "normals"},
                                                           {"shadows", "false"},
@@ -86,6 +88,8 @@ TEST(Settings, EveryFieldHasAKey) {
                                Facing::open,
                                false,
                                SpotFalloff::linear,
+                               false,
+                               FogDistance::depth,
                                false};
     EXPECT_EQ(scene.conventions, expected);
     const RenderSettings settings{320, 200, Shading::normals, false, 7, 3, std::nullopt, true};

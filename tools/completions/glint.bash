@@ -14,13 +14,13 @@ _glint() {
                 --scene) return ;;
                 --format) words='cgfs epfl csc473 nff glint' ;;
                 --profile) words='cgfs epfl lecture5 light csc473 nff glint' kind=file ;;
-                --convention) words='pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= min_weight= facing= cones= size= shading= shadows= reflections= aa= alpha='; compopt -o nospace 2>/dev/null ;;
+                --convention) words='pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= min_weight= facing= cones= fog_distance= fog_background= size= shading= shadows= reflections= aa= alpha='; compopt -o nospace 2>/dev/null ;;
                 -o|--output) kind=file ;;
                 -s|--size) return ;;
                 --shading) words='phong blinn-phong diffuse color normals' ;;
                 --reflections) return ;;
                 --aa) return ;;
-                --aov) words='all background ambient diffuse specular reflection transmission normal depth position albedo shadow object material alpha' ;;
+                --aov) words='all background ambient diffuse specular reflection transmission fog normal depth position albedo shadow object material alpha' ;;
                 --crop) return ;;
                 --transfer) words='none srgb' ;;
                 --bits) words='8 16' ;;
@@ -36,7 +36,7 @@ _glint() {
                 --scene) return ;;
                 --format) words='cgfs epfl csc473 nff glint' ;;
                 --profile) words='cgfs epfl lecture5 light csc473 nff glint' kind=file ;;
-                --convention) words='pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= min_weight= facing= cones= size= shading= shadows= reflections= aa= alpha='; compopt -o nospace 2>/dev/null ;;
+                --convention) words='pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= min_weight= facing= cones= fog_distance= fog_background= size= shading= shadows= reflections= aa= alpha='; compopt -o nospace 2>/dev/null ;;
                 *) kind=scene ;;
             esac ;;
         convert)
@@ -45,7 +45,7 @@ _glint() {
                 --scene) return ;;
                 --format) words='cgfs epfl csc473 nff glint' ;;
                 --profile) words='cgfs epfl lecture5 light csc473 nff glint' kind=file ;;
-                --convention) words='pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= min_weight= facing= cones= size= shading= shadows= reflections= aa= alpha='; compopt -o nospace 2>/dev/null ;;
+                --convention) words='pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= min_weight= facing= cones= fog_distance= fog_background= size= shading= shadows= reflections= aa= alpha='; compopt -o nospace 2>/dev/null ;;
                 -o|--output) kind=file ;;
                 *) kind=scene ;;
             esac ;;
@@ -55,7 +55,7 @@ _glint() {
                 --scene) return ;;
                 --format) words='cgfs epfl csc473 nff glint' ;;
                 --profile) words='cgfs epfl lecture5 light csc473 nff glint' kind=file ;;
-                --convention) words='pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= min_weight= facing= cones= size= shading= shadows= reflections= aa= alpha='; compopt -o nospace 2>/dev/null ;;
+                --convention) words='pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= min_weight= facing= cones= fog_distance= fog_background= size= shading= shadows= reflections= aa= alpha='; compopt -o nospace 2>/dev/null ;;
                 -s|--size) return ;;
                 --shading) words='phong blinn-phong diffuse color normals' ;;
                 --reflections) return ;;
@@ -69,7 +69,7 @@ _glint() {
                 --scene) return ;;
                 --format) words='cgfs epfl csc473 nff glint' ;;
                 --profile) words='cgfs epfl lecture5 light csc473 nff glint' kind=file ;;
-                --convention) words='pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= min_weight= facing= cones= size= shading= shadows= reflections= aa= alpha='; compopt -o nospace 2>/dev/null ;;
+                --convention) words='pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= min_weight= facing= cones= fog_distance= fog_background= size= shading= shadows= reflections= aa= alpha='; compopt -o nospace 2>/dev/null ;;
                 -p|--pixel) return ;;
                 --sample) return ;;
                 --as) words='text json printrays' ;;
@@ -92,12 +92,12 @@ _glint() {
                 --fail-percent) return ;;
                 --hard-fail) return ;;
                 --diff) kind=file ;;
-                --vary) words='pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= min_weight= facing= cones= size= shading= shadows= reflections= aa= alpha='; compopt -o nospace 2>/dev/null ;;
+                --vary) words='pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= min_weight= facing= cones= fog_distance= fog_background= size= shading= shadows= reflections= aa= alpha='; compopt -o nospace 2>/dev/null ;;
                 --scene) kind=scene ;;
                 --scene-name) return ;;
                 --format) words='cgfs epfl csc473 nff glint' ;;
                 --profile) words='cgfs epfl lecture5 light csc473 nff glint' kind=file ;;
-                --convention) words='pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= min_weight= facing= cones= size= shading= shadows= reflections= aa= alpha='; compopt -o nospace 2>/dev/null ;;
+                --convention) words='pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= min_weight= facing= cones= fog_distance= fog_background= size= shading= shadows= reflections= aa= alpha='; compopt -o nospace 2>/dev/null ;;
                 -s|--size) return ;;
                 --shading) words='phong blinn-phong diffuse color normals' ;;
                 --reflections) return ;;
@@ -111,9 +111,9 @@ _glint() {
                 --scene) return ;;
                 --format) words='cgfs epfl csc473 nff glint' ;;
                 --profile) words='cgfs epfl lecture5 light csc473 nff glint' kind=file ;;
-                --convention) words='pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= min_weight= facing= cones= size= shading= shadows= reflections= aa= alpha='; compopt -o nospace 2>/dev/null ;;
-                --a) words='pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= min_weight= facing= cones= size= shading= shadows= reflections= aa= alpha= profile='; compopt -o nospace 2>/dev/null ;;
-                --b) words='pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= min_weight= facing= cones= size= shading= shadows= reflections= aa= alpha= profile='; compopt -o nospace 2>/dev/null ;;
+                --convention) words='pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= min_weight= facing= cones= fog_distance= fog_background= size= shading= shadows= reflections= aa= alpha='; compopt -o nospace 2>/dev/null ;;
+                --a) words='pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= min_weight= facing= cones= fog_distance= fog_background= size= shading= shadows= reflections= aa= alpha= profile='; compopt -o nospace 2>/dev/null ;;
+                --b) words='pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= min_weight= facing= cones= fog_distance= fog_background= size= shading= shadows= reflections= aa= alpha= profile='; compopt -o nospace 2>/dev/null ;;
                 -o|--output) kind=file ;;
                 -s|--size) return ;;
                 --shading) words='phong blinn-phong diffuse color normals' ;;
@@ -129,7 +129,7 @@ _glint() {
                 --scene-name) return ;;
                 --format) words='cgfs epfl csc473 nff glint' ;;
                 --profile) words='cgfs epfl lecture5 light csc473 nff glint' kind=file ;;
-                --convention) words='pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= min_weight= facing= cones= size= shading= shadows= reflections= aa= alpha='; compopt -o nospace 2>/dev/null ;;
+                --convention) words='pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= min_weight= facing= cones= fog_distance= fog_background= size= shading= shadows= reflections= aa= alpha='; compopt -o nospace 2>/dev/null ;;
                 -s|--size) return ;;
                 --shading) words='phong blinn-phong diffuse color normals' ;;
                 --reflections) return ;;

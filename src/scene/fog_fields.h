@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include "scene/fields.h"
+
+namespace glint {
+
+/// .glint also has `type`, the kind.
+inline constexpr ItemField<Fog> k_fog_fields[] = {
+    {"color", "color", "color", color_field(&Fog::color, k_channel, ColorUse::surface), "the fog's color"},
+    {.key = "density",
+     .name = "density",
+     .label = "density",
+     .member = number_field(&Fog::density, k_not_negative),
+     .description = "how fast it thickens, per world unit",
+     .applies = &Fog::has_density},
+    {"start", "start", "start", number_field(&Fog::start, k_coordinate), "the distance at which it begins"},
+    {.key = "end",
+     .name = "end",
+     .label = "end",
+     .member = number_field(&Fog::end, k_coordinate),
+     .description = "the distance from which on nothing else is seen, above start",
+     .applies = &Fog::has_end},
+    {"transmit", "transmit", "transmit", number_field(&Fog::transmit, k_fraction),
+     "the least part that is seen of what is behind it"},
+};
+
+}  // namespace glint
