@@ -126,12 +126,17 @@ std::string item_path(const Diagnostic& d) {
             return listed("transforms");
         case SceneItem::shape:
             return listed("shapes");
+        case SceneItem::fog:
+            return "fog";
     }
     return {};
 }
 
 std::string place_text(const Diagnostic& d) {
-    if (d.file.empty()) return d.item >= SceneItem::light ? item_path(d) : std::string();
+    if (d.file.empty()) {
+        const bool is_listed = d.item >= SceneItem::light && d.item <= SceneItem::shape;
+        return is_listed ? item_path(d) : std::string();
+    }
     return d.line == 0 ? d.file : fmt::format("{}:{}:{}", d.file, d.line, d.column);
 }
 

@@ -24,5 +24,6 @@ std::vector<std::string_view> key_names(std::span<const Field> fields);
 void add_shape_blocks(std::vector<GlintBlock>& blocks);
 std::span<const Field> glint_light_keys();
 std::span<const Field> glint_camera_keys();
+std::span<const Field> glint_fog_keys();
 
 }  // namespace glint

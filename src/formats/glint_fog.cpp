@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "formats/field_keys.h"
+#include "formats/glint_blocks.h"
 #include "scene/fog_fields.h"
 
 namespace glint {
@@ -29,6 +30,8 @@ bool read_kind(GlintText& t, FogKind& kind) {
 }
 
 }  // namespace
+
+std::span<const Field> glint_fog_keys() { return fog_keys().all(); }
 
 void read_glint_fog(GlintText& t, const Token& word) {
     const FieldKeys<Fog>& keys = fog_keys();

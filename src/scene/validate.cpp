@@ -139,6 +139,7 @@ class Validator {
 
     void check_fog() {
         if (!scene_.fog) return;
+        begin(SceneItem::fog);
         const Fog& fog = *scene_.fog;
         if (fog.kind > FogKind::exp2) error(scene_.fog_place, "the fog: no such kind of fog");
         check_fields<Fog>(k_fog_fields, fog, scene_.fog_place, "the fog");

@@ -3,6 +3,7 @@
 
 #include "formats/glint_blocks.h"
 #include "scene/camera_fields.h"
+#include "scene/fog_fields.h"
 #include "scene/light_fields.h"
 #include "scene/material_fields.h"
 #include "world/prepare_camera.h"
@@ -45,6 +46,16 @@ Json light_json(const Scene& scene, std::uint32_t index) {
                  {"place", place_json(scene, scene.light_texts.place(index))}};
     for (const ItemField<Light>& field : k_light_fields) {
         if (applies(field, light)) json[std::string(field.name)] = field_json<Json>(field, light);
+    }
+    return json;
+}
+
+/// Null: no fog.
+Json fog_json(const Scene& scene) {
+    if (!scene.fog) return nullptr;
+    Json json = {{"kind", to_string(scene.fog->kind)}, {"place", place_json(scene, scene.fog_place)}};
+    for (const ItemField<Fog>& field : k_fog_fields) {
+        if (applies(field, *scene.fog)) json[std::string(field.name)] = field_json<Json>(field, *scene.fog);
     }
     return json;
 }
@@ -105,8 +116,8 @@ Json settings_json(const Scene& scene) {
 
 /// The word of an item's kind, or null.
 Json item_json(SceneItem item) {
-    constexpr const char* words[] = {"",      "camera",   "background", "setting",
-                                     "light", "material", "transform",  "shape"};
+    constexpr const char* words[] = {"",         "camera",    "background", "setting", "light",
+                                     "material", "transform", "shape",      "fog"};
     return item == SceneItem::none ? Json() : Json(words[static_cast<std::size_t>(item)]);
 }
 
@@ -146,11 +157,13 @@ Json describe(const Scene& scene, const World& world) {
             {"material_count", scene.materials.size()},
             {"bounds", box.min.x <= box.max.x ? Json{{"min", vec(box.min)}, {"max", vec(box.max)}} : Json()},
             {"background", color(scene.background)},
+            {"fog", fog_json(scene)},
             {"camera", camera_json(scene)},
             {"lights", std::move(lights)},
             {"light_fields", fields_json<Light>(k_light_fields)},
             {"camera_fields", fields_json<Camera>(k_camera_fields)},
             {"material_fields", fields_json<Material>(k_material_fields)},
+            {"fog_fields", fields_json<Fog>(k_fog_fields)},
             {"blocks", blocks_json()},
             {"settings", settings_json(scene)}};
 }

@@ -15,7 +15,7 @@ export interface Diagnostic extends Place {
     length: number;
     message: string;
     /** The part of the scene that the message is about, or null. */
-    item: 'camera' | 'background' | 'setting' | 'light' | 'material' | 'transform' | 'shape' | null;
+    item: 'camera' | 'background' | 'setting' | 'light' | 'material' | 'transform' | 'shape' | 'fog' | null;
     /** Its index in the scene's list of lights, materials, transforms, shapes or settings; else 0. */
     index: number;
     /** The whole message with the line and a caret, as the command prints it. */
@@ -67,7 +67,7 @@ export interface Setting {
     /** "true | false", "a number from 0 to 1e12", ... */
     values: string;
     description: string;
-    /** False: a render setting (size, shading, shadows, reflections, aa, alpha). */
+    /** False: a render setting (size, shading, shadows, reflections, aa, alpha, seed). */
     is_convention: boolean;
     value: string;
     /** The value in the scene's profile. */
@@ -114,6 +114,17 @@ export interface LightInfo {
     casts_shadows?: boolean;
 }
 
+/** Beside these, each of SceneInfo.fog_fields that the kind has. */
+export interface FogInfo {
+    kind: 'linear' | 'exp' | 'exp2';
+    place: Place | null;
+    color: Vec3;
+    density?: number;
+    start: number;
+    end?: number;
+    transmit: number;
+}
+
 /** Pixel (i, j) of width x height is at s (forward + u right + v up), u = (i + 0.5) / width - 0.5, v from the top. */
 export interface View {
     right: Vec3;
@@ -147,11 +158,13 @@ export interface SceneInfo {
     /** The box around all bounded shapes. */
     bounds: {min: Vec3; max: Vec3} | null;
     background: Vec3;
+    fog: FogInfo | null;
     camera: CameraInfo;
     lights: LightInfo[];
     light_fields: FieldInfo[];
     camera_fields: FieldInfo[];
     material_fields: FieldInfo[];
+    fog_fields: FieldInfo[];
     /** The keys of each block of .glint: {sphere: ['center', 'radius', ...], ...}. */
     blocks: Record<string, string[]>;
     settings: Setting[];
@@ -233,18 +246,26 @@ export interface ExplainedRay {
     t_min: number;
     t: number | null;
     weight: Vec3;
+    /** If the scene has fog: the part of the light that is seen through it, and the light that it adds. */
+    fog?: {visibility: number; added: Vec3};
     hit?: ExplainedHit;
     background?: Vec3;
+    /** Of a ray that hits nothing: it shows the background directly or through glass, which makes the pixel transparent. */
+    transparent?: boolean;
 }
 
-export type LightLayer = 'background' | 'ambient' | 'diffuse' | 'specular' | 'reflection' | 'transmission';
+export type LightLayer = 'background' | 'ambient' | 'diffuse' | 'specular' | 'reflection' | 'transmission' | 'fog';
 
 /** The explanation of a pixel. The layers, added up as floats in their order, are the value. */
 export interface Explanation {
     pixel: [number, number];
     /** n for n x n samples. */
     samples: number;
+    /** With adaptive sampling: the neighbour from which the pixel differs most with one sample each. */
+    adaptive?: {refined: boolean; neighbor: [number, number]; difference: number; one_sample: Vec3; neighbor_one_sample: Vec3};
     value: Vec3;
+    /** As in the layer of this name. */
+    alpha: number;
     /** The transfer of the file with these bytes. */
     transfer: 'none';
     bytes: Vec3;

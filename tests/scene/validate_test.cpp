@@ -51,6 +51,7 @@ TEST(Validate, ErrorsNameTheItemByItsIndex) {
         {SceneItem::transform, 0, "transforms[0]", [](Scene& s) { s.transforms[0].m[0][0] = 0; }},
         {SceneItem::shape, 2, "shapes[2]", [](Scene& s) { s.get<Cylinder>()[0].radius = 0; }},
         {SceneItem::shape, 0, "shapes[0]", [](Scene& s) { s.shapes[0].material = 7; }},
+        {SceneItem::fog, 0, "fog", [](Scene& s) { s.fog = Fog{.density = -1}; }},
     };
     for (const auto& [item, index, path, breaks] : cases) {
         Scene scene = good_scene();
@@ -60,8 +61,9 @@ TEST(Validate, ErrorsNameTheItemByItsIndex) {
         EXPECT_EQ(diagnostics[0].item, item) << path;
         EXPECT_EQ(diagnostics[0].index, index) << path;
         EXPECT_EQ(item_path(diagnostics[0]), path);
-        // A scene has one camera, so the message has no index.
-        const std::string place = item < SceneItem::light ? "" : std::string(path) + ": ";
+        // A scene has one camera and one fog, so the message has no index.
+        const bool is_one = item < SceneItem::light || item == SceneItem::fog;
+        const std::string place = is_one ? "" : std::string(path) + ": ";
         EXPECT_EQ(to_string(diagnostics[0]), place + "error: " + diagnostics[0].message + "\n");
         // The same through a function that returns a Result.
         const Result<World> prepared = prepare(scene);

@@ -165,6 +165,29 @@ test('the facts of a scene', () => {
     scene.close();
 });
 
+test('fog and alpha', () => {
+    const scene = glint.open({texts: [{name: 'ball.glint', text: `render { size = 5 x 5  alpha = true }
+background = (1, 1, 1)
+fog { type = linear  start = 0  end = 10 }
+conventions { fog_background = false }
+camera { projection = orthographic  position = (0, 0, 6)  width = 10 }
+light { type = ambient }
+sphere { center = (0, 0, 0)  radius = 1  ambient_color = (1, 0, 0) }\n`}]});
+    const {info} = scene;
+    assert.deepEqual(info.fog_fields.map((field) => field.name), ['color', 'density', 'start', 'end', 'transmit']);
+    assert.deepEqual(info.fog, {kind: 'linear', place: {file: 'ball.glint', line: 3, column: 1},
+        color: [0.5, 0.5, 0.5], start: 0, end: 10, transmit: 0});
+    const {pixels} = scene.renderPixels(0, 2, 3, 1);
+    assert.deepEqual([...pixels], [0, 0, 0, 0, 0, 0, 0, 0, 191, 64, 64, 255]);  // half of it is seen
+    const {rays, alpha} = scene.explain(2, 2);
+    assert.deepEqual([rays[0].fog, alpha], [{visibility: 0.5, added: [0.25, 0.25, 0.25]}, 1]);
+    assert.equal(scene.explain(0, 0).rays[0].transparent, true);
+    scene.close();
+    const {scene: clear} = open(['cgfs/three_mirrors.cgfs'], {});
+    assert.equal(clear.info.fog, null);
+    clear.close();
+});
+
 test('layers of a rectangle', () => {
     const scene = glint.open({texts: [{name: 'ball.glint', text: `render { size = 5 x 5 }
 camera { projection = orthographic  position = (0, 0, 6)  width = 10 }
