@@ -99,13 +99,17 @@ struct RenderSettings {
     Shading shading = Shading::blinn_phong;
     bool shadows = true;
     std::int32_t reflections = 4;  ///< maximum generations of mirror and glass rays, 0 to k_max_reflections
-    std::int32_t samples = 1;      ///< n: n x n regular samples per pixel, 1 to k_max_samples
+    std::int32_t samples = 1;      ///< n: n x n samples per pixel, 1 to k_max_samples
     /// If set, only pixels whose colour with one sample differs by more than this, in any channel, from that
     /// of a neighbour left, right, above or below have n x n samples; the others have one. 0 to 1e6.
     std::optional<double> aa_threshold = {};
     /// The background, where it is seen directly or through glass, is left out: pixels have its share as
     /// alpha (Layer::alpha), and their light is multiplied by it.
     bool alpha = false;
+    /// Each of n x n samples, n > 1, is at a place in its square that a hash of the pixel, the sample and the
+    /// seed gives; false: at the same place in every square.
+    bool jitter = false;
+    std::uint32_t seed = 0;  ///< of everything that is sampled
     constexpr bool is_adaptive() const { return samples > 1 && aa_threshold.has_value(); }
     friend bool operator==(const RenderSettings&, const RenderSettings&) = default;
 };
@@ -113,6 +117,8 @@ struct RenderSettings {
 inline constexpr std::int32_t k_max_size = 65536;
 inline constexpr std::int32_t k_max_reflections = 1000;
 inline constexpr std::int32_t k_max_samples = 64;
+/// The threshold of `aa = adaptive:N` without one.
+inline constexpr double k_default_aa_threshold = 0.05;
 
 /// The maximum number of mirror and glass rays of one sample; more are not traced. Only surfaces that are
 /// both mirror and glass come near it, because they double the rays in every generation.
@@ -130,7 +136,8 @@ struct SettingKey {
     std::string_view name;         ///< "specular_gate"
     std::string_view values;       ///< "true | false", "a number >= 0", ...
     std::string_view description;  ///< one line
-    bool is_convention;  ///< false: a render setting (size, shading, shadows, reflections, aa, alpha)
+    bool is_convention;  ///< false: a render setting (size, shading, shadows, reflections, aa, alpha,
+                         ///< seed)
 };
 
 /// All keys, in a fixed order; the index is also that of SettingOrigins.

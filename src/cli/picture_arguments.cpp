@@ -60,8 +60,12 @@ void add_picture_arguments(CLI::App& command, PictureArguments& a) {
         ->option_text("N");
     command
         .add_option("--aa", a.aa,
-                    "N x N regular samples per pixel; adaptive:N:T: only for pixels whose one sample differs "
-                    "by more than T from that of a neighbour")
+                    "N x N samples per pixel; adaptive:N:T: only for pixels whose one sample differs "
+                    "by more than T (default: 0.05) from that of a neighbour; with :jitter at the end, at "
+                    "sampled places")
+        ->option_text("N|adaptive:N[:T]");
+    command
+        .add_option("--seed", a.seed, "Number of another picture of everything that is sampled; 0 (default)")
         ->option_text("N");
 }
 
@@ -87,6 +91,7 @@ void add_settings(const PictureArguments& arguments, PictureMemory memory, Scene
     if (!arguments.reflections.empty()) settings.emplace_back("reflections", arguments.reflections);
     if (arguments.alpha) settings.emplace_back("alpha", "true");
     if (!arguments.aa.empty()) settings.emplace_back("aa", arguments.aa);
+    if (!arguments.seed.empty()) settings.emplace_back("seed", arguments.seed);
 }
 
 void add_number_arguments(CLI::App& command, NumberArguments& a) {

@@ -9,11 +9,11 @@
 namespace glint::cli {
 
 struct PictureArguments {
-    std::string size, shading, reflections, aa;
+    std::string size, shading, reflections, aa, seed;
     bool no_shadows = false, alpha = false;
 };
 
-/// Adds --size, --shading, --no-shadows, --reflections and --aa.
+/// Adds --size, --shading, --no-shadows, --reflections, --aa and --seed.
 void add_picture_arguments(CLI::App& command, PictureArguments& arguments);
 /// Adds --alpha.
 void add_alpha_argument(CLI::App& command, PictureArguments& arguments);

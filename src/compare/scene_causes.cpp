@@ -170,6 +170,7 @@ void add_sample_counts(const Scene& scene, std::vector<SceneCause>& causes) {
              [n](Scene& s) {
                  s.settings.samples = n;
                  s.settings.aa_threshold.reset();
+                 s.settings.jitter = false;
              }});
         causes.back().is_of_samples = true;
     }

@@ -121,9 +121,11 @@ class GlintReader {
         static constexpr SpellingHint conventions_hints[] = {
             {"size", "it in a `render` block"},    {"shading", "it in a `render` block"},
             {"shadows", "it in a `render` block"}, {"reflections", "it in a `render` block"},
-            {"aa", "it in a `render` block"},      {"alpha", "it in a `render` block"}};
+            {"aa", "it in a `render` block"},      {"alpha", "it in a `render` block"},
+            {"seed", "it in a `render` block"}};
         static constexpr SpellingHint render_hints[] = {
             {"depth", "`reflections`"},           {"samples", "`aa`"},
+            {"jitter", "`aa = \"4:jitter\"`"},    {"random_seed", "`seed`"},
             {"width", "`size = 640 x 480`"},      {"height", "`size = 640 x 480`"},
             {"resolution", "`size = 640 x 480`"}, {"threads", "it on the command line"}};
         FieldSet set(what, are_conventions ? conventions.fields : settings.fields,

@@ -168,17 +168,19 @@ std::string print_size(const Conventions&, const RenderSettings& s) {
     return fmt::format("{}x{}", s.width, s.height);
 }
 
-// "N" or "adaptive:N:T".
+// "N", "adaptive:N" or "adaptive:N:T"; each may end in ":jitter".
 std::string parse_aa(Conventions&, RenderSettings& s, const SettingKey& key, std::string_view text) {
-    constexpr std::string_view adaptive = "adaptive:";
+    constexpr std::string_view adaptive = "adaptive:", jitter = ":jitter";
     std::string_view number = text;
+    const bool has_jitter = number.ends_with(jitter);
+    if (has_jitter) number.remove_suffix(jitter.size());
     std::optional<double> threshold;
-    if (text.starts_with(adaptive)) {
+    if (number.starts_with(adaptive)) {
         number.remove_prefix(adaptive.size());
         const std::size_t colon = number.find(':');
-        double value = 0;
-        if (colon == std::string_view::npos || !parse_number(number.substr(colon + 1), value) ||
-            !k_threshold.contains(value))
+        double value = k_default_aa_threshold;
+        if (colon != std::string_view::npos &&
+            (!parse_number(number.substr(colon + 1), value) || !k_threshold.contains(value)))
             return found(key.values, text);
         threshold = value;
         number = number.substr(0, colon);
@@ -188,13 +190,29 @@ std::string parse_aa(Conventions&, RenderSettings& s, const SettingKey& key, std
         return found(key.values, text);
     s.samples = samples;
     s.aa_threshold = threshold;
+    s.jitter = has_jitter;
     return {};
 }
 
 std::string print_aa(const Conventions&, const RenderSettings& s) {
-    return s.aa_threshold ? fmt::format("adaptive:{}:{}", s.samples, *s.aa_threshold)
-                          : fmt::format("{}", s.samples);
+    return (s.aa_threshold ? fmt::format("adaptive:{}:{}", s.samples, *s.aa_threshold)
+                           : fmt::format("{}", s.samples)) +
+           (s.jitter ? ":jitter" : "");
 }
+
+std::string parse_seed(Conventions&, RenderSettings& s, const SettingKey& key, std::string_view text) {
+    std::uint64_t value = 0;
+    if (text.empty() || text.size() > 10) return found(key.values, text);
+    for (const char c : text) {
+        if (c < '0' || c > '9') return found(key.values, text);
+        value = value * 10 + static_cast<std::uint64_t>(c - '0');
+    }
+    if (value > 0xffffffffu) return found(key.values, text);
+    s.seed = static_cast<std::uint32_t>(value);
+    return {};
+}
+
+std::string print_seed(const Conventions&, const RenderSettings& s) { return fmt::format("{}", s.seed); }
 
 using C = Conventions;
 using S = RenderSettings;
@@ -259,13 +277,17 @@ constexpr Row k_rows[] = {
     bool_row<&S::shadows>("shadows", "whether objects cast shadows", false),
     whole_row<&S::reflections, 0, k_max_reflections>("reflections", "a whole number from 0 to 1000",
                                                      "the greatest generation of mirror and glass rays"),
-    {{"aa", "a whole number from 1 to 64, or adaptive:N:T",
-      "n: n x n regular samples for each pixel; adaptive: only where one sample differs by more than T from "
-      "that of a neighbour",
+    {{"aa", "a whole number from 1 to 64, or adaptive:N:T; :jitter may follow",
+      "N: N x N samples for each pixel; adaptive: only where one sample differs by more than T from that of "
+      "a "
+      "neighbour; jitter: at sampled places",
       false},
      parse_aa,
      print_aa},
     bool_row<&S::alpha>("alpha", "the background is transparent: the picture has an alpha channel", false),
+    {{"seed", "a whole number from 0 to 4294967295", "another one samples other places", false},
+     parse_seed,
+     print_seed},
 };
 constexpr std::size_t k_count = std::size(k_rows);
 

@@ -8,6 +8,7 @@
 #define GLINT_TRACE_CAMERA_RAYS_INL_H_
 #endif
 
+#include "simd/sample_hash-inl.h"
 #include "simd/vec3-inl.h"
 #include "trace/tile.h"
 #include "world/world.h"
@@ -44,6 +45,9 @@ HWY_INLINE double middle(PixelSample where, int size) {
 /// The position of a sample in its pixel, from the top-left corner, in pixels.
 HWY_INLINE double sample_x(PixelSample where, SampleIndex s) { return (s.i + offset_x(where)) / s.n; }
 HWY_INLINE double sample_y(PixelSample where, SampleIndex s) { return (s.j + offset_y(where)) / s.n; }
+
+/// Whether the samples of pixels with n x n are jittered.
+HWY_INLINE bool is_jittered(const WorldParts& world, int n) { return world.settings.jitter && n > 1; }
 
 /// The viewport coordinate of a position in pixel column x, relative to the centre, in picture widths.
 template <class T>
@@ -125,16 +129,38 @@ inline void make_camera_rays(const WorldParts& world, const TileJob& job, Sample
     end_camera_rays(count, rays);
 }
 
-/// Makes one ray for each pixel of a list, through a sample: the same rays as for a tile.
+/// The positions of a jittered sample in its pixels: in its square of the n x n, at two numbers from 0 to 1
+/// of the hash (math/sample_hash.h).
+struct JitteredSample {
+    Doubles x, y;
+
+    HWY_INLINE JitteredSample(std::uint32_t seed, Doubles pixel_x, Doubles pixel_y, SampleIndex s) {
+        Words hash = hash_with(Words(seed_hash(seed)), to_words(pixel_x));
+        hash = hash_with(hash, to_words(pixel_y));
+        hash = hash_with(hash, Words(static_cast<std::uint32_t>(s.number())));
+        hash = hash_with(hash_with(hash, Words(k_camera_path)), Words(purpose_word(SamplePurpose::pixel, 0)));
+        x = (Doubles(s.i) + unit_number(hash_with(hash, Words(0u)))) / Doubles(s.n);
+        y = (Doubles(s.j) + unit_number(hash_with(hash, Words(1u)))) / Doubles(s.n);
+    }
+};
+
+/// Makes one ray for each pixel of a list, through a sample: the same rays as for a tile, or jittered.
 inline void make_listed_camera_rays(const WorldParts& world, const PixelList& pixels, SampleIndex sample,
                                     RayBatch& rays) {
     const PreparedCamera& camera = world.camera;
     const PixelSample where = world.conventions.pixel_sample;
+    const bool jitter = is_jittered(world, sample.n);
     const RayFields<double*> to = start_camera_rays(world, pixels.count, rays);
-    const Doubles in_column(sample_x(where, sample)), in_row(sample_y(where, sample));
+    Doubles in_column(sample_x(where, sample)), in_row(sample_y(where, sample));
     for (int p = 0; p < pixels.count; p += lane_count<double>()) {
-        const Doubles x = viewport_x(world.settings, where, load(pixels.x.data() + p), in_column);
-        const Doubles y = viewport_y(world.settings, where, load(pixels.y.data() + p), in_row);
+        const Doubles column = load(pixels.x.data() + p), row = load(pixels.y.data() + p);
+        if (jitter) {
+            const JitteredSample at(world.settings.seed, column, row, sample);
+            in_column = at.x;
+            in_row = at.y;
+        }
+        const Doubles x = viewport_x(world.settings, where, column, in_column);
+        const Doubles y = viewport_y(world.settings, where, row, in_row);
         store_camera_rays(world, lanes_of(camera.right) * x + lanes_of(camera.up) * y, to, p);
     }
     end_camera_rays(pixels.count, rays);

@@ -64,7 +64,7 @@ struct TileScratch {
     SecondaryRayBatch secondary;
     Film film;
     FirstHits first_hits;
-    PixelList pixels;  // for adaptive sampling only
+    PixelList pixels;  // for adaptive and jittered sampling only
     std::array<float, k_bordered_tile_floats> one_sample;
 
     RayCounts counts;

@@ -81,6 +81,14 @@ inline bool trace_sample(const WorldParts& world, TileScratch& s) {
     return true;
 }
 
+/// Lists the pixels of a tile, in the order of their numbers.
+inline void list_tile(const TileJob& job, PixelList& pixels) {
+    pixels.count = 0;
+    for_each_row(job, [&](int x, int y, int, int width) {
+        for (int i = x; i < x + width; ++i) pixels.add(job.x + i, job.y + y);
+    });
+}
+
 /// Traces n x n samples of each pixel of the tile, or of the list if there is one, into the film. Returns
 /// false if n is 1 and all camera rays miss; their light has then not been added. Stops early if the render
 /// is cancelled: the picture is then not used.
@@ -92,6 +100,10 @@ inline bool trace_samples(const WorldParts& world, const TileJob& job, const Pix
         world.settings.alpha || (job.layers != nullptr && job.layers->of(Layer::alpha) != nullptr);
     s.film.clear(alpha);
     s.rays.alpha = s.secondary.rays.alpha = alpha;
+    if (list == nullptr && is_jittered(world, n)) {
+        list_tile(job, s.pixels);
+        list = &s.pixels;
+    }
     SampleIndex sample{0, 0, n};
     for (sample.j = 0; sample.j < n; ++sample.j) {
         for (sample.i = 0; sample.i < n; ++sample.i) {

@@ -15,7 +15,7 @@ std::string set(Scene& scene, std::string_view key, std::string_view value) {
 
 TEST(Settings, KeysAreFoundByName) {
     const auto keys = setting_keys();
-    ASSERT_EQ(keys.size(), 28u);
+    ASSERT_EQ(keys.size(), 29u);
     for (std::size_t i = 0; i < keys.size(); ++i) {
         EXPECT_EQ(find_setting(keys[i].name), i);
         EXPECT_FALSE(keys[i].values.empty());
@@ -28,7 +28,8 @@ TEST(Settings, KeysAreFoundByName) {
 TEST(Settings, RenderSettingsAreNotConventions) {
     for (const SettingKey& key : setting_keys()) {
         const bool is_render = key.name == "size" || key.name == "shading" || key.name == "shadows" ||
-                               key.name == "reflections" || key.name == "aa" || key.name == "alpha";
+                               key.name == "reflections" || key.name == "aa" || key.name == "alpha" ||
+                               key.name == "seed";
         EXPECT_EQ(key.is_convention, !is_render) << key.name;
     }
 }
@@ -62,7 +63,8 @@ TEST(Settings, EveryFieldHasAKey) {
                                                           {"shadows", "false"},
                                                           {"reflections", "7"},
                                                           {"aa", "3"},
-                                                          {"alpha", "true"}};
+                                                          {"alpha", "true"},
+                                                          {"seed", "4294967295"}};
     ASSERT_EQ(std::size(values), setting_keys().size());
     for (const auto& [key, value] : values) {
         EXPECT_EQ(set(scene, key, value), "") << key;
@@ -92,7 +94,8 @@ TEST(Settings, EveryFieldHasAKey) {
                                FogDistance::depth,
                                false};
     EXPECT_EQ(scene.conventions, expected);
-    const RenderSettings settings{320, 200, Shading::normals, false, 7, 3, std::nullopt, true};
+    const RenderSettings settings{320,  200,   Shading::normals, false, 7, 3, std::nullopt,
+                                  true, false, 4294967295};
     EXPECT_EQ(scene.settings, settings);
 }
 
@@ -131,6 +134,21 @@ TEST(Settings, AdaptiveSampling) {
     EXPECT_FALSE(scene.settings.is_adaptive());
     EXPECT_EQ(set(scene, "aa", "adaptive:1:0"), "");
     EXPECT_FALSE(scene.settings.is_adaptive()) << "one sample is one sample";
+    EXPECT_EQ(set(scene, "aa", "adaptive:4"), "");
+    EXPECT_EQ(scene.settings.aa_threshold, k_default_aa_threshold);
+}
+
+TEST(Settings, JitteredSamples) {
+    Scene scene;
+    for (const char* value : {"4:jitter", "adaptive:5:0.25:jitter", "1:jitter"}) {
+        EXPECT_EQ(set(scene, "aa", value), "");
+        EXPECT_TRUE(scene.settings.jitter);
+        EXPECT_EQ(get_setting(scene, *find_setting("aa")), value);
+    }
+    EXPECT_EQ(set(scene, "aa", "adaptive:3:jitter"), "");
+    EXPECT_EQ(get_setting(scene, *find_setting("aa")), "adaptive:3:0.05:jitter");
+    EXPECT_EQ(set(scene, "aa", "4"), "");
+    EXPECT_FALSE(scene.settings.jitter);
 }
 
 TEST(Settings, BlanksAroundValuesDoNotMatter) {
@@ -176,20 +194,40 @@ INSTANTIATE_TEST_SUITE_P(
         Wrong{"size", "99999999999x1", "expected WIDTHxHEIGHT, each from 1 to 65536, found '99999999999x1'"},
         Wrong{"reflections", "1001", "expected a whole number from 0 to 1000, found '1001'"},
         Wrong{"reflections", "2.5", "expected a whole number from 0 to 1000, found '2.5'"},
-        Wrong{"aa", "0", "expected a whole number from 1 to 64, or adaptive:N:T, found '0'"},
-        Wrong{"aa", "adaptive", "expected a whole number from 1 to 64, or adaptive:N:T, found 'adaptive'"},
-        Wrong{"aa", "adaptive:4",
-              "expected a whole number from 1 to 64, or adaptive:N:T, found 'adaptive:4'"},
+        Wrong{"aa", "0",
+              "expected a whole number from 1 to 64, or adaptive:N:T; :jitter may follow, found '0'"},
+        Wrong{"aa", "adaptive",
+              "expected a whole number from 1 to 64, or adaptive:N:T; :jitter may follow, found 'adaptive'"},
+        Wrong{"aa", "adaptive:",
+              "expected a whole number from 1 to 64, or adaptive:N:T; :jitter may follow, found 'adaptive:'"},
+        Wrong{
+            "aa", "adaptive:4:",
+            "expected a whole number from 1 to 64, or adaptive:N:T; :jitter may follow, found 'adaptive:4:'"},
+        Wrong{"aa", ":jitter",
+              "expected a whole number from 1 to 64, or adaptive:N:T; :jitter may follow, found ':jitter'"},
+        Wrong{"aa", "4:jitter:jitter",
+              "expected a whole number from 1 to 64, or adaptive:N:T; :jitter may follow, found "
+              "'4:jitter:jitter'"},
+        Wrong{"aa", "4:0.1",
+              "expected a whole number from 1 to 64, or adaptive:N:T; :jitter may follow, found '4:0.1'"},
+        Wrong{"seed", "4294967296", "expected a whole number from 0 to 4294967295, found '4294967296'"},
+        Wrong{"seed", "-1", "expected a whole number from 0 to 4294967295, found '-1'"},
+        Wrong{"seed", "", "expected a whole number from 0 to 4294967295, found ''"},
         Wrong{"aa", "adaptive:0:1",
-              "expected a whole number from 1 to 64, or adaptive:N:T, found 'adaptive:0:1'"},
+              "expected a whole number from 1 to 64, or adaptive:N:T; :jitter may follow, found "
+              "'adaptive:0:1'"},
         Wrong{"aa", "adaptive:65:1",
-              "expected a whole number from 1 to 64, or adaptive:N:T, found 'adaptive:65:1'"},
+              "expected a whole number from 1 to 64, or adaptive:N:T; :jitter may follow, found "
+              "'adaptive:65:1'"},
         Wrong{"aa", "adaptive:4:-0.1",
-              "expected a whole number from 1 to 64, or adaptive:N:T, found 'adaptive:4:-0.1'"},
+              "expected a whole number from 1 to 64, or adaptive:N:T; :jitter may follow, found "
+              "'adaptive:4:-0.1'"},
         Wrong{"aa", "adaptive:4:nan",
-              "expected a whole number from 1 to 64, or adaptive:N:T, found 'adaptive:4:nan'"},
+              "expected a whole number from 1 to 64, or adaptive:N:T; :jitter may follow, found "
+              "'adaptive:4:nan'"},
         Wrong{"aa", "adaptive:4:1:1",
-              "expected a whole number from 1 to 64, or adaptive:N:T, found 'adaptive:4:1:1'"},
+              "expected a whole number from 1 to 64, or adaptive:N:T; :jitter may follow, found "
+              "'adaptive:4:1:1'"},
         Wrong{"shading", "blinn_phong",
               "expected phong | blinn-phong | diffuse | color | normals, found 'blinn_phong'; did you mean "
               "`blinn-phong`?"},
