@@ -19,6 +19,7 @@ from ._glint import (
     Cylinder,
     Diagnostic,
     Disc,
+    Fog,
     Light,
     Material,
     Plane,
@@ -40,7 +41,7 @@ from ._values import Attenuation, Color, ColorLike, Vec3, VectorLike
 
 __all__ = [
     "Attenuation", "Box", "Camera", "CameraFrame", "Color", "ColorLike", "Comparison", "Cone", "Cylinder",
-    "Diagnostic", "Disc", "Explanation", "Finding", "GlintError", "GlintWarning", "Graded", "GradedPart", "Hits",
+    "Diagnostic", "Disc", "Explanation", "Finding", "Fog", "GlintError", "GlintWarning", "Graded", "GradedPart", "Hits",
     "Image", "Light", "Material", "Plane", "Polygon", "Record", "Scene", "Shape", "SmoothTriangle", "Sphere",
     "Triangle", "Vec3", "VectorLike", "Versus", "check", "compare", "convert", "explain", "grade", "isa_names",
     "load", "loads", "profiles", "setting_infos", "versus",

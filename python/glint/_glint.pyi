@@ -163,6 +163,28 @@ class Camera:
     def __deepcopy__(self, memo: Dict[Any, Any]) -> Camera: ...
     __hash__: None  # type: ignore[assignment]
 
+class Fog:
+    def __init__(
+        self,
+        kind: str = ...,
+        *,
+        color: ColorLike = ...,
+        density: float = ...,
+        start: float = ...,
+        end: float = ...,
+        transmit: float = ...,
+    ) -> None: ...
+    kind: str
+    color: _ColorField
+    density: float
+    start: float
+    end: float
+    transmit: float
+    def __eq__(self, other: object) -> bool: ...
+    def __copy__(self) -> Fog: ...
+    def __deepcopy__(self, memo: Dict[Any, Any]) -> Fog: ...
+    __hash__: None  # type: ignore[assignment]
+
 class Shape:
     material: Optional[Material]
     transform: _MatrixField
@@ -337,6 +359,7 @@ class SceneState:
     def files(self) -> List[str]: ...
     background: _ColorField
     camera: Camera
+    fog: Optional[Fog]
     def add_spheres(self, centers: Any, radii: Any, colors: Any, material: Optional[Material]) -> range: ...
     def add_cylinders(
         self, from_: Any, to: Any, radii: Any, colors: Any, material: Optional[Material], caps: bool

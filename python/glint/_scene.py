@@ -11,7 +11,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _accept, _glint
-from ._glint import Camera, Light, Material, Shape
+from ._glint import Camera, Fog, Light, Material, Shape
 from ._image import Image
 from ._lists import Lights, Materials, Shapes
 from ._progress import Progress, reporting
@@ -59,6 +59,7 @@ class Scene:
         size: Optional[Tuple[int, int]] = None,
         background: Optional[ColorLike] = None,
         camera: Optional[Camera] = None,
+        fog: Optional[Fog] = None,
     ) -> None:
         self._state = _glint.SceneState()
         if size is not None:
@@ -67,6 +68,8 @@ class Scene:
             self.background = background  # type: ignore[assignment]
         if camera is not None:
             self.camera = camera
+        if fog is not None:
+            self.fog = fog
         for item in items:
             self.add(item)
 
@@ -110,13 +113,22 @@ class Scene:
         self._state.background = color
 
     @property
+    def fog(self) -> Optional[Fog]:
+        """The fog, or None: scene.fog = glint.Fog('exp', color=0.7, density=0.05)."""
+        return self._state.fog
+
+    @fog.setter
+    def fog(self, fog: Optional[Fog]) -> None:
+        self._state.fog = fog
+
+    @property
     def conventions(self) -> Settings:
         """The rules on which sources disagree, by key (docs/conventions.md); can be changed."""
         return Settings(self._state, True)
 
     @property
     def settings(self) -> Settings:
-        """size, shading, shadows, reflections and aa, where render() is not told otherwise; can be changed."""
+        """size, shading, shadows, reflections, aa, alpha and seed, where render() is not told otherwise; can be changed."""
         return Settings(self._state, False)
 
     @property
@@ -256,6 +268,7 @@ class Scene:
         reflections: Optional[int] = None,
         shadows: Optional[bool] = None,
         alpha: Optional[bool] = None,
+        seed: Optional[int] = None,
         convention: Optional[Mapping[str, object]] = None,
         aov: Union[str, Sequence[str]] = (),
         crop: Optional[Tuple[int, int, int, int]] = None,
@@ -265,17 +278,23 @@ class Scene:
     ) -> Image:
         """The picture. The keywords are the options of the command; None is what scene.settings has.
 
-        size: (width, height) in pixels; aa: N x N samples a pixel, or
-        'adaptive:N:T'; shading: 'phong', 'blinn-phong', 'diffuse',
-        'color' or 'normals'; reflections: the largest number in succession; alpha: True for a transparent
-        background, which PNG and EXR files then have (the layer 'alpha' is added to aov); convention: changes for this
-        picture alone; aov: names of layers, or 'all'; crop: (width, height, x, y), a part of the picture;
-        threads: 0 for all, which changes nothing in the picture. progress: True for a bar, or a function that
-        is called with the fraction done. Ctrl-C stops it.
+        size: (width, height) in pixels; aa: N x N samples a pixel, or 'adaptive:N:T', both also with ':jitter' at
+        the end; shading: 'phong', 'blinn-phong', 'diffuse', 'color' or 'normals'; reflections: the largest number
+        in succession; alpha: True for a transparent background, which PNG and EXR files then have (the layer
+        'alpha' is added to aov); seed: another number samples other places; convention: changes for this picture
+        alone; aov: names of layers, or 'all'; crop: (width, height, x, y), a part of the picture; threads: 0 for
+        all, which changes nothing in the picture. progress: True for a bar, or a function that is called with the
+        fraction done. Ctrl-C stops it.
         """
         settings = to_list(
             dict(
-                size=size, aa=aa, shading=shading, reflections=reflections, shadows=shadows, alpha=alpha
+                size=size,
+                aa=aa,
+                shading=shading,
+                reflections=reflections,
+                shadows=shadows,
+                alpha=alpha,
+                seed=seed,
             )
         ) + to_list(convention or {})
         if aov == "all":

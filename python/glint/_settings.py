@@ -41,7 +41,7 @@ def from_text(key: str, text: str) -> Setting:
     if key == "size":
         width, height = text.split("x")
         return int(width), int(height)
-    if key in ("reflections", "aa"):
+    if key in ("reflections", "aa", "seed"):
         return int(text) if text.isdigit() else text
     try:
         return float(text)

@@ -99,7 +99,8 @@ void bind_settings(py::module_& m, SceneClass& cls) {
                 if (!camera) throw py::type_error("camera: expected a Camera, found None");
                 s.set_camera(camera);
             },
-            "The Camera.");
+            "The Camera.")
+        .def_property("fog", &SceneState::fog, &SceneState::set_fog, "The Fog, or None.");
     m.def("setting_keys", [] {
         py::list keys;
         for (const SettingKey& key : setting_keys())
@@ -118,7 +119,8 @@ bool equal(SceneState& a, SceneState& b) {
     const Scene &x = a.scene(), &y = b.scene();
     if (x.shapes.size() != y.shapes.size() || x.lights.size() != y.lights.size() ||
         x.materials.size() != y.materials.size() || !(x.background == y.background) ||
-        !(x.conventions == y.conventions) || !(x.settings == y.settings) || !same(x.camera, y.camera))
+        !(x.conventions == y.conventions) || !(x.settings == y.settings) || !same(x.camera, y.camera) ||
+        x.fog.has_value() != y.fog.has_value() || (x.fog && !same(*x.fog, *y.fog)))
         return false;
     for (std::size_t i = 0; i < x.lights.size(); ++i)
         if (!same(x.lights[i], y.lights[i])) return false;

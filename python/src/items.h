@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// Lights, materials and the camera as Python objects. Their attributes are the rows of the tables of fields
-// (src/scene/*_fields.h).
+// Lights, materials, the fog and the camera as Python objects. Their attributes are the rows of the tables of
+// fields (src/scene/*_fields.h).
 #include <memory>
 #include <string>
 #include <unordered_map>
@@ -21,6 +21,7 @@ template <class Item> struct SharedItem {
 using LightBox = SharedItem<Light>;
 using MaterialBox = SharedItem<Material>;
 using FrameBox = SharedItem<CameraFrame>;
+using FogBox = SharedItem<Fog>;
 
 struct CameraBox {
     Camera value;  ///< without its frame
@@ -36,6 +37,7 @@ struct CameraBox {
 bool same(const Light& a, const Light& b);
 bool same(const Material& a, const Material& b);
 bool same(const Camera& a, const Camera& b);
+bool same(const Fog& a, const Fog& b);
 
 /// Gives a material another color. Its ambient, diffuse and specular stay the same multiples of the color, if
 /// they are multiples of it.
@@ -43,6 +45,7 @@ void set_color(Material& material, const Color& color);
 
 void bind_lights(py::module_& m);
 void bind_materials(py::module_& m);
+void bind_fog(py::module_& m);
 /// Camera and CameraFrame.
 void bind_cameras(py::module_& m);
 

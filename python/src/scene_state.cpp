@@ -47,6 +47,7 @@ void SceneState::reset(Scene scene) {
         camera_->frame = std::make_shared<FrameBox>(FrameBox{*scene_->camera.frame, {}});
         camera_->value.frame.reset();
     }
+    fog_ = scene_->fog ? std::make_shared<FogBox>(FogBox{*scene_->fog, {}}) : nullptr;
     has_world_ = false;
     world_ = {};
     warned_.clear();

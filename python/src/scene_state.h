@@ -27,7 +27,7 @@ void apply(const SettingList& settings, Scene& scene);
 
 /// The parts of a World that can be replaced on their own.
 struct Versions {
-    std::uint64_t shapes = 0, materials = 0, lights = 0, camera = 0, background = 0, rules = 0;
+    std::uint64_t shapes = 0, materials = 0, lights = 0, camera = 0, background = 0, fog = 0, rules = 0;
 };
 
 /// A scene and its World at one moment. Later changes of the SceneState do not reach it, so it can be used
@@ -61,6 +61,8 @@ class SceneState {
     std::shared_ptr<ShapeBox> shape(std::uint32_t index);
     std::shared_ptr<CameraBox> camera() { return camera_; }
     void set_camera(std::shared_ptr<CameraBox> camera) { camera_ = std::move(camera); }
+    std::shared_ptr<FogBox> fog() { return fog_; }  ///< null: none
+    void set_fog(std::shared_ptr<FogBox> fog) { fog_ = std::move(fog); }
 
     std::uint32_t add(const std::shared_ptr<LightBox>& light);
     /// The material's index; it is added if the scene does not have it.
@@ -101,6 +103,7 @@ class SceneState {
     std::unordered_map<std::uint32_t, std::shared_ptr<ShapeBox>> shapes_;
     std::unordered_map<const MaterialBox*, std::uint32_t> material_indices_;
     std::shared_ptr<CameraBox> camera_;
+    std::shared_ptr<FogBox> fog_;
 
     Versions now_;
     std::uint64_t edits_ = 0;  // of shapes in place, each with its number

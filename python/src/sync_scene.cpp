@@ -90,6 +90,11 @@ void SceneState::sync() {
         own().camera = camera_->whole();
         ++now_.camera;
     }
+    const bool same_fog = fog_ ? scene_->fog && same(*scene_->fog, fog_->value) : !scene_->fog;
+    if (!same_fog) {
+        own().fog = fog_ ? std::optional(fog_->value) : std::nullopt;
+        ++now_.fog;
+    }
 }
 
 }  // namespace glint::python

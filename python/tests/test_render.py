@@ -54,8 +54,16 @@ def test_keywords_of_the_command(scene):
     assert scene.render(size="20x10") == scene.render(size=(20, 10))
     assert scene.settings["size"] == (64, 48)
     plain = scene.render()
-    for options in (dict(shading="phong"), dict(shadows=False), dict(aa=2), dict(shading="normals")):
+    for options in (
+        dict(shading="phong"),
+        dict(shadows=False),
+        dict(aa=2),
+        dict(aa="2:jitter"),
+        dict(shading="normals"),
+        dict(alpha=True),
+    ):
         assert scene.render(**options) != plain
+    assert scene.render(aa="2:jitter", seed=7) != scene.render(aa="2:jitter")
     assert scene.render(convention={"pixel_sample": "corner"}) != plain
     crop = scene.render(crop=(10, 8, 20, 16))
     assert np.array_equal(crop.array, plain.array[16:24, 20:30])

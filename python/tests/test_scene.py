@@ -113,6 +113,36 @@ def test_pickles(scene):
     assert pickle.loads(pickle.dumps(image)) == image
 
 
+def test_fog(scene):
+    assert scene.fog is None
+    clear = scene.render()
+    fog = glint.Fog("exp", color=0.5, density=0.2, start=1)
+    scene.fog = fog
+    assert scene.fog is fog
+    foggy = scene.render()
+    assert foggy != clear
+    fog.density = 0
+    assert scene.render() != foggy  # the object is the scene's
+    fog.density = 0.2
+    assert scene.render() == foggy
+    other = copy.deepcopy(scene)
+    assert other == scene and other.fog is not fog
+    other.fog.kind = "exp2"
+    assert other != scene and other.render() != foggy
+    assert glint.loads(scene.to_glint()).fog == fog
+    assert eval(repr(fog), {"Fog": glint.Fog}) == fog
+    assert glint.Scene(fog=fog).fog == fog
+    scene.fog = None
+    assert scene.render() == clear
+    with pytest.raises(ValueError, match="kind: expected 'linear', 'exp' or 'exp2', found 'thick'"):
+        glint.Fog("thick")
+    with pytest.raises(TypeError, match="did you mean `density`"):
+        glint.Fog(densty=1)
+    scene.fog = glint.Fog("linear", start=5, end=5)
+    with pytest.raises(glint.GlintError, match="expected a number above start 5, found 5"):
+        scene.render()
+
+
 def test_lights_are_a_list(scene):
     scene.lights.append(glint.Light("ambient", color=0.2, name="fill"))
     assert [light.name for light in scene.lights] == ["key", "fill"]
