@@ -14,6 +14,7 @@ class Rule:
     own: str      # the same in .glint
     width: int = WIDTH
     height: int = HEIGHT
+    alpha: bool = False  # both write an alpha channel
 
 
 # A floor with two balls, seen from (0, 3, -8) along (0, -0.35, 1).

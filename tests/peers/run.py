@@ -10,11 +10,14 @@ import pathlib
 import shutil
 import subprocess
 import sys
+import zlib
 
+import alpha
+import fog
 import lights
 
 SHARE = 0.99
-LISTS = [lights.RULES]
+LISTS = [lights.RULES, fog.RULES, alpha.RULES]
 
 
 def read_ppm(path):
@@ -37,6 +40,35 @@ def read_ppm(path):
     return width, height, data[at:at + 3 * width * height]
 
 
+def read_png(path):
+    """Width, height and the bytes of a PNG file with 8 bits a channel and alpha, the colours multiplied by alpha."""
+    data = path.read_bytes()
+    at, packed, width, height = 8, b"", 0, 0
+    while at < len(data):
+        length, kind = int.from_bytes(data[at:at + 4], "big"), data[at + 4:at + 8]
+        content = data[at + 8:at + 8 + length]
+        at += length + 12
+        if kind == b"IHDR":
+            width, height = (int.from_bytes(content[i:i + 4], "big") for i in (0, 4))
+            if content[8:13] != bytes((8, 6, 0, 0, 0)):
+                raise ValueError(f"{path}: not a PNG file with 8 bits a channel and alpha")
+        elif kind == b"IDAT":
+            packed += content
+    rows, size, above, pixels = zlib.decompress(packed), 4 * width, bytes(4 * width), bytearray()
+    for y in range(height):
+        kind, row = rows[y * (size + 1)], bytearray(rows[y * (size + 1) + 1:(y + 1) * (size + 1)])
+        for i in range(size):
+            left, corner = (row[i - 4], above[i - 4]) if i >= 4 else (0, 0)
+            up = above[i]
+            distance = [abs(up - corner), abs(left - corner), abs(left + up - 2 * corner)]
+            paeth = (left, up, corner)[distance.index(min(distance))]
+            row[i] = (row[i] + (0, left, up, (left + up) // 2, paeth)[kind]) & 255
+        above = row
+        for i in range(0, size, 4):
+            pixels += bytes((c * row[i + 3] + 127) // 255 for c in row[i:i + 3]) + row[i + 3:i + 4]
+    return width, height, bytes(pixels)
+
+
 def run(folder, *command):
     """Runs a program in the folder; its output goes to NAME.log there."""
     log = folder / (pathlib.Path(command[0]).name + ".log")
@@ -51,7 +83,10 @@ def render_peer(folder, rule):
     width, height = str(rule.width), str(rule.height)
     if rule.program == "povray":
         (folder / "peer.pov").write_text(rule.peer)
-        run(folder, "povray", "+Ipeer.pov", "+Opeer.ppm", "+FP", "+W" + width, "+H" + height, "-A", "-D", "-P")
+        output = ("+Opeer.png", "+FN", "+UA") if rule.alpha else ("+Opeer.ppm", "+FP")
+        run(folder, "povray", "+Ipeer.pov", *output, "+W" + width, "+H" + height, "-A", "-D", "-P")
+        if rule.alpha:
+            return read_png(folder / "peer.png")
     else:
         (folder / "peer.dat").write_text(rule.peer)
         run(folder, "tachyon", "peer.dat", "-fullshade", "-numthreads", "1", "-format", "PPM", "-o", "peer.ppm")
@@ -60,8 +95,9 @@ def render_peer(folder, rule):
 
 def render_glint(folder, rule, glint):
     (folder / "own.glint").write_text(rule.own)
-    run(folder, str(glint), "render", "own.glint", "-s", f"{rule.width}x{rule.height}", "-o", "own.ppm", "--quiet")
-    return read_ppm(folder / "own.ppm")
+    output = ("-o", "own.png", "--alpha") if rule.alpha else ("-o", "own.ppm")
+    run(folder, str(glint), "render", "own.glint", "-s", f"{rule.width}x{rule.height}", *output, "--quiet")
+    return read_png(folder / "own.png") if rule.alpha else read_ppm(folder / "own.ppm")
 
 
 def compare(folder, rule, glint):
@@ -72,7 +108,8 @@ def compare(folder, rule, glint):
         raise ValueError(f"{width}x{height} and {own_width}x{own_height} pixels")
     if len(set(peer)) < 16:
         raise ValueError("the peer's picture has fewer than 16 different bytes")
-    differences = [max(abs(peer[i + c] - own[i + c]) for c in range(3)) for i in range(0, len(peer), 3)]
+    channels = 4 if rule.alpha else 3
+    differences = [max(abs(peer[i + c] - own[i + c]) for c in range(channels)) for i in range(0, len(peer), channels)]
     return sum(d <= 1 for d in differences) / len(differences), max(differences)
 
 
