@@ -26,6 +26,17 @@ const edits = [
     ['shading', (page) => page.getByRole('combobox', {name: 'Shading'}).selectOption('normals'), / shading = normals /, null],
     ['reflections', (page) => slide(page, page.getByRole('slider', {name: 'Reflections'}), 2), /reflections = 2 /, /reflections = 5 /],
     ['samples', (page) => slide(page, page.getByRole('slider', {name: 'Samples'}), 2), / aa = 2 /, / aa = 1 /],
+    ['jittered samples', async (page) => {
+        await slide(page, page.getByRole('slider', {name: 'Samples'}), 2);
+        await settled(page);
+        await flip(page, 'Jittered');
+    }, / aa = "2:jitter" /, / aa = 1 /, 2],
+    ['adaptive samples', async (page) => {
+        await slide(page, page.getByRole('slider', {name: 'Samples'}), 2);
+        await settled(page);
+        await flip(page, 'Only at edges');
+    }, / aa = "adaptive:2:0\.05" /, / aa = 1 /, 2],
+    ['fog', (page) => flip(page, 'In fog'), /^fog { type = exp  color = \(0\.7, 0\.75, 0\.8\)  density = 0\.\d+ }$/m, null],
     ['size', (page) => page.getByRole('spinbutton', {name: 'Width'}).fill('100'), /size = 100 x 90/, /size = 120 x 90/],
     ['shadows', (page) => flip(page, 'Shadows'), / shadows = false /, null],
     ['a light off', (page) => page.locator('[data-light="1"]').getByRole('switch', {name: 'lamp', exact: true}).click({force: true}), /"lamp" .* intensity = 0 /, /intensity = 1\.2 /],
@@ -46,7 +57,7 @@ const edits = [
     }, /conventions { mirror = add }/, null],
 ];
 
-testOnOnePage('a control edits the text, and undo takes it back', edits, async (page, name, act, now, then) => {
+testOnOnePage('a control edits the text, and undo takes it back', edits, async (page, name, act, now, then, steps = 1) => {
     const file = `still_${edits.findIndex((one) => one[0] === name)}.glint`;
     await drop(page, {name: file, text: still});
     await page.waitForFunction((wanted) => document.querySelector('.file-name').textContent === wanted, file);
@@ -59,11 +70,44 @@ testOnOnePage('a control edits the text, and undo takes it back', edits, async (
     if (then) assert.doesNotMatch(text, then);
     assert.deepEqual(await picture(page), nativeText(file, text));
     assert.equal(await page.locator('.outside').count(), 0);
-    await page.getByRole('button', {name: 'Undo'}).click();
+    for (let i = 0; i < steps; ++i) await page.getByRole('button', {name: 'Undo'}).click();
     await settled(page);
     assert.equal(await sceneText(page), still);
     assert.deepEqual(await picture(page), before);
 });
+
+test('fog is changed in its block, and taken away', () => withPage(async (page) => {
+    await drop(page, {name: 'still.glint', text: still});
+    await page.waitForFunction(() => document.querySelector('.file-name').textContent === 'still.glint');
+    await settled(page);
+    await flip(page, 'In fog');
+    await settled(page);
+    await page.getByRole('combobox', {name: 'Kind of fog'}).selectOption('linear');
+    await settled(page);
+    await page.getByRole('spinbutton', {name: 'Fog end'}).fill('12');
+    await settled(page);
+    const text = await sceneText(page);
+    assert.match(text, /^fog { type = linear .* end = 12 }$/m);
+    assert.deepEqual(await picture(page), nativeText('still.glint', text));
+    await flip(page, 'In fog');
+    await settled(page);
+    assert.equal(await sceneText(page), still);
+}));
+
+test('a transparent background has the file’s alpha', () => withPage(async (page) => {
+    await drop(page, {name: 'still.glint', text: still});
+    await page.waitForFunction(() => document.querySelector('.file-name').textContent === 'still.glint');
+    await settled(page);
+    await flip(page, 'Transparent background');
+    await settled(page);
+    assert.match(await sceneText(page), / alpha = true /);
+    const alphas = await page.locator('.frame canvas').first().evaluate((canvas) => {
+        const {data} = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height);
+        return [...new Set(data.filter((_, i) => i % 4 === 3))].sort((a, b) => a - b);
+    });
+    assert.equal(alphas[0], 0);
+    assert.equal(alphas.at(-1), 255);
+}));
 
 test('a fault that is taken back is as it was', () => withPage(async (page) => {
     await drop(page, {name: 'still.glint', text: still});

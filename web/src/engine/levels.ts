@@ -20,9 +20,22 @@ function setting(info: SceneInfo, name: string): string {
     return info.settings.find((one) => one.name === name)?.value ?? '';
 }
 
-/** N of the setting aa, "N" or "adaptive:N:T". */
-export function samplesPerSide(aa: string): number {
-    return Number(aa.startsWith('adaptive:') ? aa.split(':')[1] : aa);
+/** The setting aa: "N" or "adaptive:N:T", and perhaps ":jitter". */
+export interface Samples {
+    n: number;
+    /** Of adaptive sampling; null: all pixels have n x n samples. */
+    threshold: string | null;
+    jitter: boolean;
+}
+
+export function samplesOf(aa: string): Samples {
+    const words = aa.split(':');
+    const jitter = words.at(-1) === 'jitter', adaptive = words[0] === 'adaptive';
+    return {n: Number(words[adaptive ? 1 : 0]), threshold: adaptive ? words[2]! : null, jitter};
+}
+
+export function samplesText({n, threshold, jitter}: Samples): string {
+    return `${threshold === null ? n : `adaptive:${n}:${threshold}`}${jitter ? ':jitter' : ''}`;
 }
 
 /** The pictures of a content, coarse to fine; the first has at most `affordable` samples, if that is possible. */
@@ -31,7 +44,7 @@ export function levelsOf({prepare: wanted}: {prepare: PrepareRequest}, info: Sce
     const [wholeWidth, wholeHeight] = asked as [number, number];
     const shrink = Math.min(1, Math.sqrt(maxPixels / (wholeWidth * wholeHeight)));
     const samples = wanted.settings?.['aa'] ?? setting(info, 'aa');
-    const n = samplesPerSide(samples);
+    const {n} = samplesOf(samples);
     const level = (scale: number, aa: number): Level => {
         const width = Math.max(1, Math.round(wholeWidth * scale)), height = Math.max(1, Math.round(wholeHeight * scale));
         const settings: Record<string, string> = {...wanted.settings};

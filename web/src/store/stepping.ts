@@ -7,7 +7,12 @@ import {strongestLight} from './pixels';
 import {pinned, selected, step} from './state';
 
 /** What a ray adds to the sum of its pixel's samples. */
-export function addedBy({hit, background}: ExplainedRay): Vec3 {
+export function addedBy(ray: ExplainedRay): Vec3 {
+    return ownLight(ray).map((c, i) => c + (ray.fog?.added[i] ?? 0)) as Vec3;
+}
+
+/** The same without the fog before the surface or the background. */
+function ownLight({hit, background}: ExplainedRay): Vec3 {
     return hit ? ([0, 1, 2].map((c) => hit.parts.ambient[c]! + hit.parts.diffuse[c]! + hit.parts.specular[c]!) as Vec3) : background!;
 }
 

@@ -2,7 +2,7 @@
 // .glint and .cgfs: blocks of `key = value`.
 import type {FieldInfo, Vec3} from 'glint-wasm';
 
-import {type Edit, type LightText, type SceneFormat, length, number} from './edit';
+import {type Edit, type FogText, type LightText, type SceneFormat, length, number} from './edit';
 
 export interface Entry {
     key: string;
@@ -144,12 +144,27 @@ function light(text: string, offset: number, canAdd: boolean): LightText | null 
     const intensity = block.entries.findLast((entry) => entry.key === 'intensity');
     const setField = (field: FieldInfo, value: number | boolean | Vec3) => {
         const key = block.entries.findLast((entry) => field.keys.includes(entry.key))?.key ?? (canAdd ? field.keys[0]! : null);
-        return key === null ? null : set(text, block, key, typeof value === 'number' ? number(value) : typeof value === 'boolean' ? String(value) : vector(value));
+        return key === null ? null : set(text, block, key, valueText(value));
     };
     return {
         intensity: intensity ? Number(text.slice(intensity.from, intensity.to)) : 1,
         setIntensity: (value) => set(text, block, 'intensity', number(value)),
         setField,
+    };
+}
+
+const valueText = (value: number | boolean | Vec3) => (typeof value === 'number' ? number(value) : typeof value === 'boolean' ? String(value) : vector(value));
+
+function fog(text: string, offset: number): FogText | null {
+    const block = blockAt(text, offset, 'fog');
+    if (!block) return null;
+    return {
+        setKind: (kind) => set(text, block, 'type', kind),
+        setField: (field, value) => set(text, block, field.keys[0]!, valueText(value)),
+        remove() {
+            const line = /^[ \t]*(?:\r?\n)?/.exec(text.slice(block.close + 1))![0];
+            return [{from: block.from, to: block.close + 1 + line.length, insert: ''}];
+        },
     };
 }
 
@@ -177,6 +192,11 @@ export const glint: SceneFormat = {
         return [{from: at, to: at, insert: `${at > 0 && text[at - 1] !== '\n' ? '\n' : ''}${word} { ${key} = ${shown} }\n`}];
     },
     light: (text, offset) => light(text, offset, true),
+    fog,
+    addFog(text, density) {
+        const at = top(text, ['glint', 'profile', 'background']);
+        return [{from: at, to: at, insert: `${at > 0 && text[at - 1] !== '\n' ? '\n' : ''}fog { type = exp  color = (0.7, 0.75, 0.8)  density = ${number(density)} }\n`}];
+    },
     camera(text, offset, camera) {
         const block = offset === null ? null : blockAt(text, offset, 'camera');
         if (!block) return null;

@@ -18,6 +18,13 @@ export interface LightText {
     setField(field: FieldInfo, value: number | boolean | Vec3): Edit[] | null;
 }
 
+/** The fog as given in its text. */
+export interface FogText {
+    setKind(kind: string): Edit[];
+    setField(field: FieldInfo, value: number | boolean | Vec3): Edit[];
+    remove(): Edit[];
+}
+
 /** The edits of one format's text. Null or false: this format cannot express it. */
 export interface SceneFormat {
     name: string;
@@ -25,6 +32,10 @@ export interface SceneFormat {
     setting(text: string, key: string, value: string, isConvention: boolean): Edit[] | null;
     /** The light at an offset of the text. */
     light(text: string, offset: number): LightText | null;
+    /** The fog at an offset of the text. */
+    fog?(text: string, offset: number): FogText | null;
+    /** Adds a fog of this density to a text without one. */
+    addFog?(text: string, density: number): Edit[];
     /** Moves the shape at an offset of the text by a vector of the world; null: not in this text. */
     moveShape?(text: string, offset: number, by: Vec3): Edit[] | null;
     /** The names of the scenes in a text, if it may have several. */

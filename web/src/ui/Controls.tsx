@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // The right side: everything of the scene that a page can set, in the order in which a student meets it: how surfaces are shaded,
 // the lights, what goes wrong, the picture, the conventions. Each control edits the text where its format can say it.
-import type {FieldInfo, LightInfo, Setting, Vec3} from 'glint-wasm';
-import {useSignal} from '@preact/signals';
+import type {FieldInfo, LightInfo, Setting} from 'glint-wasm';
 
-import {samplesPerSide} from '../engine/levels';
-import {type FieldValue, fieldValue, lightText, setField, setIntensity, switchLight} from '../store/lights';
+import {type Samples, samplesOf, samplesText} from '../engine/levels';
+import {fieldValue, lightText, setField, setIntensity, switchLight} from '../store/lights';
 import {isHere, reveal} from '../store/places';
 import {setSetting} from '../store/settings';
 import {info, settingOf} from '../store/state';
+import {Field, capital} from './Field';
+import {FogControls} from './Fog';
 import {Choice, NumberField, Slider, Switch} from './fields';
 
 /** The words of "a | b | c", or nothing. */
@@ -45,17 +46,16 @@ export function Shading() {
     );
 }
 
-/** The number of samples, and whether only the pixels at edges have them. */
+/** The number of samples, whether only the pixels at edges have them, and whether they are jittered. */
 function SampleControls({aa}: {aa: string}) {
-    const n = samplesPerSide(aa), adaptive = aa.startsWith('adaptive:');
-    const threshold = adaptive ? aa.split(':')[2] : '0.05';
-    const set = (samples: number, edges: boolean) =>
-        setSetting('aa', edges ? `adaptive:${samples}:${threshold}` : String(samples));
+    const now = samplesOf(aa), {n, threshold, jitter} = now;
+    const set = (change: Partial<Samples>) => setSetting('aa', samplesText({...now, ...change}));
     return (
         <>
             <Slider label="Samples n×n" value={n} min={1} max={Math.max(4, n)} step={1}
-                    text={`${n} by ${n}: ${n ** 2} per pixel`} set={(v) => set(Math.round(v), adaptive)} />
-            {n > 1 && <Switch label="Only at edges" on={adaptive} set={(on) => set(n, on)} />}
+                    text={`${n} by ${n}: ${n ** 2} per pixel`} set={(v) => set({n: Math.round(v)})} />
+            {n > 1 && <Switch label="Only at edges" on={threshold !== null} set={(on) => set({threshold: on ? '0.05' : null})} />}
+            {n > 1 && <Switch label="Jittered" hint="Each sample at a place of its own in its square" on={jitter} set={(on) => set({jitter: on})} />}
         </>
     );
 }
@@ -68,50 +68,6 @@ export function PictureControls() {
             <Size />
             <Switch label="Transparent background" on={valueOf('alpha') === 'true'} set={(on) => setSetting('alpha', String(on))} />
         </section>
-    );
-}
-
-const capital = (text: string) => text[0]!.toUpperCase() + text.slice(1);
-
-/** The names of a value's three numbers. */
-const parts: Partial<Record<FieldInfo['type'], string[]>> = {
-    point: ['x', 'y', 'z'], direction: ['x', 'y', 'z'], color: ['red', 'green', 'blue'], attenuation: ['c0', 'c1', 'c2'],
-};
-
-/** The controls of a field. */
-function Field({field, value, set}: {field: FieldInfo; value: FieldValue; set: (value: FieldValue) => void}) {
-    if (typeof value === 'boolean') return <Switch label={capital(field.label)} hint={field.description} on={value} set={set} />;
-    return <NumbersField field={field} value={value} set={set} />;
-}
-
-/** Places have sliders, other numbers are typed. */
-function NumbersField({field, value, set}: {field: FieldInfo; value: number | Vec3; set: (value: number | Vec3) => void}) {
-    const label = capital(field.label);
-    const numbers = typeof value === 'number' ? [value] : value;
-    const hasSliders = field.type === 'point' || field.type === 'direction';
-    const reach = useSignal(0);
-    const needed = Math.max(5, ...numbers.map((c) => Math.abs(c) * 1.25));
-    if (hasSliders && needed > reach.value) reach.value = Number(needed.toPrecision(1)) >= needed ? Number(needed.toPrecision(1)) : Math.ceil(needed);
-    const setPart = (i: number, v: number) => set(typeof value === 'number' ? v : (value.map((c, k) => (k === i ? v : c)) as Vec3));
-    if (hasSliders) {
-        return (
-            <>
-                {numbers.map((c, i) => (
-                    <Slider key={i} label={`${label} ${parts[field.type]![i]}`} value={c} min={-reach.value} max={reach.value} step={reach.value / 200}
-                            set={(v) => setPart(i, v)} />
-                ))}
-            </>
-        );
-    }
-    return (
-        <fieldset class="row" title={field.description}>
-            <legend>{label}</legend>
-            {numbers.map((c, i) => (
-                <NumberField key={i} label={numbers.length === 1 ? label : `${label} ${parts[field.type]![i]}`} hidden value={c}
-                             {...(field.min === undefined ? {} : {min: field.min})} {...(field.max === undefined ? {} : {max: field.max})}
-                             set={(v) => setPart(i, v)} />
-            ))}
-        </fieldset>
     );
 }
 
@@ -248,6 +204,7 @@ export function Controls() {
             <Lights />
             <Faults />
             <Epsilon />
+            <FogControls />
             <PictureControls />
             <Conventions />
             <p class="note">{shapes.join(', ')}; {facts.material_count} material{facts.material_count === 1 ? '' : 's'}.</p>

@@ -120,6 +120,7 @@ function Ray({explanation, number, depth}: {explanation: Explanation; number: nu
                 <b>{rayNames[ray.kind]}</b> {hit ? <>hits {itemName(hit.shape)}</> : 'leaves the scene'}
                 <span class="swatch" style={{background: css(added)}} aria-hidden="true" />
             </summary>
+            {ray.fog && ray.fog.visibility !== 1 && <Term name="fog" formula={`${short(ray.fog.visibility)} of the light is seen; the fog adds`} value={shortColor(ray.fog.added)} />}
             {hit ? (
                 <>
                     <Term name="object" place={hit.shape} formula={`t = ${short(ray.t)}`} value={itemName(hit.shape)} />

@@ -47,6 +47,7 @@ export function sentence(explanation: Explanation): string {
         }
         if (share('reflection') > 0.005) parts.push(`${Math.round(100 * share('reflection'))}% is ${seenIn(explanation, hit, 'reflected')} in the mirror`);
         if (share('transmission') > 0.005) parts.push(`${Math.round(100 * share('transmission'))}% is ${seenIn(explanation, hit, 'transmitted')} through the glass`);
+        if (share('fog') > 0.005) parts.push(`${Math.round(100 * share('fog'))}% is the fog's own light`);
     }
     for (const {light, reason, blocker} of hit.lights) {
         if (reason === 'blocked') parts.push(`${phrase(lightName(light))} is blocked${blocker ? ` by ${phrase(itemName(blocker.shape))}` : ''}`);
