@@ -40,7 +40,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadText{"in_a_group",
                 SCENE "group { $fog { } }",
                 {"a group contains shapes, groups and includes; 'fog' must be outside"}}),
-    [](const auto& info) { return info.param.name; });
+    [](const auto& tested) { return tested.param.name; });
 
 TEST(GlintFog, IsReadAndWritten) {
     const Result<Scene> scene = load_text(
