@@ -10,7 +10,7 @@ namespace {
 
 using Arguments = std::vector<std::string>;
 
-Arguments operator+(Arguments a, const Arguments& b) {
+Arguments joined(Arguments a, const Arguments& b) {
     a.insert(a.end(), b.begin(), b.end());
     return a;
 }
@@ -22,12 +22,12 @@ light { type = ambient  intensity = 1 }
 sphere { center = (-0.5, 0, 0)  radius = 1  color = (1, 0.5, 0.25)  ambient = 1 }
 disc { center = (1, 0, 1)  normal = (0, 0, 1)  radius = 0.4  ambient_color = (0, 0, 0)  diffuse = 0  transmission = 0.6 }
 )";
-const Arguments k_render{"render", "a.glint", "-s", "90x70", "--alpha", "--aa", "2", "-q"};
+const Arguments k_render_ball{"render", "a.glint", "-s", "90x70", "--alpha", "--aa", "2", "-q"};
 
 TEST(AlphaFiles, PngIsStraight) {
     const Folder folder;
     folder.write("a.glint", k_ball);
-    ASSERT_EQ(run(folder, k_render + Arguments{"-o", "a.png"}).code, 0);
+    ASSERT_EQ(run(folder, joined(k_render_ball, {"-o", "a.png"})).code, 0);
     const Picture picture = read_png(folder.path("a.png"));
     ASSERT_EQ(picture.error, "");
     ASSERT_EQ(picture.channels, 4);
@@ -55,7 +55,7 @@ TEST(AlphaFiles, PngIsStraight) {
 TEST(AlphaFiles, SettingOfTheScene) {
     const Folder folder;
     folder.write("a.glint", k_ball);
-    ASSERT_EQ(run(folder, k_render + Arguments{"-o", "a.png"}).code, 0);
+    ASSERT_EQ(run(folder, joined(k_render_ball, {"-o", "a.png"})).code, 0);
     folder.write("b.glint", std::string("render { size = 90 x 70  aa = 2  alpha = true }") + k_ball);
     ASSERT_EQ(run(folder, {"render", "b.glint", "-o", "b.png", "-q"}).code, 0);
     EXPECT_TRUE(folder.read("a.png") == folder.read("b.png"));
@@ -68,12 +68,12 @@ TEST(AlphaFiles, PartsAndJournals) {
         for (const char* ending : {".png", ".exr"}) {
             SCOPED_TRACE(ending);
             const auto name = [&](const char* stem) { return std::string(stem) + ending; };
-            const Arguments render = k_render + more;
-            ASSERT_EQ(run(folder, render + Arguments{"-o", name("a")}).code, 0);
-            ASSERT_EQ(run(folder, render + Arguments{"-o", name("b"), "--resume"}).code, 0);
+            const Arguments render = joined(k_render_ball, more);
+            ASSERT_EQ(run(folder, joined(render, {"-o", name("a")})).code, 0);
+            ASSERT_EQ(run(folder, joined(render, {"-o", name("b"), "--resume"})).code, 0);
             EXPECT_TRUE(folder.read(name("a")) == folder.read(name("b")));
-            ASSERT_EQ(run(folder, render + Arguments{"-o", "1.tiles", "--part", "1/2"}).code, 0);
-            ASSERT_EQ(run(folder, render + Arguments{"-o", "2.tiles", "--part", "2/2"}).code, 0);
+            ASSERT_EQ(run(folder, joined(render, {"-o", "1.tiles", "--part", "1/2"})).code, 0);
+            ASSERT_EQ(run(folder, joined(render, {"-o", "2.tiles", "--part", "2/2"})).code, 0);
             ASSERT_EQ(run(folder, {"join", "1.tiles", "2.tiles", "-q", "-o", name("c")}).code, 0);
             EXPECT_TRUE(folder.read(name("a")) == folder.read(name("c")));
             EXPECT_FALSE(folder.has("a.alpha.png")) << "it is the channel of the picture";
@@ -85,7 +85,7 @@ TEST(AlphaFiles, PartsAndJournals) {
 TEST(AlphaFiles, PpmHasNone) {
     const Folder folder;
     folder.write("a.glint", k_ball);
-    const Finished r = run(folder, k_render + Arguments{"-o", "a.ppm"});
+    const Finished r = run(folder, joined(k_render_ball, {"-o", "a.ppm"}));
     EXPECT_EQ(r.code, 2);
     EXPECT_TRUE(contains(r.err, "PPM has no alpha channel")) << r.err;
     EXPECT_FALSE(folder.has("a.ppm"));
@@ -104,9 +104,9 @@ TEST(AlphaFiles, AdaptiveSamplesInParts) {
     const Folder folder;
     folder.write("a.glint", k_ball);
     const Arguments render{"render", "a.glint", "-s", "90x70", "--aa", "adaptive:3:0.02", "-q"};
-    ASSERT_EQ(run(folder, render + Arguments{"-o", "a.png"}).code, 0);
-    ASSERT_EQ(run(folder, render + Arguments{"-o", "1.tiles", "--part", "1/2"}).code, 0);
-    ASSERT_EQ(run(folder, render + Arguments{"-o", "2.tiles", "--part", "2/2"}).code, 0);
+    ASSERT_EQ(run(folder, joined(render, {"-o", "a.png"})).code, 0);
+    ASSERT_EQ(run(folder, joined(render, {"-o", "1.tiles", "--part", "1/2"})).code, 0);
+    ASSERT_EQ(run(folder, joined(render, {"-o", "2.tiles", "--part", "2/2"})).code, 0);
     ASSERT_EQ(run(folder, {"join", "1.tiles", "2.tiles", "-q", "-o", "b.png"}).code, 0);
     EXPECT_TRUE(folder.read("a.png") == folder.read("b.png"));
     const Finished r =
