@@ -66,9 +66,14 @@ struct ExplainedHit {
     Color ambient;                    ///< k_a I_a; for shading color or normals, the shown colour
     std::vector<LightTerms> lights;   ///< in scene order, without ambient lights
     Color diffuse, specular;          ///< sums over the lights
-    Color parts[3];      ///< added to the pixel: ambient, diffuse and specular times weight and local_share
+    Color emission;                   ///< k_e
+    /// Added to the pixel: ambient, diffuse, specular and emission times weight and local_share.
+    Color parts[4];
     double fresnel = 0;  ///< for glass: the reflected fraction; 1: total internal reflection
     ExplainedSecondaryRay reflected, transmitted;
+
+    /// The sum of the parts.
+    Color own_light() const { return parts[0] + parts[1] + parts[2] + parts[3]; }
 };
 
 struct ExplainedRay {

@@ -13,7 +13,7 @@
 
 namespace glint {
 
-/// The first seven are light: their sum, as floats and in this order, is exactly the picture. Light seen in a
+/// The first eight are light: their sum, as floats and in this order, is exactly the picture. Light seen in a
 /// mirror belongs to reflection, light seen through glass to transmission; the first secondary ray of the
 /// path decides. The other layers but shadow and alpha describe the first hit of the pixel's middle sample
 /// (row and column n / 2 of n).
@@ -24,6 +24,7 @@ enum class Layer : std::uint8_t {
     specular,
     reflection,
     transmission,
+    emission,  ///< k_e of the first surfaces
     fog,       ///< the light of the fog in front of the first surfaces and of the background
     normal,    ///< unit, as used for shading; 0 if nothing is hit
     depth,     ///< distance from the camera ray's origin, in world units; infinity if nothing is hit
@@ -34,7 +35,7 @@ enum class Layer : std::uint8_t {
     material,  ///< index in Scene::materials + 1, their number + 1 for the default; 0: no hit
     alpha,     ///< 1 - the part of the pixel that shows the background, directly or through glass; 0 to 1
 };
-inline constexpr int k_light_layers = 7, k_layers = 15;
+inline constexpr int k_light_layers = 8, k_layers = 16;
 
 struct LayerInfo {
     Layer layer;

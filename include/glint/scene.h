@@ -164,6 +164,10 @@ struct Material {
     double ior = 1;           ///< index of refraction, > 0
     Color transmission_tint{1, 1, 1};
     bool casts_shadow = true;  ///< false: a surface with this material blocks no light
+
+    // A World stores the following fields only if one of them differs from its default.
+
+    Color emission{0, 0, 0};  ///< k_e: light that the surface emits by itself; it lights no other surface
 };
 
 /// One shape of the scene: parameters number `index` of its kind, its material and its transform.

@@ -107,6 +107,7 @@ class Material:
         transmission_tint: ColorLike = ...,
         casts_shadow: bool = ...,
         ior: float = ...,
+        emission: ColorLike = ...,
     ) -> None: ...
     name: str
     color: _ColorField
@@ -120,6 +121,7 @@ class Material:
     transmission_tint: _ColorField
     casts_shadow: bool
     ior: float
+    emission: _ColorField
     def __eq__(self, other: object) -> bool: ...
     def __copy__(self) -> Material: ...
     def __deepcopy__(self, memo: Dict[Any, Any]) -> Material: ...

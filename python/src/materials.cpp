@@ -60,7 +60,8 @@ void set_color(Material& material, const Color& color) {
 void bind_materials(py::module_& m) {
     py::class_<MaterialBox, std::shared_ptr<MaterialBox>> cls(
         m, "Material",
-        "A surface. A number for ambient, diffuse or specular is a factor of `color`: Material(color=(1, 0, "
+        "A surface. A number for ambient, diffuse, specular or emission is a factor of `color`: "
+        "Material(color=(1, 0, "
         "0), specular=0.5). Three numbers are the coefficient itself. Setting `color` keeps the factors.");
     cls.def(py::init([](const py::kwargs& keywords) {
         return std::make_shared<MaterialBox>(MaterialBox{make_material(keywords), name_in(keywords)});

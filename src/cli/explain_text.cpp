@@ -12,6 +12,7 @@
 #include "glint/image.h"
 #include "math/elementary.h"
 #include "math/transform.h"
+#include "scene/material_fields.h"
 
 namespace glint::cli {
 namespace {
@@ -28,6 +29,10 @@ std::string color(const float (&c)[3]) {
                                         : fmt::format("({}, {}, {})", c[0], c[1], c[2]);
 }
 
+std::string value_text(double x) { return number(x); }
+std::string value_text(bool b) { return b ? "true" : "false"; }
+std::string value_text(Color c) { return color(c); }
+
 std::string item_text(const Scene& scene, const ItemTexts& texts, std::uint32_t index, std::string kind) {
     const auto name = texts.name(index);
     kind += name.empty() ? fmt::format(" {}", index + 1) : fmt::format(" '{}'", name);
@@ -35,6 +40,18 @@ std::string item_text(const Scene& scene, const ItemTexts& texts, std::uint32_t 
     if (place.line != 0 && place.file < scene.files.size())
         kind += fmt::format(" ({}:{}:{})", scene.files[place.file], place.line, place.column);
     return kind;
+}
+
+// The extended fields that differ from their defaults.
+std::string extended_text(const Material& m) {
+    std::string text;
+    for (const ItemField<Material>& field : k_extended_fields) {
+        if (same_bits(field, m, Material{})) continue;
+        visit_field(field, m, [&](const auto&, const auto& value) {
+            text += fmt::format(", {} {}", field.label, value_text(value));
+        });
+    }
+    return text;
 }
 
 std::string material_text(const Scene& scene, const ExplainedHit& hit) {
@@ -48,7 +65,7 @@ std::string material_text(const Scene& scene, const ExplainedHit& hit) {
     if (m.mirror > 0 && !(m.mirror_tint == Color{1, 1, 1})) text += " tinted " + color(m.mirror_tint);
     if (m.transmission > 0)
         text += fmt::format(", transmission {}, ior {}", number(m.transmission), number(m.ior));
-    return text;
+    return text + extended_text(m);
 }
 
 // A coloured block to print after the numbers of a colour.
@@ -166,10 +183,15 @@ class Tree {
         if (material_of(hit, scene_).transmission > 0)
             line(depth + 1, fmt::format("glass: reflects F = {}, tint {}", number(hit.fresnel),
                                         color(material_of(hit, scene_).transmission_tint)));
-        const Color sum = hit.ambient + hit.diffuse + hit.specular;
-        line(depth + 1,
-             fmt::format("sum: ambient {} + diffuse {} + specular {} = {}{}", color(hit.ambient),
-                         color(hit.diffuse), color(hit.specular), color(sum), swatch(style_, sum)));
+        const bool emits = !(hit.emission == Color{});
+        if (emits)
+            line(depth + 1,
+                 fmt::format("emission k_e = {}{}", color(hit.emission), swatch(style_, hit.emission)));
+        const Color sum = hit.ambient + hit.diffuse + hit.specular + hit.emission;
+        line(depth + 1, fmt::format("sum: ambient {} + diffuse {} + specular {}{} = {}{}", color(hit.ambient),
+                                    color(hit.diffuse), color(hit.specular),
+                                    emits ? " + emission " + color(hit.emission) : std::string(), color(sum),
+                                    swatch(style_, sum)));
         add_fog(r, depth + 1);
         if (!(hit.weight == r.weight))
             line(depth + 1, fmt::format("weight after absorption in {}: {}",
@@ -178,7 +200,7 @@ class Tree {
                                                                       : "the fog",
                                         color(hit.weight)));
         if (hit.local_share != 1 || r.parent >= 0) {
-            const Color part = hit.parts[0] + hit.parts[1] + hit.parts[2];
+            const Color part = hit.own_light();
             line(depth + 1,
                  fmt::format("own light: {} x {} (the rest is mirror and glass): {}{}", color(hit.weight),
                              number(hit.local_share), color(part), swatch(style_, part)));
@@ -261,8 +283,7 @@ std::string rays_text(const Explanation& e, Layer layer) {
     for (std::size_t i = 0; i < e.rays.size(); ++i) {
         if (layer_of(e, i) != layer) continue;
         const ExplainedRay& ray = e.rays[i];
-        const Color adds =
-            (ray.hit ? ray.hit->parts[0] + ray.hit->parts[1] + ray.hit->parts[2] : ray.background) + ray.fog;
+        const Color adds = (ray.hit ? ray.hit->own_light() : ray.background) + ray.fog;
         if (adds == Color{}) continue;
         if (++told > 12) return text + " + ...";
         text += fmt::format("{}ray {}: {}", told == 1 ? "   " : " + ", i, color(adds));

@@ -122,9 +122,7 @@ Result<std::vector<Color>> sample_values(const Explanation& explanation) {
             if (static_cast<std::size_t>(ray.sample) >= values.size())
                 return invalid_argument("a ray is of a sample that the pixel has not");
             Color& value = values[static_cast<std::size_t>(ray.sample)];
-            value = value +
-                    (ray.hit ? ray.hit->parts[0] + ray.hit->parts[1] + ray.hit->parts[2] : ray.background) +
-                    ray.fog;
+            value = value + (ray.hit ? ray.hit->own_light() : ray.background) + ray.fog;
         }
         return values;
     });

@@ -107,10 +107,12 @@ Json hit_json(const Scene& scene, const ExplainedHit& hit) {
             {"lights", std::move(lights)},
             {"diffuse", to_json(hit.diffuse)},
             {"specular", to_json(hit.specular)},
+            {"emission", to_json(hit.emission)},
             {"parts",
              {{"ambient", to_json(hit.parts[0])},
               {"diffuse", to_json(hit.parts[1])},
-              {"specular", to_json(hit.parts[2])}}},
+              {"specular", to_json(hit.parts[2])},
+              {"emission", to_json(hit.parts[3])}}},
             {"fresnel", hit.fresnel},
             {"reflected", secondary_ray_json(hit.reflected)},
             {"transmitted", secondary_ray_json(hit.transmitted)}};

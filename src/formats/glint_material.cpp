@@ -52,8 +52,9 @@ void copy_field(std::size_t field, const Material& from, Material& to) {
 Material made_of(const MaterialKeys& k) {
     Material m;
     for (std::size_t i = 0; i < k_coefficients; ++i) {
-        if (k.has_field(k_color) || k.has(i))
-            m.*k_material_coefficients[i].field = k.fields.color * k.coefficients[i];
+        const MaterialCoefficient& coefficient = k_material_coefficients[i];
+        if (k.has(i) || (k.has_field(k_color) && !coefficient.if_given))
+            m.*coefficient.field = k.fields.color * k.coefficients[i];
     }
     for (std::size_t i = 0; i < std::size(k_material_fields); ++i) {
         if (k.has_field(i)) copy_field(i, k.fields, m);

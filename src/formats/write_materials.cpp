@@ -115,7 +115,8 @@ std::string_view MaterialPlan::name(std::uint32_t material) const {
 void write_material_keys(BlockWriter& block, const Material& m) {
     const Material usual;
     for (const ItemField<Material>& field : k_material_fields) {
-        if (const MaterialCoefficient* coefficient = coefficient_of(field)) {
+        const MaterialCoefficient* coefficient = coefficient_of(field);
+        if (coefficient != nullptr && !(coefficient->if_given && same_bits(field, m, usual))) {
             write_term(block, m.color, m.*coefficient->field, *coefficient, field.key);
         } else if (is_field_of(field, &Material::color) || !same_bits(field, m, usual)) {
             write_field(block, field, m);

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
+#include <iterator>
+#include <span>
+
 #include "scene/fields.h"
 
 namespace glint {
@@ -45,6 +48,13 @@ inline constexpr ItemField<Material> k_material_fields[] = {
      "the index of refraction"},
     {"casts_shadow", "casts_shadow", "casts a shadow", bool_field(&Material::casts_shadow),
      "false: the surface blocks no light"},
+    // From here on: the fields of WorldParts::extended (world/extended_materials.h).
+    {.key = "emission_color",
+     .name = "emission",
+     .label = "emission",
+     .member = color_field(&Material::emission, k_channel, ColorUse::coefficient),
+     .description = "k_e itself: light that the surface emits; it lights no other surface",
+     .otherwise = "emission * color"},
 };
 
 /// A key of .glint that gives a field as a factor of the color.
@@ -54,12 +64,14 @@ struct MaterialCoefficient {
     double usual;  ///< the coefficient if only the color is given
     Range range;
     std::string_view description;
+    bool if_given = false;  ///< without the key, the color does not set the field
 };
 inline constexpr Range k_coefficient{0, 1e6, false, false, "a coefficient from 0 to 1e6"};
 inline constexpr MaterialCoefficient k_material_coefficients[] = {
     {"ambient", &Material::ambient, 0.1, k_coefficient, "k_a = ambient * color"},
     {"diffuse", &Material::diffuse, 0.8, k_coefficient, "k_d = diffuse * color"},
     {"specular", &Material::specular, 0, k_fraction, "k_s = specular * color, as in CGFS and RT2"},
+    {"emission", &Material::emission, 0, k_coefficient, "k_e = emission * color", true},
 };
 
 /// The number of a member's row.
@@ -68,6 +80,11 @@ template <class Value> constexpr std::size_t material_field(Value Material::*mem
     while (!is_field_of(k_material_fields[i], member)) ++i;
     return i;
 }
+
+/// The fields of the second table.
+inline constexpr std::size_t k_first_extended_field = material_field(&Material::emission);
+inline constexpr std::span<const ItemField<Material>> k_extended_fields{
+    k_material_fields + k_first_extended_field, std::size(k_material_fields) - k_first_extended_field};
 
 /// The coefficient that gives a field, or nullptr.
 constexpr const MaterialCoefficient* coefficient_of(const ItemField<Material>& field) {

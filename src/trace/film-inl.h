@@ -131,25 +131,33 @@ HWY_INLINE Vector3<Doubles> ambient_of(const WorldParts& world, const MaterialLa
     return material.color(k_ambient) * lanes_of(world.ambient);
 }
 
-/// The weighted light of a vector of surfaces, as it is added to the pixels.
+/// k_e, if the world uses it; else 0.
+HWY_INLINE Vector3<Doubles> emission_of(const WorldParts& world, const MaterialLanes& material) {
+    if (!world.uses<&Material::emission>()) return lanes_of(Vec3{});
+    return ExtendedLanes(world, material).color<&Material::emission>();
+}
+
+/// The weighted light of a vector of surfaces, as it is added to the pixels. emission: only if the world uses
+/// it.
 struct HitLight {
-    Vector3<Doubles> ambient, diffuse, specular;
+    Vector3<Doubles> ambient, diffuse, specular, emission;
 };
 HWY_INLINE HitLight light_of(const WorldParts& world, const SurfaceBatch& surfaces,
                              const RadianceBatch& radiance, const MaterialLanes& material, int h) {
     const Vector3<Doubles> weight =
         load_vector3(surfaces.weight, h) * local_share(world, material, surfaces.generation);
     return {weight * ambient_of(world, material), weight * load_vector3(radiance.diffuse, h),
-            weight * load_vector3(radiance.specular, h)};
+            weight * load_vector3(radiance.specular, h), weight * emission_of(world, material)};
 }
 
 /// Adds the light of surfaces [begin, end) to their pixels.
 inline void add_hits(const WorldParts& world, const SurfaceBatch& surfaces, const RadianceBatch& radiance,
                      int begin, int end, Film& film) {
     if (begin == end) return;
-    const bool camera = surfaces.generation == 0;
+    const bool camera = surfaces.generation == 0, emits = world.uses<&Material::emission>();
     if (camera) {
         for (const Layer layer : {Layer::ambient, Layer::diffuse, Layer::specular}) film.touch(layer);
+        if (emits) film.touch(Layer::emission);
         if (world.fog) film.touch(Layer::fog);
     }
     for (int h = begin; h < end; h += lane_count<double>()) {
@@ -160,12 +168,12 @@ inline void add_hits(const WorldParts& world, const SurfaceBatch& surfaces, cons
             pixels.add(film, Layer::ambient, light.ambient);
             pixels.add(film, Layer::diffuse, light.diffuse);
             pixels.add(film, Layer::specular, light.specular);
+            if (emits) pixels.add(film, Layer::emission, light.emission);
             if (world.fog) pixels.add(film, Layer::fog, load_vector3(surfaces.fog, h));
-        } else if (world.fog) {
-            pixels.add(film, Layer::reflection, light.ambient, light.diffuse, light.specular,
-                       load_vector3(surfaces.fog, h));
         } else {
             pixels.add(film, Layer::reflection, light.ambient, light.diffuse, light.specular);
+            if (emits) pixels.add(film, Layer::reflection, light.emission);
+            if (world.fog) pixels.add(film, Layer::reflection, load_vector3(surfaces.fog, h));
         }
     }
 }
@@ -197,7 +205,7 @@ HWY_INLINE float alpha_value(const Film& film, std::size_t p, double samples) {
 
 /// Computes `count` pixels from number `first` on (docs/architecture.md): each layer is averaged over the
 /// samples and rounded to float; then background + ambient + diffuse + specular + reflected + transmitted +
-/// fog are added in this order.
+/// emission + fog are added in this order.
 inline void resolve_row(const Film& film, double samples, int first, int count, float* to) {
     Layer layers[k_light_layers];
     int touched = 0;

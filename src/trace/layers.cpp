@@ -12,6 +12,7 @@ std::span<const LayerInfo> layer_infos() {
         {Layer::specular, "specular", "RGB", "k_s terms of the first surfaces"},
         {Layer::reflection, "reflection", "RGB", "what mirrors show"},
         {Layer::transmission, "transmission", "RGB", "what glass lets through"},
+        {Layer::emission, "emission", "RGB", "k_e of the first surfaces"},
         {Layer::fog, "fog", "RGB", "light of the fog in front of the first surfaces and of the background"},
         {Layer::normal, "normal", "XYZ", "unit normal of the first surface"},
         {Layer::depth, "depth", "Z", "its distance from the camera; infinity: nothing is hit"},

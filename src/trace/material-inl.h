@@ -14,6 +14,15 @@ HWY_BEFORE_NAMESPACE();
 namespace glint {
 namespace HWY_NAMESPACE {
 
+/// The numbers at column k of each lane's row. same: all lanes have the same row.
+HWY_INLINE Doubles table_value(const double* table, const std::uint32_t* rows, bool same, int columns,
+                               int k) {
+    if (same)
+        return Doubles(
+            table[std::size_t{rows[0]} * static_cast<std::size_t>(columns) + static_cast<std::size_t>(k)]);
+    return gather(table + k, GatherIndices(rows, static_cast<std::uint32_t>(columns)));
+}
+
 /// The values of each lane's material. If all lanes have the same material, its values are read once.
 struct MaterialLanes {
     const double* base;
@@ -23,12 +32,27 @@ struct MaterialLanes {
     HWY_INLINE MaterialLanes(const WorldParts& world, const std::uint32_t* material)
         : base(world.materials->data()), index(material), same(all_same(material)) {}
 
-    HWY_INLINE Doubles value(int k) const {
-        if (same)
-            return Doubles(base[std::size_t{index[0]} * k_material_values + static_cast<std::size_t>(k)]);
-        return gather(base + k, GatherIndices(index, k_material_values));
-    }
+    HWY_INLINE Doubles value(int k) const { return table_value(base, index, same, k_material_values, k); }
     HWY_INLINE Vector3<Doubles> color(int k) const { return {value(k), value(k + 1), value(k + 2)}; }
+};
+
+/// The values of the same materials in the second table, which must exist.
+struct ExtendedLanes {
+    const double* base;
+    const std::uint32_t* index;
+    bool same;
+
+    HWY_INLINE ExtendedLanes(const WorldParts& world, const MaterialLanes& material)
+        : base(world.extended->data()), index(material.index), same(material.same) {}
+
+    template <auto Member> HWY_INLINE Doubles value() const { return column(k_extended_value<Member>); }
+    template <auto Member> HWY_INLINE Vector3<Doubles> color() const {
+        constexpr int k = k_extended_value<Member>;
+        return {column(k), column(k + 1), column(k + 2)};
+    }
+
+  private:
+    HWY_INLINE Doubles column(int k) const { return table_value(base, index, same, k_extended_values, k); }
 };
 
 }  // namespace HWY_NAMESPACE

@@ -214,17 +214,18 @@ inline void record_sums(const WorldParts& world, const SurfaceBatch& surfaces, c
     for_each_hit(surfaces, [&](int h, int lanes) HWY_ATTR {
         const MaterialLanes material(world, surfaces.material.data() + h);
         const HitLight light = light_of(world, surfaces, radiance, material, h);
-        const Vector3Elements ambient(ambient_of(world, material)),
-            parts[3] = {Vector3Elements(light.ambient), Vector3Elements(light.diffuse),
-                        Vector3Elements(light.specular)};
+        const Vector3Elements ambient(ambient_of(world, material)), emission(emission_of(world, material)),
+            parts[4] = {Vector3Elements(light.ambient), Vector3Elements(light.diffuse),
+                        Vector3Elements(light.specular), Vector3Elements(light.emission)};
         const LaneElements share(local_share(world, material, surfaces.generation));
         for (int k = 0; k < lanes; ++k) {
             ExplainedHit& hit = record.hit(h + k);
             hit.ambient = ambient.color(k);
             hit.diffuse = color_at(radiance.diffuse, h + k);
             hit.specular = color_at(radiance.specular, h + k);
+            hit.emission = emission.color(k);
             hit.local_share = share[k];
-            for (int part = 0; part < 3; ++part) hit.parts[part] = parts[part].color(k);
+            for (int part = 0; part < 4; ++part) hit.parts[part] = parts[part].color(k);
         }
     });
 }

@@ -216,6 +216,7 @@ export interface ExplainedHit {
         transmission_tint: Vec3;
         casts_shadow: boolean;
         ior: number;
+        emission: Vec3;
     };
     point: Vec3;
     normal: Vec3;
@@ -228,8 +229,9 @@ export interface ExplainedHit {
     lights: LightTerms[];
     diffuse: Vec3;
     specular: Vec3;
-    /** Ambient, diffuse and specular times weight and share: the contribution to the pixel. */
-    parts: {ambient: Vec3; diffuse: Vec3; specular: Vec3};
+    emission: Vec3;
+    /** Ambient, diffuse, specular and emission times weight and share: the contribution to the pixel. */
+    parts: {ambient: Vec3; diffuse: Vec3; specular: Vec3; emission: Vec3};
     fresnel: number;
     reflected: ExplainedSecondaryRay;
     transmitted: ExplainedSecondaryRay;
@@ -254,7 +256,7 @@ export interface ExplainedRay {
     transparent?: boolean;
 }
 
-export type LightLayer = 'background' | 'ambient' | 'diffuse' | 'specular' | 'reflection' | 'transmission' | 'fog';
+export type LightLayer = 'background' | 'ambient' | 'diffuse' | 'specular' | 'reflection' | 'transmission' | 'emission' | 'fog';
 
 /** The explanation of a pixel. The layers, added up as floats in their order, are the value. */
 export interface Explanation {

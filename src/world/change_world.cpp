@@ -57,6 +57,21 @@ void move_default_material(WorldParts& parts, std::size_t materials) {
         if (row == from) row = to;
 }
 
+// Sets a material's row in the second table, which it creates where needed.
+void set_extended(WorldParts& parts, std::uint32_t index, const Material& material) {
+    const ExtendedFields uses = extended_fields_of(material);
+    if (parts.extended->empty() && uses == 0) return;
+    std::vector<double>& table = parts.extended.own();
+    if (table.empty()) {
+        table.resize((std::size_t{parts.scene_materials()} + 1) * k_extended_values);
+        for (std::size_t row = 0; row < table.size(); row += k_extended_values)
+            pack_extended(Material{}, table.data() + row);
+    }
+    pack_extended(material, table.data() + std::size_t{index} * k_extended_values);
+    // Fields that no material uses any more remain in the set: they add nothing to the picture.
+    parts.extended_uses |= uses;
+}
+
 }  // namespace
 
 Result<World> with_lights(const World& world, std::span<const Light> lights) {
@@ -122,6 +137,7 @@ Result<World> with_material(const World& world, std::uint32_t index, const Mater
         if (index >= count) return no_material(index, count);
         return changed(world, find_mistakes(material, index), [&](WorldParts& parts) {
             pack_material(material, parts.materials.own().data() + std::size_t{index} * k_material_values);
+            set_extended(parts, index, material);
             if (parts.no_shadow->empty() && material.casts_shadow) return;
             std::vector<std::uint8_t>& no_shadow = parts.no_shadow.own();
             no_shadow.resize(std::size_t{count} + 1);
@@ -145,6 +161,9 @@ Result<World> with_materials(const World& world, std::span<const Material> mater
             if (materials.size() != parts.scene_materials()) move_default_material(parts, materials.size());
             parts.materials = pack_materials(materials);
             parts.no_shadow = find_no_shadow(materials);
+            ExtendedMaterials extended = pack_extended_materials(materials);
+            parts.extended = std::move(extended.table);
+            parts.extended_uses = extended.uses;
         });
     });
 }

@@ -22,6 +22,9 @@ Result<World> prepare(const Scene& scene, const PrepareOptions& options) {
         parts.geometry = std::move(*geometry);
         parts.materials = pack_materials(scene.materials);
         parts.no_shadow = find_no_shadow(scene.materials);
+        ExtendedMaterials extended = pack_extended_materials(scene.materials);
+        parts.extended = std::move(extended.table);
+        parts.extended_uses = extended.uses;
         PreparedLights lights = prepare_lights(scene.lights);
         parts.lights = std::move(lights.lights);
         parts.ambient = lights.ambient;

@@ -35,6 +35,39 @@ std::vector<double> pack_materials(std::span<const Material> materials) {
     return table;
 }
 
+ExtendedFields extended_fields_of(const Material& material) {
+    ExtendedFields uses = 0;
+    for (std::size_t i = 0; i < k_extended_fields.size(); ++i) {
+        visit_field(k_extended_fields[i], material, [&](const auto&, const auto& value) {
+            visit_field(k_extended_fields[i], Material{}, [&](const auto&, const auto& usual) {
+                if constexpr (std::is_same_v<decltype(value), decltype(usual)>) {
+                    if (numbers_of(value) != numbers_of(usual)) uses |= ExtendedFields{1} << i;
+                }
+            });
+        });
+    }
+    return uses;
+}
+
+void pack_extended(const Material& material, double* row) {
+    for (const ItemField<Material>& field : k_extended_fields) {
+        visit_field(field, material, [&](const auto&, const auto& value) {
+            for (const double number : numbers_of(value)) *row++ = number;
+        });
+    }
+}
+
+ExtendedMaterials pack_extended_materials(std::span<const Material> materials) {
+    ExtendedMaterials packed;
+    for (const Material& m : materials) packed.uses |= extended_fields_of(m);
+    if (packed.uses == 0) return packed;
+    packed.table.resize((materials.size() + 1) * k_extended_values);
+    double* row = packed.table.data();
+    for (const Material& m : materials) pack_extended(m, row), row += k_extended_values;
+    pack_extended(Material{}, row);
+    return packed;
+}
+
 std::vector<std::uint8_t> find_no_shadow(std::span<const Material> materials) {
     std::vector<std::uint8_t> rows;
     for (std::size_t i = 0; i < materials.size(); ++i) {

@@ -10,6 +10,12 @@ namespace glint {
 
 /// The table of materials; the default material is last.
 std::vector<double> pack_materials(std::span<const Material> materials);
+/// WorldParts::extended and extended_uses.
+struct ExtendedMaterials {
+    std::vector<double> table;
+    ExtendedFields uses = 0;
+};
+ExtendedMaterials pack_extended_materials(std::span<const Material> materials);
 /// WorldParts::no_shadow.
 std::vector<std::uint8_t> find_no_shadow(std::span<const Material> materials);
 /// Writes one row of the table.

@@ -48,7 +48,8 @@ WorldMemory memory_usage(const World& world) {
     if (geometry.edit_index) m.indices += geometry.edit_index->bytes();
     m.packed = geometry.count;
     m.hierarchy = bytes(geometry.bvh.nodes);
-    m.materials = bytes(*parts.materials) + bytes(*parts.no_shadow) + bytes(*parts.lights);
+    m.materials =
+        bytes(*parts.materials) + bytes(*parts.no_shadow) + bytes(*parts.extended) + bytes(*parts.lights);
     return m;
 }
 

@@ -7,6 +7,7 @@
 #include "base/copy_on_write.h"
 #include "glint/world.h"
 #include "lighting/light.h"
+#include "world/extended_materials.h"
 #include "world/packed_geometry.h"
 
 namespace glint {
@@ -45,8 +46,11 @@ struct WorldParts {
     CopyOnWrite<std::vector<std::uint32_t>> slot_material;  // by slot, padded: the row in `materials`
     CopyOnWrite<std::vector<double>> materials;        // k_material_values each; the default material is last
     CopyOnWrite<std::vector<std::uint8_t>> no_shadow;  // by row of `materials`; empty: all cast shadows
-    CopyOnWrite<std::vector<PreparedLight>> lights;    // all but the ambient ones, in scene order
-    Color ambient{0, 0, 0};                            // I_a: the sum of the ambient lights
+    CopyOnWrite<std::vector<double>>
+        extended;                      // k_extended_values each, by row of `materials`; empty: no uses
+    ExtendedFields extended_uses = 0;  // the fields in which a material differs from the default
+    CopyOnWrite<std::vector<PreparedLight>> lights;  // all but the ambient ones, in scene order
+    Color ambient{0, 0, 0};                          // I_a: the sum of the ambient lights
     Color background;
     std::optional<Fog> fog;
     Camera scene_camera;  // from which `camera` was prepared, for the settings' size
@@ -59,6 +63,8 @@ struct WorldParts {
     const double* material(std::uint32_t row) const {
         return materials->data() + static_cast<std::size_t>(row) * k_material_values;
     }
+    /// Whether a material uses the extended field: world.uses<&Material::emission>().
+    template <auto Member> bool uses() const { return (extended_uses & k_extended_field<Member>) != 0; }
     /// The number of the scene's materials; the default material follows them.
     std::uint32_t scene_materials() const {
         return static_cast<std::uint32_t>(materials->size() / k_material_values - 1);

@@ -9,44 +9,13 @@
 #include <nlohmann/json.hpp>
 #include <random>
 
+#include "explain/added_up.h"
 #include "gallery/scene_file.h"
 #include "trace/kernels.h"
 #include "world/world.h"
 
 namespace glint::test {
 namespace {
-
-// The same as in the film: the mean, as a float.
-float film(double sum, int samples) {
-    const double n = static_cast<double>(samples) * samples;
-    const double mean = samples > 1 ? sum / n : sum;
-    return static_cast<float>(std::fmin(std::fmax(std::isnan(mean) ? 0 : mean, -1e30), 1e30));
-}
-
-// The pixel's layers, computed from the contributions of the rays, in their order.
-void add_up(const Explanation& e, float (&layers)[k_light_layers][3]) {
-    double sums[k_light_layers][3] = {};
-    const auto add = [&](Layer layer, Color c) {
-        double(&sum)[3] = sums[static_cast<std::size_t>(layer)];
-        sum[0] += c.r;
-        sum[1] += c.g;
-        sum[2] += c.b;
-    };
-    for (std::size_t i = 0; i < e.rays.size(); ++i) {
-        const ExplainedRay& ray = e.rays[i];
-        const auto layer = layer_of(e, i);
-        if (!ray.hit) {
-            add(layer.value_or(Layer::background), ray.background);
-            add(layer.value_or(Layer::fog), ray.fog);
-            continue;
-        }
-        constexpr Layer own[] = {Layer::ambient, Layer::diffuse, Layer::specular};
-        for (int part = 0; part < 3; ++part) add(layer.value_or(own[part]), ray.hit->parts[part]);
-        add(layer.value_or(Layer::fog), ray.fog);
-    }
-    for (int l = 0; l < k_light_layers; ++l)
-        for (int c = 0; c < 3; ++c) layers[l][c] = film(sums[l][c], e.samples);
-}
 
 // All t at which a shadow ray hits shapes that cast shadows, by testing all shapes.
 std::vector<double> occluders(const World& world, const LightTerms& terms) {

@@ -147,10 +147,14 @@ class RandomScene {
             m.ior = often() ? 1.5 : length();
             if (m.ior > 1e6) m.ior = 1e6;
             m.transmission_tint = pick(2) == 0 ? Color{1, 1, 1} : tint();
+            make_extended(m);
         }
         if (pick(4) == 0 && !s.materials.empty()) m = s.materials[pick(s.materials.size())];
         note(s.material_texts, s.materials.size());
         s.materials.push_back(m);
+    }
+    void make_extended(Material& m) {
+        if (pick(2) == 0) m.emission = pick(2) == 0 ? m.color * channel() : color();
     }
     Affine map() {
         Affine m;

@@ -45,6 +45,7 @@ class SceneFingerprint {
         add(m.color), add(m.ambient), add(m.diffuse), add(m.specular), add(m.shininess), add(m.mirror);
         add(m.mirror_tint), add(m.transmission), add(m.ior), add(m.transmission_tint);
         line(m.casts_shadow ? "casts a shadow" : "casts no shadow");
+        add(m.emission);
     }
     void add(const Affine& map) {
         for (const auto& row : map.m) {

@@ -101,7 +101,8 @@ const branchWords: Record<string, string> = {
 
 /** The formula of a hit's contribution to the pixel. */
 function sumWords(hit: ExplainedHit): string {
-    const sum = hit.lights.length > 0 ? '(ambient + all diffuse + all specular)' : 'ambient';
+    const terms = ['ambient', ...(hit.lights.length > 0 ? ['all diffuse', 'all specular'] : []), ...(isBlack(hit.emission) ? [] : ['emission'])];
+    const sum = terms.length > 1 ? `(${terms.join(' + ')})` : 'ambient';
     return `weight × ${hit.local_share === 1 ? '' : 'own share × '}${sum}`;
 }
 
@@ -130,6 +131,7 @@ function Ray({explanation, number, depth}: {explanation: Explanation; number: nu
                     {hit.local_share !== 1 && <Term name="own share" place={hit.material} formula="1 − mirror − glass" value={short(hit.local_share)} />}
                     <Term name="ambient" place={hit.material} formula="k_a I_a" value={shortColor(hit.ambient)} />
                     {hit.lights.map((terms, i) => <Light key={i} terms={terms} hit={hit} ray={number} index={i} />)}
+                    {!isBlack(hit.emission) && <Term name="emission" place={hit.material} formula="k_e" value={shortColor(hit.emission)} />}
                     <Term name="adds to the pixel" value={shortColor(added)} />
                     <p class="why">= {sumWords(hit)}</p>
                     {(['reflected', 'transmitted'] as const).map((side) => {

@@ -39,8 +39,8 @@ export function sentence(explanation: Explanation): string {
         parts.push('black: nothing adds light here');
     } else {
         const share = (name: (typeof layerNames)[number]) => sum(layers[name]) / total;
-        const local = (['ambient', 'diffuse', 'specular'] as const).reduce((a, b) => (share(b) > share(a) ? b : a));
-        const words = {ambient: 'ambient light', diffuse: 'diffuse light', specular: 'highlight'}[local];
+        const local = (['ambient', 'diffuse', 'specular', 'emission'] as const).reduce((a, b) => (share(b) > share(a) ? b : a));
+        const words = {ambient: 'ambient light', diffuse: 'diffuse light', specular: 'highlight', emission: 'light that the surface emits'}[local];
         if (share(local) > 0.02) {
             const amount = share(local) > 0.9 ? 'almost all' : share(local) > 0.5 ? 'mostly' : `${Math.round(100 * share(local))}%`;
             parts.push(`${amount} ${colorName(layers[local])} ${words}`);
