@@ -88,6 +88,11 @@ struct Conventions {
     SpotFalloff spot_falloff = SpotFalloff::cubic;
     /// 1 / (c0 + c1 d + c2 d^2) is at most 1 (LIGHT-12); false: it may exceed 1 near the light (Tachyon).
     bool clamp_attenuation = true;
+    /// The attenuation and the factor of a spot apply to highlights; false: to the diffuse term only
+    /// (Tachyon).
+    bool attenuate_highlights = true;
+    /// A light adds something only where N·L f_att spot is above this (Tachyon: 0.001959); 0: no such rule.
+    double light_threshold = 0;
     FogDistance fog_distance = FogDistance::ray;
     bool fog_background = true;  ///< the background is in the fog, at an infinite distance
     friend bool operator==(const Conventions&, const Conventions&) = default;

@@ -31,11 +31,16 @@ struct LightTerms {
     double n_l = 0;           ///< N·L
     double s = 0;             ///< R·V (Phong) or N·H (Blinn-Phong)
     double power = 0;         ///< S^n if there is a highlight, blocked or not; else 0
-    bool may_add = false;     ///< it adds light unless it is blocked
-    bool blocked = false;     ///< a shape blocks it: `blocker`
-    Color diffuse, specular;  ///< the light that it adds, before the hit's weight
-    bool has_ray = false;     ///< a shadow ray was traced, with the following values
-    Vec3 origin, direction;   ///< for a point light: from the light to the surface
+    double diffuse_factor = 0;      ///< of k_d I: N·L, to the power of the brilliance
+    double phong_s = 0;             ///< R·V of the second highlight, if a material has one
+    double phong_power = 0;         ///< of the second highlight, as `power`
+    Color highlight_tint{1, 1, 1};  ///< of a metal's highlights; included in `specular`
+    double threshold = 0;           ///< Conventions::light_threshold
+    bool may_add = false;           ///< it adds light unless it is blocked
+    bool blocked = false;           ///< a shape blocks it: `blocker`
+    Color diffuse, specular;        ///< the light that it adds, before the hit's weight
+    bool has_ray = false;           ///< a shadow ray was traced, with the following values
+    Vec3 origin, direction;         ///< for a point light: from the light to the surface
     double t_min = 0, t_max = 0;
     std::optional<Blocker> blocker;
 };
@@ -62,6 +67,7 @@ struct ExplainedHit {
     bool behind = false;              ///< the ray came from the back of the shape
     bool turned = false;              ///< N was flipped towards the ray
     Color weight;                     ///< the ray's weight after absorption in glass and in fog
+    double mirror = 0;                ///< a in the direction of the ray
     double local_share = 1;           ///< the factor of the surface's own light; the rest is mirror and glass
     Color ambient;                    ///< k_a I_a; for shading color or normals, the shown colour
     std::vector<LightTerms> lights;   ///< in scene order, without ambient lights
@@ -141,6 +147,7 @@ enum class LightReason : std::uint8_t {
     faded,         ///< f_att is 0
     in_surface,    ///< the light is at the surface point, so it has no direction
     outside_cone,  ///< beyond the spot's outer angle
+    faint,         ///< N·L f_att spot is not above Conventions::light_threshold
 };
 GLINT_API LightReason reason(const LightTerms& terms);
 

@@ -168,6 +168,19 @@ struct Material {
     // A World stores the following fields only if one of them differs from its default.
 
     Color emission{0, 0, 0};  ///< k_e: light that the surface emits by itself; it lights no other surface
+    double brilliance = 1;    ///< the diffuse term is k_d (N·L)^brilliance, >= 0 (POV-Ray)
+    /// 0 to 1: highlights have the tint 1 + metallic (1 - F) (color - 1); F rises from 0 to 1 with the angle
+    /// of the light (POV-Ray).
+    double metallic = 0;
+    Color phong{0, 0, 0};          ///< k_p: a second highlight, k_p (R·V)^phong_shininess in either shading
+    double phong_shininess = 40;   ///< its exponent, >= 0
+    bool tinted_highlight = true;  ///< false: highlights do not have the light's color (Tachyon's Metal)
+    /// > 0: a depends on the angle. It is mirror_min + (mirror - mirror_min) (1 - cos)^mirror_falloff, with
+    /// the cosine of the ray and the normal (POV-Ray). 0: it is `mirror`.
+    double mirror_falloff = 0;
+    double mirror_min = 0;  ///< a for rays along the normal, 0 to 1
+    double mirror_metallic =
+        0;  ///< 0 to 1: what the mirror shows has the tint of `metallic`, by the ray's angle
 };
 
 /// One shape of the scene: parameters number `index` of its kind, its material and its transform.

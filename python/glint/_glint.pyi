@@ -108,6 +108,14 @@ class Material:
         casts_shadow: bool = ...,
         ior: float = ...,
         emission: ColorLike = ...,
+        brilliance: float = ...,
+        metallic: float = ...,
+        phong: ColorLike = ...,
+        phong_shininess: float = ...,
+        tinted_highlight: bool = ...,
+        mirror_falloff: float = ...,
+        mirror_min: float = ...,
+        mirror_metallic: float = ...,
     ) -> None: ...
     name: str
     color: _ColorField
@@ -122,6 +130,14 @@ class Material:
     casts_shadow: bool
     ior: float
     emission: _ColorField
+    brilliance: float
+    metallic: float
+    phong: _ColorField
+    phong_shininess: float
+    tinted_highlight: bool
+    mirror_falloff: float
+    mirror_min: float
+    mirror_metallic: float
     def __eq__(self, other: object) -> bool: ...
     def __copy__(self) -> Material: ...
     def __deepcopy__(self, memo: Dict[Any, Any]) -> Material: ...

@@ -42,6 +42,7 @@ constexpr CheckKind k_kinds[] = {
     {"material-negative", "light makes a material darker"},
     {"material-almost-black", "a material's colour is below 1/255"},
     {"shininess-zero", "a highlight has the exponent 0"},
+    {"finish-unused", "a field of a finish has no effect"},
     {"picture-black", "the whole picture is black"},
     {"picture-one-color", "the whole picture has one colour"},
     {"picture-clamped", "much of the picture is brighter than 1"},

@@ -36,6 +36,29 @@ void check_color(CheckContext& context, std::uint32_t index) {
     }
 }
 
+// Fields that change a term which the material does not have.
+void check_finish(CheckContext& context, std::uint32_t index) {
+    const Material& m = context.scene().materials[index];
+    const Material usual;
+    const bool shines = brightest(m.specular) > 0 || brightest(m.phong) > 0;
+    const bool mirrors = m.mirror > 0 || (m.mirror_falloff > 0 && m.mirror_min > 0);
+    const auto report = [&](std::string_view key, std::string_view what, std::string_view cure) {
+        context.report(
+            "finish-unused", context.at_material(index),
+            fmt::format("{} has {}, but {}: it changes nothing", context.material(index), key, what),
+            std::string(cure));
+    };
+    if (m.metallic > 0 && !shines)
+        report("`metallic`", "no highlight", "give it a specular_color or a phong_color");
+    if (m.brilliance != usual.brilliance && brightest(m.diffuse) == 0)
+        report("a brilliance", "no diffuse light", "give it a diffuse coefficient");
+    if ((m.mirror_falloff > 0 || m.mirror_metallic > 0) && !mirrors)
+        report(m.mirror_falloff > 0 ? "`mirror_falloff`" : "`mirror_metallic`", "it is no mirror",
+               "give it a mirror");
+    if (m.mirror_min > 0 && !(m.mirror_falloff > 0))
+        report("`mirror_min`", "mirror_falloff is 0", "give it a mirror_falloff, such as 1");
+}
+
 }  // namespace
 
 void check_materials(CheckContext& context) {
@@ -62,6 +85,7 @@ void check_materials(CheckContext& context) {
                 "give it a shininess from 1 (wide) to 1000 (small), or no specular coefficient");
         }
         check_color(context, i);
+        check_finish(context, i);
     }
 }
 

@@ -72,22 +72,31 @@ bool check_one_color(CheckContext& context, const Image& picture) {
     return true;
 }
 
-// The maximum of a material: k_a I_a + the sum over the lights of k_d I_d + k_s I_s.
+// A color of the second table; black if there is none.
+template <auto Member> Color extended_color(const WorldParts& world, std::uint32_t material) {
+    if (!world.uses<Member>()) return {0, 0, 0};
+    const double* k = world.extended_row(material) + k_extended_value<Member>;
+    return {k[0], k[1], k[2]};
+}
+
+// The maximum of a material: k_a I_a + k_e + the sum over the lights of k_d I_d + (k_s + k_p) I_s.
 double bound_of(const WorldParts& world, std::uint32_t material) {
     const double* m = world.material(material);
     const Color ambient{m[k_ambient], m[k_ambient + 1], m[k_ambient + 2]};
     const Color diffuse{m[k_diffuse], m[k_diffuse + 1], m[k_diffuse + 2]};
-    const Color specular{m[k_specular], m[k_specular + 1], m[k_specular + 2]};
-    Color sum = ambient * world.ambient;
+    const Color specular = Color{m[k_specular], m[k_specular + 1], m[k_specular + 2]} +
+                           extended_color<&Material::phong>(world, material);
+    Color sum = ambient * world.ambient + extended_color<&Material::emission>(world, material);
     for (const Light& light : *world.lights)
         sum = sum + diffuse * light.color + specular * light.specular_color;
     return number::max(sum.r, number::max(sum.g, sum.b));
 }
 
-// True if a material glows on purpose: its ambient term alone is above 1.
+// True if a material glows on purpose: its ambient term and its emission alone are above 1.
 bool glows(const WorldParts& world, std::uint32_t material) {
     const double* m = world.material(material);
-    const Color glow = Color{m[k_ambient], m[k_ambient + 1], m[k_ambient + 2]} * world.ambient;
+    const Color glow = Color{m[k_ambient], m[k_ambient + 1], m[k_ambient + 2]} * world.ambient +
+                       extended_color<&Material::emission>(world, material);
     return number::max(glow.r, number::max(glow.g, glow.b)) > k_over;
 }
 

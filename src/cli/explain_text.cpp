@@ -103,6 +103,10 @@ std::string nothing_text(const Scene& scene, const ExplainedHit& hit, const Ligh
             return "too far: its attenuation is 0";
         case LightReason::in_surface:
             return "the light is at P itself and has no direction";
+        case LightReason::faint:
+            return fmt::format("too faint: N·L{} = {}, and light_threshold is {}",
+                               terms.attenuation * terms.spot != 1 ? " times attenuation and spot" : "",
+                               number(terms.n_l * (terms.attenuation * terms.spot)), number(terms.threshold));
         case LightReason::outside_cone:
             return fmt::format("outside its cone: {} degrees off its axis, the outer angle is {}",
                                number(degrees_off_axis(scene.lights[terms.light], terms)),
@@ -111,7 +115,7 @@ std::string nothing_text(const Scene& scene, const ExplainedHit& hit, const Ligh
     return {};
 }
 
-std::string highlight_text(const Scene& scene, const ExplainedHit& hit, const LightTerms& terms) {
+std::string first_highlight_text(const Scene& scene, const ExplainedHit& hit, const LightTerms& terms) {
     switch (highlight_reason(terms, hit, scene)) {
         case HighlightReason::adds:
             return fmt::format("{} = {}, to the power {} = {}", cosine_name(scene), number(terms.s),
@@ -127,6 +131,20 @@ std::string highlight_text(const Scene& scene, const ExplainedHit& hit, const Li
                                number(terms.s));
     }
     return {};
+}
+
+// The highlights, and what changes them.
+std::string highlight_text(const Scene& scene, const ExplainedHit& hit, const LightTerms& terms) {
+    const Material& m = material_of(hit, scene);
+    std::string text = first_highlight_text(scene, hit, terms);
+    if (!(m.phong == Color{}) && scene.settings.shading != Shading::diffuse) {
+        text += terms.phong_power > 0
+                    ? fmt::format("; second highlight: R·V = {}, to the power {} = {}", number(terms.phong_s),
+                                  number(m.phong_shininess), number(terms.phong_power))
+                    : std::string("; no second highlight");
+    }
+    if (!(terms.highlight_tint == Color{1, 1, 1})) text += "; metallic: tint " + color(terms.highlight_tint);
+    return text;
 }
 
 class Tree {
@@ -180,6 +198,8 @@ class Tree {
         line(depth + 1,
              fmt::format("ambient k_a I_a = {}{}", color(hit.ambient), swatch(style_, hit.ambient)));
         for (const LightTerms& terms : hit.lights) add_light(hit, terms, depth + 1);
+        if (material_of(hit, scene_).mirror_falloff > 0)
+            line(depth + 1, fmt::format("mirror: {} at this angle", number(hit.mirror)));
         if (material_of(hit, scene_).transmission > 0)
             line(depth + 1, fmt::format("glass: reflects F = {}, tint {}", number(hit.fresnel),
                                         color(material_of(hit, scene_).transmission_tint)));
@@ -230,8 +250,11 @@ class Tree {
         if (light.is_spot() && reason(terms) != LightReason::outside_cone)
             how += fmt::format(", spot {} at {} degrees off its axis", number(terms.spot),
                                number(degrees_off_axis(light, terms)));
-        line(depth + 1,
-             fmt::format("{}; N·L = {}; {}", how, number(terms.n_l), highlight_text(scene_, hit, terms)));
+        how += fmt::format("; N·L = {}", number(terms.n_l));
+        const double brilliance = material_of(hit, scene_).brilliance;
+        if (brilliance != 1 && terms.n_l > 0)
+            how += fmt::format(", to the power {} = {}", number(brilliance), number(terms.diffuse_factor));
+        line(depth + 1, fmt::format("{}; {}", how, highlight_text(scene_, hit, terms)));
     }
 
     void add_secondary_ray(const ExplainedSecondaryRay& ray, std::string_view what, int depth) {

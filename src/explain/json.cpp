@@ -67,8 +67,15 @@ Json terms_json(const Scene& scene, const ExplainedHit& hit, const LightTerms& t
                  {"n_l", finite(terms.n_l)},
                  {"s", finite(terms.s)},
                  {"power", terms.power},
+                 {"diffuse_factor", finite(terms.diffuse_factor)},
                  {"diffuse", to_json(terms.diffuse)},
                  {"specular", to_json(terms.specular)}};
+    const Material& material = material_of(hit, scene);
+    if (!(material.phong == Color{})) {
+        json["phong_s"] = terms.phong_s;
+        json["phong_power"] = terms.phong_power;
+    }
+    if (material.metallic > 0) json["highlight_tint"] = to_json(terms.highlight_tint);
     if (terms.has_ray) {
         json["shadow_ray"] = {{"origin", to_json(terms.origin)},
                               {"direction", to_json(terms.direction)},
@@ -102,6 +109,7 @@ Json hit_json(const Scene& scene, const ExplainedHit& hit) {
             {"side", hit.behind ? "back" : "front"},
             {"normal_turned", hit.turned},
             {"weight", to_json(hit.weight)},
+            {"mirror", hit.mirror},
             {"local_share", hit.local_share},
             {"ambient", to_json(hit.ambient)},
             {"lights", std::move(lights)},

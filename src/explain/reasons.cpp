@@ -23,6 +23,8 @@ LightReason reason(const LightTerms& terms) {
     if (!(terms.distance > 0)) return LightReason::in_surface;
     if (!(terms.attenuation > 0)) return LightReason::faded;
     if (!(terms.spot > 0)) return LightReason::outside_cone;
+    if (terms.n_l > 0 && terms.n_l * (terms.attenuation * terms.spot) <= terms.threshold)
+        return LightReason::faint;
     return terms.n_l > 0 ? LightReason::no_color : LightReason::behind;
 }
 
@@ -30,7 +32,10 @@ HighlightReason highlight_reason(const LightTerms& terms, const ExplainedHit& hi
     if (scene.settings.shading != Shading::phong && scene.settings.shading != Shading::blinn_phong)
         return HighlightReason::unshaded;
     if (terms.light >= scene.lights.size()) return HighlightReason::none;
-    if (is_black(material_of(hit, scene).specular, scene.lights[terms.light].specular_color))
+    const Material& material = material_of(hit, scene);
+    const Color white{1, 1, 1};
+    if (is_black(material.specular,
+                 material.tinted_highlight ? scene.lights[terms.light].specular_color : white))
         return HighlightReason::none;
     const Conventions& rules = scene.conventions;
     if (rules.specular_gate && !(terms.n_l > 0)) return HighlightReason::behind;
@@ -44,8 +49,8 @@ const Material& material_of(const ExplainedHit& hit, const Scene& scene) {
 }
 
 std::string_view to_string(LightReason reason) {
-    constexpr std::array<std::string_view, 7> words = {"adds",  "blocked",    "behind",      "no_color",
-                                                       "faded", "in_surface", "outside_cone"};
+    constexpr std::array<std::string_view, 8> words = {"adds",  "blocked",    "behind",       "no_color",
+                                                       "faded", "in_surface", "outside_cone", "faint"};
     return word_of(reason, words);
 }
 

@@ -25,6 +25,9 @@ struct LightingRules {
     bool normalize = true;      // L, V, R and H are normalised before use
     bool clamp_attenuation = true;
     SpotFalloff spot_falloff = SpotFalloff::cubic;
+    bool attenuate_highlights = true;  // f_att and the spot's factor apply to highlights, too
+    double light_threshold = 0;  // a light adds something only if N·L f_att spot is above this; 0: always
+    bool has_highlights() const { return shading == Shading::phong || shading == Shading::blinn_phong; }
 };
 
 /// The two cosines of the model: N·L, and S = R·V (Phong) or N·H (Blinn-Phong).

@@ -265,6 +265,11 @@ constexpr Row k_rows[] = {
                                                 true),
     bool_row<&C::clamp_attenuation>(
         "clamp_attenuation", "1/(c0 + c1 d + c2 d^2) is at most 1; false: it exceeds 1 near the light", true),
+    bool_row<&C::attenuate_highlights>(
+        "attenuate_highlights",
+        "attenuation and a spot's factor apply to highlights; false: to the diffuse term only", true),
+    number_row<&C::light_threshold, k_not_negative>(
+        "light_threshold", "a light adds nothing where N.L times attenuation and spot is not above this"),
     word_row<&C::fog_distance, k_fog_distances>(
         "fog_distance",
         "what fog depends on: the distance along the ray, or of camera rays the depth along the view", true),

@@ -151,6 +151,7 @@ struct RadianceBatch {
 /// The values of one light at the surfaces.
 struct LightSampleBatch {
     BatchColumn<double> n_l, s, strength;  // N·L; R·V or N·H; f_att, times the spot's factor
+    BatchColumn<double> phong_s;           // R·V, for second highlights only
     BatchColumn<std::uint8_t> lit;         // by vector: a bit for each surface that the light may light
 };
 

@@ -9,6 +9,7 @@
 #endif
 
 #include "lighting/phong-inl.h"
+#include "trace/finish-inl.h"
 #include "trace/material-inl.h"
 #include "trace/shadow_rays-inl.h"
 #include "trace/surface-inl.h"
@@ -19,23 +20,30 @@ namespace HWY_NAMESPACE {
 
 HWY_INLINE LightingRules lighting_rules(const WorldParts& world) {
     const Conventions& c = world.conventions;
-    return {world.settings.shading, c.specular_gate, c.clamp_cosines, c.normalize,
-            c.clamp_attenuation,    c.spot_falloff};
+    return {world.settings.shading, c.specular_gate, c.clamp_cosines,        c.normalize,
+            c.clamp_attenuation,    c.spot_falloff,  c.attenuate_highlights, c.light_threshold};
 }
 
-/// Whether shadow rays are traced for the light.
-HWY_INLINE bool has_shadow_rays(const WorldParts& world, const Light& light) {
-    return world.settings.shadows && light.casts_shadows;
-}
+/// The rules for one light, with what its stages would otherwise have to find out for each vector.
+struct LightRules : LightingRules {
+    bool attenuated = false;  // its strength depends on the distance
+    bool is_spot = false;
+    bool has_shadow_rays = false;
+    FinishRules finish;
 
-/// Whether the light has the same strength at any distance.
-HWY_INLINE bool has_no_attenuation(const Light& light, const LightingRules& rules) {
-    return !light.falls_off() &&
-           (rules.clamp_attenuation || !light.has_attenuation() || light.attenuation.c0 == 1);
-}
-/// Whether the light has the same strength everywhere.
-HWY_INLINE bool is_constant(const Light& light, const LightingRules& rules) {
-    return has_no_attenuation(light, rules) && !light.is_spot();
+    /// Whether the light has the same strength everywhere.
+    bool is_constant() const { return !attenuated && !is_spot; }
+};
+HWY_INLINE LightRules light_rules(const WorldParts& world, const Light& light) {
+    const Conventions& c = world.conventions;
+    LightRules rules;
+    static_cast<LightingRules&>(rules) = lighting_rules(world);
+    rules.attenuated =
+        light.falls_off() || (!c.clamp_attenuation && light.has_attenuation() && light.attenuation.c0 != 1);
+    rules.is_spot = light.is_spot();
+    rules.has_shadow_rays = world.settings.shadows && light.casts_shadows;
+    rules.finish = finish_rules(world);
+    return rules;
 }
 
 /// The spot's factor at the end of a vector of this length from a surface to the light.
@@ -52,26 +60,27 @@ struct LightLanes {
     Doubles attenuation;  // by the distance
     Doubles spot;         // 1 if it is no spot
     Cosines<Doubles> cosines;
+    Doubles phong_s;       // R·V of the second highlight; 0 without one
     LaneMask<double> lit;  // surfaces where it may add light
 
     /// The factor of both terms.
     HWY_INLINE Doubles strength() const { return attenuation * spot; }
 };
-HWY_INLINE LightLanes light_at(const WorldParts& world, const PreparedLight& light,
-                               const LightingRules& rules, const SurfaceBatch& surfaces, int i) {
+HWY_INLINE LightLanes light_at(const WorldParts& world, const PreparedLight& light, const LightRules& rules,
+                               const SurfaceBatch& surfaces, int i) {
     const Doubles zero(0);
-    const auto adds = [&](Vector3<Doubles> a, Vector3<Doubles> b)
-                          HWY_ATTR { return !(a.x * b.x == zero && a.y * b.y == zero && a.z * b.z == zero); };
     const Vector3<Doubles> to_light = light.has_position()
                                           ? lanes_of(light.position) - load_vector3(surfaces.point, i)
                                           : lanes_of(light.to_light);
     const Doubles distance = length(to_light);
     const Vector3<Doubles> l = rules.normalize ? to_light / distance : to_light;
-    const auto c = cosines(load_vector3(surfaces.normal, i), l, load_vector3(surfaces.to_eye, i), rules);
+    const Vector3<Doubles> normal = load_vector3(surfaces.normal, i),
+                           to_eye = load_vector3(surfaces.to_eye, i);
+    const auto c = cosines(normal, l, to_eye, rules);
     // A light at the surface point has no direction.
     auto lit = first_lanes<double>(surfaces.count - i) && distance > zero;
     Doubles f_att(1);
-    if (!has_no_attenuation(light, rules)) {
+    if (rules.attenuated) {
         const Attenuation& a = light.attenuation;
         f_att = attenuation(Doubles(a.c0), Doubles(a.c1), Doubles(a.c2), distance,
                             Doubles(rules.clamp_attenuation ? 1 : 1e30));
@@ -80,16 +89,25 @@ HWY_INLINE LightLanes light_at(const WorldParts& world, const PreparedLight& lig
         lit = lit && f_att > zero;
     }
     Doubles spot(1);
-    if (light.is_spot()) {
+    if (rules.is_spot) {
         spot = spot_at(light, to_light, distance, rules);
         lit = lit && spot > zero;
     }
     const MaterialLanes material(world, surfaces.material.data() + i);
     const auto faces = rules.clamp_cosines ? c.n_l > zero : !(c.n_l == zero);
-    lit = lit &&
-          ((faces && adds(material.color(k_diffuse), lanes_of(light.color))) ||
-           (has_highlight(c, rules) && adds(material.color(k_specular), lanes_of(light.specular_color))));
-    return {to_light, distance, f_att, spot, c, lit};
+    auto adds = faces && is_colored(material.color(k_diffuse), lanes_of(light.color));
+    Doubles phong_s = zero;
+    if (!rules.finish.highlights) {
+        adds = adds || (has_highlight(c, rules) &&
+                        is_colored(material.color(k_specular), lanes_of(light.specular_color)));
+    } else {
+        if (rules.finish.phong) phong_s = dot(mirrored(l, normal), to_eye);
+        adds =
+            adds || finished_highlight_adds(world, material, light, rules.finish, c, {c.n_l, phong_s}, rules);
+    }
+    lit = lit && adds;
+    if (rules.light_threshold > 0) lit = lit && c.n_l * (f_att * spot) > Doubles(rules.light_threshold);
+    return {to_light, distance, f_att, spot, c, phong_s, lit};
 }
 
 /// The lit bits of the vector of surfaces at index i.
@@ -109,8 +127,8 @@ inline void clear_radiance(const SurfaceBatch& surfaces, RadianceBatch& radiance
 /// shadows are on, their shadow rays.
 inline void sample_light(const WorldParts& world, const PreparedLight& light, const SurfaceBatch& surfaces,
                          LightSampleBatch& samples, ShadowRayBatch& shadow_rays) {
-    const LightingRules rules = lighting_rules(world);
-    const bool constant = is_constant(light, rules);
+    const LightRules rules = light_rules(world, light);
+    const bool constant = rules.is_constant();
     int rays = 0;
     for (int i = 0; i < surfaces.count; i += lane_count<double>()) {
         const LightLanes at = light_at(world, light, rules, surfaces, i);
@@ -120,7 +138,8 @@ inline void sample_light(const WorldParts& world, const PreparedLight& light, co
         if (!constant) store(at.strength(), samples.strength.data() + i);
         store(at.cosines.n_l, samples.n_l.data() + i);
         store(at.cosines.s, samples.s.data() + i);
-        if (!has_shadow_rays(world, light)) continue;
+        if (rules.finish.phong) store(at.phong_s, samples.phong_s.data() + i);
+        if (!rules.has_shadow_rays) continue;
         store_shadow_rays(light, surface_at(surfaces, i), at.to_light, world.conventions, at.lit, shadow_rays,
                           rays);
         rays += count(at.lit);
@@ -156,17 +175,30 @@ inline void compute_highlights(const WorldParts& world, const SurfaceBatch& surf
     }
 }
 
-/// k_d I_l,d N·L f_att or k_s I_l,s S^n f_att. strength: f_att, times the spot's factor.
-HWY_INLINE Vector3<Doubles> contribution(Vector3<Doubles> k, Color light, Doubles term, Doubles strength) {
-    return (k * lanes_of(light) * term) * strength;
+/// k_d I_l,d (N·L)^brilliance f_att. strength: f_att, times the spot's factor.
+HWY_INLINE Vector3<Doubles> diffuse_of(const WorldParts& world, const MaterialLanes& material,
+                                       const Light& light, const LightRules& rules, Doubles n_l,
+                                       Doubles strength) {
+    return contribution(material.color(k_diffuse), lanes_of(light.color),
+                        diffuse_factor(world, material, rules.finish, n_l, rules), strength);
+}
+
+/// k_s I_l,s S^n f_att, with the second highlight and the tint of metals. power: S^n, or 0.
+HWY_INLINE Vector3<Doubles> specular_of(const WorldParts& world, const MaterialLanes& material,
+                                        const Light& light, const LightRules& rules, Doubles power,
+                                        Cosines<Doubles> phong, Doubles strength) {
+    const Doubles seen = rules.attenuate_highlights ? strength : Doubles(1);
+    if (!rules.finish.highlights)
+        return contribution(material.color(k_specular), lanes_of(light.specular_color), power, seen);
+    return finished_highlight(world, material, light, rules.finish, power, phong, seen, rules);
 }
 
 /// Adds the light's terms to the surfaces that are lit.
 inline void add_light(const WorldParts& world, const Light& light, const SurfaceBatch& surfaces,
                       const LightSampleBatch& samples, const HighlightBatch& highlights,
                       RadianceBatch& radiance) {
-    const LightingRules rules = lighting_rules(world);
-    const bool constant = is_constant(light, rules);
+    const LightRules rules = light_rules(world, light);
+    const bool constant = rules.is_constant();
     const double* power = highlights.power.data();
     for (int i = 0; i < surfaces.count; i += lane_count<double>()) {
         const std::uint32_t bits = lit_bits(samples, i);
@@ -178,14 +210,15 @@ inline void add_light(const WorldParts& world, const Light& light, const Surface
             const Vector3<Doubles> sum = load_vector3(to, i);
             store_vector3(select_vector3(lit, sum + more, sum), to, i);
         };
-        add(radiance.diffuse, contribution(material.color(k_diffuse), light.color,
-                                           diffuse_term(load(samples.n_l.data() + i), rules), strength));
+        const Doubles n_l = load(samples.n_l.data() + i);
+        add(radiance.diffuse, diffuse_of(world, material, light, rules, n_l, strength));
         const auto bright = highlights_at(samples, rules, i);
-        if (!any(bright)) continue;
-        const Doubles specular = expand_load(power, bright);
+        if (!any(bright) && !rules.finish.phong) continue;
+        const Doubles highlight = expand_load(power, bright);
         power += count(bright);
+        const Doubles phong_s = rules.finish.phong ? load(samples.phong_s.data() + i) : Doubles(0);
         add(radiance.specular,
-            contribution(material.color(k_specular), light.specular_color, specular, strength));
+            specular_of(world, material, light, rules, highlight, {n_l, phong_s}, strength));
     }
 }
 

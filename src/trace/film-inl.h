@@ -145,7 +145,7 @@ struct HitLight {
 HWY_INLINE HitLight light_of(const WorldParts& world, const SurfaceBatch& surfaces,
                              const RadianceBatch& radiance, const MaterialLanes& material, int h) {
     const Vector3<Doubles> weight =
-        load_vector3(surfaces.weight, h) * local_share(world, material, surfaces.generation);
+        load_vector3(surfaces.weight, h) * local_share(world, material, surfaces, h);
     return {weight * ambient_of(world, material), weight * load_vector3(radiance.diffuse, h),
             weight * load_vector3(radiance.specular, h), weight * emission_of(world, material)};
 }

@@ -75,13 +75,14 @@ HWY_INLINE void queue_vector(const WorldParts& world, const SurfaceBatch& surfac
     const Doubles zero(0);
     const MaterialLanes material(world, surfaces.material.data() + h);
     const auto glass = hit && material.value(k_transmission) > zero;
-    const auto has_secondary = glass || (hit && material.value(k_mirror) > zero);
+    const Doubles a = mirror_of(world, material, surfaces, h);
+    const auto has_secondary = glass || (hit && a > zero);
     if (!any(has_secondary)) return;
     const bool beer = rules.beer > 0;
     const SurfacePoint<Doubles> surface = surface_at(surfaces, h);
     const auto from_inside = glass && load(surfaces.behind.data() + h) > zero;
     const SecondaryWeights b =
-        secondary_weights(world, material, surface, glass, from_inside, load_vector3(surfaces.weight, h));
+        secondary_weights(world, material, surface, a, glass, from_inside, load_vector3(surfaces.weight, h));
     const auto kept = [&](Vector3<Doubles> w) HWY_ATTR {
         const Doubles most = max(max(w.x, w.y), w.z);
         const auto set = has_secondary && most > zero && most >= Doubles(rules.min_weight);

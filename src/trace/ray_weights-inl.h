@@ -9,6 +9,7 @@
 #endif
 
 #include "trace/batches.h"
+#include "trace/finish-inl.h"
 #include "trace/material-inl.h"
 #include "trace/secondary_rays-inl.h"
 
@@ -18,14 +19,17 @@ namespace HWY_NAMESPACE {
 
 /// The factor of the surface's own light. a: mirror, f: transmission. MirrorRule::blend: (1-f)(1-a); add: 1.
 /// With LimitRule::keep it is 1 in the last generation.
-HWY_INLINE Doubles local_share(const WorldParts& world, const MaterialLanes& material, int generation) {
+HWY_INLINE Doubles local_share(const WorldParts& world, const MaterialLanes& material,
+                               const SurfaceBatch& surfaces, int h) {
     const Conventions& rules = world.conventions;
-    const bool at_limit = generation >= world.settings.reflections;
+    const bool at_limit = surfaces.generation >= world.settings.reflections;
     if (rules.mirror == MirrorRule::add || (at_limit && rules.limit == LimitRule::keep)) return Doubles(1);
-    return (Doubles(1) - material.value(k_transmission)) * (Doubles(1) - material.value(k_mirror));
+    return (Doubles(1) - material.value(k_transmission)) *
+           (Doubles(1) - mirror_of(world, material, surfaces, h));
 }
 
-/// The weights of the mirror ray and the glass ray of a hit. F: the fraction of light that glass reflects.
+/// The weights of the mirror ray and the glass ray of a hit. a: mirror_of(). F: the fraction of light that
+/// glass reflects.
 ///   reflected: tint ((1-f) a + f F) with blend, tint (a + f F) with add; transmitted: tint f (1-F).
 struct SecondaryWeights {
     Vector3<Doubles> reflected, transmitted;  // weights
@@ -33,10 +37,11 @@ struct SecondaryWeights {
     Doubles fresnel;                          // F
 };
 HWY_INLINE SecondaryWeights secondary_weights(const WorldParts& world, const MaterialLanes& material,
-                                              const SurfacePoint<Doubles>& surface, LaneMask<double> glass,
-                                              LaneMask<double> from_inside, Vector3<Doubles> weight) {
+                                              const SurfacePoint<Doubles>& surface, Doubles a,
+                                              LaneMask<double> glass, LaneMask<double> from_inside,
+                                              Vector3<Doubles> weight) {
     const Conventions& rules = world.conventions;
-    const Doubles a = material.value(k_mirror), f = material.value(k_transmission), one(1);
+    const Doubles f = material.value(k_transmission), one(1);
     SecondaryWeights b{weight, weight, weight, Doubles(0)};
     Doubles mirror = rules.mirror == MirrorRule::blend ? (one - f) * a : a;
     if (any(glass)) {  // otherwise the transmitted ray is not used
@@ -53,7 +58,7 @@ HWY_INLINE SecondaryWeights secondary_weights(const WorldParts& world, const Mat
             b.transmitted = select_vector3(from_inside, b.transmitted, tinted);
         }
     }
-    b.reflected = weight * mirror * material.color(k_mirror_tint);
+    b.reflected = weight * mirror * mirror_tint_of(world, material, surface.normal, surface.incoming);
     return b;
 }
 

@@ -119,7 +119,7 @@ inline void record_unlit(const WorldParts& world, const SurfaceBatch& surfaces, 
 inline void record_light(const WorldParts& world, const PreparedLight& light, const SurfaceBatch& surfaces,
                          const LightSampleBatch& samples, const ShadowRayBatch& shadow_rays,
                          TileRecord& record) {
-    const LightingRules rules = lighting_rules(world);
+    const LightRules rules = light_rules(world, light);
     int rays = 0;
     for_each_hit(surfaces, [&](int h, int lanes) HWY_ATTR {
         const MaterialLanes material(world, surfaces.material.data() + h);
@@ -127,12 +127,15 @@ inline void record_light(const WorldParts& world, const PreparedLight& light, co
         const auto bright = has_highlight(at.cosines, rules);
         const Doubles power =
             select(bright, highlight_power(at.cosines.s, material.value(k_shininess), rules), Doubles(0));
+        const Cosines<Doubles> phong{at.cosines.n_l, at.phong_s};
         const Vector3Elements to_light(at.to_light),
-            diffuse(contribution(material.color(k_diffuse), light.color, diffuse_term(at.cosines.n_l, rules),
-                                 at.strength())),
-            specular(contribution(material.color(k_specular), light.specular_color, power, at.strength()));
+            diffuse(diffuse_of(world, material, light, rules, at.cosines.n_l, at.strength())),
+            specular(specular_of(world, material, light, rules, power, phong, at.strength())),
+            tint(highlight_tint(world, material, rules.finish, at.cosines.n_l));
         const LaneElements distance(at.distance), f_att(at.attenuation), spot(at.spot), n_l(at.cosines.n_l),
-            cosine(at.cosines.s), powers(power);
+            cosine(at.cosines.s), powers(power), phong_s(at.phong_s),
+            phong_power(phong_power_of(world, material, rules.finish, phong, rules)),
+            factor(diffuse_factor(world, material, rules.finish, at.cosines.n_l, rules));
         const std::uint32_t may_add = to_bits(at.lit), lit = lit_bits(samples, h);
         for (int k = 0; k < lanes; ++k) {
             LightTerms r;
@@ -144,9 +147,14 @@ inline void record_light(const WorldParts& world, const PreparedLight& light, co
             r.n_l = n_l[k];
             r.s = cosine[k];
             r.power = powers[k];
+            r.diffuse_factor = factor[k];
+            r.phong_s = phong_s[k];
+            r.phong_power = phong_power[k];
+            r.highlight_tint = tint.color(k);
+            r.threshold = rules.light_threshold;
             r.may_add = (may_add >> k & 1) != 0;
             r.blocked = r.may_add && (lit >> k & 1) == 0;
-            if (r.may_add && has_shadow_rays(world, light)) {
+            if (r.may_add && rules.has_shadow_rays) {
                 r.has_ray = true;
                 r.origin = vec3_at(shadow_rays.origin, rays);
                 r.direction = vec3_at(shadow_rays.direction, rays);
@@ -203,7 +211,7 @@ inline void record_limit(const WorldParts& world, const SurfaceBatch& surfaces, 
     for (int h = 0; h < surfaces.count; ++h) {
         ExplainedHit& hit = record.hit(h);
         const double* material = world.material(hit.material);
-        if (material[k_mirror] > 0) hit.reflected.state = SecondaryRayState::limit;
+        if (world.is_mirror(hit.material)) hit.reflected.state = SecondaryRayState::limit;
         if (material[k_transmission] > 0) hit.transmitted.state = SecondaryRayState::limit;
     }
 }
@@ -213,17 +221,19 @@ inline void record_sums(const WorldParts& world, const SurfaceBatch& surfaces, c
                         TileRecord& record) {
     for_each_hit(surfaces, [&](int h, int lanes) HWY_ATTR {
         const MaterialLanes material(world, surfaces.material.data() + h);
+        const LaneElements mirror(mirror_of(world, material, surfaces, h));
         const HitLight light = light_of(world, surfaces, radiance, material, h);
         const Vector3Elements ambient(ambient_of(world, material)), emission(emission_of(world, material)),
             parts[4] = {Vector3Elements(light.ambient), Vector3Elements(light.diffuse),
                         Vector3Elements(light.specular), Vector3Elements(light.emission)};
-        const LaneElements share(local_share(world, material, surfaces.generation));
+        const LaneElements share(local_share(world, material, surfaces, h));
         for (int k = 0; k < lanes; ++k) {
             ExplainedHit& hit = record.hit(h + k);
             hit.ambient = ambient.color(k);
             hit.diffuse = color_at(radiance.diffuse, h + k);
             hit.specular = color_at(radiance.specular, h + k);
             hit.emission = emission.color(k);
+            hit.mirror = mirror[k];
             hit.local_share = share[k];
             for (int part = 0; part < 4; ++part) hit.parts[part] = parts[part].color(k);
         }

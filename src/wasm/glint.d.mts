@@ -178,7 +178,7 @@ export interface NamedItem extends Partial<Place> {
 export interface LightTerms {
     light: NamedItem & {kind: LightKind; has_position: boolean; color: Vec3; specular_color: Vec3};
     /** Why it adds something, or nothing. */
-    reason: 'adds' | 'blocked' | 'behind' | 'no_color' | 'faded' | 'in_surface' | 'outside_cone';
+    reason: 'adds' | 'blocked' | 'behind' | 'no_color' | 'faded' | 'in_surface' | 'outside_cone' | 'faint';
     highlight: 'adds' | 'none' | 'behind' | 'turned_away';
     to_light: Vec3;
     distance: number;
@@ -189,6 +189,10 @@ export interface LightTerms {
     n_l: number | null;
     s: number | null;
     power: number;
+    diffuse_factor: number | null;
+    phong_s?: number;
+    phong_power?: number;
+    highlight_tint?: Vec3;
     diffuse: Vec3;
     specular: Vec3;
     shadow_ray?: {origin: Vec3; direction: Vec3; t_min: number; t_max: number | null};
@@ -217,6 +221,14 @@ export interface ExplainedHit {
         casts_shadow: boolean;
         ior: number;
         emission: Vec3;
+        brilliance: number;
+        metallic: number;
+        phong: Vec3;
+        phong_shininess: number;
+        tinted_highlight: boolean;
+        mirror_falloff: number;
+        mirror_min: number;
+        mirror_metallic: number;
     };
     point: Vec3;
     normal: Vec3;
@@ -224,6 +236,7 @@ export interface ExplainedHit {
     side: 'front' | 'back';
     normal_turned: boolean;
     weight: Vec3;
+    mirror: number;
     local_share: number;
     ambient: Vec3;
     lights: LightTerms[];

@@ -65,6 +65,17 @@ struct WorldParts {
     }
     /// Whether a material uses the extended field: world.uses<&Material::emission>().
     template <auto Member> bool uses() const { return (extended_uses & k_extended_field<Member>) != 0; }
+    /// Whether a row of the table has mirror rays, in some direction.
+    bool is_mirror(std::uint32_t row) const {
+        return material(row)[k_mirror] > 0 ||
+               (uses<&Material::mirror_falloff>() &&
+                extended_row(row)[k_extended_value<&Material::mirror_falloff>] > 0 &&
+                extended_row(row)[k_extended_value<&Material::mirror_min>] > 0);
+    }
+    /// A row of the second table, which must exist.
+    const double* extended_row(std::uint32_t row) const {
+        return extended->data() + static_cast<std::size_t>(row) * k_extended_values;
+    }
     /// The number of the scene's materials; the default material follows them.
     std::uint32_t scene_materials() const {
         return static_cast<std::uint32_t>(materials->size() / k_material_values - 1);

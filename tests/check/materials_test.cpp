@@ -38,5 +38,16 @@ TEST(CheckMaterials, ShininessOfZero) {
     EXPECT_EQ(ids_of(k_clean + "render { shading = diffuse }\n" + ball + "0 }\n"), "");
 }
 
+TEST(CheckMaterials, FinishesWithoutEffect) {
+    const std::string ball = "sphere { center = (0, 1, 2)  radius = 0.4  ";
+    for (const std::string_view unused : {"metallic = 1", "diffuse = 0  brilliance = 2", "mirror_falloff = 2",
+                                          "mirror_metallic = 1", "mirror = 0.1  mirror_min = 0.1"})
+        EXPECT_EQ(ids_of(k_clean + ball + std::string(unused) + " }\n"), "finish-unused@7") << unused;
+    for (const std::string_view used :
+         {"metallic = 1  specular = 0.1", "metallic = 1  phong_color = (0.1, 0.1, 0.1)", "brilliance = 2",
+          "mirror = 0.1  mirror_falloff = 2", "mirror_min = 0.1  mirror_falloff = 2"})
+        EXPECT_EQ(ids_of(k_clean + ball + std::string(used) + " }\n"), "") << used;
+}
+
 }  // namespace
 }  // namespace glint::test

@@ -47,6 +47,9 @@ sphere { center = (0, 0, 0)  radius = 1  color = (1, 1, 1)  ambient = 1  diffuse
     EXPECT_EQ(
         ids_of(k_clean + "sphere { center = (0, 2.6, 0)  radius = 0.4  color = (1, 1, 1)  ambient = 8 }\n"),
         "");
+    EXPECT_EQ(
+        ids_of(k_clean + "sphere { center = (0, 2.6, 0)  radius = 0.4  color = (1, 1, 1)  emission = 2 }\n"),
+        "");
 }
 
 TEST(CheckPicture, ShapesOfOneMaterialAreOneFinding) {

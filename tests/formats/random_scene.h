@@ -155,6 +155,12 @@ class RandomScene {
     }
     void make_extended(Material& m) {
         if (pick(2) == 0) m.emission = pick(2) == 0 ? m.color * channel() : color();
+        if (pick(4) == 0) m.brilliance = 1e9 * fraction();
+        if (pick(4) == 0) m.metallic = fraction();
+        if (pick(4) == 0) m.phong = color(), m.phong_shininess = 1e9 * fraction();
+        m.tinted_highlight = pick(4) != 0;
+        if (pick(4) == 0) m.mirror_falloff = 1e9 * fraction(), m.mirror_min = fraction();
+        if (pick(4) == 0) m.mirror_metallic = fraction();
     }
     Affine map() {
         Affine m;

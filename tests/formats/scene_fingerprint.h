@@ -45,7 +45,8 @@ class SceneFingerprint {
         add(m.color), add(m.ambient), add(m.diffuse), add(m.specular), add(m.shininess), add(m.mirror);
         add(m.mirror_tint), add(m.transmission), add(m.ior), add(m.transmission_tint);
         line(m.casts_shadow ? "casts a shadow" : "casts no shadow");
-        add(m.emission);
+        add(m.emission), add(m.brilliance), add(m.metallic), add(m.phong), add(m.phong_shininess);
+        add(m.tinted_highlight), add(m.mirror_falloff), add(m.mirror_min), add(m.mirror_metallic);
     }
     void add(const Affine& map) {
         for (const auto& row : map.m) {

@@ -15,6 +15,7 @@ class Rule:
     width: int = WIDTH
     height: int = HEIGHT
     alpha: bool = False  # both write an alpha channel
+    flags: tuple = ()  # of the peer's command
 
 
 # A floor with two balls, seen from (0, 3, -8) along (0, -0.35, 1).
@@ -87,32 +88,38 @@ def pov_spot(name, radius, falloff, tightness):
 TACHYON_AMBIENT, TACHYON_DIFFUSE = 0.1, 0.8
 
 
+def tachyon_camera():
+    length = sum(f * f for f in FORWARD) ** 0.5
+    # Tachyon's axes are at right angles: the same view by a zoom and a height of the picture of 1 in all.
+    return (f"Begin_Scene\nResolution {WIDTH} {HEIGHT}\n"
+            f"Camera Zoom 1 Aspectratio 1 Antialiasing 0 Raydepth 4\n"
+            f"  Center {plain(EYE)} Viewdir {plain([f / length for f in FORWARD])} Updir 0 1 0\nEnd_Camera\n"
+            f"Background 0 0 0\n")
+
+
 def tachyon_scene(light):
     def texture(color):
         return (f"Texture Ambient {TACHYON_AMBIENT} Diffuse {TACHYON_DIFFUSE} Specular 0 Opacity 1 "
                 f"Phong Plastic 0 Phong_size 30 Color {plain(color)} TexFunc 0")
-    length = sum(f * f for f in FORWARD) ** 0.5
-    # Tachyon's axes are at right angles: the same view by a zoom and a height of the picture of 1 in all.
-    text = (f"Begin_Scene\nResolution {WIDTH} {HEIGHT}\n"
-            f"Camera Zoom 1 Aspectratio 1 Antialiasing 0 Raydepth 4\n"
-            f"  Center {plain(EYE)} Viewdir {plain([f / length for f in FORWARD])} Updir 0 1 0\nEnd_Camera\n"
-            f"Background 0 0 0\n"
-            f"Plane Center 0 0 0 Normal 0 1 0 {texture(FLOOR)}\n")
+    text = tachyon_camera() + f"Plane Center 0 0 0 Normal 0 1 0 {texture(FLOOR)}\n"
     for center, radius, color in BALLS:
         text += f"Sphere Center {plain(center)} Rad {radius} {texture(color)}\n"
     return text + light + "End_Scene\n"
 
 
-def own_for_tachyon(light, conventions):
-    """The frame of Tachyon's camera, whose axes are at right angles."""
+def tachyon_frame():
+    """Tachyon's camera in .glint: its axes are at right angles."""
     length = sum(f * f for f in FORWARD) ** 0.5
     forward = [f / length for f in FORWARD]
     up = (0, forward[2], -forward[1])
     right = (4 / 3, 0, 0)
     moved = [f + r * 0.5 / WIDTH + u * 0.5 / HEIGHT for f, r, u in zip(forward, right, up)]
+    return f"camera {{ position = {paren(EYE)}  right = {paren(right)}  up = {paren(up)}  forward = {paren(moved)} }}\n"
+
+
+def own_for_tachyon(light, conventions):
     surface = f"ambient = {TACHYON_AMBIENT}  diffuse = {TACHYON_DIFFUSE}"
-    text = (f"conventions {{ {conventions} }}\nrender {{ shading = diffuse }}\n"
-            f"camera {{ position = {paren(EYE)}  right = {paren(right)}  up = {paren(up)}  forward = {paren(moved)} }}\n"
+    text = (f"conventions {{ {conventions} }}\nrender {{ shading = diffuse }}\n{tachyon_frame()}"
             f"light {{ type = ambient }}\n"
             f"plane {{ point = (0, 0, 0)  normal = (0, 1, 0)  color = {paren(FLOOR)}  {surface} }}\n")
     for center, radius, color in BALLS:

@@ -13,11 +13,12 @@ import sys
 import zlib
 
 import alpha
+import finish
 import fog
 import lights
 
 SHARE = 0.99
-LISTS = [lights.RULES, fog.RULES, alpha.RULES]
+LISTS = [lights.RULES, fog.RULES, alpha.RULES, finish.RULES]
 
 
 def read_ppm(path):
@@ -89,7 +90,8 @@ def render_peer(folder, rule):
             return read_png(folder / "peer.png")
     else:
         (folder / "peer.dat").write_text(rule.peer)
-        run(folder, "tachyon", "peer.dat", "-fullshade", "-numthreads", "1", "-format", "PPM", "-o", "peer.ppm")
+        run(folder, "tachyon", "peer.dat", "-fullshade", "-numthreads", "1", "-format", "PPM", "-o", "peer.ppm",
+            *rule.flags)
     return read_ppm(folder / "peer.ppm")
 
 

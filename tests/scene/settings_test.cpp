@@ -15,7 +15,7 @@ std::string set(Scene& scene, std::string_view key, std::string_view value) {
 
 TEST(Settings, KeysAreFoundByName) {
     const auto keys = setting_keys();
-    ASSERT_EQ(keys.size(), 29u);
+    ASSERT_EQ(keys.size(), 31u);
     for (std::size_t i = 0; i < keys.size(); ++i) {
         EXPECT_EQ(find_setting(keys[i].name), i);
         EXPECT_FALSE(keys[i].values.empty());
@@ -56,6 +56,8 @@ TEST(Settings, EveryFieldHasAKey) {
                                                           {"cones", "false"},
                                                           {"spot_falloff", "linear"},
                                                           {"clamp_attenuation", "false"},
+                                                          {"attenuate_highlights", "false"},
+                                                          {"light_threshold", "0.25"},
                                                           {"fog_distance", "depth"},
                                                           {"fog_background", "false"},
                                                           {"size", "320x200"},
@@ -91,6 +93,8 @@ TEST(Settings, EveryFieldHasAKey) {
                                false,
                                SpotFalloff::linear,
                                false,
+                               false,
+                               0.25,
                                FogDistance::depth,
                                false};
     EXPECT_EQ(scene.conventions, expected);

@@ -136,5 +136,279 @@ TEST(Emission, IsExplained) {
     EXPECT_EQ(e.layers[static_cast<std::size_t>(Layer::emission)][2], 2);
 }
 
+// One ball under one light, seen by parallel rays, in front of black.
+Scene ball(const Material& material, Vec3 to_light = {0.4, 0.5, 0.7}) {
+    Scene scene;
+    set_size(scene, 41, 41);
+    scene.camera.projection = Projection::orthographic;
+    scene.camera.position = {0, 0, 5};
+    scene.camera.width = 2.1;
+    scene.lights = {directional_light(to_light, {1, 0.5, 0.25})};
+    scene.add(Sphere{{0, 0, 0}, 1}, add_material(scene, material));
+    return scene;
+}
+
+Vec3 unit(Vec3 v) { return v * (1 / std::sqrt(dot(v, v))); }
+
+// Compares the ball with terms(N, L, V).
+template <class Terms> void expect_ball(const Scene& scene, const Terms& terms) {
+    const Vec3 l = unit(scene.lights[0].to_light), v{0, 0, 1};
+    int seen = 0;
+    expect_picture(render_scene(scene), [&](int i, int j) {
+        const double x = (i + 0.5 - 20.5) / 41 * 2.1, y = (20.5 - j - 0.5) / 41 * 2.1, zz = 1 - x * x - y * y;
+        if (zz < 1e-6) return Layers{.background = scene.background};
+        ++seen;
+        return terms(Vec3{x, y, std::sqrt(zz)}, l, v);
+    });
+    EXPECT_GT(seen, 1000);
+}
+
+Material white() {
+    Material m;
+    m.color = {0.9, 0.5, 0.2};
+    m.ambient = {0, 0, 0};
+    m.diffuse = {0.5, 0.6, 0.7};
+    return m;
+}
+
+double power(double s, double n) { return s > 0 ? std::pow(s, n) : 0; }
+
+TEST(Finishes, BrillianceIsAPowerOfTheCosine) {
+    for (const double b : {0.0, 0.4, 2.0, 7.5}) {
+        Material m = white();
+        m.brilliance = b;
+        const Scene scene = ball(m);
+        expect_ball(scene, [&](Vec3 n, Vec3 l, Vec3) {
+            return Layers{.diffuse = m.diffuse * scene.lights[0].color * power(dot(n, l), b)};
+        });
+    }
+}
+
+TEST(Finishes, SecondHighlightIsPhongs) {
+    for (const Shading shading : {Shading::phong, Shading::blinn_phong, Shading::diffuse}) {
+        Material m = white();
+        m.specular = {0.2, 0.3, 0.4};
+        m.shininess = 30;
+        m.phong = {0.5, 0.1, 0.3};
+        m.phong_shininess = 7;
+        Scene scene = ball(m);
+        scene.settings.shading = shading;
+        expect_ball(scene, [&](Vec3 n, Vec3 l, Vec3 v) {
+            const double n_l = dot(n, l), r_v = dot(n * (2 * n_l) - l, v), n_h = dot(n, unit(l + v));
+            const Color light = scene.lights[0].color;
+            Layers layers;
+            layers.diffuse = m.diffuse * light * std::max(n_l, 0.0);
+            if (n_l > 0 && shading != Shading::diffuse)
+                layers.specular = m.specular * light * power(shading == Shading::phong ? r_v : n_h, 30) +
+                                  m.phong * light * power(r_v, 7);
+            return layers;
+        });
+    }
+}
+
+double reflectance(double cosine) {
+    const double a = std::acos(cosine) / (M_PI / 2);
+    return std::clamp(0.014567225 / ((a - 1.12) * (a - 1.12)) - 0.011612903, 0.0, 1.0);
+}
+Color tint_of(const Material& m, double metallic, double cosine) {
+    const double part = metallic * (1 - reflectance(cosine));
+    return {1 + part * (m.color.r - 1), 1 + part * (m.color.g - 1), 1 + part * (m.color.b - 1)};
+}
+
+TEST(Finishes, HighlightsOfMetalsHaveTheirColor) {
+    for (const double metallic : {0.3, 1.0}) {
+        for (const Vec3 to_light : {Vec3{0.4, 0.5, 0.7}, Vec3{2, 0.5, -1}}) {
+            Material m = white();
+            m.specular = {0.8, 0.8, 0.8};
+            m.shininess = 3;
+            m.metallic = metallic;
+            const Scene scene = ball(m, to_light);
+            expect_ball(scene, [&](Vec3 n, Vec3 l, Vec3 v) {
+                const double n_l = dot(n, l);
+                Layers layers;
+                layers.diffuse = m.diffuse * scene.lights[0].color * std::max(n_l, 0.0);
+                if (n_l > 0)
+                    layers.specular = m.specular * scene.lights[0].color * power(dot(n, unit(l + v)), 3) *
+                                      tint_of(m, metallic, n_l);
+                return layers;
+            });
+        }
+    }
+}
+
+TEST(Finishes, HighlightMayLeaveOutTheLightsColor) {
+    Material m = white();
+    m.specular = {0.6, 0.3, 0.1};
+    m.shininess = 9;
+    m.tinted_highlight = false;
+    Scene scene = ball(m);
+    scene.lights[0].specular_color = {0, 0, 0};
+    expect_ball(scene, [&](Vec3 n, Vec3 l, Vec3 v) {
+        Layers layers;
+        layers.diffuse = m.diffuse * scene.lights[0].color * std::max(dot(n, l), 0.0);
+        if (dot(n, l) > 0) layers.specular = m.specular * power(dot(n, unit(l + v)), 9);
+        return layers;
+    });
+}
+
+TEST(Finishes, MirrorsDependOnTheAngle) {
+    for (const MirrorRule rule : {MirrorRule::add, MirrorRule::blend}) {
+        Material m = white();
+        m.mirror_min = 0.1;
+        m.mirror = 0.9;
+        m.mirror_falloff = 2.5;
+        m.mirror_metallic = 0.7;
+        m.mirror_tint = {1, 0.5, 1};
+        Scene scene = ball(m);
+        scene.conventions.mirror = rule;
+        scene.background = {0.4, 0.5, 0.6};  // all that the mirror sees
+        expect_ball(scene, [&](Vec3 n, Vec3 l, Vec3 v) {
+            const double a = 0.1 + 0.8 * std::pow(1 - dot(n, v), 2.5),
+                         own = rule == MirrorRule::add ? 1 : 1 - a;
+            return Layers{.diffuse = m.diffuse * scene.lights[0].color * (std::max(dot(n, l), 0.0) * own),
+                          .reflected = m.mirror_tint * tint_of(m, 0.7, dot(n, v)) * scene.background * a};
+        });
+    }
+}
+
+TEST(Finishes, MirrorIsExactWithoutFalloff) {
+    Scene plain = room(), other = room();
+    for (Material& m : other.materials) m.mirror_min = 0.3;
+    other.materials[0].mirror_falloff = 2;  // not a mirror along the normal: see below
+    other.materials[0].mirror_min = 0;
+    expect_same_picture(render_scene(plain), render_scene(other));
+    EXPECT_TRUE(make_world(other)->parts().uses<&Material::mirror_falloff>());
+}
+
+// A mirror only along the normal, and one only at grazing rays, and the limit.
+TEST(Finishes, MirrorOfTheLeastAngle) {
+    Material m = white();
+    m.diffuse = {0, 0, 0};
+    m.mirror_min = 0.8;
+    m.mirror_falloff = 1;
+    Scene scene = ball(m);
+    scene.background = {0.4, 0.5, 0.6};
+    expect_ball(scene, [&](Vec3 n, Vec3, Vec3 v) {
+        return Layers{.reflected = scene.background * (0.8 * dot(n, v))};
+    });
+    scene.settings.reflections = 0;
+    const Explanation e = explain(scene, *make_world(scene), 20, 20).value();
+    EXPECT_EQ(e.rays[0].hit->reflected.state, SecondaryRayState::limit);
+    EXPECT_NEAR(e.rays[0].hit->mirror, 0.8, 1e-12);
+}
+
+TEST(Finishes, DefaultsGiveTheSameBits) {
+    const Scene plain = room();
+    Scene other = room();
+    Material unused;
+    unused.emission = {1, 1, 1};
+    unused.brilliance = 2;
+    unused.metallic = 1;
+    unused.phong = {1, 1, 1};
+    unused.tinted_highlight = false;
+    unused.mirror = unused.mirror_falloff = unused.mirror_metallic = 1;
+    other.materials.push_back(unused);
+    for (const Shading shading : {Shading::phong, Shading::blinn_phong, Shading::diffuse}) {
+        Scene a = plain, b = other;
+        a.settings.shading = b.settings.shading = shading;
+        expect_same_picture(render_scene(a), render_scene(b));
+    }
+}
+
+// A light that fades, and a spot: the highlight is not multiplied by their factors.
+TEST(Finishes, HighlightsMayIgnoreAttenuation) {
+    for (const bool spot : {false, true}) {
+        Scene scene = room();
+        scene.lights.resize(2);
+        Light& light = scene.lights[1];
+        light.attenuation = {2, 0.1, 0.1};
+        if (spot) {
+            light.kind = LightKind::spot;
+            light.axis = -light.position;
+            light.inner_angle = 2;
+            light.outer_angle = 25;
+        }
+        RenderOptions options;
+        options.layers = {Layer::specular, Layer::diffuse};
+        const Rendering attenuated = render(*make_world(scene), options).value();
+        scene.conventions.attenuate_highlights = false;
+        const World world = *make_world(scene);
+        const Rendering full = render(world, options).value();
+        EXPECT_EQ(attenuated.layers[1].values, full.layers[1].values);
+        int brighter = 0;
+        for (int y = 0; y < full.image.height; ++y) {
+            for (int x = 0; x < full.image.width; ++x) {
+                const auto i = 3 * static_cast<std::size_t>(y * full.image.width + x);
+                const float now = full.layers[0].values[i], before = attenuated.layers[0].values[i];
+                if (before < 1e-3) continue;
+                const LightTerms terms = explain(scene, world, x, y).value().rays[0].hit->lights[0];
+                EXPECT_NEAR(now * (terms.attenuation * terms.spot), before, 1e-6);
+                ++brighter;
+            }
+        }
+        EXPECT_GT(brighter, 20);
+        expect_explained(scene);
+    }
+}
+
+TEST(Finishes, FaintLightsDoNotCount) {
+    Scene scene = room();
+    scene.lights.resize(2);
+    scene.lights[1].attenuation = {0, 0, 0.02};
+    const World before = *make_world(scene);
+    scene.conventions.light_threshold = 0.9;
+    const World world = *make_world(scene);
+    const Image picture = render_world(world);
+    int faint = 0, lit = 0;
+    for (int y = 0; y < picture.height; y += 2) {
+        for (int x = 0; x < picture.width; x += 2) {
+            const Explanation e = explain(scene, world, x, y).value();
+            if (!e.rays[0].hit) continue;
+            const LightTerms& terms = e.rays[0].hit->lights[0];
+            const LightTerms other = explain(scene, before, x, y).value().rays[0].hit->lights[0];
+            const double strength = other.n_l * (other.attenuation * other.spot);
+            if (strength > 0.9) {
+                EXPECT_EQ(terms.diffuse, other.diffuse);
+                EXPECT_EQ(terms.specular, other.specular);
+                ++lit;
+            } else {
+                EXPECT_EQ(terms.diffuse, Color{});
+                EXPECT_EQ(terms.specular, Color{});
+                EXPECT_TRUE(!(terms.n_l > 0) || reason(terms) == LightReason::faint);
+                ++faint;
+            }
+        }
+    }
+    EXPECT_GT(faint, 20);
+    EXPECT_GT(lit, 20);
+}
+
+TEST(Finishes, AreExplained) {
+    for (const Shading shading : {Shading::phong, Shading::blinn_phong}) {
+        Scene scene = room();
+        scene.settings.shading = shading;
+        scene.lights[2].attenuation = {0.1, 0.1, 0.1};
+        scene.conventions.attenuate_highlights = false;
+        scene.conventions.light_threshold = 0.1;
+        Material& metal = scene.materials[0];
+        metal.emission = {0.1, 0.2, 0};
+        metal.brilliance = 2.5;
+        metal.metallic = 0.8;
+        metal.phong = {0.3, 0.3, 0.2};
+        metal.phong_shininess = 5;
+        metal.mirror = 0.7;
+        metal.mirror_min = 0.1;
+        metal.mirror_falloff = 3;
+        metal.mirror_metallic = 1;
+        scene.materials[1].tinted_highlight = false;
+        scene.materials[2].brilliance = 0.5;
+        expect_explained(scene);
+        scene.settings.samples = 2;
+        scene.conventions.mirror = MirrorRule::add;
+        scene.conventions.clamp_cosines = scene.conventions.specular_gate = false;
+        expect_explained(scene);
+    }
+}
+
 }  // namespace
 }  // namespace glint::test

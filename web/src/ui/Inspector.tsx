@@ -87,6 +87,9 @@ function Light({terms, hit, ray, index}: {terms: LightTerms; hit: ExplainedHit; 
                 ? <Term name={isPhong ? <>(R·V)<sup>n</sup></> : <>(N·H)<sup>n</sup></>} place={hit.material} formula={`n = ${short(hit.material.shininess)}`} value={short(terms.power)} />
                 : <p class="why">{highlights[terms.highlight]}</p>}
             {terms.blocker && <Term name="blocker" place={terms.blocker.shape} formula={`${short(terms.blocker.distance)} away`} value={shortVector(terms.blocker.point)} />}
+            {hit.material.brilliance !== 1 && <Term name={<>(N·L)<sup>b</sup></>} place={hit.material} formula={`brilliance b = ${short(hit.material.brilliance)}`} value={short(terms.diffuse_factor)} />}
+            {terms.phong_power !== undefined && <Term name={<>(R·V)<sup>n</sup></>} place={hit.material} formula={`second highlight, n = ${short(hit.material.phong_shininess)}`} value={short(terms.phong_power)} />}
+            {terms.highlight_tint && <Term name="tint" place={hit.material} formula="of the metal's highlights" value={shortColor(terms.highlight_tint)} />}
             <Term name="diffuse" place={hit.material} formula="k_d N·L I" value={shortColor(terms.diffuse)} />
             <Term name="specular" place={hit.material} formula={<>k_s S<sup>n</sup> I</>} value={shortColor(terms.specular)} />
         </details>

@@ -51,6 +51,7 @@ export function sentence(explanation: Explanation): string {
     }
     for (const {light, reason, blocker} of hit.lights) {
         if (reason === 'blocked') parts.push(`${phrase(lightName(light))} is blocked${blocker ? ` by ${phrase(itemName(blocker.shape))}` : ''}`);
+        if (reason === 'faint') parts.push(`${phrase(lightName(light))} is too faint to count`);
         if (reason === 'outside_cone') parts.push(`${phrase(lightName(light))} shines past the point`);
         if (reason === 'behind') parts.push(`${phrase(lightName(light))} is behind the surface`);
         if (reason === 'faded') parts.push(`${phrase(lightName(light))} is too far to add anything`);

@@ -43,6 +43,7 @@ export const reasons: Record<LightTerms['reason'], string> = {
     no_color: 'adds nothing: its colour times the surface’s is black',
     faded: 'is too far: its attenuation is 0',
     in_surface: 'is at the hit point itself',
+    faint: 'is too faint here: the convention light_threshold leaves it out',
     outside_cone: 'is aimed elsewhere: the point is outside its cone',
 };
 

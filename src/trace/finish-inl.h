@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the extended fields of a material (world/extended_materials.h) make of a light's terms and of its
+// mirror.
+#if defined(GLINT_TRACE_FINISH_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef GLINT_TRACE_FINISH_INL_H_
+#undef GLINT_TRACE_FINISH_INL_H_
+#else
+#define GLINT_TRACE_FINISH_INL_H_
+#endif
+
+#include "lighting/finish-inl.h"
+#include "trace/material-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace glint {
+namespace HWY_NAMESPACE {
+
+/// The extended fields that the world's highlights and diffuse terms use.
+struct FinishRules {
+    bool brilliance = false, metallic = false, phong = false, tinted = false;
+    bool highlights = false;  // one of them changes highlights
+};
+HWY_INLINE FinishRules finish_rules(const WorldParts& world) {
+    if (world.extended_uses == 0) return {};
+    const Shading shading = world.settings.shading;
+    const bool shown = shading == Shading::phong || shading == Shading::blinn_phong;
+    FinishRules rules{world.uses<&Material::brilliance>(), shown && world.uses<&Material::metallic>(),
+                      shown && world.uses<&Material::phong>(),
+                      shown && world.uses<&Material::tinted_highlight>()};
+    rules.highlights = rules.metallic || rules.phong || rules.tinted;
+    return rules;
+}
+
+/// Whether a light of this color adds something to a surface of that color.
+HWY_INLINE LaneMask<double> is_colored(Vector3<Doubles> a, Vector3<Doubles> b) {
+    const Doubles zero(0);
+    return !(a.x * b.x == zero && a.y * b.y == zero && a.z * b.z == zero);
+}
+
+/// k I term f_att. strength: f_att, times the spot's factor.
+HWY_INLINE Vector3<Doubles> contribution(Vector3<Doubles> k, Vector3<Doubles> light, Doubles term,
+                                         Doubles strength) {
+    return (k * light * term) * strength;
+}
+
+/// The factor of k_d I_l,d: N·L, to the power of the brilliance.
+HWY_INLINE Doubles diffuse_factor(const WorldParts& world, const MaterialLanes& material,
+                                  const FinishRules& finish, Doubles n_l, const LightingRules& rules) {
+    if (!finish.brilliance) return diffuse_term(n_l, rules);
+    return brilliant_term(n_l, ExtendedLanes(world, material).value<&Material::brilliance>(), rules);
+}
+
+/// The light's color in highlights: I_l,s, or 1 for materials that leave it out.
+HWY_INLINE Vector3<Doubles> highlight_light(const WorldParts& world, const MaterialLanes& material,
+                                            const Light& light, const FinishRules& finish) {
+    const Vector3<Doubles> color = lanes_of(light.specular_color);
+    if (!finish.tinted) return color;
+    const auto tinted = ExtendedLanes(world, material).value<&Material::tinted_highlight>() > Doubles(0);
+    return select_vector3(tinted, color, lanes_of(Vec3{1, 1, 1}));
+}
+
+/// The factor of metals' highlights.
+HWY_INLINE Vector3<Doubles> highlight_tint(const WorldParts& world, const MaterialLanes& material,
+                                           const FinishRules& finish, Doubles n_l) {
+    if (!finish.metallic) return lanes_of(Vec3{1, 1, 1});
+    return metal_tint(material.color(k_color), ExtendedLanes(world, material).value<&Material::metallic>(),
+                      n_l);
+}
+
+/// S^n of the second highlight, or 0.
+HWY_INLINE Doubles phong_power_of(const WorldParts& world, const MaterialLanes& material,
+                                  const FinishRules& finish, Cosines<Doubles> phong,
+                                  const LightingRules& rules) {
+    const Doubles zero(0);
+    if (!finish.phong) return zero;
+    const auto bright = has_highlight(phong, rules);
+    if (!any(bright)) return zero;
+    const Doubles n = ExtendedLanes(world, material).value<&Material::phong_shininess>();
+    return select(bright, highlight_power(phong.s, n, rules), zero);
+}
+
+/// The surfaces to which one of the highlights may add something. phong: N·L, and R·V.
+HWY_INLINE LaneMask<double> finished_highlight_adds(const WorldParts& world, const MaterialLanes& material,
+                                                    const Light& light, const FinishRules& finish,
+                                                    Cosines<Doubles> c, Cosines<Doubles> phong,
+                                                    const LightingRules& rules) {
+    const Vector3<Doubles> color = highlight_light(world, material, light, finish);
+    auto adds = has_highlight(c, rules) && is_colored(material.color(k_specular), color);
+    if (finish.phong)
+        adds = adds || (has_highlight(phong, rules) &&
+                        is_colored(ExtendedLanes(world, material).color<&Material::phong>(), color));
+    return adds;
+}
+
+/// The light of both highlights. power: S^n of the first one, or 0.
+HWY_INLINE Vector3<Doubles> finished_highlight(const WorldParts& world, const MaterialLanes& material,
+                                               const Light& light, const FinishRules& finish, Doubles power,
+                                               Cosines<Doubles> phong, Doubles strength,
+                                               const LightingRules& rules) {
+    const Vector3<Doubles> color = highlight_light(world, material, light, finish);
+    Vector3<Doubles> sum = contribution(material.color(k_specular), color, power, strength);
+    if (finish.phong)
+        sum = sum + contribution(ExtendedLanes(world, material).color<&Material::phong>(), color,
+                                 phong_power_of(world, material, finish, phong, rules), strength);
+    return finish.metallic ? sum * highlight_tint(world, material, finish, phong.n_l) : sum;
+}
+
+/// The cosine of the angle between the normal and the ray, on either side.
+HWY_INLINE Doubles incidence(Vector3<Doubles> normal, Vector3<Doubles> incoming) {
+    return min(abs(dot(normal, incoming)) / length(incoming), Doubles(1));
+}
+
+/// a, the part of the light that the mirror reflects towards the ray.
+HWY_INLINE Doubles mirror_of(const WorldParts& world, const MaterialLanes& material,
+                             const SurfaceBatch& surfaces, int h) {
+    const Doubles a = material.value(k_mirror);
+    if (!world.uses<&Material::mirror_falloff>()) return a;
+    const ExtendedLanes extended(world, material);
+    return angled_mirror(extended.value<&Material::mirror_min>(), a,
+                         extended.value<&Material::mirror_falloff>(),
+                         incidence(load_vector3(surfaces.normal, h), load_vector3(surfaces.incoming, h)));
+}
+
+/// The color of what the mirror shows.
+HWY_INLINE Vector3<Doubles> mirror_tint_of(const WorldParts& world, const MaterialLanes& material,
+                                           Vector3<Doubles> normal, Vector3<Doubles> incoming) {
+    const Vector3<Doubles> tint = material.color(k_mirror_tint);
+    if (!world.uses<&Material::mirror_metallic>()) return tint;
+    return tint * metal_tint(material.color(k_color),
+                             ExtendedLanes(world, material).value<&Material::mirror_metallic>(),
+                             incidence(normal, incoming));
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace glint
+HWY_AFTER_NAMESPACE();
+
+#endif
