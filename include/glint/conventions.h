@@ -34,9 +34,10 @@ enum class Offset : std::uint8_t { ray, normal, facing, direction, scale };
 /// mirror: blend: (1-a) local + a reflected; add: local + a reflected.
 enum class MirrorRule : std::uint8_t { blend, add };
 
-/// The colour of a surface at the limit of reflections. keep: its whole local colour (CGFS, RT2). drop: as if
-/// the mirror reflected black.
-enum class LimitRule : std::uint8_t { keep, drop };
+/// The colour of a surface at the limit of reflections. keep: its whole local colour, as if it were neither
+/// mirror nor transparent (CGFS, RT2). drop: as if the mirror reflected black (POV-Ray). background: what
+/// a ray that hits nothing sees is added for each secondary ray, without its coefficient (Tachyon).
+enum class LimitRule : std::uint8_t { keep, drop, background };
 
 /// The colour of a mirror ray that hits nothing.
 enum class MissRule : std::uint8_t { background, black };
@@ -47,6 +48,19 @@ enum class Fresnel : std::uint8_t { none, schlick };
 /// Whether a transparent surface casts a shadow. opaque: like any other surface (CSC 473); none: no
 /// shadow.
 enum class GlassShadow : std::uint8_t { opaque, none };
+
+/// How transparency (Material::filter, transmit) reduces a surface's own light. highlights: ambient and
+/// diffuse light times the opacity, highlights whole (POV-Ray). blend: all of it and the mirror ray's, too
+/// (Tachyon's Trans_VMD). add: none of it (Tachyon).
+enum class Transparency : std::uint8_t { highlights, blend, add };
+
+/// The opacity of a transparent surface. whole: 1 - filter - transmit (POV-Ray from 3.7 on). brightest: 1 -
+/// transmit - filter times the greatest channel of the colour (POV-Ray before).
+enum class OpacityRule : std::uint8_t { whole, brightest };
+
+/// The shadows of transparent surfaces. opaque: as of any other surface. none: no shadow (Tachyon's
+/// Shadow_Filter_Off). colored: each surface on the way multiplies the light by transmit + filter * color.
+enum class TransparentShadow : std::uint8_t { opaque, none, colored };
 
 /// Which normals are flipped towards the incoming ray. open: those of planes, discs, triangles, uncapped
 /// cylinders and cones.
@@ -82,6 +96,15 @@ struct Conventions {
     /// > 0: Beer's law instead of one tint at entry; the absorption of a black tint per unit of length.
     double beer = 0;
     GlassShadow glass_shadow = GlassShadow::opaque;
+    Transparency transparency = Transparency::highlights;
+    OpacityRule opacity = OpacityRule::whole;
+    TransparentShadow transparent_shadow = TransparentShadow::colored;
+    /// A ray straight through a transparent surface is of the next generation (Tachyon); false: of the same
+    /// (POV-Ray). None starts at the limit of reflections.
+    bool transparency_counts = false;
+    /// Along one path, only this many transparent surfaces are shaded (0 to k_max_sample_rays); further ones
+    /// are passed as if they were absent (Tachyon's Trans_Max_Surfaces).
+    std::int32_t transparent_surfaces = 4096;
     double min_weight = 0;  ///< a ray whose weight is below this is not traced
     Facing facing = Facing::all;
     bool cones = true;  ///< false: cones are ignored, as in CSC 473's own program
@@ -125,8 +148,9 @@ inline constexpr std::int32_t k_max_samples = 64;
 /// The threshold of `aa = adaptive:N` without one.
 inline constexpr double k_default_aa_threshold = 0.05;
 
-/// The maximum number of mirror and glass rays of one sample; more are not traced. Only surfaces that are
-/// both mirror and glass come near it, because they double the rays in every generation.
+/// The maximum number of mirror and glass rays, and of rays through transparent surfaces, of one sample; more
+/// are not traced. Only surfaces that are both mirror and glass come near it, because they double the rays in
+/// every generation, and thousands of transparent surfaces behind each other.
 inline constexpr std::int32_t k_max_sample_rays = 4096;
 
 /// The origin of the value of a convention or setting.

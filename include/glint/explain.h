@@ -21,6 +21,14 @@ struct Blocker {
     Vec3 point;
 };
 
+/// A transparent surface on the way of a shadow ray, which colors the light.
+struct ShadowFilter {
+    std::uint32_t shape = k_none;  ///< in Scene::shapes
+    double distance = 0;           ///< from the shaded point
+    Vec3 point;
+    Color factor;  ///< transmit + filter * color
+};
+
 /// One light at one hit. Vectors and cosines are those of the lighting equation (docs/lighting.md).
 struct LightTerms {
     std::uint32_t light = 0;  ///< in Scene::lights
@@ -39,15 +47,19 @@ struct LightTerms {
     bool may_add = false;           ///< it adds light unless it is blocked
     bool blocked = false;           ///< a shape blocks it: `blocker`
     Color diffuse, specular;        ///< the light that it adds, before the hit's weight
-    bool has_ray = false;           ///< a shadow ray was traced, with the following values
-    Vec3 origin, direction;         ///< for a point light: from the light to the surface
+    /// The product of the factors of `filters`, multiplied in the order of the ray; included in diffuse and,
+    /// with Conventions::attenuate_highlights, in specular.
+    Color filter{1, 1, 1};
+    std::vector<ShadowFilter> filters;  ///< the transparent surfaces on the way to the light, from P
+    bool has_ray = false;               ///< a shadow ray was traced, with the following values
+    Vec3 origin, direction;             ///< for a point light: from the light to the surface
     double t_min = 0, t_max = 0;
     std::optional<Blocker> blocker;
 };
 
 /// The state of a possible secondary ray of a hit.
 enum class SecondaryRayState : std::uint8_t {
-    none,    ///< the surface is not a mirror, or not glass
+    none,    ///< the surface is not a mirror, or neither glass nor transparent
     traced,  ///< `ray` is its index
     limit,   ///< the limit of reflections is reached
     faint,   ///< its weight is 0 or below min_weight
@@ -68,14 +80,18 @@ struct ExplainedHit {
     bool turned = false;              ///< N was flipped towards the ray
     Color weight;                     ///< the ray's weight after absorption in glass and in fog
     double mirror = 0;                ///< a in the direction of the ray
-    double local_share = 1;           ///< the factor of the surface's own light; the rest is mirror and glass
-    Color ambient;                    ///< k_a I_a; for shading color or normals, the shown colour
-    std::vector<LightTerms> lights;   ///< in scene order, without ambient lights
-    Color diffuse, specular;          ///< sums over the lights
-    Color emission;                   ///< k_e
+    /// The factor of ambient and diffuse light and of emission; the rest is mirror and glass.
+    double local_share = 1;
+    Color ambient;                   ///< k_a I_a; for shading color or normals, the shown colour
+    std::vector<LightTerms> lights;  ///< in scene order, without ambient lights
+    Color diffuse, specular;         ///< sums over the lights
+    Color emission;                  ///< k_e
     /// Added to the pixel: ambient, diffuse, specular and emission times weight and local_share.
     Color parts[4];
-    double fresnel = 0;  ///< for glass: the reflected fraction; 1: total internal reflection
+    bool transparent = false;    ///< Material::filter or transmit: `transmitted` goes straight through
+    double opacity = 1;          ///< of a transparent surface, by the convention `opacity`
+    double highlight_share = 1;  ///< the factor of the surface's highlights, as local_share of the rest
+    double fresnel = 0;          ///< for glass: the reflected fraction; 1: total internal reflection
     ExplainedSecondaryRay reflected, transmitted;
 
     /// The sum of the parts.
@@ -86,8 +102,12 @@ struct ExplainedRay {
     int sample = 0;            ///< row * n + column of the pixel's n x n samples
     int generation = 0;        ///< 0: camera ray
     int parent = -1;           ///< the ray whose hit it starts from
-    bool transmitted = false;  ///< through glass; otherwise reflected
-    Vec3 origin, direction;    ///< its length is the unit of t
+    bool transmitted = false;  ///< through glass or a transparent surface; otherwise reflected
+    /// It goes straight through a transparent surface: its line is that of the ray before, from t_min on.
+    bool straight = false;
+    /// It starts at the limit of reflections, and sees the background (LimitRule::background).
+    bool beyond_limit = false;
+    Vec3 origin, direction;  ///< its length is the unit of t
     double t_min = 0;
     double t = 0;  ///< of the hit, or infinity
     Color weight;

@@ -181,6 +181,12 @@ struct Material {
     double mirror_min = 0;  ///< a for rays along the normal, 0 to 1
     double mirror_metallic =
         0;  ///< 0 to 1: what the mirror shows has the tint of `metallic`, by the ray's angle
+
+    // Transparency without refraction: what is behind is seen times transmit + filter * color (POV-Ray).
+    double filter = 0;    ///< 0 to 1; with `transmit` at most 1; only if `transmission` is 0
+    double transmit = 0;  ///< 0 to 1: not tinted; Tachyon's 1 - opacity
+
+    constexpr bool is_transparent() const { return filter > 0 || transmit > 0; }
 };
 
 /// One shape of the scene: parameters number `index` of its kind, its material and its transform.

@@ -116,6 +116,8 @@ class Material:
         mirror_falloff: float = ...,
         mirror_min: float = ...,
         mirror_metallic: float = ...,
+        filter: float = ...,
+        transmit: float = ...,
     ) -> None: ...
     name: str
     color: _ColorField
@@ -138,6 +140,8 @@ class Material:
     mirror_falloff: float
     mirror_min: float
     mirror_metallic: float
+    filter: float
+    transmit: float
     def __eq__(self, other: object) -> bool: ...
     def __copy__(self) -> Material: ...
     def __deepcopy__(self, memo: Dict[Any, Any]) -> Material: ...

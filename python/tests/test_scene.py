@@ -38,6 +38,8 @@ def test_attributes_are_those_of_the_tables():
     camera.lighting_eye = None
     assert camera.lighting_eye is None
     assert glint.Material(ior=1.5, transmission=0.9).ior == 1.5
+    pane = glint.Material(color=(1, 0, 0), filter=0.7, transmit=0.1)
+    assert pane.filter == 0.7 and pane.transmit == 0.1
 
 
 @pytest.mark.parametrize(

@@ -131,8 +131,11 @@ std::uint32_t case_of(const CheckContext& context, const Light& light, const Blo
             if (shape == b.blocker) return shape;
             continue;
         }
-        const bool clear = context.material_of(shape).transmission > 0 &&
-                           scene.conventions.glass_shadow == GlassShadow::none;
+        const Material& material = context.material_of(shape);
+        const Conventions& rules = scene.conventions;
+        const bool clear =
+            (material.transmission > 0 && rules.glass_shadow == GlassShadow::none) ||
+            (material.is_transparent() && rules.transparent_shadow != TransparentShadow::opaque);
         const bool sees_in =
             std::find(around_camera.begin(), around_camera.end(), shape) != around_camera.end();
         if (!clear && !sees_in) return shape;

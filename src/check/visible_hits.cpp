@@ -72,7 +72,7 @@ RayList secondary_rays(const WorldParts& world, const std::vector<SurfaceHit>& h
     const Conventions& rules = world.conventions;
     const auto leaves = [&](const SurfaceHit& h) {
         const double* m = world.material(h.material);
-        const bool glass = m[k_transmission] > 0;
+        const bool glass = m[k_transmission] > 0 || world.is_transparent(h.material);
         return followed == Followed::mirrors ? std::pair{m[k_mirror] > 0 && !glass, false}
                                              : std::pair{m[k_mirror] > 0, glass};
     };
@@ -89,7 +89,10 @@ RayList secondary_rays(const WorldParts& world, const std::vector<SurfaceHit>& h
             rays.add(vec_of(origin), vec_of(direction), offset_t_min(rules.offset, rules.epsilon));
         };
         bool reflects = mirror;
-        if (glass) {
+        if (glass && world.is_transparent(h.material)) {
+            const Vector3<double> ahead = triple_of(h.incoming);
+            add(offset_transmitted_origin(surface, ahead, rules.offset, rules.epsilon), ahead);
+        } else if (glass) {
             const double ior = world.material(h.material)[k_ior];
             const auto on = refracted_ray(surface, h.behind, ior, rules);
             if (on.fresnel < 1)

@@ -65,7 +65,14 @@ std::string material_text(const Scene& scene, const ExplainedHit& hit) {
     if (m.mirror > 0 && !(m.mirror_tint == Color{1, 1, 1})) text += " tinted " + color(m.mirror_tint);
     if (m.transmission > 0)
         text += fmt::format(", transmission {}, ior {}", number(m.transmission), number(m.ior));
+    if (m.is_transparent()) text += ", color " + color(m.color);
     return text + extended_text(m);
+}
+
+// The factor of what is seen through a transparent surface.
+Color through_of(const Material& m) {
+    return {m.transmit + m.filter * m.color.r, m.transmit + m.filter * m.color.g,
+            m.transmit + m.filter * m.color.b};
 }
 
 // A coloured block to print after the numbers of a colour.
@@ -90,6 +97,9 @@ std::string nothing_text(const Scene& scene, const ExplainedHit& hit, const Ligh
         case LightReason::adds:
             return {};
         case LightReason::blocked:
+            if (!terms.blocker && !terms.filters.empty())
+                return fmt::format("blocked by {} transparent surfaces, which leave {} of it",
+                                   terms.filters.size(), color(terms.filter));
             if (!terms.blocker) return "blocked";
             return fmt::format("blocked by {}, {} from P at {}", shape_text(scene, terms.blocker->shape),
                                number(terms.blocker->distance), vec(terms.blocker->point));
@@ -155,11 +165,15 @@ class Tree {
     void add_ray(std::size_t ray, int depth) {
         const ExplainedRay& r = e_.rays[ray];
         const std::string_view kind = r.parent < 0    ? "camera ray"
+                                      : r.straight    ? "ray straight through"
                                       : r.transmitted ? "ray through glass"
                                                       : "mirror ray";
         line(depth, fmt::format("{} {} from {} towards {}{}", kind, ray, vec(r.origin), vec(r.direction),
                                 r.parent < 0 ? "" : ", weight " + color(r.weight)));
         if (!r.hit) {
+            if (r.beyond_limit)
+                line(depth + 1, fmt::format("the limit of {} reflections is reached: it sees the background",
+                                            scene_.settings.reflections));
             add_fog(r, depth + 1);
             const bool black = r.background.r == 0 && r.background.g == 0 && r.background.b == 0;
             if (r.transparent && scene_.settings.alpha)
@@ -171,7 +185,7 @@ class Tree {
         }
         add_hit(r, depth + 1);
         add_secondary_ray(r.hit->reflected, "mirror", depth + 1);
-        add_secondary_ray(r.hit->transmitted, "glass", depth + 1);
+        add_secondary_ray(r.hit->transmitted, r.hit->transparent ? "straight through" : "glass", depth + 1);
     }
 
     std::string text;
@@ -219,11 +233,17 @@ class Tree {
                                         : scene_.conventions.beer > 0 ? "glass and fog"
                                                                       : "the fog",
                                         color(hit.weight)));
+        if (hit.transparent)
+            line(depth + 1, fmt::format("transparent: opacity {}, what is behind times {}",
+                                        number(hit.opacity), color(through_of(material_of(hit, scene_)))));
         if (hit.local_share != 1 || r.parent >= 0) {
             const Color part = hit.own_light();
-            line(depth + 1,
-                 fmt::format("own light: {} x {} (the rest is mirror and glass): {}{}", color(hit.weight),
-                             number(hit.local_share), color(part), swatch(style_, part)));
+            line(depth + 1, fmt::format("own light: {} x {}{} (the rest is mirror and glass): {}{}",
+                                        color(hit.weight), number(hit.local_share),
+                                        hit.highlight_share == hit.local_share
+                                            ? std::string()
+                                            : fmt::format(", highlights x {}", number(hit.highlight_share)),
+                                        color(part), swatch(style_, part)));
         }
     }
 
@@ -255,6 +275,16 @@ class Tree {
         if (brilliance != 1 && terms.n_l > 0)
             how += fmt::format(", to the power {} = {}", number(brilliance), number(terms.diffuse_factor));
         line(depth + 1, fmt::format("{}; {}", how, highlight_text(scene_, hit, terms)));
+        constexpr std::size_t most = 12;
+        for (std::size_t i = 0; i < std::min(most, terms.filters.size()); ++i) {
+            const ShadowFilter& filter = terms.filters[i];
+            line(depth + 1,
+                 fmt::format("passes {}, {} from P: times {}{}", shape_text(scene_, filter.shape),
+                             number(filter.distance), color(filter.factor), swatch(style_, filter.factor)));
+        }
+        if (terms.filters.size() > most)
+            line(depth + 1, fmt::format("and {} more", terms.filters.size() - most));
+        if (terms.filters.size() > 1) line(depth + 1, fmt::format("together: times {}", color(terms.filter)));
     }
 
     void add_secondary_ray(const ExplainedSecondaryRay& ray, std::string_view what, int depth) {

@@ -82,6 +82,15 @@ Json terms_json(const Scene& scene, const ExplainedHit& hit, const LightTerms& t
                               {"t_min", terms.t_min},
                               {"t_max", finite(terms.t_max)}};
     }
+    if (!terms.filters.empty()) {
+        json["filter"] = to_json(terms.filter);
+        for (const ShadowFilter& filter : terms.filters) {
+            json["filters"].push_back({{"shape", shape_json(scene, filter.shape)},
+                                       {"distance", filter.distance},
+                                       {"point", to_json(filter.point)},
+                                       {"factor", to_json(filter.factor)}});
+        }
+    }
     if (terms.blocker) {
         json["blocker"] = {{"shape", shape_json(scene, terms.blocker->shape)},
                            {"distance", terms.blocker->distance},
@@ -101,29 +110,33 @@ Json secondary_ray_json(const ExplainedSecondaryRay& ray) {
 Json hit_json(const Scene& scene, const ExplainedHit& hit) {
     Json lights = Json::array();
     for (const LightTerms& terms : hit.lights) lights.push_back(terms_json(scene, hit, terms));
-    return {{"shape", shape_json(scene, hit.shape)},
-            {"material", material_json(scene, hit)},
-            {"point", to_json(hit.point)},
-            {"normal", to_json(hit.normal)},
-            {"to_eye", to_json(hit.to_eye)},
-            {"side", hit.behind ? "back" : "front"},
-            {"normal_turned", hit.turned},
-            {"weight", to_json(hit.weight)},
-            {"mirror", hit.mirror},
-            {"local_share", hit.local_share},
-            {"ambient", to_json(hit.ambient)},
-            {"lights", std::move(lights)},
-            {"diffuse", to_json(hit.diffuse)},
-            {"specular", to_json(hit.specular)},
-            {"emission", to_json(hit.emission)},
-            {"parts",
-             {{"ambient", to_json(hit.parts[0])},
-              {"diffuse", to_json(hit.parts[1])},
-              {"specular", to_json(hit.parts[2])},
-              {"emission", to_json(hit.parts[3])}}},
-            {"fresnel", hit.fresnel},
-            {"reflected", secondary_ray_json(hit.reflected)},
-            {"transmitted", secondary_ray_json(hit.transmitted)}};
+    Json json = {{"shape", shape_json(scene, hit.shape)},
+                 {"material", material_json(scene, hit)},
+                 {"point", to_json(hit.point)},
+                 {"normal", to_json(hit.normal)},
+                 {"to_eye", to_json(hit.to_eye)},
+                 {"side", hit.behind ? "back" : "front"},
+                 {"normal_turned", hit.turned},
+                 {"weight", to_json(hit.weight)},
+                 {"local_share", hit.local_share},
+                 {"ambient", to_json(hit.ambient)},
+                 {"lights", std::move(lights)},
+                 {"diffuse", to_json(hit.diffuse)},
+                 {"specular", to_json(hit.specular)},
+                 {"emission", to_json(hit.emission)},
+                 {"parts",
+                  {{"ambient", to_json(hit.parts[0])},
+                   {"diffuse", to_json(hit.parts[1])},
+                   {"specular", to_json(hit.parts[2])},
+                   {"emission", to_json(hit.parts[3])}}},
+                 {"fresnel", hit.fresnel},
+                 {"reflected", secondary_ray_json(hit.reflected)},
+                 {"transmitted", secondary_ray_json(hit.transmitted)}};
+    if (hit.transparent) {
+        json["opacity"] = hit.opacity;
+        json["highlight_share"] = hit.highlight_share;
+    }
+    return json;
 }
 
 Json ray_json(const Explanation& e, const Scene& scene, std::size_t number) {
@@ -141,6 +154,8 @@ Json ray_json(const Explanation& e, const Scene& scene, std::size_t number) {
     json["t_min"] = ray.t_min;
     json["t"] = finite(ray.t);
     json["weight"] = to_json(ray.weight);
+    if (ray.straight) json["straight"] = true;
+    if (ray.beyond_limit) json["beyond_limit"] = true;
     if (scene.fog) json["fog"] = {{"visibility", ray.visibility}, {"added", to_json(ray.fog)}};
     if (ray.hit) {
         json["hit"] = hit_json(scene, *ray.hit);

@@ -165,7 +165,9 @@ void draw_rays(Image& picture, const Explanation& explanation, const Scene& scen
         if (ray.parent < 0) continue;
         const Vec3 end =
             ray.hit ? ray.hit->point : ray.origin + normalize(ray.direction) * far_away(world, ray.origin);
-        pen.draw(ray.origin, end, ray.transmitted ? k_glass_color : k_mirror_color);
+        if (ray.beyond_limit) continue;
+        const Vec3 start = ray.straight ? ray.origin + ray.direction * ray.t_min : ray.origin;
+        pen.draw(start, end, ray.transmitted ? k_glass_color : k_mirror_color);
     }
     pen.frame(explanation.x, explanation.y, k_white);
 }

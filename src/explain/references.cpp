@@ -21,6 +21,10 @@ std::string hit_fault(const ExplainedHit& hit, const Scene& scene) {
         if (terms.light >= scene.lights.size()) return beyond("light", terms.light, scene.lights.size());
         if (terms.blocker && terms.blocker->shape >= scene.shapes.size())
             return beyond("shape", terms.blocker->shape, scene.shapes.size());
+        for (const ShadowFilter& filter : terms.filters) {
+            if (filter.shape >= scene.shapes.size())
+                return beyond("shape", filter.shape, scene.shapes.size());
+        }
     }
     return {};
 }

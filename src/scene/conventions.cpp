@@ -20,10 +20,13 @@ constexpr std::string_view k_pixel_samples[] = {"center", "corner", "whole"};
 constexpr std::string_view k_ray_directions[] = {"unit", "viewport"};
 constexpr std::string_view k_offsets[] = {"ray", "normal", "facing", "direction", "scale"};
 constexpr std::string_view k_mirrors[] = {"blend", "add"};
-constexpr std::string_view k_limits[] = {"keep", "drop"};
+constexpr std::string_view k_limits[] = {"keep", "drop", "background"};
 constexpr std::string_view k_misses[] = {"background", "black"};
 constexpr std::string_view k_fresnels[] = {"none", "schlick"};
 constexpr std::string_view k_glass_shadows[] = {"opaque", "none"};
+constexpr std::string_view k_transparencies[] = {"highlights", "blend", "add"};
+constexpr std::string_view k_opacities[] = {"whole", "brightest"};
+constexpr std::string_view k_transparent_shadows[] = {"opaque", "none", "colored"};
 constexpr std::string_view k_facings[] = {"none", "open", "all"};
 constexpr std::string_view k_spot_falloffs[] = {"cubic", "linear"};
 constexpr std::string_view k_fog_distances[] = {"ray", "depth"};
@@ -141,15 +144,17 @@ constexpr Row number_row(std::string_view name, std::string_view description) {
 }
 
 template <auto Member, std::int32_t Min, std::int32_t Max>
-constexpr Row whole_row(std::string_view name, std::string_view values, std::string_view description) {
-    return {{name, values, description, false},
-            [](Conventions&, RenderSettings& s, const SettingKey& key, std::string_view text) -> std::string {
-                std::int32_t value = 0;
-                if (!parse_whole(text, value) || value < Min || value > Max) return found(key.values, text);
-                s.*Member = value;
-                return {};
-            },
-            [](const Conventions&, const RenderSettings& s) { return fmt::format("{}", s.*Member); }};
+constexpr Row whole_row(std::string_view name, std::string_view values, std::string_view description,
+                        bool convention) {
+    return {
+        {name, values, description, convention},
+        [](Conventions& c, RenderSettings& s, const SettingKey& key, std::string_view text) -> std::string {
+            std::int32_t value = 0;
+            if (!parse_whole(text, value) || value < Min || value > Max) return found(key.values, text);
+            field<Member>(c, s) = value;
+            return {};
+        },
+        [](const Conventions& c, const RenderSettings& s) { return fmt::format("{}", field<Member>(c, s)); }};
 }
 
 std::string parse_size(Conventions&, RenderSettings& s, const SettingKey& key, std::string_view text) {
@@ -242,7 +247,9 @@ constexpr Row k_rows[] = {
                                     true),
     word_row<&C::limit, k_limits>(
         "limit",
-        "the last permitted surface shows its local colour completely, or as if its mirror saw black", true),
+        "the last permitted surface shows its local colour completely, or as if its mirror saw black, or "
+        "with the background added for each ray",
+        true),
     word_row<&C::mirror_miss, k_misses>("mirror_miss",
                                         "what a mirror or glass ray that leaves the scene sees", true),
     word_row<&C::fresnel, k_fresnels>(
@@ -252,6 +259,26 @@ constexpr Row k_rows[] = {
         "beer",
         "0: glass tints once, where a ray enters; else by Beer's law, exp(-beer (1 - tint) distance)"),
     word_row<&C::glass_shadow, k_glass_shadows>("glass_shadow", "whether glass casts shadows", true),
+    word_row<&C::transparency, k_transparencies>(
+        "transparency",
+        "how filter and transmit reduce a surface's own light; highlights: all but its highlights, blend: "
+        "all, add: nothing",
+        true),
+    word_row<&C::opacity, k_opacities>(
+        "opacity",
+        "whole: 1 - filter - transmit; brightest: 1 - transmit - filter times the color's greatest channel",
+        true),
+    word_row<&C::transparent_shadow, k_transparent_shadows>(
+        "transparent_shadow",
+        "the shadows of surfaces with filter or transmit; colored: each surface on the way colors the light",
+        true),
+    bool_row<&C::transparency_counts>(
+        "transparency_counts",
+        "a ray straight through a transparent surface is of the next generation, like one through glass",
+        true),
+    whole_row<&C::transparent_surfaces, 0, k_max_sample_rays>(
+        "transparent_surfaces", "a whole number from 0 to 4096",
+        "the transparent surfaces that are shaded along a path; further ones are passed as if absent", true),
     number_row<&C::min_weight, k_fraction>("min_weight", "a ray with a smaller weight is not traced"),
     word_row<&C::facing, k_facings>(
         "facing",
@@ -281,7 +308,8 @@ constexpr Row k_rows[] = {
     word_row<&S::shading, k_shadings>("shading", "the lighting equation, or part of it", false),
     bool_row<&S::shadows>("shadows", "whether objects cast shadows", false),
     whole_row<&S::reflections, 0, k_max_reflections>("reflections", "a whole number from 0 to 1000",
-                                                     "the greatest generation of mirror and glass rays"),
+                                                     "the greatest generation of mirror and glass rays",
+                                                     false),
     {{"aa", "a whole number from 1 to 64, or adaptive:N:T; :jitter may follow",
       "N: N x N samples for each pixel; adaptive: only where one sample differs by more than T from that of "
       "a "

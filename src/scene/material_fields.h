@@ -76,6 +76,10 @@ inline constexpr ItemField<Material> k_material_fields[] = {
     {"mirror_metallic", "mirror_metallic", "metallic mirror",
      number_field(&Material::mirror_metallic, k_fraction),
      "how far the mirror tints what it shows with the surface's color, except at grazing rays"},
+    {"filter", "filter", "filter", number_field(&Material::filter, k_fraction),
+     "transparency without refraction: the part of the light from behind that the color tints"},
+    {"transmit", "transmit", "transmit", number_field(&Material::transmit, k_fraction),
+     "the part that is not tinted"},
 };
 
 /// A key of .glint that gives a field as a factor of the color.

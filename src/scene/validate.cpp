@@ -24,6 +24,7 @@ namespace glint {
 namespace {
 
 constexpr std::size_t k_max_errors = 20;
+constexpr double k_rounding = 1e-9;  // of a sum of decimal numbers
 
 class Validator {
   public:
@@ -225,8 +226,17 @@ class Validator {
 
     void check_material(const Material& m, std::uint32_t i) {
         begin(SceneItem::material, i);
-        check_fields<Material>(k_material_fields, m, scene_.material_texts.place(i),
-                               item("material", i, scene_.material_texts.name(i)));
+        const SourcePlace place = scene_.material_texts.place(i);
+        const std::string of = item("material", i, scene_.material_texts.name(i));
+        check_fields<Material>(k_material_fields, m, place, of);
+        if (m.filter + m.transmit > 1 + k_rounding)
+            error(place, fmt::format("{}: filter + transmit: expected at most 1, found {} + {}", of, m.filter,
+                                     m.transmit));
+        if (m.is_transparent() && m.transmission > 0)
+            error(place,
+                  fmt::format("{}: expected `transmission` (with refraction) or `filter` and `transmit` "
+                              "(without), found both",
+                              of));
     }
 
     // place: nothing for a transform, whose place is that of the first shape with it.

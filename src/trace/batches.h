@@ -25,6 +25,9 @@ inline constexpr int k_batch_size = 256;
 /// The distance between the entries of one pixel in two consecutive layers of the film.
 inline constexpr int k_layer_stride = k_tile_pixels + k_ray_padding;
 
+/// The least t of rays that start at the limit of reflections, with LimitRule::background: they hit nothing.
+inline constexpr double k_blind_t_min = 1e36;
+
 template <class T> using StreamColumn = FixedColumn<T, k_stream_size>;
 template <class T> using BatchColumn = FixedColumn<T, k_batch_size>;
 
@@ -35,7 +38,10 @@ template <class Column> struct RayFields {
     Column weight[3];
     Column target;    // the pixel in the tile; + k_layer_stride: light is added to the transmission layer
     Column straight;  // if alpha is wanted: 1 if the path has no mirror ray, else 0
-    Column medium;    // for Beer's law: the index of the material inside which the ray travels; k_none: air
+    // If the scene has transparent surfaces: t where the ray starts on its line (0 unless it goes straight
+    // through a surface), its generation by the conventions, and the transparent surfaces shaded before.
+    Column start, level, passed;
+    Column medium;  // for Beer's law: the index of the material inside which the ray travels; k_none: air
 };
 
 /// Calls visit(column...) for each column, with the same column of all arguments.
@@ -47,6 +53,9 @@ template <class Visit, class... Columns> void for_each_column(const Visit& visit
     for (int c = 0; c < 3; ++c) visit(of.weight[c]...);
     visit(of.target...);
     visit(of.straight...);
+    visit(of.start...);
+    visit(of.level...);
+    visit(of.passed...);
     visit(of.medium...);
 }
 
@@ -56,7 +65,8 @@ class RayBatch : public RayFields<GrowingColumn> {
   public:
     int generation = 0;
     int count = 0;
-    bool alpha = false;  // alpha is wanted
+    bool alpha = false;        // alpha is wanted
+    bool transparent = false;  // the scene has transparent surfaces
 
     void clear() {
         count = 0;
@@ -125,7 +135,7 @@ struct RayRange {
 struct SurfaceBatch {
     int generation = 0;  // of the rays
     int count = 0;
-    bool alpha = false;  // as in RayBatch
+    bool alpha = false, transparent = false;  // as in RayBatch
 
     // The end of a group of rays (RayBatch): the index after its last entry in the HitBatch, and here.
     struct GroupEnd {
@@ -135,10 +145,12 @@ struct SurfaceBatch {
     std::array<GroupEnd, k_batch_size> group_end;
 
     BatchColumn<std::uint32_t> slot, material;
-    BatchColumn<double> behind;                     // 1: the ray hit the back of the shape; else 0
-    BatchColumn<double> hit_t;                      // for Beer's law and fog only
-    BatchColumn<double> fog[3], visibility;         // the fog's weighted light, and f; if the scene has fog
-    BatchColumn<double> straight;                   // the ray's, if alpha is wanted
+    BatchColumn<double> behind;  // 1: the ray hit the back of the shape; else 0
+    BatchColumn<double> hit_t;   // for Beer's law and fog only: t of the hit, from RayFields::start on
+    BatchColumn<double> fog[3], visibility;  // the fog's weighted light, and f; if the scene has fog
+    BatchColumn<double> straight;            // the ray's, if alpha is wanted
+    // If the scene has transparent surfaces: the ray's origin, its t here, and RayFields.
+    BatchColumn<double> origin[3], t, level, passed;
     BatchColumn<double> weight[3], target, medium;  // the ray's (RayFields)
     BatchColumn<double> point[3], normal[3], incoming[3], to_eye[3], magnitude;
 };
@@ -152,6 +164,7 @@ struct RadianceBatch {
 struct LightSampleBatch {
     BatchColumn<double> n_l, s, strength;  // N·L; R·V or N·H; f_att, times the spot's factor
     BatchColumn<double> phong_s;           // R·V, for second highlights only
+    BatchColumn<double> filter[3];         // with colored shadows: the factor of the light
     BatchColumn<std::uint8_t> lit;         // by vector: a bit for each surface that the light may light
 };
 
@@ -165,7 +178,46 @@ struct ShadowRayBatch {
     int count = 0;
     BatchColumn<double> origin[3], direction[3], t_min, t_max;
     BatchColumn<std::uint8_t> occluded;  // 1: a shape is between the surface and the light; else 0
+    BatchColumn<double> filter[3];       // with colored shadows: the factor of the light
 
+    RaySpan span() const {
+        return {origin[0].data(),    origin[1].data(),    origin[2].data(), direction[0].data(),
+                direction[1].data(), direction[2].data(), t_min.data(),     t_max.data()};
+    }
+};
+
+/// Rays that go on from hit to hit, along the same lines.
+struct SteppedRays {
+    int count = 0;
+    BatchColumn<double> origin[3], direction[3], t_min, t_max;
+    BatchColumn<double> t;            // of the nearest hit
+    BatchColumn<std::uint32_t> slot;  // likewise; k_none: none
+    std::array<int, k_batch_size> number;
+
+    /// Adds ray i of the span, from t_min on.
+    void add(const RaySpan& rays, int i, double from) {
+        const double values[] = {rays.ox[i], rays.oy[i], rays.oz[i], rays.dx[i], rays.dy[i], rays.dz[i]};
+        const auto k = static_cast<std::size_t>(count);
+        for (std::size_t c = 0; c < 3; ++c) {
+            origin[c][k] = values[c];
+            direction[c][k] = values[3 + c];
+        }
+        t_min[k] = from;
+        t_max[k] = rays.t_max[i];
+        number[k] = i;
+        ++count;
+    }
+    /// Lets entry `from` go on behind its hit, as entry `to` <= from.
+    void go_on(int from, int to) {
+        const auto f = static_cast<std::size_t>(from), k = static_cast<std::size_t>(to);
+        for (std::size_t c = 0; c < 3; ++c) {
+            origin[c][k] = origin[c][f];
+            direction[c][k] = direction[c][f];
+        }
+        t_min[k] = t[f];
+        t_max[k] = t_max[f];
+        number[k] = number[f];
+    }
     RaySpan span() const {
         return {origin[0].data(),    origin[1].data(),    origin[2].data(), direction[0].data(),
                 direction[1].data(), direction[2].data(), t_min.data(),     t_max.data()};

@@ -199,6 +199,7 @@ inline void add_light(const WorldParts& world, const Light& light, const Surface
                       RadianceBatch& radiance) {
     const LightRules rules = light_rules(world, light);
     const bool constant = rules.is_constant();
+    const bool filtered = world.colors_shadows() && rules.has_shadow_rays;
     const double* power = highlights.power.data();
     for (int i = 0; i < surfaces.count; i += lane_count<double>()) {
         const std::uint32_t bits = lit_bits(samples, i);
@@ -206,19 +207,21 @@ inline void add_light(const WorldParts& world, const Light& light, const Surface
         const auto lit = from_bits<double>(bits);
         const MaterialLanes material(world, surfaces.material.data() + i);
         const Doubles strength = constant ? Doubles(1) : load(samples.strength.data() + i);
-        const auto add = [&](BatchColumn<double>* to, Vector3<Doubles> more) HWY_ATTR {
+        const auto add = [&](BatchColumn<double>* to, Vector3<Doubles> more, bool colored) HWY_ATTR {
+            if (colored) more = more * load_vector3(samples.filter, i);
             const Vector3<Doubles> sum = load_vector3(to, i);
             store_vector3(select_vector3(lit, sum + more, sum), to, i);
         };
         const Doubles n_l = load(samples.n_l.data() + i);
-        add(radiance.diffuse, diffuse_of(world, material, light, rules, n_l, strength));
+        add(radiance.diffuse, diffuse_of(world, material, light, rules, n_l, strength), filtered);
         const auto bright = highlights_at(samples, rules, i);
         if (!any(bright) && !rules.finish.phong) continue;
         const Doubles highlight = expand_load(power, bright);
         power += count(bright);
         const Doubles phong_s = rules.finish.phong ? load(samples.phong_s.data() + i) : Doubles(0);
         add(radiance.specular,
-            specular_of(world, material, light, rules, highlight, {n_l, phong_s}, strength));
+            specular_of(world, material, light, rules, highlight, {n_l, phong_s}, strength),
+            filtered && rules.attenuate_highlights);
     }
 }
 

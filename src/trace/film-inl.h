@@ -144,10 +144,11 @@ struct HitLight {
 };
 HWY_INLINE HitLight light_of(const WorldParts& world, const SurfaceBatch& surfaces,
                              const RadianceBatch& radiance, const MaterialLanes& material, int h) {
-    const Vector3<Doubles> weight =
-        load_vector3(surfaces.weight, h) * local_share(world, material, surfaces, h);
-    return {weight * ambient_of(world, material), weight * load_vector3(radiance.diffuse, h),
-            weight * load_vector3(radiance.specular, h), weight * emission_of(world, material)};
+    const LocalShares shares = local_shares(world, material, surfaces, h);
+    const Vector3<Doubles> weight = load_vector3(surfaces.weight, h), matte = weight * shares.matte;
+    return {matte * ambient_of(world, material), matte * load_vector3(radiance.diffuse, h),
+            weight * shares.highlight * load_vector3(radiance.specular, h),
+            matte * emission_of(world, material)};
 }
 
 /// Adds the light of surfaces [begin, end) to their pixels.

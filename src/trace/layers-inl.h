@@ -64,9 +64,16 @@ inline void count_tested(const SurfaceBatch& surfaces, const LightSampleBatch& s
     count_lit(surfaces, samples, first_hits.tested, 1);
     count_lit(surfaces, samples, first_hits.occluded, 1);
 }
-inline void count_unoccluded(const SurfaceBatch& surfaces, const LightSampleBatch& samples,
-                             FirstHits& first_hits) {
-    count_lit(surfaces, samples, first_hits.occluded, -1);
+/// Light that transparent surfaces color is blocked by the mean over its channels.
+inline void count_unoccluded(const WorldParts& world, const SurfaceBatch& surfaces,
+                             const LightSampleBatch& samples, FirstHits& first_hits) {
+    if (!world.colors_shadows()) return count_lit(surfaces, samples, first_hits.occluded, -1);
+    for (int h = 0; h < surfaces.count; ++h) {
+        const auto at = static_cast<std::size_t>(h);
+        if ((lit_bits(samples, h) >> (h % lane_count<double>()) & 1) == 0) continue;
+        const double seen = (samples.filter[0][at] + samples.filter[1][at] + samples.filter[2][at]) / 3;
+        first_hits.occluded[static_cast<std::size_t>(surfaces.target[at])] -= number::min(seen, 1.0);
+    }
 }
 
 /// Value c of a layer at a pixel of the tile.

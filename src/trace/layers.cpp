@@ -11,7 +11,7 @@ std::span<const LayerInfo> layer_infos() {
         {Layer::diffuse, "diffuse", "RGB", "k_d terms of the first surfaces"},
         {Layer::specular, "specular", "RGB", "k_s terms of the first surfaces"},
         {Layer::reflection, "reflection", "RGB", "what mirrors show"},
-        {Layer::transmission, "transmission", "RGB", "what glass lets through"},
+        {Layer::transmission, "transmission", "RGB", "what glass and transparent surfaces let through"},
         {Layer::emission, "emission", "RGB", "k_e of the first surfaces"},
         {Layer::fog, "fog", "RGB", "light of the fog in front of the first surfaces and of the background"},
         {Layer::normal, "normal", "XYZ", "unit normal of the first surface"},

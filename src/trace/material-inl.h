@@ -55,6 +55,31 @@ struct ExtendedLanes {
     HWY_INLINE Doubles column(int k) const { return table_value(base, index, same, k_extended_values, k); }
 };
 
+/// The transparency of the same materials (Material::filter, transmit). Only in scenes that have it
+/// (WorldParts::has_transparency).
+struct TransparencyLanes {
+    Doubles filter, transmit;
+    Vector3<Doubles> color;
+
+    HWY_INLINE TransparencyLanes(const WorldParts& world, const MaterialLanes& material)
+        : filter(ExtendedLanes(world, material).value<&Material::filter>()),
+          transmit(ExtendedLanes(world, material).value<&Material::transmit>()),
+          color(material.color(k_color)) {}
+
+    HWY_INLINE LaneMask<double> is_transparent() const {
+        return filter > Doubles(0) || transmit > Doubles(0);
+    }
+    /// The factor of what is seen through the surface.
+    HWY_INLINE Vector3<Doubles> through() const {
+        return {transmit + filter * color.x, transmit + filter * color.y, transmit + filter * color.z};
+    }
+    HWY_INLINE Doubles opacity(OpacityRule rule) const {
+        const Doubles tinted =
+            rule == OpacityRule::whole ? filter : filter * max(max(color.x, color.y), color.z);
+        return max(Doubles(1) - transmit - tinted, Doubles(0));
+    }
+};
+
 }  // namespace HWY_NAMESPACE
 }  // namespace glint
 HWY_AFTER_NAMESPACE();

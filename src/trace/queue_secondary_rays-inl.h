@@ -19,11 +19,11 @@ namespace HWY_NAMESPACE {
 /// The secondary rays of a vector of surfaces, to be stored by push().
 struct SecondaryRays {
     Vector3<Doubles> origin, direction, weight;
-    Doubles target, straight, medium;
-    double t_min;
+    Doubles target, straight, medium, t_min;
+    Doubles start, level, passed;
 };
 HWY_INLINE void push(RayBatch& batch, const SecondaryRays& rays, LaneMask<double> set, bool alpha,
-                     bool medium) {
+                     bool transparent, bool medium) {
     const RayFields<double*> to = batch.end();
     compress_vector3(rays.origin, set, to.origin, 0);
     compress_vector3(rays.direction, set, to.direction, 0);
@@ -31,14 +31,20 @@ HWY_INLINE void push(RayBatch& batch, const SecondaryRays& rays, LaneMask<double
     compress_store(rays.target, set, to.target);
     if (alpha) compress_store(rays.straight, set, to.straight);
     if (medium) compress_store(rays.medium, set, to.medium);
-    store(Doubles(rays.t_min), to.t_min);
+    if (transparent) {
+        compress_store(rays.start, set, to.start);
+        compress_store(rays.level, set, to.level);
+        compress_store(rays.passed, set, to.passed);
+    }
+    compress_store(rays.t_min, set, to.t_min);
     store(Doubles(k_infinity), to.t_max);
     batch.count += count(set);
 }
 
 /// Whether a sample of a pixel can reach k_max_sample_rays. The number of rays at most doubles in each
-/// generation.
+/// generation; there may be any number of transparent surfaces.
 HWY_INLINE bool is_limited(const WorldParts& world) {
+    if (world.has_transparency()) return true;
     const int generations = world.settings.reflections;
     return generations > 30 || (2 << generations) - 2 > k_max_sample_rays;
 }
@@ -67,6 +73,18 @@ HWY_INLINE Doubles material_numbers(const std::uint32_t* material) {
     return load(lanes);
 }
 
+/// Sets the rays straight through the transparent surfaces `through`: they go on along the same line.
+HWY_INLINE void go_straight(const WorldParts& world, const SurfaceBatch& surfaces, int h,
+                            LaneMask<double> through, LaneMask<double> at_limit, SecondaryRays& rays) {
+    const Doubles t = load(surfaces.t.data() + h), one(1), zero(0);
+    rays.origin = select_vector3(through, load_vector3(surfaces.origin, h), rays.origin);
+    rays.direction = select_vector3(through, load_vector3(surfaces.incoming, h), rays.direction);
+    rays.t_min = select(through && !at_limit, t, rays.t_min);
+    rays.start = select(through, t, zero);
+    if (!world.conventions.transparency_counts) rays.level = rays.level - select(through, one, zero);
+    rays.passed = rays.passed + select(through, one, zero);
+}
+
 /// Queues the mirror and glass rays of the vector of surfaces at index h.
 HWY_INLINE void queue_vector(const WorldParts& world, const SurfaceBatch& surfaces, int h,
                              LaneMask<double> hit, bool limited, SecondaryRayBatch& secondary,
@@ -74,51 +92,69 @@ HWY_INLINE void queue_vector(const WorldParts& world, const SurfaceBatch& surfac
     const Conventions& rules = world.conventions;
     const Doubles zero(0);
     const MaterialLanes material(world, surfaces.material.data() + h);
-    const auto glass = hit && material.value(k_transmission) > zero;
+    const auto refracts = hit && material.value(k_transmission) > zero;
+    auto through = first_lanes<double>(0);
+    if (surfaces.transparent) through = hit && TransparencyLanes(world, material).is_transparent();
+    const auto glass = refracts || through;
     const Doubles a = mirror_of(world, material, surfaces, h);
     const auto has_secondary = glass || (hit && a > zero);
     if (!any(has_secondary)) return;
     const bool beer = rules.beer > 0;
     const SurfacePoint<Doubles> surface = surface_at(surfaces, h);
-    const auto from_inside = glass && load(surfaces.behind.data() + h) > zero;
-    const SecondaryWeights b =
-        secondary_weights(world, material, surface, a, glass, from_inside, load_vector3(surfaces.weight, h));
-    const auto kept = [&](Vector3<Doubles> w) HWY_ATTR {
+    const auto from_inside = refracts && load(surfaces.behind.data() + h) > zero;
+    const Vector3<Doubles> weight = load_vector3(surfaces.weight, h);
+    SecondaryWeights b = secondary_weights(world, material, surface, a, refracts, from_inside, weight);
+    if (any(through)) weight_straight_rays(world, TransparencyLanes(world, material), through, weight, b);
+    const auto at_limit = are_at_limit(world, surfaces, h);
+    if (any(at_limit)) weight_rays_at_limit(world, material, a, at_limit, through, weight, b);
+    const auto may_start =
+        rules.limit == LimitRule::background ? has_secondary : and_not(has_secondary, at_limit);
+    const auto kept = [&](Vector3<Doubles> w, LaneMask<double> of) HWY_ATTR {
         const Doubles most = max(max(w.x, w.y), w.z);
-        const auto set = has_secondary && most > zero && most >= Doubles(rules.min_weight);
+        const auto set = of && most > zero && most >= Doubles(rules.min_weight);
         return limited ? limit_rays(surfaces.target.data() + h, set, secondary, counts) : set;
     };
-    SecondaryRays rays{surface.point,
-                       surface.incoming,
-                       b.reflected,
-                       load(surfaces.target.data() + h),
-                       zero,
-                       zero,
-                       offset_t_min(rules.offset, rules.epsilon)};
+    const Doubles t_min =
+        select(at_limit, Doubles(k_blind_t_min), Doubles(offset_t_min(rules.offset, rules.epsilon)));
+    SecondaryRays rays{surface.point, surface.incoming,
+                       b.reflected,   load(surfaces.target.data() + h),
+                       zero,          zero,
+                       t_min,         zero,
+                       zero,          zero};
+    if (surfaces.transparent) {
+        rays.level = load(surfaces.level.data() + h) + Doubles(1);
+        rays.passed = load(surfaces.passed.data() + h);
+    }
     const Doubles own = beer ? material_numbers(surfaces.material.data() + h) : zero,
                   none(static_cast<double>(k_none));
 
-    const auto reflected = kept(b.reflected);
+    const auto reflected = kept(b.reflected, may_start);
     if (any(reflected)) {
         const SecondaryRay<Doubles> ray = mirrored_ray(surface, glass, rules);
         rays.direction = ray.direction;
         rays.origin = ray.origin;
         if (beer) rays.medium = select(from_inside, own, load(surfaces.medium.data() + h));
-        push(secondary.rays, rays, reflected, surfaces.alpha, beer);
+        push(secondary.rays, rays, reflected, surfaces.alpha, surfaces.transparent, beer);
         counts.mirror += static_cast<std::uint64_t>(count(reflected));
     }
-    const auto transmitted = any(glass) ? kept(b.transmitted) && glass : glass;
+    const auto transmitted = any(glass) ? kept(b.transmitted, may_start && glass) : glass;
     if (record != nullptr)
-        record_secondary_rays(*record, h, {has_secondary, glass, reflected, transmitted}, b.reflected,
-                              b.transmitted, b.fresnel, rules.min_weight);
+        record_secondary_rays(
+            world, *record, h,
+            {has_secondary, glass, through, reflected, transmitted, and_not(has_secondary, may_start)},
+            b.reflected, b.transmitted, b.fresnel);
     if (!any(transmitted)) return;
     rays.direction = b.refracted_direction;
     rays.origin = offset_transmitted_origin(surface, rays.direction, rules.offset, rules.epsilon);
     rays.weight = b.transmitted;
     if (surfaces.generation == 0) rays.target = rays.target + Doubles(k_layer_stride);
     if (surfaces.alpha) rays.straight = load(surfaces.straight.data() + h);
-    if (beer) rays.medium = select(from_inside, none, own);
-    push(secondary.transmitted, rays, transmitted, surfaces.alpha, beer);
+    if (beer) {
+        rays.medium = select(from_inside, none, own);
+        rays.medium = select(through, load(surfaces.medium.data() + h), rays.medium);
+    }
+    if (any(through)) go_straight(world, surfaces, h, through, at_limit, rays);
+    push(secondary.transmitted, rays, transmitted, surfaces.alpha, surfaces.transparent, beer);
     counts.transmitted += static_cast<std::uint64_t>(count(transmitted));
 }
 
@@ -128,7 +164,8 @@ HWY_INLINE void queue_vector(const WorldParts& world, const SurfaceBatch& surfac
 inline void queue_secondary_rays(const WorldParts& world, const SurfaceBatch& surfaces,
                                  SecondaryRayBatch& secondary, Film& film, RayCounts& counts,
                                  TileRecord* record) {
-    if (surfaces.generation >= world.settings.reflections) {
+    if (!surfaces.transparent && world.conventions.limit != LimitRule::background &&
+        surfaces.generation >= world.settings.reflections) {
         if (record != nullptr) record_limit(world, surfaces, *record);
         return;
     }

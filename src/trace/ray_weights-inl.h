@@ -17,15 +17,50 @@ HWY_BEFORE_NAMESPACE();
 namespace glint {
 namespace HWY_NAMESPACE {
 
-/// The factor of the surface's own light. a: mirror, f: transmission. MirrorRule::blend: (1-f)(1-a); add: 1.
-/// With LimitRule::keep it is 1 in the last generation.
-HWY_INLINE Doubles local_share(const WorldParts& world, const MaterialLanes& material,
-                               const SurfaceBatch& surfaces, int h) {
+/// The surfaces that start no secondary rays, because of the limit of reflections.
+HWY_INLINE LaneMask<double> are_at_limit(const WorldParts& world, const SurfaceBatch& surfaces, int h) {
+    const int limit = world.settings.reflections;
+    if (!surfaces.transparent)
+        return first_lanes<double>(surfaces.generation >= limit ? lane_count<double>() : 0);
+    return load(surfaces.level.data() + h) >= Doubles(static_cast<double>(limit));
+}
+
+/// The factors of a surface's own light: of ambient and diffuse light, and of the highlight.
+struct LocalShares {
+    Doubles matte, highlight;
+};
+/// a: mirror, f: transmission. MirrorRule::blend: (1-f)(1-a); add: 1. With LimitRule::keep it is 1 in the
+/// last generation. Of transparent surfaces also times the opacity, by the convention `transparency`.
+HWY_INLINE LocalShares local_shares(const WorldParts& world, const MaterialLanes& material,
+                                    const SurfaceBatch& surfaces, int h) {
     const Conventions& rules = world.conventions;
-    const bool at_limit = surfaces.generation >= world.settings.reflections;
-    if (rules.mirror == MirrorRule::add || (at_limit && rules.limit == LimitRule::keep)) return Doubles(1);
-    return (Doubles(1) - material.value(k_transmission)) *
-           (Doubles(1) - mirror_of(world, material, surfaces, h));
+    const bool keep = rules.limit == LimitRule::keep;
+    if (!surfaces.transparent) {
+        const bool at_limit = surfaces.generation >= world.settings.reflections;
+        if (rules.mirror == MirrorRule::add || (at_limit && keep)) return {Doubles(1), Doubles(1)};
+        const Doubles share = (Doubles(1) - material.value(k_transmission)) *
+                              (Doubles(1) - mirror_of(world, material, surfaces, h));
+        return {share, share};
+    }
+    const Doubles one(1);
+    Doubles share = rules.mirror == MirrorRule::add ? one
+                                                    : (one - material.value(k_transmission)) *
+                                                          (one - mirror_of(world, material, surfaces, h));
+    Doubles opacity = TransparencyLanes(world, material).opacity(rules.opacity);
+    if (keep) {
+        const auto at_limit = are_at_limit(world, surfaces, h);
+        share = select(at_limit, one, share);
+        opacity = select(at_limit, one, opacity);
+    }
+    switch (rules.transparency) {
+        case Transparency::highlights:
+            return {share * opacity, share};
+        case Transparency::blend:
+            return {share * opacity, share * opacity};
+        case Transparency::add:
+            break;
+    }
+    return {share, share};
 }
 
 /// The weights of the mirror ray and the glass ray of a hit. a: mirror_of(). F: the fraction of light that
@@ -60,6 +95,31 @@ HWY_INLINE SecondaryWeights secondary_weights(const WorldParts& world, const Mat
     }
     b.reflected = weight * mirror * mirror_tint_of(world, material, surface.normal, surface.incoming);
     return b;
+}
+
+/// Completes the weights for transparent surfaces (`through`): that of the ray straight through is
+/// transmit + filter * color.
+HWY_INLINE void weight_straight_rays(const WorldParts& world, const TransparencyLanes& transparency,
+                                     LaneMask<double> through, Vector3<Doubles> weight, SecondaryWeights& b) {
+    const Conventions& rules = world.conventions;
+    b.transmitted = select_vector3(through, weight * transparency.through(), b.transmitted);
+    b.fresnel = select(through, Doubles(0), b.fresnel);
+    if (rules.transparency == Transparency::blend)
+        b.reflected = select_vector3(through, b.reflected * transparency.opacity(rules.opacity), b.reflected);
+}
+
+/// LimitRule::background: the weights of the rays that see the background are those of the rays before them
+/// (Tachyon), and with Transparency::blend the mirror ray's is reduced by the opacity.
+inline void weight_rays_at_limit(const WorldParts& world, const MaterialLanes& material, Doubles a,
+                                 LaneMask<double> at_limit, LaneMask<double> through, Vector3<Doubles> weight,
+                                 SecondaryWeights& b) {
+    b.transmitted = select_vector3(at_limit, weight, b.transmitted);
+    const auto mirror = at_limit && a > Doubles(0);
+    if (world.has_transparency() && world.conventions.transparency == Transparency::blend) {
+        const Doubles opacity = TransparencyLanes(world, material).opacity(world.conventions.opacity);
+        weight = select_vector3(through, weight * opacity, weight);
+    }
+    b.reflected = select_vector3(mirror, weight, b.reflected);
 }
 
 /// Beer's law: multiplies the weights of rays that came through glass by the transmittance of the glass. If

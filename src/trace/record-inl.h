@@ -77,12 +77,14 @@ inline void record_rays(const WorldParts& world, const RayBatch& rays, const Hit
             const TileRecord::SpawnedRay& spawned = record.spawned[record.arrived++];
             ray.parent = spawned.ray;
             ray.transmitted = spawned.transmitted;
+            ray.straight = spawned.straight;
             ExplainedHit& hit = *record.rays[static_cast<std::size_t>(spawned.ray)].hit;
             (ray.transmitted ? hit.transmitted : hit.reflected).ray = static_cast<int>(record.rays.size());
         }
         ray.origin = vec3_at(rays.origin, number);
         ray.direction = vec3_at(rays.direction, number);
         ray.t_min = rays.t_min[static_cast<std::size_t>(number)];
+        ray.beyond_limit = ray.t_min >= k_blind_t_min;
         ray.t = hits.t[static_cast<std::size_t>(i)];
         ray.weight = camera ? Color{1, 1, 1} : color_at(rays.weight, number);
         if (ray.t < k_infinity) {
@@ -113,6 +115,21 @@ inline void record_unlit(const WorldParts& world, const SurfaceBatch& surfaces, 
             hit.ambient = hit.parts[0] = shown.color(k);
         }
     });
+}
+
+/// The transparent surfaces on the way of a shadow ray, from P.
+inline std::vector<ShadowFilter> recorded_filters(const WorldParts& world, const Light& light, int ray,
+                                                  const LightTerms& terms, Vec3 shaded,
+                                                  const TileRecord& record) {
+    std::vector<ShadowFilter> filters;
+    for (const TileRecord::ShadowStep& step : record.shadow_steps) {
+        if (step.ray != ray) continue;
+        const Vec3 at = terms.origin + terms.direction * step.t;
+        filters.push_back({world.geometry->shape_index[step.slot], glint::length(at - shaded), at,
+                           world.shadow_factor(step.slot)});
+    }
+    if (comes_from_light(light, world.conventions)) std::reverse(filters.begin(), filters.end());
+    return filters;
 }
 
 /// Records one light, after its terms have been added.
@@ -160,30 +177,38 @@ inline void record_light(const WorldParts& world, const PreparedLight& light, co
                 r.direction = vec3_at(shadow_rays.direction, rays);
                 r.t_min = shadow_rays.t_min[static_cast<std::size_t>(rays)];
                 r.t_max = shadow_rays.t_max[static_cast<std::size_t>(rays)];
+                if (world.colors_shadows()) {
+                    r.filter = color_at(shadow_rays.filter, rays);
+                    r.filters = recorded_filters(world, light, rays, r, record.hit(h + k).point, record);
+                }
                 ++rays;
             }
             if (r.may_add && !r.blocked) {
-                r.diffuse = diffuse.color(k);
-                r.specular = specular.color(k);
+                r.diffuse = diffuse.color(k) * r.filter;
+                r.specular = rules.attenuate_highlights ? specular.color(k) * r.filter : specular.color(k);
             }
-            record.hit(h + k).lights.push_back(r);
+            record.hit(h + k).lights.push_back(std::move(r));
         }
     });
+    record.shadow_steps.clear();
 }
 
-/// The hits of a vector that have secondary rays, that have glass, and whose rays are traced.
+/// The hits of a vector that have secondary rays, that are glass or transparent, that are transparent, whose
+/// rays are traced, and whose rays the limit of reflections stops.
 struct SecondaryMasks {
-    LaneMask<double> has_secondary, glass, reflected, transmitted;
+    LaneMask<double> has_secondary, glass, through, reflected, transmitted, at_limit;
 };
 
 /// Records the secondary rays of a vector of hits, when they are queued.
-inline void record_secondary_rays(TileRecord& record, int h, const SecondaryMasks& masks,
-                                  const Vector3<Doubles>& reflected, const Vector3<Doubles>& transmitted,
-                                  Doubles fresnel, double min_weight) {
+inline void record_secondary_rays(const WorldParts& world, TileRecord& record, int h,
+                                  const SecondaryMasks& masks, const Vector3<Doubles>& reflected,
+                                  const Vector3<Doubles>& transmitted, Doubles fresnel) {
+    const double min_weight = world.conventions.min_weight;
     const Vector3Elements weights[2] = {Vector3Elements(reflected), Vector3Elements(transmitted)};
     const LaneElements f(fresnel);
     const std::uint32_t has[2] = {to_bits(masks.has_secondary), to_bits(masks.glass)},
-                        traced[2] = {to_bits(masks.reflected), to_bits(masks.transmitted)};
+                        traced[2] = {to_bits(masks.reflected), to_bits(masks.transmitted)},
+                        through = to_bits(masks.through), at_limit = to_bits(masks.at_limit);
     for (int k = 0; k < lane_count<double>(); ++k) {
         if ((has[0] >> k & 1) == 0) continue;
         const int number = h + k;
@@ -194,14 +219,22 @@ inline void record_secondary_rays(TileRecord& record, int h, const SecondaryMask
             if ((has[side] >> k & 1) == 0) continue;
             const Color weight = weights[side].color(k);
             const double most = max(max(weight.r, weight.g), weight.b);
+            // Glass may reflect without a mirror; a transparent surface does not.
+            const bool may_reflect = (through >> k & 1) == 0 || world.is_mirror(hit.material);
+            if (side == 0 && !may_reflect) continue;
+            if ((at_limit >> k & 1) != 0) {
+                const bool starts = side == 1 || world.is_mirror(hit.material);
+                rays[side]->state = starts ? SecondaryRayState::limit : SecondaryRayState::none;
+                continue;
+            }
             const bool went = (traced[side] >> k & 1) != 0;
             *rays[side] = {went                             ? SecondaryRayState::traced
                            : most > 0 && most >= min_weight ? SecondaryRayState::cut
                                                             : SecondaryRayState::faint,
                            weight, -1};
             if (went)
-                record.spawned.push_back(
-                    {static_cast<int>(record.batch[static_cast<std::size_t>(number)]), side == 1});
+                record.spawned.push_back({static_cast<int>(record.batch[static_cast<std::size_t>(number)]),
+                                          side == 1, side == 1 && (through >> k & 1) != 0});
         }
     }
 }
@@ -226,7 +259,8 @@ inline void record_sums(const WorldParts& world, const SurfaceBatch& surfaces, c
         const Vector3Elements ambient(ambient_of(world, material)), emission(emission_of(world, material)),
             parts[4] = {Vector3Elements(light.ambient), Vector3Elements(light.diffuse),
                         Vector3Elements(light.specular), Vector3Elements(light.emission)};
-        const LaneElements share(local_share(world, material, surfaces, h));
+        const LocalShares shares = local_shares(world, material, surfaces, h);
+        const LaneElements share(shares.matte), highlight_share(shares.highlight);
         for (int k = 0; k < lanes; ++k) {
             ExplainedHit& hit = record.hit(h + k);
             hit.ambient = ambient.color(k);
@@ -235,6 +269,12 @@ inline void record_sums(const WorldParts& world, const SurfaceBatch& surfaces, c
             hit.emission = emission.color(k);
             hit.mirror = mirror[k];
             hit.local_share = share[k];
+            hit.highlight_share = highlight_share[k];
+            if (world.is_transparent(hit.material)) {
+                hit.transparent = true;
+                hit.opacity =
+                    LaneElements(TransparencyLanes(world, material).opacity(world.conventions.opacity))[k];
+            }
             for (int part = 0; part < 4; ++part) hit.parts[part] = parts[part].color(k);
         }
     });

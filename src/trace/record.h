@@ -34,10 +34,17 @@ struct TileRecord {
 
     struct SpawnedRay {
         int ray;  // the ray whose hit it starts from
-        bool transmitted;
+        bool transmitted, straight;
     };
     std::vector<SpawnedRay> spawned;  // the secondary rays that were traced, in the order of their rays
     std::size_t arrived = 0;          // the first of them that has not been recorded
+
+    struct ShadowStep {
+        int ray;  // in the ShadowRayBatch
+        std::uint32_t slot;
+        double t;
+    };
+    std::vector<ShadowStep> shadow_steps;  // the transparent surfaces on the shadow rays of the current light
 
     std::vector<std::size_t> batch;  // the rays of the hits in the current batch
     ExplainedHit& hit(int h) { return *rays[batch[static_cast<std::size_t>(h)]].hit; }

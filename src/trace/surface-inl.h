@@ -18,6 +18,17 @@ HWY_BEFORE_NAMESPACE();
 namespace glint {
 namespace HWY_NAMESPACE {
 
+/// The columns of append_hits() that only scenes with transparent surfaces have.
+inline void append_transparent_hits(const RayBatch& rays, int ray, Doubles t, LaneMask<double> hit,
+                                    const Vector3<Doubles>& origin, SurfaceBatch& surfaces) {
+    const bool camera = rays.generation == 0;
+    const int h = surfaces.count;
+    compress_vector3(origin, hit, surfaces.origin, h);
+    compress_store(t, hit, surfaces.t.data() + h);
+    compress_store(camera ? Doubles(0) : load(rays.level.data() + ray), hit, surfaces.level.data() + h);
+    compress_store(camera ? Doubles(0) : load(rays.passed.data() + ray), hit, surfaces.passed.data() + h);
+}
+
 /// Appends the hits among entries [i, end) of the HitBatch, at most a vector of them.
 HWY_INLINE void append_hits(const WorldParts& world, const RayBatch& rays, const HitBatch& hits, int i,
                             int end, SurfaceBatch& surfaces) {
@@ -45,7 +56,11 @@ HWY_INLINE void append_hits(const WorldParts& world, const RayBatch& rays, const
         const Doubles straight = camera ? Doubles(1) : load(rays.straight.data() + ray);
         compress_store(straight, hit, surfaces.straight.data() + h);
     }
-    if (world.conventions.beer > 0 || world.fog) compress_store(t, hit, surfaces.hit_t.data() + h);
+    if (rays.transparent) append_transparent_hits(rays, ray, t, hit, origin, surfaces);
+    if (world.conventions.beer > 0 || world.fog) {
+        const Doubles start = rays.transparent && !camera ? load(rays.start.data() + ray) : Doubles(0);
+        compress_store(t - start, hit, surfaces.hit_t.data() + h);
+    }
     if (world.conventions.beer > 0) {
         const Doubles medium = camera ? Doubles(static_cast<double>(k_none)) : load(rays.medium.data() + ray);
         compress_store(medium, hit, surfaces.medium.data() + h);
@@ -58,6 +73,7 @@ inline void collect_hits(const WorldParts& world, const RayBatch& rays, const Hi
                          SurfaceBatch& surfaces) {
     surfaces.generation = rays.generation;
     surfaces.alpha = rays.alpha;
+    surfaces.transparent = rays.transparent;
     surfaces.count = surfaces.groups = 0;
     std::size_t group = rays.group_of(hits.first + range.begin);
     for (int i = range.begin; i < range.end; ++group) {

@@ -66,6 +66,7 @@ struct TileScratch {
     FirstHits first_hits;
     PixelList pixels;  // for adaptive and jittered sampling only
     std::array<float, k_bordered_tile_floats> one_sample;
+    SteppedRays stepped_rays;  // for transparent surfaces only
 
     RayCounts counts;
     TileRecord* record = nullptr;  // records the stages of a one-pixel tile (trace/record.h); null: none

@@ -15,6 +15,7 @@
 #include "trace/queue_secondary_rays-inl.h"
 #include "trace/surface-inl.h"
 #include "trace/tile_culling-inl.h"
+#include "trace/transparency-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace glint {
@@ -25,10 +26,11 @@ inline void light_surfaces(const WorldParts& world, const PreparedLight& light, 
     FirstHits* const first_hits = s.surfaces.generation == 0 && s.first_hits.wanted ? &s.first_hits : nullptr;
     sample_light(world, light, s.surfaces, s.light_samples, s.shadow_rays);
     if (s.shadow_rays.count > 0) {
-        intersect_shadow(world, s.shadow_rays);
+        find_visibility(world, s.shadow_rays, s.stepped_rays, s.record);
         if (first_hits != nullptr) count_tested(s.surfaces, s.light_samples, *first_hits);
+        if (world.colors_shadows()) store_filters(s.shadow_rays, s.surfaces.count, s.light_samples);
         apply_occlusion(s.shadow_rays, s.surfaces.count, s.light_samples);
-        if (first_hits != nullptr) count_unoccluded(s.surfaces, s.light_samples, *first_hits);
+        if (first_hits != nullptr) count_unoccluded(world, s.surfaces, s.light_samples, *first_hits);
         s.counts.shadow += static_cast<std::uint64_t>(s.shadow_rays.count);
     }
     compute_highlights(world, s.surfaces, s.light_samples, s.highlights);
@@ -72,6 +74,7 @@ inline bool trace_sample(const WorldParts& world, TileScratch& s) {
         s.secondary.rays.generation = s.rays.generation + 1;
         for (int first = 0; first < s.rays.count; first += k_stream_size) {
             intersect(world, s.rays, first, s.hits);
+            if (s.rays.transparent) skip_transparent(world, s.rays, s.hits, s.stepped_rays);
             if (s.rays.generation == 0 && !s.needs_every_stage() && all_missed(s.hits)) return false;
             for (int i = 0; i < s.hits.count; i += k_batch_size)
                 shade(world, {i, number::min(i + k_batch_size, s.hits.count)}, s);
@@ -100,6 +103,7 @@ inline bool trace_samples(const WorldParts& world, const TileJob& job, const Pix
         world.settings.alpha || (job.layers != nullptr && job.layers->of(Layer::alpha) != nullptr);
     s.film.clear(alpha);
     s.rays.alpha = s.secondary.rays.alpha = alpha;
+    s.rays.transparent = s.secondary.rays.transparent = world.has_transparency();
     if (list == nullptr && is_jittered(world, n)) {
         list_tile(job, s.pixels);
         list = &s.pixels;

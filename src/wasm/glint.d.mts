@@ -195,6 +195,9 @@ export interface LightTerms {
     highlight_tint?: Vec3;
     diffuse: Vec3;
     specular: Vec3;
+    /** The factor of the light that passes transparent surfaces on its way, and these surfaces from the point on. */
+    filter?: Vec3;
+    filters?: {shape: NamedItem & {kind: string}; distance: number; point: Vec3; factor: Vec3}[];
     shadow_ray?: {origin: Vec3; direction: Vec3; t_min: number; t_max: number | null};
     blocker?: {shape: NamedItem & {kind: string}; distance: number; point: Vec3};
 }
@@ -229,6 +232,8 @@ export interface ExplainedHit {
         mirror_falloff: number;
         mirror_min: number;
         mirror_metallic: number;
+        filter: number;
+        transmit: number;
     };
     point: Vec3;
     normal: Vec3;
@@ -245,6 +250,9 @@ export interface ExplainedHit {
     emission: Vec3;
     /** Ambient, diffuse, specular and emission times weight and share: the contribution to the pixel. */
     parts: {ambient: Vec3; diffuse: Vec3; specular: Vec3; emission: Vec3};
+    /** Of a transparent surface (filter, transmit). */
+    opacity?: number;
+    highlight_share?: number;
     fresnel: number;
     reflected: ExplainedSecondaryRay;
     transmitted: ExplainedSecondaryRay;
@@ -263,6 +271,10 @@ export interface ExplainedRay {
     weight: Vec3;
     /** If the scene has fog: the part of the light that is seen through it, and the light that it adds. */
     fog?: {visibility: number; added: Vec3};
+    /** It goes straight through a transparent surface. */
+    straight?: boolean;
+    /** It starts at the limit of reflections, and sees the background. */
+    beyond_limit?: boolean;
     hit?: ExplainedHit;
     background?: Vec3;
     /** Of a ray that hits nothing: it shows the background directly or through glass, which makes the pixel transparent. */

@@ -80,16 +80,48 @@ struct WorldParts {
     std::uint32_t scene_materials() const {
         return static_cast<std::uint32_t>(materials->size() / k_material_values - 1);
     }
+    /// Whether the scene may have transparent materials (Material::filter, transmit).
+    bool has_transparency() const {
+        return (extended_uses &
+                (k_extended_field<&Material::filter> | k_extended_field<&Material::transmit>)) != 0;
+    }
+    bool is_transparent(std::uint32_t row) const {
+        if (!has_transparency()) return false;
+        const double* const values = extended->data() + static_cast<std::size_t>(row) * k_extended_values;
+        return values[k_extended_value<&Material::filter>] > 0 ||
+               values[k_extended_value<&Material::transmit>] > 0;
+    }
+    /// Whether transparent surfaces color the light that passes them.
+    bool colors_shadows() const {
+        return has_transparency() && conventions.transparent_shadow == TransparentShadow::colored;
+    }
     /// Whether the conventions flip the normal of a slot's shape towards the incoming ray.
     bool flips_normal(std::uint32_t slot) const {
         return conventions.facing == Facing::all ||
                (conventions.facing == Facing::open && geometry->is_open(slot));
     }
-    /// Whether the conventions and the material let a slot's shape cast a shadow.
+    /// Whether the conventions and the material let a slot's shape block light.
     bool casts_shadow(std::uint32_t slot) const {
         if (!no_shadow->empty() && (*no_shadow)[(*slot_material)[slot]] != 0) return false;
+        if (conventions.transparent_shadow != TransparentShadow::opaque &&
+            is_transparent((*slot_material)[slot]))
+            return false;
         return conventions.glass_shadow != GlassShadow::none ||
                !(material((*slot_material)[slot])[k_transmission] > 0);
+    }
+    /// With colors_shadows(): whether a slot's shape, which does not block light, colors it.
+    bool colors_light(std::uint32_t slot) const {
+        const std::uint32_t row = (*slot_material)[slot];
+        return is_transparent(row) && (no_shadow->empty() || (*no_shadow)[row] == 0);
+    }
+    /// The factor of light that passes a slot's transparent shape: transmit + filter * color.
+    Color shadow_factor(std::uint32_t slot) const {
+        const std::uint32_t row = (*slot_material)[slot];
+        const double* const values = extended->data() + static_cast<std::size_t>(row) * k_extended_values;
+        const double* const color = material(row) + k_color;
+        const double filter = values[k_extended_value<&Material::filter>],
+                     transmit = values[k_extended_value<&Material::transmit>];
+        return {transmit + filter * color[0], transmit + filter * color[1], transmit + filter * color[2]};
     }
 };
 

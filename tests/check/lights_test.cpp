@@ -23,6 +23,16 @@ TEST(CheckLights, NotInsideALampOfGlassOrWithoutShadows) {
     EXPECT_EQ(ids_of(k_clean + "render { shadows = false }\n" + lamp), "");
 }
 
+TEST(CheckLights, InsideATransparentLamp) {
+    const std::string lamp =
+        "sphere { center = (-2, 3, 1)  radius = 0.3  transmit = 0.9 }\n"
+        "light { position = (-2, 3, 1)  intensity = 0.4 }\n";
+    EXPECT_EQ(ids_of(k_clean + lamp), "");
+    EXPECT_EQ(ids_of(k_clean + "conventions { transparent_shadow = none }\n" + lamp), "");
+    EXPECT_TRUE(
+        has(ids_of(k_clean + "conventions { transparent_shadow = opaque }\n" + lamp), "light-inside-shape"));
+}
+
 TEST(CheckLights, BehindAnOpaquePlane) {
     const std::string text = k_clean + "light { position = (0, -3, 4)  intensity = 0.5 }\n";
     EXPECT_EQ(ids_of(text), "light-behind-plane@7");

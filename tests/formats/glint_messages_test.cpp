@@ -112,6 +112,17 @@ INSTANTIATE_TEST_SUITE_P(
                 {"light 1: inner angle: expected at most the outer angle of 45 degrees, found 46"}},
         BadText{
             "no_truth", CAMERA LIGHT BALL "casts_shadow = $no }", {"expected `true` or `false`, found 'no'"}},
+        BadText{"filter_above_one",
+                CAMERA LIGHT BALL "filter = $1.5 }",
+                {"expected a number from 0 to 1, found '1.5'"}},
+        BadText{"more_than_all_light",
+                CAMERA LIGHT " $material pane { filter = 0.75  transmit = 0.5 }" BALL "material = pane }",
+                {"material 'pane': filter + transmit: expected at most 1, found 0.75 + 0.5"}},
+        BadText{"two_transparencies",
+                CAMERA LIGHT " $material pane { filter = 0.5  transmission = 0.5 }" BALL "material = pane }",
+                {"material 'pane': expected `transmission` (with refraction) or `filter` and `transmit` "
+                 "(without), found both"}},
+        BadText{"opacity", CAMERA LIGHT BALL "$opacity = 0.5 }", {"`transmit`, which is 1 - opacity"}},
         BadText{"no_scale",
                 CAMERA BALL "$scale = (1, 0, 1) }",
                 {"expected a scale without 0, which would leave nothing of the shape"}},

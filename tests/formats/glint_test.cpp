@@ -240,6 +240,18 @@ TEST(Glint, ReadsSurfacesWithoutShadows) {
     EXPECT_TRUE(s.materials[s.shapes[2].material].casts_shadow);
 }
 
+TEST(Glint, ReadsTransparency) {
+    const Scene s = shapes_of("material pane { color = (1, 0, 0)  filter = 0.7  transmit = 0.1 }\n" + k_ball +
+                              "material = pane }\n" + k_ball + "material = pane  transmit = 0 }\n" + k_ball +
+                              "transmit = 1 }\n");
+    const Material& pane = s.materials[s.shapes[0].material];
+    EXPECT_EQ(pane.filter, 0.7);
+    EXPECT_EQ(pane.transmit, 0.1);
+    EXPECT_EQ(s.materials[s.shapes[1].material].filter, 0.7);
+    EXPECT_EQ(s.materials[s.shapes[1].material].transmit, 0);
+    EXPECT_EQ(s.materials[s.shapes[2].material].transmit, 1);
+}
+
 TEST(Glint, AppliesTransformsInTheOrderWritten) {
     const Scene s = shapes_of(k_ball + "scale = (1, 2, 3)  translate = (1, 0, 0)  rotate = (0, 0, 90) }\n" +
                               k_ball + "rotate = (90, 90, 0) }\n" + k_ball +

@@ -16,6 +16,7 @@ class Rule:
     height: int = HEIGHT
     alpha: bool = False  # both write an alpha channel
     flags: tuple = ()  # of the peer's command
+    args: tuple = ()  # further arguments of glint render
 
 
 # A floor with two balls, seen from (0, 3, -8) along (0, -0.35, 1).

@@ -16,9 +16,10 @@ import alpha
 import finish
 import fog
 import lights
+import transparency
 
 SHARE = 0.99
-LISTS = [lights.RULES, fog.RULES, alpha.RULES, finish.RULES]
+LISTS = [lights.RULES, fog.RULES, alpha.RULES, finish.RULES, transparency.RULES]
 
 
 def read_ppm(path):
@@ -98,7 +99,8 @@ def render_peer(folder, rule):
 def render_glint(folder, rule, glint):
     (folder / "own.glint").write_text(rule.own)
     output = ("-o", "own.png", "--alpha") if rule.alpha else ("-o", "own.ppm")
-    run(folder, str(glint), "render", "own.glint", "-s", f"{rule.width}x{rule.height}", *output, "--quiet")
+    run(folder, str(glint), "render", "own.glint", "-s", f"{rule.width}x{rule.height}", *output, "--quiet",
+        *rule.args)
     return read_png(folder / "own.png") if rule.alpha else read_ppm(folder / "own.ppm")
 
 

@@ -108,6 +108,16 @@ const Change k_changes[] = {
      [](const World& world, const Scene& s) {
          return s.materials.empty() ? with_materials(world, {}) : with_material(world, 0, s.materials[0]);
      }},
+    {"first material transparent",
+     [](Scene& s) {
+         if (s.materials.empty()) return;
+         s.materials[0].transmission = 0;
+         s.materials[0].filter = 0.5;
+         s.materials[0].transmit = 0.2;
+     },
+     [](const World& world, const Scene& s) {
+         return s.materials.empty() ? with_materials(world, {}) : with_material(world, 0, s.materials[0]);
+     }},
     {"first material without shadow",
      [](Scene& s) {
          if (!s.materials.empty()) s.materials[0].casts_shadow = false;

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: Apache-2.0
+// The stages that only scenes with transparent surfaces (Material::filter, transmit) have: rays that pass
+// surfaces beyond the limit of shaded ones, and shadow rays whose light the surfaces on their way color.
+#if defined(GLINT_TRACE_TRANSPARENCY_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef GLINT_TRACE_TRANSPARENCY_INL_H_
+#undef GLINT_TRACE_TRANSPARENCY_INL_H_
+#else
+#define GLINT_TRACE_TRANSPARENCY_INL_H_
+#endif
+
+#include "trace/intersect-inl.h"
+#include "trace/record.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace glint {
+namespace HWY_NAMESPACE {
+
+/// A light whose factor is below this in every channel counts as blocked.
+inline constexpr double k_min_filter = 0x1p-10;
+/// The surfaces along a ray that are counted or skipped, at most.
+inline constexpr int k_max_steps = 4096;
+
+/// Finds the nearest hits of the stepped rays.
+inline void intersect_steps(const WorldParts& world, SteppedRays& steps) {
+    nearest_hit(world, steps.span(), steps.count, k_packet_size, steps.t.data(), steps.slot.data());
+}
+
+/// Computes the factors of the light of shadow rays that are not occluded: the product over the transparent
+/// surfaces on the way, in the order of t. Surfaces at equal t count once, the first in the scene.
+inline void filter_light(const WorldParts& world, ShadowRayBatch& rays, SteppedRays& steps,
+                         TileRecord* record) {
+    for (auto& column : rays.filter) std::fill_n(column.begin(), rays.count, 1.0);
+    steps.count = 0;
+    const RaySpan span = rays.span();
+    for (int i = 0; i < rays.count; ++i) {
+        if (rays.occluded[static_cast<std::size_t>(i)] == 0) steps.add(span, i, span.t_min[i]);
+    }
+    for (int step = 0; steps.count > 0 && step < k_max_steps; ++step) {
+        intersect_steps(world, steps);
+        int left = 0;
+        for (int k = 0; k < steps.count; ++k) {
+            const auto at = static_cast<std::size_t>(k);
+            if (steps.slot[at] == k_none) continue;
+            const auto i = static_cast<std::size_t>(steps.number[at]);
+            if (world.colors_light(steps.slot[at])) {
+                const Color factor = world.shadow_factor(steps.slot[at]);
+                const double factors[] = {factor.r, factor.g, factor.b};
+                double most = 0;
+                for (std::size_t c = 0; c < 3; ++c) {
+                    rays.filter[c][i] *= factors[c];
+                    most = number::max(most, rays.filter[c][i]);
+                }
+                if (record != nullptr)
+                    record->shadow_steps.push_back({steps.number[at], steps.slot[at], steps.t[at]});
+                if (most < k_min_filter) {
+                    rays.occluded[i] = 1;
+                    continue;
+                }
+            }
+            steps.go_on(k, left++);
+        }
+        steps.count = left;
+    }
+}
+
+/// Determines which shadow rays are occluded, and with colored shadows the factor of the light of the others
+/// (ShadowRayBatch::filter).
+inline void find_visibility(const WorldParts& world, ShadowRayBatch& rays, SteppedRays& steps,
+                            TileRecord* record) {
+    intersect_shadow(world, rays);
+    if (world.colors_shadows()) filter_light(world, rays, steps, record);
+}
+
+/// Stores the factors of the shadow rays by surface. Before apply_occlusion().
+inline void store_filters(const ShadowRayBatch& rays, int surfaces, LightSampleBatch& samples) {
+    int first = 0;
+    for (int i = 0; i < surfaces; i += lane_count<double>()) {
+        const std::uint8_t bits = samples.lit[static_cast<std::size_t>(i / lane_count<double>())];
+        if (bits == 0) continue;
+        const auto lit = from_bits<double>(bits);
+        for (std::size_t c = 0; c < 3; ++c)
+            store(expand_load(rays.filter[c].data() + first, lit), samples.filter[c].data() + i);
+        first += std::popcount(bits);
+    }
+}
+
+/// Lets the rays of a stream that have passed as many transparent surfaces as the conventions shade go on to
+/// the next surface that is not transparent. A surface that is passed in this way is of the next generation
+/// if transparency counts; a ray beyond the limit of generations then hits nothing with
+/// LimitRule::background.
+inline void skip_transparent(const WorldParts& world, RayBatch& rays, HitBatch& hits, SteppedRays& steps) {
+    const Conventions& rules = world.conventions;
+    if (rules.transparent_surfaces >= k_max_sample_rays) return;
+    const bool camera = rays.generation == 0;
+    if (camera && rules.transparent_surfaces > 0) return;
+    const RaySpan span = rays.span(hits.first);
+    const auto skips = [&](std::uint32_t slot) {
+        return slot != k_none && world.is_transparent((*world.slot_material)[slot]);
+    };
+    // Counts a generation. Returns whether the ray ends.
+    const auto end_ray = [&](int i) {
+        if (camera || !rules.transparency_counts || rules.limit != LimitRule::background) return false;
+        double& level = rays.level[static_cast<std::size_t>(hits.first + i)];
+        if (level >= world.settings.reflections) return true;
+        level += 1;
+        return false;
+    };
+    for (int first = 0; first < hits.count; first += k_batch_size) {
+        steps.count = 0;
+        const int end = number::min(first + k_batch_size, hits.count);
+        const auto go_on_behind = [&](int i, double t, std::uint32_t slot) {
+            const auto h = static_cast<std::size_t>(i);
+            hits.t[h] = t;
+            hits.slot[h] = slot;
+            if (!skips(slot)) return false;
+            if (!end_ray(i)) return true;
+            hits.t[h] = span.t_max[i];
+            hits.slot[h] = k_none;
+            return false;
+        };
+        for (int i = first; i < end; ++i) {
+            const auto h = static_cast<std::size_t>(i);
+            if (!camera && rays.passed[static_cast<std::size_t>(hits.first + i)] < rules.transparent_surfaces)
+                continue;
+            if (go_on_behind(i, hits.t[h], hits.slot[h])) steps.add(span, i, hits.t[h]);
+        }
+        for (int step = 0; steps.count > 0 && step < k_max_steps; ++step) {
+            intersect_steps(world, steps);
+            int left = 0;
+            for (int k = 0; k < steps.count; ++k) {
+                const auto at = static_cast<std::size_t>(k);
+                if (go_on_behind(steps.number[at], steps.t[at], steps.slot[at])) steps.go_on(k, left++);
+            }
+            steps.count = left;
+        }
+    }
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace glint
+HWY_AFTER_NAMESPACE();
+
+#endif
