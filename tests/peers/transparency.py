@@ -65,16 +65,16 @@ def pov(name, *pieces, version="3.6", levels=5):
 
 # Tachyon
 
-def tachyon_texture(color, opacity, mirror):
-    return (f"Texture Ambient 0.1 Diffuse 0.7 Specular {mirror} Opacity {opacity} Phong Plastic 0 Phong_size 30 "
+def tachyon_texture(color, opacity, mirror, highlight=0):
+    return (f"Texture Ambient 0.1 Diffuse 0.7 Specular {mirror} Opacity {opacity} Phong Plastic {highlight} Phong_size 30 "
             f"Color {plain(color)} TexFunc 0\n")
 
 
-def tachyon_piece(geometry, color, opacity=1, mirror=0):
+def tachyon_piece(geometry, color, opacity=1, mirror=0, highlight=0):
     center, *rest = geometry
     shape = (f"Ring Center {plain(center)} Normal {plain(rest[0])} Inner 0 Outer {rest[1]} " if len(rest) == 2
              else f"Sphere Center {plain(center)} Rad {rest[0]} ")
-    return shape + tachyon_texture(color, opacity, mirror)
+    return shape + tachyon_texture(color, opacity, mirror, highlight)
 
 
 def tachyon(name, *pieces, mode="", depth=20, conventions=""):
@@ -91,11 +91,11 @@ def tachyon(name, *pieces, mode="", depth=20, conventions=""):
             f"Light Center {plain(LIGHT)} Rad 0.01 Color 1 0.9 0.8\n"
             f"Plane Center 0 0 0 Normal 0 1 0 {tachyon_texture(FLOOR, 1, 0)}"
             + "".join(tachyon_piece(g, c, **o) for g, c, o in pieces) + "End_Scene\n")
-    own = [own_piece(g, c, transmit=round(1 - o.get("opacity", 1), 9), reflection=o.get("mirror", 0), highlight=0)
+    own = [own_piece(g, c, transmit=round(1 - o.get("opacity", 1), 9), reflection=o.get("mirror", 0), highlight=o.get("highlight", 0))
            for g, c, o in pieces]
     rules = "mirror = add  limit = background  transparency_counts = true  "
     return Rule(name, "tachyon", peer,
-                own_scene(own, rules + (conventions or "transparency = add"), depth, moved, right, up, "diffuse"))
+                own_scene(own, rules + (conventions or "transparency = add"), depth, moved, right, up, "blinn-phong"))
 
 
 RED, GREEN, AMBER = (0.9, 0.25, 0.2), (0.3, 0.8, 0.4), (0.9, 0.7, 0.2)
@@ -125,6 +125,9 @@ RULES = [
         levels=3),
     tachyon("tachyon_opacity", *CLEAR, GLASS_BALL, OPAQUE),
     tachyon("tachyon_trans_vmd", *CLEAR, GLASS_BALL, OPAQUE, mode="Trans_VMD", conventions="transparency = blend"),
+    # Highlights are not colored by what the light passes.
+    tachyon("tachyon_colored_highlight", *CLEAR, GLASS_BALL, (BEHIND, BALL, {"highlight": 0.5}),
+            conventions="transparency = add  attenuate_highlights = false"),
     tachyon("tachyon_shadow_filter_off", *CLEAR, GLASS_BALL, OPAQUE, mode="Shadow_Filter_Off",
             conventions="transparency = add  transparent_shadow = none"),
     tachyon("tachyon_trans_max_surfaces", *RINGS, GLASS_BALL, OPAQUE, mode="Trans_VMD Trans_Max_Surfaces 3",
