@@ -42,6 +42,7 @@ template <class Column> struct RayFields {
     // through a surface), its generation by the conventions, and the transparent surfaces shaded before.
     Column start, level, passed;
     Column medium;  // for Beer's law: the index of the material inside which the ray travels; k_none: air
+    Column path;    // for sampled numbers: the path of math/sample_hash.h
 };
 
 /// Calls visit(column...) for each column, with the same column of all arguments.
@@ -57,6 +58,7 @@ template <class Visit, class... Columns> void for_each_column(const Visit& visit
     visit(of.level...);
     visit(of.passed...);
     visit(of.medium...);
+    visit(of.path...);
 }
 
 /// The rays of one generation, in groups. A pixel has at most one ray in each group. The order of the groups
@@ -67,6 +69,7 @@ class RayBatch : public RayFields<GrowingColumn> {
     int count = 0;
     bool alpha = false;        // alpha is wanted
     bool transparent = false;  // the scene has transparent surfaces
+    bool hashed = false;       // hashes are wanted (trace/ray_hash-inl.h)
 
     void clear() {
         count = 0;
@@ -135,7 +138,7 @@ struct RayRange {
 struct SurfaceBatch {
     int generation = 0;  // of the rays
     int count = 0;
-    bool alpha = false, transparent = false;  // as in RayBatch
+    bool alpha = false, transparent = false, hashed = false;  // as in RayBatch
 
     // The end of a group of rays (RayBatch): the index after its last entry in the HitBatch, and here.
     struct GroupEnd {
@@ -151,6 +154,7 @@ struct SurfaceBatch {
     BatchColumn<double> straight;            // the ray's, if alpha is wanted
     // If the scene has transparent surfaces: the ray's origin, its t here, and RayFields.
     BatchColumn<double> origin[3], t, level, passed;
+    BatchColumn<double> path, hash;                 // the ray's, if hashes are wanted: 32-bit words
     BatchColumn<double> weight[3], target, medium;  // the ray's (RayFields)
     BatchColumn<double> point[3], normal[3], incoming[3], to_eye[3], magnitude;
 };

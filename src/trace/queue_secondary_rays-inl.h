@@ -7,6 +7,7 @@
 #define GLINT_TRACE_QUEUE_SECONDARY_RAYS_INL_H_
 #endif
 
+#include "trace/ray_hash-inl.h"
 #include "trace/ray_weights-inl.h"
 #include "trace/record-inl.h"
 #include "trace/secondary_rays-inl.h"
@@ -19,19 +20,20 @@ namespace HWY_NAMESPACE {
 /// The secondary rays of a vector of surfaces, to be stored by push().
 struct SecondaryRays {
     Vector3<Doubles> origin, direction, weight;
-    Doubles target, straight, medium, t_min;
+    Doubles target, straight, medium, path, t_min;
     Doubles start, level, passed;
 };
-HWY_INLINE void push(RayBatch& batch, const SecondaryRays& rays, LaneMask<double> set, bool alpha,
-                     bool transparent, bool medium) {
+HWY_INLINE void push(RayBatch& batch, const SecondaryRays& rays, LaneMask<double> set,
+                     const SurfaceBatch& surfaces, bool medium) {
     const RayFields<double*> to = batch.end();
     compress_vector3(rays.origin, set, to.origin, 0);
     compress_vector3(rays.direction, set, to.direction, 0);
     compress_vector3(rays.weight, set, to.weight, 0);
     compress_store(rays.target, set, to.target);
-    if (alpha) compress_store(rays.straight, set, to.straight);
+    if (surfaces.alpha) compress_store(rays.straight, set, to.straight);
+    if (surfaces.hashed) compress_store(rays.path, set, to.path);
     if (medium) compress_store(rays.medium, set, to.medium);
-    if (transparent) {
+    if (surfaces.transparent) {
         compress_store(rays.start, set, to.start);
         compress_store(rays.level, set, to.level);
         compress_store(rays.passed, set, to.passed);
@@ -119,8 +121,9 @@ HWY_INLINE void queue_vector(const WorldParts& world, const SurfaceBatch& surfac
     SecondaryRays rays{surface.point, surface.incoming,
                        b.reflected,   load(surfaces.target.data() + h),
                        zero,          zero,
-                       t_min,         zero,
-                       zero,          zero};
+                       zero,          t_min,
+                       zero,          zero,
+                       zero};
     if (surfaces.transparent) {
         rays.level = load(surfaces.level.data() + h) + Doubles(1);
         rays.passed = load(surfaces.passed.data() + h);
@@ -134,7 +137,8 @@ HWY_INLINE void queue_vector(const WorldParts& world, const SurfaceBatch& surfac
         rays.direction = ray.direction;
         rays.origin = ray.origin;
         if (beer) rays.medium = select(from_inside, own, load(surfaces.medium.data() + h));
-        push(secondary.rays, rays, reflected, surfaces.alpha, surfaces.transparent, beer);
+        if (surfaces.hashed) rays.path = child_paths(surfaces, h, false);
+        push(secondary.rays, rays, reflected, surfaces, beer);
         counts.mirror += static_cast<std::uint64_t>(count(reflected));
     }
     const auto transmitted = any(glass) ? kept(b.transmitted, may_start && glass) : glass;
@@ -154,7 +158,8 @@ HWY_INLINE void queue_vector(const WorldParts& world, const SurfaceBatch& surfac
         rays.medium = select(through, load(surfaces.medium.data() + h), rays.medium);
     }
     if (any(through)) go_straight(world, surfaces, h, through, at_limit, rays);
-    push(secondary.transmitted, rays, transmitted, surfaces.alpha, surfaces.transparent, beer);
+    if (surfaces.hashed) rays.path = child_paths(surfaces, h, true);
+    push(secondary.transmitted, rays, transmitted, surfaces, beer);
     counts.transmitted += static_cast<std::uint64_t>(count(transmitted));
 }
 

@@ -10,6 +10,7 @@
 
 #include "geometry/kinds-inl.h"
 #include "geometry/ray_offset-inl.h"
+#include "math/sample_hash.h"
 #include "trace/batches.h"
 #include "world/primitive_bounds-inl.h"
 #include "world/world.h"
@@ -52,6 +53,11 @@ HWY_INLINE void append_hits(const WorldParts& world, const RayBatch& rays, const
         compress_vector3(load_vector3(rays.weight, ray), hit, surfaces.weight, h);
         compress_store(load(rays.target.data() + ray), hit, surfaces.target.data() + h);
     }
+    if (rays.hashed) {
+        const Doubles path =
+            camera ? Doubles(static_cast<double>(k_camera_path)) : load(rays.path.data() + ray);
+        compress_store(path, hit, surfaces.path.data() + h);
+    }
     if (rays.alpha) {
         const Doubles straight = camera ? Doubles(1) : load(rays.straight.data() + ray);
         compress_store(straight, hit, surfaces.straight.data() + h);
@@ -74,6 +80,7 @@ inline void collect_hits(const WorldParts& world, const RayBatch& rays, const Hi
     surfaces.generation = rays.generation;
     surfaces.alpha = rays.alpha;
     surfaces.transparent = rays.transparent;
+    surfaces.hashed = rays.hashed;
     surfaces.count = surfaces.groups = 0;
     std::size_t group = rays.group_of(hits.first + range.begin);
     for (int i = range.begin; i < range.end; ++group) {

@@ -64,7 +64,8 @@ struct TileScratch {
     SecondaryRayBatch secondary;
     Film film;
     FirstHits first_hits;
-    PixelList pixels;  // for adaptive and jittered sampling only
+    PixelList pixels;                        // for adaptive and jittered sampling only
+    StreamColumn<std::uint32_t> pixel_hash;  // of the current sample, if hashes are wanted
     std::array<float, k_bordered_tile_floats> one_sample;
     SteppedRays stepped_rays;  // for transparent surfaces only
 

@@ -13,6 +13,7 @@
 #include "trace/intersect-inl.h"
 #include "trace/layers-inl.h"
 #include "trace/queue_secondary_rays-inl.h"
+#include "trace/ray_hash-inl.h"
 #include "trace/surface-inl.h"
 #include "trace/tile_culling-inl.h"
 #include "trace/transparency-inl.h"
@@ -56,6 +57,7 @@ inline void shade(const WorldParts& world, RayRange range, TileScratch& s) {
         }
         return;
     }
+    if (s.rays.hashed) hash_rays(s.pixel_hash, s.surfaces);
     apply_beer_law(world, s.surfaces);
     apply_fog(world, s.surfaces);
     if (s.record != nullptr) record_rays(world, s.rays, s.hits, range, s.surfaces, *s.record);
@@ -108,6 +110,8 @@ inline bool trace_samples(const WorldParts& world, const TileJob& job, const Pix
         list_tile(job, s.pixels);
         list = &s.pixels;
     }
+    const bool hashed = needs_hashes(world);
+    s.rays.hashed = s.secondary.rays.hashed = hashed;
     SampleIndex sample{0, 0, n};
     for (sample.j = 0; sample.j < n; ++sample.j) {
         for (sample.i = 0; sample.i < n; ++sample.i) {
@@ -120,6 +124,7 @@ inline bool trace_samples(const WorldParts& world, const TileJob& job, const Pix
             } else {
                 make_camera_rays(world, job, sample, s.rays);
             }
+            if (hashed) hash_pixels(world, job, list, sample, s.pixel_hash);
             s.counts.camera += static_cast<std::uint64_t>(s.rays.count);
             if (is_limited(world)) s.secondary.of_pixel.fill(0);
             s.first_hits.is_middle = sample.is_middle();
