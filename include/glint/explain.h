@@ -72,6 +72,19 @@ struct ExplainedSecondaryRay {
     int ray = -1;  ///< in Explanation::rays
 };
 
+/// The light from all directions at a hit (Occlusion).
+struct ExplainedOcclusion {
+    int samples = 0, blocked = 0;
+    double factor = 1;  ///< f
+    Color light;        ///< k_d color f
+    Color part;         ///< added to the pixel: `light` times weight and local_share
+    struct Occluder {
+        std::uint32_t shape = k_none;  ///< in Scene::shapes
+        int samples = 0;               ///< of which it is the nearest occluder
+    };
+    std::vector<Occluder> occluders;  ///< the shape with the most samples first
+};
+
 struct ExplainedHit {
     std::uint32_t shape = k_none;     ///< in Scene::shapes
     std::uint32_t material = k_none;  ///< in Scene::materials; k_none: the default material
@@ -93,9 +106,13 @@ struct ExplainedHit {
     double highlight_share = 1;  ///< the factor of the surface's highlights, as local_share of the rest
     double fresnel = 0;          ///< for glass: the reflected fraction; 1: total internal reflection
     ExplainedSecondaryRay reflected, transmitted;
+    std::optional<ExplainedOcclusion> occlusion;  ///< if the scene has occlusion, in a lit shading mode
 
-    /// The sum of the parts.
-    Color own_light() const { return parts[0] + parts[1] + parts[2] + parts[3]; }
+    /// What the surface adds to the pixel: the parts, then that of the occlusion.
+    Color own_light() const {
+        const Color sum = parts[0] + parts[1] + parts[2] + parts[3];
+        return occlusion ? sum + occlusion->part : sum;
+    }
 };
 
 struct ExplainedRay {
@@ -128,9 +145,9 @@ struct SampleDifference {
 };
 
 /// All data of one pixel. Rays are in the order of summation: by sample, then by generation. The sum of a
-/// layer (docs/explain.md) adds, ray by ray, the background or the parts of the hit, then the fog. `layers`
-/// are the sums divided by the number of samples and rounded to float; `value` is the sum of the layers in
-/// their order.
+/// layer (docs/explain.md) adds, ray by ray, the background or the parts of the hit, with that of its
+/// occlusion, then the fog. `layers` are the sums divided by the number of samples and rounded to float;
+/// `value` is the sum of the layers in their order.
 struct Explanation {
     std::int32_t x = 0, y = 0;
     int samples = 1;  ///< n for n x n samples; with adaptive sampling, those that this pixel has

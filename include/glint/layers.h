@@ -15,8 +15,8 @@ namespace glint {
 
 /// The first eight are light: their sum, as floats and in this order, is exactly the picture. Light seen in a
 /// mirror belongs to reflection, light seen through glass to transmission; the first secondary ray of the
-/// path decides. The other layers but shadow and alpha describe the first hit of the pixel's middle sample
-/// (row and column n / 2 of n).
+/// path decides. The other layers but shadow, occlusion and alpha describe the first hit of the pixel's
+/// middle sample (row and column n / 2 of n).
 enum class Layer : std::uint8_t {
     background,
     ambient,
@@ -24,18 +24,20 @@ enum class Layer : std::uint8_t {
     specular,
     reflection,
     transmission,
-    emission,  ///< k_e of the first surfaces
-    fog,       ///< the light of the fog in front of the first surfaces and of the background
-    normal,    ///< unit, as used for shading; 0 if nothing is hit
-    depth,     ///< distance from the camera ray's origin, in world units; infinity if nothing is hit
-    position,  ///< in world space; 0 if nothing is hit
-    albedo,    ///< k_d; 0 if nothing is hit
-    shadow,    ///< 0 to 1: the blocked fraction of the lights that would add light
-    object,    ///< index in Scene::shapes + 1 (exact up to 2^24); 0: no hit
-    material,  ///< index in Scene::materials + 1, their number + 1 for the default; 0: no hit
-    alpha,     ///< 1 - the part of the pixel that shows the background, directly or through glass; 0 to 1
+    emission,   ///< k_e of the first surfaces
+    sky,        ///< the light from all directions (Occlusion) that the first surfaces reflect
+    fog,        ///< the light of the fog in front of the first surfaces and of the background
+    normal,     ///< unit, as used for shading; 0 if nothing is hit
+    depth,      ///< distance from the camera ray's origin, in world units; infinity if nothing is hit
+    position,   ///< in world space; 0 if nothing is hit
+    albedo,     ///< k_d; 0 if nothing is hit
+    shadow,     ///< 0 to 1: the blocked fraction of the lights that would add light
+    occlusion,  ///< 0 to 1: the fraction of the occlusion samples that are blocked
+    object,     ///< index in Scene::shapes + 1 (exact up to 2^24); 0: no hit
+    material,   ///< index in Scene::materials + 1, their number + 1 for the default; 0: no hit
+    alpha,      ///< 1 - the part of the pixel that shows the background, directly or through glass; 0 to 1
 };
-inline constexpr int k_light_layers = 8, k_layers = 16;
+inline constexpr int k_light_layers = 9, k_layers = 18;
 
 struct LayerInfo {
     Layer layer;

@@ -3,6 +3,7 @@
 // The Scene: shapes, materials, lights, camera, settings. Plain data; make it in code or load it from text.
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -152,6 +153,44 @@ struct Fog {
     friend bool operator==(const Fog&, const Fog&) = default;
 };
 
+/// How the directions of occlusion samples are chosen. hashed: by the hash of pixel, sample and path, in
+/// proportion to the cosine. fixed: one sequence for all pixels, evenly over the hemisphere (Tachyon).
+enum class OcclusionMethod : std::uint8_t { hashed, fixed };
+
+inline constexpr std::int32_t k_max_occlusion_samples = 4096;
+
+/// Light that comes from all directions and that shapes block (ambient occlusion; Tachyon's Sky_Light). A
+/// surface reflects k_d color f. f is the part of the light that arrives, by samples in the hemisphere of N:
+/// hashed: the fraction of the samples that are not blocked; fixed: 2/samples times the sum of N·D over the
+/// directions D that are not blocked, which may exceed 1 (Tachyon, measured).
+struct Occlusion {
+    OcclusionMethod method = OcclusionMethod::hashed;
+    std::int32_t samples = 64;  ///< for each surface point, 1 to k_max_occlusion_samples
+    Color color{1, 1, 1};       ///< of the light
+    /// Shapes farther away do not block; in world units, above 0.
+    double reach = std::numeric_limits<double>::infinity();
+    double direct = 1;  ///< factor of the light of all lights but the ambient ones, 0 to 1e6
+
+    friend bool operator==(const Occlusion&, const Occlusion&) = default;
+};
+
+/// What a background gradient depends on. sphere: the direction of the ray (Tachyon's Sky_Sphere, POV-Ray's
+/// sky_sphere). plane: the origin of the ray, for orthographic cameras (Tachyon's Sky_Ortho_Plane).
+enum class GradientKind : std::uint8_t { sphere, plane };
+
+/// A background that changes along `up`: bottom_color where the coordinate x along `up`, of the ray's unit
+/// direction or of its origin, is `bottom`, top_color where it is `top`, linear between and constant beyond.
+struct BackgroundGradient {
+    GradientKind kind = GradientKind::sphere;
+    Vec3 up{0, 1, 0};  ///< any length but 0
+    double bottom = 0, top = 1;
+    Color bottom_color{1, 1, 1}, top_color{0.2, 0.4, 0.8};
+    /// Beyond `bottom` and `top` the colours repeat (POV-Ray's sky_sphere with `gradient`).
+    bool repeats = false;
+
+    friend bool operator==(const BackgroundGradient&, const BackgroundGradient&) = default;
+};
+
 struct Material {
     Color color{0.8, 0.8, 0.8};       ///< the colour in shading mode `color`
     Color ambient{0.08, 0.08, 0.08};  ///< k_a
@@ -217,7 +256,9 @@ struct UnitNormals {
 struct Scene {
     Camera camera;
     Color background{0, 0, 0};
-    std::optional<Fog> fog;  ///< not in the shading modes color and normals
+    std::optional<BackgroundGradient> gradient;  ///< if set, in place of `background`
+    std::optional<Fog> fog;                      ///< not in the shading modes color and normals
+    std::optional<Occlusion> occlusion;          ///< not in the shading modes color and normals
     std::vector<Light> lights;
     std::vector<Material> materials;
     std::vector<Affine> transforms;      ///< world_from_object, invertible
@@ -232,7 +273,7 @@ struct Scene {
     std::vector<SettingOrigin> origins;  ///< by setting key; may be empty (all from the profile)
     std::vector<std::string> files;      ///< the names of the texts it was read from
     ItemTexts light_texts, material_texts, shape_texts;
-    SourcePlace camera_place, background_place, fog_place;
+    SourcePlace camera_place, background_place, fog_place, gradient_place, occlusion_place;
 
     /// The parameters of all shapes of one kind, e.g. get<Sphere>().
     template <class T> std::vector<T>& get() { return std::get<std::vector<T>>(parameters); }
@@ -269,6 +310,8 @@ template <class T> std::uint32_t Scene::add(const T& shape, std::uint32_t materi
 GLINT_API std::string_view to_string(ShapeKind kind);
 GLINT_API std::string_view to_string(LightKind kind);
 GLINT_API std::string_view to_string(FogKind kind);
+GLINT_API std::string_view to_string(OcclusionMethod method);
+GLINT_API std::string_view to_string(GradientKind kind);
 
 /// Checks every number and index of the scene; prepare() needs a scene without errors. Warnings report
 /// likely mistakes (no lights: the picture will be black). Messages have the item's place if it is

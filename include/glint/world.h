@@ -56,6 +56,8 @@ GLINT_API Result<World> with_lights(const World& world, std::span<const Light> l
 GLINT_API Result<World> with_camera(const World& world, const Camera& camera);
 GLINT_API Result<World> with_background(const World& world, Color background);
 GLINT_API Result<World> with_fog(const World& world, const std::optional<Fog>& fog);
+GLINT_API Result<World> with_gradient(const World& world, const std::optional<BackgroundGradient>& gradient);
+GLINT_API Result<World> with_occlusion(const World& world, const std::optional<Occlusion>& occlusion);
 /// Replaces conventions and settings, and prepares the camera again, which depends on the picture's aspect
 /// ratio. An error if `cones` differs and the scene has cones: the geometry contains them or not, which needs
 /// prepare().

@@ -28,6 +28,12 @@ inline Vec3 from_python(const DirectionType&, const py::handle& value, std::stri
 inline double from_python(const NumberType& type, const py::handle& value, std::string_view name) {
     return to_number(value, name, type.range);
 }
+inline std::int32_t from_python(const WholeType& type, const py::handle& value, std::string_view name) {
+    const double number = to_number(value, name, type.range);
+    const auto whole = static_cast<std::int32_t>(number);
+    if (whole == number) return whole;
+    throw py::value_error(fmt::format("{}: expected {}, found {}", name, type.range.text, repr_of(value)));
+}
 inline bool from_python(const BoolType&, const py::handle& value, std::string_view name) {
     if (py::isinstance<py::bool_>(value)) return value.cast<bool>();
     throw py::value_error(fmt::format("{}: expected True or False, found {}", name, repr_of(value)));

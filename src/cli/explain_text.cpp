@@ -221,11 +221,16 @@ class Tree {
         if (emits)
             line(depth + 1,
                  fmt::format("emission k_e = {}{}", color(hit.emission), swatch(style_, hit.emission)));
+        if (hit.occlusion) add_occlusion(*hit.occlusion, depth + 1);
         const Color sum = hit.ambient + hit.diffuse + hit.specular + hit.emission;
         line(depth + 1, fmt::format("sum: ambient {} + diffuse {} + specular {}{} = {}{}", color(hit.ambient),
                                     color(hit.diffuse), color(hit.specular),
                                     emits ? " + emission " + color(hit.emission) : std::string(), color(sum),
                                     swatch(style_, sum)));
+        if (scene_.occlusion && scene_.occlusion->direct != 1)
+            line(depth + 1,
+                 fmt::format("diffuse and specular include the factor `direct` of the occlusion: {}",
+                             number(scene_.occlusion->direct)));
         add_fog(r, depth + 1);
         if (!(hit.weight == r.weight))
             line(depth + 1, fmt::format("weight after absorption in {}: {}",
@@ -245,6 +250,18 @@ class Tree {
                                             : fmt::format(", highlights x {}", number(hit.highlight_share)),
                                         color(part), swatch(style_, part)));
         }
+    }
+
+    void add_occlusion(const ExplainedOcclusion& o, int depth) {
+        line(depth, fmt::format("sky: {} of {} samples are blocked, f = {}: k_d color f = {}{}", o.blocked,
+                                o.samples, number(o.factor), color(o.light), swatch(style_, o.light)));
+        constexpr std::size_t most = 4;
+        std::string list;
+        for (std::size_t i = 0; i < std::min(o.occluders.size(), most); ++i)
+            list += fmt::format("{}{} of them by {}", i == 0 ? "" : ", ", o.occluders[i].samples,
+                                shape_text(scene_, o.occluders[i].shape));
+        if (o.occluders.size() > most) list += fmt::format(", and {} more shapes", o.occluders.size() - most);
+        if (!list.empty()) line(depth + 1, list);
     }
 
     void add_fog(const ExplainedRay& r, int depth) {

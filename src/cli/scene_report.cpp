@@ -11,6 +11,7 @@
 #include "cli/text.h"
 #include "scene/fog_fields.h"
 #include "scene/light_fields.h"
+#include "scene/sky_fields.h"
 
 namespace glint::cli {
 namespace {
@@ -49,6 +50,7 @@ bool is_bounded(const Bounds& box) { return box.min.x <= box.max.x; }
 
 // A value in six digits.
 std::string text_of(double x) { return fmt::format("{:.6g}", x); }
+std::string text_of(std::int32_t n) { return fmt::format("{}", n); }
 std::string text_of(bool value) { return value ? "true" : "false"; }
 std::string text_of(const auto& value) { return fmt::format("({:.6g})", fmt::join(numbers_of(value), ", ")); }
 
@@ -69,15 +71,26 @@ std::string light_details(const Light& light) {
     return text;
 }
 
-std::string fog_text(const Fog& fog) {
-    std::string text(to_string(fog.kind));
-    for (const ItemField<Fog>& field : k_fog_fields) {
-        if (!applies(field, fog)) continue;
-        visit_field(field, fog, [&](const auto&, const auto& value) {
+// A word, then each field that applies.
+template <class Item, std::size_t n>
+std::string block_text(std::string_view word, const Item& item, const ItemField<Item> (&fields)[n]) {
+    std::string text(word);
+    for (const ItemField<Item>& field : fields) {
+        if (!applies(field, item)) continue;
+        visit_field(field, item, [&](const auto&, const auto& value) {
             text += fmt::format("  {} {}", field.label, text_of(value));
         });
     }
     return text;
+}
+template <class Item, std::size_t n>
+Json block_json(std::string_view key, std::string_view word, const Item& item,
+                const ItemField<Item> (&fields)[n]) {
+    Json json = {{std::string(key), word}};
+    for (const ItemField<Item>& field : fields) {
+        if (applies(field, item)) json[std::string(field.name)] = field_json<Json>(field, item);
+    }
+    return json;
 }
 
 std::string camera_text(const Camera& camera) {
@@ -149,7 +162,15 @@ std::string text_report(const SceneReport& report) {
         is_bounded(box) ? fmt::format("{} to {}", rounded(box.min), rounded(box.max)) : "no bounded shapes");
     fmt::format_to(out, "camera      {}\n", camera_text(scene.camera));
     fmt::format_to(out, "background  {}\n", rounded(scene.background));
-    if (scene.fog) fmt::format_to(out, "fog         {}\n", fog_text(*scene.fog));
+    if (scene.gradient)
+        fmt::format_to(out, "gradient    {}\n",
+                       block_text(to_string(scene.gradient->kind), *scene.gradient, k_gradient_fields));
+    if (scene.fog)
+        fmt::format_to(out, "fog         {}\n",
+                       block_text(to_string(scene.fog->kind), *scene.fog, k_fog_fields));
+    if (scene.occlusion)
+        fmt::format_to(out, "occlusion   {}\n",
+                       block_text(to_string(scene.occlusion->method), *scene.occlusion, k_occlusion_fields));
     fmt::format_to(out, "lights      {}\n",
                    counts_text(light_counts(scene), [](std::size_t n, std::size_t kind) {
                        return fmt::format("{} {}", n, to_string(static_cast<LightKind>(kind)));
@@ -215,13 +236,13 @@ std::string json_report(const SceneReport& report) {
         json["bounds"] = nullptr;
     }
     json["background"] = color_json(scene.background);
-    if (scene.fog) {
-        json["fog"] = {{"kind", to_string(scene.fog->kind)}};
-        for (const ItemField<Fog>& field : k_fog_fields) {
-            if (applies(field, *scene.fog))
-                json["fog"][std::string(field.name)] = field_json<Json>(field, *scene.fog);
-        }
-    }
+    if (scene.gradient)
+        json["background_gradient"] =
+            block_json("kind", to_string(scene.gradient->kind), *scene.gradient, k_gradient_fields);
+    if (scene.fog) json["fog"] = block_json("kind", to_string(scene.fog->kind), *scene.fog, k_fog_fields);
+    if (scene.occlusion)
+        json["occlusion"] =
+            block_json("method", to_string(scene.occlusion->method), *scene.occlusion, k_occlusion_fields);
     json["lights"] = Json::array();
     for (std::uint32_t i = 0; i < scene.lights.size(); ++i) {
         const Light& light = scene.lights[i];

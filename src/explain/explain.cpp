@@ -2,6 +2,7 @@
 // Renders one pixel with the kernels of render() and records what they compute.
 #include "glint/explain.h"
 
+#include <algorithm>
 #include <memory>
 
 #include "base/fp_environment.h"
@@ -60,6 +61,29 @@ void complete(const Scene& scene, const WorldParts& world, Explanation& e) {
     }
 }
 
+// Counts the shapes that block the occlusion samples of the hits.
+void find_sky_occluders(const WorldParts& world, std::span<const TileRecord::SkyRay> blocked,
+                        Explanation& e) {
+    RayList rays;
+    for (const TileRecord::SkyRay& ray : blocked) rays.add(ray.origin, ray.direction, ray.t_min, ray.t_max);
+    const HitList hits = nearest_occluders(world, rays, 1);
+    for (std::size_t i = 0; i < blocked.size(); ++i) {
+        if (hits.slot[i] == k_none) continue;
+        auto& list = e.rays[blocked[i].ray].hit->occlusion->occluders;
+        const std::uint32_t shape = world.geometry->shape_index[hits.slot[i]];
+        auto at = std::find_if(list.begin(), list.end(), [&](const auto& o) { return o.shape == shape; });
+        if (at == list.end()) at = list.insert(list.end(), {shape, 0});
+        ++at->samples;
+    }
+    for (ExplainedRay& ray : e.rays) {
+        if (!ray.hit || !ray.hit->occlusion) continue;
+        auto& list = ray.hit->occlusion->occluders;
+        std::sort(list.begin(), list.end(), [](const auto& a, const auto& b) {
+            return a.samples != b.samples ? a.samples > b.samples : a.shape < b.shape;
+        });
+    }
+}
+
 Status render_pixel(const WorldParts& world, const Kernels& kernels, int sample, Explanation& e) {
     TileRecord record;
     record.only = sample;
@@ -79,6 +103,7 @@ Status render_pixel(const WorldParts& world, const Kernels& kernels, int sample,
         return invalid_argument("the pixel has more than " + std::to_string(k_max_explained_rays) +
                                 " rays: ask for one of its samples");
     e.rays = std::move(record.rays);
+    if (!record.blocked_sky.empty()) find_sky_occluders(world, record.blocked_sky, e);
     e.adaptive = record.difference;
     if (e.adaptive && !record.refined) e.samples = 1;
     e.counts = scratch->counts;

@@ -107,6 +107,15 @@ Json secondary_ray_json(const ExplainedSecondaryRay& ray) {
     return json;
 }
 
+Json occlusion_json(const Scene& scene, const ExplainedOcclusion& occlusion) {
+    Json occluders = Json::array();
+    for (const ExplainedOcclusion::Occluder& o : occlusion.occluders)
+        occluders.push_back({{"shape", shape_json(scene, o.shape)}, {"samples", o.samples}});
+    return {{"samples", occlusion.samples},    {"blocked", occlusion.blocked},
+            {"factor", occlusion.factor},      {"light", to_json(occlusion.light)},
+            {"part", to_json(occlusion.part)}, {"occluders", std::move(occluders)}};
+}
+
 Json hit_json(const Scene& scene, const ExplainedHit& hit) {
     Json lights = Json::array();
     for (const LightTerms& terms : hit.lights) lights.push_back(terms_json(scene, hit, terms));
@@ -136,6 +145,7 @@ Json hit_json(const Scene& scene, const ExplainedHit& hit) {
         json["opacity"] = hit.opacity;
         json["highlight_share"] = hit.highlight_share;
     }
+    if (hit.occlusion) json["occlusion"] = occlusion_json(scene, *hit.occlusion);
     return json;
 }
 

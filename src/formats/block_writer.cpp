@@ -39,6 +39,8 @@ void append_comment(std::string& out, std::string_view text) {
 
 void append(std::string& out, double number) { fmt::format_to(std::back_inserter(out), "{}", number); }
 
+void append(std::string& out, std::int32_t value) { fmt::format_to(std::back_inserter(out), "{}", value); }
+
 void append(std::string& out, bool value) { out += value ? "true" : "false"; }
 
 void append(std::string& out, Vec3 v) {

@@ -14,8 +14,9 @@ namespace glint {
 
 /// The shortest text that reads back as the same double, a negative zero included.
 void append(std::string& out, double number);
-/// (x, y, z)
+void append(std::string& out, std::int32_t value);
 void append(std::string& out, bool value);
+/// (x, y, z)
 void append(std::string& out, Vec3 v);
 /// (r, g, b), or rgb255(r, g, b) if it is shorter and exact.
 void append(std::string& out, Color c);

@@ -255,6 +255,8 @@ SceneComments::SceneComments(const Scene& scene, std::span<const SceneText> text
     add(scene.camera_place, ItemKind::camera, 0);
     add(scene.background_place, ItemKind::background, 0);
     add(scene.fog_place, ItemKind::fog, 0);
+    add(scene.gradient_place, ItemKind::gradient, 0);
+    add(scene.occlusion_place, ItemKind::occlusion, 0);
     add_all(scene.material_texts, ItemKind::material);
     const auto order = [](const Item& i) { return std::tuple(i.place.file, i.place.line, i.place.column); };
     std::stable_sort(items.begin(), items.end(),

@@ -12,7 +12,7 @@
 
 namespace glint {
 
-enum class ItemKind : std::uint8_t { shape, light, camera, background, material, fog };
+enum class ItemKind : std::uint8_t { shape, light, camera, background, material, fog, gradient, occlusion };
 
 /// Views of the texts, one per line, without the comment signs.
 struct ItemComments {

@@ -15,9 +15,23 @@ namespace {
 
 constexpr std::string_view k_what =
     "a block (`camera`, `light`, `material`, `sphere`, `group`, ...), a setting or `include`";
-constexpr std::string_view k_block_words[] = {"sphere",   "material", "light",  "group",       "camera",
-                                              "plane",    "cylinder", "cone",   "disc",        "box",
-                                              "triangle", "polygon",  "render", "conventions", "fog"};
+constexpr std::string_view k_block_words[] = {"sphere",
+                                              "material",
+                                              "light",
+                                              "group",
+                                              "camera",
+                                              "plane",
+                                              "cylinder",
+                                              "cone",
+                                              "disc",
+                                              "box",
+                                              "triangle",
+                                              "polygon",
+                                              "render",
+                                              "conventions",
+                                              "fog",
+                                              "occlusion",
+                                              "background_gradient"};
 constexpr std::string_view k_setting_words[] = {"background", "profile", "glint"};
 
 // The keys of Conventions, or of RenderSettings.
@@ -87,7 +101,11 @@ class GlintReader {
         } else if (name == "light") {
             read_glint_light(t_, word);
         } else if (name == "fog") {
-            read_fog(word);
+            read_of_first(word, read_glint_fog);
+        } else if (name == "occlusion") {
+            read_of_first(word, read_glint_occlusion);
+        } else if (name == "background_gradient") {
+            read_of_first(word, read_glint_gradient);
         } else if (name == "material") {
             read_material(word);
         } else {
@@ -95,8 +113,9 @@ class GlintReader {
         }
     }
 
-    void read_fog(const Token& word) {
-        if (!t_.text.is_included) return read_glint_fog(t_, word);
+    // A block that only the first file may have.
+    void read_of_first(const Token& word, void (*read_block_of)(GlintText&, const Token&)) {
+        if (!t_.text.is_included) return read_block_of(t_, word);
         warn_ignored(word);
         t_.blocks.skip_block();
     }

@@ -19,6 +19,8 @@ std::vector<GlintBlock> glint_blocks() {
     blocks.push_back({"light", key_names(glint_light_keys())});
     blocks.push_back({"camera", key_names(glint_camera_keys())});
     blocks.push_back({"fog", key_names(glint_fog_keys())});
+    blocks.push_back({"occlusion", key_names(glint_occlusion_keys())});
+    blocks.push_back({"background_gradient", key_names(glint_gradient_keys())});
     GlintBlock render{"render", {}}, conventions{"conventions", {}};
     for (const SettingKey& key : setting_keys())
         (key.is_convention ? conventions : render).keys.push_back(key.name);

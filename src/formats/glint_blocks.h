@@ -25,5 +25,7 @@ void add_shape_blocks(std::vector<GlintBlock>& blocks);
 std::span<const Field> glint_light_keys();
 std::span<const Field> glint_camera_keys();
 std::span<const Field> glint_fog_keys();
+std::span<const Field> glint_occlusion_keys();
+std::span<const Field> glint_gradient_keys();
 
 }  // namespace glint

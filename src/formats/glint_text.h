@@ -29,6 +29,9 @@ inline bool read_point(GlintText& t, Vec3& point) { return t.p.point(point, k_co
 /// (x, y, z) other than (0, 0, 0).
 bool read_direction(GlintText& t, Vec3& direction);
 
+/// A whole number within a range of whole numbers.
+bool read_whole(GlintText& t, std::int32_t& value, const Range& range);
+
 /// true or false.
 bool read_bool(GlintText& t, bool& value);
 
@@ -36,6 +39,9 @@ bool read_bool(GlintText& t, bool& value);
 struct ValueReader {
     GlintText& t;
     bool operator()(const NumberType& type, double& value) const { return t.p.number(value, type.range); }
+    bool operator()(const WholeType& type, std::int32_t& value) const {
+        return read_whole(t, value, type.range);
+    }
     bool operator()(BoolType, bool& value) const { return read_bool(t, value); }
     bool operator()(PointType, Vec3& point) const { return read_point(t, point); }
     bool operator()(PointType, std::optional<Vec3>& point) const { return read_point(t, point.emplace()); }
@@ -79,5 +85,7 @@ template <class ReadItem> bool read_list(GlintText& t, std::string_view what, Re
 void read_glint_camera(GlintText& t, const Token& word);
 void read_glint_light(GlintText& t, const Token& word);
 void read_glint_fog(GlintText& t, const Token& word);
+void read_glint_occlusion(GlintText& t, const Token& word);
+void read_glint_gradient(GlintText& t, const Token& word);
 
 }  // namespace glint

@@ -106,6 +106,16 @@ bool ValueReader::operator()(AttenuationType, Attenuation& attenuation) const {
     return true;
 }
 
+bool read_whole(GlintText& t, std::int32_t& value, const Range& range) {
+    const Token at = t.p.token();
+    double number = 0;
+    if (!t.p.number(number, range)) return false;
+    if (!range.contains(number)) return true;  // number() has reported it
+    value = static_cast<std::int32_t>(number);
+    if (value != number) t.p.error(at, fmt::format("expected {}, found {}", range.text, t.p.describe(at)));
+    return true;
+}
+
 bool read_bool(GlintText& t, bool& value) {
     static constexpr std::string_view words[] = {"false", "true"};
     int index = 0;

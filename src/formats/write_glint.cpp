@@ -15,6 +15,7 @@
 #include "scene/camera_fields.h"
 #include "scene/fog_fields.h"
 #include "scene/light_fields.h"
+#include "scene/sky_fields.h"
 
 namespace glint {
 namespace {
@@ -33,6 +34,10 @@ class GlintWriter {
         write_settings();
         write_camera();
         write_fog();
+        write_block("background_gradient", scene_.gradient, k_gradient_fields, "type", ItemKind::gradient,
+                    [](const BackgroundGradient& g) { return to_string(g.kind); });
+        write_block("occlusion", scene_.occlusion, k_occlusion_fields, "method", ItemKind::occlusion,
+                    [](const Occlusion& o) { return to_string(o.method); });
         write_lights();
         write_materials();
         if (!scene_.shapes.empty()) out_ += '\n';
@@ -138,6 +143,21 @@ class GlintWriter {
                 write_field(block_, field, *scene_.fog);
         }
         end(ItemKind::fog, 0);
+    }
+
+    // A block that a scene has at most once: its word by `key`, then the fields that differ from the default.
+    template <class Item, std::size_t n, class Word>
+    void write_block(std::string_view name, const std::optional<Item>& item,
+                     const ItemField<Item> (&fields)[n], std::string_view key, ItemKind kind,
+                     const Word& word_of) {
+        if (!item) return;
+        out_ += '\n';
+        block_.begin(name);
+        block_.key(key) += word_of(*item);
+        for (const ItemField<Item>& field : fields) {
+            if (!same_bits(field, *item, Item{})) write_field(block_, field, *item);
+        }
+        end(kind, 0);
     }
 
     void write_lights() {

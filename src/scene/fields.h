@@ -27,6 +27,11 @@ struct NumberType {
     static constexpr std::string_view word = "number";
     Range range;
 };
+/// A whole number. The range is one of whole numbers.
+struct WholeType {
+    static constexpr std::string_view word = "whole";
+    Range range;
+};
 struct BoolType {
     static constexpr std::string_view word = "boolean";
 };
@@ -76,6 +81,9 @@ template <class Item> struct ItemField {
 
 template <class Item> constexpr auto number_field(double Item::*at, const Range& range) {
     return FieldMember<Item, double, NumberType>{at, {range}};
+}
+template <class Item> constexpr auto whole_field(std::int32_t Item::*at, const Range& range) {
+    return FieldMember<Item, std::int32_t, WholeType>{at, {range}};
 }
 template <class Item> constexpr auto bool_field(bool Item::*at) {
     return FieldMember<Item, bool, BoolType>{at, {}};
@@ -134,6 +142,7 @@ constexpr bool is_field_of(const ItemField<Item>& field, Value Item::*member) {
 }
 
 constexpr std::array<double, 1> numbers_of(double x) { return {x}; }
+constexpr std::array<double, 1> numbers_of(std::int32_t n) { return {static_cast<double>(n)}; }
 constexpr std::array<double, 1> numbers_of(bool b) { return {b ? 1.0 : 0.0}; }
 constexpr std::array<double, 3> numbers_of(const Vec3& v) { return {v.x, v.y, v.z}; }
 constexpr std::array<double, 3> numbers_of(const Color& c) { return {c.r, c.g, c.b}; }
@@ -175,7 +184,7 @@ template <class Json, class Item> Json field_json(const ItemField<Item>& field, 
     Json json;
     visit_field(field, item, [&](const auto&, const auto& value) {
         using Value = std::remove_cvref_t<decltype(value)>;
-        if constexpr (std::same_as<Value, double> || std::same_as<Value, bool>) {
+        if constexpr (std::is_arithmetic_v<Value>) {
             json = value;
         } else {
             json = numbers_of(value);

@@ -2,6 +2,7 @@
 #pragma once
 // The valid ranges of a scene's numbers, for the readers, which report the number's place, and for
 // validate().
+#include <limits>
 #include <string_view>
 
 #include "glint/vec.h"
@@ -37,6 +38,9 @@ inline constexpr Range k_index_of_refraction{0, 1e6, true, false, "a number > 0 
 inline constexpr Range k_attenuation{0, 1e12, false, false, "a number from 0 to 1e12"};
 inline constexpr Range k_not_negative{0, 1e12, false, false, "a number from 0 to 1e12"};
 inline constexpr Range k_threshold{0, 1e6, false, false, "a number from 0 to 1e6"};
+/// Of occlusion: the greatest distance of a shape that blocks.
+inline constexpr Range k_reach{0, std::numeric_limits<double>::infinity(), true, false, "a number > 0"};
+inline constexpr Range k_occlusion_samples{1, 4096, false, false, "a whole number from 1 to 4096"};
 
 inline bool is_coordinate(Vec3 p) {
     return k_coordinate.contains(p.x) && k_coordinate.contains(p.y) && k_coordinate.contains(p.z);

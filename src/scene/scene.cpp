@@ -49,4 +49,24 @@ std::string_view to_string(FogKind kind) {
     return "unknown fog";
 }
 
+std::string_view to_string(OcclusionMethod method) {
+    switch (method) {
+        case OcclusionMethod::hashed:
+            return "hashed";
+        case OcclusionMethod::fixed:
+            return "fixed";
+    }
+    return "unknown method";
+}
+
+std::string_view to_string(GradientKind kind) {
+    switch (kind) {
+        case GradientKind::sphere:
+            return "sphere";
+        case GradientKind::plane:
+            return "plane";
+    }
+    return "unknown gradient";
+}
+
 }  // namespace glint

@@ -18,6 +18,7 @@
 #include "scene/parallel.h"
 #include "scene/ranges.h"
 #include "scene/settings.h"
+#include "scene/sky_fields.h"
 #include "scene/validate_shapes.h"
 
 namespace glint {
@@ -79,7 +80,9 @@ class Validator {
             case ScenePart::background:
                 begin(SceneItem::background);
                 check_color(k_channel, scene_.background, scene_.background_place, "the scene", "background");
-                return check_fog();
+                check_fog();
+                check_gradient();
+                return check_occlusion();
             case ScenePart::lights:
                 for (std::uint32_t i = 0; !full() && i < scene_.lights.size(); ++i) check_light(i);
                 return;
@@ -149,6 +152,27 @@ class Validator {
                                                 fog.start, fog.end));
     }
 
+    void check_gradient() {
+        if (!scene_.gradient) return;
+        begin(SceneItem::background);
+        const BackgroundGradient& gradient = *scene_.gradient;
+        const SourcePlace place = scene_.gradient_place;
+        constexpr std::string_view of = "the background gradient";
+        if (gradient.kind > GradientKind::plane) error(place, fmt::format("{}: no such kind", of));
+        check_fields<BackgroundGradient>(k_gradient_fields, gradient, place, of);
+        if (!(gradient.top > gradient.bottom))
+            error(place, fmt::format("{}: top: expected a number above bottom {}, found {}", of,
+                                     gradient.bottom, gradient.top));
+    }
+
+    void check_occlusion() {
+        if (!scene_.occlusion) return;
+        begin(SceneItem::background);
+        const SourcePlace place = scene_.occlusion_place;
+        if (scene_.occlusion->method > OcclusionMethod::fixed) error(place, "the occlusion: no such method");
+        check_fields<Occlusion>(k_occlusion_fields, *scene_.occlusion, place, "the occlusion");
+    }
+
     void check_camera() {
         const Camera& c = scene_.camera;
         const SourcePlace place = scene_.camera_place;
@@ -188,6 +212,9 @@ class Validator {
         std::string_view of, label;
         void operator()(const NumberType& type, double x) const {
             validator.check(type.range, x, place, of, label);
+        }
+        void operator()(const WholeType& type, std::int32_t n) const {
+            validator.check(type.range, n, place, of, label);
         }
         void operator()(BoolType, bool) const {}
         void operator()(PointType, Vec3 p) const { validator.check_point(p, place, of, label); }

@@ -128,7 +128,8 @@ inline void refine(const WorldParts& world, const TileJob& job, TileScratch& s) 
 /// Renders a tile with adaptive sampling. A one-pixel tile of explain() is recorded with its final samples.
 inline void render_adaptive_tile(const WorldParts& world, const TileJob& job, TileScratch& s) {
     TileRecord* const record = s.record;
-    if (record == nullptr && job.layers == nullptr && is_tile_empty(world, with_border(job))) {
+    if (record == nullptr && job.layers == nullptr && !has_gradient(world) &&
+        is_tile_empty(world, with_border(job))) {
         s.counts.camera += static_cast<std::uint64_t>(job.width * job.height);
         return fill_background(world, job, 1);
     }

@@ -162,6 +162,19 @@ struct SurfaceBatch {
 /// The diffuse and specular light reflected by the surfaces, summed over the lights.
 struct RadianceBatch {
     BatchColumn<double> diffuse[3], specular[3];
+    BatchColumn<double> sky[3];  // k_d color f; if the scene has occlusion
+};
+
+/// The light from all directions that arrives at the surfaces, by samples. Its entries are the surfaces in
+/// the order of their slots, so that rays that are traced together start near each other.
+struct SkyBatch {
+    int count = 0;
+    BatchColumn<std::uint32_t> order;                                       // the surface of each entry
+    BatchColumn<double> point[3], normal[3], incoming[3], magnitude, hash;  // those of the surface
+    BatchColumn<double> arrived;  // the sum over the samples that are not blocked: 1, or N·D
+    BatchColumn<double> blocked;  // their number
+    // Of each ray of the current sample: its entry, and what it adds if it is not blocked.
+    BatchColumn<double> entry, cosine;
 };
 
 /// The values of one light at the surfaces.
@@ -267,7 +280,8 @@ struct Film {
 /// requested.
 struct FirstHits {
     std::vector<double> normal[3], position[3], albedo[3], depth, object, material;
-    std::vector<double> tested, occluded;  // the numbers of lights, summed over the samples
+    std::vector<double> tested, occluded;         // the numbers of lights, summed over the samples
+    std::vector<double> sky_tested, sky_blocked;  // the numbers of occlusion samples
     bool wanted = false;
     bool is_middle = false;  // the current sample is the middle one
 };

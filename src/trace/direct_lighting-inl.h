@@ -179,7 +179,7 @@ inline void compute_highlights(const WorldParts& world, const SurfaceBatch& surf
 HWY_INLINE Vector3<Doubles> diffuse_of(const WorldParts& world, const MaterialLanes& material,
                                        const Light& light, const LightRules& rules, Doubles n_l,
                                        Doubles strength) {
-    return contribution(material.color(k_diffuse), lanes_of(light.color),
+    return contribution(material.color(k_diffuse), lanes_of(light.color * world.direct()),
                         diffuse_factor(world, material, rules.finish, n_l, rules), strength);
 }
 
@@ -189,7 +189,8 @@ HWY_INLINE Vector3<Doubles> specular_of(const WorldParts& world, const MaterialL
                                         Cosines<Doubles> phong, Doubles strength) {
     const Doubles seen = rules.attenuate_highlights ? strength : Doubles(1);
     if (!rules.finish.highlights)
-        return contribution(material.color(k_specular), lanes_of(light.specular_color), power, seen);
+        return contribution(material.color(k_specular), lanes_of(light.specular_color * world.direct()),
+                            power, seen);
     return finished_highlight(world, material, light, rules.finish, power, phong, seen, rules);
 }
 

@@ -7,6 +7,7 @@
 #define GLINT_TRACE_FILM_INL_H_
 #endif
 
+#include "trace/background-inl.h"
 #include "trace/camera_rays-inl.h"
 #include "trace/fog-inl.h"
 #include "trace/ray_weights-inl.h"
@@ -49,11 +50,6 @@ struct PixelLanes {
     }
 };
 
-/// The colour of rays that hit nothing.
-HWY_INLINE Color miss_color(const WorldParts& world) {
-    return world.settings.shading == Shading::normals ? Color{0, 0, 1} : world.background;
-}
-
 /// The rays that show the background directly or through glass, of those that miss.
 HWY_INLINE LaneMask<double> see_through(const RayBatch& rays, int ray, LaneMask<double> missed) {
     return rays.generation == 0 ? missed : missed && load(rays.straight.data() + ray) > Doubles(0);
@@ -75,17 +71,17 @@ inline void add_transparency(const RayBatch& rays, int ray, LaneMask<double> see
 }
 
 /// Adds a colour that rays see to their pixels. layer: that of camera rays.
-inline void add_seen(const RayBatch& rays, int ray, LaneMask<double> set, Layer layer, Color color,
-                     Film& film) {
+inline void add_seen(const RayBatch& rays, int ray, LaneMask<double> set, Layer layer,
+                     const Vector3<Doubles>& color, Film& film) {
     if (!any(set)) return;
     if (rays.generation == 0) {
         alignas(k_ray_alignment) double pixels[lane_count<double>()];
         store(Doubles(static_cast<double>(ray)) + iota(), pixels);
         film.touch(layer);
-        PixelLanes(pixels, set).add(film, layer, lanes_of(color));
+        PixelLanes(pixels, set).add(film, layer, color);
     } else {
         const PixelLanes pixels(rays.target.data() + ray, set);
-        pixels.add(film, Layer::reflection, load_vector3(rays.weight, ray) * lanes_of(color));
+        pixels.add(film, Layer::reflection, load_vector3(rays.weight, ray) * color);
     }
 }
 
@@ -94,6 +90,7 @@ inline void add_misses(const WorldParts& world, const RayBatch& rays, const HitB
                        Film& film) {
     if (rays.generation > 0 && world.conventions.mirror_miss == MissRule::black) return;
     const FoggedBackground seen = fogged_background(world, miss_color(world));
+    const bool gradient = has_gradient(world);
     for (int i = range.begin; i < range.end; i += lane_count<double>()) {
         const auto missed =
             !(load(hits.t.data() + i) < Doubles(k_infinity)) && first_lanes<double>(range.end - i);
@@ -105,8 +102,11 @@ inline void add_misses(const WorldParts& world, const RayBatch& rays, const HitB
             add_transparency(rays, ray, transparent, seen.visibility, film);
             if (world.settings.alpha) opaque = missed && !transparent;
         }
-        add_seen(rays, ray, opaque, Layer::background, seen.background, film);
-        if (seen.visibility < 1) add_seen(rays, ray, missed, Layer::fog, seen.fog, film);
+        const Vector3<Doubles> background =
+            gradient ? gradient_color(*world.gradient, rays, ray) * Doubles(seen.visibility)
+                     : lanes_of(seen.background);
+        add_seen(rays, ray, opaque, Layer::background, background, film);
+        if (seen.visibility < 1) add_seen(rays, ray, missed, Layer::fog, lanes_of(seen.fog), film);
     }
 }
 
@@ -137,18 +137,19 @@ HWY_INLINE Vector3<Doubles> emission_of(const WorldParts& world, const MaterialL
     return ExtendedLanes(world, material).color<&Material::emission>();
 }
 
-/// The weighted light of a vector of surfaces, as it is added to the pixels. emission: only if the world uses
-/// it.
+/// The weighted light of a vector of surfaces, as it is added to the pixels. emission and sky: 0 if the world
+/// has none.
 struct HitLight {
-    Vector3<Doubles> ambient, diffuse, specular, emission;
+    Vector3<Doubles> ambient, diffuse, specular, emission, sky;
 };
 HWY_INLINE HitLight light_of(const WorldParts& world, const SurfaceBatch& surfaces,
                              const RadianceBatch& radiance, const MaterialLanes& material, int h) {
     const LocalShares shares = local_shares(world, material, surfaces, h);
     const Vector3<Doubles> weight = load_vector3(surfaces.weight, h), matte = weight * shares.matte;
+    const Vector3<Doubles> sky = world.occlusion ? matte * load_vector3(radiance.sky, h) : lanes_of(Vec3{});
     return {matte * ambient_of(world, material), matte * load_vector3(radiance.diffuse, h),
             weight * shares.highlight * load_vector3(radiance.specular, h),
-            matte * emission_of(world, material)};
+            matte * emission_of(world, material), sky};
 }
 
 /// Adds the light of surfaces [begin, end) to their pixels.
@@ -159,6 +160,7 @@ inline void add_hits(const WorldParts& world, const SurfaceBatch& surfaces, cons
     if (camera) {
         for (const Layer layer : {Layer::ambient, Layer::diffuse, Layer::specular}) film.touch(layer);
         if (emits) film.touch(Layer::emission);
+        if (world.occlusion) film.touch(Layer::sky);
         if (world.fog) film.touch(Layer::fog);
     }
     for (int h = begin; h < end; h += lane_count<double>()) {
@@ -170,12 +172,13 @@ inline void add_hits(const WorldParts& world, const SurfaceBatch& surfaces, cons
             pixels.add(film, Layer::diffuse, light.diffuse);
             pixels.add(film, Layer::specular, light.specular);
             if (emits) pixels.add(film, Layer::emission, light.emission);
-            if (world.fog) pixels.add(film, Layer::fog, load_vector3(surfaces.fog, h));
         } else {
             pixels.add(film, Layer::reflection, light.ambient, light.diffuse, light.specular);
             if (emits) pixels.add(film, Layer::reflection, light.emission);
-            if (world.fog) pixels.add(film, Layer::reflection, load_vector3(surfaces.fog, h));
         }
+        if (world.occlusion) pixels.add(film, camera ? Layer::sky : Layer::reflection, light.sky);
+        if (world.fog)
+            pixels.add(film, camera ? Layer::fog : Layer::reflection, load_vector3(surfaces.fog, h));
     }
 }
 
@@ -206,7 +209,7 @@ HWY_INLINE float alpha_value(const Film& film, std::size_t p, double samples) {
 
 /// Computes `count` pixels from number `first` on (docs/architecture.md): each layer is averaged over the
 /// samples and rounded to float; then background + ambient + diffuse + specular + reflected + transmitted +
-/// emission + fog are added in this order.
+/// emission + sky + fog are added in this order.
 inline void resolve_row(const Film& film, double samples, int first, int count, float* to) {
     Layer layers[k_light_layers];
     int touched = 0;

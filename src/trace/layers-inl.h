@@ -20,7 +20,8 @@ inline void clear_first_hits(FirstHits& first_hits) {
     for (auto* vector : {first_hits.normal, first_hits.position, first_hits.albedo}) {
         for (int c = 0; c < 3; ++c) clear(vector[c], 0);
     }
-    for (auto* column : {&first_hits.object, &first_hits.material, &first_hits.tested, &first_hits.occluded})
+    for (auto* column : {&first_hits.object, &first_hits.material, &first_hits.tested, &first_hits.occluded,
+                         &first_hits.sky_tested, &first_hits.sky_blocked})
         clear(*column, 0);
     clear(first_hits.depth, k_infinity);
 }
@@ -76,6 +77,16 @@ inline void count_unoccluded(const WorldParts& world, const SurfaceBatch& surfac
     }
 }
 
+/// For the layer `occlusion`: counts the samples of the surfaces of camera rays, and those that are blocked.
+inline void count_sky(const WorldParts& world, const SurfaceBatch& surfaces, const SkyBatch& sky,
+                      FirstHits& first_hits) {
+    for (std::size_t h = 0; h < static_cast<std::size_t>(surfaces.count); ++h) {
+        const auto p = static_cast<std::size_t>(surfaces.target[h]);
+        first_hits.sky_tested[p] += world.occlusion->samples;
+        first_hits.sky_blocked[p] += sky.blocked[h];
+    }
+}
+
 /// Value c of a layer at a pixel of the tile.
 inline float layer_value(const Film& film, const FirstHits& first_hits, Layer layer, int c, std::size_t p,
                          double samples) {
@@ -95,6 +106,10 @@ inline float layer_value(const Film& film, const FirstHits& first_hits, Layer la
         case Layer::shadow:
             return first_hits.tested[p] > 0
                        ? static_cast<float>(first_hits.occluded[p] / first_hits.tested[p])
+                       : 0.0f;
+        case Layer::occlusion:
+            return first_hits.sky_tested[p] > 0
+                       ? static_cast<float>(first_hits.sky_blocked[p] / first_hits.sky_tested[p])
                        : 0.0f;
         case Layer::alpha:
             return alpha_value(film, p, samples);

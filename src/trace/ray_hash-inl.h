@@ -17,7 +17,9 @@ namespace glint {
 namespace HWY_NAMESPACE {
 
 /// Whether the World samples anything at surfaces.
-inline bool needs_hashes(const WorldParts&) { return false; }
+inline bool needs_hashes(const WorldParts& world) {
+    return world.occlusion && world.occlusion->method == OcclusionMethod::hashed;
+}
 
 /// Computes the hash of each pixel of the tile, or of the list if there is one: of the words up to the
 /// sample.

@@ -10,6 +10,7 @@
 
 #include "trace/direct_lighting-inl.h"
 #include "trace/film-inl.h"
+#include "trace/occlusion-inl.h"
 #include "trace/record.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -97,7 +98,11 @@ inline void record_rays(const WorldParts& world, const RayBatch& rays, const Hit
             record.batch.push_back(record.rays.size());
         } else if (camera || world.conventions.mirror_miss != MissRule::black) {
             ray.transparent = rays.alpha && (camera || rays.straight[static_cast<std::size_t>(number)] > 0);
-            const FoggedBackground seen = fogged_background(world, miss_color(world));
+            FoggedBackground seen = fogged_background(world, miss_color(world));
+            if (has_gradient(world))
+                seen.background =
+                    Vector3Elements(gradient_color(*world.gradient, rays, number) * Doubles(seen.visibility))
+                        .color(0);
             if (!(ray.transparent && world.settings.alpha)) ray.background = ray.weight * seen.background;
             ray.visibility = seen.visibility;
             ray.fog = ray.weight * seen.fog;
@@ -193,6 +198,32 @@ inline void record_light(const WorldParts& world, const PreparedLight& light, co
     record.shadow_steps.clear();
 }
 
+/// Records the rays of one occlusion sample that are blocked.
+inline void record_sky_rays(const ShadowRayBatch& rays, const SkyBatch& sky, TileRecord& record) {
+    for (std::size_t r = 0; r < static_cast<std::size_t>(rays.count); ++r) {
+        if (rays.occluded[r] == 0) continue;
+        const auto i = static_cast<int>(r);
+        record.blocked_sky.push_back({record.batch[sky.order[static_cast<std::size_t>(sky.entry[r])]],
+                                      vec3_at(rays.origin, i), vec3_at(rays.direction, i), rays.t_min[r],
+                                      rays.t_max[r]});
+    }
+}
+
+/// Records the light from all directions, after its terms have been computed.
+inline void record_sky(const WorldParts& world, const SurfaceBatch& surfaces, const SkyBatch& sky,
+                       const RadianceBatch& radiance, TileRecord& record) {
+    for_each_hit(surfaces, [&](int h, int lanes) HWY_ATTR {
+        const LaneElements factor(sky_factor(*world.occlusion, sky, h));
+        for (int k = 0; k < lanes; ++k) {
+            ExplainedOcclusion& to = record.hit(h + k).occlusion.emplace();
+            to.samples = world.occlusion->samples;
+            to.blocked = static_cast<int>(sky.blocked[static_cast<std::size_t>(h + k)]);
+            to.factor = factor[k];
+            to.light = color_at(radiance.sky, h + k);
+        }
+    });
+}
+
 /// The hits of a vector that have secondary rays, that are glass or transparent, that are transparent, whose
 /// rays are traced, and whose rays the limit of reflections stops.
 struct SecondaryMasks {
@@ -261,6 +292,7 @@ inline void record_sums(const WorldParts& world, const SurfaceBatch& surfaces, c
                         Vector3Elements(light.specular), Vector3Elements(light.emission)};
         const LocalShares shares = local_shares(world, material, surfaces, h);
         const LaneElements share(shares.matte), highlight_share(shares.highlight);
+        const Vector3Elements sky(light.sky);
         for (int k = 0; k < lanes; ++k) {
             ExplainedHit& hit = record.hit(h + k);
             hit.ambient = ambient.color(k);
@@ -276,6 +308,7 @@ inline void record_sums(const WorldParts& world, const SurfaceBatch& surfaces, c
                     LaneElements(TransparencyLanes(world, material).opacity(world.conventions.opacity))[k];
             }
             for (int part = 0; part < 4; ++part) hit.parts[part] = parts[part].color(k);
+            if (hit.occlusion) hit.occlusion->part = sky.color(k);
         }
     });
 }

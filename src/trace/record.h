@@ -45,6 +45,12 @@ struct TileRecord {
         double t;
     };
     std::vector<ShadowStep> shadow_steps;  // the transparent surfaces on the shadow rays of the current light
+    struct SkyRay {
+        std::size_t ray;  // whose hit it starts from
+        Vec3 origin, direction;
+        double t_min, t_max;
+    };
+    std::vector<SkyRay> blocked_sky;  // the occlusion samples that are blocked
 
     std::vector<std::size_t> batch;  // the rays of the hits in the current batch
     ExplainedHit& hit(int h) { return *rays[batch[static_cast<std::size_t>(h)]].hit; }

@@ -61,6 +61,7 @@ struct TileScratch {
     LightSampleBatch light_samples;
     HighlightBatch highlights;
     ShadowRayBatch shadow_rays;
+    SkyBatch sky;
     SecondaryRayBatch secondary;
     Film film;
     FirstHits first_hits;
@@ -69,6 +70,7 @@ struct TileScratch {
     std::array<float, k_bordered_tile_floats> one_sample;
     SteppedRays stepped_rays;  // for transparent surfaces only
 
+    int pixel_sample = 0;  // the number of the current sample of the pixels
     RayCounts counts;
     TileRecord* record = nullptr;  // records the stages of a one-pixel tile (trace/record.h); null: none
     /// Whether all stages run even if no ray hits a shape.

@@ -12,6 +12,7 @@
 #include "trace/film-inl.h"
 #include "trace/intersect-inl.h"
 #include "trace/layers-inl.h"
+#include "trace/occlusion-inl.h"
 #include "trace/queue_secondary_rays-inl.h"
 #include "trace/ray_hash-inl.h"
 #include "trace/surface-inl.h"
@@ -40,6 +41,29 @@ inline void light_surfaces(const WorldParts& world, const PreparedLight& light, 
         record_light(world, light, s.surfaces, s.light_samples, s.shadow_rays, *s.record);
 }
 
+/// Runs the stages of the light from all directions.
+inline void light_from_sky(const WorldParts& world, TileScratch& s) {
+    const Vec3* const fixed = fixed_block(world, s.surfaces, s.pixel_sample);
+    const SampleGrid grid(world.occlusion->samples);
+    sort_surfaces(s.surfaces, s.sky);
+    for (int sample = 0; sample < world.occlusion->samples; ++sample) {
+        make_sky_rays(world, grid, fixed, sample, s.sky, s.shadow_rays);
+        if (s.shadow_rays.count == 0) continue;
+        if (world.settings.shadows) {
+            intersect_shadow(world, s.shadow_rays);
+            s.counts.shadow += static_cast<std::uint64_t>(s.shadow_rays.count);
+        } else {
+            std::fill_n(s.shadow_rays.occluded.begin(), s.shadow_rays.count, std::uint8_t{0});
+        }
+        add_sky_sample(s.shadow_rays, s.sky);
+        if (s.record != nullptr) record_sky_rays(s.shadow_rays, s.sky, *s.record);
+    }
+    unsort_sky(s.sky);
+    if (s.surfaces.generation == 0 && s.first_hits.wanted) count_sky(world, s.surfaces, s.sky, s.first_hits);
+    add_sky(world, s.surfaces, s.sky, s.radiance);
+    if (s.record != nullptr) record_sky(world, s.surfaces, s.sky, s.radiance, *s.record);
+}
+
 /// Runs the stages that follow intersect() for a range of rays. Adds their light to the film, and the mirror
 /// and glass rays of their surfaces to the next generation.
 inline void shade(const WorldParts& world, RayRange range, TileScratch& s) {
@@ -63,6 +87,7 @@ inline void shade(const WorldParts& world, RayRange range, TileScratch& s) {
     if (s.record != nullptr) record_rays(world, s.rays, s.hits, range, s.surfaces, *s.record);
     clear_radiance(s.surfaces, s.radiance);
     for (const PreparedLight& light : *world.lights) light_surfaces(world, light, s);
+    if (world.occlusion) light_from_sky(world, s);
     add_to_film(world, s.rays, s.hits, range.begin, s.surfaces, s.radiance, s.film);
     if (s.record != nullptr) record_sums(world, s.surfaces, s.radiance, *s.record);
     queue_secondary_rays(world, s.surfaces, s.secondary, s.film, s.counts, s.record);
@@ -128,9 +153,10 @@ inline bool trace_samples(const WorldParts& world, const TileJob& job, const Pix
             s.counts.camera += static_cast<std::uint64_t>(s.rays.count);
             if (is_limited(world)) s.secondary.of_pixel.fill(0);
             s.first_hits.is_middle = sample.is_middle();
+            s.pixel_sample = sample.number();
             if (record != nullptr) s.record = record->begin(sample.number()) ? record : nullptr;
             if (trace_sample(world, s)) continue;
-            added = n > 1;
+            added = n > 1 || has_gradient(world);
             if (added) add_misses(world, s.rays, s.hits, {0, s.hits.count}, s.film);
         }
     }
@@ -144,7 +170,7 @@ inline bool render_uniform_tile(const WorldParts& world, const TileJob& job, int
     const bool layers = job.layers != nullptr;
     s.first_hits.wanted = layers;
     if (layers) clear_first_hits(s.first_hits);
-    if (!s.needs_every_stage() && is_tile_empty(world, job)) {
+    if (!s.needs_every_stage() && !has_gradient(world) && is_tile_empty(world, job)) {
         s.counts.camera += static_cast<std::uint64_t>(n) * static_cast<std::uint64_t>(n) *
                            static_cast<std::uint64_t>(job.width * job.height);
         fill_background(world, job, n);

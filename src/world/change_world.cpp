@@ -7,6 +7,7 @@
 #include "scene/mistakes.h"
 #include "world/edit_index.h"
 #include "world/prepare_camera.h"
+#include "world/prepare_sky.h"
 #include "world/shading.h"
 #include "world/world.h"
 
@@ -112,6 +113,24 @@ Result<World> with_fog(const World& world, const std::optional<Fog>& fog) {
         given.fog = fog;
         return changed(world, find_mistakes(given, ScenePart::background),
                        [&](WorldParts& parts) { parts.fog = fog; });
+    });
+}
+
+Result<World> with_gradient(const World& world, const std::optional<BackgroundGradient>& gradient) {
+    return change_world([&]() -> Result<World> {
+        Scene given;
+        given.gradient = gradient;
+        return changed(world, find_mistakes(given, ScenePart::background),
+                       [&](WorldParts& parts) { set_gradient(gradient, parts); });
+    });
+}
+
+Result<World> with_occlusion(const World& world, const std::optional<Occlusion>& occlusion) {
+    return change_world([&]() -> Result<World> {
+        Scene given;
+        given.occlusion = occlusion;
+        return changed(world, find_mistakes(given, ScenePart::background),
+                       [&](WorldParts& parts) { set_occlusion(occlusion, parts); });
     });
 }
 

@@ -5,6 +5,7 @@
 #include "scene/mistakes.h"
 #include "world/pack_shapes.h"
 #include "world/prepare_camera.h"
+#include "world/prepare_sky.h"
 #include "world/shading.h"
 #include "world/world.h"
 
@@ -30,6 +31,8 @@ Result<World> prepare(const Scene& scene, const PrepareOptions& options) {
         parts.ambient = lights.ambient;
         parts.background = scene.background;
         parts.fog = scene.fog;
+        set_gradient(scene.gradient, parts);
+        set_occlusion(scene.occlusion, parts);
         parts.scene_camera = scene.camera;
         parts.camera = prepare_camera(scene.camera, scene.settings);
         parts.conventions = scene.conventions;

@@ -53,11 +53,17 @@ struct WorldParts {
     Color ambient{0, 0, 0};                          // I_a: the sum of the ambient lights
     Color background;
     std::optional<Fog> fog;
+    std::optional<BackgroundGradient> gradient;  // `up` is a unit vector
+    std::optional<Occlusion> occlusion;
+    CopyOnWrite<std::vector<Vec3>> occlusion_directions;  // method fixed: k_occlusion_blocks times samples
     Camera scene_camera;  // from which `camera` was prepared, for the settings' size
     PreparedCamera camera;
     Conventions conventions;
     RenderSettings settings;
     bool last_of_equals = false;  // for check: of shapes hit at the same t, the last one is the hit
+
+    /// The factor of the light of the lights.
+    double direct() const { return occlusion ? occlusion->direct : 1; }
 
     /// A row of the table of materials.
     const double* material(std::uint32_t row) const {

@@ -11,6 +11,7 @@
 #include "scene/fog_fields.h"
 #include "scene/light_fields.h"
 #include "scene/material_fields.h"
+#include "scene/sky_fields.h"
 
 namespace glint::test {
 namespace {
@@ -35,6 +36,7 @@ std::vector<std::string> rows_below(const std::string& document, const std::stri
 }
 
 std::string value_text(const NumberType& type) { return std::string(type.range.text); }
+std::string value_text(const WholeType& type) { return std::string(type.range.text); }
 std::string value_text(BoolType) { return "true or false"; }
 std::string value_text(PointType) { return "(x, y, z)"; }
 std::string value_text(DirectionType) { return "(x, y, z), any length but 0"; }
@@ -125,6 +127,18 @@ TEST(DocumentedFields, OfFog) {
         expected.push_back(
             fmt::format("{} | {} | {} |", row_start(field), kinds_with(field), field.description));
     expect_rows(rows_below(read_document("formats/glint.md"), "fog"), expected, {"type"});
+}
+
+TEST(DocumentedFields, OfOcclusion) {
+    std::vector<std::string> expected;
+    for (const ItemField<Occlusion>& field : k_occlusion_fields) expected.push_back(row_of(field));
+    expect_rows(rows_below(read_document("formats/glint.md"), "occlusion"), expected, {"method"});
+}
+
+TEST(DocumentedFields, OfBackgroundGradient) {
+    std::vector<std::string> expected;
+    for (const ItemField<BackgroundGradient>& field : k_gradient_fields) expected.push_back(row_of(field));
+    expect_rows(rows_below(read_document("formats/glint.md"), "background_gradient"), expected, {"type"});
 }
 
 TEST(DocumentedFields, OfMaterials) {

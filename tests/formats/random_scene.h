@@ -23,6 +23,7 @@ class RandomScene {
         for (std::size_t n = pick(4), i = 0; i < n; ++i) s.transforms.push_back(map());
         for (std::size_t n = 1 + pick(20), i = 0; i < n; ++i) make_shape(s);
         if (!often()) make_fog(s);
+        if (!often()) make_sky(s);
         return s;
     }
 
@@ -57,6 +58,24 @@ class RandomScene {
         if (fog.has_end()) fog.end = fog.start + between(0.1, 9);
         fog.transmit = often() ? 0 : fraction();
         s.fog = fog;
+    }
+    void make_sky(Scene& s) {
+        BackgroundGradient gradient;
+        gradient.kind = static_cast<GradientKind>(pick(2));
+        gradient.up = direction();
+        gradient.bottom = between(-3, 3);
+        gradient.top = gradient.bottom + between(0.1, 9);
+        gradient.bottom_color = color();
+        gradient.top_color = color();
+        gradient.repeats = often();
+        s.gradient = gradient;
+        Occlusion occlusion;
+        occlusion.method = static_cast<OcclusionMethod>(pick(2));
+        occlusion.samples = 1 + static_cast<std::int32_t>(pick(4096));
+        occlusion.color = color();
+        if (often()) occlusion.reach = length();
+        occlusion.direct = often() ? between(0, 2) : 1;
+        s.occlusion = occlusion;
     }
     Vec3 point() { return {coordinate(), coordinate(), coordinate()}; }
     Vec3 direction() {

@@ -69,6 +69,19 @@ class SceneFingerprint {
             add(s_.fog->start), add(s_.fog->transmit);
             add(s_.fog->has_density() ? s_.fog->density : s_.fog->end);
         }
+        if (s_.gradient) {
+            const BackgroundGradient& g = *s_.gradient;
+            line("gradient");
+            out_ += ' ' + std::string(to_string(g.kind));
+            add(g.up), add(g.bottom), add(g.top), add(g.bottom_color), add(g.top_color),
+                add(g.repeats ? 1.0 : 0.0);
+        }
+        if (s_.occlusion) {
+            const Occlusion& o = *s_.occlusion;
+            line("occlusion");
+            out_ += ' ' + std::string(to_string(o.method));
+            add(static_cast<double>(o.samples)), add(o.color), add(o.reach), add(o.direct);
+        }
         add_camera();
         for (std::uint32_t i = 0; i < s_.lights.size(); ++i) add_light(i);
         for (std::uint32_t i = 0; i < s_.shapes.size(); ++i) add_shape(i);

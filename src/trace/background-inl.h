@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+// What rays see that hit nothing: the background, or its gradient.
+#if defined(GLINT_TRACE_BACKGROUND_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef GLINT_TRACE_BACKGROUND_INL_H_
+#undef GLINT_TRACE_BACKGROUND_INL_H_
+#else
+#define GLINT_TRACE_BACKGROUND_INL_H_
+#endif
+
+#include "simd/vec3-inl.h"
+#include "trace/batches.h"
+#include "world/world.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace glint {
+namespace HWY_NAMESPACE {
+
+/// Whether the background differs from ray to ray.
+HWY_INLINE bool has_gradient(const WorldParts& world) {
+    return world.gradient.has_value() && world.settings.shading != Shading::normals;
+}
+
+/// The colour of rays that hit nothing, without gradient.
+HWY_INLINE Color miss_color(const WorldParts& world) {
+    return world.settings.shading == Shading::normals ? Color{0, 0, 1} : world.background;
+}
+
+/// The colours of a vector of rays that hit nothing.
+HWY_INLINE Vector3<Doubles> gradient_color(const BackgroundGradient& gradient, const RayBatch& rays,
+                                           int ray) {
+    const bool sphere = gradient.kind == GradientKind::sphere;
+    const Vector3<Doubles> from =
+        sphere ? normalize(load_vector3(rays.direction, ray)) : load_vector3(rays.origin, ray);
+    Doubles v = (dot(from, lanes_of(gradient.up)) - Doubles(gradient.bottom)) /
+                Doubles(gradient.top - gradient.bottom);
+    if (gradient.repeats) {
+        const Doubles nearest = round_to_integer(v);
+        v = v - select(nearest > v, nearest - Doubles(1), nearest);
+    }
+    v = min(max(v, Doubles(0)), Doubles(1));
+    return lanes_of(gradient.top_color) * v + lanes_of(gradient.bottom_color) * (Doubles(1) - v);
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace glint
+HWY_AFTER_NAMESPACE();
+
+#endif
