@@ -66,9 +66,14 @@ HWY_INLINE void trace_chunk(const WorldParts& world, const RaySpan& rays, int co
             }
             traverse_packet<ordered>(geometry.bvh, packet, tests);
         } else {
-            for (int i = first; i < first + n; ++i)
-                if (slab_rays.t_max[i] >= slab_rays.t_min[i])
-                    traverse_ray<ordered>(geometry.bvh, slab_rays, i, BvhChild::node(0), tests);
+            for (int i = first; i < first + n; ++i) {
+                if (!(slab_rays.t_max[i] >= slab_rays.t_min[i])) continue;
+                if (!ordered && occluder != k_none) {  // often the occluder of the next ray, too
+                    tests.visit(i, occluder, 1);
+                    if (!(slab_rays.t_max[i] >= slab_rays.t_min[i])) continue;
+                }
+                traverse_ray<ordered>(geometry.bvh, slab_rays, i, BvhChild::node(0), tests);
+            }
         }
     }
 }
