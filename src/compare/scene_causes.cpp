@@ -138,6 +138,7 @@ void add_raw_diffuse(const Scene& scene, std::vector<SceneCause>& causes) {
             if (is_ambient(light)) switch_off(light);
         }
         diffuse.background = {0, 0, 0};
+        diffuse.gradient.reset();
         diffuse.conventions.normalize = false;
         std::optional<Image> sum = render(others);
         const std::optional<Image> part = render(diffuse);
