@@ -16,10 +16,11 @@ import alpha
 import finish
 import fog
 import lights
+import sky
 import transparency
 
 SHARE = 0.99
-LISTS = [lights.RULES, fog.RULES, alpha.RULES, finish.RULES, transparency.RULES]
+LISTS = [lights.RULES, fog.RULES, alpha.RULES, finish.RULES, transparency.RULES, sky.RULES]
 
 
 def read_ppm(path):
