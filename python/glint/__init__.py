@@ -12,6 +12,7 @@ docs/python.md is the guide.
 
 from ._errors import GlintError, GlintWarning
 from ._glint import (
+    BackgroundGradient,
     Box,
     Camera,
     CameraFrame,
@@ -22,6 +23,7 @@ from ._glint import (
     Fog,
     Light,
     Material,
+    Occlusion,
     Plane,
     Polygon,
     Shape,
@@ -40,9 +42,9 @@ from ._tools import Finding, Versus, check, compare, convert, explain, load, loa
 from ._values import Attenuation, Color, ColorLike, Vec3, VectorLike
 
 __all__ = [
-    "Attenuation", "Box", "Camera", "CameraFrame", "Color", "ColorLike", "Comparison", "Cone", "Cylinder",
+    "Attenuation", "BackgroundGradient", "Box", "Camera", "CameraFrame", "Color", "ColorLike", "Comparison", "Cone", "Cylinder",
     "Diagnostic", "Disc", "Explanation", "Finding", "Fog", "GlintError", "GlintWarning", "Graded", "GradedPart", "Hits",
-    "Image", "Light", "Material", "Plane", "Polygon", "Record", "Scene", "Shape", "SmoothTriangle", "Sphere",
+    "Image", "Light", "Material", "Occlusion", "Plane", "Polygon", "Record", "Scene", "Shape", "SmoothTriangle", "Sphere",
     "Triangle", "Vec3", "VectorLike", "Versus", "check", "compare", "convert", "explain", "grade", "isa_names",
     "load", "loads", "profiles", "setting_infos", "versus",
 ]

@@ -185,6 +185,50 @@ class Camera:
     def __deepcopy__(self, memo: Dict[Any, Any]) -> Camera: ...
     __hash__: None  # type: ignore[assignment]
 
+class Occlusion:
+    def __init__(
+        self,
+        method: str = ...,
+        *,
+        samples: int = ...,
+        color: ColorLike = ...,
+        reach: float = ...,
+        direct: float = ...,
+    ) -> None: ...
+    method: str
+    samples: int
+    color: _ColorField
+    reach: float
+    direct: float
+    def __eq__(self, other: object) -> bool: ...
+    def __copy__(self) -> Occlusion: ...
+    def __deepcopy__(self, memo: Dict[Any, Any]) -> Occlusion: ...
+    __hash__: None  # type: ignore[assignment]
+
+class BackgroundGradient:
+    def __init__(
+        self,
+        kind: str = ...,
+        *,
+        up: VectorLike = ...,
+        bottom: float = ...,
+        top: float = ...,
+        bottom_color: ColorLike = ...,
+        top_color: ColorLike = ...,
+        repeats: bool = ...,
+    ) -> None: ...
+    kind: str
+    up: _VectorField
+    bottom: float
+    top: float
+    bottom_color: _ColorField
+    top_color: _ColorField
+    repeats: bool
+    def __eq__(self, other: object) -> bool: ...
+    def __copy__(self) -> BackgroundGradient: ...
+    def __deepcopy__(self, memo: Dict[Any, Any]) -> BackgroundGradient: ...
+    __hash__: None  # type: ignore[assignment]
+
 class Fog:
     def __init__(
         self,
@@ -382,6 +426,8 @@ class SceneState:
     background: _ColorField
     camera: Camera
     fog: Optional[Fog]
+    gradient: Optional[BackgroundGradient]
+    occlusion: Optional[Occlusion]
     def add_spheres(self, centers: Any, radii: Any, colors: Any, material: Optional[Material]) -> range: ...
     def add_cylinders(
         self, from_: Any, to: Any, radii: Any, colors: Any, material: Optional[Material], caps: bool

@@ -11,7 +11,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _accept, _glint
-from ._glint import Camera, Fog, Light, Material, Shape
+from ._glint import BackgroundGradient, Camera, Fog, Light, Material, Occlusion, Shape
 from ._image import Image
 from ._lists import Lights, Materials, Shapes
 from ._progress import Progress, reporting
@@ -60,6 +60,8 @@ class Scene:
         background: Optional[ColorLike] = None,
         camera: Optional[Camera] = None,
         fog: Optional[Fog] = None,
+        gradient: Optional[BackgroundGradient] = None,
+        occlusion: Optional[Occlusion] = None,
     ) -> None:
         self._state = _glint.SceneState()
         if size is not None:
@@ -70,6 +72,10 @@ class Scene:
             self.camera = camera
         if fog is not None:
             self.fog = fog
+        if gradient is not None:
+            self.gradient = gradient
+        if occlusion is not None:
+            self.occlusion = occlusion
         for item in items:
             self.add(item)
 
@@ -120,6 +126,24 @@ class Scene:
     @fog.setter
     def fog(self, fog: Optional[Fog]) -> None:
         self._state.fog = fog
+
+    @property
+    def gradient(self) -> Optional[BackgroundGradient]:
+        """The gradient in place of the background, or None: scene.gradient = glint.BackgroundGradient(up=(0, 0, 1))."""
+        return self._state.gradient
+
+    @gradient.setter
+    def gradient(self, gradient: Optional[BackgroundGradient]) -> None:
+        self._state.gradient = gradient
+
+    @property
+    def occlusion(self) -> Optional[Occlusion]:
+        """The light from all directions, or None: scene.occlusion = glint.Occlusion(samples=64, direct=0.5)."""
+        return self._state.occlusion
+
+    @occlusion.setter
+    def occlusion(self, occlusion: Optional[Occlusion]) -> None:
+        self._state.occlusion = occlusion
 
     @property
     def conventions(self) -> Settings:

@@ -100,7 +100,11 @@ void bind_settings(py::module_& m, SceneClass& cls) {
                 s.set_camera(camera);
             },
             "The Camera.")
-        .def_property("fog", &SceneState::fog, &SceneState::set_fog, "The Fog, or None.");
+        .def_property("fog", &SceneState::fog, &SceneState::set_fog, "The Fog, or None.")
+        .def_property("gradient", &SceneState::gradient, &SceneState::set_gradient,
+                      "The BackgroundGradient, or None.")
+        .def_property("occlusion", &SceneState::occlusion, &SceneState::set_occlusion,
+                      "The Occlusion, or None.");
     m.def("setting_keys", [] {
         py::list keys;
         for (const SettingKey& key : setting_keys())
@@ -115,12 +119,17 @@ void bind_settings(py::module_& m, SceneClass& cls) {
     });
 }
 
+template <class Item> bool same_optional(const std::optional<Item>& a, const std::optional<Item>& b) {
+    return a.has_value() == b.has_value() && (!a || same(*a, *b));
+}
+
 bool equal(SceneState& a, SceneState& b) {
     const Scene &x = a.scene(), &y = b.scene();
     if (x.shapes.size() != y.shapes.size() || x.lights.size() != y.lights.size() ||
         x.materials.size() != y.materials.size() || !(x.background == y.background) ||
         !(x.conventions == y.conventions) || !(x.settings == y.settings) || !same(x.camera, y.camera) ||
-        x.fog.has_value() != y.fog.has_value() || (x.fog && !same(*x.fog, *y.fog)))
+        !same_optional(x.fog, y.fog) || !same_optional(x.gradient, y.gradient) ||
+        !same_optional(x.occlusion, y.occlusion))
         return false;
     for (std::size_t i = 0; i < x.lights.size(); ++i)
         if (!same(x.lights[i], y.lights[i])) return false;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// Lights, materials, the fog and the camera as Python objects. Their attributes are the rows of the tables of
-// fields (src/scene/*_fields.h).
+// Lights, materials, the fog, the sky and the camera as Python objects. Their attributes are the rows of the
+// tables of fields (src/scene/*_fields.h).
 #include <memory>
 #include <string>
 #include <unordered_map>
@@ -22,6 +22,8 @@ using LightBox = SharedItem<Light>;
 using MaterialBox = SharedItem<Material>;
 using FrameBox = SharedItem<CameraFrame>;
 using FogBox = SharedItem<Fog>;
+using OcclusionBox = SharedItem<Occlusion>;
+using GradientBox = SharedItem<BackgroundGradient>;
 
 struct CameraBox {
     Camera value;  ///< without its frame
@@ -38,6 +40,8 @@ bool same(const Light& a, const Light& b);
 bool same(const Material& a, const Material& b);
 bool same(const Camera& a, const Camera& b);
 bool same(const Fog& a, const Fog& b);
+bool same(const Occlusion& a, const Occlusion& b);
+bool same(const BackgroundGradient& a, const BackgroundGradient& b);
 
 /// Gives a material another color. Its ambient, diffuse and specular stay the same multiples of the color, if
 /// they are multiples of it.
@@ -46,6 +50,8 @@ void set_color(Material& material, const Color& color);
 void bind_lights(py::module_& m);
 void bind_materials(py::module_& m);
 void bind_fog(py::module_& m);
+/// Occlusion and BackgroundGradient.
+void bind_sky(py::module_& m);
 /// Camera and CameraFrame.
 void bind_cameras(py::module_& m);
 

@@ -16,6 +16,7 @@ PYBIND11_MODULE(_glint, m) {
     bind_materials(m);
     bind_cameras(m);
     bind_fog(m);
+    bind_sky(m);
     bind_shapes(m);
     bind_rendering(m);
     bind_scene(m);

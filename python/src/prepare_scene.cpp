@@ -27,6 +27,8 @@ Status update(World& world, const Versions& old, const Versions& now, const Scen
     if (old.camera != now.camera && !take(with_camera(world, scene.camera))) return failed;
     if (old.background != now.background && !take(with_background(world, scene.background))) return failed;
     if (old.fog != now.fog && !take(with_fog(world, scene.fog))) return failed;
+    if (old.gradient != now.gradient && !take(with_gradient(world, scene.gradient))) return failed;
+    if (old.occlusion != now.occlusion && !take(with_occlusion(world, scene.occlusion))) return failed;
     if (old.rules != now.rules && !take(with_rules(world, scene.conventions, scene.settings))) return failed;
     if (!shapes.empty()) return edit_shapes(world, scene, shapes, options);
     return {};
@@ -58,7 +60,8 @@ Snapshot SceneState::prepare(const SettingList& overrides, const py::object& pro
     const std::uint64_t edits = edits_;
     const auto is_same = [](const Versions& a, const Versions& b) {
         return a.shapes == b.shapes && a.materials == b.materials && a.lights == b.lights &&
-               a.camera == b.camera && a.background == b.background && a.fog == b.fog && a.rules == b.rules;
+               a.camera == b.camera && a.background == b.background && a.fog == b.fog &&
+               a.gradient == b.gradient && a.occlusion == b.occlusion && a.rules == b.rules;
     };
     World world = world_;
     if (!has_world_ || !is_same(now, old) || !shapes.empty()) {

@@ -47,7 +47,12 @@ void SceneState::reset(Scene scene) {
         camera_->frame = std::make_shared<FrameBox>(FrameBox{*scene_->camera.frame, {}});
         camera_->value.frame.reset();
     }
-    fog_ = scene_->fog ? std::make_shared<FogBox>(FogBox{*scene_->fog, {}}) : nullptr;
+    const auto box_of = []<class Item>(const std::optional<Item>& item) {
+        return item ? std::make_shared<SharedItem<Item>>(SharedItem<Item>{*item, {}}) : nullptr;
+    };
+    fog_ = box_of(scene_->fog);
+    gradient_ = box_of(scene_->gradient);
+    occlusion_ = box_of(scene_->occlusion);
     has_world_ = false;
     world_ = {};
     warned_.clear();

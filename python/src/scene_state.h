@@ -27,7 +27,8 @@ void apply(const SettingList& settings, Scene& scene);
 
 /// The parts of a World that can be replaced on their own.
 struct Versions {
-    std::uint64_t shapes = 0, materials = 0, lights = 0, camera = 0, background = 0, fog = 0, rules = 0;
+    std::uint64_t shapes = 0, materials = 0, lights = 0, camera = 0, background = 0, fog = 0, gradient = 0,
+                  occlusion = 0, rules = 0;
 };
 
 /// A scene and its World at one moment. Later changes of the SceneState do not reach it, so it can be used
@@ -63,6 +64,10 @@ class SceneState {
     void set_camera(std::shared_ptr<CameraBox> camera) { camera_ = std::move(camera); }
     std::shared_ptr<FogBox> fog() { return fog_; }  ///< null: none
     void set_fog(std::shared_ptr<FogBox> fog) { fog_ = std::move(fog); }
+    std::shared_ptr<GradientBox> gradient() { return gradient_; }  ///< null: none
+    void set_gradient(std::shared_ptr<GradientBox> gradient) { gradient_ = std::move(gradient); }
+    std::shared_ptr<OcclusionBox> occlusion() { return occlusion_; }  ///< null: none
+    void set_occlusion(std::shared_ptr<OcclusionBox> occlusion) { occlusion_ = std::move(occlusion); }
 
     std::uint32_t add(const std::shared_ptr<LightBox>& light);
     /// The material's index; it is added if the scene does not have it.
@@ -104,6 +109,8 @@ class SceneState {
     std::unordered_map<const MaterialBox*, std::uint32_t> material_indices_;
     std::shared_ptr<CameraBox> camera_;
     std::shared_ptr<FogBox> fog_;
+    std::shared_ptr<GradientBox> gradient_;
+    std::shared_ptr<OcclusionBox> occlusion_;
 
     Versions now_;
     std::uint64_t edits_ = 0;  // of shapes in place, each with its number

@@ -90,11 +90,15 @@ void SceneState::sync() {
         own().camera = camera_->whole();
         ++now_.camera;
     }
-    const bool same_fog = fog_ ? scene_->fog && same(*scene_->fog, fog_->value) : !scene_->fog;
-    if (!same_fog) {
-        own().fog = fog_ ? std::optional(fog_->value) : std::nullopt;
-        ++now_.fog;
-    }
+    const auto sync_one = [&](auto Scene::*member, const auto& box, std::uint64_t& version) {
+        const auto& item = (*scene_).*member;
+        if (box ? item && same(*item, box->value) : !item) return;
+        own().*member = box ? std::optional(box->value) : std::nullopt;
+        ++version;
+    };
+    sync_one(&Scene::fog, fog_, now_.fog);
+    sync_one(&Scene::gradient, gradient_, now_.gradient);
+    sync_one(&Scene::occlusion, occlusion_, now_.occlusion);
 }
 
 }  // namespace glint::python

@@ -145,6 +145,32 @@ def test_fog(scene):
         scene.render()
 
 
+def test_occlusion_and_gradient(scene):
+    assert scene.occlusion is None and scene.gradient is None
+    plain = scene.render()
+    scene.occlusion = glint.Occlusion("fixed", samples=8, color=0.5, reach=20, direct=0.5)
+    occluded = scene.render()
+    assert occluded != plain
+    scene.occlusion.samples = 9
+    assert scene.render() != occluded  # the object is the scene's
+    scene.occlusion.method = "hashed"
+    scene.gradient = glint.BackgroundGradient(up=(0, 1, 1), bottom=-1)
+    assert glint.loads(scene.to_glint()).occlusion == scene.occlusion
+    assert glint.loads(scene.to_glint()).gradient == scene.gradient
+    assert eval(repr(scene.gradient), {"BackgroundGradient": glint.BackgroundGradient}) == scene.gradient
+    other = copy.deepcopy(scene)
+    assert other == scene and other.render() == scene.render()
+    other.gradient.repeats = True
+    assert other != scene and other.render() != scene.render()
+    assert glint.Occlusion().reach == float("inf")
+    scene.occlusion = scene.gradient = None
+    assert scene.render() == plain
+    with pytest.raises(ValueError, match="method: expected 'hashed' or 'fixed', found 'random'"):
+        glint.Occlusion("random")
+    with pytest.raises(ValueError, match="whole number from 1 to 4096"):
+        glint.Occlusion(samples=0)
+
+
 def test_lights_are_a_list(scene):
     scene.lights.append(glint.Light("ambient", color=0.2, name="fill"))
     assert [light.name for light in scene.lights] == ["key", "fill"]

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: Apache-2.0
+// The light from all directions and the background gradient as Python objects.
+#include "scene/sky_fields.h"
+
+#include "item_fields.h"
+
+namespace glint::python {
+
+template <> std::span<const ItemField<Occlusion>> fields_of() { return k_occlusion_fields; }
+template <> std::span<const ItemField<BackgroundGradient>> fields_of() { return k_gradient_fields; }
+
+namespace {
+
+/// One of two words, of which to_string() has the text.
+template <class Word> Word read_word(const char* name, const std::string& text) {
+    for (const Word word : {Word{0}, Word{1}})
+        if (to_string(word) == text) return word;
+    throw py::value_error(fmt::format("{}: expected '{}' or '{}', found '{}'", name, to_string(Word{0}),
+                                      to_string(Word{1}), text));
+}
+
+/// A class whose first argument is a word.
+template <class Item, class Word>
+void bind_item(py::module_& m, const char* name, const char* word_name, Word Item::*word,
+               const char* description) {
+    using Box = SharedItem<Item>;
+    py::class_<Box, std::shared_ptr<Box>> cls(m, name, description);
+    cls.def(py::init([=](const std::string& text, const py::kwargs& keywords) {
+                Box item;
+                item.value.*word = read_word<Word>(word_name, text);
+                set_fields(item.value, keywords, name);
+                return std::make_shared<Box>(item);
+            }),
+            py::arg(word_name) = std::string(to_string(Word{0})));
+    bind_fields<Item>(cls, &Box::value);
+    cls.def_property(
+           word_name, [=](const Box& b) { return std::string(to_string(b.value.*word)); },
+           [=](Box& b, const std::string& text) { b.value.*word = read_word<Word>(word_name, text); },
+           fmt::format("'{}' or '{}'", to_string(Word{0}), to_string(Word{1})).c_str())
+        .def("__eq__",
+             [](const Box& a, const py::object& other) {
+                 return py::isinstance<Box>(other) && same(a.value, other.cast<const Box&>().value);
+             })
+        .def("__repr__", [=](const Box& b) {
+            Item usual;
+            usual.*word = b.value.*word;
+            const std::string fields = changed_fields(b.value, usual);
+            return fmt::format("{}('{}'{}{})", name, to_string(b.value.*word), fields.empty() ? "" : ", ",
+                               fields);
+        });
+    bind_copies<decltype(cls), Box>(cls, [](const Box& b) { return b; });
+    cls.attr("__hash__") = py::none();
+}
+
+}  // namespace
+
+bool same(const Occlusion& a, const Occlusion& b) { return a.method == b.method && same_fields(a, b); }
+bool same(const BackgroundGradient& a, const BackgroundGradient& b) {
+    return a.kind == b.kind && same_fields(a, b);
+}
+
+void bind_sky(py::module_& m) {
+    bind_item(
+        m, "Occlusion", "method", &Occlusion::method,
+        "Light from all directions that shapes block (ambient occlusion): a surface reflects k_d color f, "
+        "where f is the part that arrives. method 'hashed': other directions at each point; 'fixed': the "
+        "same for all pixels, as in Tachyon.");
+    bind_item(
+        m, "BackgroundGradient", "kind", &BackgroundGradient::kind,
+        "A background that changes along `up` from `bottom_color` to `top_color`. kind 'sphere': by the "
+        "ray's direction; 'plane': by its origin, for orthographic cameras.");
+}
+
+}  // namespace glint::python
