@@ -6,6 +6,7 @@
 #include "scene/fog_fields.h"
 #include "scene/light_fields.h"
 #include "scene/material_fields.h"
+#include "scene/sky_fields.h"
 #include "world/prepare_camera.h"
 
 namespace glint::wasm {
@@ -50,15 +51,21 @@ Json light_json(const Scene& scene, std::uint32_t index) {
     return json;
 }
 
-/// Null: no fog.
-Json fog_json(const Scene& scene) {
-    if (!scene.fog) return nullptr;
-    Json json = {{"kind", to_string(scene.fog->kind)}, {"place", place_json(scene, scene.fog_place)}};
-    for (const ItemField<Fog>& field : k_fog_fields) {
-        if (applies(field, *scene.fog)) json[std::string(field.name)] = field_json<Json>(field, *scene.fog);
+/// A block that a scene has at most once. Null: it has none.
+template <class Item, std::size_t n>
+Json block_json(const Scene& scene, const std::optional<Item>& item, std::string_view kind, SourcePlace place,
+                const ItemField<Item> (&fields)[n]) {
+    if (!item) return nullptr;
+    Json json = {{"kind", kind}, {"place", place_json(scene, place)}};
+    for (const ItemField<Item>& field : fields) {
+        if (applies(field, *item)) json[std::string(field.name)] = field_json<Json>(field, *item);
     }
     return json;
 }
+template <class Item> std::string_view kind_of(const std::optional<Item>& item) {
+    return item ? to_string(item->kind) : "";
+}
+std::string_view kind_of(const std::optional<Occlusion>& item) { return item ? to_string(item->method) : ""; }
 
 /// The data for a page's controls of a kind of item.
 template <class Item> Json fields_json(std::span<const ItemField<Item>> fields) {
@@ -157,13 +164,19 @@ Json describe(const Scene& scene, const World& world) {
             {"material_count", scene.materials.size()},
             {"bounds", box.min.x <= box.max.x ? Json{{"min", vec(box.min)}, {"max", vec(box.max)}} : Json()},
             {"background", color(scene.background)},
-            {"fog", fog_json(scene)},
+            {"gradient", block_json(scene, scene.gradient, kind_of(scene.gradient), scene.gradient_place,
+                                    k_gradient_fields)},
+            {"fog", block_json(scene, scene.fog, kind_of(scene.fog), scene.fog_place, k_fog_fields)},
+            {"occlusion", block_json(scene, scene.occlusion, kind_of(scene.occlusion), scene.occlusion_place,
+                                     k_occlusion_fields)},
             {"camera", camera_json(scene)},
             {"lights", std::move(lights)},
             {"light_fields", fields_json<Light>(k_light_fields)},
             {"camera_fields", fields_json<Camera>(k_camera_fields)},
             {"material_fields", fields_json<Material>(k_material_fields)},
+            {"gradient_fields", fields_json<BackgroundGradient>(k_gradient_fields)},
             {"fog_fields", fields_json<Fog>(k_fog_fields)},
+            {"occlusion_fields", fields_json<Occlusion>(k_occlusion_fields)},
             {"blocks", blocks_json()},
             {"settings", settings_json(scene)}};
 }

@@ -84,10 +84,10 @@ export interface FieldInfo {
     keys: string[];
     label: string;
     description: string;
-    type: 'number' | 'boolean' | 'point' | 'direction' | 'color' | 'attenuation';
-    /** Of a number, or of each channel of a color. */
+    type: 'number' | 'whole' | 'boolean' | 'point' | 'direction' | 'color' | 'attenuation';
+    /** Of a number, or of each channel of a color. Null: infinite. */
     min?: number;
-    max?: number;
+    max?: number | null;
     required: boolean;
     /** Null: there is none. */
     default: number | boolean | Vec3 | null;
@@ -112,6 +112,13 @@ export interface LightInfo {
     fade_distance?: number;
     fade_power?: number;
     casts_shadows?: boolean;
+}
+
+/** Beside these, each of SceneInfo.gradient_fields or occlusion_fields. */
+export interface SkyInfo {
+    /** sphere or plane; of occlusion, hashed or fixed. */
+    kind: string;
+    place: Place | null;
 }
 
 /** Beside these, each of SceneInfo.fog_fields that the kind has. */
@@ -158,13 +165,17 @@ export interface SceneInfo {
     /** The box around all bounded shapes. */
     bounds: {min: Vec3; max: Vec3} | null;
     background: Vec3;
+    gradient: SkyInfo | null;
     fog: FogInfo | null;
+    occlusion: SkyInfo | null;
     camera: CameraInfo;
     lights: LightInfo[];
     light_fields: FieldInfo[];
     camera_fields: FieldInfo[];
     material_fields: FieldInfo[];
+    gradient_fields: FieldInfo[];
     fog_fields: FieldInfo[];
+    occlusion_fields: FieldInfo[];
     /** The keys of each block of .glint: {sphere: ['center', 'radius', ...], ...}. */
     blocks: Record<string, string[]>;
     settings: Setting[];
@@ -256,6 +267,8 @@ export interface ExplainedHit {
     fresnel: number;
     reflected: ExplainedSecondaryRay;
     transmitted: ExplainedSecondaryRay;
+    /** If the scene has occlusion: the light from all directions; part: the contribution to the pixel. */
+    occlusion?: {samples: number; blocked: number; factor: number; light: Vec3; part: Vec3; occluders: {shape: NamedItem; samples: number}[]};
 }
 
 export interface ExplainedRay {
@@ -281,7 +294,7 @@ export interface ExplainedRay {
     transparent?: boolean;
 }
 
-export type LightLayer = 'background' | 'ambient' | 'diffuse' | 'specular' | 'reflection' | 'transmission' | 'emission' | 'fog';
+export type LightLayer = 'background' | 'ambient' | 'diffuse' | 'specular' | 'reflection' | 'transmission' | 'emission' | 'sky' | 'fog';
 
 /** The explanation of a pixel. The layers, added up as floats in their order, are the value. */
 export interface Explanation {

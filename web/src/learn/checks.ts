@@ -22,7 +22,7 @@ function holds(value: number | null | undefined, sign: string, limit: number): b
 
 const largest = (color: readonly number[]) => Math.max(...color);
 const channels = ['red', 'green', 'blue'];
-const layers = ['background', 'ambient', 'diffuse', 'specular', 'reflection', 'transmission', 'emission', 'fog'] as const;
+const layers = ['background', 'ambient', 'diffuse', 'specular', 'reflection', 'transmission', 'emission', 'sky', 'fog'] as const;
 
 /** A quantity of a pixel: a channel's byte, a layer, the material's exponent, the number of rays. */
 function ofPixel(explanation: Explanation | null, what: string): number | null {

@@ -13,7 +13,7 @@ export function addedBy(ray: ExplainedRay): Vec3 {
 
 /** The same without the fog before the surface or the background. */
 function ownLight({hit, background}: ExplainedRay): Vec3 {
-    return hit ? ([0, 1, 2].map((c) => hit.parts.ambient[c]! + hit.parts.diffuse[c]! + hit.parts.specular[c]! + hit.parts.emission[c]!) as Vec3) : background!;
+    return hit ? ([0, 1, 2].map((c) => hit.parts.ambient[c]! + hit.parts.diffuse[c]! + hit.parts.specular[c]! + hit.parts.emission[c]! + (hit.occlusion?.part[c] ?? 0)) as Vec3) : background!;
 }
 
 /** The rays in the order of the tree: each before the mirror ray and the ray through glass that it causes. */

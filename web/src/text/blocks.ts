@@ -155,11 +155,12 @@ function light(text: string, offset: number, canAdd: boolean): LightText | null 
 
 const valueText = (value: number | boolean | Vec3) => (typeof value === 'number' ? number(value) : typeof value === 'boolean' ? String(value) : vector(value));
 
-function fog(text: string, offset: number): FogText | null {
-    const block = blockAt(text, offset, 'fog');
+/** A block that a scene has at most once; `key` says its kind. */
+function onlyBlock(text: string, offset: number, word: string, key: string): FogText | null {
+    const block = blockAt(text, offset, word);
     if (!block) return null;
     return {
-        setKind: (kind) => set(text, block, 'type', kind),
+        setKind: (kind) => set(text, block, key, kind),
         setField: (field, value) => set(text, block, field.keys[0]!, valueText(value)),
         remove() {
             const line = /^[ \t]*(?:\r?\n)?/.exec(text.slice(block.close + 1))![0];
@@ -180,6 +181,12 @@ function top(text: string, settings: string[]): number {
     return comments.length;
 }
 
+/** Adds a line at the top. */
+function addLine(text: string, line: string): Edit[] {
+    const at = top(text, ['glint', 'profile', 'background']);
+    return [{from: at, to: at, insert: `${at > 0 && text[at - 1] !== '\n' ? '\n' : ''}${line}\n`}];
+}
+
 export const glint: SceneFormat = {
     name: '.glint',
     setting(text, key, value, isConvention) {
@@ -192,11 +199,10 @@ export const glint: SceneFormat = {
         return [{from: at, to: at, insert: `${at > 0 && text[at - 1] !== '\n' ? '\n' : ''}${word} { ${key} = ${shown} }\n`}];
     },
     light: (text, offset) => light(text, offset, true),
-    fog,
-    addFog(text, density) {
-        const at = top(text, ['glint', 'profile', 'background']);
-        return [{from: at, to: at, insert: `${at > 0 && text[at - 1] !== '\n' ? '\n' : ''}fog { type = exp  color = (0.7, 0.75, 0.8)  density = ${number(density)} }\n`}];
-    },
+    fog: (text, offset) => onlyBlock(text, offset, 'fog', 'type'),
+    addFog: (text, density) => addLine(text, `fog { type = exp  color = (0.7, 0.75, 0.8)  density = ${number(density)} }`),
+    block: onlyBlock,
+    addBlock: addLine,
     camera(text, offset, camera) {
         const block = offset === null ? null : blockAt(text, offset, 'camera');
         if (!block) return null;

@@ -18,7 +18,7 @@ export interface LightText {
     setField(field: FieldInfo, value: number | boolean | Vec3): Edit[] | null;
 }
 
-/** The fog as given in its text. */
+/** The fog, or another block that a scene has at most once, as given in its text. */
 export interface FogText {
     setKind(kind: string): Edit[];
     setField(field: FieldInfo, value: number | boolean | Vec3): Edit[];
@@ -36,6 +36,10 @@ export interface SceneFormat {
     fog?(text: string, offset: number): FogText | null;
     /** Adds a fog of this density to a text without one. */
     addFog?(text: string, density: number): Edit[];
+    /** Another block of which a scene has one, by its word and the key of its kind. */
+    block?(text: string, offset: number, word: string, key: string): FogText | null;
+    /** Adds a line with such a block. */
+    addBlock?(text: string, line: string): Edit[];
     /** Moves the shape at an offset of the text by a vector of the world; null: not in this text. */
     moveShape?(text: string, offset: number, by: Vec3): Edit[] | null;
     /** The names of the scenes in a text, if it may have several. */

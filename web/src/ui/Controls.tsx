@@ -10,6 +10,7 @@ import {setSetting} from '../store/settings';
 import {info, settingOf} from '../store/state';
 import {Field, capital} from './Field';
 import {FogControls} from './Fog';
+import {SkyControls} from './Sky';
 import {Choice, NumberField, Slider, Switch} from './fields';
 
 /** The words of "a | b | c", or nothing. */
@@ -205,6 +206,7 @@ export function Controls() {
             <Faults />
             <Epsilon />
             <FogControls />
+            <SkyControls />
             <PictureControls />
             <Conventions />
             <p class="note">{shapes.join(', ')}; {facts.material_count} material{facts.material_count === 1 ? '' : 's'}.</p>

@@ -43,7 +43,7 @@ function NumbersField({field, value, set}: {field: FieldInfo; value: number | Ve
             <legend>{label}</legend>
             {numbers.map((c, i) => (
                 <NumberField key={i} label={numbers.length === 1 ? label : `${label} ${parts[field.type]![i]}`} hidden value={c}
-                             {...(field.min === undefined ? {} : {min: field.min})} {...(field.max === undefined ? {} : {max: field.max})}
+                             {...(field.min === undefined ? {} : {min: field.min})} {...(field.max == null ? {} : {max: field.max})}
                              set={(v) => setPart(i, v)} />
             ))}
         </fieldset>

@@ -135,6 +135,7 @@ function Ray({explanation, number, depth}: {explanation: Explanation; number: nu
                     <Term name="ambient" place={hit.material} formula="k_a I_a" value={shortColor(hit.ambient)} />
                     {hit.lights.map((terms, i) => <Light key={i} terms={terms} hit={hit} ray={number} index={i} />)}
                     {!isBlack(hit.emission) && <Term name="emission" place={hit.material} formula="k_e" value={shortColor(hit.emission)} />}
+                    {hit.occlusion && <Term name="sky" place={hit.material} formula={`k_d color f: ${hit.occlusion.blocked} of ${hit.occlusion.samples} samples are blocked, f = ${short(hit.occlusion.factor)}`} value={shortColor(hit.occlusion.light)} />}
                     <Term name="adds to the pixel" value={shortColor(added)} />
                     <p class="why">= {sumWords(hit)}</p>
                     {(['reflected', 'transmitted'] as const).map((side) => {

@@ -47,6 +47,7 @@ export function sentence(explanation: Explanation): string {
         }
         if (share('reflection') > 0.005) parts.push(`${Math.round(100 * share('reflection'))}% is ${seenIn(explanation, hit, 'reflected')} in the mirror`);
         if (share('transmission') > 0.005) parts.push(`${Math.round(100 * share('transmission'))}% is ${seenIn(explanation, hit, 'transmitted')} through the glass`);
+        if (share('sky') > 0.005) parts.push(`${Math.round(100 * share('sky'))}% is light from all directions${hit.occlusion ? `, of which ${Math.round(100 * hit.occlusion.blocked / hit.occlusion.samples)}% is blocked` : ''}`);
         if (share('fog') > 0.005) parts.push(`${Math.round(100 * share('fog'))}% is the fog's own light`);
     }
     for (const {light, reason, blocker} of hit.lights) {

@@ -57,4 +57,4 @@ export const highlights: Record<LightTerms['highlight'], string> = {
 export const rayNames: Record<ExplainedRay['kind'], string> = {camera: 'Camera ray', mirror: 'Mirror ray', transmitted: 'Ray through glass'};
 
 /** The layers of a pixel, in the order in which they are added. */
-export const layerNames = ['background', 'ambient', 'diffuse', 'specular', 'reflection', 'transmission', 'emission', 'fog'] as const;
+export const layerNames = ['background', 'ambient', 'diffuse', 'specular', 'reflection', 'transmission', 'emission', 'sky', 'fog'] as const;
