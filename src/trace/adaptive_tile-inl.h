@@ -114,19 +114,21 @@ inline void refine(const WorldParts& world, const TileJob& job, TileScratch& s) 
     s.first_hits.wanted = job.layers != nullptr;
     if (s.first_hits.wanted) clear_first_hits(s.first_hits);
     trace_listed(world, job, n, s, rgb);
+    if (is_cancelled(job)) return;
     const auto for_each_pixel = [&](const auto& visit) {
         for (int p = 0; p < s.pixels.count; ++p) {
             const auto i = static_cast<std::size_t>(p);
             visit(static_cast<int>(s.pixels.x[i]) - job.x, static_cast<int>(s.pixels.y[i]) - job.y, p);
         }
     };
-    for_each_pixel(
-        [&](int x, int y, int p) { std::copy_n(rgb + 3 * p, 3, pixel_in(job.rgb, job, 3, x, y)); });
+    for_each_pixel([&](int x, int y, int p) {
+        std::copy_n(rgb + 3 * p, 3, pixel_in(job.rgb, job.row_pixels, 3, x, y));
+    });
     if (s.first_hits.wanted) write_layers(job, s.film, s.first_hits, n, for_each_pixel);
 }
 
-/// Renders a tile with adaptive sampling. A one-pixel tile of explain() is recorded with its final samples.
-inline void render_adaptive_tile(const WorldParts& world, const TileJob& job, TileScratch& s) {
+/// Renders the pixels of a tile. Stops early if the render is cancelled.
+inline void render_adaptive_pixels(const WorldParts& world, const TileJob& job, TileScratch& s) {
     TileRecord* const record = s.record;
     if (record == nullptr && job.layers == nullptr && !has_gradient(world) &&
         is_tile_empty(world, with_border(job))) {
@@ -136,13 +138,21 @@ inline void render_adaptive_tile(const WorldParts& world, const TileJob& job, Ti
     s.record = nullptr;
     const bool has_alpha = render_uniform_tile(world, job, 1, s) && world.settings.alpha;
     s.first_hits.wanted = false;
+    if (is_cancelled(job)) {
+        s.record = record;
+        return;
+    }
     const OneSampleColors colors(world, job, s.one_sample.data());
     for_each_row(job, [&](int x, int y, int first, int width) {
         for (int i = 0; i < width; ++i)
-            colors.set(x + i, y, pixel_in(job.rgb, job, 3, x + i, y),
+            colors.set(x + i, y, pixel_in(job.rgb, job.row_pixels, 3, x + i, y),
                        has_alpha ? alpha_value(s.film, static_cast<std::size_t>(first + i), 1) : 0);
     });
     trace_border(world, job, colors, s);
+    if (is_cancelled(job)) {
+        s.record = record;
+        return;
+    }
 
     s.pixels.count = 0;
     SampleDifference difference;
@@ -159,6 +169,21 @@ inline void render_adaptive_tile(const WorldParts& world, const TileJob& job, Ti
         refine(world, job, s);
     } else if (record != nullptr) {
         render_uniform_tile(world, job, 1, s);
+    }
+}
+
+/// Renders a tile with adaptive sampling. A one-pixel tile of explain() is recorded with its final samples.
+/// The picture's memory is written at the end, unless the render is cancelled.
+inline void render_adaptive_tile(const WorldParts& world, const TileJob& picture_job, TileScratch& s) {
+    float pixels[3 * k_tile_pixels];
+    TileJob job = picture_job;
+    job.rgb = pixels;
+    job.row_pixels = k_tile_side;
+    render_adaptive_pixels(world, job, s);
+    if (is_cancelled(job)) return;
+    for (int y = 0; y < job.height; ++y) {
+        std::copy_n(pixel_in(pixels, k_tile_side, 3, 0, y), 3 * job.width,
+                    pixel_in(picture_job.rgb, picture_job.row_pixels, 3, 0, y));
     }
 }
 

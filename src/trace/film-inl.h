@@ -236,9 +236,9 @@ inline void resolve_row(const Film& film, double samples, int first, int count, 
 }
 
 /// A pixel of the tile in the memory of the picture, or of a layer with this number of channels.
-HWY_INLINE float* pixel_in(float* memory, const TileJob& job, int channels, int x, int y) {
+HWY_INLINE float* pixel_in(float* memory, int row_pixels, int channels, int x, int y) {
     return memory + static_cast<std::size_t>(channels) *
-                        (static_cast<std::size_t>(y) * static_cast<std::size_t>(job.row_pixels) +
+                        (static_cast<std::size_t>(y) * static_cast<std::size_t>(row_pixels) +
                          static_cast<std::size_t>(x));
 }
 
@@ -246,7 +246,7 @@ HWY_INLINE float* pixel_in(float* memory, const TileJob& job, int channels, int 
 inline void resolve(const TileJob& job, const Film& film, int n) {
     const double samples = static_cast<double>(n) * n;
     for_each_row(job, [&](int x, int y, int first, int width) HWY_ATTR {
-        resolve_row(film, samples, first, width, pixel_in(job.rgb, job, 3, x, y));
+        resolve_row(film, samples, first, width, pixel_in(job.rgb, job.row_pixels, 3, x, y));
     });
 }
 

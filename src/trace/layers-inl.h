@@ -133,7 +133,7 @@ inline void write_layers(const TileJob& job, const Film& film, const FirstHits& 
         if (to == nullptr) continue;
         const auto channels = static_cast<int>(info.channels.size());
         for_each_pixel([&](int x, int y, int p) {
-            float* at = pixel_in(to, job, channels, x, y);
+            float* at = pixel_in(to, job.layers->row_pixels, channels, x, y);
             for (int c = 0; c < channels; ++c)
                 at[c] = layer_value(film, first_hits, info.layer, c, static_cast<std::size_t>(p), samples);
         });

@@ -37,6 +37,7 @@ struct TileTargets {
 
     void add(const LayerImage& layer, float* values) {
         layers.data[static_cast<std::size_t>(layer.layer)] = values;
+        layers.row_pixels = row_pixels;
         parts.push_back({layer.layer, layer.channels, values,
                          static_cast<std::size_t>(layer.channels) * static_cast<std::size_t>(row_pixels)});
     }

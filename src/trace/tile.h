@@ -41,6 +41,7 @@ struct PixelList {
 /// The destinations of the layers of a tile, like TileJob::rgb. Null: not requested.
 struct LayerTargets {
     std::array<float*, k_layers> data{};
+    int row_pixels = 1;
     float* of(Layer layer) const { return data[static_cast<std::size_t>(layer)]; }
 };
 

@@ -111,6 +111,10 @@ inline bool trace_sample(const WorldParts& world, TileScratch& s) {
     return true;
 }
 
+inline bool is_cancelled(const TileJob& job) {
+    return job.cancel != nullptr && job.cancel->load(std::memory_order_relaxed);
+}
+
 /// Lists the pixels of a tile, in the order of their numbers.
 inline void list_tile(const TileJob& job, PixelList& pixels) {
     pixels.count = 0;
@@ -140,7 +144,7 @@ inline bool trace_samples(const WorldParts& world, const TileJob& job, const Pix
     SampleIndex sample{0, 0, n};
     for (sample.j = 0; sample.j < n; ++sample.j) {
         for (sample.i = 0; sample.i < n; ++sample.i) {
-            if (job.cancel != nullptr && job.cancel->load(std::memory_order_relaxed)) {
+            if (is_cancelled(job)) {
                 s.record = record;
                 return true;
             }
@@ -180,6 +184,7 @@ inline bool render_uniform_tile(const WorldParts& world, const TileJob& job, int
         fill_background(world, job, n);
         return false;
     }
+    if (is_cancelled(job)) return true;
     resolve(job, s.film, n);
     if (layers) write_layers(job, s.film, s.first_hits, n);
     return true;

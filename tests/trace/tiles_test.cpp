@@ -4,6 +4,7 @@
 #include <thread>
 
 #include "trace/pictures.h"
+#include "world/world.h"
 
 namespace glint::test {
 namespace {
@@ -115,20 +116,27 @@ TEST_P(Tiles, AreFinalAfterACancelledRender) {
 
 // A tile of 64 x 64 samples takes seconds.
 TEST_P(Tiles, AreNotFinishedAfterACancel) {
-    const World world = some_world();
-    std::vector<float> memory(3 * std::size_t{k_width} * k_height, -7);
-    std::atomic<bool> cancel{false};
-    RenderOptions options;
-    options.threads = GetParam();
-    options.pixels = memory;
-    options.cancel = &cancel;
-    options.next_tile = [&]() -> std::optional<std::uint32_t> {
-        cancel = true;
-        return 17;  // in the middle: it is not empty
-    };
-    options.on_tile = [&](const FinishedTile&) { ADD_FAILURE(); };
-    EXPECT_EQ(render(world, options).code, ErrorCode::cancelled);
-    EXPECT_EQ(std::count(memory.begin(), memory.end(), -7.0f), static_cast<std::ptrdiff_t>(memory.size()));
+    const World uniform = some_world();
+    RenderSettings settings = uniform.parts().settings;
+    settings.samples = 64;
+    settings.aa_threshold = 0.0;
+    const World adaptive = *with_rules(uniform, uniform.parts().conventions, settings);
+    for (const World& world : {uniform, adaptive}) {
+        std::vector<float> memory(3 * std::size_t{k_width} * k_height, -7);
+        std::atomic<bool> cancel{false};
+        RenderOptions options;
+        options.threads = GetParam();
+        options.pixels = memory;
+        options.cancel = &cancel;
+        options.next_tile = [&]() -> std::optional<std::uint32_t> {
+            cancel = true;
+            return 17;  // in the middle: it is not empty
+        };
+        options.on_tile = [&](const FinishedTile&) { ADD_FAILURE(); };
+        EXPECT_EQ(render(world, options).code, ErrorCode::cancelled);
+        EXPECT_EQ(std::count(memory.begin(), memory.end(), -7.0f),
+                  static_cast<std::ptrdiff_t>(memory.size()));
+    }
 }
 
 TEST_P(Tiles, OfASubsetAreThoseOfTheWhole) {
