@@ -93,7 +93,8 @@ class GlintWriter {
             for (std::size_t i = 0; i < keys.size(); ++i) {
                 const std::string value = get_setting(scene_, i);
                 if (keys[i].is_convention != conventions) continue;
-                if (conventions && value == get_setting(usual, i)) continue;
+                const bool is_written = !conventions && keys[i].name != "alpha" && keys[i].name != "seed";
+                if (!is_written && value == get_setting(usual, i)) continue;
                 write_setting(keys[i].name, value);
                 any = true;
             }

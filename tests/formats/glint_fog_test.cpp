@@ -20,7 +20,7 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         BadText{"kind",
                 SCENE "fog { type = $expo }",
-                {"expected linear, exp or exp2, found 'expo'; did you mean `exp`?"}},
+                {"expected `linear`, `exp` or `exp2`, found 'expo'; did you mean `exp`?"}},
         BadText{"density", SCENE "fog { density = $-1 }", {"expected a number from 0 to 1e12, found '-1'"}},
         BadText{"transmit", SCENE "fog { transmit = $1.5 }", {"expected a number from 0 to 1, found '1.5'"}},
         BadText{"distance",
