@@ -206,6 +206,24 @@ TEST(Misuse, OfLights) {
     EXPECT_EQ(odd.way_from({k_nan, k_nan, k_nan}), odd.to_light);
 }
 
+TEST(Misuse, OfFogAndSamples) {
+    EXPECT_EQ(to_string(beyond<FogKind>()), "unknown fog");
+    const Fog odd{.kind = beyond<FogKind>(), .density = k_nan, .end = k_nan};
+    EXPECT_TRUE(odd.has_density());
+    EXPECT_FALSE(odd.has_end());
+    Scene scene = some_scene();
+    scene.fog = odd;
+    EXPECT_FALSE(prepare(scene));
+    RenderSettings settings;
+    settings.aa_threshold = k_nan;
+    EXPECT_FALSE(settings.is_adaptive());
+    settings.samples = 2;
+    EXPECT_TRUE(settings.is_adaptive());
+    scene = some_scene();
+    scene.settings = settings;
+    EXPECT_FALSE(prepare(scene));
+}
+
 TEST(Misuse, OfCameras) {
     Camera odd;
     odd.projection = beyond<Projection>();

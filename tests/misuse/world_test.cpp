@@ -28,6 +28,7 @@ TEST(Misuse, OfShading) {
         camera.position.x = odd;
         expect_error(with_camera(world, camera), "a camera");
         expect_error(with_background(world, {0, odd, 0}), "a background");
+        expect_error(with_fog(world, Fog{.density = odd}), "a fog");
         Conventions conventions = scene.conventions;
         conventions.epsilon = odd;
         expect_error(with_rules(world, conventions, scene.settings), "a convention");
