@@ -33,7 +33,7 @@ Scene room() {
     scene.add(Sphere{{-0.7, 0.7, 0}, 0.7}, 0);
     scene.add(Sphere{{0.9, 0.5, 0.8}, 0.5}, 1);
     scene.add(Plane{{0, 0, 0}, {0, 1, 0}}, 1);
-    scene.add(Plane{{0, 0, -2}, {0.1, 0, 1}}, 2);
+    scene.add(Plane{{0, 0, -2}, {-0.3, 0, 1}}, 2);
     return scene;
 }
 
