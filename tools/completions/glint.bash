@@ -9,18 +9,19 @@ _glint() {
     fi
     case $command in
         render)
-            options='-h --help --scene --format --profile --convention -o --output -s --size --shading --no-shadows --reflections --aa --alpha --aov --crop --transfer --bits -t --threads --isa --resume --part --stats --strict --show -q --quiet'
+            options='-h --help --scene --format --profile --convention -o --output -s --size --shading --no-shadows --reflections --aa --seed --alpha --aov --crop --transfer --bits -t --threads --isa --resume --part --stats --strict --show -q --quiet'
             [[ $word == -* ]] || case $before in
                 --scene) return ;;
                 --format) words='cgfs epfl csc473 nff glint' ;;
                 --profile) words='cgfs epfl lecture5 light csc473 nff glint' kind=file ;;
-                --convention) words='pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= min_weight= facing= cones= fog_distance= fog_background= size= shading= shadows= reflections= aa= alpha='; compopt -o nospace 2>/dev/null ;;
+                --convention) words='pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= min_weight= facing= cones= spot_falloff= clamp_attenuation= fog_distance= fog_background= size= shading= shadows= reflections= aa= alpha= seed='; compopt -o nospace 2>/dev/null ;;
                 -o|--output) kind=file ;;
                 -s|--size) return ;;
                 --shading) words='phong blinn-phong diffuse color normals' ;;
                 --reflections) return ;;
-                --aa) return ;;
-                --aov) words='all background ambient diffuse specular reflection transmission fog normal depth position albedo shadow object material alpha' ;;
+                --aa) words='N adaptive:N[:T]' ;;
+                --seed) return ;;
+                --aov) words='all background ambient diffuse specular reflection transmission sky fog normal depth position albedo shadow occlusion object material alpha' ;;
                 --crop) return ;;
                 --transfer) words='none srgb' ;;
                 --bits) words='8 16' ;;
@@ -36,7 +37,7 @@ _glint() {
                 --scene) return ;;
                 --format) words='cgfs epfl csc473 nff glint' ;;
                 --profile) words='cgfs epfl lecture5 light csc473 nff glint' kind=file ;;
-                --convention) words='pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= min_weight= facing= cones= fog_distance= fog_background= size= shading= shadows= reflections= aa= alpha='; compopt -o nospace 2>/dev/null ;;
+                --convention) words='pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= min_weight= facing= cones= spot_falloff= clamp_attenuation= fog_distance= fog_background= size= shading= shadows= reflections= aa= alpha= seed='; compopt -o nospace 2>/dev/null ;;
                 *) kind=scene ;;
             esac ;;
         convert)
@@ -45,31 +46,32 @@ _glint() {
                 --scene) return ;;
                 --format) words='cgfs epfl csc473 nff glint' ;;
                 --profile) words='cgfs epfl lecture5 light csc473 nff glint' kind=file ;;
-                --convention) words='pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= min_weight= facing= cones= fog_distance= fog_background= size= shading= shadows= reflections= aa= alpha='; compopt -o nospace 2>/dev/null ;;
+                --convention) words='pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= min_weight= facing= cones= spot_falloff= clamp_attenuation= fog_distance= fog_background= size= shading= shadows= reflections= aa= alpha= seed='; compopt -o nospace 2>/dev/null ;;
                 -o|--output) kind=file ;;
                 *) kind=scene ;;
             esac ;;
         check)
-            options='-h --help --scene --format --profile --convention -s --size --shading --no-shadows --reflections --aa -t --threads --strict --json -q --quiet'
+            options='-h --help --scene --format --profile --convention -s --size --shading --no-shadows --reflections --aa --seed -t --threads --strict --json -q --quiet'
             [[ $word == -* ]] || case $before in
                 --scene) return ;;
                 --format) words='cgfs epfl csc473 nff glint' ;;
                 --profile) words='cgfs epfl lecture5 light csc473 nff glint' kind=file ;;
-                --convention) words='pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= min_weight= facing= cones= fog_distance= fog_background= size= shading= shadows= reflections= aa= alpha='; compopt -o nospace 2>/dev/null ;;
+                --convention) words='pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= min_weight= facing= cones= spot_falloff= clamp_attenuation= fog_distance= fog_background= size= shading= shadows= reflections= aa= alpha= seed='; compopt -o nospace 2>/dev/null ;;
                 -s|--size) return ;;
                 --shading) words='phong blinn-phong diffuse color normals' ;;
                 --reflections) return ;;
-                --aa) return ;;
+                --aa) words='N adaptive:N[:T]' ;;
+                --seed) return ;;
                 -t|--threads) return ;;
                 *) kind=scene ;;
             esac ;;
         explain)
-            options='-h --help --scene --format --profile --convention -p --pixel --sample --as --origin --why-not --overlay -s --size --shading --no-shadows --reflections --aa --alpha --transfer --bits --isa'
+            options='-h --help --scene --format --profile --convention -p --pixel --sample --as --origin --why-not --overlay -s --size --shading --no-shadows --reflections --aa --seed --alpha --transfer --bits --isa'
             [[ $word == -* ]] || case $before in
                 --scene) return ;;
                 --format) words='cgfs epfl csc473 nff glint' ;;
                 --profile) words='cgfs epfl lecture5 light csc473 nff glint' kind=file ;;
-                --convention) words='pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= min_weight= facing= cones= fog_distance= fog_background= size= shading= shadows= reflections= aa= alpha='; compopt -o nospace 2>/dev/null ;;
+                --convention) words='pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= min_weight= facing= cones= spot_falloff= clamp_attenuation= fog_distance= fog_background= size= shading= shadows= reflections= aa= alpha= seed='; compopt -o nospace 2>/dev/null ;;
                 -p|--pixel) return ;;
                 --sample) return ;;
                 --as) words='text json printrays' ;;
@@ -79,61 +81,65 @@ _glint() {
                 -s|--size) return ;;
                 --shading) words='phong blinn-phong diffuse color normals' ;;
                 --reflections) return ;;
-                --aa) return ;;
+                --aa) words='N adaptive:N[:T]' ;;
+                --seed) return ;;
                 --transfer) words='none srgb' ;;
                 --bits) words='8 16' ;;
                 --isa) words=$(glint info --isa 2>/dev/null) ;;
                 *) kind=scene ;;
             esac ;;
         compare)
-            options='-h --help --within --fail-percent --hard-fail --diff --vary --scene --scene-name --format --profile --convention -s --size --shading --no-shadows --reflections --aa -t --threads --no-causes --json -q --quiet'
+            options='-h --help --within --fail-percent --hard-fail --diff --vary --scene --scene-name --format --profile --convention -s --size --shading --no-shadows --reflections --aa --seed -t --threads --no-causes --json -q --quiet'
             [[ $word == -* ]] || case $before in
                 --within) return ;;
                 --fail-percent) return ;;
                 --hard-fail) return ;;
                 --diff) kind=file ;;
-                --vary) words='pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= min_weight= facing= cones= fog_distance= fog_background= size= shading= shadows= reflections= aa= alpha='; compopt -o nospace 2>/dev/null ;;
+                --vary) words='pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= min_weight= facing= cones= spot_falloff= clamp_attenuation= fog_distance= fog_background= size= shading= shadows= reflections= aa= alpha= seed='; compopt -o nospace 2>/dev/null ;;
                 --scene) kind=scene ;;
                 --scene-name) return ;;
                 --format) words='cgfs epfl csc473 nff glint' ;;
                 --profile) words='cgfs epfl lecture5 light csc473 nff glint' kind=file ;;
-                --convention) words='pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= min_weight= facing= cones= fog_distance= fog_background= size= shading= shadows= reflections= aa= alpha='; compopt -o nospace 2>/dev/null ;;
+                --convention) words='pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= min_weight= facing= cones= spot_falloff= clamp_attenuation= fog_distance= fog_background= size= shading= shadows= reflections= aa= alpha= seed='; compopt -o nospace 2>/dev/null ;;
                 -s|--size) return ;;
                 --shading) words='phong blinn-phong diffuse color normals' ;;
                 --reflections) return ;;
-                --aa) return ;;
+                --aa) words='N adaptive:N[:T]' ;;
+                --seed) return ;;
                 -t|--threads) return ;;
                 *) kind=file ;;
             esac ;;
         versus)
-            options='-h --help --scene --format --profile --convention --a --b --match-exponents -o --output --json -s --size --shading --no-shadows --reflections --aa'
+            options='-h --help --scene --format --profile --convention --a --b --match-exponents -o --output --json -s --size --shading --no-shadows --reflections --aa --seed'
             [[ $word == -* ]] || case $before in
                 --scene) return ;;
                 --format) words='cgfs epfl csc473 nff glint' ;;
                 --profile) words='cgfs epfl lecture5 light csc473 nff glint' kind=file ;;
-                --convention) words='pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= min_weight= facing= cones= fog_distance= fog_background= size= shading= shadows= reflections= aa= alpha='; compopt -o nospace 2>/dev/null ;;
-                --a) words='pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= min_weight= facing= cones= fog_distance= fog_background= size= shading= shadows= reflections= aa= alpha= profile='; compopt -o nospace 2>/dev/null ;;
-                --b) words='pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= min_weight= facing= cones= fog_distance= fog_background= size= shading= shadows= reflections= aa= alpha= profile='; compopt -o nospace 2>/dev/null ;;
+                --convention) words='pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= min_weight= facing= cones= spot_falloff= clamp_attenuation= fog_distance= fog_background= size= shading= shadows= reflections= aa= alpha= seed='; compopt -o nospace 2>/dev/null ;;
+                --a) words='pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= min_weight= facing= cones= spot_falloff= clamp_attenuation= fog_distance= fog_background= size= shading= shadows= reflections= aa= alpha= seed= profile='; compopt -o nospace 2>/dev/null ;;
+                --b) words='pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= min_weight= facing= cones= spot_falloff= clamp_attenuation= fog_distance= fog_background= size= shading= shadows= reflections= aa= alpha= seed= profile='; compopt -o nospace 2>/dev/null ;;
                 -o|--output) kind=file ;;
                 -s|--size) return ;;
                 --shading) words='phong blinn-phong diffuse color normals' ;;
                 --reflections) return ;;
-                --aa) return ;;
+                --aa) words='N adaptive:N[:T]' ;;
+                --seed) return ;;
                 *) kind=scene ;;
             esac ;;
         grade)
-            options='-h --help --reference --scene --scene-name --format --profile --convention -s --size --shading --no-shadows --reflections --aa --rubric --csv --json --gradescope --sheet -t --threads -q --quiet'
+            options='-h --help --reference --scene --scene-name --format --profile --convention -s --size --shading --no-shadows --reflections --aa --seed --rubric --csv --json --gradescope --sheet -t --threads -q --quiet'
             [[ $word == -* ]] || case $before in
                 --reference) kind=file ;;
                 --scene) kind=scene ;;
                 --scene-name) return ;;
                 --format) words='cgfs epfl csc473 nff glint' ;;
                 --profile) words='cgfs epfl lecture5 light csc473 nff glint' kind=file ;;
-                --convention) words='pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= min_weight= facing= cones= fog_distance= fog_background= size= shading= shadows= reflections= aa= alpha='; compopt -o nospace 2>/dev/null ;;
+                --convention) words='pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= min_weight= facing= cones= spot_falloff= clamp_attenuation= fog_distance= fog_background= size= shading= shadows= reflections= aa= alpha= seed='; compopt -o nospace 2>/dev/null ;;
                 -s|--size) return ;;
                 --shading) words='phong blinn-phong diffuse color normals' ;;
                 --reflections) return ;;
-                --aa) return ;;
+                --aa) words='N adaptive:N[:T]' ;;
+                --seed) return ;;
                 --rubric) kind=file ;;
                 --csv) kind=file ;;
                 --json) kind=file ;;

@@ -31,15 +31,16 @@ _glint() {
                 '--scene[The scene to use, if the file has several]:NAME: ' \
                 '--format[The scene'\''s format]:cgfs|epfl|csc473|nff|glint:(cgfs epfl csc473 nff glint)' \
                 '--profile[Conventions to start from instead of the format'\''s: cgfs, epfl, lecture5, light, csc473, nff and glint]:NAME|FILE:{compadd -- cgfs epfl lecture5 light csc473 nff glint; _files}' \
-                '*--convention[Set one convention (docs/conventions.md lists them; `glint info SCENE` shows the values in force)]:KEY=VALUE:{compadd -S "" -- pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= min_weight= facing= cones= fog_distance= fog_background= size= shading= shadows= reflections= aa= alpha=}' \
+                '*--convention[Set one convention (docs/conventions.md lists them; `glint info SCENE` shows the values in force)]:KEY=VALUE:{compadd -S "" -- pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= min_weight= facing= cones= spot_falloff= clamp_attenuation= fog_distance= fog_background= size= shading= shadows= reflections= aa= alpha= seed=}' \
                 '(-o --output)'{-o,--output}'[The picture: .png, .ppm or .exr]:OUT:_files' \
                 '(-s --size)'{-s,--size}'[Size in pixels]:WxH: ' \
                 '--shading[How surfaces are shaded]:phong|blinn-phong|diffuse|color|normals:(phong blinn-phong diffuse color normals)' \
                 '--no-shadows[No shadows: every light reaches every surface]' \
                 '--reflections[Largest number of successive reflections]:N: ' \
-                '--aa[N x N regular samples per pixel]:N: ' \
+                '--aa[N x N samples per pixel]:N|adaptive\:N[\:T]:(N adaptive:N[:T])' \
+                '--seed[Number of another picture of everything that is sampled]:N: ' \
                 '--alpha[The background is transparent: PNG and OpenEXR have an alpha channel]' \
-                '--aov[Also write these layers, separated by commas: background, ambient, diffuse, specular, reflection, transmission, fog, normal, depth, position, albedo, shadow, object, material and alpha]:LAYERS:(all background ambient diffuse specular reflection transmission fog normal depth position albedo shadow object material alpha)' \
+                '--aov[Also write these layers, separated by commas: background, ambient, diffuse, specular, reflection, transmission, sky, fog, normal, depth, position, albedo, shadow, occlusion, object, material and alpha]:LAYERS:(all background ambient diffuse specular reflection transmission sky fog normal depth position albedo shadow occlusion object material alpha)' \
                 '--crop[Render only this part of the picture]:WxH+X+Y: ' \
                 '--transfer[none: the numbers as computed (default)]:none|srgb:(none srgb)' \
                 '--bits[Bits per channel of PNG and PPM: 8 (default) or 16]:8|16:(8 16)' \
@@ -58,7 +59,7 @@ _glint() {
                 '--scene[The scene to use, if the file has several]:NAME: ' \
                 '--format[The scene'\''s format]:cgfs|epfl|csc473|nff|glint:(cgfs epfl csc473 nff glint)' \
                 '--profile[Conventions to start from instead of the format'\''s: cgfs, epfl, lecture5, light, csc473, nff and glint]:NAME|FILE:{compadd -- cgfs epfl lecture5 light csc473 nff glint; _files}' \
-                '*--convention[Set one convention (docs/conventions.md lists them; `glint info SCENE` shows the values in force)]:KEY=VALUE:{compadd -S "" -- pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= min_weight= facing= cones= fog_distance= fog_background= size= shading= shadows= reflections= aa= alpha=}' \
+                '*--convention[Set one convention (docs/conventions.md lists them; `glint info SCENE` shows the values in force)]:KEY=VALUE:{compadd -S "" -- pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= min_weight= facing= cones= spot_falloff= clamp_attenuation= fog_distance= fog_background= size= shading= shadows= reflections= aa= alpha= seed=}' \
                 '--json[Print JSON]' \
                 '--isa[List the instruction sets of this machine, the best first]' ;;
         convert)
@@ -68,7 +69,7 @@ _glint() {
                 '--scene[The scene to use, if the file has several]:NAME: ' \
                 '--format[The scene'\''s format]:cgfs|epfl|csc473|nff|glint:(cgfs epfl csc473 nff glint)' \
                 '--profile[Conventions to start from instead of the format'\''s: cgfs, epfl, lecture5, light, csc473, nff and glint]:NAME|FILE:{compadd -- cgfs epfl lecture5 light csc473 nff glint; _files}' \
-                '*--convention[Set one convention (docs/conventions.md lists them; `glint info SCENE` shows the values in force)]:KEY=VALUE:{compadd -S "" -- pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= min_weight= facing= cones= fog_distance= fog_background= size= shading= shadows= reflections= aa= alpha=}' \
+                '*--convention[Set one convention (docs/conventions.md lists them; `glint info SCENE` shows the values in force)]:KEY=VALUE:{compadd -S "" -- pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= min_weight= facing= cones= spot_falloff= clamp_attenuation= fog_distance= fog_background= size= shading= shadows= reflections= aa= alpha= seed=}' \
                 '(-o --output)'{-o,--output}'[The output file: a name that ends in .glint]:OUT:_files' \
                 '(-q --quiet)'{-q,--quiet}'[Print only errors]' ;;
         check)
@@ -78,12 +79,13 @@ _glint() {
                 '--scene[The scene to use, if the file has several]:NAME: ' \
                 '--format[The scene'\''s format]:cgfs|epfl|csc473|nff|glint:(cgfs epfl csc473 nff glint)' \
                 '--profile[Conventions to start from instead of the format'\''s: cgfs, epfl, lecture5, light, csc473, nff and glint]:NAME|FILE:{compadd -- cgfs epfl lecture5 light csc473 nff glint; _files}' \
-                '*--convention[Set one convention (docs/conventions.md lists them; `glint info SCENE` shows the values in force)]:KEY=VALUE:{compadd -S "" -- pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= min_weight= facing= cones= fog_distance= fog_background= size= shading= shadows= reflections= aa= alpha=}' \
+                '*--convention[Set one convention (docs/conventions.md lists them; `glint info SCENE` shows the values in force)]:KEY=VALUE:{compadd -S "" -- pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= min_weight= facing= cones= spot_falloff= clamp_attenuation= fog_distance= fog_background= size= shading= shadows= reflections= aa= alpha= seed=}' \
                 '(-s --size)'{-s,--size}'[Size in pixels]:WxH: ' \
                 '--shading[How surfaces are shaded]:phong|blinn-phong|diffuse|color|normals:(phong blinn-phong diffuse color normals)' \
                 '--no-shadows[No shadows: every light reaches every surface]' \
                 '--reflections[Largest number of successive reflections]:N: ' \
-                '--aa[N x N regular samples per pixel]:N: ' \
+                '--aa[N x N samples per pixel]:N|adaptive\:N[\:T]:(N adaptive:N[:T])' \
+                '--seed[Number of another picture of everything that is sampled]:N: ' \
                 '(-t --threads)'{-t,--threads}'[Number of threads]:N: ' \
                 '--strict[Exit code 1 if there is any finding or warning]' \
                 '--json[Print the findings as a JSON array]' \
@@ -95,7 +97,7 @@ _glint() {
                 '--scene[The scene to use, if the file has several]:NAME: ' \
                 '--format[The scene'\''s format]:cgfs|epfl|csc473|nff|glint:(cgfs epfl csc473 nff glint)' \
                 '--profile[Conventions to start from instead of the format'\''s: cgfs, epfl, lecture5, light, csc473, nff and glint]:NAME|FILE:{compadd -- cgfs epfl lecture5 light csc473 nff glint; _files}' \
-                '*--convention[Set one convention (docs/conventions.md lists them; `glint info SCENE` shows the values in force)]:KEY=VALUE:{compadd -S "" -- pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= min_weight= facing= cones= fog_distance= fog_background= size= shading= shadows= reflections= aa= alpha=}' \
+                '*--convention[Set one convention (docs/conventions.md lists them; `glint info SCENE` shows the values in force)]:KEY=VALUE:{compadd -S "" -- pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= min_weight= facing= cones= spot_falloff= clamp_attenuation= fog_distance= fog_background= size= shading= shadows= reflections= aa= alpha= seed=}' \
                 '(-p --pixel)'{-p,--pixel}'[The pixel, counted from 0 at the top left]:X,Y: ' \
                 '--sample[The sample whose rays are printed: its column and row in the pixel]:I,J: ' \
                 '--as[text (default)]:text|json|printrays:(text json printrays)' \
@@ -106,7 +108,8 @@ _glint() {
                 '--shading[How surfaces are shaded]:phong|blinn-phong|diffuse|color|normals:(phong blinn-phong diffuse color normals)' \
                 '--no-shadows[No shadows: every light reaches every surface]' \
                 '--reflections[Largest number of successive reflections]:N: ' \
-                '--aa[N x N regular samples per pixel]:N: ' \
+                '--aa[N x N samples per pixel]:N|adaptive\:N[\:T]:(N adaptive:N[:T])' \
+                '--seed[Number of another picture of everything that is sampled]:N: ' \
                 '--alpha[The background is transparent: PNG and OpenEXR have an alpha channel]' \
                 '--transfer[none: the numbers as computed (default)]:none|srgb:(none srgb)' \
                 '--bits[Bits per channel of PNG and PPM: 8 (default) or 16]:8|16:(8 16)' \
@@ -119,17 +122,18 @@ _glint() {
                 '--fail-percent[P percent of the pixels may differ by more than --within]:P: ' \
                 '--hard-fail[No pixel may differ by more than N 255ths]:N: ' \
                 '--diff[Write |A - B| as a PNG, amplified so that the largest difference is white]:OUT.png:_files' \
-                '--vary[Render a scene with each value of a setting]:KEY=VALUES:{compadd -S "" -- pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= min_weight= facing= cones= fog_distance= fog_background= size= shading= shadows= reflections= aa= alpha=}' \
+                '--vary[Render a scene with each value of a setting]:KEY=VALUES:{compadd -S "" -- pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= min_weight= facing= cones= spot_falloff= clamp_attenuation= fog_distance= fog_background= size= shading= shadows= reflections= aa= alpha= seed=}' \
                 '*--scene[The scene of B: causes are tested by rendering it]:FILE:_files -g "*.(cgfs|json|js|pov|nff|glint)"' \
                 '--scene-name[The scene to use, if the file has several]:NAME: ' \
                 '--format[The scene'\''s format]:cgfs|epfl|csc473|nff|glint:(cgfs epfl csc473 nff glint)' \
                 '--profile[Conventions to start from instead of the format'\''s: cgfs, epfl, lecture5, light, csc473, nff and glint]:NAME|FILE:{compadd -- cgfs epfl lecture5 light csc473 nff glint; _files}' \
-                '*--convention[Set one convention (docs/conventions.md lists them; `glint info SCENE` shows the values in force)]:KEY=VALUE:{compadd -S "" -- pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= min_weight= facing= cones= fog_distance= fog_background= size= shading= shadows= reflections= aa= alpha=}' \
+                '*--convention[Set one convention (docs/conventions.md lists them; `glint info SCENE` shows the values in force)]:KEY=VALUE:{compadd -S "" -- pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= min_weight= facing= cones= spot_falloff= clamp_attenuation= fog_distance= fog_background= size= shading= shadows= reflections= aa= alpha= seed=}' \
                 '(-s --size)'{-s,--size}'[Size in pixels]:WxH: ' \
                 '--shading[How surfaces are shaded]:phong|blinn-phong|diffuse|color|normals:(phong blinn-phong diffuse color normals)' \
                 '--no-shadows[No shadows: every light reaches every surface]' \
                 '--reflections[Largest number of successive reflections]:N: ' \
-                '--aa[N x N regular samples per pixel]:N: ' \
+                '--aa[N x N samples per pixel]:N|adaptive\:N[\:T]:(N adaptive:N[:T])' \
+                '--seed[Number of another picture of everything that is sampled]:N: ' \
                 '(-t --threads)'{-t,--threads}'[Number of threads]:N: ' \
                 '--no-causes[Print only the figures]' \
                 '--json[Print JSON]' \
@@ -141,9 +145,9 @@ _glint() {
                 '--scene[The scene to use, if the file has several]:NAME: ' \
                 '--format[The scene'\''s format]:cgfs|epfl|csc473|nff|glint:(cgfs epfl csc473 nff glint)' \
                 '--profile[Conventions to start from instead of the format'\''s: cgfs, epfl, lecture5, light, csc473, nff and glint]:NAME|FILE:{compadd -- cgfs epfl lecture5 light csc473 nff glint; _files}' \
-                '*--convention[Set one convention (docs/conventions.md lists them; `glint info SCENE` shows the values in force)]:KEY=VALUE:{compadd -S "" -- pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= min_weight= facing= cones= fog_distance= fog_background= size= shading= shadows= reflections= aa= alpha=}' \
-                '*--a[A setting of the first picture: a convention, a render setting, or profile=NAME]:KEY=VALUE:{compadd -S "" -- pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= min_weight= facing= cones= fog_distance= fog_background= size= shading= shadows= reflections= aa= alpha= profile=}' \
-                '*--b[The same for the second picture]:KEY=VALUE:{compadd -S "" -- pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= min_weight= facing= cones= fog_distance= fog_background= size= shading= shadows= reflections= aa= alpha= profile=}' \
+                '*--convention[Set one convention (docs/conventions.md lists them; `glint info SCENE` shows the values in force)]:KEY=VALUE:{compadd -S "" -- pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= min_weight= facing= cones= spot_falloff= clamp_attenuation= fog_distance= fog_background= size= shading= shadows= reflections= aa= alpha= seed=}' \
+                '*--a[A setting of the first picture: a convention, a render setting, or profile=NAME]:KEY=VALUE:{compadd -S "" -- pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= min_weight= facing= cones= spot_falloff= clamp_attenuation= fog_distance= fog_background= size= shading= shadows= reflections= aa= alpha= seed= profile=}' \
+                '*--b[The same for the second picture]:KEY=VALUE:{compadd -S "" -- pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= min_weight= facing= cones= spot_falloff= clamp_attenuation= fog_distance= fog_background= size= shading= shadows= reflections= aa= alpha= seed= profile=}' \
                 '--match-exponents[With Blinn-Phong, multiply exponents by 4: highlights are then about as wide as Phong'\''s]' \
                 '(-o --output)'{-o,--output}'[Write both pictures and their difference side by side]:OUT.png:_files' \
                 '--json[Print JSON]' \
@@ -151,7 +155,8 @@ _glint() {
                 '--shading[How surfaces are shaded]:phong|blinn-phong|diffuse|color|normals:(phong blinn-phong diffuse color normals)' \
                 '--no-shadows[No shadows: every light reaches every surface]' \
                 '--reflections[Largest number of successive reflections]:N: ' \
-                '--aa[N x N regular samples per pixel]:N: ' ;;
+                '--aa[N x N samples per pixel]:N|adaptive\:N[\:T]:(N adaptive:N[:T])' \
+                '--seed[Number of another picture of everything that is sampled]:N: ' ;;
         grade)
             _arguments \
                 '(-h --help)'{-h,--help}'[Print this help message and exit]' \
@@ -161,12 +166,13 @@ _glint() {
                 '--scene-name[The scene to use, if the file has several]:NAME: ' \
                 '--format[The scene'\''s format]:cgfs|epfl|csc473|nff|glint:(cgfs epfl csc473 nff glint)' \
                 '--profile[Conventions to start from instead of the format'\''s: cgfs, epfl, lecture5, light, csc473, nff and glint]:NAME|FILE:{compadd -- cgfs epfl lecture5 light csc473 nff glint; _files}' \
-                '*--convention[Set one convention (docs/conventions.md lists them; `glint info SCENE` shows the values in force)]:KEY=VALUE:{compadd -S "" -- pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= min_weight= facing= cones= fog_distance= fog_background= size= shading= shadows= reflections= aa= alpha=}' \
+                '*--convention[Set one convention (docs/conventions.md lists them; `glint info SCENE` shows the values in force)]:KEY=VALUE:{compadd -S "" -- pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= min_weight= facing= cones= spot_falloff= clamp_attenuation= fog_distance= fog_background= size= shading= shadows= reflections= aa= alpha= seed=}' \
                 '(-s --size)'{-s,--size}'[Size in pixels]:WxH: ' \
                 '--shading[How surfaces are shaded]:phong|blinn-phong|diffuse|color|normals:(phong blinn-phong diffuse color normals)' \
                 '--no-shadows[No shadows: every light reaches every surface]' \
                 '--reflections[Largest number of successive reflections]:N: ' \
-                '--aa[N x N regular samples per pixel]:N: ' \
+                '--aa[N x N samples per pixel]:N|adaptive\:N[\:T]:(N adaptive:N[:T])' \
+                '--seed[Number of another picture of everything that is sampled]:N: ' \
                 '--rubric[Lines of PART POINTS FILE \[KEY=VALUE...\] (docs/teaching.md): points per part]:FILE:_files' \
                 '--csv[Write the table as CSV]:OUT:_files' \
                 '--json[Write all figures and causes as JSON]:OUT:_files' \
