@@ -33,6 +33,7 @@ inline void add_up(const Explanation& e, float (&layers)[k_light_layers][3]) {
         }
         constexpr Layer own[] = {Layer::ambient, Layer::diffuse, Layer::specular, Layer::emission};
         for (int part = 0; part < 4; ++part) add(layer.value_or(own[part]), ray.hit->parts[part]);
+        if (ray.hit->occlusion) add(layer.value_or(Layer::sky), ray.hit->occlusion->part);
         add(layer.value_or(Layer::fog), ray.fog);
     }
     for (int l = 0; l < k_light_layers; ++l)

@@ -49,7 +49,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadText{"bottom",
                 SKY_SCENE "background_gradient { $bottom = 1 }",
                 {"expected a `top` above the bottom 1, found 1"}}),
-    [](const auto& info) { return info.param.name; });
+    [](const auto& tested) { return tested.param.name; });
 
 TEST(GlintSky, IsReadAndWritten) {
     const Result<Scene> scene = load_text(
