@@ -3,9 +3,9 @@
 
 # 1. The kind, its members, and its answers.
 add_line(include/glint/scene.h replace
-  "enum class LightKind : std::uint8_t { ambient, point, directional, spot };\ninline constexpr int k_light_kinds = 4;"
-  "enum class LightKind : std::uint8_t { ambient, point, directional, spot, shaft };\ninline constexpr int k_light_kinds = 5;")
-add_line(include/glint/scene.h after "    Attenuation attenuation{};      ///< point lights and spots\n"
+  "enum class LightKind : std::uint8_t { ambient, point, directional, spot, parallelogram, disc, sphere };\ninline constexpr int k_light_kinds = 7;"
+  "enum class LightKind : std::uint8_t { ambient, point, directional, spot, parallelogram, disc, sphere, shaft };\ninline constexpr int k_light_kinds = 8;")
+add_line(include/glint/scene.h after "    Attenuation attenuation{};      ///< lights with a position\n"
   "    Vec3 center{};                  ///< shafts: a point on the axis, which is parallel to to_light
     double shaft_radius = 1;        ///< shafts: of the cylinder around the axis, > 0\n")
 add_line(include/glint/scene.h before "            case LightKind::directional:\n" "            case LightKind::shaft:\n")
@@ -23,7 +23,7 @@ add_line(src/scene/light_fields.h before "    {\"attenuation\", \"attenuation\",
      .description = \"a point on the axis\",
      .applies = &Light::is_shaft,
      .required = true},
-    {\"radius\", \"radius\", \"radius\", number_field(&Light::shaft_radius, k_length), \"of the cylinder around the axis\",
+    {\"shaft_radius\", \"shaft_radius\", \"shaft radius\", number_field(&Light::shaft_radius, k_length), \"of the cylinder around the axis\",
      &Light::is_shaft},\n")
 # 4. Its formula.
 add_line(src/trace/direct_lighting-inl.h before "    const auto faces"

@@ -84,7 +84,7 @@ glint::Result<glint::Scene> load(const std::string& light) {
 
 void check_language() {
     const glint::Result<glint::Scene> loaded =
-        load("light { type = shaft  to_light = (0, 1, 0)  center = (1, 2, 3)  radius = 0.25 }\n");
+        load("light { type = shaft  to_light = (0, 1, 0)  center = (1, 2, 3)  shaft_radius = 0.25 }\n");
     if (!loaded) return expect(false, glint::to_string(loaded.diagnostics.at(0)).c_str());
     const std::string written = glint::write_glint(*loaded).value();
     const glint::SceneText again{"again.glint", written, ""};
@@ -99,10 +99,10 @@ void check_language() {
     };
     expect(says(load("light { type = shaft  to_light = (0, 1, 0) }"), "expected `center` in the shaft light"),
            "a shaft without a center");
-    expect(says(load("light { position = (0, 9, 0)  radius = 2 }"),
-                "glint ignores the 'radius' of a point light"),
+    expect(says(load("light { position = (0, 9, 0)  shaft_radius = 2 }"),
+                "glint ignores the 'shaft_radius' of a point light"),
            "a radius of a point light");
-    expect(says(load("light { type = shaft  to_light = (0, 1, 0)  center = (0, 0, 0)  radius = 0 }"),
+    expect(says(load("light { type = shaft  to_light = (0, 1, 0)  center = (0, 0, 0)  shaft_radius = 0 }"),
                 "expected a number > 0 and at most 1e12, found '0'"),
            "a radius of 0");
     glint::Light broken = slanting_shaft();

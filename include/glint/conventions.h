@@ -75,6 +75,12 @@ enum class SpotFalloff : std::uint8_t { cubic, linear };
 /// view; of others, along the ray (Tachyon's Fog_VMD).
 enum class FogDistance : std::uint8_t { ray, depth };
 
+/// How an area light is represented by its samples. samples: each is a light of its own, with an equal part
+/// of the color, at the centre of its cell. center: the light shines from its centre, and only its shadow is
+/// sampled, at points that include the edges, whose weights come from repeated division into quarters
+/// (POV-Ray).
+enum class AreaShading : std::uint8_t { samples, center };
+
 /// All rules on which the sources disagree. The defaults are the profile `glint`.
 struct Conventions {
     PixelSample pixel_sample = PixelSample::center;
@@ -116,6 +122,7 @@ struct Conventions {
     bool attenuate_highlights = true;
     /// A light adds something only where N·L f_att spot is above this (Tachyon: 0.001959); 0: no such rule.
     double light_threshold = 0;
+    AreaShading area_shading = AreaShading::samples;
     FogDistance fog_distance = FogDistance::ray;
     bool fog_background = true;  ///< the background is in the fog, at an infinite distance
     friend bool operator==(const Conventions&, const Conventions&) = default;

@@ -29,19 +29,33 @@ struct ShadowFilter {
     Color factor;  ///< transmit + filter * color
 };
 
-/// One light at one hit. Vectors and cosines are those of the lighting equation (docs/lighting.md).
+/// A sample of an area light that shines from its centre, with its shadow ray.
+struct ShadowSample {
+    std::int32_t sample = 0;  ///< row * samples_u + column
+    Vec3 position;
+    bool blocked = false;
+    Vec3 origin, direction;  ///< of the ray, as in LightTerms
+    double t_min = 0, t_max = 0;
+    std::optional<Blocker> blocker;
+};
+
+/// One light at one hit, or one sample of an area light. Vectors and cosines are those of the lighting
+/// equation (docs/lighting.md).
 struct LightTerms {
-    std::uint32_t light = 0;  ///< in Scene::lights
-    Vec3 to_light;            ///< to the position of a point light; else the light's own direction. Not unit
-    double distance = 0;      ///< its length
-    double attenuation = 1;   ///< f_att
-    double spot = 1;          ///< of a spot: the factor of its light in this direction
-    double n_l = 0;           ///< N·L
-    double s = 0;             ///< R·V (Phong) or N·H (Blinn-Phong)
-    double power = 0;         ///< S^n if there is a highlight, blocked or not; else 0
-    double diffuse_factor = 0;      ///< of k_d I: N·L, to the power of the brilliance
-    double phong_s = 0;             ///< R·V of the second highlight, if a material has one
-    double phong_power = 0;         ///< of the second highlight, as `power`
+    std::uint32_t light = 0;    ///< in Scene::lights
+    std::int32_t sample = -1;   ///< row * samples_u + column, if each sample is a light of its own; else -1
+    Vec3 to_light;              ///< to the position of a light that has one; else its own direction. Not unit
+    double distance = 0;        ///< its length
+    double attenuation = 1;     ///< f_att
+    double spot = 1;            ///< of a spot: the factor of its light in this direction
+    double emitter = 1;         ///< of a one-sided area light: the cosine off its normal, 0 behind it
+    double visible = 1;         ///< of an area light that shines from its centre: the visible part
+    double n_l = 0;             ///< N·L
+    double s = 0;               ///< R·V (Phong) or N·H (Blinn-Phong)
+    double power = 0;           ///< S^n if there is a highlight, blocked or not; else 0
+    double diffuse_factor = 0;  ///< of k_d I: N·L, to the power of the brilliance
+    double phong_s = 0;         ///< R·V of the second highlight, if a material has one
+    double phong_power = 0;     ///< of the second highlight, as `power`
     Color highlight_tint{1, 1, 1};  ///< of a metal's highlights; included in `specular`
     double threshold = 0;           ///< Conventions::light_threshold
     bool may_add = false;           ///< it adds light unless it is blocked
@@ -55,6 +69,7 @@ struct LightTerms {
     Vec3 origin, direction;             ///< for a point light: from the light to the surface
     double t_min = 0, t_max = 0;
     std::optional<Blocker> blocker;
+    std::vector<ShadowSample> samples;  ///< of an area light that shines from its centre: those traced
 };
 
 /// The state of a possible secondary ray of a hit.
@@ -178,13 +193,14 @@ GLINT_API Result<Explanation> explain(const Scene& scene, const World& world, st
 /// The reason why a light adds light or not at a hit.
 enum class LightReason : std::uint8_t {
     adds,
-    blocked,       ///< something is between it and the point
-    behind,        ///< N·L <= 0, and there is no highlight
-    no_color,      ///< its colour times k_d is black, and there is no highlight
-    faded,         ///< f_att is 0
-    in_surface,    ///< the light is at the surface point, so it has no direction
-    outside_cone,  ///< beyond the spot's outer angle
-    faint,         ///< N·L f_att spot is not above Conventions::light_threshold
+    blocked,        ///< something is between it and the point
+    behind,         ///< N·L <= 0, and there is no highlight
+    no_color,       ///< its colour times k_d is black, and there is no highlight
+    faded,          ///< f_att is 0
+    in_surface,     ///< the light is at the surface point, so it has no direction
+    outside_cone,   ///< beyond the spot's outer angle
+    faint,          ///< N·L f_att spot is not above Conventions::light_threshold
+    back_of_light,  ///< the one-sided area light faces away
 };
 GLINT_API LightReason reason(const LightTerms& terms);
 

@@ -52,8 +52,13 @@ struct Camera {
 };
 
 /// A new kind comes last (docs/adding_a_light.md).
-enum class LightKind : std::uint8_t { ambient, point, directional, spot };
-inline constexpr int k_light_kinds = 4;
+enum class LightKind : std::uint8_t { ambient, point, directional, spot, parallelogram, disc, sphere };
+inline constexpr int k_light_kinds = 7;
+
+/// The maximum of an area light's samples_u and samples_v.
+inline constexpr std::int32_t k_max_light_samples = 64;
+/// A value of Light::adaptive with which every sample is traced.
+inline constexpr std::int32_t k_all_levels = 16;
 
 struct Attenuation {
     /// f_att = 1 / (c0 + c1 d + c2 d^2), at most 1 (LIGHT-12; see Conventions::clamp_attenuation); d:
@@ -64,19 +69,35 @@ struct Attenuation {
 
 struct Light {
     LightKind kind = LightKind::point;
-    Vec3 position{};                ///< point lights and spots
+    Vec3 position{};                ///< point lights and spots; the centre of area lights
     Vec3 to_light{0, 1, 0};         ///< directional lights: towards the light, any length except 0
     Color color{1, 1, 1};           ///< I_a of an ambient light, else I_l,d: intensity included
     Color specular_color{1, 1, 1};  ///< I_l,s; ambient lights have none
-    Attenuation attenuation{};      ///< point lights and spots
-    /// Point lights and spots: if both are above 0, f_att also has the factor 2 / (1 + (d / fade_distance) ^
+    Attenuation attenuation{};      ///< lights with a position
+    /// Lights with a position: if both are above 0, f_att also has the factor 2 / (1 + (d / fade_distance) ^
     /// fade_power), d the distance (POV-Ray).
     double fade_distance = 0, fade_power = 0;
-    Vec3 axis{0, -1, 0};        ///< spots: the middle of the cone, away from the light; any length except 0
+    /// Spots: the middle of the cone, away from the light. Discs: their normal, towards what they light. Any
+    /// length except 0.
+    Vec3 axis{0, -1, 0};
     double inner_angle = 30;    ///< spots: degrees off the axis, 0 to outer_angle; within it, the full light
     double outer_angle = 45;    ///< spots: degrees off the axis, 0 < outer_angle <= 180; beyond it, no light
     double tightness = 0;       ///< spots: exponent of the cosine off the axis (SpotFalloff::cubic), >= 0
     bool casts_shadows = true;  ///< false: nothing blocks the light; not for ambient lights
+
+    // Area lights: parallelograms, discs and spheres (Conventions::area_shading).
+    Vec3 side_u{1, 0, 0}, side_v{0, 0, 1};  ///< parallelograms: whole sides, not parallel
+    double radius = 1;                      ///< discs and spheres, > 0
+    /// The columns and rows of samples, 1 to k_max_light_samples: along side_u and side_v; of discs and
+    /// spheres: rings, and samples in each ring.
+    std::int32_t samples_u = 4, samples_v = 4;
+    /// Parallelograms and discs: only the side of side_u × side_v or `axis` gives light, times the cosine of
+    /// the angle off that normal. false: both sides give light, the same in all directions.
+    bool one_sided = false;
+    bool jitter = false;  ///< the samples are moved within their cells, differently at each surface point
+    /// With AreaShading::center: regions of the grid below this level of subdivision are always divided,
+    /// others only if neighbouring corners differ (POV-Ray); 0 to k_all_levels.
+    std::int32_t adaptive = k_all_levels;
 
     // The properties of the kind; other code calls these functions. The compiler warns if a switch lacks a
     // kind.
@@ -89,6 +110,9 @@ struct Light {
             case LightKind::point:
             case LightKind::spot:
             case LightKind::directional:
+            case LightKind::parallelogram:
+            case LightKind::disc:
+            case LightKind::sphere:
                 return false;
         }
         return false;
@@ -98,6 +122,9 @@ struct Light {
         switch (kind) {
             case LightKind::point:
             case LightKind::spot:
+            case LightKind::parallelogram:
+            case LightKind::disc:
+            case LightKind::sphere:
                 return true;
             case LightKind::ambient:
             case LightKind::directional:
@@ -113,12 +140,26 @@ struct Light {
             case LightKind::ambient:
             case LightKind::point:
             case LightKind::spot:
+            case LightKind::parallelogram:
+            case LightKind::disc:
+            case LightKind::sphere:
                 return false;
         }
         return false;
     }
     /// Lights only a cone around `axis`.
     constexpr bool is_spot() const { return kind == LightKind::spot; }
+    constexpr bool is_parallelogram() const { return kind == LightKind::parallelogram; }
+    constexpr bool is_disc() const { return kind == LightKind::disc; }
+    constexpr bool is_sphere() const { return kind == LightKind::sphere; }
+    /// Has an extent and is represented by samples.
+    constexpr bool is_area() const { return is_parallelogram() || is_disc() || is_sphere(); }
+    constexpr bool has_radius() const { return is_disc() || is_sphere(); }
+    constexpr bool has_axis() const { return is_spot() || is_disc(); }
+    /// Has two sides.
+    constexpr bool is_flat() const { return is_parallelogram() || is_disc(); }
+    /// Whether its light decreases with the cosine off its normal.
+    constexpr bool has_emitter_cosine() const { return is_flat() && one_sided; }
     constexpr bool has_specular_color() const { return !is_ambient(); }
     constexpr bool has_attenuation() const { return has_position(); }
     /// Whether f_att has POV-Ray's factor.

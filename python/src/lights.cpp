@@ -10,10 +10,12 @@ template <> std::span<const ItemField<Light>> fields_of() { return k_light_field
 namespace {
 
 LightKind light_kind(const std::string& word) {
-    for (int kind = 0; kind < k_light_kinds; ++kind)
-        if (to_string(static_cast<LightKind>(kind)) == word) return static_cast<LightKind>(kind);
-    throw py::value_error(
-        fmt::format("kind: expected 'ambient', 'point', 'directional' or 'spot', found '{}'", word));
+    std::vector<std::string_view> words;
+    for (int kind = 0; kind < k_light_kinds; ++kind) {
+        words.push_back(to_string(static_cast<LightKind>(kind)));
+        if (words.back() == word) return static_cast<LightKind>(kind);
+    }
+    throw py::value_error(fmt::format("kind: expected '{}', found '{}'", fmt::join(words, "', '"), word));
 }
 
 // Scales both colors so that the largest channel of `color` is `to`.
@@ -49,7 +51,8 @@ bool same(const Light& a, const Light& b) { return a.kind == b.kind && same_fiel
 void bind_lights(py::module_& m) {
     py::class_<LightBox, std::shared_ptr<LightBox>> cls(
         m, "Light",
-        "A light: ambient, point, directional or spot. Colors are linear RGB, intensity included.");
+        "A light: ambient, point, directional or spot; parallelogram, disc or sphere. Colors are linear RGB, "
+        "intensity included.");
     cls.def(py::init([](const std::string& kind, const py::kwargs& keywords) {
                 return std::make_shared<LightBox>(LightBox{make_light(kind, keywords), name_in(keywords)});
             }),
@@ -58,7 +61,7 @@ void bind_lights(py::module_& m) {
     cls.def_property(
            "kind", [](const LightBox& l) { return std::string(to_string(l.value.kind)); },
            [](LightBox& l, const std::string& kind) { l.value.kind = light_kind(kind); },
-           "'ambient', 'point', 'directional' or 'spot'")
+           "'ambient', 'point', 'directional', 'spot', 'parallelogram', 'disc' or 'sphere'")
         .def_property(
             "intensity", [](const LightBox& l) { return largest(l.value.color); },
             [](LightBox& l, const py::object& to) {

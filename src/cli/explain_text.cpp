@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <map>
 #include <numbers>
+#include <span>
 
 #include "cli/text.h"
 #include "glint/image.h"
@@ -121,8 +123,27 @@ std::string nothing_text(const Scene& scene, const ExplainedHit& hit, const Ligh
             return fmt::format("outside its cone: {} degrees off its axis, the outer angle is {}",
                                number(degrees_off_axis(scene.lights[terms.light], terms)),
                                number(scene.lights[terms.light].outer_angle));
+        case LightReason::back_of_light:
+            return "behind the light, which gives light on one side only";
     }
     return {};
+}
+
+// The numbers of an area light's samples, by the shape that blocks them; k_none: by an unknown one.
+using BlockedSamples = std::map<std::uint32_t, std::vector<std::int32_t>>;
+
+// "12 of 16 samples visible; blocked by box 2: 0, 1, 4; by sphere 1: 8"
+std::string samples_text(const Scene& scene, std::size_t visible, std::size_t all,
+                         const BlockedSamples& blocked) {
+    std::string text = fmt::format("{} of {} samples visible", visible, all);
+    bool first = true;
+    for (const auto& [shape, samples] : blocked) {
+        text += fmt::format("; {}{}: {}", first ? "blocked" : "",
+                            shape == k_none ? "" : (first ? " by " : "by ") + shape_text(scene, shape),
+                            fmt::join(samples, ", "));
+        first = false;
+    }
+    return text;
 }
 
 std::string first_highlight_text(const Scene& scene, const ExplainedHit& hit, const LightTerms& terms) {
@@ -211,7 +232,15 @@ class Tree {
         }
         line(depth + 1,
              fmt::format("ambient k_a I_a = {}{}", color(hit.ambient), swatch(style_, hit.ambient)));
-        for (const LightTerms& terms : hit.lights) add_light(hit, terms, depth + 1);
+        for (std::size_t i = 0; i < hit.lights.size();) {
+            if (hit.lights[i].sample < 0) {
+                add_light(hit, hit.lights[i++], depth + 1);
+            } else {
+                const std::size_t first = i;
+                while (i < hit.lights.size() && hit.lights[i].light == hit.lights[first].light) ++i;
+                add_samples(hit, std::span(hit.lights).subspan(first, i - first), depth + 1);
+            }
+        }
         if (material_of(hit, scene_).mirror_falloff > 0)
             line(depth + 1, fmt::format("mirror: {} at this angle", number(hit.mirror)));
         if (material_of(hit, scene_).transmission > 0)
@@ -287,6 +316,7 @@ class Tree {
         if (light.is_spot() && reason(terms) != LightReason::outside_cone)
             how += fmt::format(", spot {} at {} degrees off its axis", number(terms.spot),
                                number(degrees_off_axis(light, terms)));
+        if (terms.emitter != 1) how += fmt::format(", emitter's cosine {}", number(terms.emitter));
         how += fmt::format("; N·L = {}", number(terms.n_l));
         const double brilliance = material_of(hit, scene_).brilliance;
         if (brilliance != 1 && terms.n_l > 0)
@@ -302,6 +332,38 @@ class Tree {
         if (terms.filters.size() > most)
             line(depth + 1, fmt::format("and {} more", terms.filters.size() - most));
         if (terms.filters.size() > 1) line(depth + 1, fmt::format("together: times {}", color(terms.filter)));
+        if (terms.samples.empty()) return;
+        BlockedSamples blocked;
+        std::size_t visible = 0;
+        for (const ShadowSample& sample : terms.samples) {
+            if (sample.blocked)
+                blocked[sample.blocker ? sample.blocker->shape : k_none].push_back(sample.sample);
+            else
+                ++visible;
+        }
+        line(depth + 1, fmt::format("visible part {}: {}", number(terms.visible),
+                                    samples_text(scene_, visible, terms.samples.size(), blocked)));
+    }
+
+    // The samples of an area light, each of which is a light of its own.
+    void add_samples(const ExplainedHit& hit, std::span<const LightTerms> samples, int depth) {
+        Color diffuse, specular;
+        BlockedSamples blocked;
+        std::size_t visible = 0;
+        for (const LightTerms& terms : samples) {
+            diffuse = diffuse + terms.diffuse;
+            specular = specular + terms.specular;
+            if (terms.blocked)
+                blocked[terms.blocker ? terms.blocker->shape : k_none].push_back(terms.sample);
+            else
+                visible += terms.may_add ? 1 : 0;
+        }
+        const std::string name = light_text(scene_, samples[0].light);
+        if (visible == 0 && blocked.empty())
+            return line(depth, fmt::format("{}: {}", name, nothing_text(scene_, hit, samples[0])));
+        line(depth, fmt::format("{}: diffuse {} + specular {}{}", name, color(diffuse), color(specular),
+                                swatch(style_, diffuse + specular)));
+        line(depth + 1, samples_text(scene_, visible, samples.size(), blocked));
     }
 
     void add_secondary_ray(const ExplainedSecondaryRay& ray, std::string_view what, int depth) {
@@ -452,11 +514,29 @@ std::string why_not_text(const Explanation& e, const Scene& scene, std::uint32_t
         return fmt::format("{} is ambient: it reaches everything, and adds k_a {} times {}: {}\n", name,
                            color(m.ambient), color(scene.lights[light].color), color(part));
     }
+    std::size_t blocked = 0, samples = 0;
+    Color added;
+    const LightTerms* shown = nullptr;
     for (const LightTerms& terms : ray.hit->lights) {
         if (terms.light != light) continue;
+        ++samples;
+        blocked += terms.blocked ? 1 : 0;
+        added = added + terms.diffuse + terms.specular;
+        // Of an area light's samples: one that adds light, or is blocked.
+        const auto worth = [](const LightTerms& t) {
+            return reason(t) == LightReason::adds ? 2 : t.blocked ? 1 : 0;
+        };
+        if (shown == nullptr || worth(terms) > worth(*shown)) shown = &terms;
+    }
+    if (shown != nullptr) {
+        const LightTerms& terms = *shown;
         std::string text =
             fmt::format("at P {} on {}\n", vec(ray.hit->point), shape_text(scene, ray.hit->shape));
         const std::string nothing = nothing_text(scene, *ray.hit, terms);
+        if (nothing.empty() && samples > 1) {
+            return text + fmt::format("{} adds light: {}, by {} samples of which {} are blocked\n", name,
+                                      color(added), samples, blocked);
+        }
         if (nothing.empty()) {
             return text + fmt::format("{} adds light: diffuse {} + specular {} ({})\n", name,
                                       color(terms.diffuse), color(terms.specular),

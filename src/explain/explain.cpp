@@ -18,7 +18,9 @@ namespace glint {
 namespace {
 
 // The shape that blocks a shadow ray: the one nearest to the shaded point.
-std::optional<Blocker> find_blocker(const WorldParts& world, const LightTerms& terms, Vec3 shaded,
+// terms: LightTerms or a ShadowSample.
+template <class Terms>
+std::optional<Blocker> find_blocker(const WorldParts& world, const Terms& terms, Vec3 shaded,
                                     bool from_light) {
     const auto nearest = [&](Vec3 origin, Vec3 direction, double t_min,
                              double t_max) -> std::optional<Blocker> {
@@ -39,24 +41,19 @@ std::optional<Blocker> find_blocker(const WorldParts& world, const LightTerms& t
     return blocker ? blocker : nearest(terms.origin, terms.direction, terms.t_min, terms.t_max);
 }
 
-std::vector<std::uint32_t> scene_lights(const Scene& scene) {
-    std::vector<std::uint32_t> numbers;
-    for (std::size_t i = 0; i < scene.lights.size(); ++i) {
-        if (!scene.lights[i].is_ambient()) numbers.push_back(static_cast<std::uint32_t>(i));
-    }
-    return numbers;
-}
-
-// Converts the World's indices to the Scene's, and finds the blockers.
+// Converts the World's index of the default material to the Scene's, and finds the blockers.
 void complete(const Scene& scene, const WorldParts& world, Explanation& e) {
-    const std::vector<std::uint32_t> lights = scene_lights(scene);
     for (ExplainedRay& ray : e.rays) {
         if (!ray.hit) continue;
         if (ray.hit->material >= scene.materials.size()) ray.hit->material = k_none;
         for (LightTerms& terms : ray.hit->lights) {
-            terms.light = lights[terms.light];
             const bool from_light = comes_from_light(scene.lights[terms.light], world.conventions);
-            if (terms.blocked) terms.blocker = find_blocker(world, terms, ray.hit->point, from_light);
+            if (terms.blocked && terms.has_ray)
+                terms.blocker = find_blocker(world, terms, ray.hit->point, from_light);
+            for (ShadowSample& sample : terms.samples) {
+                if (sample.blocked) sample.blocker = find_blocker(world, sample, ray.hit->point, from_light);
+            }
+            if (terms.blocked && !terms.samples.empty()) terms.blocker = terms.samples[0].blocker;
         }
     }
 }

@@ -56,6 +56,33 @@ Json light_json(const Scene& scene, std::uint32_t index) {
     return item;
 }
 
+Json blocker_json(const Scene& scene, const Blocker& blocker) {
+    return {{"shape", shape_json(scene, blocker.shape)},
+            {"distance", blocker.distance},
+            {"point", to_json(blocker.point)}};
+}
+
+// terms: LightTerms or a ShadowSample.
+template <class Terms> Json shadow_ray_json(const Terms& terms) {
+    return {{"origin", to_json(terms.origin)},
+            {"direction", to_json(terms.direction)},
+            {"t_min", terms.t_min},
+            {"t_max", finite(terms.t_max)}};
+}
+
+Json samples_json(const Scene& scene, const LightTerms& terms) {
+    Json list = Json::array();
+    for (const ShadowSample& sample : terms.samples) {
+        Json json = {{"sample", sample.sample},
+                     {"position", to_json(sample.position)},
+                     {"blocked", sample.blocked},
+                     {"shadow_ray", shadow_ray_json(sample)}};
+        if (sample.blocker) json["blocker"] = blocker_json(scene, *sample.blocker);
+        list.push_back(std::move(json));
+    }
+    return list;
+}
+
 Json terms_json(const Scene& scene, const ExplainedHit& hit, const LightTerms& terms) {
     Json json = {{"light", light_json(scene, terms.light)},
                  {"reason", to_string(reason(terms))},
@@ -64,6 +91,8 @@ Json terms_json(const Scene& scene, const ExplainedHit& hit, const LightTerms& t
                  {"distance", terms.distance},
                  {"attenuation", terms.attenuation},
                  {"spot", terms.spot},
+                 {"emitter", terms.emitter},
+                 {"visible", terms.visible},
                  {"n_l", finite(terms.n_l)},
                  {"s", finite(terms.s)},
                  {"power", terms.power},
@@ -76,12 +105,6 @@ Json terms_json(const Scene& scene, const ExplainedHit& hit, const LightTerms& t
         json["phong_power"] = terms.phong_power;
     }
     if (material.metallic > 0) json["highlight_tint"] = to_json(terms.highlight_tint);
-    if (terms.has_ray) {
-        json["shadow_ray"] = {{"origin", to_json(terms.origin)},
-                              {"direction", to_json(terms.direction)},
-                              {"t_min", terms.t_min},
-                              {"t_max", finite(terms.t_max)}};
-    }
     if (!terms.filters.empty()) {
         json["filter"] = to_json(terms.filter);
         for (const ShadowFilter& filter : terms.filters) {
@@ -91,11 +114,10 @@ Json terms_json(const Scene& scene, const ExplainedHit& hit, const LightTerms& t
                                        {"factor", to_json(filter.factor)}});
         }
     }
-    if (terms.blocker) {
-        json["blocker"] = {{"shape", shape_json(scene, terms.blocker->shape)},
-                           {"distance", terms.blocker->distance},
-                           {"point", to_json(terms.blocker->point)}};
-    }
+    if (terms.sample >= 0) json["sample"] = terms.sample;
+    if (terms.has_ray) json["shadow_ray"] = shadow_ray_json(terms);
+    if (terms.blocker) json["blocker"] = blocker_json(scene, *terms.blocker);
+    if (!terms.samples.empty()) json["samples"] = samples_json(scene, terms);
     return json;
 }
 

@@ -23,7 +23,8 @@ LightReason reason(const LightTerms& terms) {
     if (!(terms.distance > 0)) return LightReason::in_surface;
     if (!(terms.attenuation > 0)) return LightReason::faded;
     if (!(terms.spot > 0)) return LightReason::outside_cone;
-    if (terms.n_l > 0 && terms.n_l * (terms.attenuation * terms.spot) <= terms.threshold)
+    if (!(terms.emitter > 0)) return LightReason::back_of_light;
+    if (terms.n_l > 0 && terms.n_l * (terms.attenuation * terms.spot * terms.emitter) <= terms.threshold)
         return LightReason::faint;
     return terms.n_l > 0 ? LightReason::no_color : LightReason::behind;
 }
@@ -49,8 +50,9 @@ const Material& material_of(const ExplainedHit& hit, const Scene& scene) {
 }
 
 std::string_view to_string(LightReason reason) {
-    constexpr std::array<std::string_view, 8> words = {"adds",  "blocked",    "behind",       "no_color",
-                                                       "faded", "in_surface", "outside_cone", "faint"};
+    constexpr std::array<std::string_view, 9> words = {"adds",         "blocked", "behind",
+                                                       "no_color",     "faded",   "in_surface",
+                                                       "outside_cone", "faint",   "back_of_light"};
     return word_of(reason, words);
 }
 

@@ -25,6 +25,10 @@ std::string hit_fault(const ExplainedHit& hit, const Scene& scene) {
             if (filter.shape >= scene.shapes.size())
                 return beyond("shape", filter.shape, scene.shapes.size());
         }
+        for (const ShadowSample& sample : terms.samples) {
+            if (sample.blocker && sample.blocker->shape >= scene.shapes.size())
+                return beyond("shape", sample.blocker->shape, scene.shapes.size());
+        }
     }
     return {};
 }

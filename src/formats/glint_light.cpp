@@ -29,6 +29,8 @@ constexpr SpellingHint k_hints[] = {{"pos", "`position`"},
                                     {"brightness", "`intensity`"},
                                     {"strength", "`intensity`"},
                                     {"falloff", "`attenuation = (c0, c1, c2)`"},
+                                    {"samples", "`samples_u` and `samples_v`"},
+                                    {"normal", "`axis`"},
                                     {"kind", "`type`"}};
 
 bool read_kind(GlintText& t, LightKind& kind) {
@@ -40,9 +42,11 @@ bool read_kind(GlintText& t, LightKind& kind) {
     return true;
 }
 
-// The axis of a spot that is given by its target.
+// The axis that is given by a target.
 void aim_at(GlintText& t, Light& light, Vec3 target, const Token& token, bool has_axis) {
-    if (has_axis) return t.p.error(token, "expected `axis` or `target` in the spot light, found both");
+    if (has_axis)
+        return t.p.error(token, fmt::format("expected `axis` or `target` in the {} light, found both",
+                                            to_string(light.kind)));
     light.axis = target - light.position;
     if (is_zero(light.axis)) t.p.error(token, "expected a target other than the position of the light");
 }
@@ -84,7 +88,7 @@ void read_glint_light(GlintText& t, const Token& word) {
         return t.p.error(word,
                          "expected `type = directional` in a light that has a direction and no position");
     const int axis = keys.key_of(&Light::axis);
-    const bool is_aimed = light.is_spot() && set.has(k_target);
+    const bool is_aimed = light.has_axis() && set.has(k_target);
     if (is_aimed) aim_at(t, light, target, key_tokens[k_target], set.has(axis));
     for (const ItemField<Light>& field : k_light_fields) {
         if (is_aimed && is_field_of(field, &Light::axis)) continue;

@@ -12,6 +12,17 @@ struct SpotCone {
     double tightness = 0;
 };
 
+/// The samples of an area light: columns x rows points on a parallelogram, a disc or a sphere.
+struct AreaGrid {
+    LightKind shape = LightKind::parallelogram;
+    std::int32_t columns = 0, rows = 0;  // 0: not an area light
+    Vec3 center;
+    Vec3 x, y, z;  // the sides; or axes at right angles, the radius long, of which a disc has only x and y
+    bool jitter = false;
+    std::int32_t adaptive = k_all_levels;
+    std::int32_t count() const { return columns * rows; }
+};
+
 /// Whether shadow rays are traced from the light to the surface, so that all of them have the same origin.
 inline bool comes_from_light(const Light& light, const Conventions& conventions) {
     return light.has_position() && conventions.shadow_stops_at_light;

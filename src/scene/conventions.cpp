@@ -30,6 +30,7 @@ constexpr std::string_view k_transparent_shadows[] = {"opaque", "none", "colored
 constexpr std::string_view k_facings[] = {"none", "open", "all"};
 constexpr std::string_view k_spot_falloffs[] = {"cubic", "linear"};
 constexpr std::string_view k_fog_distances[] = {"ray", "depth"};
+constexpr std::string_view k_area_shadings[] = {"samples", "center"};
 constexpr std::string_view k_shadings[] = {"phong", "blinn-phong", "diffuse", "color", "normals"};
 
 std::string found(std::string_view expected, std::string_view text) {
@@ -297,6 +298,10 @@ constexpr Row k_rows[] = {
         "attenuation and a spot's factor apply to highlights; false: to the diffuse term only", true),
     number_row<&C::light_threshold, k_not_negative>(
         "light_threshold", "a light adds nothing where N.L times attenuation and spot is not above this"),
+    word_row<&C::area_shading, k_area_shadings>(
+        "area_shading",
+        "samples: each sample of an area light is a light; center: only its shadow is sampled (POV-Ray)",
+        true),
     word_row<&C::fog_distance, k_fog_distances>(
         "fog_distance",
         "what fog depends on: the distance along the ray, or of camera rays the depth along the view", true),

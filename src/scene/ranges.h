@@ -42,6 +42,9 @@ inline constexpr Range k_threshold{0, 1e6, false, false, "a number from 0 to 1e6
 inline constexpr Range k_reach{0, std::numeric_limits<double>::infinity(), true, false, "a number > 0"};
 inline constexpr Range k_occlusion_samples{1, 4096, false, false, "a whole number from 1 to 4096"};
 
+inline constexpr Range k_light_samples{1, 64, false, false, "a whole number from 1 to 64"};
+inline constexpr Range k_level{0, 16, false, false, "a whole number from 0 to 16"};
+
 inline bool is_coordinate(Vec3 p) {
     return k_coordinate.contains(p.x) && k_coordinate.contains(p.y) && k_coordinate.contains(p.z);
 }

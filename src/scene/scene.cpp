@@ -33,6 +33,12 @@ std::string_view to_string(LightKind kind) {
             return "directional";
         case LightKind::spot:
             return "spot";
+        case LightKind::parallelogram:
+            return "parallelogram";
+        case LightKind::disc:
+            return "disc";
+        case LightKind::sphere:
+            return "sphere";
     }
     return "unknown light";
 }

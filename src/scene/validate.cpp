@@ -249,6 +249,10 @@ class Validator {
             error(place,
                   fmt::format("{}: inner angle: expected at most the outer angle of {} degrees, found {}", of,
                               l.outer_angle, l.inner_angle));
+        if (l.is_parallelogram() && !is_zero(l.side_u) && !is_zero(l.side_v) &&
+            are_parallel(l.side_u, l.side_v))
+            error(place, fmt::format("{}: expected sides that are not parallel, found {} and {}", of,
+                                     text(l.side_u), text(l.side_v)));
     }
 
     void check_material(const Material& m, std::uint32_t i) {

@@ -241,6 +241,29 @@ struct SteppedRays {
     }
 };
 
+/// The samples of an area light that shines from its centre: which of them are visible from the surfaces.
+/// Sets of surfaces are bits.
+struct AreaShadowBatch {
+    static constexpr int k_words = k_batch_size / 64;    // for the surfaces of a batch
+    std::vector<std::uint64_t> wanted, traced, visible;  // [sample * k_words + surface / 64]
+    BatchColumn<double> fraction;                        // the visible part of the light, by surface
+
+    void start(int samples) {
+        for (auto* sets : {&wanted, &traced, &visible})
+            sets->assign(static_cast<std::size_t>(samples) * k_words, 0);
+    }
+    static std::size_t word_of(int sample, int surface) {
+        return static_cast<std::size_t>(sample * k_words + surface / 64);
+    }
+    static std::uint64_t bit_of(int surface) { return std::uint64_t{1} << (surface % 64); }
+    bool is_traced(int sample, int surface) const {
+        return (traced[word_of(sample, surface)] & bit_of(surface)) != 0;
+    }
+    bool is_visible(int sample, int surface) const {
+        return (visible[word_of(sample, surface)] & bit_of(surface)) != 0;
+    }
+};
+
 /// The mirror and glass rays that start at the surfaces.
 struct SecondaryRayBatch {
     RayBatch rays;         // the next generation

@@ -8,7 +8,9 @@
 #define GLINT_TRACE_DIRECT_LIGHTING_INL_H_
 #endif
 
+#include "lighting/area_light-inl.h"
 #include "lighting/phong-inl.h"
+#include "simd/sample_hash-inl.h"
 #include "trace/finish-inl.h"
 #include "trace/material-inl.h"
 #include "trace/shadow_rays-inl.h"
@@ -28,20 +30,27 @@ HWY_INLINE LightingRules lighting_rules(const WorldParts& world) {
 struct LightRules : LightingRules {
     bool attenuated = false;  // its strength depends on the distance
     bool is_spot = false;
-    bool has_shadow_rays = false;
+    bool has_emitter_cosine = false;
+    bool from_center = false;      // an area light that shines from its centre
+    bool has_shadow_rays = false;  // one for each surface
+    bool samples_shadow = false;   // shadow rays to the samples of the area light (area_shadow-inl.h)
     FinishRules finish;
 
     /// Whether the light has the same strength everywhere.
-    bool is_constant() const { return !attenuated && !is_spot; }
+    bool is_constant() const { return !attenuated && !is_spot && !has_emitter_cosine && !from_center; }
 };
-HWY_INLINE LightRules light_rules(const WorldParts& world, const Light& light) {
+HWY_INLINE LightRules light_rules(const WorldParts& world, const PreparedLight& light) {
     const Conventions& c = world.conventions;
     LightRules rules;
     static_cast<LightingRules&>(rules) = lighting_rules(world);
     rules.attenuated =
         light.falls_off() || (!c.clamp_attenuation && light.has_attenuation() && light.attenuation.c0 != 1);
     rules.is_spot = light.is_spot();
-    rules.has_shadow_rays = world.settings.shadows && light.casts_shadows;
+    rules.has_emitter_cosine = light.has_emitter_cosine();
+    rules.from_center = light.is_area() && light.sample < 0;
+    const bool shadows = world.settings.shadows && light.casts_shadows;
+    rules.has_shadow_rays = shadows && !rules.from_center;
+    rules.samples_shadow = shadows && rules.from_center;
     rules.finish = finish_rules(world);
     return rules;
 }
@@ -53,12 +62,50 @@ HWY_INLINE Doubles spot_at(const PreparedLight& light, Vector3<Doubles> to_light
     return spot_factor(cosine, light.cone, rules.spot_falloff);
 }
 
+/// The factor of a one-sided area light: the cosine off its normal, 0 behind it.
+HWY_INLINE Doubles emitter_cosine(const PreparedLight& light, Vector3<Doubles> to_light, Doubles distance) {
+    return max(-dot(to_light, lanes_of(light.unit_axis)) / distance, Doubles(0));
+}
+
+/// The rule for the places of an area light's samples.
+HWY_INLINE AreaShading placing_rule(const WorldParts& world, const AreaGrid& area) {
+    return area.shape == LightKind::parallelogram ? world.conventions.area_shading : AreaShading::samples;
+}
+/// A sample of an area light whose samples are not moved.
+inline Vec3 fixed_sample(const WorldParts& world, const AreaGrid& area, int sample) {
+    const AreaShading rule = placing_rule(world, area);
+    const Vector3<double> at =
+        area_point(area, sample_coordinate(sample % area.columns, area.columns, 0.5, rule),
+                   sample_coordinate(sample / area.columns, area.rows, 0.5, rule));
+    return {at.x, at.y, at.z};
+}
+/// A sample that is moved within its cell, for a vector of surfaces.
+inline Vector3<Doubles> moved_sample(const WorldParts& world, const PreparedLight& light, int sample,
+                                     const SurfaceBatch& surfaces, int i) {
+    const AreaGrid& area = light.area;
+    const AreaShading rule = placing_rule(world, area);
+    const Words of_light = hash_with(to_words(load(surfaces.hash.data() + i)),
+                                     Words(purpose_word(SamplePurpose::light, light.index)));
+    const Words of_sample = hash_with(of_light, Words(static_cast<std::uint32_t>(sample)));
+    const Doubles u = unit_number(hash_with(of_sample, Words(0u))),
+                  v = unit_number(hash_with(of_sample, Words(1u)));
+    return area_point(area, sample_coordinate(sample % area.columns, area.columns, u, rule),
+                      sample_coordinate(sample / area.columns, area.rows, v, rule));
+}
+/// Whether the light is at another point for each surface.
+HWY_INLINE bool is_moved(const PreparedLight& light) { return light.sample >= 0 && light.jitter; }
+/// Where a light with a position is, for a vector of surfaces.
+HWY_INLINE Vector3<Doubles> position_of(const WorldParts& world, const PreparedLight& light,
+                                        const SurfaceBatch& surfaces, int i) {
+    return is_moved(light) ? moved_sample(world, light, light.sample, surfaces, i) : lanes_of(light.position);
+}
+
 /// The values of a light at a vector of surfaces.
 struct LightLanes {
     Vector3<Doubles> to_light;
     Doubles distance;     // the length of to_light
     Doubles attenuation;  // by the distance
-    Doubles spot;         // 1 if it is no spot
+    Doubles spot;         // by the direction: of a spot or a one-sided area light; else 1
     Cosines<Doubles> cosines;
     Doubles phong_s;       // R·V of the second highlight; 0 without one
     LaneMask<double> lit;  // surfaces where it may add light
@@ -69,9 +116,9 @@ struct LightLanes {
 HWY_INLINE LightLanes light_at(const WorldParts& world, const PreparedLight& light, const LightRules& rules,
                                const SurfaceBatch& surfaces, int i) {
     const Doubles zero(0);
-    const Vector3<Doubles> to_light = light.has_position()
-                                          ? lanes_of(light.position) - load_vector3(surfaces.point, i)
-                                          : lanes_of(light.to_light);
+    const Vector3<Doubles> to_light =
+        light.has_position() ? position_of(world, light, surfaces, i) - load_vector3(surfaces.point, i)
+                             : lanes_of(light.to_light);
     const Doubles distance = length(to_light);
     const Vector3<Doubles> l = rules.normalize ? to_light / distance : to_light;
     const Vector3<Doubles> normal = load_vector3(surfaces.normal, i),
@@ -91,6 +138,9 @@ HWY_INLINE LightLanes light_at(const WorldParts& world, const PreparedLight& lig
     Doubles spot(1);
     if (rules.is_spot) {
         spot = spot_at(light, to_light, distance, rules);
+        lit = lit && spot > zero;
+    } else if (rules.has_emitter_cosine) {
+        spot = emitter_cosine(light, to_light, distance);
         lit = lit && spot > zero;
     }
     const MaterialLanes material(world, surfaces.material.data() + i);
@@ -123,6 +173,13 @@ inline void clear_radiance(const SurfaceBatch& surfaces, RadianceBatch& radiance
     }
 }
 
+HWY_INLINE ShadowRay<Doubles> shadow_ray_at(const WorldParts& world, const PreparedLight& light,
+                                            const SurfacePoint<Doubles>& surface, Vector3<Doubles> to_light) {
+    if (is_moved(light))
+        return shadow_ray_from(surface, surface.point + to_light, to_light, world.conventions);
+    return shadow_ray(surface, light, to_light, world.conventions);
+}
+
 /// Samples a light at all surfaces: its cosines, its attenuation, the surfaces that it may light, and, if
 /// shadows are on, their shadow rays.
 inline void sample_light(const WorldParts& world, const PreparedLight& light, const SurfaceBatch& surfaces,
@@ -140,7 +197,8 @@ inline void sample_light(const WorldParts& world, const PreparedLight& light, co
         store(at.cosines.s, samples.s.data() + i);
         if (rules.finish.phong) store(at.phong_s, samples.phong_s.data() + i);
         if (!rules.has_shadow_rays) continue;
-        store_shadow_rays(light, surface_at(surfaces, i), at.to_light, world.conventions, at.lit, shadow_rays,
+        store_shadow_rays(shadow_ray_at(world, light, surface_at(surfaces, i), at.to_light),
+                          comes_from_light(light, world.conventions) && !is_moved(light), at.lit, shadow_rays,
                           rays);
         rays += count(at.lit);
     }
@@ -175,7 +233,8 @@ inline void compute_highlights(const WorldParts& world, const SurfaceBatch& surf
     }
 }
 
-/// k_d I_l,d (N·L)^brilliance f_att. strength: f_att, times the spot's factor.
+/// k_d I_l,d (N·L)^brilliance f_att. strength: f_att, times the factor by the
+/// direction and the visible part of an area light.
 HWY_INLINE Vector3<Doubles> diffuse_of(const WorldParts& world, const MaterialLanes& material,
                                        const Light& light, const LightRules& rules, Doubles n_l,
                                        Doubles strength) {
@@ -195,7 +254,7 @@ HWY_INLINE Vector3<Doubles> specular_of(const WorldParts& world, const MaterialL
 }
 
 /// Adds the light's terms to the surfaces that are lit.
-inline void add_light(const WorldParts& world, const Light& light, const SurfaceBatch& surfaces,
+inline void add_light(const WorldParts& world, const PreparedLight& light, const SurfaceBatch& surfaces,
                       const LightSampleBatch& samples, const HighlightBatch& highlights,
                       RadianceBatch& radiance) {
     const LightRules rules = light_rules(world, light);

@@ -87,6 +87,16 @@ inline void count_sky(const WorldParts& world, const SurfaceBatch& surfaces, con
     }
 }
 
+/// In place of count_unoccluded(): subtracts the visible part of an area light.
+inline void count_visible(const SurfaceBatch& surfaces, const LightSampleBatch& samples,
+                          const AreaShadowBatch& shadow, FirstHits& first_hits) {
+    for (int h = 0; h < surfaces.count; ++h) {
+        const auto at = static_cast<std::size_t>(h);
+        if ((lit_bits(samples, h) >> (h % lane_count<double>()) & 1) != 0)
+            first_hits.occluded[static_cast<std::size_t>(surfaces.target[at])] -= shadow.fraction[at];
+    }
+}
+
 /// Value c of a layer at a pixel of the tile.
 inline float layer_value(const Film& film, const FirstHits& first_hits, Layer layer, int c, std::size_t p,
                          double samples) {

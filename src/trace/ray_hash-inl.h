@@ -7,6 +7,8 @@
 #define GLINT_TRACE_RAY_HASH_INL_H_
 #endif
 
+#include <algorithm>
+
 #include "simd/sample_hash-inl.h"
 #include "trace/camera_rays-inl.h"
 #include "trace/tile.h"
@@ -18,7 +20,10 @@ namespace HWY_NAMESPACE {
 
 /// Whether the World samples anything at surfaces.
 inline bool needs_hashes(const WorldParts& world) {
-    return world.occlusion && world.occlusion->method == OcclusionMethod::hashed;
+    const bool occlusion = world.occlusion && world.occlusion->method == OcclusionMethod::hashed;
+    return occlusion ||
+           std::any_of(world.lights->begin(), world.lights->end(),
+                       [](const PreparedLight& light) { return light.is_area() && light.jitter; });
 }
 
 /// Computes the hash of each pixel of the tile, or of the list if there is one: of the words up to the

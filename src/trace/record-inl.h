@@ -8,6 +8,7 @@
 #define GLINT_TRACE_RECORD_INL_H_
 #endif
 
+#include "trace/area_shadow-inl.h"
 #include "trace/direct_lighting-inl.h"
 #include "trace/film-inl.h"
 #include "trace/occlusion-inl.h"
@@ -137,10 +138,33 @@ inline std::vector<ShadowFilter> recorded_filters(const WorldParts& world, const
     return filters;
 }
 
+/// The samples of an area light whose shadow rays were traced for the surface at index h + k.
+inline std::vector<ShadowSample> recorded_samples(const WorldParts& world, const PreparedLight& light,
+                                                  const SurfaceBatch& surfaces, const AreaShadowBatch& shadow,
+                                                  int h, int k) {
+    std::vector<ShadowSample> list;
+    for (int sample = 0; sample < light.area.count(); ++sample) {
+        if (!shadow.is_traced(sample, h + k)) continue;
+        const Vec3 fixed = fixed_sample(world, light.area, sample);
+        const ShadowRay<Doubles> ray = sample_ray(world, light, sample, fixed, surfaces, h);
+        const Vector3<Doubles> at =
+            light.jitter ? moved_sample(world, light, sample, surfaces, h) : lanes_of(fixed);
+        ShadowSample& traced = list.emplace_back();
+        traced.sample = sample;
+        traced.position = Vector3Elements(at).vec3(k);
+        traced.blocked = !shadow.is_visible(sample, h + k);
+        traced.origin = Vector3Elements(ray.origin).vec3(k);
+        traced.direction = Vector3Elements(ray.direction).vec3(k);
+        traced.t_min = LaneElements(ray.t_min)[k];
+        traced.t_max = ray.t_max;
+    }
+    return list;
+}
+
 /// Records one light, after its terms have been added.
 inline void record_light(const WorldParts& world, const PreparedLight& light, const SurfaceBatch& surfaces,
                          const LightSampleBatch& samples, const ShadowRayBatch& shadow_rays,
-                         TileRecord& record) {
+                         const AreaShadowBatch& area_shadow, TileRecord& record) {
     const LightRules rules = light_rules(world, light);
     int rays = 0;
     for_each_hit(surfaces, [&](int h, int lanes) HWY_ATTR {
@@ -149,10 +173,12 @@ inline void record_light(const WorldParts& world, const PreparedLight& light, co
         const auto bright = has_highlight(at.cosines, rules);
         const Doubles power =
             select(bright, highlight_power(at.cosines.s, material.value(k_shininess), rules), Doubles(0));
+        const Doubles strength =
+            rules.samples_shadow && any(at.lit) ? load(samples.strength.data() + h) : at.strength();
         const Cosines<Doubles> phong{at.cosines.n_l, at.phong_s};
         const Vector3Elements to_light(at.to_light),
-            diffuse(diffuse_of(world, material, light, rules, at.cosines.n_l, at.strength())),
-            specular(specular_of(world, material, light, rules, power, phong, at.strength())),
+            diffuse(diffuse_of(world, material, light, rules, at.cosines.n_l, strength)),
+            specular(specular_of(world, material, light, rules, power, phong, strength)),
             tint(highlight_tint(world, material, rules.finish, at.cosines.n_l));
         const LaneElements distance(at.distance), f_att(at.attenuation), spot(at.spot), n_l(at.cosines.n_l),
             cosine(at.cosines.s), powers(power), phong_s(at.phong_s),
@@ -161,11 +187,12 @@ inline void record_light(const WorldParts& world, const PreparedLight& light, co
         const std::uint32_t may_add = to_bits(at.lit), lit = lit_bits(samples, h);
         for (int k = 0; k < lanes; ++k) {
             LightTerms r;
-            r.light = static_cast<std::uint32_t>(&light - world.lights->data());
+            r.light = light.index;
+            r.sample = light.sample;
             r.to_light = to_light.vec3(k);
             r.distance = distance[k];
             r.attenuation = f_att[k];
-            r.spot = spot[k];
+            (light.is_area() ? r.emitter : r.spot) = spot[k];
             r.n_l = n_l[k];
             r.s = cosine[k];
             r.power = powers[k];
@@ -187,6 +214,10 @@ inline void record_light(const WorldParts& world, const PreparedLight& light, co
                     r.filters = recorded_filters(world, light, rays, r, record.hit(h + k).point, record);
                 }
                 ++rays;
+            }
+            if (r.may_add && rules.samples_shadow) {
+                r.samples = recorded_samples(world, light, surfaces, area_shadow, h, k);
+                r.visible = area_shadow.fraction[static_cast<std::size_t>(h + k)];
             }
             if (r.may_add && !r.blocked) {
                 r.diffuse = diffuse.color(k) * r.filter;

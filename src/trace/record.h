@@ -10,7 +10,7 @@
 namespace glint {
 
 struct TileRecord {
-    /// Light indices are the World's; the index of the default material follows the last one.
+    /// The index of the default material follows the last one.
     std::vector<ExplainedRay> rays;
     int sample = 0;        // the current sample
     int only = -1;         // the sample to record; -1: all

@@ -26,28 +26,39 @@ template <class T> struct ShadowRay {
     T t_min;
     double t_max;
 };
-/// to_light: the vector to a point light; for other lights, a direction of any length.
+/// The ray to a light in a direction of any length, however far away.
 template <class T>
-HWY_INLINE ShadowRay<T> shadow_ray(const SurfacePoint<T>& s, const Light& light, Vector3<T> to_light,
-                                   const Conventions& rules) {
-    const Vector3<T> start = offset_ray_origin(s, to_light, rules.offset, rules.epsilon);
-    if (!comes_from_light(light, rules))
-        return {start, to_light, T(offset_t_min(rules.offset, rules.epsilon)), k_infinity};
-    const Vector3<T> from{T(light.position.x), T(light.position.y), T(light.position.z)},
-        direction = start - from;
+HWY_INLINE ShadowRay<T> endless_shadow_ray(const SurfacePoint<T>& s, Vector3<T> to_light,
+                                           const Conventions& rules) {
+    return {offset_ray_origin(s, to_light, rules.offset, rules.epsilon), to_light,
+            T(offset_t_min(rules.offset, rules.epsilon)), k_infinity};
+}
+/// The ray of a light at the point `from`. to_light: the vector there.
+template <class T>
+HWY_INLINE ShadowRay<T> shadow_ray_from(const SurfacePoint<T>& s, Vector3<T> from, Vector3<T> to_light,
+                                        const Conventions& rules) {
+    if (!rules.shadow_stops_at_light) return endless_shadow_ray(s, to_light, rules);
+    const Vector3<T> start = offset_ray_origin(s, to_light, rules.offset, rules.epsilon),
+                     direction = start - from;
     // The source compares the distance of an occluder from the moved origin with the distance of the light
     // from P, so that occluders up to epsilon behind the light count.
     const T t_min = rules.offset == Offset::direction ? T(-rules.epsilon) / length(direction) : T(0);
     return {from, direction, t_min, rules.offset == Offset::ray ? 1 - rules.epsilon : 1.0};
 }
+/// to_light: the vector to the light's position; for a light without one, a direction of any length.
+template <class T>
+HWY_INLINE ShadowRay<T> shadow_ray(const SurfacePoint<T>& s, const Light& light, Vector3<T> to_light,
+                                   const Conventions& rules) {
+    if (!light.has_position()) return endless_shadow_ray(s, to_light, rules);
+    const Vector3<T> from{T(light.position.x), T(light.position.y), T(light.position.z)};
+    return shadow_ray_from(s, from, to_light, rules);
+}
 
-/// Writes the shadow rays of the lanes in `set`, from entry `at` on.
-HWY_INLINE void store_shadow_rays(const Light& light, const SurfacePoint<Doubles>& surface,
-                                  Vector3<Doubles> to_light, const Conventions& rules, LaneMask<double> set,
+/// Writes the shadow rays of the lanes in `set`, from entry `at` on. one_origin: it is the same in all lanes.
+HWY_INLINE void store_shadow_rays(const ShadowRay<Doubles>& ray, bool one_origin, LaneMask<double> set,
                                   ShadowRayBatch& to, int at) {
-    const ShadowRay<Doubles> ray = shadow_ray(surface, light, to_light, rules);
-    if (comes_from_light(light, rules)) {
-        store_vector3(ray.origin, to.origin, at);  // the same in all lanes
+    if (one_origin) {
+        store_vector3(ray.origin, to.origin, at);
     } else {
         compress_vector3(ray.origin, set, to.origin, at);
     }

@@ -63,6 +63,7 @@ struct TileScratch {
     HighlightBatch highlights;
     ShadowRayBatch shadow_rays;
     SkyBatch sky;
+    AreaShadowBatch area_shadow;
     SecondaryRayBatch secondary;
     Film film;
     FirstHits first_hits;

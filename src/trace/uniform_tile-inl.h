@@ -7,6 +7,7 @@
 #define GLINT_TRACE_UNIFORM_TILE_INL_H_
 #endif
 
+#include "trace/area_shadow-inl.h"
 #include "trace/camera_rays-inl.h"
 #include "trace/direct_lighting-inl.h"
 #include "trace/film-inl.h"
@@ -23,8 +24,8 @@ HWY_BEFORE_NAMESPACE();
 namespace glint {
 namespace HWY_NAMESPACE {
 
-/// Runs the stages of one light.
-inline void light_surfaces(const WorldParts& world, const PreparedLight& light, TileScratch& s) {
+/// Runs the stages of one light, or of one sample of an area light.
+inline void light_from(const WorldParts& world, const PreparedLight& light, TileScratch& s) {
     FirstHits* const first_hits = s.surfaces.generation == 0 && s.first_hits.wanted ? &s.first_hits : nullptr;
     sample_light(world, light, s.surfaces, s.light_samples, s.shadow_rays);
     if (s.shadow_rays.count > 0) {
@@ -34,11 +35,31 @@ inline void light_surfaces(const WorldParts& world, const PreparedLight& light, 
         apply_occlusion(s.shadow_rays, s.surfaces.count, s.light_samples);
         if (first_hits != nullptr) count_unoccluded(world, s.surfaces, s.light_samples, *first_hits);
         s.counts.shadow += static_cast<std::uint64_t>(s.shadow_rays.count);
+    } else if (light_rules(world, light).samples_shadow) {
+        if (first_hits != nullptr) count_tested(s.surfaces, s.light_samples, *first_hits);
+        s.counts.shadow +=
+            sample_area_shadow(world, light, s.surfaces, s.light_samples, s.area_shadow, s.shadow_rays);
+        if (first_hits != nullptr) count_visible(s.surfaces, s.light_samples, s.area_shadow, *first_hits);
     }
     compute_highlights(world, s.surfaces, s.light_samples, s.highlights);
     add_light(world, light, s.surfaces, s.light_samples, s.highlights, s.radiance);
     if (s.record != nullptr)
-        record_light(world, light, s.surfaces, s.light_samples, s.shadow_rays, *s.record);
+        record_light(world, light, s.surfaces, s.light_samples, s.shadow_rays, s.area_shadow, *s.record);
+}
+
+/// Adds the light of a light to the surfaces.
+inline void light_surfaces(const WorldParts& world, const PreparedLight& light, TileScratch& s) {
+    if (!light.is_area() || world.conventions.area_shading == AreaShading::center)
+        return light_from(world, light, s);
+    PreparedLight sample = light;
+    const double part = 1.0 / light.area.count();
+    sample.color = light.color * part;
+    sample.specular_color = light.specular_color * part;
+    for (int i = 0; i < light.area.count(); ++i) {
+        sample.sample = i;
+        if (!light.jitter) sample.position = fixed_sample(world, light.area, i);
+        light_from(world, sample, s);
+    }
 }
 
 /// Runs the stages of the light from all directions.

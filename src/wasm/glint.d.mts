@@ -93,7 +93,7 @@ export interface FieldInfo {
     default: number | boolean | Vec3 | null;
 }
 
-export type LightKind = 'ambient' | 'point' | 'directional' | 'spot';
+export type LightKind = 'ambient' | 'point' | 'directional' | 'spot' | 'parallelogram' | 'disc' | 'sphere';
 
 /** Beside these, each of SceneInfo.light_fields that the kind has. */
 export interface LightInfo {
@@ -112,6 +112,14 @@ export interface LightInfo {
     fade_distance?: number;
     fade_power?: number;
     casts_shadows?: boolean;
+    side_u?: Vec3;
+    side_v?: Vec3;
+    radius?: number;
+    samples_u?: number;
+    samples_v?: number;
+    one_sided?: boolean;
+    jitter?: boolean;
+    adaptive?: number;
 }
 
 /** Beside these, each of SceneInfo.gradient_fields or occlusion_fields. */
@@ -186,16 +194,35 @@ export interface NamedItem extends Partial<Place> {
     name?: string;
 }
 
+export interface ShadowRay {
+    origin: Vec3;
+    direction: Vec3;
+    t_min: number;
+    t_max: number | null;
+}
+
+export interface Blocker {
+    shape: NamedItem & {kind: string};
+    distance: number;
+    point: Vec3;
+}
+
 export interface LightTerms {
     light: NamedItem & {kind: LightKind; has_position: boolean; color: Vec3; specular_color: Vec3};
     /** Why it adds something, or nothing. */
-    reason: 'adds' | 'blocked' | 'behind' | 'no_color' | 'faded' | 'in_surface' | 'outside_cone' | 'faint';
+    reason: 'adds' | 'blocked' | 'behind' | 'no_color' | 'faded' | 'in_surface' | 'outside_cone' | 'faint' | 'back_of_light';
     highlight: 'adds' | 'none' | 'behind' | 'turned_away';
     to_light: Vec3;
     distance: number;
     attenuation: number;
     /** Of a spot: the factor of its light in this direction. */
     spot: number;
+    /** Of a one-sided area light: the cosine off its normal. */
+    emitter: number;
+    /** Of an area light that shines from its centre: the visible part. */
+    visible: number;
+    /** Of an area light each of whose samples is a light: row * samples_u + column. */
+    sample?: number;
     /** N·L, and R·V (Phong) or N·H (Blinn-Phong); null if undefined. */
     n_l: number | null;
     s: number | null;
@@ -209,8 +236,10 @@ export interface LightTerms {
     /** The factor of the light that passes transparent surfaces on its way, and these surfaces from the point on. */
     filter?: Vec3;
     filters?: {shape: NamedItem & {kind: string}; distance: number; point: Vec3; factor: Vec3}[];
-    shadow_ray?: {origin: Vec3; direction: Vec3; t_min: number; t_max: number | null};
-    blocker?: {shape: NamedItem & {kind: string}; distance: number; point: Vec3};
+    shadow_ray?: ShadowRay;
+    blocker?: Blocker;
+    /** Of an area light that shines from its centre: the samples to which shadow rays were traced. */
+    samples?: {sample: number; position: Vec3; blocked: boolean; shadow_ray: ShadowRay; blocker?: Blocker}[];
 }
 
 export interface ExplainedSecondaryRay {

@@ -2,6 +2,7 @@
 #include "world/shading.h"
 
 #include "math/elementary.h"
+#include "math/number.h"
 #include "math/transform.h"
 
 namespace glint {
@@ -16,6 +17,32 @@ void prepare_spot(PreparedLight& light) {
     const double inner_cosine = light.inner_angle < 180 ? cos_degrees(light.inner_angle) : -2;
     light.cone = {inner_cosine, cos_degrees(light.outer_angle), light.inner_angle * k_radians,
                   light.outer_angle * k_radians, light.tightness};
+}
+
+// Two vectors of this length at right angles to the unit vector and to each other.
+void set_across(Vec3 unit, double length, Vec3& x, Vec3& y) {
+    const Vec3 other = number::abs(unit.x) < 0.5 ? Vec3{1, 0, 0} : Vec3{0, 1, 0};
+    const Vec3 across = normalize(cross(unit, other));
+    x = across * length;
+    y = cross(unit, across) * length;
+}
+
+void prepare_area(PreparedLight& light) {
+    AreaGrid& area = light.area;
+    area.shape = light.kind;
+    area.columns = light.samples_u;
+    area.rows = light.samples_v;
+    area.center = light.position;
+    area.jitter = light.jitter;
+    area.adaptive = light.adaptive;
+    area.x = light.side_u, area.y = light.side_v;
+    light.unit_axis = light.is_parallelogram()
+                          ? normalize(cross(normalize(light.side_u), normalize(light.side_v)))
+                      : light.is_disc() ? normalize(light.axis)
+                                        : Vec3{0, 0, 1};
+    if (!light.has_radius()) return;
+    set_across(light.unit_axis, light.radius, area.x, area.y);
+    area.z = light.unit_axis * light.radius;
 }
 
 }  // namespace
@@ -80,14 +107,18 @@ std::vector<std::uint8_t> find_no_shadow(std::span<const Material> materials) {
 
 PreparedLights prepare_lights(std::span<const Light> lights) {
     PreparedLights prepared;
-    for (const Light& light : lights) {
+    for (std::size_t i = 0; i < lights.size(); ++i) {
+        const Light& light = lights[i];
         if (light.is_ambient()) {
             prepared.ambient = prepared.ambient + light.color;
             continue;
         }
-        prepared.lights.push_back({light, {}, {}});
-        Vec3& to_light = prepared.lights.back().to_light;
-        if (light.is_spot()) prepare_spot(prepared.lights.back());
+        PreparedLight& added = prepared.lights.emplace_back();
+        static_cast<Light&>(added) = light;
+        added.index = static_cast<std::uint32_t>(i);
+        if (light.is_spot()) prepare_spot(added);
+        if (light.is_area()) prepare_area(added);
+        Vec3& to_light = added.to_light;
         // The squares of shorter vectors underflow.
         if (light.has_direction() && length(to_light) < k_min_direction)
             to_light = normalize(to_light) * k_min_direction;

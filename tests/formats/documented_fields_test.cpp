@@ -44,6 +44,7 @@ std::string value_text(const ColorType&) { return "a color"; }
 std::string value_text(AttenuationType) { return "(c0, c1, c2), each >= 0, not all 0"; }
 
 std::string default_text(double x) { return fmt::format("{}", x); }
+std::string default_text(std::int32_t value) { return fmt::format("{}", value); }
 std::string default_text(bool value) { return value ? "true" : "false"; }
 std::string default_text(const auto& value) {
     return fmt::format("({})", fmt::join(numbers_of(value), ", "));
@@ -220,6 +221,20 @@ TEST(LightKinds, HaveTheirProperties) {
                 light.has_specular_color());
     EXPECT_FALSE(light.is_ambient() || light.has_direction());
     EXPECT_EQ(light.way_from({1, 0, 0}), (Vec3{0, 2, 3}));
+    EXPECT_TRUE(light.has_axis());
+    EXPECT_FALSE(light.is_area() || light.has_radius() || light.is_flat());
+    for (const LightKind kind : {LightKind::parallelogram, LightKind::disc, LightKind::sphere}) {
+        light.kind = kind;
+        EXPECT_TRUE(light.is_area() && light.has_position() && light.has_attenuation() &&
+                    light.has_specular_color());
+        EXPECT_FALSE(light.is_ambient() || light.has_direction() || light.is_spot());
+        EXPECT_EQ(light.has_radius(), kind != LightKind::parallelogram);
+        EXPECT_EQ(light.is_flat(), kind != LightKind::sphere);
+        EXPECT_EQ(light.has_axis(), kind == LightKind::disc);
+        light.one_sided = true;
+        EXPECT_EQ(light.has_emitter_cosine(), light.is_flat());
+        EXPECT_EQ(light.way_from({1, 0, 0}), (Vec3{0, 2, 3}));
+    }
 }
 
 TEST(LightKinds, FallOffWhereAttenuationIsBelowOne) {

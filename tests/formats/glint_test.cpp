@@ -252,6 +252,28 @@ TEST(Glint, ReadsTransparency) {
     EXPECT_EQ(s.materials[s.shapes[2].material].transmit, 1);
 }
 
+TEST(Glint, ReadsAreaLights) {
+    const Scene s = shapes_of(
+        R"(light { type = parallelogram  position = (2, 4, 5)  side_u = (0, 2, 0)  side_v = (3, 0, 1)
+                samples_u = 5  samples_v = 1  one_sided = true  adaptive = 0 }
+        light { type = disc  position = (2, 4, 5)  target = (1, 0, 5)  radius = 0.5  jitter = true }
+        light { type = sphere  position = (2, 4, 5)  radius = 2 })");
+    EXPECT_EQ(s.lights[0].kind, LightKind::parallelogram);
+    EXPECT_EQ(s.lights[0].side_u, (Vec3{0, 2, 0}));
+    EXPECT_EQ(s.lights[0].side_v, (Vec3{3, 0, 1}));
+    EXPECT_EQ(s.lights[0].samples_u, 5);
+    EXPECT_EQ(s.lights[0].samples_v, 1);
+    EXPECT_EQ(s.lights[0].adaptive, 0);
+    EXPECT_TRUE(s.lights[0].one_sided);
+    EXPECT_EQ(s.lights[1].axis, (Vec3{-1, -4, 0}));
+    EXPECT_EQ(s.lights[1].radius, 0.5);
+    EXPECT_TRUE(s.lights[1].jitter);
+    EXPECT_EQ(s.lights[2].kind, LightKind::sphere);
+    EXPECT_EQ(s.lights[2].samples_u, 4);
+    EXPECT_EQ(s.lights[2].adaptive, k_all_levels);
+    EXPECT_FALSE(s.lights[2].one_sided || s.lights[2].jitter);
+}
+
 TEST(Glint, AppliesTransformsInTheOrderWritten) {
     const Scene s = shapes_of(k_ball + "scale = (1, 2, 3)  translate = (1, 0, 0)  rotate = (0, 0, 90) }\n" +
                               k_ball + "rotate = (90, 90, 0) }\n" + k_ball +

@@ -118,8 +118,16 @@ class SceneFingerprint {
             add(l.fade_distance), add(l.fade_power);
         }
         if (!l.is_ambient()) line(l.casts_shadows ? "casts shadows" : "casts no shadows");
+        if (l.has_axis()) add(l.axis);
+        if (l.is_parallelogram()) add(l.side_u), add(l.side_v);
+        if (l.has_radius()) add(l.radius);
+        if (l.is_flat()) add(l.one_sided ? 1.0 : 0.0);
+        if (l.is_area()) {
+            add(static_cast<double>(l.samples_u)), add(static_cast<double>(l.samples_v));
+            add(static_cast<double>(l.adaptive)), add(l.jitter ? 1.0 : 0.0);
+        }
         if (!l.is_spot()) return;
-        add(l.axis), add(l.inner_angle), add(l.outer_angle), add(l.tightness);
+        add(l.inner_angle), add(l.outer_angle), add(l.tightness);
     }
 
     void add_shape(std::uint32_t i) {

@@ -30,7 +30,9 @@ inline Scene some_scene() {
     scene.lights = {{.kind = LightKind::ambient},
                     {.position = {3, 5, 4}},
                     {.kind = LightKind::directional},
-                    {.kind = LightKind::spot, .position = {0, 6, 0}}};
+                    {.kind = LightKind::spot, .position = {0, 6, 0}},
+                    {.kind = LightKind::parallelogram, .position = {0, 7, 0}},
+                    {.kind = LightKind::disc, .position = {1, 7, 0}, .jitter = true}};
     scene.materials = {{.specular = {0.5, 0.5, 0.5}, .mirror = 0.5}, {.transmission = 0.8, .ior = 1.5}};
     scene.transforms = {Affine{}};
     scene.add(Plane{.point = {0, -1, 0}}, 0);

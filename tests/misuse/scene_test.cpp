@@ -58,6 +58,11 @@ TEST(Misuse, OfEnumerations) {
         [](Scene& s) { s.conventions.glass_shadow = beyond<GlassShadow>(); },
         [](Scene& s) { s.conventions.facing = beyond<Facing>(); },
         [](Scene& s) { s.conventions.spot_falloff = beyond<SpotFalloff>(); },
+        [](Scene& s) { s.conventions.area_shading = beyond<AreaShading>(); },
+        [](Scene& s) { s.lights[4].samples_u = 0; },
+        [](Scene& s) { s.lights[4].samples_v = -2147483647; },
+        [](Scene& s) { s.lights[4].samples_v = 2147483647; },
+        [](Scene& s) { s.lights[4].adaptive = -1; },
     };
     for (const Edit& edit : edits) expect_refused(edit, "an enumeration");
     EXPECT_EQ(to_string(beyond<ShapeKind>()), "unknown shape");
@@ -104,6 +109,9 @@ std::vector<std::function<double&(Scene&)>> numbers() {
     number([](Scene& s) -> double& { return s.lights[3].inner_angle; });
     number([](Scene& s) -> double& { return s.lights[3].outer_angle; });
     number([](Scene& s) -> double& { return s.lights[3].tightness; });
+    point([](Scene& s) -> Vec3& { return s.lights[4].side_u; });
+    point([](Scene& s) -> Vec3& { return s.lights[4].side_v; });
+    number([](Scene& s) -> double& { return s.lights[5].radius; });
     color([](Scene& s) -> Color& { return s.materials[0].color; });
     color([](Scene& s) -> Color& { return s.materials[0].ambient; });
     color([](Scene& s) -> Color& { return s.materials[0].diffuse; });
@@ -201,7 +209,8 @@ TEST(Misuse, OfLights) {
     const Light odd{
         .kind = beyond<LightKind>(), .position = {k_nan, 0, 0}, .attenuation = {k_nan, k_nan, k_nan}};
     EXPECT_FALSE(odd.is_ambient() || odd.has_position() || odd.has_direction() || odd.has_attenuation() ||
-                 odd.falls_off() || odd.fades() || odd.is_spot());
+                 odd.falls_off() || odd.fades() || odd.is_spot() || odd.is_area() || odd.is_flat() ||
+                 odd.has_radius() || odd.has_axis() || odd.has_emitter_cosine());
     EXPECT_TRUE(odd.has_specular_color());  // as of all that are not ambient
     EXPECT_EQ(odd.way_from({k_nan, k_nan, k_nan}), odd.to_light);
 }

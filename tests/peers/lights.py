@@ -147,6 +147,18 @@ def tachyon_spot(name, start, end, attenuation=None):
                          f"type = spot  axis = {paren(direction)}  inner_angle = {start}  outer_angle = {end}", attenuation)
 
 
+def pov_area(name, columns, rows, sides=((2.4, 0, 0), (0, 0, 2.4)), adaptive=None, color=(1, 0.9, 0.8)):
+    """An area light without jitter. adaptive: POV-Ray's level; None: every sample is traced."""
+    pov = f"area_light {vec(sides[0])}, {vec(sides[1])}, {columns}, {rows}"
+    own = (f"type = parallelogram  side_u = {paren(sides[0])}  side_v = {paren(sides[1])}  "
+           f"samples_u = {columns}  samples_v = {rows}")
+    if adaptive is not None:
+        pov += f" adaptive {adaptive}"
+        own += f"  adaptive = {adaptive}"
+    rule = pov_light((-2, 5, -3), color, pov, own, name)
+    return dataclasses.replace(rule, own="conventions { area_shading = center }\n" + rule.own)
+
+
 RULES = [
     pov_spot("pov_spot", 12, 22, 0),
     pov_spot("pov_spot_default", 30, 45, 0),
@@ -160,6 +172,12 @@ RULES = [
               "pov_shadowless"),
     pov_light((-2, 5, -3), (1, 0.9, 0.8), "", "", "pov_no_shadow", pov_balls=("no_shadow", ""),
               own_balls=("casts_shadow = false", "")),
+    *[pov_area(f"pov_area_{n}", n, n) for n in (1, 2, 3, 4, 5)],
+    *[pov_area(f"pov_area_{n}_adaptive_{level}", n, n, adaptive=level) for n in (4, 5, 9) for level in (0, 1)],
+    pov_area("pov_area_not_square", 5, 2, ((3, 0, 1), (0, 1.2, 0))),
+    pov_area("pov_area_row", 6, 1, ((3, 0, 0), (0, 0, 1))),
+    pov_area("pov_area_dim", 5, 5, adaptive=0, color=(0.09, 0, 0)),
+    pov_area("pov_area_less_dim", 5, 5, adaptive=0, color=(0.05, 0.04, 0.02)),
     tachyon_spot("tachyon_spot", 12, 22),
     tachyon_spot("tachyon_spot_wide", 0, 40),
     tachyon_light("tachyon_attenuation", "Light", (-1, 2.5, -3), (0.9, 0.8, 1), "", "", (0.1, 0.05, 0.06)),

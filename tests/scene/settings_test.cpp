@@ -15,7 +15,7 @@ std::string set(Scene& scene, std::string_view key, std::string_view value) {
 
 TEST(Settings, KeysAreFoundByName) {
     const auto keys = setting_keys();
-    ASSERT_EQ(keys.size(), 31u);
+    ASSERT_EQ(keys.size(), 32u);
     for (std::size_t i = 0; i < keys.size(); ++i) {
         EXPECT_EQ(find_setting(keys[i].name), i);
         EXPECT_FALSE(keys[i].values.empty());
@@ -63,6 +63,7 @@ TEST(Settings, EveryFieldHasAKey) {
                                                           {"clamp_attenuation", "false"},
                                                           {"attenuate_highlights", "false"},
                                                           {"light_threshold", "0.25"},
+                                                          {"area_shading", "center"},
                                                           {"fog_distance", "depth"},
                                                           {"fog_background", "false"},
                                                           {"size", "320x200"},
@@ -105,6 +106,7 @@ TEST(Settings, EveryFieldHasAKey) {
                                false,
                                false,
                                0.25,
+                               AreaShading::center,
                                FogDistance::depth,
                                false};
     EXPECT_EQ(scene.conventions, expected);

@@ -200,6 +200,26 @@ INSTANTIATE_TEST_SUITE_P(
                    s.lights[0].kind = LightKind::spot;
                    s.lights[0].tightness = -1;
                }},
+        Broken{"light 1: expected sides that are not parallel, found (1, 0, 0) and (-2, 0, 0)",
+               [](Scene& s) {
+                   s.lights[0].kind = LightKind::parallelogram;
+                   s.lights[0].side_v = {-2, 0, 0};
+               }},
+        Broken{"light 1: samples u: expected a whole number from 1 to 64, found 0",
+               [](Scene& s) {
+                   s.lights[0].kind = LightKind::parallelogram;
+                   s.lights[0].samples_u = 0;
+               }},
+        Broken{"light 1: adaptive: expected a whole number from 0 to 16, found 17",
+               [](Scene& s) {
+                   s.lights[0].kind = LightKind::sphere;
+                   s.lights[0].adaptive = 17;
+               }},
+        Broken{"light 1: radius: expected a number > 0",
+               [](Scene& s) {
+                   s.lights[0].kind = LightKind::disc;
+                   s.lights[0].radius = 0;
+               }},
         Broken{"no such kind of light", [](Scene& s) { s.lights[0].kind = static_cast<LightKind>(9); }},
         Broken{"material 1: color", [](Scene& s) { s.materials[0].color.r = k_nan; }},
         Broken{"material 1: ambient", [](Scene& s) { s.materials[0].ambient.r = k_nan; }},

@@ -73,7 +73,7 @@ function Light({terms, hit, ray, index}: {terms: LightTerms; hit: ExplainedHit; 
         }}>
             <summary>
                 <span class={`dot ${terms.reason}`} aria-hidden="true" />
-                {lightName(light)} {reasons[terms.reason]}
+                {lightName(light)}{terms.sample !== undefined && `, sample ${terms.sample},`} {reasons[terms.reason]}
                 {terms.blocker && <> by {itemName(terms.blocker.shape)}</>}
             </summary>
             <Term name="the light" place={light} formula={light.kind} value={shortColor(light.color)} />
@@ -81,6 +81,8 @@ function Light({terms, hit, ray, index}: {terms: LightTerms; hit: ExplainedHit; 
             {light.has_position && <Term name="distance" place={light} value={short(terms.distance)} />}
             {terms.attenuation !== 1 && <Term name="f_att" place={light} value={short(terms.attenuation)} />}
             {terms.spot !== 1 && <Term name="spot" place={light} value={short(terms.spot)} />}
+            {terms.emitter !== 1 && <Term name="emitter’s cosine" place={light} value={short(terms.emitter)} />}
+            {terms.samples && <Term name="visible" place={light} formula={`${terms.samples.filter((s) => !s.blocked).length} of ${terms.samples.length} samples`} value={short(terms.visible)} />}
             <Term name="N·L" place={light} value={short(terms.n_l)} />
             <Term name={isPhong ? 'R·V' : 'N·H'} place={light} value={short(terms.s)} />
             {terms.highlight === 'adds'

@@ -50,10 +50,20 @@ export function sentence(explanation: Explanation): string {
         if (share('sky') > 0.005) parts.push(`${Math.round(100 * share('sky'))}% is light from all directions${hit.occlusion ? `, of which ${Math.round(100 * hit.occlusion.blocked / hit.occlusion.samples)}% is blocked` : ''}`);
         if (share('fog') > 0.005) parts.push(`${Math.round(100 * share('fog'))}% is the fog's own light`);
     }
-    for (const {light, reason, blocker} of hit.lights) {
+    for (const {light, reason, blocker, sample} of hit.lights) {
+        // Of an area light's samples, the first speaks for all if they have the same fate.
+        if (sample !== undefined) {
+            const all = hit.lights.filter((terms) => terms.light.index === light.index);
+            const blocked = all.filter((terms) => terms.reason === 'blocked').length;
+            if (sample > 0 && (blocked === 0 || blocked === all.length)) continue;
+            if (sample === 0 && blocked > 0 && blocked < all.length)
+                parts.push(`${blocked} of ${all.length} samples of ${phrase(lightName(light))} are blocked`);
+            if (blocked > 0 && blocked < all.length) continue;
+        }
         if (reason === 'blocked') parts.push(`${phrase(lightName(light))} is blocked${blocker ? ` by ${phrase(itemName(blocker.shape))}` : ''}`);
         if (reason === 'faint') parts.push(`${phrase(lightName(light))} is too faint to count`);
         if (reason === 'outside_cone') parts.push(`${phrase(lightName(light))} shines past the point`);
+        if (reason === 'back_of_light') parts.push(`${phrase(lightName(light))} faces away from the point`);
         if (reason === 'behind') parts.push(`${phrase(lightName(light))} is behind the surface`);
         if (reason === 'faded') parts.push(`${phrase(lightName(light))} is too far to add anything`);
         if (reason === 'in_surface') parts.push(`${phrase(lightName(light))} is at the very point`);

@@ -45,6 +45,7 @@ export const reasons: Record<LightTerms['reason'], string> = {
     in_surface: 'is at the hit point itself',
     faint: 'is too faint here: the convention light_threshold leaves it out',
     outside_cone: 'is aimed elsewhere: the point is outside its cone',
+    back_of_light: 'gives light on one side only, and the point is on the other',
 };
 
 export const highlights: Record<LightTerms['highlight'], string> = {
