@@ -16,8 +16,9 @@ namespace {
 constexpr std::int32_t k_first_look = 160, k_second_look = 480;  // longest side, pixels
 constexpr std::size_t k_max_groups =
     256;  // of lights that are rendered together: one light each, if there are at most 256
-constexpr std::size_t k_full_looks = 8;  // more groups get smaller pictures
-constexpr std::size_t k_max_dark = 256;  // whose reasons are looked for
+constexpr std::size_t k_full_looks = 8;      // more groups get smaller pictures
+constexpr std::int32_t k_many_samples = 16;  // fewer cost little
+constexpr std::size_t k_max_dark = 256;      // whose reasons are looked for
 constexpr std::size_t k_max_named = 5;
 constexpr double k_half_byte = 0.5 / 255;
 constexpr double k_max_leak = 0.01;  // of the picture, and of the points that face the light
@@ -172,6 +173,14 @@ void report_dark(CheckContext& context, const VisibleHits& visible, std::uint32_
             light.has_position() ? "move the light to the side of the surfaces that the camera sees"
                                  : "negate the direction: it points from the surface towards the light");
     }
+    if (b.in_cone == 0 && light.has_emitter_cosine()) {
+        return context.report(
+            "area-light-faces-away", place,
+            fmt::format("{} gives light on one side only, and none of {} points that face it is on that side",
+                        name, b.facing),
+            light.is_disc() ? "negate its axis, or set one_sided = false"
+                            : "exchange side_u and side_v, or set one_sided = false");
+    }
     if (b.in_cone == 0) {
         return context.report(
             "spot-aimed-elsewhere", place,
@@ -269,6 +278,32 @@ void report_weak(CheckContext& context, Effects& effects, std::span<const std::u
         attenuated ? "raise the intensity, or reduce the attenuation" : "raise the intensity");
 }
 
+// Area lights whose picture is the same with a quarter of the samples.
+void check_samples(CheckContext& context) {
+    const Scene& scene = context.scene();
+    std::size_t looks = 0;
+    for (std::uint32_t i = 0; i < scene.lights.size() && looks < k_full_looks; ++i) {
+        const Light& light = scene.lights[i];
+        if (!light.is_area() || light.samples_u * light.samples_v < k_many_samples) continue;
+        if (is_black(light.color) && is_black(light.specular_color)) continue;
+        ++looks;
+        std::vector<Light> fewer = scene.lights;
+        fewer[i].samples_u = (light.samples_u + 1) / 2;
+        fewer[i].samples_v = (light.samples_v + 1) / 2;
+        const Image few = context.render_small(with_lights(context.prepared(), fewer), k_second_look);
+        const double most = effect_of(context.render_small(k_second_look), few).most;
+        if (!(most < k_half_byte)) continue;
+        context.report(
+            "area-light-too-many-samples", context.at_light(i),
+            fmt::format(
+                "{} has {} x {} samples; the picture with {} x {} differs from it by at most {:.2g} of 255, "
+                "which is not visible",
+                context.light(i), light.samples_u, light.samples_v, fewer[i].samples_u, fewer[i].samples_v,
+                most * 255),
+            fmt::format("set samples_u = {} and samples_v = {}", fewer[i].samples_u, fewer[i].samples_v));
+    }
+}
+
 }  // namespace
 
 void check_lights(CheckContext& context, const VisibleHits& visible) {
@@ -310,6 +345,7 @@ void check_lights(CheckContext& context, const VisibleHits& visible) {
         }
     }
     report_weak(context, effects, weak);
+    check_samples(context);
 }
 
 }  // namespace glint

@@ -39,9 +39,14 @@ std::vector<SurfaceHit> surface_hits(const WorldParts& world, const RayList& ray
 }
 
 // Whether the point is nearer to the spot's axis than its outer angle; true for other lights.
-bool is_in_cone(const Light& light, Vec3 point) {
-    if (!light.is_spot()) return true;
+// Whether the light gives light in the direction of a point: that of a spot, or of a one-sided area light.
+bool shines_towards(const Light& light, Vec3 point) {
     const Vec3 way = point - light.position;
+    if (light.has_emitter_cosine()) {
+        const Vec3 normal = light.is_disc() ? light.axis : glint::cross(light.side_u, light.side_v);
+        return glint::dot(way, normal) > 0;
+    }
+    if (!light.is_spot()) return true;
     return glint::dot(way, glint::normalize(light.axis)) >
            glint::length(way) * cos_degrees(light.outer_angle);
 }
@@ -153,7 +158,7 @@ ShadowRays shadow_rays(const WorldParts& world, const VisibleHits& visible, cons
             const Vec3 to_light = light.way_from(h.point);
             ++found.points;
             if (!(glint::dot(h.normal, to_light) > 0)) continue;
-            found.in_cone += is_in_cone(light, h.point) ? 1 : 0;
+            found.in_cone += shines_towards(light, h.point) ? 1 : 0;
             found.material.push_back(h.material);
             const auto ray = shadow_ray(surface_point(h), light, triple_of(to_light), rules);
             found.rays.add(vec_of(ray.origin), vec_of(ray.direction), ray.t_min, ray.t_max);

@@ -58,7 +58,7 @@ class VisibleHits {
 struct ShadowRays {
     RayList rays;                         // of the points that face the light
     std::vector<std::uint32_t> material;  // of the point of each ray
-    std::size_t in_cone = 0;              // of these points: those within the cone, if the light is a spot
+    std::size_t in_cone = 0;              // of these points: those in whose direction it shines
     bool from_light = false;              // otherwise from the point (t = 0) to the light (t = 1)
     std::size_t points = 0;               // number of points examined
 };

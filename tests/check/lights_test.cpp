@@ -83,6 +83,26 @@ TEST(CheckLights, ALightWithoutShadowsIsNotBlocked) {
     EXPECT_EQ(ids_of(k_clean + "light { position = (0, -3, 4)  " + end), "") << "below the floor";
 }
 
+TEST(CheckLights, AreaLightThatFacesAway) {
+    const std::string panel =
+        "light \"lamp\" { type = parallelogram  position = (3, 6, 5)  intensity = 0.6  samples_u = 2  "
+        "samples_v = 2  "
+        "one_sided = true  ";
+    EXPECT_EQ(ids_of(k_clean + panel + "side_u = (0, 0, 1)  side_v = (1, 0, 0) }\n"),
+              "area-light-faces-away@7");
+    EXPECT_EQ(ids_of(k_clean + panel + "side_u = (1, 0, 0)  side_v = (0, 0, 1) }\n"), "");
+}
+
+TEST(CheckLights, AreaLightWithInvisibleSamples) {
+    const std::string panel =
+        "light \"lamp\" { type = sphere  position = (3, 6, 5)  intensity = 0.6  samples_u = 8  samples_v = 8 "
+        " radius = ";
+    const std::string text = k_clean + panel + "0.0001 }\n";
+    EXPECT_EQ(ids_of(text), "area-light-too-many-samples@7");
+    EXPECT_TRUE(has(only_message(text), "has 8 x 8 samples")) << only_message(text);
+    EXPECT_EQ(ids_of(k_clean + panel + "1.5 }\n"), "");
+}
+
 TEST(CheckLights, BlockedByAShape) {
     const std::string text = R"(camera { position = (0, 4, 8)  look_at = (0, 0, 0)  fov_x = 30 }
 light { position = (3, 6, 8)  intensity = 0.7 }
