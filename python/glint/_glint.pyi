@@ -69,6 +69,14 @@ class Light:
         attenuation: VectorLike = ...,
         fade_distance: float = ...,
         fade_power: float = ...,
+        side_u: VectorLike = ...,
+        side_v: VectorLike = ...,
+        radius: float = ...,
+        samples_u: int = ...,
+        samples_v: int = ...,
+        one_sided: bool = ...,
+        jitter: bool = ...,
+        adaptive: int = ...,
         casts_shadows: bool = ...,
     ) -> None: ...
     name: str
@@ -85,6 +93,14 @@ class Light:
     attenuation: _AttenuationField
     fade_distance: float
     fade_power: float
+    side_u: _VectorField
+    side_v: _VectorField
+    radius: float
+    samples_u: int
+    samples_v: int
+    one_sided: bool
+    jitter: bool
+    adaptive: int
     casts_shadows: bool
     def __eq__(self, other: object) -> bool: ...
     def __copy__(self) -> Light: ...

@@ -32,6 +32,10 @@ def test_attributes_are_those_of_the_tables():
     spot = glint.Light("spot", axis=(0, -1, 0), outer_angle=30, fade_distance=2, fade_power=1.5, casts_shadows=False)
     assert spot.axis == (0, -1, 0) and spot.outer_angle == 30 and spot.casts_shadows is False
     assert "casts_shadows=False" in repr(spot)
+    panel = glint.Light("parallelogram", side_u=(1, 0, 0), side_v=(0, 0, 2), samples_u=5, one_sided=True)
+    assert panel.samples_u == 5 and isinstance(panel.samples_v, int) and panel.side_v == (0, 0, 2) and panel.one_sided
+    with pytest.raises(ValueError, match="samples_u: expected a whole number from 1 to 64, found 2.5"):
+        panel.samples_u = 2.5
     assert glint.Material(casts_shadow=False).casts_shadow is False
     camera = glint.Camera(fov=40, lighting_eye=(0, 0, 1))
     assert camera.fov == 40 and camera.lighting_eye == (0, 0, 1)

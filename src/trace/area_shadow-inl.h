@@ -8,6 +8,7 @@
 #define GLINT_TRACE_AREA_SHADOW_INL_H_
 #endif
 
+#include "glint/render.h"
 #include "trace/direct_lighting-inl.h"
 #include "trace/intersect-inl.h"
 
@@ -107,13 +108,12 @@ inline void trace_sample_rays(const WorldParts& world, const PreparedLight& ligh
 }
 
 /// Traces the shadow rays to the samples of an area light, and multiplies its strength at each surface by the
-/// part that is visible. Surfaces that see none of it are no longer lit. Returns the number of rays.
-inline std::uint64_t sample_area_shadow(const WorldParts& world, const PreparedLight& light,
-                                        const SurfaceBatch& surfaces, LightSampleBatch& samples,
-                                        AreaShadowBatch& shadow, ShadowRayBatch& shadow_rays) {
+/// part that is visible. Surfaces that see none of it are no longer lit.
+inline void sample_area_shadow(const WorldParts& world, const PreparedLight& light,
+                               const SurfaceBatch& surfaces, LightSampleBatch& samples,
+                               AreaShadowBatch& shadow, ShadowRayBatch& shadow_rays, RayCounts& counts) {
     shadow.start(light.area.count());
     const double light_sum = abs(light.color.r) + abs(light.color.g) + abs(light.color.b);
-    std::uint64_t rays = 0;
     for (bool wants = true; wants;) {
         wants = false;
         for (int h = 0; h < surfaces.count; ++h) {
@@ -126,7 +126,7 @@ inline std::uint64_t sample_area_shadow(const WorldParts& world, const PreparedL
         if (!wants) break;
         for (int sample = 0; sample < light.area.count(); ++sample) {
             trace_sample_rays(world, light, sample, surfaces, shadow, shadow_rays);
-            rays += static_cast<std::uint64_t>(shadow_rays.count);
+            counts.shadow += static_cast<std::uint64_t>(shadow_rays.count);
         }
     }
     for (int h = 0; h < surfaces.count; h += lane_count<double>()) {
@@ -137,7 +137,6 @@ inline std::uint64_t sample_area_shadow(const WorldParts& world, const PreparedL
         lit = static_cast<std::uint8_t>(lit & to_bits(fraction > Doubles(0)));
         store(load(samples.strength.data() + at) * fraction, samples.strength.data() + at);
     }
-    return rays;
 }
 
 }  // namespace HWY_NAMESPACE

@@ -37,8 +37,7 @@ inline void light_from(const WorldParts& world, const PreparedLight& light, Tile
         s.counts.shadow += static_cast<std::uint64_t>(s.shadow_rays.count);
     } else if (light_rules(world, light).samples_shadow) {
         if (first_hits != nullptr) count_tested(s.surfaces, s.light_samples, *first_hits);
-        s.counts.shadow +=
-            sample_area_shadow(world, light, s.surfaces, s.light_samples, s.area_shadow, s.shadow_rays);
+        sample_area_shadow(world, light, s.surfaces, s.light_samples, s.area_shadow, s.shadow_rays, s.counts);
         if (first_hits != nullptr) count_visible(s.surfaces, s.light_samples, s.area_shadow, *first_hits);
     }
     compute_highlights(world, s.surfaces, s.light_samples, s.highlights);
