@@ -63,4 +63,13 @@ struct FormatInfo {
 };
 GLINT_API std::span<const FormatInfo> formats();
 
+/// The format that load() reads a text in.
+struct FormatChoice {
+    std::string_view format;  ///< FormatInfo::name; empty if there is none
+    std::string reason;       ///< why this one, or why none
+};
+/// By SceneText::format or the name's extension. A .pov is `csc473` if its whole text is a scene of CSC 473,
+/// else `povray`.
+GLINT_API FormatChoice choose_format(const SceneText& text);
+
 }  // namespace glint

@@ -77,7 +77,7 @@ def load(
 
 
 def loads(text: str, format: str = "glint", *, name: str = "text", scene_name: str = "", profile: str = "") -> Scene:
-    """The scene of a text: 'cgfs', 'epfl', 'csc473', 'nff' or 'glint'. name: for messages."""
+    """The scene of a text: 'cgfs', 'epfl', 'csc473', 'povray', 'nff' or 'glint'. name: for messages."""
     return _load([(name, text.encode(), format)], scene_name, profile, {}, None, None)
 
 

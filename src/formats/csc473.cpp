@@ -254,4 +254,15 @@ void set_csc473_defaults(Scene& scene) {
 
 void read_csc473(LoadState& reading, const ReadText& text) { Csc473Reader(reading, text).read(); }
 
+std::optional<Diagnostic> first_csc473_error(const SceneText& text) {
+    const LoadOptions options;
+    LoadState reading(options, nullptr, 1);
+    reading.texts.push_back({text.name, text.text});
+    read_csc473(reading, {{text.name, text.text}, 0});
+    for (Diagnostic& diagnostic : reading.diagnostics.take()) {
+        if (diagnostic.severity == Severity::error) return std::move(diagnostic);
+    }
+    return std::nullopt;
+}
+
 }  // namespace glint

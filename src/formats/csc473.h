@@ -27,6 +27,9 @@ struct PovAttributes {
     std::optional<Token> refraction;  ///< the place where it was given
 };
 
+/// The first mistake in a text that is read as a scene of CSC 473; nothing if there is none.
+std::optional<Diagnostic> first_csc473_error(const SceneText& text);
+
 /// "`#declare` is of POV-Ray's own language ...", or "expected X, found Y", at the current token.
 void refuse_word(Parser& parser, std::string_view expected, std::span<const std::string_view> known);
 

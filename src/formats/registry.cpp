@@ -6,6 +6,7 @@
 #include <array>
 
 #include "base/text.h"
+#include "formats/csc473.h"
 
 namespace glint {
 namespace {
@@ -20,6 +21,9 @@ constexpr Format k_formats[] = {
     {{"csc473", ".pov", "csc473", "the scenes of CSC 473, a part of POV-Ray's language"},
      set_csc473_defaults,
      read_csc473},
+    {{"povray", ".pov", "povray", "POV-Ray's language, as exported by chemists' and engineers' programs"},
+     set_povray_defaults,
+     read_povray},
     {{"nff", ".nff", "nff", "the Neutral File Format of the Standard Procedural Databases"},
      set_nff_defaults,
      read_nff},
@@ -73,8 +77,13 @@ std::span<const FormatInfo> formats() { return k_infos; }
 
 const Format* find_format(const SceneText& text, std::string& why) {
     for (const Format& f : k_formats) {
-        if (text.format.empty() ? has_extension(text.name, f.info.extensions) : text.format == f.info.name)
-            return &f;
+        const bool is_it =
+            text.format.empty() ? has_extension(text.name, f.info.extensions) : text.format == f.info.name;
+        if (!is_it) continue;
+        // A .pov is of CSC 473 only if its whole text is.
+        const bool is_read = text.format.empty() && f.read == read_csc473 && !text.text.empty();
+        if (is_read && first_csc473_error(text)) continue;
+        return &f;
     }
     if (text.format.empty()) {
         why = fmt::format("expected a name that ends in one of {}, or the name of a format ({})",
@@ -84,6 +93,23 @@ const Format* find_format(const SceneText& text, std::string& why) {
                           quoted(text.format));
     }
     return nullptr;
+}
+
+FormatChoice choose_format(const SceneText& text) {
+    FormatChoice choice;
+    const Format* format = find_format(text, choice.reason);
+    if (format == nullptr) return choice;
+    choice.format = format->info.name;
+    choice.reason = text.format.empty() ? "by the name of the file" : "as chosen";
+    if (!text.format.empty() || !has_extension(text.name, ".pov")) return choice;
+    if (const auto error = first_csc473_error(text)) {
+        choice.reason = fmt::format("not csc473: {}:{}: {}", error->line, error->column, error->message);
+    } else {
+        choice.reason =
+            "the whole text is in CSC 473's part of POV-Ray's language; `--format povray` reads it as "
+            "POV-Ray does";
+    }
+    return choice;
 }
 
 }  // namespace glint

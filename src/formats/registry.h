@@ -31,6 +31,9 @@ void read_epfl(LoadState& reading, const ReadText& text);
 void set_csc473_defaults(Scene& scene);
 void read_csc473(LoadState& reading, const ReadText& text);
 
+void set_povray_defaults(Scene& scene);
+void read_povray(LoadState& reading, const ReadText& text);
+
 void set_nff_defaults(Scene& scene);
 void read_nff(LoadState& reading, const ReadText& text);
 

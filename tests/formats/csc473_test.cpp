@@ -151,7 +151,7 @@ TEST(Csc473, MapsAreAppliedInTheOrderWritten) {
 }
 
 class Csc473Mistakes : public testing::TestWithParam<BadText> {};
-TEST_P(Csc473Mistakes, AreReportedAtTheirPlace) { expect_messages(GetParam(), "a.pov"); }
+TEST_P(Csc473Mistakes, AreReportedAtTheirPlace) { expect_messages(GetParam(), "a.pov", "csc473"); }
 
 #define CL CAMERA LIGHT
 #define BLOCKS "`camera`, `light_source`, `sphere`, `plane`, `triangle`, `box` or `cone`"

@@ -51,7 +51,8 @@ TEST(Load, AProfileReplacesTheFormats) {
     EXPECT_TRUE(result->camera.frame) << "the camera is still the format's";
     options.profile = "glimt";
     EXPECT_EQ(load_text(k_text, "a.cgfs", options).diagnostics.at(0).message,
-              "no profile is called 'glimt': there are cgfs, epfl, lecture5, light, csc473, nff, glint; did "
+              "no profile is called 'glimt': there are cgfs, epfl, lecture5, light, csc473, povray, nff, "
+              "glint; did "
               "you mean "
               "`glint`?");
 }

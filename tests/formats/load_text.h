@@ -14,8 +14,8 @@
 namespace glint::test {
 
 inline Result<Scene> load_text(std::string_view text, std::string name, LoadOptions options = {},
-                               Sources* sources = nullptr) {
-    const SceneText texts[] = {{std::move(name), text, {}}};
+                               Sources* sources = nullptr, std::string format = {}) {
+    const SceneText texts[] = {{std::move(name), text, std::move(format)}};
     return load(texts, options, sources);
 }
 

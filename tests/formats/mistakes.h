@@ -18,7 +18,7 @@ struct BadText {
 
 inline std::ostream& operator<<(std::ostream& out, const BadText& m) { return out << m.text; }
 
-inline void expect_messages(const BadText& mistake, const char* file) {
+inline void expect_messages(const BadText& mistake, const char* file, const char* format = "") {
     std::string text;
     std::vector<std::pair<std::uint32_t, std::uint32_t>> places;
     std::uint32_t line = 1, column = 1;
@@ -34,7 +34,7 @@ inline void expect_messages(const BadText& mistake, const char* file) {
             column = 1;
         }
     }
-    const Result<Scene> result = load_text(text, file);
+    const Result<Scene> result = load_text(text, file, {}, nullptr, format);
     std::string all;
     for (const Diagnostic& d : result.diagnostics) all += to_string(d);
     ASSERT_EQ(result.diagnostics.size(), mistake.messages.size()) << all;

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: Apache-2.0
+// light_source.
+#include <fmt/format.h>
+
+#include "base/text.h"
+#include "formats/povray/reader.h"
+#include "formats/povray_keywords.h"
+
+namespace glint::povray {
+
+Object Reader::read_light(const Token& word) {
+    Object object;
+    object.kind = ObjectKind::light;
+    object.at = word;
+    auto held = std::make_shared<LightSource>();
+    LightSource& source = *held;
+    source.light.inner_angle = 30;
+    source.light.outer_angle = 45;
+    if (!expect('{')) return object;
+    source.light.position = vector();
+    accept(',');
+    const std::array<double, 5> c = color(true);
+    source.light.color = source.light.specular_color = {c[0], c[1], c[2]};
+    while (!failed_ && !accept('}')) {
+        if (accept(',') || read_transform_item(object.map)) continue;
+        const Token item = take();
+        switch (item.word()) {
+            case Word::k_spotlight:
+                source.light.kind = LightKind::spot;
+                break;
+            case Word::k_parallel:
+                source.is_parallel = true;
+                break;
+            case Word::k_point_at:
+                source.point_at = vector();
+                break;
+            case Word::k_radius:
+                source.light.inner_angle = number();
+                break;
+            case Word::k_falloff:
+                source.light.outer_angle = number();
+                break;
+            case Word::k_tightness:
+                source.light.tightness = number();
+                break;
+            case Word::k_fade_distance:
+                source.light.fade_distance = number();
+                break;
+            case Word::k_fade_power:
+                source.light.fade_power = number();
+                break;
+            case Word::k_shadowless:
+                source.light.casts_shadows = !flag();
+                break;
+            case Word::k_media_attenuation:
+            case Word::k_media_interaction:
+                flag();
+                break;
+            case Word::k_area_light:
+                vector();
+                accept(',');
+                vector();
+                accept(',');
+                number();
+                accept(',');
+                number();
+                source.missing = missing(item, "area_light");
+                break;
+            case Word::k_adaptive:
+                number();
+                break;
+            case Word::k_jitter:
+            case Word::k_circular:
+            case Word::k_orient:
+                break;
+            case Word::k_area_illumination:
+                if (flag()) source.missing = missing(item, "area_illumination");
+                break;
+            case Word::k_cylinder:
+                source.missing = {"cylinder", "a kind of light", call_place(item), true};
+                break;
+            case Word::k_looks_like:
+                read_looks_like(object);
+                break;
+            case Word::k_projected_through:
+                source.missing = missing(item, "projected_through");
+                skip_block();
+                break;
+            default: {
+                const bool is_color = begins_color(item) && item.word() != Word::k_filter;
+                if (!is_color) {
+                    error(item, fmt::format("expected an item of a light or `}}`, found {}{}", describe(item),
+                                            what_is(item)));
+                }
+            }
+        }
+    }
+    object.light = std::move(held);
+    return object;
+}
+
+// { object }: moved to the light; it casts no shadow.
+void Reader::read_looks_like(Object& light) {
+    if (!expect('{')) return;
+    if (!begins_object(peek())) return expected("an object");
+    Object look = read_object();
+    read_modifiers(look);
+    look.is_no_shadow = true;
+    light.parts = std::make_shared<const std::vector<Object>>(1, std::move(look));
+    light.count = 1 + light.parts->front().count;
+}
+
+}  // namespace glint::povray

@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: Apache-2.0
+// Textures and lights to the Scene's materials and lights.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "base/text.h"
+#include "formats/povray/add_shape.h"
+#include "math/number.h"
+#include "math/transform.h"
+
+namespace glint::povray {
+namespace {
+
+Color times(const std::array<double, 5>& pigment, Color by) {
+    return {pigment[0] * by.r, pigment[1] * by.g, pigment[2] * by.b};
+}
+
+double largest(Color c) { return std::max({c.r, c.g, c.b}); }
+
+}  // namespace
+
+std::uint32_t Reader::material_of(const Inherited& own, const Token& at) {
+    const Texture& texture = *own.texture;
+    const Finish& f = texture.finish;
+    const std::array<double, 5>& p = texture.pigment.color;
+    const MaterialKey key{{p[0],
+                           p[1],
+                           p[2],
+                           p[3],
+                           p[4],
+                           f.ambient.r,
+                           f.ambient.g,
+                           f.ambient.b,
+                           f.diffuse,
+                           f.phong,
+                           f.phong_size,
+                           f.specular,
+                           f.roughness,
+                           f.emission.r,
+                           f.emission.g,
+                           f.emission.b,
+                           f.brilliance,
+                           f.metallic,
+                           f.reflection_min.r,
+                           f.reflection_min.g,
+                           f.reflection_min.b,
+                           f.reflection_max.r,
+                           f.reflection_max.g,
+                           f.reflection_max.b,
+                           f.reflection_metallic,
+                           f.reflection_falloff,
+                           f.crand,
+                           f.diffuse_back,
+                           own.is_no_shadow ? 1.0 : 0.0,
+                           f.reflection_exponent,
+                           f.reflection_fresnel ? 1.0 : 0.0,
+                           f.conserve_energy ? 1.0 : 0.0}};
+    report_texture(own, at);
+    if (last_material_ != k_none && key.values == last_key_.values) return last_material_;
+    last_key_ = key;
+    const auto known = materials_.find(key);
+    if (known != materials_.end()) return last_material_ = known->second;
+    Material m;
+    const Color pigment{p[0], p[1], p[2]};
+    m.color = pigment;
+    m.ambient = times(p, f.ambient);
+    m.emission = times(p, f.emission);
+    m.diffuse = pigment * f.diffuse;
+    m.specular = {0, 0, 0};
+    m.brilliance = std::max(f.brilliance, 0.0);
+    m.metallic = std::clamp(f.metallic, 0.0, 1.0);
+    if (f.specular > 0 && f.roughness > 0) {
+        m.specular = Color{1, 1, 1} * f.specular;
+        m.shininess = std::min(1 / f.roughness, 1e9);
+    }
+    // phong at or below 0 is no highlight.
+    if (f.phong > 0) {
+        m.phong = Color{1, 1, 1} * f.phong;
+        m.phong_shininess = std::clamp(f.phong_size, 0.0, 1e9);
+    }
+    if (const double most = largest(f.reflection_max); most > 0) {
+        m.mirror = std::min(most, 1.0);
+        m.mirror_tint = f.reflection_max * (1 / most);
+        m.mirror_metallic = std::clamp(f.reflection_metallic, 0.0, 1.0);
+        if (!(f.reflection_min == f.reflection_max)) {
+            m.mirror_min = std::clamp(largest(f.reflection_min), 0.0, 1.0);
+            m.mirror_falloff = std::max(f.reflection_falloff, 1e-6);
+        }
+    }
+    m.filter = std::clamp(p[3], 0.0, 1.0);
+    m.transmit = std::clamp(p[4], 0.0, 1.0 - m.filter);
+    if (m.is_transparent()) is_transparent_ = true;
+    m.casts_shadow = !own.is_no_shadow;
+    last_material_ = static_cast<std::uint32_t>(scene_.materials.size());
+    note(scene_.material_texts, last_material_, place_of(call_place(at)));
+    scene_.materials.push_back(m);
+    materials_.emplace(key, last_material_);
+    return last_material_;
+}
+
+// What a texture has that is not rendered.
+void Reader::report_texture(const Inherited& own, const Token& at) {
+    const Texture& texture = *own.texture;
+    const Finish& f = texture.finish;
+    const std::array<double, 5>& p = texture.pigment.color;
+    if (texture.missing) report(*texture.missing);
+    if (texture.pigment.missing) report(*texture.pigment.missing);
+    if (f.missing) report(*f.missing);
+    const bool is_transparent = p[3] != 0 || p[4] != 0;
+    const auto check = [&](bool is_used, std::string_view name, std::string_view meaning) {
+        if (is_used && !reading_.diagnostics.warned(name)) report({name, meaning, call_place(at)});
+    };
+    check(p[3] < 0 || p[4] < 0 || p[3] + p[4] > 1 + 1e-9, "filter, transmit", "with a sum beyond 0 and 1");
+    check(is_transparent && own.interior && own.interior->ior != 1, "ior", "refraction");
+    check(is_transparent && own.is_merge, "merge", "of transparent surfaces");
+    check(is_transparent && texture.is_layered, "layered textures", "transparent textures over others");
+    check(f.metallic < 0 || f.metallic > 1 || f.reflection_metallic < 0 || f.reflection_metallic > 1,
+          "metallic", "beyond 0 and 1");
+    check(f.brilliance < 0, "brilliance", "below 0");
+    check(f.crand != 0, "crand", "a property of a finish");
+    check(f.diffuse_back != 0, "diffuse", "of the far side");
+    const bool is_mirror = largest(f.reflection_max) > 0;
+    check(is_mirror && f.reflection_fresnel, "fresnel", "of a reflection");
+    check(is_mirror && largest(f.reflection_max) > 1, "reflection", "above 1");
+    // The two colours are the same but for their size.
+    const double least = largest(f.reflection_min), most = largest(f.reflection_max);
+    const Color a = f.reflection_min * most, b = f.reflection_max * least;
+    const double apart = number::abs(a.r - b.r) + number::abs(a.g - b.g) + number::abs(a.b - b.b);
+    check(is_mirror && least > 0 && apart > 1e-9, "reflection", "of two colours");
+    check(is_mirror && f.reflection_exponent != 1, "reflection_exponent", "");
+    check(is_mirror && f.conserve_energy, "conserve_energy", "");
+}
+
+void Reader::place_light(const Object& object, const Inherited& own) {
+    const LightSource& source = *object.light;
+    if (source.missing) report(*source.missing);
+    Light light = source.light;
+    Vec3 point_at = source.point_at;
+    if (own.map) {
+        light.position = transform_point(*own.map, light.position);
+        point_at = transform_point(*own.map, point_at);
+    }
+    const Vec3 axis = point_at - light.position;
+    const bool has_axis = !(axis == Vec3{0, 0, 0});
+    if (source.is_parallel) {
+        if (light.kind == LightKind::spot) report({"spotlight", "that is parallel", call_place(object.at)});
+        light.kind = LightKind::directional;
+        light.to_light = has_axis ? -axis : Vec3{0, 0, -1};
+        light.fade_distance = light.fade_power = 0;
+    } else if (light.kind == LightKind::spot) {
+        light.axis = has_axis ? axis : Vec3{0, 0, 1};
+        light.outer_angle = std::clamp(light.outer_angle, 1e-6, 180.0);
+        light.inner_angle = std::clamp(light.inner_angle, 0.0, light.outer_angle);
+    }
+    light.fade_distance = std::max(light.fade_distance, 0.0);
+    light.fade_power = std::max(light.fade_power, 0.0);
+    note(scene_.light_texts, scene_.lights.size(), place_of(call_place(object.at)));
+    scene_.lights.push_back(light);
+    if (!object.parts) return;
+    Inherited look = own;
+    const Affine to_light = translation(source.light.position);
+    const Affine map = own.map ? compose(*own.map, to_light) : to_light;
+    look.map = &map;
+    for (const Object& part : *object.parts) place(part, look);
+}
+
+// The three textures of a face are blended between its corners: by parts of one colour each, whose colours
+// differ by at most 1.5 of 255.
+void Reader::add_blended_face(const Object& o, const Inherited& own, const Mesh::Face& face,
+                              std::span<const Vec3> points, std::span<const Vec3> normals) {
+    const Mesh& mesh = *o.mesh;
+    std::array<const Texture*, 3> textures{};
+    double most = 0;
+    for (std::size_t i = 0; i < 3; ++i) textures[i] = mesh.textures[face.textures[i]].get();
+    for (std::size_t i = 0; i < 3; ++i) {
+        for (std::size_t k = 0; k < 5; ++k) {
+            const double d = textures[i]->pigment.color[k] - textures[(i + 1) % 3]->pigment.color[k];
+            most = std::max(most, number::abs(d));
+        }
+    }
+    const int n = std::clamp(static_cast<int>(most * 170) + 1, 1, 32);
+    shapes_ += static_cast<std::uint64_t>(n) * static_cast<std::uint64_t>(n);
+    if (shapes_ > max_shapes()) return error(o.at, fmt::format("more than {} shapes", max_shapes()));
+    const auto mixed = [&](std::span<const Vec3> from, const std::array<std::uint32_t, 3>& of, double u,
+                           double v,
+                           double w) { return from[of[0]] * u + from[of[1]] * v + from[of[2]] * w; };
+    // Parts of a corner grid of n rows: upright ones and, between them, turned ones.
+    for (int row = 0; row < n && !failed_; ++row) {
+        for (int i = 0; i < 2 * (n - row) - 1 && !failed_; ++i) {
+            const bool is_turned = i % 2 != 0;
+            const int column = i / 2;
+            const int upright[3][2] = {{row, column}, {row, column + 1}, {row + 1, column}};
+            const int turned[3][2] = {{row + 1, column + 1}, {row + 1, column}, {row, column + 1}};
+            const auto& at = is_turned ? turned : upright;
+            Texture texture = *textures[0];
+            texture.pigment.color.fill(0);
+            SmoothTriangle part;
+            for (std::size_t k = 0; k < 3; ++k) {
+                const double v = static_cast<double>(at[k][1]) / n, w = static_cast<double>(at[k][0]) / n,
+                             u = 1 - v - w;
+                part.vertices[k] = mixed(points, face.vertices, u, v, w);
+                if (face.has_normals) part.normals[k] = mixed(normals, face.normals, u, v, w);
+                for (std::size_t c = 0; c < 5; ++c) {
+                    texture.pigment.color[c] +=
+                        (textures[0]->pigment.color[c] * u + textures[1]->pigment.color[c] * v +
+                         textures[2]->pigment.color[c] * w) /
+                        3;
+                }
+            }
+            Inherited part_own = own;
+            part_own.texture = &texture;
+            const std::uint32_t material = material_of(part_own, o.at);
+            if (face.has_normals) {
+                add(part, material, nullptr, o.at);
+            } else {
+                add(Triangle{{part.vertices[0], part.vertices[1], part.vertices[2]}}, material, nullptr,
+                    o.at);
+            }
+        }
+    }
+}
+
+}  // namespace glint::povray

@@ -1,0 +1,331 @@
+// SPDX-License-Identifier: Apache-2.0
+// Objects: shapes, groups and their modifiers.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "base/text.h"
+#include "formats/povray/reader.h"
+#include "formats/povray_keywords.h"
+
+namespace glint::povray {
+
+// Whether an object begins here: one that is rendered, or another of POV-Ray's.
+bool Reader::begins_object(const Token& token) {
+    if (token.kind != TokenKind::word) return false;
+    switch (token.word()) {
+#define GLINT_POV_WORD(word) case Word::k_##word:
+        GLINT_POV_OBJECT_WORDS(GLINT_POV_WORD)
+#undef GLINT_POV_WORD
+        return true;
+        default:
+            break;
+    }
+    if (Names::is_reserved(token.name)) return false;
+    if (const Value* value = find_value(token.name)) {
+        if (const auto* array = std::get_if<std::shared_ptr<Array>>(value)) {
+            return !(*array)->elements.empty() &&
+                   std::holds_alternative<std::shared_ptr<const Object>>((*array)->elements.front());
+        }
+        return std::holds_alternative<std::shared_ptr<const Object>>(*value);
+    }
+    return povray_meaning(names_.name(token.name)) == "a shape";
+}
+
+Object Reader::read_object() {
+    const Deeper deeper(*this);
+    const Token word = peek();
+    if (!deeper.ok) return {};
+    if (!Names::is_reserved(word.name)) {
+        if (find_value(word.name) == nullptr) return refuse_object(take());
+        return object_of(take());
+    }
+    take();
+    switch (word.word()) {
+        case Word::k_difference:
+        case Word::k_intersection:
+            return refuse_object(word);
+        case Word::k_union:
+        case Word::k_merge:
+        case Word::k_object:
+            return read_group(word);
+        case Word::k_mesh:
+            return read_mesh(word);
+        case Word::k_mesh2:
+            return read_mesh2(word);
+        case Word::k_light_source:
+            return read_light(word);
+        default:
+            return read_shape(word);
+    }
+}
+
+// The object that an identifier or an element of an array stands for.
+Object Reader::object_of(const Token& name) {
+    const Value* value = find_value(name.name);
+    const Value whole = value != nullptr ? *value : Value();
+    if (std::holds_alternative<std::shared_ptr<Array>>(whole)) {
+        value = read_element(name, whole);
+    } else {
+        value = &whole;
+    }
+    if (value == nullptr) return {};
+    if (const auto* held = std::get_if<std::shared_ptr<const Object>>(value)) return **held;
+    error(name, fmt::format("expected an object, found {}, {}", describe(name), povray::describe(*value)));
+    return {};
+}
+
+// A shape of POV-Ray that glint does not render: an error if it becomes part of the scene.
+Object Reader::refuse_object(const Token& word) {
+    Object object;
+    object.kind = ObjectKind::refused;
+    object.at = word;
+    object.missing = missing(word, text_of(word));
+    object.missing->is_error = true;
+    skip_block();
+    return object;
+}
+
+Object Reader::read_shape(const Token& word) {
+    Object object;
+    object.at = word;
+    if (!expect('{')) return object;
+    const auto next = [&] { return accept(','); };
+    switch (word.word()) {
+        case Word::k_sphere:
+            object.kind = ObjectKind::sphere;
+            object.a = vector();
+            next();
+            object.r = number();
+            break;
+        case Word::k_cylinder:
+        case Word::k_cone:
+            object.kind = word.word() == Word::k_cone ? ObjectKind::cone : ObjectKind::cylinder;
+            object.a = vector();
+            next();
+            if (word.word() == Word::k_cone) {
+                object.r = number();
+                next();
+            }
+            object.b = vector();
+            next();
+            (word.word() == Word::k_cone ? object.s : object.r) = number();
+            object.is_open = accept(Word::k_open);
+            break;
+        case Word::k_box:
+            object.kind = ObjectKind::box;
+            object.a = vector();
+            next();
+            object.b = vector();
+            break;
+        case Word::k_plane:
+            object.kind = ObjectKind::plane;
+            object.b = vector();
+            next();
+            object.s = number();
+            break;
+        case Word::k_disc:
+            object.kind = ObjectKind::disc;
+            object.a = vector();
+            next();
+            object.b = vector();
+            next();
+            object.r = number();
+            if (next()) object.s = number();
+            break;
+        case Word::k_triangle:
+            object.kind = ObjectKind::triangle;
+            object.a = vector();
+            next();
+            object.b = vector();
+            next();
+            object.c = vector();
+            break;
+        default:
+            object.kind = ObjectKind::smooth_triangle;
+            object.a = vector();
+            next();
+            object.na = vector();
+            next();
+            object.b = vector();
+            next();
+            object.nb = vector();
+            next();
+            object.c = vector();
+            next();
+            object.nc = vector();
+    }
+    check_shape(object);
+    read_modifiers(object);
+    return object;
+}
+
+// What POV-Ray refuses, and what glint has no shape for.
+void Reader::check_shape(Object& object) {
+    if (failed_) return;
+    const bool has_axis = object.kind == ObjectKind::cylinder || object.kind == ObjectKind::cone;
+    if (has_axis && object.a == object.b) {
+        error(object.at, fmt::format("expected two ends at different points of a {}", text_of(object.at)));
+    }
+    if (object.kind == ObjectKind::plane || object.kind == ObjectKind::disc) {
+        if (object.b == Vec3{0, 0, 0}) error(object.at, "expected a normal other than 0");
+    }
+    if (object.kind == ObjectKind::disc && object.s > 0) {
+        object.missing = {"disc", "with a hole", call_place(object.at), true};
+    }
+    if (object.r < 0) object.r = -object.r;
+    if (object.s < 0 && object.kind == ObjectKind::cone) object.s = -object.s;
+}
+
+// union, merge and object: objects and modifiers.
+Object Reader::read_group(const Token& word) {
+    Object group;
+    group.at = word;
+    if (!expect('{')) return group;
+    std::vector<Object> parts;
+    const bool is_object = word.word() == Word::k_object;
+    while (!failed_ && begins_object(peek())) {
+        parts.push_back(read_object());
+        accept(',');
+        if (is_object) break;
+    }
+    if (failed_) return group;
+    if (parts.empty()) {
+        expected(is_object ? "an object" : "an object or the name of one");
+        return group;
+    }
+    if (is_object) {
+        // The object itself with further modifiers.
+        group = std::move(parts.front());
+    } else {
+        group.kind = ObjectKind::group;
+        group.is_merge = word.word() == Word::k_merge;
+        group.count = 0;
+        for (const Object& part : parts) {
+            group.count += part.count;
+            group.depth = std::max(group.depth, part.depth + 1);
+        }
+        if (group.count > max_shapes()) {
+            error(word, fmt::format("more than {} shapes", max_shapes()));
+        } else if (group.depth > k_max_depth) {
+            error(word, fmt::format("groups are nested more than {} deep", k_max_depth));
+        }
+        group.parts = std::make_shared<const std::vector<Object>>(std::move(parts));
+    }
+    read_modifiers(group);
+    return group;
+}
+
+// Up to and including the `}`.
+void Reader::read_modifiers(Object& object) {
+    while (!failed_ && !accept('}')) {
+        if (accept(',') || read_modifier(object)) continue;
+        const Token item = peek();
+        const std::string_view name = text_of(item);
+        if (item.kind == TokenKind::word && !povray_meaning(name).empty() && !find_value(item.name)) {
+            take();
+            object.missing = missing(item, name);
+            if (peek().is('{')) skip_block();
+        } else {
+            expected("a modifier of an object or `}`");
+        }
+    }
+}
+
+bool Reader::read_modifier(Object& object) {
+    if (read_transform_item(object.map)) return true;
+    const Token item = peek();
+    switch (item.word()) {
+        case Word::k_texture:
+            take();
+            object.texture = layered(object.texture, read_texture());
+            return true;
+        case Word::k_pigment:
+            take();
+            read_pigment(own_texture(object).pigment);
+            return true;
+        case Word::k_finish:
+            take();
+            read_finish(own_texture(object).finish);
+            return true;
+        case Word::k_normal:
+            take();
+            skip_block();
+            own_texture(object).missing = missing(item, "normal");
+            return true;
+        case Word::k_material: {
+            take();
+            const MaterialValue material = read_material();
+            if (material.texture) object.texture = layered(object.texture, *material.texture);
+            if (material.interior) object.interior = material.interior;
+            return true;
+        }
+        case Word::k_interior:
+            take();
+            object.interior = read_opaque(Word::k_interior, item);
+            return true;
+        case Word::k_no_shadow:
+            take();
+            object.is_no_shadow = flag();
+            return true;
+        case Word::k_open:
+            take();
+            object.is_open = true;
+            return true;
+        case Word::k_clipped_by:
+            take();
+            read_clip(object);
+            return true;
+        case Word::k_bounded_by:
+        case Word::k_photons:
+        case Word::k_radiosity:
+            take();
+            skip_block();
+            return true;
+        case Word::k_interior_texture:
+            take();
+            skip_block();
+            object.missing = missing(item, "interior_texture");
+            return true;
+        case Word::k_double_illuminate:
+        case Word::k_no_image:
+        case Word::k_no_reflection:
+            take();
+            if (flag()) object.missing = missing(item, to_string(item.word()));
+            return true;
+        // Without effect on surfaces that cut nothing.
+        case Word::k_hollow:
+        case Word::k_inverse:
+        case Word::k_sturm:
+        case Word::k_hierarchy:
+        case Word::k_split_union:
+        case Word::k_no_radiosity:
+        case Word::k_uv_mapping:
+            take();
+            flag();
+            return true;
+        default:
+            return false;
+    }
+}
+
+// { objects }, after clipped_by: an error unless the objects hold the whole shape.
+void Reader::read_clip(Object& object) {
+    const Token at = ahead_;
+    if (!expect('{')) return;
+    if (accept(Word::k_bounded_by)) {
+        expect('}');
+        return;
+    }
+    while (!failed_ && !accept('}')) {
+        if (!begins_object(peek())) return expected("an object or `}`");
+        const Object clip = read_object();
+        accept(',');
+        if (!failed_ && !holds(clip, object) && !clip_mesh(clip, object)) {
+            object.missing = missing(at, "clipped_by");
+            object.missing->is_error = true;
+        }
+    }
+}
+
+}  // namespace glint::povray

@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: Apache-2.0
+// Objects to the Scene: groups are resolved, maps are applied to the shapes, textures become materials.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "base/text.h"
+#include "formats/povray/add_shape.h"
+#include "math/number.h"
+#include "math/transform.h"
+
+namespace glint::povray {
+namespace {
+
+// The factor of a map that keeps all angles, or 0.
+double similarity(const Affine& map) {
+    const auto column = [&](int i) { return Vec3{map.m[0][i], map.m[1][i], map.m[2][i]}; };
+    const Vec3 x = column(0), y = column(1), z = column(2);
+    const double xx = dot(x, x), limit = 1e-12 * xx;
+    const bool is_similar = number::abs(dot(y, y) - xx) <= limit && number::abs(dot(z, z) - xx) <= limit &&
+                            number::abs(dot(x, y)) <= limit && number::abs(dot(x, z)) <= limit &&
+                            number::abs(dot(y, z)) <= limit;
+    return is_similar ? number::sqrt(xx) : 0;
+}
+
+bool is_diagonal(const Affine& map) {
+    for (int r = 0; r < 3; ++r) {
+        for (int c = 0; c < 3; ++c) {
+            if (r != c && map.m[r][c] != 0) return false;
+        }
+    }
+    return true;
+}
+
+}  // namespace
+
+SourcePlace Reader::place_of(const Token& token) {
+    std::vector<std::uint32_t>& starts = line_starts_[token.text];
+    const std::string_view text = reading_.texts[token.text].text;
+    if (starts.empty()) {
+        starts.push_back(0);
+        for (std::size_t at = text.find('\n'); at != std::string_view::npos; at = text.find('\n', at + 1)) {
+            starts.push_back(static_cast<std::uint32_t>(at + 1));
+        }
+    }
+    const auto line = std::upper_bound(starts.begin(), starts.end(), token.offset) - starts.begin();
+    const std::uint32_t column = token.offset - starts[static_cast<std::size_t>(line - 1)] + 1;
+    return {static_cast<std::uint32_t>(line), static_cast<std::uint16_t>(std::min(column, 65535u)),
+            token.text};
+}
+
+// The place of a shape: that of the outermost macro call, where the text asks for it.
+SourcePlace Reader::shape_place(const Token& at) {
+    const Token token = call_place(at);
+    if (token.offset != last_place_token_.offset || token.text != last_place_token_.text ||
+        last_place_.line == 0) {
+        last_place_token_ = token;
+        last_place_ = place_of(token);
+    }
+    return last_place_;
+}
+
+void Reader::report(const Missing& missing) {
+    const std::string meaning =
+        missing.meaning.empty() ? std::string() : fmt::format(" ({})", missing.meaning);
+    if (!missing.is_error) {
+        return warn_once(missing.name, missing.at,
+                         fmt::format("glint does not render `{}`{} of POV-Ray: the picture will differ",
+                                     missing.name, meaning));
+    }
+    // Reading goes on, so that all of them are named.
+    const std::string key = fmt::format("refused {}", missing.name);
+    if (std::find(warned_.begin(), warned_.end(), key) != warned_.end()) return;
+    warned_.push_back(key);
+    reading_.diagnostics.error(reading_.texts[missing.at.text], missing.at.offset,
+                               std::max<std::size_t>(text_of(missing.at).size(), 1),
+                               fmt::format("glint does not render `{}`{} of POV-Ray", missing.name, meaning));
+}
+
+void Reader::place(const Object& object) {
+    if (failed_) return;
+    shapes_ += object.count;
+    if (shapes_ > max_shapes()) {
+        return error(object.at, fmt::format("more than {} shapes", max_shapes()));
+    }
+    place(object, Inherited{});
+}
+
+void Reader::place(const Object& object, const Inherited& from) {
+    if (failed_) return;
+    Inherited own = from;
+    std::optional<Affine> map;
+    if (object.map) {
+        map = from.map ? compose(*from.map, *object.map) : *object.map;
+        own.map = &*map;
+    }
+    // A shape's own texture counts, else that of the group.
+    if (object.texture) own.texture = object.texture.get();
+    own.is_no_shadow = from.is_no_shadow || object.is_no_shadow;
+    if (object.interior) own.interior = &*object.interior;
+    if (object.missing) report(*object.missing);
+    switch (object.kind) {
+        case ObjectKind::refused:
+            return;
+        case ObjectKind::group:
+            if (object.is_merge) own.is_merge = true;
+            for (const Object& part : *object.parts) place(part, own);
+            return;
+        case ObjectKind::light:
+            return place_light(object, own);
+        default:
+            break;
+    }
+    if (own.texture == nullptr) {
+        if (!default_shared_) default_shared_ = std::make_shared<const Texture>(default_texture_);
+        own.texture = default_shared_.get();
+    }
+    if (object.kind == ObjectKind::mesh) return place_mesh(object, own);
+    place_shape(object, own);
+}
+
+void Reader::place_shape(const Object& o, const Inherited& own) {
+    const std::uint32_t material = material_of(own, o.at);
+    const Affine* map = own.map;
+    const double factor = map ? similarity(*map) : 1;
+    const auto point = [&](Vec3 p) { return map ? transform_point(*map, p) : p; };
+    const auto turned = [&](Vec3 n) {
+        if (!map) return n;
+        const auto object_from_world = inverse(*map);
+        if (!object_from_world) error(o.at, "the shape's transform leaves nothing of it");
+        return failed_ ? n : transform_normal(*object_from_world, n);
+    };
+    // A map that keeps angles is applied to the shape itself.
+    const Affine* rest = factor > 0 ? nullptr : map;
+    const auto moved = [&](Vec3 p) { return rest ? p : point(p); };
+    const double size = rest ? 1 : factor;
+    switch (o.kind) {
+        case ObjectKind::sphere:
+            if (o.r > 0) add(Sphere{moved(o.a), o.r * size}, material, rest, o.at);
+            break;
+        case ObjectKind::cylinder:
+            if (o.r > 0) add(Cylinder{moved(o.a), moved(o.b), o.r * size, !o.is_open}, material, rest, o.at);
+            break;
+        case ObjectKind::cone:
+            if (o.r == o.s) {
+                if (o.r > 0)
+                    add(Cylinder{moved(o.a), moved(o.b), o.r * size, !o.is_open}, material, rest, o.at);
+            } else {
+                add(Cone{moved(o.a), moved(o.b), o.r * size, o.s * size, !o.is_open}, material, rest, o.at);
+            }
+            break;
+        case ObjectKind::box: {
+            const bool is_moved = map && is_diagonal(*map);
+            const Vec3 a = is_moved ? point(o.a) : o.a, b = is_moved ? point(o.b) : o.b;
+            const Box box{{std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z)},
+                          {std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)}};
+            add(box, material, is_moved ? nullptr : map, o.at);
+            break;
+        }
+        case ObjectKind::plane: {
+            const Vec3 n = normalize(o.b);
+            add(Plane{point(n * o.s), turned(n)}, material, nullptr, o.at);
+            break;
+        }
+        case ObjectKind::disc:
+            if (o.r > 0) add(Disc{moved(o.a), rest ? o.b : turned(o.b), o.r * size}, material, rest, o.at);
+            break;
+        case ObjectKind::triangle:
+            add(Triangle{{point(o.a), point(o.b), point(o.c)}}, material, nullptr, o.at);
+            break;
+        default: {
+            const auto normal = [&](Vec3 n) { return turned(n == Vec3{0, 0, 0} ? Vec3{1, 0, 0} : n); };
+            add(SmoothTriangle{{point(o.a), point(o.b), point(o.c)},
+                               {normal(o.na), normal(o.nb), normal(o.nc)}},
+                material, nullptr, o.at);
+        }
+    }
+}
+
+void Reader::place_mesh(const Object& o, const Inherited& own) {
+    const Mesh& mesh = *o.mesh;
+    std::vector<Vec3> points = mesh.vertices, normals = mesh.normals;
+    if (own.map) {
+        const auto object_from_world = inverse(*own.map);
+        if (!object_from_world) return error(o.at, "the mesh's transform leaves nothing of it");
+        for (Vec3& p : points) p = transform_point(*own.map, p);
+        for (Vec3& n : normals) n = transform_normal(*object_from_world, n);
+    }
+    Inherited face_own = own;
+    const std::uint32_t material = material_of(own, o.at);
+    for (const Mesh::Face& face : mesh.faces) {
+        if (failed_) return;
+        std::uint32_t of_face = material;
+        if (face.has_texture) {
+            face_own.texture = mesh.textures[face.textures[0]].get();
+            of_face = material_of(face_own, o.at);
+        }
+        if (face.has_textures) {
+            add_blended_face(o, own, face, points, normals);
+            continue;
+        }
+        Triangle flat;
+        for (std::size_t i = 0; i < 3; ++i) flat.vertices[i] = points[face.vertices[i]];
+        if (!face.has_normals) {
+            add(flat, of_face, nullptr, o.at);
+            continue;
+        }
+        SmoothTriangle smooth;
+        for (std::size_t i = 0; i < 3; ++i) {
+            smooth.vertices[i] = flat.vertices[i];
+            smooth.normals[i] = normals[face.normals[i]];
+        }
+        add(smooth, of_face, nullptr, o.at);
+    }
+}
+
+}  // namespace glint::povray

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+// The reader's entry: a whole text, from its first statement to the settings that it decides.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "formats/povray/reader.h"
+#include "formats/registry.h"
+
+namespace glint {
+namespace povray {
+
+Reader::Reader(LoadState& reading, const ReadText& text)
+    : reading_(reading), scene_(reading.scene), text_(text) {}
+
+void Reader::read() {
+    lex_text(text_.file);
+    Frame frame;
+    frame.text = text_.file;
+    frame.end = static_cast<std::uint32_t>(tokens_[text_.file].size() - 1);
+    frames_.push_back(std::move(frame));
+    if (tokens_[text_.file].size() == 1 && lex_errors_[text_.file].message.empty()) {
+        expected("an object, `camera`, `light_source`, `background` or a directive");
+    }
+    while (!failed_ && peek().kind != TokenKind::end && !reading_.diagnostics.full()) read_statement();
+    finish_settings();
+}
+
+// The size of the picture: the command's, else that of the profile.
+RenderSettings Reader::scene_size(const Token&) {
+    Scene sized;
+    sized.settings = scene_.settings;
+    const auto key = find_setting("size");
+    for (const auto& [name, value] : reading_.options.settings) {
+        if (key && name == "size") (void)set_setting(sized, *key, value, {}).ok();
+    }
+    return sized.settings;
+}
+
+}  // namespace povray
+
+/// POV-Ray's default camera looks along +z.
+void set_povray_defaults(Scene& scene) {
+    scene.camera.position = {0, 0, 0};
+    scene.camera.look_at = {0, 0, 1};
+    scene.camera.frame = CameraFrame{{4.0 / 3, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    scene.background = {0, 0, 0};
+}
+
+void read_povray(LoadState& reading, const ReadText& text) { povray::Reader(reading, text).read(); }
+
+}  // namespace glint

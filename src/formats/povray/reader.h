@@ -1,0 +1,344 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+// The reader of POV-Ray's language: directives and macros make a stream of tokens, from which declarations,
+// objects and settings are parsed. One class, in several files: stream.cpp (texts, macros, loops),
+// directives.cpp, expressions.cpp, functions.cpp, strings.cpp, values.cpp, textures.cpp, objects.cpp,
+// meshes.cpp, lights.cpp, camera.cpp, settings.cpp, place.cpp (objects to the Scene).
+#include <functional>
+#include <map>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "formats/load_state.h"
+#include "formats/povray/lexer.h"
+#include "formats/povray/value.h"
+
+namespace glint::povray {
+
+// Limits on what a short text can ask for.
+inline constexpr std::uint64_t k_max_steps = 30'000'000;    // tokens read again by loops and macros
+inline constexpr std::size_t k_max_frames = 500;            // macros and includes within each other
+inline constexpr int k_max_depth = 200;                     // brackets and blocks within each other
+inline constexpr std::uint64_t k_max_elements = 4'000'000;  // of all arrays
+inline constexpr std::uint64_t k_max_shapes = 4'000'000;    // more than the text has tokens
+inline constexpr std::size_t k_max_string = 65536;
+
+class Reader {
+  public:
+    Reader(LoadState& reading, const ReadText& text);
+    void read();
+
+  private:
+    // stream.cpp
+
+    enum class FrameKind : std::uint8_t { text, include, macro };
+    // A text or the body of a macro that is being read.
+    struct Frame {
+        FrameKind kind = FrameKind::text;
+        std::uint16_t text = 0;
+        std::uint32_t at = 0, end = 0;
+        std::size_t conditions = 0;         // open when it began
+        std::vector<std::uint32_t> locals;  // to be removed at its end
+        Token call;                         // of the macro or include
+    };
+    enum class ConditionKind : std::uint8_t { branch, loop_while, loop_for, choice };
+    struct Condition {
+        ConditionKind kind = ConditionKind::branch;
+        Token at;
+        bool is_done = false;     // branch: one part has been read; choice: a case has been found
+        std::uint32_t begin = 0;  // loops: the first token of the condition, or of the body
+        std::uint32_t name = 0;   // for: the variable
+        double end = 0, step = 1;
+        double choice = 0;
+    };
+    struct Binding {
+        std::uint32_t depth = 0;  // the frame's
+        Value value;
+    };
+    // While a value is read, directives of the same frame end it.
+    struct Mark {
+        std::size_t frames = 0, conditions = 0;
+        int braces = 0;
+    };
+
+    const Token& peek() {
+        if (!has_ahead_) fetch();
+        return ahead_;
+    }
+    Token take() {
+        peek();
+        has_ahead_ = false;
+        if (ahead_.kind == TokenKind::symbol) braces_ += (ahead_.symbol == '{') - (ahead_.symbol == '}');
+        return ahead_;
+    }
+    bool accept(char symbol) {
+        if (!peek().is(symbol)) return false;
+        take();
+        return true;
+    }
+    bool accept(Word word) {
+        if (peek().word() != word) return false;
+        has_ahead_ = false;
+        return true;
+    }
+    bool expect(char symbol);
+    void fetch();
+    const Token& raw() const { return tokens_[frames_.back().text][frames_.back().at]; }
+    bool at_frame_end() const { return frames_.back().at >= frames_.back().end; }
+    Token take_raw();
+    bool spend(std::uint64_t steps = 1);
+    bool is_marked() const {
+        return !marks_.empty() && marks_.back().frames == frames_.size() && marks_.back().braces == braces_;
+    }
+    bool ends_value(Word directive) const;
+    void begin_value() { marks_.push_back({frames_.size(), conditions_.size(), braces_}); }
+    void end_value();
+    bool check_end_of_text();
+    void leave_frame();
+    void set_end();
+    void call_macro(const Token& name, const Macro& macro);
+    void skip_to_branch(bool to_end_only);
+    std::uint32_t find_end(std::uint32_t at, std::uint32_t end) const;
+    Binding* find_binding(std::uint32_t& name, std::uint32_t depth);
+    const Value* find_value(std::uint32_t name);
+    void bind(std::uint32_t name, std::uint32_t depth, Value value);
+    void assign(std::uint32_t name, bool is_local, Value value);
+    void unbind(std::uint32_t name);
+    std::uint32_t depth() const { return static_cast<std::uint32_t>(frames_.size() - 1); }
+
+    // directives.cpp
+
+    void read_directive();
+    void read_declare(bool is_local);
+    void read_macro(const Token& at);
+    bool read_defined();
+    void read_if(const Token& at, bool is_true);
+    void read_ifdef(const Token& at, bool wanted);
+    void read_else(const Token& at);
+    void read_elseif(const Token& at);
+    void read_end(const Token& at);
+    void read_while(const Token& at);
+    void run_while();
+    void read_for(const Token& at);
+    void read_switch(const Token& at);
+    void read_case(const Token& at);
+    void read_break(const Token& at);
+    void leave_condition();
+    bool is_within(double value, const Condition& condition) const;
+    void read_version();
+    void read_default();
+    void read_message(const Token& at);
+    void read_undef();
+    bool condition();
+
+    // includes.cpp
+
+    void read_include(const Token& at);
+    void include(const Token& at, const std::string& name);
+    void add_text(const Token& at, const std::string& path, std::string text);
+    void lex_text(std::uint16_t number);
+    void open_text(const Token& at, std::uint16_t number);
+
+    // expressions.cpp
+
+    struct Deeper {
+        explicit Deeper(Reader& reader);
+        ~Deeper() { --reader_.nesting_; }
+        Deeper(const Deeper&) = delete;
+        Deeper& operator=(const Deeper&) = delete;
+        bool ok = true;
+
+      private:
+        Reader& reader_;
+    };
+    Numbers expression();       // terms, without comparisons
+    Numbers full_expression();  // with comparisons, `&`, `|` and `? :`
+    Numbers comparison();
+    Numbers product();
+    Numbers factor();
+    Numbers primary();
+    Numbers suffixed(Numbers value);
+    Numbers vector_literal();
+    Numbers identifier(const Token& name);
+    Numbers combine(char op, const Token& at, Numbers a, Numbers b);
+    double number();
+    Vec3 vector();
+    double number_or(double value);  // an optional number
+    bool flag();                     // an optional number that stands for true or false
+    bool begins_number(const Token& token);
+    bool is_string_value(const Token& token);
+    std::string what_is(const Token& token);
+
+    // functions.cpp
+    Numbers function(const Token& name);
+    double argument();
+    Vec3 vector_argument();
+    Numbers call(const Token& name);
+    Numbers array_size(const Token& name);
+    RenderSettings scene_size(const Token& at);
+
+    // strings.cpp
+    bool begins_string(const Token& token);
+    std::string string();
+    std::string string_function(Word word);
+    std::string format_number(double value, double length, double decimals);
+    double value_of(const Token& at, std::string_view text);
+
+    // values.cpp
+    Value value();
+    Value identifier_value(const Token& name);
+    Numbers expression_after(Numbers first);
+    Value array_value(const Token& at);
+    void read_elements(Array& array, std::size_t dimensions, std::size_t& next, bool has_sizes);
+    bool spend_elements(const Token& at, std::uint64_t count);
+    std::uint32_t index();
+    const Value* read_element(const Token& name, const Value& array);
+    const Value* element(const Token& name, const Value& array, std::span<const std::uint32_t> indices);
+    void assign_element(const Token& name, Binding& binding, std::span<const std::uint32_t> indices,
+                        Value assigned);
+
+    // colors.cpp
+    bool begins_color(const Token& token);
+    std::array<double, 5> color(bool from_numbers);
+    Numbers color_value();
+
+    // textures.cpp
+    Texture& own_texture(Object& object);
+    Texture read_texture();
+    void read_texture_items(Texture& texture);
+    void read_pigment(Pigment& pigment);
+    void read_finish(Finish& finish);
+    void read_reflection(Finish& finish);
+    MaterialValue read_material();
+    static bool is_opaque(Word word);
+    Opaque read_opaque(Word word, const Token& at);
+    Missing missing(const Token& at, std::string_view name);
+    std::shared_ptr<const Texture> layered(const std::shared_ptr<const Texture>& below, Texture top);
+    void skip_block();
+    void skip_rest();
+
+    // transforms.cpp
+    bool read_transform_item(std::optional<Affine>& map);
+    Affine read_transform_block();
+    Affine read_matrix();
+
+    // objects.cpp
+    bool begins_object(const Token& token);
+    Object read_object();
+    Object object_of(const Token& name);
+    Object read_shape(const Token& word);
+    void check_shape(Object& object);
+    static bool holds(const Object& clip, const Object& object);
+    void read_modifiers(Object& object);
+    bool read_modifier(Object& object);
+    void read_clip(Object& object);
+    static bool clip_mesh(const Object& clip, Object& object);
+    Object refuse_object(const Token& word);
+    Object read_group(const Token& word);
+
+    // meshes.cpp
+    Object read_mesh(const Token& word);
+    Object read_mesh2(const Token& word);
+    void read_mesh_triangle(Mesh& mesh);
+    void check_mesh(const Token& at, Mesh& mesh, bool has_normal_indices);
+    std::size_t read_count();
+    void read_indices(std::array<std::uint32_t, 3>& indices);
+    std::uint32_t read_index();
+    std::vector<Vec3> read_points();
+    void read_faces(Mesh& mesh);
+    void read_normal_indices(Mesh& mesh);
+    void read_texture_list(Mesh& mesh);
+
+    // lights.cpp
+    Object read_light(const Token& word);
+    void read_looks_like(Object& light);
+
+    // camera.cpp
+    CameraItems read_camera(const Token& word);
+    void use_camera(const CameraItems& camera);
+
+    // settings.cpp
+    void read_statement();
+    void read_global_settings();
+    void read_background(const Token& at);
+    void read_fog(const Token& at);
+    void report_gamma();
+    void set(std::string_view name, const Token& at, double value);
+    void finish_settings();
+
+    // place.cpp
+    std::uint64_t max_shapes() const { return k_max_shapes + tokens_[text_.file].size(); }
+    void place(const Object& object);
+    // What an object has from the groups around it.
+    struct Inherited {
+        const Texture* texture = nullptr;
+        const Affine* map = nullptr;
+        const Opaque* interior = nullptr;
+        bool is_no_shadow = false, is_merge = false;
+    };
+    void place(const Object& object, const Inherited& from);
+    void place_shape(const Object& object, const Inherited& own);
+    void place_mesh(const Object& object, const Inherited& own);
+    SourcePlace shape_place(const Token& at);
+
+    // materials.cpp
+    std::uint32_t material_of(const Inherited& own, const Token& at);
+    void report_texture(const Inherited& own, const Token& at);
+    void place_light(const Object& object, const Inherited& own);
+    void add_blended_face(const Object& object, const Inherited& own, const Mesh::Face& face,
+                          std::span<const Vec3> points, std::span<const Vec3> normals);
+    void report(const Missing& missing);
+    template <class Shape>
+    void add(const Shape& shape, std::uint32_t material, const Affine* map, const Token& at);
+
+    // Messages.
+    void error(const Token& at, std::string message);
+    void warn(const Token& at, std::string message);
+    void warn_once(std::string_view key, const Token& at, std::string message);
+    void expected(std::string_view what);
+    std::string describe(const Token& token) const;
+    std::string_view text_of(const Token& token) const;
+    SourcePlace place_of(const Token& token);
+    Token call_place(const Token& at) const;  // of the outermost macro call that is being read, or `at`
+
+    LoadState& reading_;
+    Scene& scene_;
+    const ReadText& text_;
+    Names names_;
+    std::map<std::uint16_t, std::vector<std::uint32_t>> line_starts_;
+    std::vector<std::vector<Token>> tokens_;  // by the number of the text
+    std::vector<LexError> lex_errors_;
+    std::vector<Frame> frames_;
+    std::vector<Condition> conditions_;
+    std::vector<Mark> marks_;
+    std::vector<std::vector<Binding>> bindings_;  // by name, innermost last
+    std::vector<std::uint32_t> random_;           // the states of seed()
+    Token ahead_;
+    bool has_ahead_ = false, failed_ = false;
+    std::uint64_t steps_ = 0, elements_ = 0, shapes_ = 0, tokens_read_ = 0;
+    int nesting_ = 0, braces_ = 0;
+
+    Texture default_texture_;
+    std::shared_ptr<const Texture> default_shared_;
+    std::optional<double> version_, gamma_;
+    bool is_gamma_srgb_ = false, is_transparent_ = false;
+    Token gamma_place_, version_place_;
+    std::array<double, 5> background_{};
+    Color ambient_light_{1, 1, 1};
+    std::optional<CameraItems> camera_, camera_default_;
+    struct MaterialKey {
+        std::array<double, 32> values{};
+        bool operator<(const MaterialKey& other) const { return values < other.values; }
+    };
+    std::map<MaterialKey, std::uint32_t> materials_;
+    MaterialKey last_key_;
+    std::uint32_t last_material_ = k_none;
+    Token last_place_token_;
+    SourcePlace last_place_;
+    std::vector<std::string> warned_;  // what has been refused
+};
+
+}  // namespace glint::povray

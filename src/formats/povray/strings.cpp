@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: Apache-2.0
+// Strings: names of includes, messages, and what is computed from them.
+#include <fast_float/fast_float.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "base/text.h"
+#include "formats/povray/reader.h"
+
+namespace glint::povray {
+
+bool Reader::begins_string(const Token& token) {
+    if (token.kind == TokenKind::string) return true;
+    if (token.kind != TokenKind::word) return false;
+    switch (token.word()) {
+#define GLINT_POV_WORD(word) case Word::k_##word:
+        GLINT_POV_STRING_WORDS(GLINT_POV_WORD)
+#undef GLINT_POV_WORD
+        return true;
+        default:
+            break;
+    }
+    if (Names::is_reserved(token.name)) return false;
+    const Value* value = find_value(token.name);
+    return value != nullptr && std::holds_alternative<std::shared_ptr<const std::string>>(*value);
+}
+
+std::string Reader::string() {
+    const Token token = peek();
+    if (!begins_string(token)) {
+        const Value* value = token.kind == TokenKind::word && !Names::is_reserved(token.name)
+                                 ? find_value(token.name)
+                                 : nullptr;
+        if (value != nullptr && std::holds_alternative<std::shared_ptr<Array>>(*value)) {
+            const Value array = *value;
+            const Value* element = read_element(take(), array);
+            const auto* text = element ? std::get_if<std::shared_ptr<const std::string>>(element) : nullptr;
+            if (text != nullptr) return **text;
+        }
+        if (!failed_) expected("a string");
+        return {};
+    }
+    take();
+    if (token.kind == TokenKind::string) {
+        const std::string_view text = text_of(token);
+        spend(text.size());
+        return text.size() > k_max_string ? std::string() : string_value(text);
+    }
+    if (!Names::is_reserved(token.name)) {
+        return *std::get<std::shared_ptr<const std::string>>(*find_value(token.name));
+    }
+    const Deeper deeper(*this);
+    if (!deeper.ok || !expect('(')) return {};
+    std::string text = string_function(token.word());
+    if (!failed_) expect(')');
+    spend(text.size());
+    if (text.size() > k_max_string) error(token, fmt::format("a string of more than {} bytes", k_max_string));
+    return text;
+}
+
+std::string Reader::string_function(Word word) {
+    switch (word) {
+        case Word::k_concat: {
+            std::string text;
+            while (!failed_ && !peek().is(')') && text.size() <= k_max_string) {
+                text += string();
+                accept(',');
+            }
+            return text;
+        }
+        case Word::k_chr:
+            return std::string(1, static_cast<char>(std::clamp(number(), 0.0, 255.0)));
+        case Word::k_substr: {
+            const std::string text = string();
+            accept(',');
+            const Token at = peek();
+            const double from = argument(), count = number();
+            if (!(from >= 1 && count >= 0 && from - 1 + count <= static_cast<double>(text.size()))) {
+                error(at, "expected a part of the string: its first character, from 1, and its length");
+                return {};
+            }
+            return text.substr(static_cast<std::size_t>(from) - 1, static_cast<std::size_t>(count));
+        }
+        case Word::k_strlwr:
+        case Word::k_strupr: {
+            std::string text = string();
+            for (char& c : text) {
+                if (word == Word::k_strlwr && c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+                if (word == Word::k_strupr && c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
+            }
+            return text;
+        }
+        case Word::k_str: {
+            const double value = argument(), length = argument();
+            return format_number(value, length, number());
+        }
+        case Word::k_vstr: {
+            const double terms = argument();
+            const Numbers value = promoted(expression(), 5);
+            accept(',');
+            const std::string separator = string();
+            accept(',');
+            const double length = argument(), decimals = number();
+            std::string text;
+            for (std::size_t i = 0; i < 5 && static_cast<double>(i) < terms && text.size() < k_max_string;
+                 ++i) {
+                text += (i > 0 ? separator : std::string()) + format_number(value.v[i], length, decimals);
+            }
+            return text;
+        }
+        default:  // datetime
+            number();
+            while (!failed_ && accept(',')) string();
+            return {};
+    }
+}
+
+// C's "%length.decimalsf"; a negative length means leading zeros, negative decimals mean six.
+std::string Reader::format_number(double value, double length, double decimals) {
+    const int width = static_cast<int>(std::clamp(length < 0 ? -length : length, 0.0, 300.0));
+    const int places = decimals < 0 ? 6 : static_cast<int>(std::clamp(decimals, 0.0, 100.0));
+    if (length < 0) return fmt::format("{:0{}.{}f}", value, width, places);
+    return fmt::format("{:{}.{}f}", value, width, places);
+}
+
+double Reader::value_of(const Token& at, std::string_view text) {
+    while (!text.empty() && (text.front() == ' ' || text.front() == '+')) text.remove_prefix(1);
+    double value = 0;
+    const auto [end, wrong] = fast_float::from_chars(text.data(), text.data() + text.size(), value);
+    if (wrong != std::errc() || !(value <= 1e300 && value >= -1e300)) {
+        error(at, fmt::format("expected a string that is a number, found {}", quoted(text)));
+    }
+    return value;
+}
+
+}  // namespace glint::povray

@@ -1,0 +1,310 @@
+// SPDX-License-Identifier: Apache-2.0
+// Pigments, finishes, textures, materials.
+#include <fmt/format.h>
+
+#include "base/text.h"
+#include "formats/povray/reader.h"
+#include "formats/povray_keywords.h"
+
+namespace glint::povray {
+namespace {
+
+Color rgb_of(const std::array<double, 5>& c) { return {c[0], c[1], c[2]}; }
+
+}  // namespace
+
+Missing Reader::missing(const Token& at, std::string_view name) {
+    return {name, povray_meaning(name), call_place(at)};
+}
+
+// The rest of a block, up to its `}`.
+void Reader::skip_rest() {
+    int open = 0;
+    while (!failed_) {
+        const Token& token = peek();
+        if (token.kind == TokenKind::end) return expected("`}`");
+        if (token.is('{')) ++open;
+        if (token.is('}') && open-- == 0) return;
+        take();
+    }
+}
+
+void Reader::skip_block() {
+    if (!expect('{')) return;
+    skip_rest();
+    expect('}');
+}
+
+bool Reader::is_opaque(Word word) {
+    return word == Word::k_normal || word == Word::k_interior || word == Word::k_color_map ||
+           word == Word::k_colour_map || word == Word::k_function || word == Word::k_spline ||
+           word == Word::k_rainbow || word == Word::k_sky_sphere || word == Word::k_fog;
+}
+
+// A block that is not rendered, after its word; of an interior, its ior is kept.
+Opaque Reader::read_opaque(Word word, const Token& at) {
+    Opaque out{word, at};
+    if (word == Word::k_function && peek().is('(')) {
+        while (!failed_ && !accept(')')) {
+            if (peek().kind == TokenKind::end) expected("`)`");
+            take();
+        }
+    }
+    if (word != Word::k_interior) {
+        skip_block();
+        return out;
+    }
+    if (!expect('{')) return out;
+    while (!failed_ && !accept('}')) {
+        const Token item = take();
+        const Value* value =
+            item.kind == TokenKind::word && !Names::is_reserved(item.name) ? find_value(item.name) : nullptr;
+        if (const auto* held = value ? std::get_if<Opaque>(value) : nullptr) {
+            out.ior = held->ior;
+        } else if (item.word() == Word::k_ior) {
+            out.ior = number();
+        } else if (item.kind == TokenKind::end) {
+            expected("`}`");
+        } else if (item.is('{')) {
+            skip_rest();
+            expect('}');
+        }
+    }
+    return out;
+}
+
+// { [identifier] items }
+void Reader::read_pigment(Pigment& pigment) {
+    const Deeper deeper(*this);
+    if (!deeper.ok || !expect('{')) return;
+    std::optional<Affine> map;  // of a pattern: all patterns are missing
+    while (!failed_ && !accept('}')) {
+        const Token item = peek();
+        if (begins_color(item)) {
+            pigment = {color(false), {}};
+            continue;
+        }
+        if (item.kind == TokenKind::word && !Names::is_reserved(item.name)) {
+            if (const Value* value = find_value(item.name)) {
+                if (const auto* held = std::get_if<std::shared_ptr<const Pigment>>(value)) {
+                    pigment = **held;
+                    take();
+                    continue;
+                }
+                pigment = {color(false), {}};
+                continue;
+            }
+        } else if (item.word() == Word::k_quick_color || item.word() == Word::k_quick_colour) {
+            take();
+            color(true);
+            continue;
+        } else if (begins_number(item)) {
+            pigment = {color(false), {}};
+            continue;
+        } else if (read_transform_item(map) || accept(Word::k_uv_mapping)) {
+            continue;
+        }
+        take();
+        if (item.kind != TokenKind::word) {
+            return error(item, fmt::format("expected a colour or a pattern, found {}", describe(item)));
+        }
+        pigment.missing = missing(item, text_of(item));
+        pigment.missing->meaning = "a pattern";
+        skip_rest();
+    }
+}
+
+void Reader::read_finish(Finish& finish) {
+    const Deeper deeper(*this);
+    if (!deeper.ok || !expect('{')) return;
+    while (!failed_ && !accept('}')) {
+        const Token item = take();
+        switch (item.word()) {
+            case Word::k_ambient:
+                finish.ambient = rgb_of(color(true));
+                break;
+            case Word::k_emission:
+                finish.emission = rgb_of(color(true));
+                break;
+            case Word::k_diffuse:
+                if (!begins_number(peek())) take();  // albedo
+                finish.diffuse = number();
+                finish.diffuse_back = accept(',') ? number() : 0;
+                break;
+            case Word::k_brilliance:
+                finish.brilliance = number();
+                break;
+            case Word::k_phong:
+                if (!begins_number(peek())) take();
+                finish.phong = number();
+                break;
+            case Word::k_phong_size:
+                finish.phong_size = number();
+                break;
+            case Word::k_specular:
+                if (!begins_number(peek())) take();
+                finish.specular = number();
+                break;
+            case Word::k_roughness:
+                finish.roughness = number();
+                break;
+            case Word::k_metallic:
+                finish.metallic = number_or(1);
+                break;
+            case Word::k_crand:
+                finish.crand = number();
+                break;
+            case Word::k_conserve_energy:
+                finish.conserve_energy = flag();
+                break;
+            case Word::k_reflection:
+                read_reflection(finish);
+                break;
+            case Word::k_reflection_exponent:
+                finish.reflection_exponent = number();
+                break;
+            case Word::k_use_alpha:
+            case Word::k_fresnel:
+                flag();
+                break;
+            case Word::k_irid:
+            case Word::k_subsurface:
+                finish.missing = missing(item, to_string(item.word()));
+                skip_block();
+                break;
+            case Word::k_ior:
+                number();
+                break;
+            default: {
+                const Value* value = item.kind == TokenKind::word && !Names::is_reserved(item.name)
+                                         ? find_value(item.name)
+                                         : nullptr;
+                const auto* held = value ? std::get_if<std::shared_ptr<const Finish>>(value) : nullptr;
+                if (held == nullptr) {
+                    return error(item, fmt::format("expected an item of a finish or `}}`, found {}{}",
+                                                   describe(item), what_is(item)));
+                }
+                finish = **held;
+            }
+        }
+        accept(',');
+    }
+}
+
+// A colour, or { [min,] max items }, after `reflection`.
+void Reader::read_reflection(Finish& finish) {
+    if (!peek().is('{')) {
+        finish.reflection_min = finish.reflection_max = rgb_of(color(true));
+        return;
+    }
+    take();
+    bool has_min = false;
+    while (!failed_ && !accept('}')) {
+        switch (peek().word()) {
+            case Word::k_fresnel:
+                take();
+                finish.reflection_fresnel = flag();
+                break;
+            case Word::k_falloff:
+                take();
+                finish.reflection_falloff = number();
+                break;
+            case Word::k_exponent:
+                take();
+                finish.reflection_exponent = number();
+                break;
+            case Word::k_metallic:
+                take();
+                finish.reflection_metallic = number_or(1);
+                break;
+            default:
+                finish.reflection_max = rgb_of(color(true));
+                if (!has_min) finish.reflection_min = finish.reflection_max;
+                has_min = true;
+        }
+        accept(',');
+    }
+}
+
+Texture Reader::read_texture() {
+    Texture texture = default_texture_;
+    read_texture_items(texture);
+    return texture;
+}
+
+// { [identifier] items }
+void Reader::read_texture_items(Texture& texture) {
+    const Deeper deeper(*this);
+    if (!deeper.ok || !expect('{')) return;
+    std::optional<Affine> map;
+    while (!failed_ && !accept('}')) {
+        const Token item = peek();
+        if (read_transform_item(map) || accept(Word::k_uv_mapping) || accept(Word::k_no_bump_scale)) continue;
+        take();
+        if (item.word() == Word::k_pigment) {
+            read_pigment(texture.pigment);
+        } else if (item.word() == Word::k_finish) {
+            read_finish(texture.finish);
+        } else if (item.word() == Word::k_normal) {
+            skip_block();
+            texture.missing = missing(item, "normal");
+        } else {
+            const Value* value = item.kind == TokenKind::word && !Names::is_reserved(item.name)
+                                     ? find_value(item.name)
+                                     : nullptr;
+            if (const auto* held = value ? std::get_if<std::shared_ptr<const Texture>>(value) : nullptr) {
+                texture = **held;
+            } else if (value == nullptr && item.kind == TokenKind::word) {
+                texture.missing = missing(item, text_of(item));  // a map of textures, tiles, ...
+                skip_rest();
+            } else {
+                return error(item, fmt::format("expected `pigment`, `finish` or a texture, found {}{}",
+                                               describe(item), what_is(item)));
+            }
+        }
+    }
+}
+
+// { [identifier] texture interior transforms }
+MaterialValue Reader::read_material() {
+    MaterialValue material;
+    const Deeper deeper(*this);
+    if (!deeper.ok || !expect('{')) return material;
+    std::optional<Affine> map;
+    while (!failed_ && !accept('}')) {
+        if (read_transform_item(map)) continue;
+        const Token item = take();
+        const Value* value =
+            item.kind == TokenKind::word && !Names::is_reserved(item.name) ? find_value(item.name) : nullptr;
+        if (item.word() == Word::k_texture) {
+            material.texture = layered(material.texture, read_texture());
+        } else if (item.word() == Word::k_interior) {
+            material.interior = read_opaque(Word::k_interior, item);
+        } else if (item.word() == Word::k_interior_texture) {
+            skip_block();
+        } else if (const auto* held =
+                       value ? std::get_if<std::shared_ptr<const MaterialValue>>(value) : nullptr) {
+            material = **held;
+        } else {
+            error(item, fmt::format("expected `texture`, `interior` or `}}`, found {}{}", describe(item),
+                                    what_is(item)));
+        }
+    }
+    return material;
+}
+
+// The texture `top` over `below`.
+std::shared_ptr<const Texture> Reader::layered(const std::shared_ptr<const Texture>& below, Texture top) {
+    top.is_layered = below != nullptr;
+    return std::make_shared<const Texture>(std::move(top));
+}
+
+// The object's texture, to be changed: a copy of the default one if it has none.
+Texture& Reader::own_texture(Object& object) {
+    auto own = std::make_shared<Texture>(object.texture ? *object.texture : default_texture_);
+    Texture& texture = *own;
+    object.texture = std::move(own);
+    return texture;
+}
+
+}  // namespace glint::povray

@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+// The values of POV-Ray's language: what an identifier can stand for.
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "formats/povray/lexer.h"
+#include "glint/scene.h"
+
+namespace glint::povray {
+
+/// A number (1 term), a vector (2 to 4), or a colour (5: red, green, blue, filter, transmit).
+struct Numbers {
+    std::array<double, 5> v{};
+    int terms = 1;
+
+    Numbers() = default;
+    Numbers(double x) : v{x} {}  // NOLINT: a number is a value of the language
+    explicit Numbers(Vec3 p) : v{p.x, p.y, p.z}, terms(3) {}
+    bool is_color() const { return terms == 5; }
+};
+
+/// The value with this number of terms: a single number fills them all, else zeros are added.
+Numbers promoted(const Numbers& value, int terms);
+
+/// A feature that is not rendered, and its place: reported if something that has it becomes part of the
+/// scene.
+struct Missing {
+    std::string_view name;     ///< "normal"
+    std::string_view meaning;  ///< "a bumpy normal"; may be empty
+    Token at;
+    bool is_error = false;  ///< without it the scene has no meaning
+};
+
+struct ColorMapEntry {
+    double at = 0;
+    std::array<double, 5> color{};
+};
+
+struct Pigment {
+    std::array<double, 5> color{0, 0, 0, 0, 0};
+    std::optional<Missing> missing;  ///< a pattern that is not rendered
+    friend bool operator==(const Pigment& a, const Pigment& b) { return a.color == b.color; }
+};
+
+/// The defaults are POV-Ray's.
+struct Finish {
+    Color ambient{0.1, 0.1, 0.1}, emission{0, 0, 0};
+    double diffuse = 0.6, brilliance = 1;
+    double phong = 0, phong_size = 40, specular = 0, roughness = 0.05, metallic = 0;
+    Color reflection_min{0, 0, 0}, reflection_max{0, 0, 0};
+    double reflection_exponent = 1, reflection_falloff = 1, reflection_metallic = 0;
+    bool reflection_fresnel = false, conserve_energy = false;
+    double crand = 0, diffuse_back = 0;
+    std::optional<Missing> missing;
+};
+
+struct Texture {
+    Pigment pigment;
+    Finish finish;
+    std::optional<Missing> missing;  ///< a normal, a texture map, ...
+    bool is_layered = false;         ///< below it are other textures
+};
+
+/// A block that has a meaning only where it is used, and is not rendered: normal, interior, color_map, ...
+struct Opaque {
+    Word word = Word::k_none;
+    Token at;
+    double ior = 1;  ///< of an interior
+};
+
+enum class ObjectKind : std::uint8_t {
+    sphere,
+    cylinder,
+    cone,
+    box,
+    plane,
+    disc,
+    triangle,
+    smooth_triangle,
+    mesh,
+    group,
+    light,
+    refused
+};
+
+struct Mesh {
+    struct Face {
+        std::array<std::uint32_t, 3> vertices{}, normals{}, textures{};
+        bool has_normals = false, has_texture = false, has_textures = false;  // one texture, or one a corner
+    };
+    std::vector<Vec3> vertices, normals;
+    std::vector<Face> faces;
+    std::vector<std::shared_ptr<const Texture>> textures;
+};
+
+struct LightSource {
+    Light light;  ///< position, colour and kind; the direction of spots and parallel lights is point_at -
+                  ///< position
+    Vec3 point_at{0, 0, 1};
+    bool is_parallel = false;
+    std::optional<Missing> missing;
+};
+
+/// An object: a shape, a group of objects, a light, or one that is not rendered. Parts are shared.
+struct Object {
+    ObjectKind kind = ObjectKind::group;
+    Vec3 a, b, c;         ///< points; sphere: center; plane, disc: normal in b
+    Vec3 na, nb, nc;      ///< the normals of a smooth triangle
+    double r = 0, s = 0;  ///< radii; plane: the distance
+    bool is_open = false, is_no_shadow = false, is_merge = false;
+    Token at;
+    std::optional<Affine> map;  ///< world_from_object
+    std::shared_ptr<const Texture> texture;
+    std::shared_ptr<const std::vector<Object>> parts;
+    std::shared_ptr<const Mesh> mesh;
+    std::shared_ptr<const LightSource> light;
+    std::optional<Opaque> interior;
+    std::optional<Missing> missing;  ///< what is not rendered of it
+    std::uint64_t count = 1;         ///< of shapes in it
+    int depth = 1;                   ///< of groups
+};
+
+struct CameraItems {
+    bool is_orthographic = false, has_right = false, has_up = false, has_angle = false;
+    std::optional<Vec3> look_at;
+    Vec3 location{0, 0, 0}, direction{0, 0, 1}, up{0, 1, 0}, right{4.0 / 3, 0, 0}, sky{0, 1, 0};
+    double angle = 0;
+    std::optional<Affine> map;
+    Token at;
+    std::optional<Missing> missing;
+};
+
+struct Array;
+
+/// A macro: its parameters and its body, as tokens.
+struct Macro {
+    std::vector<std::uint32_t> parameters;
+    std::uint16_t text = 0;
+    std::uint32_t begin = 0, end = 0;
+};
+
+/// A parameter that was given an identifier: stands for it, in the scopes up to `depth`.
+struct Reference {
+    std::uint32_t name = 0;
+    std::uint32_t depth = 0;
+};
+
+struct MaterialValue {
+    std::shared_ptr<const Texture> texture;
+    std::optional<Opaque> interior;
+};
+
+using Value =
+    std::variant<std::monostate, Numbers, std::shared_ptr<const std::string>, std::shared_ptr<Array>,
+                 std::shared_ptr<const Pigment>, std::shared_ptr<const Finish>,
+                 std::shared_ptr<const Texture>, std::shared_ptr<const MaterialValue>,
+                 std::shared_ptr<const Object>, std::shared_ptr<const CameraItems>,
+                 std::shared_ptr<const Affine>, std::shared_ptr<const Macro>, Reference, Opaque>;
+
+/// Elements in row order; unset ones are monostate.
+struct Array {
+    std::vector<std::uint32_t> sizes;
+    std::vector<Value> elements;
+};
+
+/// "a number", "a texture", ...
+std::string_view describe(const Value& value);
+
+}  // namespace glint::povray

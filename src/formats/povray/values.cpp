@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: Apache-2.0
+// Values: what #declare and the parameters of macros take. Arrays.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "base/text.h"
+#include "formats/povray/reader.h"
+
+namespace glint::povray {
+
+Value Reader::value() {
+    const Token token = peek();
+    if (token.kind == TokenKind::number || token.is('<')) return expression();
+    if (begins_string(token)) return std::make_shared<const std::string>(string());
+    if (token.kind != TokenKind::word) return expression();
+    const Deeper deeper(*this);
+    if (!deeper.ok) return {};
+    if (!Names::is_reserved(token.name)) return identifier_value(token);
+    switch (token.word()) {
+        case Word::k_array:
+            take();
+            return array_value(token);
+        case Word::k_texture: {
+            // Several textures are the layers of one.
+            std::shared_ptr<const Texture> texture;
+            while (!failed_ && accept(Word::k_texture)) texture = layered(texture, read_texture());
+            return texture;
+        }
+        case Word::k_pigment: {
+            take();
+            Pigment pigment = default_texture_.pigment;
+            read_pigment(pigment);
+            return std::make_shared<const Pigment>(std::move(pigment));
+        }
+        case Word::k_finish: {
+            take();
+            Finish finish = default_texture_.finish;
+            read_finish(finish);
+            return std::make_shared<const Finish>(std::move(finish));
+        }
+        case Word::k_material:
+            take();
+            return std::make_shared<const MaterialValue>(read_material());
+        case Word::k_camera:
+            take();
+            return std::make_shared<const CameraItems>(read_camera(token));
+        case Word::k_transform:
+            take();
+            return std::make_shared<const Affine>(read_transform_block());
+        default:
+            break;
+    }
+    if (begins_object(token)) return std::make_shared<const Object>(read_object());
+    if (begins_number(token) || begins_color(token)) return expression();
+    if (is_opaque(token.word())) {
+        take();
+        return read_opaque(token.word(), token);
+    }
+    expected("a value");
+    return {};
+}
+
+// A copy of what the identifier stands for, or an expression that begins with it.
+Value Reader::identifier_value(const Token& name) {
+    const Value* value = find_value(name.name);
+    if (value == nullptr) {
+        const std::string_view word = names_.name(name.name);
+        if (begins_object(name)) return std::make_shared<const Object>(read_object());
+        error(name, fmt::format("expected a value, found {}{}", quoted(word), what_is(name)));
+        return {};
+    }
+    if (std::holds_alternative<Numbers>(*value)) return expression();
+    if (const auto* array = std::get_if<std::shared_ptr<Array>>(value)) {
+        const Value whole = *array;
+        take();
+        if (!peek().is('[')) {
+            const Array& from = **std::get_if<std::shared_ptr<Array>>(&whole);
+            if (!spend_elements(name, from.elements.size())) return {};
+            return std::make_shared<Array>(from);
+        }
+        const Value* element = read_element(name, whole);
+        if (element == nullptr) return {};
+        const auto* numbers = std::get_if<Numbers>(element);
+        return numbers != nullptr ? expression_after(*numbers) : *element;
+    }
+    Value copy = *value;
+    take();
+    return copy;
+}
+
+// The rest of an expression whose first operand has been read.
+Numbers Reader::expression_after(Numbers first) {
+    first = suffixed(first);
+    while (!failed_ && (peek().is('*') || peek().is('/'))) {
+        const Token at = take();
+        first = combine(at.symbol, at, first, factor());
+    }
+    while (!failed_ && (peek().is('+') || peek().is('-'))) {
+        const Token at = take();
+        first = combine(at.symbol, at, first, product());
+    }
+    return first;
+}
+
+bool Reader::spend_elements(const Token& at, std::uint64_t count) {
+    elements_ += count;
+    if (elements_ <= k_max_elements) return true;
+    error(at, fmt::format("more than {} elements of arrays", k_max_elements));
+    return false;
+}
+
+// array[SIZE]... { elements }, also without sizes.
+Value Reader::array_value(const Token& at) {
+    auto array = std::make_shared<Array>();
+    std::uint64_t count = 1;
+    while (!failed_ && peek().is('[')) {
+        const Token size_at = peek();
+        const std::uint32_t size = index();
+        if (!failed_ && size < 1) error(size_at, "expected at least one element");
+        if (array->sizes.size() >= 5) error(size_at, "expected at most five dimensions");
+        array->sizes.push_back(size);
+        count = std::min<std::uint64_t>(count * size, k_max_elements + 1);
+    }
+    if (failed_) return {};
+    const bool has_sizes = !array->sizes.empty();
+    if (has_sizes) {
+        if (!spend_elements(at, count)) return {};
+        array->elements.resize(count);
+    }
+    if (peek().is('{')) {
+        std::size_t next = 0;
+        read_elements(*array, has_sizes ? array->sizes.size() : 1, next, has_sizes);
+        if (!has_sizes) array->sizes.push_back(static_cast<std::uint32_t>(array->elements.size()));
+    } else if (!has_sizes) {
+        expected("`[` or `{`");
+    }
+    return array;
+}
+
+// The elements of the last `dimensions` dimensions, in braces.
+void Reader::read_elements(Array& array, std::size_t dimensions, std::size_t& next, bool has_sizes) {
+    const Deeper deeper(*this);
+    if (!deeper.ok || !expect('{')) return;
+    while (!failed_ && !accept('}')) {
+        if (dimensions > 1) {
+            read_elements(array, dimensions - 1, next, has_sizes);
+        } else {
+            const Token at = peek();
+            Value element = value();
+            if (failed_) return;
+            if (!has_sizes) {
+                if (!spend_elements(at, 1)) return;
+                array.elements.push_back(std::move(element));
+            } else if (next >= array.elements.size()) {
+                return error(at, fmt::format("expected `}}` after {} elements", array.elements.size()));
+            } else {
+                array.elements[next++] = std::move(element);
+            }
+        }
+        accept(',');
+    }
+}
+
+// [number]
+std::uint32_t Reader::index() {
+    if (!expect('[')) return 0;
+    const Token at = peek();
+    const double value = number();
+    expect(']');
+    if (failed_) return 0;
+    if (!(value >= 0 && value <= 4e9)) {
+        error(at, "expected an index from 0 to 4e9");
+        return 0;
+    }
+    return static_cast<std::uint32_t>(value + 1e-8);
+}
+
+const Value* Reader::read_element(const Token& name, const Value& array) {
+    std::vector<std::uint32_t> indices;
+    while (!failed_ && peek().is('[')) indices.push_back(index());
+    return failed_ ? nullptr : element(name, array, indices);
+}
+
+// Null after an error.
+const Value* Reader::element(const Token& name, const Value& from, std::span<const std::uint32_t> indices) {
+    const auto* held = std::get_if<std::shared_ptr<Array>>(&from);
+    if (held == nullptr) {
+        error(name, fmt::format("{} is not an array", quoted(names_.name(name.name))));
+        return nullptr;
+    }
+    const Array& array = **held;
+    std::size_t at = 0;
+    for (std::size_t i = 0; i < array.sizes.size(); ++i) {
+        if (i >= indices.size()) {
+            error(name, fmt::format("expected {} indices of {}", array.sizes.size(),
+                                    quoted(names_.name(name.name))));
+            return nullptr;
+        }
+        if (indices[i] >= array.sizes[i]) {
+            error(name, fmt::format("expected an index below {}, found {}", array.sizes[i], indices[i]));
+            return nullptr;
+        }
+        at = at * array.sizes[i] + indices[i];
+    }
+    const Value& found = array.elements[at];
+    if (indices.size() > array.sizes.size()) return element(name, found, indices.subspan(array.sizes.size()));
+    return &found;
+}
+
+void Reader::assign_element(const Token& name, Binding& binding, std::span<const std::uint32_t> indices,
+                            Value assigned) {
+    const Value* found = element(name, binding.value, indices);
+    if (found != nullptr) const_cast<Value&>(*found) = std::move(assigned);  // NOLINT: of our own array
+}
+
+}  // namespace glint::povray

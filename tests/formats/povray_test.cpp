@@ -1,0 +1,378 @@
+// SPDX-License-Identifier: Apache-2.0
+// POV-Ray's language: directives, macros, expressions, objects, the camera, and what is refused.
+#include <map>
+
+#include "formats/mistakes.h"
+#include "glint/scene.h"
+
+namespace glint::test {
+namespace {
+
+constexpr double k_near = 1e-12;
+
+Result<Scene> read_povray(std::string_view text, Sources* sources = nullptr) {
+    return load_text(text, "a.pov", {}, sources, "povray");
+}
+
+// The scene of a text that has at least one shape; notes and warnings are allowed.
+Scene povray_scene(const std::string& text, Sources* sources = nullptr) {
+    const Result<Scene> result = read_povray("light_source { <0, 0, -9>, rgb 1 }\n" + text, sources);
+    EXPECT_TRUE(result) << messages(result);
+    return result.value_or(Scene{});
+}
+
+// The radius of the first sphere: how the tests below see the value of an expression.
+double value_of(const std::string& expression, const std::string& before = {}) {
+    const Scene scene = povray_scene(before + "\nsphere { 0, 10 + (" + expression + ") }");
+    EXPECT_EQ(scene.get<Sphere>().size(), 1u) << expression;
+    return scene.get<Sphere>().empty() ? -99 : scene.get<Sphere>()[0].radius - 10;
+}
+
+void expect_vec(Vec3 a, Vec3 b) {
+    EXPECT_NEAR(a.x, b.x, k_near);
+    EXPECT_NEAR(a.y, b.y, k_near);
+    EXPECT_NEAR(a.z, b.z, k_near);
+}
+
+class TextSources : public Sources {
+  public:
+    explicit TextSources(std::map<std::string, std::string, std::less<>> texts) : texts_(std::move(texts)) {}
+    Result<std::string> read(std::string_view name, std::string_view) override {
+        const auto at = texts_.find(name);
+        if (at != texts_.end()) return at->second;
+        return Status{ErrorCode::io, "no such file", {}};
+    }
+
+  private:
+    std::map<std::string, std::string, std::less<>> texts_;
+};
+
+TEST(PovRay, ExpressionsHaveItsPrecedenceAndPromotion) {
+    EXPECT_NEAR(value_of("1 + 2*3 - 4/8"), 6.5, k_near);
+    EXPECT_NEAR(value_of("-2*-3"), 6, k_near);
+    EXPECT_NEAR(value_of("(<1, 2, 3>*2).y"), 4, k_near);
+    EXPECT_NEAR(value_of("(x + 2*y).y"), 2, k_near);
+    EXPECT_NEAR(value_of("(2 < 3) & (3 != 4)"), 1, k_near);
+    EXPECT_NEAR(value_of("1 > 2 ? 5 : 7"), 7, k_near);
+    EXPECT_NEAR(value_of("!true"), 0, k_near);
+    EXPECT_NEAR(value_of("<.9 .8 .7>.z"), .7, k_near) << "commas are optional";
+    EXPECT_NEAR(value_of("(rgb <.1, .2, .3>).green"), .2, k_near);
+    EXPECT_NEAR(value_of("V.v", "#declare V = <1, 5>;"), 5, k_near);
+}
+
+TEST(PovRay, FunctionsComputeAsDocumented) {
+    EXPECT_NEAR(value_of("sqrt(9) + abs(-2) + int(-2.5) + floor(-2.5) + ceil(1.2)"), 2, k_near);
+    EXPECT_NEAR(value_of("sin(pi/6)"), 0.5, k_near);
+    EXPECT_NEAR(value_of("degrees(atan2(1, 1))"), 45, 1e-9);
+    EXPECT_NEAR(value_of("min(3, 1, 2) + max(3, 1, 2)"), 4, k_near);
+    EXPECT_NEAR(value_of("mod(7, 3) + div(7, 3)"), 3, k_near);
+    EXPECT_NEAR(value_of("vlength(<3, 4, 0>)"), 5, k_near);
+    EXPECT_NEAR(value_of("vdot(vcross(x, y), z)"), 1, k_near);
+    EXPECT_NEAR(value_of("vrotate(x, 90*z).y"), 1, k_near);
+    EXPECT_NEAR(value_of("vaxis_rotate(y, x, 90).z"), 1, k_near);
+    EXPECT_NEAR(value_of("select(-1, 5, 6, 7)"), 5, k_near);
+    EXPECT_NEAR(value_of("strlen(concat(\"ab\", str(1.5, 0, 2)))"), 6, k_near);
+    EXPECT_NEAR(value_of("val(\"2.5\")"), 2.5, k_near);
+    EXPECT_NEAR(value_of("pow(2, -1)"), 0.5, k_near);
+}
+
+TEST(PovRay, CommentsNest) {
+    EXPECT_NEAR(value_of("3 /* a /* b */ c */ + 1 // d"
+                         "\n"),
+                4, k_near);
+}
+
+TEST(PovRay, ConditionsAndLoopsMayStandAnywhere) {
+    EXPECT_NEAR(value_of("#if (1 > 2) 5 #else 6 #end"), 6, k_near);
+    EXPECT_NEAR(value_of("#ifdef (Q) 5 #elseif (1) 7 #else 6 #end"), 7, k_near);
+    EXPECT_NEAR(value_of("S",
+                         "#declare S = 0; #declare I = 0;\n"
+                         "#while (I < 4) #declare S = S + I; #declare I = I + 1; #end"),
+                6, k_near);
+    EXPECT_NEAR(
+        value_of("S", "#declare S = 0; #for (I, 1, 9, 2) #declare S = S + I; #if (I > 4) #break #end #end"),
+        9, k_near);
+    EXPECT_NEAR(value_of("S",
+                         "#switch (3) #case (1) #declare S = 1; #break #range (2, 4) #declare S = 2; #break "
+                         "#else #declare S = 3; #end"),
+                2, k_near);
+    const Scene scene = povray_scene("cylinder { 0, y, 1 #if (yes) open #end pigment { rgb 1 } }");
+    EXPECT_FALSE(scene.get<Cylinder>().at(0).caps);
+}
+
+TEST(PovRay, MacrosAreParsedAtTheirCallsWithArgumentsByReference) {
+    EXPECT_NEAR(value_of("A", "#macro Add(V) #declare V = V + .5; #end #declare A = 1; Add(A)"), 1.5, k_near);
+    EXPECT_NEAR(value_of("Twice(3) + 1", "#macro Twice(V) V*2 #end"), 7, k_near);
+    EXPECT_NEAR(value_of("G", "#declare G = 1; #macro M() #local G = 2; #declare G = 3; #end M()"), 1, k_near)
+        << "#declare changes the local identifier";
+    EXPECT_NEAR(value_of("F(5)", "#macro F(N) #if (N < 2) 1 #else N*F(N - 1) #end #end"), 120, k_near);
+    // A macro that is never called may hold anything.
+    EXPECT_NEAR(value_of("1", "#macro Never() pigment { average pigment_map { [1 foo] } } #end"), 1, k_near);
+    // The comma between two arguments may be missing.
+    EXPECT_NEAR(value_of("P(<1, 2, 3>4)", "#macro P(V, R) V.y*R #end"), 8, k_near);
+}
+
+TEST(PovRay, ArraysHoldValuesOfAllKinds) {
+    EXPECT_NEAR(value_of("A[1] + A[2]", "#declare A = array[3] {1, 2, 3};"), 5, k_near);
+    EXPECT_NEAR(value_of("A[1][0]", "#declare A = array[2][2] {{1, 2}, {3, 4}}"), 3, k_near);
+    EXPECT_NEAR(value_of("A[0]", "#declare A = array[2]; #declare A[0] = 7;"), 7, k_near);
+    EXPECT_NEAR(value_of("dimension_size(A, 1)", "#declare A = array[4]"), 4, k_near);
+    const Scene scene =
+        povray_scene("#declare A = array[2] {sphere { 0, 1 }, box { 0, 1 }}\nobject { A[1] }");
+    EXPECT_EQ(scene.get<Box>().size(), 1u);
+}
+
+TEST(PovRay, IncludesAreReadOnceBesideTheTextOrFromItsTable) {
+    TextSources sources(
+        std::map<std::string, std::string, std::less<>>{{"part.inc", "#declare R = 2;\n#local Hidden = 3;"}});
+    const Scene scene = povray_scene(
+        "#include \"part.inc\"\n#ifdef (Hidden) #error \"seen\" #end\nsphere { 0, R }", &sources);
+    EXPECT_EQ(scene.get<Sphere>().at(0).radius, 2);
+    const Scene named =
+        povray_scene("#include \"colors.inc\"\nsphere { 0, 1 pigment { color SteelBlue*.5 } }");
+    EXPECT_NEAR(named.materials.at(0).color.g, 0.419608 / 2, k_near);
+}
+
+TEST(PovRay, ShapesHaveTheirParameters) {
+    const Scene scene = povray_scene(
+        "sphere { <1, 2, 3>, 4 }\n"
+        "cylinder { 0, 2*y, .5 }\n"
+        "cone { 0, 1, y, .5 open }\n"
+        "cone { 0, 1, y, 1 }\n"
+        "box { <1, -1, 1>, <-1, 1, -1> }\n"
+        "plane { <0, 0, -3>, 3 }\n"
+        "disc { 0, z, 2 }\n"
+        "triangle { 0, x, y }\n"
+        "smooth_triangle { 0, z, x, z, y, z }\n");
+    EXPECT_EQ(scene.get<Sphere>().at(0).center, (Vec3{1, 2, 3}));
+    EXPECT_TRUE(scene.get<Cylinder>().at(0).caps);
+    EXPECT_EQ(scene.get<Cylinder>().at(1).radius, 1) << "a cone of equal radii";
+    EXPECT_FALSE(scene.get<Cone>().at(0).caps);
+    EXPECT_EQ(scene.get<Box>().at(0).min, (Vec3{-1, -1, -1}));
+    EXPECT_EQ(scene.get<Plane>().at(0).point, (Vec3{0, 0, -3})) << "a true distance along the unit normal";
+    EXPECT_EQ(scene.get<Disc>().at(0).radius, 2);
+    EXPECT_EQ(scene.get<Triangle>().at(0).vertices[2], (Vec3{0, 1, 0}));
+    EXPECT_EQ(scene.get<SmoothTriangle>().at(0).normals[1], (Vec3{0, 0, 1}));
+    EXPECT_EQ(scene.shape_texts.place(1).line, 3u);
+}
+
+TEST(PovRay, TransformsAreAppliedInTheOrderWritten) {
+    const Scene scene = povray_scene(
+        "sphere { x, 1 scale 2 rotate 90*z translate <0, 0, 5> }\n"
+        "sphere { 0, 1 scale <1, 2, 1> }\n"
+        "#declare T = transform { translate x }\n"
+        "union { sphere { 0, 1 translate y } transform { T } scale 3 }\n"
+        "sphere { x, 1 matrix <0, 1, 0, -1, 0, 0, 0, 0, 1, 0, 0, 7> }\n");
+    expect_vec(scene.get<Sphere>().at(0).center, {0, 2, 5});
+    EXPECT_NEAR(scene.get<Sphere>().at(0).radius, 2, k_near);
+    EXPECT_EQ(scene.shapes.at(0).transform, k_none);
+    EXPECT_NE(scene.shapes.at(1).transform, k_none) << "an ellipsoid";
+    expect_vec(scene.get<Sphere>().at(2).center, {3, 3, 0});
+    expect_vec(scene.get<Sphere>().at(3).center, {0, 1, 7});
+}
+
+TEST(PovRay, TexturesAreInheritedAndChangedItemByItem) {
+    const Scene scene = povray_scene(
+        "#declare T = texture { pigment { rgb <1, 0, 0> } finish { ambient .3 diffuse .5 phong .7 phong_size "
+        "9 } }\n"
+        "sphere { 0, 1 texture { T finish { ambient .6 } } }\n"
+        "union { sphere { 0, 1 } sphere { 0, 2 pigment { rgb <0, 0, 1> } } texture { T } no_shadow }\n"
+        "#default { finish { diffuse .9 } }\n"
+        "sphere { 0, 3 pigment { color rgb 1 } }\n");
+    const auto material = [&](std::size_t i) { return scene.materials.at(scene.shapes.at(i).material); };
+    EXPECT_NEAR(material(0).ambient.r, .6, k_near);
+    EXPECT_NEAR(material(0).diffuse.r, .5, k_near);
+    EXPECT_NEAR(material(0).phong.r, .7, k_near);
+    EXPECT_EQ(material(0).phong_shininess, 9);
+    EXPECT_EQ(material(1).diffuse.r, .5);
+    EXPECT_FALSE(material(1).casts_shadow);
+    EXPECT_NEAR(material(2).color.b, 1, k_near);
+    EXPECT_NEAR(material(2).diffuse.b, .6, k_near) << "its own texture has POV-Ray's default finish";
+    EXPECT_NEAR(material(3).diffuse.r, .9, k_near);
+    EXPECT_NEAR(material(3).ambient.r, .1, k_near);
+}
+
+TEST(PovRay, FinishesHaveBothHighlightsAndMetals) {
+    const Scene scene = povray_scene(
+        "sphere { 0, 1 pigment { rgb <1, .5, 0> } finish { emission .2 phong .3 phong_size 7 specular .4 "
+        "roughness .02\n"
+        "  metallic brilliance 3 reflection { .1, .5 falloff 2 metallic .5 } } }\n"
+        "sphere { 0, 2 finish { phong -1 reflection .25 } }");
+    const Material &a = scene.materials.at(0), &b = scene.materials.at(1);
+    EXPECT_NEAR(a.emission.g, .1, k_near);
+    EXPECT_EQ(a.phong, (Color{.3, .3, .3}));
+    EXPECT_EQ(a.phong_shininess, 7);
+    EXPECT_EQ(a.specular, (Color{.4, .4, .4}));
+    EXPECT_NEAR(a.shininess, 50, k_near);
+    EXPECT_EQ(a.metallic, 1);
+    EXPECT_EQ(a.brilliance, 3);
+    EXPECT_EQ(a.mirror_min, .1);
+    EXPECT_EQ(a.mirror, .5);
+    EXPECT_EQ(a.mirror_falloff, 2);
+    EXPECT_EQ(a.mirror_metallic, .5);
+    const Scene glass = povray_scene("sphere { 0, 1 pigment { color rgb .5 filter .2 transmit .3 } }");
+    EXPECT_EQ(glass.materials.at(0).filter, .2);
+    EXPECT_EQ(glass.materials.at(0).transmit, .3);
+    EXPECT_EQ(glass.conventions.opacity, OpacityRule::brightest);
+    EXPECT_EQ(povray_scene("#version 3.7;\nsphere { 0, 1 }").conventions.opacity, OpacityRule::whole);
+    EXPECT_EQ(b.phong, (Color{0, 0, 0})) << "a phong below 0 is none";
+    EXPECT_EQ(b.mirror, .25);
+    EXPECT_EQ(b.mirror_falloff, 0);
+}
+
+TEST(PovRay, MeshesBecomeTriangles) {
+    const Scene scene = povray_scene(
+        "mesh2 { vertex_vectors { 4, 0, x, y, <1, 1, 0> } normal_vectors { 4, z z z z }\n"
+        "  texture_list { 2, texture { pigment { rgb <1, 0, 0> } }, texture { pigment { rgb <0, 1, 0> } } }\n"
+        "  face_indices { 2, <0, 1, 2>, 1, <1, 3, 2>, 0 } translate 2*z }\n"
+        "mesh { triangle { 0, x, y } smooth_triangle { 0, z, x, z, y, z } pigment { rgb 1 } }\n");
+    ASSERT_EQ(scene.get<SmoothTriangle>().size(), 3u);
+    EXPECT_EQ(scene.get<SmoothTriangle>()[0].vertices[0], (Vec3{0, 0, 2}));
+    EXPECT_EQ(scene.materials.at(scene.shapes.at(0).material).color, (Color{0, 1, 0}));
+    EXPECT_EQ(scene.get<Triangle>().size(), 1u);
+}
+
+TEST(PovRay, MeshesAreCutByBoxes) {
+    const Scene scene = povray_scene(
+        "mesh2 { vertex_vectors { 3, 0, 2*x, 2*y } face_indices { 1, <0, 1, 2> }\n"
+        "  clipped_by { box { -1, 1 } } }");
+    EXPECT_EQ(scene.get<Triangle>().size(), 2u) << "a quadrangle: the corner square without the corner";
+    for (const Triangle& t : scene.get<Triangle>()) {
+        for (const Vec3& v : t.vertices) EXPECT_LE(v.x, 1 + k_near);
+    }
+    // A box that holds the whole shape cuts nothing.
+    EXPECT_EQ(povray_scene("sphere { 0, 1 clipped_by { box { -2, 2 } } }").shapes.size(), 1u);
+}
+
+TEST(PovRay, TheCameraIsLeftHandedAndAppliedAtItsEnd) {
+    Scene scene = povray_scene("camera { look_at <0, 0, 5> location <0, 0, -5> angle 90 }\nsphere { 0, 1 }");
+    ASSERT_TRUE(scene.camera.frame);
+    expect_vec(scene.camera.frame->right, {4.0 / 3, 0, 0});
+    expect_vec(scene.camera.frame->up, {0, 1, 0});
+    expect_vec(scene.camera.frame->forward, {0, 0, 2.0 / 3});
+    scene = povray_scene("camera { right -x*2 look_at <0, 0, 1> }\nsphere { 0, 1 }");
+    expect_vec(scene.camera.frame->right, {-2, 0, 0});
+    scene = povray_scene("camera { orthographic location <0, 0, -5> look_at 0 }\nsphere { 0, 1 }");
+    EXPECT_EQ(scene.camera.projection, Projection::orthographic);
+    EXPECT_NEAR(scene.camera.frame->right.x, 5 * 4.0 / 3, k_near);
+    scene = povray_scene("sphere { 0, 1 }");
+    expect_vec(scene.camera.frame->forward, {0, 0, 1});
+}
+
+TEST(PovRay, LightsFogAndBackground) {
+    const Scene scene = povray_scene(
+        "light_source { x, rgb <1, .5, .25>*2 spotlight point_at 3*x radius 10 falloff 20 tightness 2 "
+        "shadowless }\n"
+        "light_source { 5*y, 1 parallel point_at 0 }\n"
+        "background { color rgb <.1, .2, .3> }\n"
+        "fog { distance 4 rgb .5 }\n"
+        "global_settings { ambient_light rgb 2 max_trace_level 3 }\nsphere { 0, 1 }");
+    ASSERT_EQ(scene.lights.size(), 4u);
+    EXPECT_EQ(scene.lights[1].kind, LightKind::spot);
+    EXPECT_EQ(scene.lights[1].axis, (Vec3{2, 0, 0}));
+    EXPECT_EQ(scene.lights[1].outer_angle, 20);
+    EXPECT_EQ(scene.lights[1].color, (Color{2, 1, .5}));
+    EXPECT_FALSE(scene.lights[1].casts_shadows);
+    EXPECT_EQ(scene.lights[2].kind, LightKind::directional);
+    EXPECT_EQ(scene.lights[2].to_light, (Vec3{0, 5, 0}));
+    EXPECT_EQ(scene.lights[3].color, (Color{2, 2, 2}));
+    EXPECT_EQ(scene.background, (Color{.1, .2, .3}));
+    ASSERT_TRUE(scene.fog);
+    EXPECT_EQ(scene.fog->density, .25);
+    EXPECT_EQ(scene.settings.reflections, 2);
+    EXPECT_EQ(scene.profile, "povray");
+}
+
+TEST(PovRay, APovIsOfCsc473IfItsWholeTextIs) {
+    const std::string both =
+        "camera { location <0, 0, 5> look_at <0, 0, 0> }\n"
+        "light_source { <0, 9, 9> color rgb <1, 1, 1> }\nsphere { <0, 0, 0>, 1 }\n";
+    const FormatChoice csc = choose_format({"a.pov", both, {}});
+    EXPECT_EQ(csc.format, "csc473");
+    EXPECT_NE(csc.reason.find("--format povray"), std::string::npos);
+    const std::string own = both + "sphere { y, 1 }";
+    const FormatChoice pov = choose_format({"a.pov", own, {}});
+    EXPECT_EQ(pov.format, "povray");
+    EXPECT_NE(pov.reason.find("4:10"), std::string::npos) << pov.reason;
+    EXPECT_EQ(load_text(both, "a.pov").value_or(Scene{}).profile, "csc473");
+    EXPECT_EQ(load_text(own, "a.pov").value_or(Scene{}).profile, "povray");
+    EXPECT_EQ(choose_format({"a.pov", both, "povray"}).format, "povray");
+}
+
+class PovRayMistakes : public testing::TestWithParam<BadText> {};
+TEST_P(PovRayMistakes, AreReportedAtTheirPlace) { expect_messages(GetParam(), "a.pov", "povray"); }
+
+#define L "light_source { <0, 0, -9>, rgb 1 }\n"
+
+INSTANTIATE_TEST_SUITE_P(
+    PovRay, PovRayMistakes,
+    testing::Values(
+        BadText{"Torus", L "$torus { 1, .2 }", {"glint does not render `torus` (a shape) of POV-Ray"}},
+        BadText{"Difference",
+                L "sphere { 0, 1 }\nunion { $difference { box { 0, 1 } sphere { 0, 1 } } }",
+                {"glint does not render `difference` (a solid made of others) of POV-Ray"}},
+        BadText{"Normal",
+                L "sphere { 0, 1 pigment { rgb 1 } $normal { bumps .4 } }",
+                {"glint does not render `normal` (a material) of POV-Ray: the picture will differ"}},
+        BadText{"Clip",
+                L "sphere { 0, 2 $clipped_by { box { -1, 1 } } }",
+                {"glint does not render `clipped_by` (a part of a shape) of POV-Ray"}},
+        BadText{"Undeclared",
+                L "sphere { 0, 1 pigment { color $Red } }",
+                {"expected a colour, found 'Red', which is not declared"}},
+        BadText{"NotAColor",
+                L "sphere { 0, 1 pigment { $<.1, .2, .3> } }",
+                {"expected a colour (`rgb` before the numbers)"}},
+        BadText{"OpenComment",
+                L "sphere { 0, 1 }\n$/* a /* b */",
+                {"this comment does not end: comments nest in POV-Ray's language"}},
+        BadText{"OpenIf", "$#if (1)\n" L, {"this `#if` has no `#end`"}},
+        BadText{"LoneEnd", L "$#end", {"this `#end` has nothing to end"}},
+        BadText{
+            "Cylinder", L "$cylinder { x, x, 1 }", {"expected two ends at different points of a cylinder"}},
+        BadText{"Division", "#declare A = 1 $/ 0;", {"expected a divisor other than 0"}},
+        BadText{"Error", "$#error \"no\"", {"the text reports an error: 'no'"}},
+        BadText{
+            "Array", "#declare A = array[2];\n#declare B = $A[2];", {"expected an index below 2, found 2"}},
+        BadText{
+            "BigArray", "#declare A = $array[1000][1000][1000];", {"more than 4000000 elements of arrays"}},
+        BadText{"Include", "$#include \"b.inc\"", {"'b.inc': no files are read here"}},
+        BadText{"Endless",
+                "#macro $F() F() #end\nF()",
+                {"F(): macros and includes are nested more than 500 deep (in a call of F() at a.pov:2:1)"}}),
+    test_name);
+
+TEST(PovRay, MistakesInMacrosNameTheCall) {
+    const Result<Scene> result = read_povray("#macro Ball(R)\n  sphere { 0, R foo }\n#end\n\nBall(2)");
+    ASSERT_FALSE(result);
+    EXPECT_EQ(result.diagnostics[0].line, 2u);
+    EXPECT_NE(result.diagnostics[0].message.find("in a call of Ball() at a.pov:5:1"), std::string::npos)
+        << messages(result);
+    EXPECT_EQ(povray_scene("#macro Ball(R)\n  sphere { 0, R }\n#end\n\nBall(2)").shape_texts.place(0).line,
+              6u);
+}
+
+TEST(PovRay, HostileTextsEndWithAMessage) {
+    TextSources sources(std::map<std::string, std::string, std::less<>>{{"a.pov", "#include \"b.inc\""},
+                                                                        {"b.inc", "#include \"b.inc\""}});
+    const std::string deep(100000, '(');
+    for (const std::string& text : {
+             std::string("#while (1) #end"),
+             std::string("#declare I = 0; #for (I, 0, 1e300, 1e-300) #end"),
+             std::string("#include \"b.inc\""),
+             "#declare A = " + deep,
+             std::string("#declare S = \"abcdefgh\"; #while (1) #declare S = concat(S, S); #end"),
+             std::string(
+                 "#declare A = union { sphere { 0, 1 } sphere { 0, 2 } }\n"
+                 "#for (I, 1, 60) #declare A = union { object { A } object { A } } #end object { A }"),
+             std::string(
+                 "#declare A = sphere { 0, 1 }\n#for (I, 1, 900) #declare A = union { object { A } } #end"),
+         }) {
+        const Result<Scene> result = read_povray(text, &sources);
+        EXPECT_FALSE(result) << text.substr(0, 80);
+        EXPECT_EQ(what_is_wrong(result, text), "") << text.substr(0, 80);
+    }
+}
+
+}  // namespace
+}  // namespace glint::test
