@@ -31,7 +31,7 @@ int info_command(const InfoArguments& arguments) {
         print(loaded.warnings);
         throw_failure(prepared);
     }
-    const SceneReport report{loaded.scene, *prepared, loaded.warnings};
+    const SceneReport report{loaded.scene, *prepared, loaded.warnings, loaded.texts};
     fmt::print("{}", arguments.json ? json_report(report) : text_report(report));
     return k_done;
 }

@@ -131,19 +131,28 @@ std::optional<InputFile> TextReader::open(const std::string& path, bool included
 
 Result<std::string> FileSources::read(std::string_view name, std::string_view from) {
     const auto unreadable = [](std::string why) { return Status{ErrorCode::io, std::move(why), {}}; };
-    std::string path(name);
-    if (!name.starts_with('/')) path.insert(0, from.substr(0, from.rfind('/') + 1));
-    if (path.find('\0') != std::string::npos || path == "-") return unreadable("no such file");
-    try {
-        std::string why;
-        const std::optional<InputFile> file = reader_.open(path, true, why);
-        if (!file) return unreadable(std::move(why));
-        hashes_.emplace_back(path, hash_of(file->text()));
-        return std::string(file->text());
-    } catch (const Failure& e) {
-        failure_ = std::current_exception();
-        return unreadable(e.what());
+    std::vector<std::string> paths{std::string(name)};
+    if (!name.starts_with('/')) {
+        paths.front().insert(0, from.substr(0, from.rfind('/') + 1));
+        for (const std::string& folder : folders_) paths.push_back(folder + "/" + std::string(name));
     }
+    std::string first_why;
+    for (const std::string& path : paths) {
+        if (path.find('\0') != std::string::npos || path == "-") return unreadable("no such file");
+        try {
+            std::string why;
+            const std::optional<InputFile> file = reader_.open(path, true, why);
+            if (file) {
+                hashes_.emplace_back(path, hash_of(file->text()));
+                return std::string(file->text());
+            }
+            if (first_why.empty()) first_why = std::move(why);
+        } catch (const Failure& e) {
+            failure_ = std::current_exception();
+            return unreadable(e.what());
+        }
+    }
+    return unreadable(std::move(first_why));
 }
 
 void FileSources::rethrow() const {

@@ -54,11 +54,12 @@ class TextReader {
     virtual std::optional<InputFile> open(const std::string& path, bool included, std::string& why);
 };
 
-/// Files that scenes include, relative to the file that includes them.
+/// Files that scenes include, relative to the file that includes them, else in one of the folders.
 class FileSources : public Sources {
   public:
     /// The reader must outlive this.
-    explicit FileSources(TextReader& reader) : reader_(reader) {}
+    explicit FileSources(TextReader& reader, std::vector<std::string> folders = {})
+        : reader_(reader), folders_(std::move(folders)) {}
     Result<std::string> read(std::string_view name, std::string_view from) override;
 
     /// Name and hash (journal/hash.h) of each text that was read, in the order of reading.
@@ -69,6 +70,7 @@ class FileSources : public Sources {
 
   private:
     TextReader& reader_;
+    std::vector<std::string> folders_;
     std::exception_ptr failure_;
     std::vector<std::pair<std::string, std::string>> hashes_;
 };

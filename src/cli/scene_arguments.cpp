@@ -78,6 +78,11 @@ void add_scene_arguments(CLI::App& command, SceneArguments& arguments) {
         ->required();
     command.add_option("--scene", arguments.scene_name, "The scene to use, if the file has several")
         ->option_text("NAME");
+    repeated(
+        command.add_option("--include-path", arguments.include_paths,
+                           "A folder with files that the scene includes and that are not beside it; may be "
+                           "repeated"))
+        ->option_text("DIR");
     add_convention_arguments(command, arguments);
 }
 
@@ -128,7 +133,7 @@ LoadedScene load_scene(const SceneArguments& arguments, TextReader& reader) {
     for (std::size_t i = 0; i < files.size(); ++i) {
         texts.push_back({arguments.files[i], files[i].text(), arguments.format});
     }
-    FileSources sources(reader);
+    FileSources sources(reader, arguments.include_paths);
     Result<Scene> result = load(texts, options, &sources);
     sources.rethrow();
     if (!result) {

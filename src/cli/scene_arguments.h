@@ -14,12 +14,13 @@ namespace glint::cli {
 struct SceneArguments {
     std::vector<std::string> files;
     std::string format, scene_name, profile;
-    std::vector<std::string> conventions;  // KEY=VALUE
+    std::vector<std::string> conventions;    // KEY=VALUE
+    std::vector<std::string> include_paths;  // folders
     /// Set by the command from its own options, before load_scene.
     std::vector<std::pair<std::string, std::string>> settings;
 };
 
-/// Adds SCENE..., --format, --scene, --profile and --convention.
+/// Adds SCENE..., --format, --scene, --include-path, --profile and --convention.
 void add_scene_arguments(CLI::App& command, SceneArguments& arguments);
 
 /// Adds only --format, --profile and --convention, for commands whose scene is an option.

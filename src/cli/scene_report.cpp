@@ -152,6 +152,10 @@ std::string text_report(const SceneReport& report) {
     std::string text;
     auto out = std::back_inserter(text);
     fmt::format_to(out, "scene       {}\n", fmt::join(scene.files, " "));
+    for (const SceneText& text_of_scene : report.texts) {
+        const FormatChoice choice = choose_format(text_of_scene);
+        fmt::format_to(out, "format      {}: {}\n", choice.format, choice.reason);
+    }
     fmt::format_to(out, "shapes      {}\n",
                    counts_text(shape_counts(scene), [](std::size_t n, std::size_t kind) {
                        return counted(n, to_string(static_cast<ShapeKind>(kind)));
@@ -223,6 +227,11 @@ std::string json_report(const SceneReport& report) {
     Json json;
     json["files"] = scene.files;
     json["profile"] = scene.profile;
+    json["formats"] = Json::array();
+    for (const SceneText& text : report.texts) {
+        const FormatChoice choice = choose_format(text);
+        json["formats"].push_back({{"name", choice.format}, {"reason", choice.reason}});
+    }
     Json shapes = Json::object();
     const auto counts = shape_counts(scene);
     for (std::size_t i = 0; i < counts.size(); ++i)

@@ -12,6 +12,7 @@ struct SceneReport {
     const Scene& scene;
     const World& world;
     const std::vector<Diagnostic>& warnings;
+    const std::vector<SceneText>& texts;
 };
 
 std::string text_report(const SceneReport& report);
