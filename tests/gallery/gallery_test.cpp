@@ -53,6 +53,7 @@ const GalleryPicture k_gallery[] = {
     {"glint/lit_sphere.glint", "size=43x43", 0x7515c9fcc9e53450},
     {"glint/moon_phases.glint", "size=160x80", 0x825214feb3b7d955},
     {"glint/stained_glass.glint", "size=160x120", 0x0},
+    {"glint/peapod.glint", "size=120x79 aa=1", 0xe7b773286c5fbfa8},
     {"glint/still_life.glint", "size=160x160", 0xc59e2be8e3fb8caa},
     {"glint/temple.glint", "size=160x160", 0xb8bd77e115244a2c},
     {"glint/three_spots.glint", "size=160x107", 0x39bec1930ad04fca},
