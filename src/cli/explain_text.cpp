@@ -133,8 +133,8 @@ std::string nothing_text(const Scene& scene, const ExplainedHit& hit, const Ligh
 using BlockedSamples = std::map<std::uint32_t, std::vector<std::int32_t>>;
 
 // "12 of 16 samples visible; blocked by box 2: 0, 1, 4; by sphere 1: 8"
-std::string samples_text(const Scene& scene, std::size_t visible, std::size_t all,
-                         const BlockedSamples& blocked) {
+std::string visible_samples_text(const Scene& scene, std::size_t visible, std::size_t all,
+                                 const BlockedSamples& blocked) {
     std::string text = fmt::format("{} of {} samples visible", visible, all);
     bool first = true;
     for (const auto& [shape, samples] : blocked) {
@@ -342,7 +342,7 @@ class Tree {
                 ++visible;
         }
         line(depth + 1, fmt::format("visible part {}: {}", number(terms.visible),
-                                    samples_text(scene_, visible, terms.samples.size(), blocked)));
+                                    visible_samples_text(scene_, visible, terms.samples.size(), blocked)));
     }
 
     // The samples of an area light, each of which is a light of its own.
@@ -363,7 +363,7 @@ class Tree {
             return line(depth, fmt::format("{}: {}", name, nothing_text(scene_, hit, samples[0])));
         line(depth, fmt::format("{}: diffuse {} + specular {}{}", name, color(diffuse), color(specular),
                                 swatch(style_, diffuse + specular)));
-        line(depth + 1, samples_text(scene_, visible, samples.size(), blocked));
+        line(depth + 1, visible_samples_text(scene_, visible, samples.size(), blocked));
     }
 
     void add_secondary_ray(const ExplainedSecondaryRay& ray, std::string_view what, int depth) {
