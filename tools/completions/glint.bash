@@ -14,7 +14,7 @@ _glint() {
                 --scene) return ;;
                 --format) words='cgfs epfl csc473 nff glint' ;;
                 --profile) words='cgfs epfl lecture5 light csc473 nff glint' kind=file ;;
-                --convention) words='pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= min_weight= facing= cones= spot_falloff= clamp_attenuation= fog_distance= fog_background= size= shading= shadows= reflections= aa= alpha= seed='; compopt -o nospace 2>/dev/null ;;
+                --convention) words='pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= transparency= opacity= transparent_shadow= transparency_counts= transparent_surfaces= min_weight= facing= cones= spot_falloff= clamp_attenuation= fog_distance= fog_background= size= shading= shadows= reflections= aa= alpha= seed='; compopt -o nospace 2>/dev/null ;;
                 -o|--output) kind=file ;;
                 -s|--size) return ;;
                 --shading) words='phong blinn-phong diffuse color normals' ;;
@@ -37,7 +37,7 @@ _glint() {
                 --scene) return ;;
                 --format) words='cgfs epfl csc473 nff glint' ;;
                 --profile) words='cgfs epfl lecture5 light csc473 nff glint' kind=file ;;
-                --convention) words='pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= min_weight= facing= cones= spot_falloff= clamp_attenuation= fog_distance= fog_background= size= shading= shadows= reflections= aa= alpha= seed='; compopt -o nospace 2>/dev/null ;;
+                --convention) words='pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= transparency= opacity= transparent_shadow= transparency_counts= transparent_surfaces= min_weight= facing= cones= spot_falloff= clamp_attenuation= fog_distance= fog_background= size= shading= shadows= reflections= aa= alpha= seed='; compopt -o nospace 2>/dev/null ;;
                 *) kind=scene ;;
             esac ;;
         convert)
@@ -46,7 +46,7 @@ _glint() {
                 --scene) return ;;
                 --format) words='cgfs epfl csc473 nff glint' ;;
                 --profile) words='cgfs epfl lecture5 light csc473 nff glint' kind=file ;;
-                --convention) words='pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= min_weight= facing= cones= spot_falloff= clamp_attenuation= fog_distance= fog_background= size= shading= shadows= reflections= aa= alpha= seed='; compopt -o nospace 2>/dev/null ;;
+                --convention) words='pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= transparency= opacity= transparent_shadow= transparency_counts= transparent_surfaces= min_weight= facing= cones= spot_falloff= clamp_attenuation= fog_distance= fog_background= size= shading= shadows= reflections= aa= alpha= seed='; compopt -o nospace 2>/dev/null ;;
                 -o|--output) kind=file ;;
                 *) kind=scene ;;
             esac ;;
@@ -56,7 +56,7 @@ _glint() {
                 --scene) return ;;
                 --format) words='cgfs epfl csc473 nff glint' ;;
                 --profile) words='cgfs epfl lecture5 light csc473 nff glint' kind=file ;;
-                --convention) words='pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= min_weight= facing= cones= spot_falloff= clamp_attenuation= fog_distance= fog_background= size= shading= shadows= reflections= aa= alpha= seed='; compopt -o nospace 2>/dev/null ;;
+                --convention) words='pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= transparency= opacity= transparent_shadow= transparency_counts= transparent_surfaces= min_weight= facing= cones= spot_falloff= clamp_attenuation= fog_distance= fog_background= size= shading= shadows= reflections= aa= alpha= seed='; compopt -o nospace 2>/dev/null ;;
                 -s|--size) return ;;
                 --shading) words='phong blinn-phong diffuse color normals' ;;
                 --reflections) return ;;
@@ -71,7 +71,7 @@ _glint() {
                 --scene) return ;;
                 --format) words='cgfs epfl csc473 nff glint' ;;
                 --profile) words='cgfs epfl lecture5 light csc473 nff glint' kind=file ;;
-                --convention) words='pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= min_weight= facing= cones= spot_falloff= clamp_attenuation= fog_distance= fog_background= size= shading= shadows= reflections= aa= alpha= seed='; compopt -o nospace 2>/dev/null ;;
+                --convention) words='pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= transparency= opacity= transparent_shadow= transparency_counts= transparent_surfaces= min_weight= facing= cones= spot_falloff= clamp_attenuation= fog_distance= fog_background= size= shading= shadows= reflections= aa= alpha= seed='; compopt -o nospace 2>/dev/null ;;
                 -p|--pixel) return ;;
                 --sample) return ;;
                 --as) words='text json printrays' ;;
@@ -95,12 +95,12 @@ _glint() {
                 --fail-percent) return ;;
                 --hard-fail) return ;;
                 --diff) kind=file ;;
-                --vary) words='pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= min_weight= facing= cones= spot_falloff= clamp_attenuation= fog_distance= fog_background= size= shading= shadows= reflections= aa= alpha= seed='; compopt -o nospace 2>/dev/null ;;
+                --vary) words='pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= transparency= opacity= transparent_shadow= transparency_counts= transparent_surfaces= min_weight= facing= cones= spot_falloff= clamp_attenuation= fog_distance= fog_background= size= shading= shadows= reflections= aa= alpha= seed='; compopt -o nospace 2>/dev/null ;;
                 --scene) kind=scene ;;
                 --scene-name) return ;;
                 --format) words='cgfs epfl csc473 nff glint' ;;
                 --profile) words='cgfs epfl lecture5 light csc473 nff glint' kind=file ;;
-                --convention) words='pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= min_weight= facing= cones= spot_falloff= clamp_attenuation= fog_distance= fog_background= size= shading= shadows= reflections= aa= alpha= seed='; compopt -o nospace 2>/dev/null ;;
+                --convention) words='pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= transparency= opacity= transparent_shadow= transparency_counts= transparent_surfaces= min_weight= facing= cones= spot_falloff= clamp_attenuation= fog_distance= fog_background= size= shading= shadows= reflections= aa= alpha= seed='; compopt -o nospace 2>/dev/null ;;
                 -s|--size) return ;;
                 --shading) words='phong blinn-phong diffuse color normals' ;;
                 --reflections) return ;;
@@ -115,9 +115,9 @@ _glint() {
                 --scene) return ;;
                 --format) words='cgfs epfl csc473 nff glint' ;;
                 --profile) words='cgfs epfl lecture5 light csc473 nff glint' kind=file ;;
-                --convention) words='pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= min_weight= facing= cones= spot_falloff= clamp_attenuation= fog_distance= fog_background= size= shading= shadows= reflections= aa= alpha= seed='; compopt -o nospace 2>/dev/null ;;
-                --a) words='pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= min_weight= facing= cones= spot_falloff= clamp_attenuation= fog_distance= fog_background= size= shading= shadows= reflections= aa= alpha= seed= profile='; compopt -o nospace 2>/dev/null ;;
-                --b) words='pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= min_weight= facing= cones= spot_falloff= clamp_attenuation= fog_distance= fog_background= size= shading= shadows= reflections= aa= alpha= seed= profile='; compopt -o nospace 2>/dev/null ;;
+                --convention) words='pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= transparency= opacity= transparent_shadow= transparency_counts= transparent_surfaces= min_weight= facing= cones= spot_falloff= clamp_attenuation= fog_distance= fog_background= size= shading= shadows= reflections= aa= alpha= seed='; compopt -o nospace 2>/dev/null ;;
+                --a) words='pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= transparency= opacity= transparent_shadow= transparency_counts= transparent_surfaces= min_weight= facing= cones= spot_falloff= clamp_attenuation= fog_distance= fog_background= size= shading= shadows= reflections= aa= alpha= seed= profile='; compopt -o nospace 2>/dev/null ;;
+                --b) words='pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= transparency= opacity= transparent_shadow= transparency_counts= transparent_surfaces= min_weight= facing= cones= spot_falloff= clamp_attenuation= fog_distance= fog_background= size= shading= shadows= reflections= aa= alpha= seed= profile='; compopt -o nospace 2>/dev/null ;;
                 -o|--output) kind=file ;;
                 -s|--size) return ;;
                 --shading) words='phong blinn-phong diffuse color normals' ;;
@@ -134,7 +134,7 @@ _glint() {
                 --scene-name) return ;;
                 --format) words='cgfs epfl csc473 nff glint' ;;
                 --profile) words='cgfs epfl lecture5 light csc473 nff glint' kind=file ;;
-                --convention) words='pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= min_weight= facing= cones= spot_falloff= clamp_attenuation= fog_distance= fog_background= size= shading= shadows= reflections= aa= alpha= seed='; compopt -o nospace 2>/dev/null ;;
+                --convention) words='pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= transparency= opacity= transparent_shadow= transparency_counts= transparent_surfaces= min_weight= facing= cones= spot_falloff= clamp_attenuation= fog_distance= fog_background= size= shading= shadows= reflections= aa= alpha= seed='; compopt -o nospace 2>/dev/null ;;
                 -s|--size) return ;;
                 --shading) words='phong blinn-phong diffuse color normals' ;;
                 --reflections) return ;;
