@@ -43,6 +43,8 @@ const GalleryPicture k_gallery[] = {
     {"glint/attenuation.glint", "size=160x42", 0x38950e9e0091f670},
     {"glint/caffeine.glint", "size=160x120", 0x2a831db41c33aa3a},
     {"glint/finishes.glint", "size=160x107", 0xc2919c9957c7f29a},
+    {"glint/colonnade.glint", "size=160x107 aa=adaptive:2:0.05", 0xd4547d0a3f37e4bb},
+    {"glint/colonnade.glint", "size=160x107 aa=2:jitter", 0x6b77cb2fa519aa57},
     {"glint/glass.glint", "size=120x79 aa=1", 0x8e402a0a40dc3035},
     {"glint/hall_of_mirrors.glint", "size=160x120", 0x04e811f38623f931},
     {"glint/hall_of_mirrors.glint", "size=160x120 reflections=3", 0xa3c1782ffd0aeb0b},
