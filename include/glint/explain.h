@@ -103,6 +103,7 @@ struct ExplainedOcclusion {
 struct ExplainedHit {
     std::uint32_t shape = k_none;     ///< in Scene::shapes
     std::uint32_t material = k_none;  ///< in Scene::materials; k_none: the default material
+    std::optional<Color> color;       ///< the shape's own colour, in place of the material's
     Vec3 point, normal, to_eye;       ///< N as used for shading, unit; V
     bool behind = false;              ///< the ray came from the back of the shape
     bool turned = false;              ///< N was flipped towards the ray
@@ -216,8 +217,9 @@ enum class HighlightReason : std::uint8_t {
 GLINT_API HighlightReason highlight_reason(const LightTerms& terms, const ExplainedHit& hit,
                                            const Scene& scene);
 
-/// The material of a hit: the scene's, or the default if the scene has no material with that index.
-GLINT_API const Material& material_of(const ExplainedHit& hit, const Scene& scene);
+/// The material of a hit: the scene's, or the default if the scene has no material with that index; with the
+/// shape's own colour, if it has one.
+GLINT_API Material material_of(const ExplainedHit& hit, const Scene& scene);
 
 /// The names of these values in JSON and messages: "turned_away". "unknown" for invalid values.
 GLINT_API std::string_view to_string(LightReason reason);

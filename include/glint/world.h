@@ -69,6 +69,10 @@ GLINT_API Result<World> with_material(const World& world, std::uint32_t index, c
 /// number differs from before, this takes a pass over all shapes.
 GLINT_API Result<World> with_materials(const World& world, std::span<const Material> materials);
 
+/// Replaces the colours of all shapes, as Scene::shape_colors; an error if there are more colours than
+/// shapes. Takes a pass over all shapes.
+GLINT_API Result<World> with_shape_colors(const World& world, std::span<const ShapeColor> colors);
+
 // Changes to shapes. They are made in place if no other World shares the geometry. Otherwise the geometry is
 // copied first, which takes milliseconds for a million shapes, and the other Worlds keep the old one. After
 // an error `world` is unchanged. Never throw.
@@ -81,8 +85,8 @@ GLINT_API Status assign_material(World& world, std::span<const std::uint32_t> sh
 /// boxes of its nodes. rebuilt: built a new one.
 enum class ShapeEdit : std::uint8_t { none, refitted, rebuilt };
 
-/// Updates the parameters, transforms and materials of shapes from `scene`. changed: their indices in
-/// Scene::shapes. All other shapes must be those of the World; other parts of the scene are not read. The
+/// Updates the parameters, transforms, materials and colours of shapes from `scene`. changed: their indices
+/// in Scene::shapes. All other shapes must be those of the World; other parts of the scene are not read. The
 /// hierarchy is refitted. It is rebuilt if a shape's kind changes, or whether it has a transform, or the
 /// number of a polygon's triangles; if the number of shapes differs, in which case all shapes are taken from
 /// the scene; and if the expected cost of a ray (surface-area heuristic) exceeds k_max_refit_cost times its
@@ -119,9 +123,10 @@ struct WorldMemory {
     std::size_t boxes = 0;      ///< the bounds of single shapes
     std::size_t indices = 0;    ///< indices of shapes and materials
     std::size_t hierarchy = 0;  ///< the nodes over the boxes
+    std::size_t colors = 0;     ///< the colours of shapes that have their own
     std::size_t materials = 0;  ///< and lights
     std::size_t packed = 0;     ///< the number of packed shapes; each triangle of a polygon counts
-    std::size_t total() const { return shapes + boxes + indices + hierarchy + materials; }
+    std::size_t total() const { return shapes + boxes + indices + hierarchy + colors + materials; }
     /// Bytes per packed shape, including its part of the hierarchy; 0 if there are none.
     double each() const {
         return packed == 0 ? 0 : static_cast<double>(total() - materials) / static_cast<double>(packed);

@@ -223,14 +223,12 @@ class Coincidences {
         if (a.shape == b.shape) return;
         const double along = dot(a.normal, b.normal);
         if (number::abs(along) < 1 - k_parallel) return;
-        const double* first = values(a.material);
-        const double* second = values(b.material);
+        const auto first = world_.surface_values(a.slot), second = world_.surface_values(b.slot);
         // Two faces of equal materials show no difference, unless light goes through them.
-        const bool same = along > 0 && std::equal(first, first + k_material_values, second);
+        const bool same = along > 0 && first == second;
         if (same && !(first[k_transmission] > 0)) return;
         ++pixels_[{std::min(a.shape, b.shape), std::max(a.shape, b.shape)}];
     }
-    const double* values(std::uint32_t material) const { return world_.material(material); }
 
     CheckContext& context_;
     const WorldParts& world_;

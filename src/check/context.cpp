@@ -190,10 +190,11 @@ std::string CheckContext::some_shapes(const std::vector<std::uint32_t>& shapes) 
     return text;
 }
 
-const Material& CheckContext::material_of(std::uint32_t shape) const {
-    static const Material k_default;
-    const std::uint32_t material = scene_.shapes[shape].material;
-    return material == k_none ? k_default : scene_.materials[material];
+Material CheckContext::material_of(std::uint32_t shape) const {
+    const std::uint32_t index = scene_.shapes[shape].material;
+    const Material material = index == k_none ? Material{} : scene_.materials[index];
+    const std::optional<Color> color = scene_.shape_color(shape);
+    return color ? with_color(material, *color) : material;
 }
 
 }  // namespace glint

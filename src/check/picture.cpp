@@ -79,9 +79,10 @@ template <auto Member> Color extended_color(const WorldParts& world, std::uint32
     return {k[0], k[1], k[2]};
 }
 
-// The maximum of a material: k_a I_a + k_e + the sum over the lights of k_d I_d + (k_s + k_p) I_s.
-double bound_of(const WorldParts& world, std::uint32_t material) {
-    const double* m = world.material(material);
+// The maximum of a shape's material: k_a I_a + k_e + the sum over the lights of k_d I_d + (k_s + k_p) I_s.
+double bound_of(const WorldParts& world, std::uint32_t slot) {
+    const std::uint32_t material = (*world.slot_material)[slot];
+    const auto m = world.surface_values(slot);
     const Color ambient{m[k_ambient], m[k_ambient + 1], m[k_ambient + 2]};
     const Color diffuse{m[k_diffuse], m[k_diffuse + 1], m[k_diffuse + 2]};
     const Color specular = Color{m[k_specular], m[k_specular + 1], m[k_specular + 2]} +
@@ -92,9 +93,10 @@ double bound_of(const WorldParts& world, std::uint32_t material) {
     return number::max(sum.r, number::max(sum.g, sum.b));
 }
 
-// True if a material glows on purpose: its ambient term and its emission alone are above 1.
-bool glows(const WorldParts& world, std::uint32_t material) {
-    const double* m = world.material(material);
+// True if a shape glows on purpose: its ambient term and its emission alone are above 1.
+bool glows(const WorldParts& world, std::uint32_t slot) {
+    const std::uint32_t material = (*world.slot_material)[slot];
+    const auto m = world.surface_values(slot);
     const Color glow = Color{m[k_ambient], m[k_ambient + 1], m[k_ambient + 2]} * world.ambient +
                        extended_color<&Material::emission>(world, material);
     return number::max(glow.r, number::max(glow.g, glow.b)) > k_over;
@@ -112,29 +114,32 @@ template <class Test>
 void check_clamped_shapes(CheckContext& context, const VisibleHits& visible, Test over_at) {
     struct Count {
         std::size_t all = 0, over = 0;
-        std::uint32_t material = 0;
+        std::uint32_t material = 0, slot = 0;
     };
     std::map<std::uint32_t, Count> counts;
     for (const SurfaceHit& h : visible.seen()) {
         Count& count = counts[h.shape];
         count.material = h.material;
+        count.slot = h.slot;
         ++count.all;
         count.over += over_at(h.ray) ? 1 : 0;
     }
     struct Clamped {
         std::vector<std::uint32_t> shapes;
         std::size_t all = 0, over = 0;
+        double bound = 0;
     };
     std::map<std::uint32_t, Clamped> materials;
     for (const auto& [shape, count] : counts) {
         if (static_cast<double>(count.all) < k_min_shape * static_cast<double>(visible.rays())) continue;
-        if (2 * count.over <= count.all || glows(context.world(), count.material) ||
+        if (2 * count.over <= count.all || glows(context.world(), count.slot) ||
             is_explained(context, count.material))
             continue;
         Clamped& clamped = materials[count.material];
         clamped.shapes.push_back(shape);
         clamped.all += count.all;
         clamped.over += count.over;
+        clamped.bound = number::max(clamped.bound, bound_of(context.world(), count.slot));
     }
     for (const auto& [material, clamped] : materials) {
         const bool single = clamped.shapes.size() == 1;
@@ -146,7 +151,7 @@ void check_clamped_shapes(CheckContext& context, const VisibleHits& visible, Tes
                 single ? context.shape(clamped.shapes.front()) : context.some_shapes(clamped.shapes),
                 single ? "is" : "are", single ? "is" : "are",
                 100 * static_cast<double>(clamped.over) / static_cast<double>(clamped.all),
-                single ? "it" : "them", context.material(material), bound_of(context.world(), material)),
+                single ? "it" : "them", context.material(material), clamped.bound),
             "lower the lights' intensities or the material's coefficients until their sum is about 1");
     }
 }
@@ -182,11 +187,18 @@ void check_clamped(CheckContext& context, const VisibleHits& visible, const Imag
         return;
     }
     if (is_explained(context, most)) return;
+    double bound = 0;
+    std::uint32_t last = k_none;
+    for (const SurfaceHit& h : visible.seen()) {
+        if (h.material != most || h.slot == last || !over_at(h.ray)) continue;
+        last = h.slot;
+        bound = number::max(bound, bound_of(context.world(), h.slot));
+    }
     context.report(
         "picture-clamped", context.at_material(most),
         fmt::format("{}, {} most of all: its k_a I_a + the sum over the lights of k_d I_d + k_s I_s can come "
                     "to {:.3g}",
-                    what, context.material(most), bound_of(context.world(), most)),
+                    what, context.material(most), bound),
         "lower the lights' intensities or the material's coefficients until their sum is about 1");
 }
 

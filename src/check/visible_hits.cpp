@@ -159,7 +159,7 @@ ShadowRays shadow_rays(const WorldParts& world, const VisibleHits& visible, cons
             ++found.points;
             if (!(glint::dot(h.normal, to_light) > 0)) continue;
             found.in_cone += shines_towards(light, h.point) ? 1 : 0;
-            found.material.push_back(h.material);
+            found.slot.push_back(h.slot);
             const auto ray = shadow_ray(surface_point(h), light, triple_of(to_light), rules);
             found.rays.add(vec_of(ray.origin), vec_of(ray.direction), ray.t_min, ray.t_max);
         }

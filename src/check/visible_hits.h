@@ -56,11 +56,11 @@ class VisibleHits {
 /// The shadow rays of a light for the visible points, as the renderer traces them, for at most `most` hits
 /// per generation.
 struct ShadowRays {
-    RayList rays;                         // of the points that face the light
-    std::vector<std::uint32_t> material;  // of the point of each ray
-    std::size_t in_cone = 0;              // of these points: those in whose direction it shines
-    bool from_light = false;              // otherwise from the point (t = 0) to the light (t = 1)
-    std::size_t points = 0;               // number of points examined
+    RayList rays;                     // of the points that face the light
+    std::vector<std::uint32_t> slot;  // of the point of each ray
+    std::size_t in_cone = 0;          // of these points: those in whose direction it shines
+    bool from_light = false;          // otherwise from the point (t = 0) to the light (t = 1)
+    std::size_t points = 0;           // number of points examined
 };
 ShadowRays shadow_rays(const WorldParts& world, const VisibleHits& visible, const Light& light,
                        std::size_t most);

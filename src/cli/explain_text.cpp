@@ -57,10 +57,11 @@ std::string extended_text(const Material& m) {
 }
 
 std::string material_text(const Scene& scene, const ExplainedHit& hit) {
-    const Material& m = material_of(hit, scene);
+    const Material m = material_of(hit, scene);
     std::string text = hit.material == k_none
                            ? "the default material"
                            : item_text(scene, scene.material_texts, hit.material, "material");
+    if (hit.color) text += " in the shape's own color " + color(*hit.color);
     text += fmt::format(": k_a {}, k_d {}, k_s {}, n {}", color(m.ambient), color(m.diffuse),
                         color(m.specular), number(m.shininess));
     if (m.mirror > 0) text += fmt::format(", mirror {}", number(m.mirror));
@@ -509,7 +510,7 @@ std::string why_not_text(const Explanation& e, const Scene& scene, std::uint32_t
     if (scene.settings.shading == Shading::color || scene.settings.shading == Shading::normals)
         return fmt::format("{} was not asked: this shading has no lights\n", name);
     if (scene.lights[light].is_ambient()) {
-        const Material& m = material_of(*ray.hit, scene);
+        const Material m = material_of(*ray.hit, scene);
         const Color part = m.ambient * scene.lights[light].color;
         return fmt::format("{} is ambient: it reaches everything, and adds k_a {} times {}: {}\n", name,
                            color(m.ambient), color(scene.lights[light].color), color(part));

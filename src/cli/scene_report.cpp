@@ -29,6 +29,12 @@ std::string rounded(Color c) {
 Json vec_json(Vec3 v) { return {v.x, v.y, v.z}; }
 Json color_json(Color c) { return {c.r, c.g, c.b}; }
 
+// The shapes with a colour of their own.
+std::size_t count_colored(const Scene& scene) {
+    return static_cast<std::size_t>(std::count_if(scene.shape_colors.begin(), scene.shape_colors.end(),
+                                                  [](const ShapeColor& c) { return c.is_set(); }));
+}
+
 std::array<std::size_t, k_shape_kinds> shape_counts(const Scene& scene) {
     std::array<std::size_t, k_shape_kinds> counts{};
     for (const Shape& shape : scene.shapes) ++counts[static_cast<std::size_t>(shape.kind)];
@@ -200,11 +206,15 @@ std::string text_report(const SceneReport& report) {
         const std::string_view name = scene.material_texts.name(i);
         if (!name.empty()) fmt::format_to(out, "{}{}", named++ == 0 ? ": " : ", ", name);
     }
+    if (const std::size_t colored = count_colored(scene); colored != 0)
+        fmt::format_to(out, "; {} with a color of its own", counted(colored, "shape"));
     const WorldMemory used = memory_usage(report.world);
+    const std::string colors =
+        used.colors == 0 ? std::string() : fmt::format(" colors {},", bytes_text(double(used.colors)));
     fmt::format_to(out,
-                   "\nmemory      shapes {}, boxes {}, indices {}, hierarchy {}, materials {}, total {}\n",
+                   "\nmemory      shapes {}, boxes {}, indices {}, hierarchy {},{} materials {}, total {}\n",
                    bytes_text(double(used.shapes)), bytes_text(double(used.boxes)),
-                   bytes_text(double(used.indices)), bytes_text(double(used.hierarchy)),
+                   bytes_text(double(used.indices)), bytes_text(double(used.hierarchy)), colors,
                    bytes_text(double(used.materials)), bytes_text(double(used.total())));
     fmt::format_to(out, "  {:.1f} bytes per shape of {} (polygons are triangles), without materials\n",
                    used.each(), with_commas(used.packed));
@@ -238,6 +248,7 @@ std::string json_report(const SceneReport& report) {
         shapes[std::string(to_string(static_cast<ShapeKind>(i)))] = counts[i];
     json["shapes"] = std::move(shapes);
     json["shape_count"] = scene.shapes.size();
+    json["shape_color_count"] = count_colored(scene);
     const Bounds box = scene_bounds(report.world);
     if (is_bounded(box)) {
         json["bounds"] = {{"min", vec_json(box.min)}, {"max", vec_json(box.max)}};
@@ -269,9 +280,10 @@ std::string json_report(const SceneReport& report) {
     json["light_sum"] = color_json(sum_of_lights(scene));
     json["material_count"] = scene.materials.size();
     const WorldMemory used = memory_usage(report.world);
-    json["memory_bytes"] = {{"shapes", used.shapes},       {"boxes", used.boxes},
-                            {"indices", used.indices},     {"hierarchy", used.hierarchy},
-                            {"materials", used.materials}, {"total", used.total()}};
+    json["memory_bytes"] = {{"shapes", used.shapes},   {"boxes", used.boxes},
+                            {"indices", used.indices}, {"hierarchy", used.hierarchy},
+                            {"colors", used.colors},   {"materials", used.materials},
+                            {"total", used.total()}};
     json["packed_shapes"] = used.packed;
     json["bytes_a_shape"] = used.each();
     const auto keys = setting_keys();

@@ -24,6 +24,7 @@ void name_default_material(Scene& scene) {
 
 void drop_shapes(Scene& scene) {
     scene.shapes = {};
+    scene.shape_colors = {};
     scene.transforms = {};
     scene.polygon_vertices = {};
     scene.parameters = {};

@@ -38,10 +38,16 @@ Json shape_json(const Scene& scene, std::uint32_t index) {
     return item;
 }
 
+Json hit_shape_json(const Scene& scene, const ExplainedHit& hit) {
+    Json item = shape_json(scene, hit.shape);
+    if (hit.color) item["color"] = to_json(*hit.color);
+    return item;
+}
+
 Json material_json(const Scene& scene, const ExplainedHit& hit) {
     Json item = Json::object();
     if (hit.material != k_none) add_item(item, scene, scene.material_texts, hit.material);
-    const Material& m = material_of(hit, scene);
+    const Material m = material_of(hit, scene);
     for (const ItemField<Material>& field : k_material_fields)
         item[std::string(field.name)] = field_json<Json>(field, m);
     return item;
@@ -141,7 +147,7 @@ Json occlusion_json(const Scene& scene, const ExplainedOcclusion& occlusion) {
 Json hit_json(const Scene& scene, const ExplainedHit& hit) {
     Json lights = Json::array();
     for (const LightTerms& terms : hit.lights) lights.push_back(terms_json(scene, hit, terms));
-    Json json = {{"shape", shape_json(scene, hit.shape)},
+    Json json = {{"shape", hit_shape_json(scene, hit)},
                  {"material", material_json(scene, hit)},
                  {"point", to_json(hit.point)},
                  {"normal", to_json(hit.normal)},

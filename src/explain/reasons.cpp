@@ -44,9 +44,10 @@ HighlightReason highlight_reason(const LightTerms& terms, const ExplainedHit& hi
     return HighlightReason::adds;
 }
 
-const Material& material_of(const ExplainedHit& hit, const Scene& scene) {
-    static const Material by_default;
-    return hit.material < scene.materials.size() ? scene.materials[hit.material] : by_default;
+Material material_of(const ExplainedHit& hit, const Scene& scene) {
+    const Material material =
+        hit.material < scene.materials.size() ? scene.materials[hit.material] : Material{};
+    return hit.color ? with_color(material, *hit.color) : material;
 }
 
 std::string_view to_string(LightReason reason) {

@@ -4,35 +4,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <bit>
-#include <cmath>
 #include <functional>
 #include <optional>
 #include <set>
 
+#include "scene/material_color.h"
 #include "scene/material_fields.h"
 
 namespace glint {
 namespace {
-
-// The c with c * color == k, bit for bit, that has the fewest decimals.
-std::optional<double> find_coefficient(Color color, Color k) {
-    const auto gives_k = [&](double c) { return c >= 0 && c <= 1 && same_bits(color * c, k); };
-    if (gives_k(0)) return 0;
-    const double quotient = color.r != 0 ? k.r / color.r : color.g != 0 ? k.g / color.g : k.b / color.b;
-    if (!(quotient > 0 && quotient < 2)) return std::nullopt;
-    double power = 1;
-    for (int decimals = 0; decimals <= 15; ++decimals, power *= 10) {
-        // A whole number below 2^53 over a power of ten is the double nearest to that decimal.
-        const double c = std::round(quotient * power) / power;
-        if (gives_k(c)) return c;
-    }
-    const auto bits = std::bit_cast<std::uint64_t>(quotient);
-    for (const std::uint64_t near : {bits, bits - 1, bits + 1, bits - 2, bits + 2}) {
-        if (gives_k(std::bit_cast<double>(near))) return std::bit_cast<double>(near);
-    }
-    return std::nullopt;
-}
 
 void write_term(BlockWriter& block, Color color, Color k, const MaterialCoefficient& coefficient,
                 std::string_view absolute_key) {

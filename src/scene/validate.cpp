@@ -53,6 +53,15 @@ class Validator {
         return std::move(mistakes_);
     }
 
+    std::vector<Mistake> run(std::span<const ShapeColor> colors) {
+        for (std::size_t i = 0; !full() && i < colors.size(); ++i) {
+            begin(SceneItem::shape, i);
+            check_shape_color(colors[i], {},
+                              [&] { return item("shape", static_cast<std::uint32_t>(i), {}); });
+        }
+        return std::move(mistakes_);
+    }
+
     std::vector<Mistake> run(std::span<const std::uint32_t> shapes, std::size_t materials) {
         for (std::size_t i = 0; !full() && i < shapes.size(); ++i) {
             if (shapes[i] >= scene_.shapes.size()) {
@@ -302,6 +311,9 @@ class Validator {
             if (n >= k_none) error({}, fmt::format("{} {}: at most {} are possible", n, what, k_none - 1));
         };
         limited(scene_.shapes.size(), "shapes");
+        if (scene_.shape_colors.size() > scene_.shapes.size())
+            error({}, fmt::format("{} colors of shapes: the scene has {} shapes", scene_.shape_colors.size(),
+                                  scene_.shapes.size()));
         limited(scene_.materials.size(), "materials");
         limited(scene_.lights.size(), "lights");
         limited(scene_.transforms.size(), "transforms");
@@ -313,6 +325,19 @@ class Validator {
         if (!indexed(s.material, materials)) shape_error(i, "no such material");
         if (!indexed(s.transform, scene_.transforms.size())) shape_error(i, "no such transform");
         for (const std::string& mistake : shapes_.mistakes(s)) shape_error(i, mistake);
+        if (i >= scene_.shape_colors.size()) return;
+        check_shape_color(scene_.shape_colors[i], scene_.shape_texts.place(i), [&] {
+            begin(SceneItem::shape, i);
+            return item(to_string(s.kind), i, scene_.shape_texts.name(i));
+        });
+    }
+
+    // name(): the shape's, called only for a message.
+    template <class Name>
+    void check_shape_color(const ShapeColor& color, SourcePlace place, const Name& name) {
+        const auto valid = [](float x) { return k_channel.contains(x); };
+        if (!color.is_set() || (valid(color.r) && valid(color.g) && valid(color.b))) return;
+        check_color(k_channel, color.color(), place, name(), "color");
     }
 
     // The name of a shape is formatted only for a message: there may be millions of shapes.
@@ -368,6 +393,10 @@ std::vector<Mistake> find_mistakes(const Scene& scene, ScenePart part) { return 
 
 std::vector<Mistake> find_mistakes(const Material& material, std::uint32_t index) {
     return Validator(Scene{}).run(material, index);
+}
+
+std::vector<Mistake> find_mistakes(std::span<const ShapeColor> colors) {
+    return Validator(Scene{}).run(colors);
 }
 
 std::vector<Mistake> find_mistakes(const Scene& scene, std::span<const std::uint32_t> shapes,

@@ -148,6 +148,12 @@ struct SurfaceBatch {
     std::array<GroupEnd, k_batch_size> group_end;
 
     BatchColumn<std::uint32_t> slot, material;
+    // The values of the materials as lighting reads them (MaterialLanes): hit h has row[h] of `rows`. These
+    // are the World's rows and `material`, or, in scenes with colours by shape, the two columns below.
+    const double* rows = nullptr;
+    const std::uint32_t* row = nullptr;
+    std::vector<double> colored_rows;
+    BatchColumn<std::uint32_t> colored_row;
     BatchColumn<double> behind;  // 1: the ray hit the back of the shape; else 0
     BatchColumn<double> hit_t;   // for Beer's law and fog only: t of the hit, from RayFields::start on
     BatchColumn<double> fog[3], visibility;  // the fog's weighted light, and f; if the scene has fog

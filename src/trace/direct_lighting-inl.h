@@ -143,7 +143,7 @@ HWY_INLINE LightLanes light_at(const WorldParts& world, const PreparedLight& lig
         spot = emitter_cosine(light, to_light, distance);
         lit = lit && spot > zero;
     }
-    const MaterialLanes material(world, surfaces.material.data() + i);
+    const MaterialLanes material(surfaces, i);
     const auto faces = rules.clamp_cosines ? c.n_l > zero : !(c.n_l == zero);
     auto adds = faces && is_colored(material.color(k_diffuse), lanes_of(light.color));
     Doubles phong_s = zero;
@@ -222,7 +222,7 @@ inline void compute_highlights(const WorldParts& world, const SurfaceBatch& surf
         if (lit_bits(samples, i) == 0) continue;
         const auto bright = highlights_at(samples, rules, i);
         if (!any(bright)) continue;
-        const MaterialLanes material(world, surfaces.material.data() + i);
+        const MaterialLanes material(surfaces, i);
         compress_store(load(samples.s.data() + i), bright, highlights.power.data() + powers);
         compress_store(material.value(k_shininess), bright, highlights.shininess.data() + powers);
         powers += count(bright);
@@ -265,7 +265,7 @@ inline void add_light(const WorldParts& world, const PreparedLight& light, const
         const std::uint32_t bits = lit_bits(samples, i);
         if (bits == 0) continue;
         const auto lit = from_bits<double>(bits);
-        const MaterialLanes material(world, surfaces.material.data() + i);
+        const MaterialLanes material(surfaces, i);
         const Doubles strength = constant ? Doubles(1) : load(samples.strength.data() + i);
         const auto add = [&](BatchColumn<double>* to, Vector3<Doubles> more, bool colored) HWY_ATTR {
             if (colored) more = more * load_vector3(samples.filter, i);

@@ -114,7 +114,7 @@ inline void add_misses(const WorldParts& world, const RayBatch& rays, const HitB
 HWY_INLINE Vector3<Doubles> unlit_color(const WorldParts& world, const SurfaceBatch& surfaces, int h) {
     if (world.settings.shading == Shading::normals)
         return (load_vector3(surfaces.normal, h) + lanes_of(Vec3{1, 1, 1})) * Doubles(0.5);
-    return MaterialLanes(world, surfaces.material.data() + h).color(k_color);
+    return MaterialLanes(surfaces, h).color(k_color);
 }
 
 /// Adds the colours of surfaces to their pixels, in the unlit shading modes.
@@ -164,7 +164,7 @@ inline void add_hits(const WorldParts& world, const SurfaceBatch& surfaces, cons
         if (world.fog) film.touch(Layer::fog);
     }
     for (int h = begin; h < end; h += lane_count<double>()) {
-        const MaterialLanes material(world, surfaces.material.data() + h);
+        const MaterialLanes material(surfaces, h);
         const HitLight light = light_of(world, surfaces, radiance, material, h);
         const PixelLanes pixels(surfaces.target.data() + h, first_lanes<double>(end - h));
         if (camera) {

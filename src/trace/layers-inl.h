@@ -36,7 +36,7 @@ inline void store_first_hits(const WorldParts& world, const RayBatch& rays, cons
         if (!(t < k_infinity)) continue;
         const auto p = static_cast<std::size_t>(hits.first + i);
         const auto& d = rays.direction;
-        const double* material = world.material(surfaces.material[h]);
+        const double* material = surfaces.rows + std::size_t{surfaces.row[h]} * k_material_values;
         for (int c = 0; c < 3; ++c) {
             first_hits.normal[c][p] = surfaces.normal[c][h];
             first_hits.position[c][p] = surfaces.point[c][h];

@@ -8,6 +8,7 @@
 #endif
 
 #include "simd/vec3-inl.h"
+#include "trace/batches.h"
 #include "world/world.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -23,14 +24,18 @@ HWY_INLINE Doubles table_value(const double* table, const std::uint32_t* rows, b
     return gather(table + k, GatherIndices(rows, static_cast<std::uint32_t>(columns)));
 }
 
-/// The values of each lane's material. If all lanes have the same material, its values are read once.
+/// The values of the materials of a vector of hits. If all lanes have the same row, its values are read once.
 struct MaterialLanes {
     const double* base;
     const std::uint32_t* index;
     bool same;
+    const std::uint32_t* material;  // the rows in the World's tables
 
-    HWY_INLINE MaterialLanes(const WorldParts& world, const std::uint32_t* material)
-        : base(world.materials->data()), index(material), same(all_same(material)) {}
+    HWY_INLINE MaterialLanes(const SurfaceBatch& surfaces, int h)
+        : base(surfaces.rows),
+          index(surfaces.row + h),
+          same(all_same(surfaces.row + h)),
+          material(surfaces.material.data() + h) {}
 
     HWY_INLINE Doubles value(int k) const { return table_value(base, index, same, k_material_values, k); }
     HWY_INLINE Vector3<Doubles> color(int k) const { return {value(k), value(k + 1), value(k + 2)}; }
@@ -43,7 +48,7 @@ struct ExtendedLanes {
     bool same;
 
     HWY_INLINE ExtendedLanes(const WorldParts& world, const MaterialLanes& material)
-        : base(world.extended->data()), index(material.index), same(material.same) {}
+        : base(world.extended->data()), index(material.material), same(all_same(material.material)) {}
 
     template <auto Member> HWY_INLINE Doubles value() const { return column(k_extended_value<Member>); }
     template <auto Member> HWY_INLINE Vector3<Doubles> color() const {

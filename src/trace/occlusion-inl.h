@@ -161,7 +161,7 @@ HWY_INLINE Doubles sky_factor(const Occlusion& occlusion, const SkyBatch& sky, i
 inline void add_sky(const WorldParts& world, const SurfaceBatch& surfaces, const SkyBatch& sky,
                     RadianceBatch& radiance) {
     for (int h = 0; h < surfaces.count; h += lane_count<double>()) {
-        const MaterialLanes material(world, surfaces.material.data() + h);
+        const MaterialLanes material(surfaces, h);
         store_vector3(material.color(k_diffuse) * lanes_of(world.occlusion->color) *
                           sky_factor(*world.occlusion, sky, h),
                       radiance.sky, h);

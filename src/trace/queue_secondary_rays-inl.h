@@ -93,7 +93,7 @@ HWY_INLINE void queue_vector(const WorldParts& world, const SurfaceBatch& surfac
                              RayCounts& counts, TileRecord* record) {
     const Conventions& rules = world.conventions;
     const Doubles zero(0);
-    const MaterialLanes material(world, surfaces.material.data() + h);
+    const MaterialLanes material(surfaces, h);
     const auto refracts = hit && material.value(k_transmission) > zero;
     auto through = first_lanes<double>(0);
     if (surfaces.transparent) through = hit && TransparencyLanes(world, material).is_transparent();

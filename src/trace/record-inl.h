@@ -52,6 +52,7 @@ inline ExplainedHit recorded_hit(const WorldParts& world, const SurfaceBatch& su
     ExplainedHit hit;
     hit.shape = world.geometry->shape_index[surfaces.slot[h]];
     hit.material = surfaces.material[h];
+    if (const ShapeColor color = world.color_of(surfaces.slot[h]); color.is_set()) hit.color = color.color();
     hit.point = vec3_at(surfaces.point, i);
     hit.normal = vec3_at(surfaces.normal, i);
     hit.to_eye = vec3_at(surfaces.to_eye, i);
@@ -168,7 +169,7 @@ inline void record_light(const WorldParts& world, const PreparedLight& light, co
     const LightRules rules = light_rules(world, light);
     int rays = 0;
     for_each_hit(surfaces, [&](int h, int lanes) HWY_ATTR {
-        const MaterialLanes material(world, surfaces.material.data() + h);
+        const MaterialLanes material(surfaces, h);
         const LightLanes at = light_at(world, light, rules, surfaces, h);
         const auto bright = has_highlight(at.cosines, rules);
         const Doubles power =
@@ -315,7 +316,7 @@ inline void record_limit(const WorldParts& world, const SurfaceBatch& surfaces, 
 inline void record_sums(const WorldParts& world, const SurfaceBatch& surfaces, const RadianceBatch& radiance,
                         TileRecord& record) {
     for_each_hit(surfaces, [&](int h, int lanes) HWY_ATTR {
-        const MaterialLanes material(world, surfaces.material.data() + h);
+        const MaterialLanes material(surfaces, h);
         const LaneElements mirror(mirror_of(world, material, surfaces, h));
         const HitLight light = light_of(world, surfaces, radiance, material, h);
         const Vector3Elements ambient(ambient_of(world, material)), emission(emission_of(world, material)),

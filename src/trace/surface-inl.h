@@ -140,6 +140,26 @@ HWY_INLINE double max_coordinate(const PackedGeometry& geometry, std::uint32_t s
     return reach;
 }
 
+/// Writes the values of the hits' materials with the colours of their shapes. Consecutive hits of one shape
+/// share a row.
+inline void color_surfaces(const WorldParts& world, SurfaceBatch& surfaces) {
+    surfaces.colored_rows.resize(std::size_t{k_batch_size} * k_material_values);
+    const std::uint32_t* slots = surfaces.slot.data();
+    std::uint32_t* rows = surfaces.colored_row.data();
+    std::uint32_t row = 0;
+    for (int h = 0; h < surfaces.count; ++h) {
+        if (h == 0 || slots[h] != slots[h - 1]) {
+            if (h > 0) ++row;
+            world.write_surface_values(slots[h],
+                                       surfaces.colored_rows.data() + std::size_t{row} * k_material_values);
+        }
+        rows[h] = row;
+    }
+    std::fill_n(rows + surfaces.count, k_ray_padding, row);
+    surfaces.rows = surfaces.colored_rows.data();
+    surfaces.row = rows;
+}
+
 /// Computes the other columns of the surfaces: material, normal, direction to the eye.
 inline void compute_surfaces(const WorldParts& world, SurfaceBatch& surfaces) {
     const int count = surfaces.count;
@@ -179,6 +199,9 @@ inline void compute_surfaces(const WorldParts& world, SurfaceBatch& surfaces) {
     }
     // The last vector of a group may extend past the vectors above, because groups start at any index.
     std::fill_n(surfaces.material.begin() + count, k_ray_padding, surfaces.material[last]);
+    surfaces.rows = world.materials->data();
+    surfaces.row = surfaces.material.data();
+    if (!world.slot_color->empty()) color_surfaces(world, surfaces);
 }
 
 /// The surface points of a vector of hits, for the formulas of lighting and of ray origins.

@@ -157,6 +157,7 @@ Result<World> with_material(const World& world, std::uint32_t index, const Mater
         return changed(world, find_mistakes(material, index), [&](WorldParts& parts) {
             pack_material(material, parts.materials.own().data() + std::size_t{index} * k_material_values);
             set_extended(parts, index, material);
+            if (!parts.slot_color->empty()) parts.color_factors = find_color_factors(*parts.materials);
             if (parts.no_shadow->empty() && material.casts_shadow) return;
             std::vector<std::uint8_t>& no_shadow = parts.no_shadow.own();
             no_shadow.resize(std::size_t{count} + 1);
@@ -183,7 +184,19 @@ Result<World> with_materials(const World& world, std::span<const Material> mater
             ExtendedMaterials extended = pack_extended_materials(materials);
             parts.extended = std::move(extended.table);
             parts.extended_uses = extended.uses;
+            if (!parts.slot_color->empty()) parts.color_factors = find_color_factors(*parts.materials);
         });
+    });
+}
+
+Result<World> with_shape_colors(const World& world, std::span<const ShapeColor> colors) {
+    return change_world([&]() -> Result<World> {
+        const std::uint32_t count = world.parts().geometry->scene_shapes;
+        if (colors.size() > count)
+            return invalid_argument(
+                fmt::format("{} colors of shapes: the scene has {} shapes", colors.size(), count));
+        return changed(world, find_mistakes(colors),
+                       [&](WorldParts& parts) { set_colors(parts, colors, 0); });
     });
 }
 

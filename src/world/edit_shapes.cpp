@@ -10,6 +10,7 @@
 #include "world/edit_index.h"
 #include "world/pack_shapes.h"
 #include "world/primitive_bounds-inl.h"
+#include "world/shading.h"
 #include "world/world.h"
 
 namespace glint {
@@ -50,6 +51,7 @@ class ShapeEditor {
         need_edit_index(geometry);
         if (!fits(geometry)) return rebuild(edit);
         std::vector<std::uint32_t>& rows = parts.slot_material.own();
+        prepare_colors(parts);
         const bool many = changed_.size() + primitives_.list().size() > geometry.count / k_many;
         many ? write_many(geometry, rows) : write_few(geometry, rows);
         edit = ShapeEdit::refitted;
@@ -77,6 +79,18 @@ class ShapeEditor {
         for (const std::uint32_t shape : changed_) {
             first_triangle_.push_back(static_cast<std::uint32_t>(primitives_.list().size()));
             if (scene_.shapes[shape].kind == ShapeKind::polygon) primitives_.add(shape);
+        }
+    }
+
+    // Sets `colors_` if a shape has a colour of its own, or had one.
+    void prepare_colors(WorldParts& parts) {
+        if (parts.slot_color->empty()) {
+            const bool any = std::any_of(changed_.begin(), changed_.end(), [&](std::uint32_t shape) {
+                return scene_.shape_color(shape).has_value();
+            });
+            if (any) set_colors(parts, scene_.shape_colors, options_.threads);
+        } else {
+            colors_ = &parts.slot_color.own();
         }
     }
 
@@ -125,6 +139,11 @@ class ShapeEditor {
         const Aabb box = slot < geometry.boxed ? primitives_.box_of(p) : Aabb{};
         write_primitive(primitives_, p, box, slot, geometry.class_of(slot), geometry);
         rows[slot] = row_of(p.shape);
+        if (colors_ == nullptr) return;
+        const ShapeColor color =
+            p.shape < scene_.shape_colors.size() ? scene_.shape_colors[p.shape] : ShapeColor{};
+        float* to = colors_->data() + 3 * std::size_t{slot};
+        to[0] = color.r, to[1] = color.g, to[2] = color.b;
     }
 
     // The bounds of consecutive slots of one class.
@@ -212,6 +231,7 @@ class ShapeEditor {
         WorldParts& parts = WorldAccess::own(world_);
         parts.slot_material = std::move(rows);
         parts.geometry = std::move(*built);
+        set_colors(parts, scene_.shape_colors, options_.threads);
         edit = ShapeEdit::rebuilt;
         return {};
     }
@@ -221,6 +241,7 @@ class ShapeEditor {
     const std::span<const std::uint32_t> changed_;
     const PrepareOptions& options_;
     Primitives primitives_;                      // of the changed polygons
+    std::vector<float>* colors_ = nullptr;       // of the World, if it has colours to be edited
     std::vector<std::uint32_t> first_triangle_;  // by changed shape, if the scene has polygons
 };
 

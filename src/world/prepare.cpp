@@ -26,6 +26,7 @@ Result<World> prepare(const Scene& scene, const PrepareOptions& options) {
         ExtendedMaterials extended = pack_extended_materials(scene.materials);
         parts.extended = std::move(extended.table);
         parts.extended_uses = extended.uses;
+        set_colors(parts, scene.shape_colors, options.threads);
         PreparedLights lights = prepare_lights(scene.lights);
         parts.lights = std::move(lights.lights);
         parts.ambient = lights.ambient;

@@ -1,9 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "world/shading.h"
 
+#include <algorithm>
+#include <limits>
+
+#include "base/huge_pages.h"
+#include "base/parallel_chunks.h"
+#include "bvh/rays.h"
 #include "math/elementary.h"
 #include "math/number.h"
 #include "math/transform.h"
+#include "scene/material_color.h"
 
 namespace glint {
 namespace {
@@ -103,6 +110,45 @@ std::vector<std::uint8_t> find_no_shadow(std::span<const Material> materials) {
         rows[i] = 1;
     }
     return rows;
+}
+
+std::vector<double> find_color_factors(std::span<const double> materials) {
+    std::vector<double> factors;
+    factors.reserve(materials.size() / k_material_values * k_color_factors);
+    for (const double* row = materials.data(); row != materials.data() + materials.size();
+         row += k_material_values) {
+        const auto color = [&](int k) { return Color{row[k], row[k + 1], row[k + 2]}; };
+        for (const double factor :
+             find_color_factors(color(k_color), {color(k_ambient), color(k_diffuse), color(k_specular)}))
+            factors.push_back(factor);
+    }
+    return factors;
+}
+
+std::vector<float> find_slot_colors(std::span<const ShapeColor> colors, const PackedGeometry& geometry,
+                                    int threads) {
+    std::vector<float> columns;
+    if (std::none_of(colors.begin(), colors.end(), [](const ShapeColor& c) { return c.is_set(); }))
+        return columns;
+    resize_in_huge_pages(columns, 3 * (std::size_t{geometry.count} + k_ray_padding));
+    parallel_chunks(geometry.count, threads, [&](std::size_t slot) {
+        const std::uint32_t shape = geometry.shape_index[slot];
+        const ShapeColor color = shape < colors.size() ? colors[shape] : ShapeColor{};
+        float* to = columns.data() + 3 * slot;
+        to[0] = color.r, to[1] = color.g, to[2] = color.b;
+    });
+    return columns;
+}
+
+void set_colors(WorldParts& parts, std::span<const ShapeColor> colors, int threads) {
+    std::vector<float> columns = find_slot_colors(colors, *parts.geometry, threads);
+    if (columns.empty()) {
+        if (parts.slot_color->empty()) return;
+        parts.color_factors = std::vector<double>();
+    } else {
+        parts.color_factors = find_color_factors(*parts.materials);
+    }
+    parts.slot_color = std::move(columns);
 }
 
 PreparedLights prepare_lights(std::span<const Light> lights) {

@@ -18,6 +18,13 @@ struct ExtendedMaterials {
 ExtendedMaterials pack_extended_materials(std::span<const Material> materials);
 /// WorldParts::no_shadow.
 std::vector<std::uint8_t> find_no_shadow(std::span<const Material> materials);
+/// WorldParts::color_factors of a table of materials.
+std::vector<double> find_color_factors(std::span<const double> materials);
+/// WorldParts::slot_color. colors: by shape, as Scene::shape_colors.
+std::vector<float> find_slot_colors(std::span<const ShapeColor> colors, const PackedGeometry& geometry,
+                                    int threads);
+/// Gives the World's shapes these colours.
+void set_colors(WorldParts& parts, std::span<const ShapeColor> colors, int threads);
 /// Writes one row of the table.
 void pack_material(const Material& material, double* row);
 

@@ -48,6 +48,7 @@ WorldMemory memory_usage(const World& world) {
     if (geometry.edit_index) m.indices += geometry.edit_index->bytes();
     m.packed = geometry.count;
     m.hierarchy = bytes(geometry.bvh.nodes);
+    m.colors = bytes(*parts.slot_color) + bytes(*parts.color_factors);
     m.materials =
         bytes(*parts.materials) + bytes(*parts.no_shadow) + bytes(*parts.extended) + bytes(*parts.lights);
     return m;

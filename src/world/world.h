@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The parts of a World (glint/world.h), in the form that the kernels read.
+#include <algorithm>
+#include <array>
 #include <cstdint>
 #include <vector>
 
 #include "base/copy_on_write.h"
 #include "glint/world.h"
 #include "lighting/light.h"
+#include "scene/material_color.h"
 #include "world/extended_materials.h"
 #include "world/packed_geometry.h"
 
@@ -47,7 +50,11 @@ struct PreparedLight : Light {
 struct WorldParts {
     CopyOnWrite<PackedGeometry> geometry;
     CopyOnWrite<std::vector<std::uint32_t>> slot_material;  // by slot, padded: the row in `materials`
-    CopyOnWrite<std::vector<double>> materials;        // k_material_values each; the default material is last
+    CopyOnWrite<std::vector<double>> materials;  // k_material_values each; the default material is last
+    // By slot, padded: r, g, b of the shape's own colour, NaN without one; empty: no shape has one.
+    CopyOnWrite<std::vector<float>> slot_color;
+    // By row of `materials`: the factors of find_color_factors(); empty like slot_color.
+    CopyOnWrite<std::vector<double>> color_factors;
     CopyOnWrite<std::vector<std::uint8_t>> no_shadow;  // by row of `materials`; empty: all cast shadows
     CopyOnWrite<std::vector<double>>
         extended;                      // k_extended_values each, by row of `materials`; empty: no uses
@@ -84,6 +91,32 @@ struct WorldParts {
     /// A row of the second table, which must exist.
     const double* extended_row(std::uint32_t row) const {
         return extended->data() + static_cast<std::size_t>(row) * k_extended_values;
+    }
+    /// The own colour of a slot's shape; not set if it has none.
+    ShapeColor color_of(std::uint32_t slot) const {
+        if (slot_color->empty()) return {};
+        const float* c = slot_color->data() + 3 * std::size_t{slot};
+        return {c[0], c[1], c[2]};
+    }
+    /// Writes the k_material_values of a slot's shape: its material's row, with the shape's own colour.
+    void write_surface_values(std::uint32_t slot, double* to) const {
+        const std::uint32_t row = (*slot_material)[slot];
+        std::copy_n(material(row), k_material_values, to);
+        const ShapeColor color = color_of(slot);
+        if (!color.is_set()) return;
+        const double channels[3] = {color.r, color.g, color.b};
+        const double* factors = color_factors->data() + std::size_t{row} * k_color_factors;
+        for (int c = 0; c < 3; ++c) {
+            to[k_color + c] = channels[c];
+            for (int i = 0; i < k_color_factors; ++i) {  // of k_ambient, k_diffuse and k_specular
+                if (factors[i] == factors[i]) to[3 * i + c] = factors[i] * channels[c];
+            }
+        }
+    }
+    std::array<double, k_material_values> surface_values(std::uint32_t slot) const {
+        std::array<double, k_material_values> values{};
+        write_surface_values(slot, values.data());
+        return values;
     }
     /// The number of the scene's materials; the default material follows them.
     std::uint32_t scene_materials() const {
@@ -127,10 +160,12 @@ struct WorldParts {
     Color shadow_factor(std::uint32_t slot) const {
         const std::uint32_t row = (*slot_material)[slot];
         const double* const values = extended->data() + static_cast<std::size_t>(row) * k_extended_values;
-        const double* const color = material(row) + k_color;
+        const ShapeColor own = color_of(slot);
+        const double* const k = material(row) + k_color;
+        const Color color = own.is_set() ? own.color() : Color{k[0], k[1], k[2]};
         const double filter = values[k_extended_value<&Material::filter>],
                      transmit = values[k_extended_value<&Material::transmit>];
-        return {transmit + filter * color[0], transmit + filter * color[1], transmit + filter * color[2]};
+        return {transmit + filter * color.r, transmit + filter * color.g, transmit + filter * color.b};
     }
 };
 

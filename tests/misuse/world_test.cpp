@@ -16,6 +16,32 @@ void expect_error(const Result<World>& result, const char* what) {
     for (const Diagnostic& d : result.diagnostics) EXPECT_FALSE(d.message.empty()) << what;
 }
 
+TEST(Misuse, OfColorsOfShapes) {
+    Scene scene = some_scene();
+    const World world = world_of(scene);
+    for (const double odd : k_odd_numbers) {
+        scene.shape_colors.clear();
+        scene.set_shape_color(1, Color{0.5, odd, 0.5});
+        EXPECT_TRUE(scene.shape_colors[1].is_set());
+        EXPECT_EQ(scene.shape_color(1)->r, scene.shape_colors[1].color().r);
+        expect_error(prepare(scene), "a color");
+        expect_error(with_shape_colors(world, scene.shape_colors), "a color");
+        World edited = world;
+        EXPECT_FALSE(edit_shapes(edited, scene, std::vector<std::uint32_t>{1}));
+        with_color(scene.materials[0], {odd, odd, 1});
+        Material material;
+        material.color.r = material.diffuse.g = odd;
+        with_color(material, {1, 0, 0});
+    }
+    EXPECT_EQ(scene.shape_color(k_none), std::nullopt);
+    scene.set_shape_color(1, std::nullopt);
+    scene.set_shape_color(k_none, std::nullopt);
+    EXPECT_TRUE(prepare(scene));
+    expect_error(with_shape_colors(world, std::vector<ShapeColor>(scene.shapes.size() + 1)),
+                 "more than shapes");
+    expect_error(with_shape_colors(World(), std::vector<ShapeColor>(1)), "more than shapes");
+}
+
 TEST(Misuse, OfShading) {
     const Scene scene = some_scene();
     const World world = world_of(scene);

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/material_color.h"
+
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+#include "math/number.h"
+#include "scene/material_fields.h"
+
+namespace glint {
+namespace {
+
+double largest(Color c) {
+    return number::max(number::abs(c.r), number::max(number::abs(c.g), number::abs(c.b)));
+}
+
+double find_factor(Color color, Color k, double usual) {
+    constexpr double none = std::numeric_limits<double>::quiet_NaN();
+    const double sum = color.r + color.g + color.b;
+    if (!(sum > 0)) return k == Color{} ? usual : none;
+    if (const auto exact = find_coefficient(color, k)) return *exact;
+    double factor = (k.r + k.g + k.b) / sum;
+    if (number::abs(factor - usual) <= 1e-12) factor = usual;
+    const Color multiple = factor * color;
+    const double off = largest({multiple.r - k.r, multiple.g - k.g, multiple.b - k.b});
+    return off <= 1e-9 * number::max(1.0, largest(k)) ? factor : none;
+}
+
+}  // namespace
+
+std::optional<double> find_coefficient(Color color, Color k) {
+    const auto gives_k = [&](double c) { return c >= 0 && c <= 1 && same_bits(color * c, k); };
+    if (gives_k(0)) return 0;
+    const double quotient = color.r != 0 ? k.r / color.r : color.g != 0 ? k.g / color.g : k.b / color.b;
+    if (!(quotient > 0 && quotient < 2)) return std::nullopt;
+    double power = 1;
+    for (int decimals = 0; decimals <= 15; ++decimals, power *= 10) {
+        // A whole number below 2^53 over a power of ten is the double nearest to that decimal.
+        const double c = std::round(quotient * power) / power;
+        if (gives_k(c)) return c;
+    }
+    const auto bits = std::bit_cast<std::uint64_t>(quotient);
+    for (const std::uint64_t near : {bits, bits - 1, bits + 1, bits - 2, bits + 2}) {
+        if (gives_k(std::bit_cast<double>(near))) return std::bit_cast<double>(near);
+    }
+    return std::nullopt;
+}
+
+std::array<double, k_color_factors> find_color_factors(
+    Color color, const std::array<Color, k_color_factors>& coefficients) {
+    static_assert(std::size(k_material_coefficients) == k_color_factors);
+    std::array<double, k_color_factors> factors{};
+    for (std::size_t i = 0; i < factors.size(); ++i)
+        factors[i] = find_factor(color, coefficients[i], k_material_coefficients[i].usual);
+    return factors;
+}
+
+Material with_color(const Material& material, Color color) {
+    Material changed = material;
+    changed.color = color;
+    const auto factors =
+        find_color_factors(material.color, {material.ambient, material.diffuse, material.specular});
+    for (std::size_t i = 0; i < factors.size(); ++i) {
+        if (factors[i] == factors[i]) changed.*k_material_coefficients[i].field = factors[i] * color;
+    }
+    return changed;
+}
+
+}  // namespace glint
