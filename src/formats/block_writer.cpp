@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <iterator>
 
@@ -23,11 +22,30 @@ bool is_bare_word(std::string_view text) {
 
 bool is_control(char c) { return (static_cast<unsigned char>(c) < 0x20 && c != '\t') || c == 0x7f; }
 
-// n with n / 255 == channel, or -1.
-int byte_of(double channel) {
+// n with n / 255 == channel in the channel's precision, or -1.
+template <class Number> int byte_of(Number channel) {
     if (!(channel >= 0 && channel <= 1)) return -1;
     const int n = static_cast<int>(std::lround(channel * 255));
-    return std::bit_cast<std::uint64_t>(n / 255.0) == std::bit_cast<std::uint64_t>(channel) ? n : -1;
+    return same_bits(static_cast<Number>(n / 255.0), channel) ? n : -1;
+}
+
+// The number with the fewest decimals that is `channel` in single precision.
+double shortest(float channel) {
+    double power = 1;
+    for (int decimals = 0; decimals <= 9; ++decimals, power *= 10) {
+        // Whole numbers below 2^53 over a power of ten are the doubles nearest to those decimals.
+        const double number = std::round(double{channel} * power) / power;
+        if (same_bits(static_cast<float>(number), channel)) return number;
+    }
+    return channel;
+}
+
+void append_color(std::string& out, Vec3 numbers, int r, int g, int b) {
+    const std::size_t start = out.size();
+    append(out, numbers);
+    if (r < 0 || g < 0 || b < 0) return;
+    const std::string bytes = fmt::format("rgb255({}, {}, {})", r, g, b);
+    if (bytes.size() < out.size() - start) out.replace(start, std::string::npos, bytes);
 }
 
 // Replaces control characters by spaces: terminals would interpret them, and NUL may end a text.
@@ -48,12 +66,12 @@ void append(std::string& out, Vec3 v) {
 }
 
 void append(std::string& out, Color c) {
-    const std::size_t start = out.size();
-    append(out, Vec3{c.r, c.g, c.b});
-    const int r = byte_of(c.r), g = byte_of(c.g), b = byte_of(c.b);
-    if (r < 0 || g < 0 || b < 0) return;
-    const std::string bytes = fmt::format("rgb255({}, {}, {})", r, g, b);
-    if (bytes.size() < out.size() - start) out.replace(start, std::string::npos, bytes);
+    append_color(out, {c.r, c.g, c.b}, byte_of(c.r), byte_of(c.g), byte_of(c.b));
+}
+
+void append(std::string& out, const ShapeColor& c) {
+    append_color(out, {shortest(c.r), shortest(c.g), shortest(c.b)}, byte_of(c.r), byte_of(c.g),
+                 byte_of(c.b));
 }
 
 void append(std::string& out, const Attenuation& a) { append(out, Vec3{a.c0, a.c1, a.c2}); }

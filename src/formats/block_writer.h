@@ -20,6 +20,8 @@ void append(std::string& out, bool value);
 void append(std::string& out, Vec3 v);
 /// (r, g, b), or rgb255(r, g, b) if it is shorter and exact.
 void append(std::string& out, Color c);
+/// The same; the numbers have the digits of single precision.
+void append(std::string& out, const ShapeColor& c);
 /// (c0, c1, c2)
 void append(std::string& out, const Attenuation& a);
 /// "text" with the escapes that the tokenizer reads.

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 
 #include "formats/glint_blocks.h"
 #include "formats/glint_item.h"
@@ -10,18 +11,26 @@
 namespace glint {
 namespace {
 
+// The keys of all kinds of shapes: those that groups have, too, and the last one.
+constexpr auto k_shape_fields = [] {
+    std::array<Field, std::size(k_item_fields) + 1> all{};
+    std::copy(std::begin(k_item_fields), std::end(k_item_fields), all.begin());
+    all.back() = {"shape_color"};
+    return all;
+}();
+
 // The keys of one kind of shape, and those of all kinds.
-template <std::size_t N> constexpr auto with_item_fields(const Field (&own)[N]) {
-    std::array<Field, N + std::size(k_item_fields)> all{};
+template <std::size_t N> constexpr auto with_shape_fields(const Field (&own)[N]) {
+    std::array<Field, N + std::size(k_shape_fields)> all{};
     std::copy(std::begin(own), std::end(own), all.begin());
-    std::copy(std::begin(k_item_fields), std::end(k_item_fields), all.begin() + N);
+    std::copy(std::begin(k_shape_fields), std::end(k_shape_fields), all.begin() + N);
     return all;
 }
 
-constexpr auto k_axial_fields = with_item_fields({{"from", true}, {"to", true}, {"radius", true}, {"caps"}});
-constexpr auto k_box_fields = with_item_fields({{"min", true}, {"max", true}});
-constexpr auto k_triangle_fields = with_item_fields({{"vertices", true}, {"normals"}});
-constexpr auto k_polygon_fields = with_item_fields({{"vertices", true}});
+constexpr auto k_axial_fields = with_shape_fields({{"from", true}, {"to", true}, {"radius", true}, {"caps"}});
+constexpr auto k_box_fields = with_shape_fields({{"min", true}, {"max", true}});
+constexpr auto k_triangle_fields = with_shape_fields({{"vertices", true}, {"normals"}});
+constexpr auto k_polygon_fields = with_shape_fields({{"vertices", true}});
 
 // The spelling hints for a shape and its material.
 template <std::size_t N> std::span<const SpellingHint> with_material_hints(const SpellingHint (&own)[N]) {
@@ -43,7 +52,7 @@ class ShapeReader {
             std::vector<Field> all;
             Shape shape;
             Shape::fields(shape, FieldNames{all});
-            all.insert(all.end(), std::begin(k_item_fields), std::end(k_item_fields));
+            all.insert(all.end(), std::begin(k_shape_fields), std::end(k_shape_fields));
             return all;
         }();
         return fields;
@@ -131,11 +140,14 @@ class ShapeReader {
   private:
     // Reads the block. False if there is no shape to add.
     template <class ReadOwn> bool keys(std::span<const Field> fields, ReadOwn&& read_own) {
-        const int own = static_cast<int>(fields.size() - std::size(k_item_fields));
+        const int own = static_cast<int>(fields.size() - std::size(k_shape_fields));
         name_ = block_name(t_);
         FieldSet set(t_.p.text(word_), fields, hints());
         const bool whole = t_.blocks.fields(set, word_, [&](int field, const Token& key) {
-            return field < own ? read_own(field, key) : read_item_key(t_, field - own, key, item_);
+            if (field < own) return read_own(field, key);
+            if (field - own < static_cast<int>(std::size(k_item_fields)))
+                return read_item_key(t_, field - own, key, item_);
+            return read_color(t_, color_.emplace(), k_channel, ColorUse::surface);
         });
         return whole && t_.p.check_required(set, word_);
     }
@@ -196,6 +208,7 @@ class ShapeReader {
         const std::uint32_t base = item_.material != k_none ? item_.material : context_.material;
         const std::uint32_t material = t_.materials.changed(t_, word_, base, item_.keys, true);
         const std::uint32_t index = scene.add(shape, material, transform);
+        scene.set_shape_color(index, color_);
         note(scene.shape_texts, index, source_place(t_.text, word_), std::move(name_));
     }
 
@@ -262,6 +275,7 @@ class ShapeReader {
     const Token word_;
     GlintContext& context_;
     GlintItem item_;
+    std::optional<Color> color_;
     std::string name_;
 };
 

@@ -111,6 +111,7 @@ class ShapeWriter {
                 material_comments = comments_.of(ItemKind::material, s.material);
             }
         }
+        if (scene_.shape_color(i)) append(block_.key("shape_color"), scene_.shape_colors[i]);
         if (transform != k_none) write_transform(scene_.transforms[transform]);
         if (material_comments != nullptr) {
             block_.comments(material_comments->above);

@@ -45,6 +45,27 @@ TEST(Info, Json) {
     EXPECT_EQ(json["warnings"].size(), 1u) << "no lights";
 }
 
+TEST(Info, CountsShapesWithColorsOfTheirOwn) {
+    const Folder folder;
+    folder.write("a.glint",
+                 "camera { position = (0, 0, 5) }\nlight { position = (2, 4, 5) }\n"
+                 "sphere { center = (0, 0, 0)  radius = 1  shape_color = (0.5, 0, 1) }\n"
+                 "sphere { center = (3, 0, 0)  radius = 1 }\n");
+    EXPECT_TRUE(contains(run(folder, {"info", "a.glint"}).out, "; 1 shape with a color of its own\n"));
+    const auto json = nlohmann::json::parse(run(folder, {"info", "a.glint", "--json"}).out);
+    EXPECT_EQ(json["shape_color_count"], 1);
+    EXPECT_GE(json["memory_bytes"]["colors"].get<int>(), 24);
+    const Finished told = run(folder, {"explain", "a.glint", "-s", "20x20", "-p", "10,10"});
+    EXPECT_TRUE(
+        contains(told.out, "in the shape's own color (0.5, 0, 1): k_a (0.05, 0, 0.1), k_d (0.4, 0, 0.8)"))
+        << told.out;
+    const auto hit = nlohmann::json::parse(
+        run(folder, {"explain", "a.glint", "-s", "20x20", "-p", "10,10", "--as", "json"})
+            .out)["rays"][0]["hit"];
+    EXPECT_EQ(hit["shape"]["color"], (std::vector<double>{0.5, 0, 1}));
+    EXPECT_EQ(hit["material"]["diffuse"], (std::vector<double>{0.4, 0, 0.8}));
+}
+
 TEST(Info, IsaIsOneNameALine) {
     const Folder folder;
     const Finished r = run(folder, {"info", "--isa"});

@@ -172,6 +172,26 @@ TEST(Glint, MaterialsInABlockStartFromTheCurrentOne) {
     EXPECT_EQ(s.materials.size(), 4u);
 }
 
+TEST(Glint, ReadsColorsOfShapes) {
+    const Scene s = shapes_of(R"(
+        material gold { color = (0.8, 0.6, 0.2)  mirror = 0.3 }
+        )" + k_ball + R"( material = gold }
+        )" + k_ball + R"( material = gold  shape_color = (0.1, 0.5, 1) }
+        triangle { vertices = ((0, 0, 0), (1, 0, 0), (0, 1, 0))  shape_color = rgb255(255, 128, 0) }
+        group { material = gold  )" +
+                              k_ball + R"( shape_color = "#00ff00"  translate = (1, 0, 0) } }
+        )" + k_ball + "}");
+    EXPECT_EQ(s.materials.size(), 1u) << "one material for all";
+    ASSERT_EQ(s.shape_colors.size(), 4u);
+    EXPECT_EQ(s.shape_color(0), std::nullopt);
+    EXPECT_EQ(s.shape_color(1), (Color{0.1f, 0.5f, 1}));
+    EXPECT_EQ(s.shape_color(2), (Color{1, static_cast<float>(128 / 255.0), 0}));
+    EXPECT_EQ(s.shape_color(3), (Color{0, 1, 0}));
+    EXPECT_EQ(s.shape_color(4), std::nullopt);
+    EXPECT_EQ(s.shapes[1].material, 0u);
+    EXPECT_EQ(s.shapes[3].material, 0u);
+}
+
 TEST(Glint, ReadsCameras) {
     const Scene plain =
         scene_of("camera { position = (0, 2, 8)  look_at = (0, 1, 0)  up = (0, 0, 1)  fov_y = 50 }");

@@ -24,6 +24,10 @@ class RandomScene {
         for (std::size_t n = 1 + pick(20), i = 0; i < n; ++i) make_shape(s);
         if (!often()) make_fog(s);
         if (!often()) make_sky(s);
+        if (pick(3) == 0) {
+            for (std::uint32_t i = 0; i < s.shapes.size(); ++i)
+                if (often()) s.set_shape_color(i, color());
+        }
         return s;
     }
 

@@ -143,6 +143,7 @@ class SceneFingerprint {
 #undef GLINT_KIND
         }
         add(shape.material == k_none ? Material{} : s_.materials[shape.material]);
+        if (const auto color = s_.shape_color(i)) line("own color"), add(*color);
         if (shape.transform != k_none) add(s_.transforms[shape.transform]);
     }
 

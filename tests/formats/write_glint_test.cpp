@@ -121,6 +121,24 @@ sphere { center = (0, 0, 2)  radius = 0.3  material = gold }
     EXPECT_EQ(text.find("nor this"), std::string::npos);
 }
 
+TEST(WriteGlint, ColorsOfShapes) {
+    Scene scene;
+    scene.materials.push_back({.mirror = 0.5});
+    scene.material_texts.names[0] = "glass";
+    const Color colors[] = {
+        {0.1, 0.25, 1}, {200 / 255.0, 160 / 255.0, 40 / 255.0}, {1.0 / 3, 1e-9, 123456.789}};
+    for (const Color& color : colors) scene.set_shape_color(scene.add(Sphere{}, 0), color);
+    scene.add(Sphere{}, 0);
+    const std::string text = write_glint(scene).value();
+    expect_part(text, "material = glass  shape_color = (0.1, 0.25, 1) }\n");
+    expect_part(text, "material = glass  shape_color = rgb255(200, 160, 40) }\n");
+    expect_part(text, "shape_color = (0.333333");
+    expect_part(text, "radius = 1  material = glass }\n");
+    const Scene again = load_text(text, "a.glint").value();
+    ASSERT_EQ(again.shape_colors.size(), 3u);
+    for (std::uint32_t i = 0; i < 3; ++i) EXPECT_EQ(again.shape_color(i), scene.shape_color(i)) << i;
+}
+
 TEST(WriteGlint, CommentsOfGroups) {
     const std::string text = converted(R"(glint = 1
 camera { position = (0, 2, 8)  look_at = (0, 1, 0)  fov_x = 50 }
