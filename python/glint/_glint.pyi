@@ -29,6 +29,10 @@ class _OptionalVectorField:
     def __get__(self, owner: object, kind: Optional[type] = ...) -> Optional[Vec3]: ...
     def __set__(self, owner: object, value: Optional[VectorLike]) -> None: ...
 
+class _ShapeColorField:
+    def __get__(self, owner: object, kind: Optional[type] = ...) -> Optional[Color]: ...
+    def __set__(self, owner: object, value: Optional[ColorLike]) -> None: ...
+
 class _PointsField:
     def __get__(self, owner: object, kind: Optional[type] = ...) -> npt.NDArray[np.float64]: ...
     def __set__(self, owner: object, value: Any) -> None: ...
@@ -269,6 +273,7 @@ class Fog:
 
 class Shape:
     material: Optional[Material]
+    color: _ShapeColorField
     transform: _MatrixField
     name: str
     @property
@@ -285,6 +290,7 @@ class Sphere(Shape):
         radius: float = ...,
         *,
         material: Optional[Material] = ...,
+        color: Optional[ColorLike] = ...,
         transform: Any = ...,
         name: str = ...,
     ) -> None: ...
@@ -298,6 +304,7 @@ class Plane(Shape):
         normal: VectorLike = ...,
         *,
         material: Optional[Material] = ...,
+        color: Optional[ColorLike] = ...,
         transform: Any = ...,
         name: str = ...,
     ) -> None: ...
@@ -313,6 +320,7 @@ class Cylinder(Shape):
         caps: bool = ...,
         *,
         material: Optional[Material] = ...,
+        color: Optional[ColorLike] = ...,
         transform: Any = ...,
         name: str = ...,
     ) -> None: ...
@@ -331,6 +339,7 @@ class Cone(Shape):
         caps: bool = ...,
         *,
         material: Optional[Material] = ...,
+        color: Optional[ColorLike] = ...,
         transform: Any = ...,
         name: str = ...,
     ) -> None: ...
@@ -348,6 +357,7 @@ class Disc(Shape):
         radius: float = ...,
         *,
         material: Optional[Material] = ...,
+        color: Optional[ColorLike] = ...,
         transform: Any = ...,
         name: str = ...,
     ) -> None: ...
@@ -362,6 +372,7 @@ class Box(Shape):
         max: VectorLike = ...,
         *,
         material: Optional[Material] = ...,
+        color: Optional[ColorLike] = ...,
         transform: Any = ...,
         name: str = ...,
     ) -> None: ...
@@ -370,7 +381,13 @@ class Box(Shape):
 
 class Triangle(Shape):
     def __init__(
-        self, vertices: Any = ..., *, material: Optional[Material] = ..., transform: Any = ..., name: str = ...
+        self,
+        vertices: Any = ...,
+        *,
+        material: Optional[Material] = ...,
+        color: Optional[ColorLike] = ...,
+        transform: Any = ...,
+        name: str = ...,
     ) -> None: ...
     vertices: _PointsField
 
@@ -381,6 +398,7 @@ class SmoothTriangle(Shape):
         normals: Any = ...,
         *,
         material: Optional[Material] = ...,
+        color: Optional[ColorLike] = ...,
         transform: Any = ...,
         name: str = ...,
     ) -> None: ...
@@ -389,7 +407,13 @@ class SmoothTriangle(Shape):
 
 class Polygon(Shape):
     def __init__(
-        self, vertices: Any, *, material: Optional[Material] = ..., transform: Any = ..., name: str = ...
+        self,
+        vertices: Any,
+        *,
+        material: Optional[Material] = ...,
+        color: Optional[ColorLike] = ...,
+        transform: Any = ...,
+        name: str = ...,
     ) -> None: ...
     vertices: _PointsField
 

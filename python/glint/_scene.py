@@ -211,7 +211,8 @@ class Scene:
         """Adds N spheres and returns the range of their numbers.
 
         centers: (N, 3), in the scene's units; radii: one number or (N,), > 0; colors: one color, or (N, 3), or
-        None for the material's; material: what all have but for the color. With a colormap (matplotlib's, or
+        None for the material's; material: what all have but for the color. (N, 3) colors become those of the
+        shapes (shape.color), in single precision. With a colormap (matplotlib's, or
         its name), colors is one number for each sphere.
         """
         return self._state.add_spheres(centers, radii, _accept.to_colors(colors, colormap), material)

@@ -2,8 +2,6 @@
 // Many shapes from NumPy arrays, and hits of many rays as arrays.
 #include <fmt/format.h>
 
-#include <bit>
-#include <cmath>
 #include <cstring>
 #include <limits>
 
@@ -72,89 +70,45 @@ class Lengths {
     std::size_t step_ = 0;
 };
 
-// Numbers for colors, the same for equal ones.
-class ColorTable {
-  public:
-    explicit ColorTable(std::size_t most)
-        : slots_(std::bit_ceil(2 * std::max<std::size_t>(most, 8)), k_none) {}
-
-    std::uint32_t number(const Color& color) {
-        std::size_t slot = hash(color) & (slots_.size() - 1);
-        for (; slots_[slot] != k_none; slot = (slot + 1) & (slots_.size() - 1))
-            if (colors_[slots_[slot]] == color) return slots_[slot];
-        slots_[slot] = static_cast<std::uint32_t>(colors_.size());
-        colors_.push_back(color);
-        return slots_[slot];
-    }
-    const std::vector<Color>& colors() const { return colors_; }
-
-  private:
-    static std::size_t hash(const Color& c) {
-        std::uint64_t h = 0;
-        for (const double x : {c.r, c.g, c.b}) {
-            h = (h ^ std::bit_cast<std::uint64_t>(x + 0.0)) * 0x9e3779b97f4a7c15u;
-            h ^= h >> 29;
-        }
-        return static_cast<std::size_t>(h ^ (h >> 32));
-    }
-
-    std::vector<Color> colors_;
-    std::vector<std::uint32_t> slots_;
+// The material of the new shapes and, if each has its own, their colors.
+struct Look {
+    std::uint32_t material = k_none;
+    std::vector<ShapeColor> colors = {};
 };
 
-// The material of each new shape.
-class Materials {
-  public:
-    Materials(SceneState& state, const py::object& colors, const py::object& material, std::size_t count) {
-        const auto box = material.is_none() ? nullptr : material.cast<std::shared_ptr<MaterialBox>>();
-        if (colors.is_none()) {
-            one_ = state.add(box);
-            return;
-        }
-        Material base = box ? box->value : Material{};
-        const auto array =
-            is_number(colors) || py::isinstance<py::str>(colors) ? Doubles() : doubles(colors, "colors");
-        if (array.ndim() != 2) {
-            set_color(base, to_color(colors, "colors", k_channel));
-            one_ = state.add(std::make_shared<MaterialBox>(MaterialBox{base, {}}));
-            return;
-        }
-        const auto channels = static_cast<std::size_t>(array.shape(1));
-        if (static_cast<std::size_t>(array.shape(0)) != count || (channels != 3 && channels != 4))
-            throw py::value_error(
-                fmt::format("colors: expected one color or an array of {} x 3 numbers, found {}", count,
-                            shape_text(array)));
-        const double* c = array.data();
-        for (py::ssize_t i = 0; i < array.size(); ++i)
-            if (!k_channel.contains(c[i]))
-                throw py::value_error(fmt::format("colors[{}]: expected {}, found {}",
-                                                  static_cast<std::size_t>(i) / channels, k_channel.text,
-                                                  c[i]));
-        Scene& scene = state.change_shapes();
-        state.change_materials();
-        ColorTable table(count);
-        const auto first = static_cast<std::uint32_t>(scene.materials.size());
-        indices_.resize(count);
-        for (std::size_t i = 0; i < count; ++i, c += channels)
-            indices_[i] = first + table.number({c[0], c[1], c[2]});
-        // One material for each color.
-        scene.materials.resize(first + table.colors().size(), base);
-        for (std::size_t i = 0; i < table.colors().size(); ++i)
-            set_color(scene.materials[first + i], table.colors()[i]);
+Look add_look(SceneState& state, const py::object& colors, const py::object& material, std::size_t count) {
+    const auto box = material.is_none() ? nullptr : material.cast<std::shared_ptr<MaterialBox>>();
+    if (colors.is_none()) return {state.add(box)};
+    const auto array =
+        is_number(colors) || py::isinstance<py::str>(colors) ? Doubles() : doubles(colors, "colors");
+    if (array.ndim() != 2) {
+        const Color one = to_color(colors, "colors", k_channel);
+        const Material colored = with_color(box ? box->value : Material{}, one);
+        return {state.add(std::make_shared<MaterialBox>(MaterialBox{colored, {}}))};
     }
-    std::uint32_t operator[](std::size_t i) const { return indices_.empty() ? one_ : indices_[i]; }
-
-  private:
-    std::uint32_t one_ = k_none;
-    std::vector<std::uint32_t> indices_;
-};
+    const auto channels = static_cast<std::size_t>(array.shape(1));
+    if (static_cast<std::size_t>(array.shape(0)) != count || (channels != 3 && channels != 4))
+        throw py::value_error(fmt::format(
+            "colors: expected one color or an array of {} x 3 numbers, found {}", count, shape_text(array)));
+    const double* c = array.data();
+    for (py::ssize_t i = 0; i < array.size(); ++i)
+        if (!k_channel.contains(c[i]))
+            throw py::value_error(fmt::format("colors[{}]: expected {}, found {}",
+                                              static_cast<std::size_t>(i) / channels, k_channel.text, c[i]));
+    Look look{state.add(box), std::vector<ShapeColor>(count)};
+    for (ShapeColor& color : look.colors) {
+        color = {static_cast<float>(c[0]), static_cast<float>(c[1]), static_cast<float>(c[2])};
+        c += channels;
+    }
+    return look;
+}
 
 // Adds `count` shapes; make(i) gives the parameters of each. Returns range(first, last).
 template <class T, class Make>
 py::object add_shapes(SceneState& state, std::size_t count, const py::object& colors,
                       const py::object& material, const Make& make) {
     if (count + state.scene().shapes.size() >= k_none) throw py::value_error("too many shapes");
-    const Materials materials(state, colors, material, count);
+    const Look look = add_look(state, colors, material, count);
     Scene& scene = state.change_shapes();
     auto& parameters = scene.get<T>();
     const std::size_t first = scene.shapes.size(), start = parameters.size();
@@ -162,8 +116,12 @@ py::object add_shapes(SceneState& state, std::size_t count, const py::object& co
     scene.shapes.resize(first + count);
     for (std::size_t i = 0; i < count; ++i) {
         parameters[start + i] = make(i);
-        scene.shapes[first + i] = {ShapeKindOf<T>::value, static_cast<std::uint32_t>(start + i), materials[i],
-                                   k_none};
+        scene.shapes[first + i] = {ShapeKindOf<T>::value, static_cast<std::uint32_t>(start + i),
+                                   look.material, k_none};
+    }
+    if (!look.colors.empty()) {
+        scene.shape_colors.resize(first);
+        scene.shape_colors.insert(scene.shape_colors.end(), look.colors.begin(), look.colors.end());
     }
     return py::module_::import("builtins").attr("range")(first, first + count);
 }

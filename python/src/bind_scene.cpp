@@ -140,8 +140,8 @@ bool equal(SceneState& a, SceneState& b) {
         const auto transform = [](const Scene& scene, const Shape& shape) {
             return shape.transform == k_none ? Affine{} : scene.transforms[shape.transform];
         };
-        if (s.kind != t.kind || s.material != t.material || !(transform(x, s) == transform(y, t)) ||
-            !read_shape(x, i)->same(*read_shape(y, i)))
+        if (s.kind != t.kind || s.material != t.material || x.shape_color(i) != y.shape_color(i) ||
+            !(transform(x, s) == transform(y, t)) || !read_shape(x, i)->same(*read_shape(y, i)))
             return false;
     }
     return true;

@@ -43,10 +43,6 @@ bool same(const Fog& a, const Fog& b);
 bool same(const Occlusion& a, const Occlusion& b);
 bool same(const BackgroundGradient& a, const BackgroundGradient& b);
 
-/// Gives a material another color. Its ambient, diffuse and specular stay the same multiples of the color, if
-/// they are multiples of it.
-void set_color(Material& material, const Color& color);
-
 void bind_lights(py::module_& m);
 void bind_materials(py::module_& m);
 void bind_fog(py::module_& m);

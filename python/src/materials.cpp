@@ -2,8 +2,6 @@
 // Materials as Python objects.
 #include "scene/material_fields.h"
 
-#include <cmath>
-
 #include "item_fields.h"
 
 namespace glint::python {
@@ -17,7 +15,7 @@ void set_field(const ItemField<Material>& field, Material& material, const py::h
         return;
     }
     if (is_field_of(field, &Material::color)) {
-        set_color(material, to_color(value, field.name, k_channel));
+        material = with_color(material, to_color(value, field.name, k_channel));
         return;
     }
     set_field<Material>(field, material, value);
@@ -29,7 +27,8 @@ Material make_material(const py::kwargs& keywords) {
     static constexpr std::string_view others[] = {"name"};
     Material material;
     // The color first: the coefficients are factors of it.
-    if (keywords.contains("color")) set_color(material, to_color(keywords["color"], "color", k_channel));
+    if (keywords.contains("color"))
+        material = with_color(material, to_color(keywords["color"], "color", k_channel));
     set_fields(material, keywords, "Material", others);
     return material;
 }
@@ -37,25 +36,6 @@ Material make_material(const py::kwargs& keywords) {
 }  // namespace
 
 bool same(const Material& a, const Material& b) { return same_fields(a, b); }
-
-void set_color(Material& material, const Color& color) {
-    const Color old = material.color;
-    for (const MaterialCoefficient& coefficient : k_material_coefficients) {
-        Color& value = material.*coefficient.field;
-        const double sum = old.r + old.g + old.b;
-        if (!(sum > 0)) {
-            if (value == Color{}) value = coefficient.usual * color;
-            continue;
-        }
-        double factor = (value.r + value.g + value.b) / sum;
-        if (std::abs(factor - coefficient.usual) <= 1e-12) factor = coefficient.usual;
-        const Color multiple = factor * old;
-        const double off = std::max(
-            {std::abs(multiple.r - value.r), std::abs(multiple.g - value.g), std::abs(multiple.b - value.b)});
-        if (off <= 1e-9 * std::max(1.0, largest(value))) value = factor * color;
-    }
-    material.color = color;
-}
 
 void bind_materials(py::module_& m) {
     py::class_<MaterialBox, std::shared_ptr<MaterialBox>> cls(

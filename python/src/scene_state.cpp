@@ -98,6 +98,7 @@ std::shared_ptr<ShapeBox> SceneState::shape(std::uint32_t index) {
         const Shape& shape = scene_->shapes[index];
         box = read_shape(*scene_, index);
         if (shape.material != k_none) box->material = material(shape.material);
+        box->color = scene_->shape_color(index);
         if (shape.transform != k_none) box->transform = scene_->transforms[shape.transform];
         box->name = scene_->shape_texts.name(index);
     }
@@ -137,6 +138,7 @@ std::uint32_t SceneState::add(const std::shared_ptr<ShapeBox>& shape) {
     shape->append(scene);
     const auto index = static_cast<std::uint32_t>(scene.shapes.size() - 1);
     scene.shapes[index].material = material;
+    scene.set_shape_color(index, shape->color);
     write_transform(scene.shapes[index], *shape);
     set_name(scene.shape_texts, index, shape->name);
     shapes_[index] = shape;
@@ -182,6 +184,7 @@ void SceneState::remove_shapes(std::vector<std::uint32_t> removed) {
     std::sort(removed.begin(), removed.end());
     Scene& scene = own();
     std::vector<Shape> shapes;
+    std::vector<ShapeColor> colors;
     std::unordered_map<std::uint32_t, std::shared_ptr<ShapeBox>> objects;
     ItemTexts texts;
     for (std::uint32_t i = 0; i < scene.shapes.size(); ++i) {
@@ -190,9 +193,11 @@ void SceneState::remove_shapes(std::vector<std::uint32_t> removed) {
         if (const auto object = shapes_.find(i); object != shapes_.end()) objects[to] = object->second;
         set_name(texts, to, std::string(scene.shape_texts.name(i)));
         if (!scene.shape_texts.places.empty()) texts.places.push_back(scene.shape_texts.place(i));
+        if (i < scene.shape_colors.size()) colors.push_back(scene.shape_colors[i]);
         shapes.push_back(scene.shapes[i]);
     }
     scene.shapes = std::move(shapes);
+    scene.shape_colors = std::move(colors);
     scene.shape_texts = std::move(texts);
     shapes_ = std::move(objects);
     ++now_.shapes;
@@ -201,11 +206,6 @@ void SceneState::remove_shapes(std::vector<std::uint32_t> removed) {
 Scene& SceneState::change_shapes() {
     sync();
     ++now_.shapes;
-    return own();
-}
-
-Scene& SceneState::change_materials() {
-    ++now_.materials;
     return own();
 }
 

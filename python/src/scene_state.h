@@ -78,9 +78,8 @@ class SceneState {
     void set_shape(std::uint32_t index, const std::shared_ptr<ShapeBox>& shape);
     void remove_shapes(std::vector<std::uint32_t> shapes);
 
-    // For changes by arrays: the scene, whose shapes (or materials) then count as new.
+    // For changes by arrays: the scene, whose shapes then count as new.
     Scene& change_shapes();
-    Scene& change_materials();
     void set_background(Color background);
     /// As glint::set_setting().
     void set_setting(const std::string& key, const std::string& value);

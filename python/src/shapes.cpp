@@ -91,6 +91,12 @@ template <> struct ShapeOf<Polygon> : ShapeBox {
 void set_material(ShapeBox& shape, const py::handle& material) {
     shape.material = material.is_none() ? nullptr : material.cast<std::shared_ptr<MaterialBox>>();
 }
+// Rounds to single precision, as the scene does.
+void set_shape_color(ShapeBox& shape, const py::handle& color) {
+    Scene scene;
+    if (!color.is_none()) scene.set_shape_color(0, to_color(color, "color", k_channel));
+    shape.color = scene.shape_color(0);
+}
 void set_transform(ShapeBox& shape, const py::handle& transform) {
     if (transform.is_none()) {
         shape.transform.reset();
@@ -103,6 +109,8 @@ void set_transform(ShapeBox& shape, const py::handle& transform) {
 bool set_common(ShapeBox& shape, const std::string& name, const py::handle& value) {
     if (name == "material") {
         set_material(shape, value);
+    } else if (name == "color") {
+        set_shape_color(shape, value);
     } else if (name == "transform") {
         set_transform(shape, value);
     } else if (name == "name") {
@@ -129,7 +137,7 @@ std::shared_ptr<ShapeOf<T>> make_shape(const py::args& values, const py::kwargs&
     for (const auto& [key, value] : keywords) {
         const std::string name = py::str(key);
         if (set_common(*shape, name, value)) continue;
-        std::vector<std::string_view> known = {"material", "transform", "name"};
+        std::vector<std::string_view> known = {"material", "color", "transform", "name"};
         bool is_known = false;
         for (const auto& entry : names) {
             known.push_back(entry.first);
@@ -183,6 +191,7 @@ template <class T> void bind_shape(py::module_& m, const char* name, const char*
 std::string describe(const ShapeBox& shape, const std::string& class_name) {
     std::string text = class_name + "(" + shape.text();
     if (shape.material) text += ", material=" + repr_of(py::cast(shape.material));
+    if (shape.color) text += ", color=" + repr_of(to_python(*shape.color));
     if (shape.transform) text += ", transform=...";
     if (!shape.name.empty()) text += ", name=" + repr_of(py::str(shape.name));
     return text + ")";
@@ -214,6 +223,15 @@ void bind_shapes(py::module_& m) {
     py::class_<ShapeBox, std::shared_ptr<ShapeBox>> cls(m, "Shape", "What all shapes have.");
     cls.def_readwrite("material", &ShapeBox::material, "A Material; None: the default one")
         .def_property(
+            "color",
+            [](const ShapeBox& s) -> py::object {
+                if (!s.color) return py::none();
+                return to_python(*s.color);
+            },
+            [](ShapeBox& s, const py::object& to) { set_shape_color(s, to); },
+            "The shape's own color, in single precision, in place of the material's: the material's ambient, "
+            "diffuse and specular stay the same multiples of the color. None: the material's")
+        .def_property(
             "transform",
             [](const ShapeBox& s) -> py::object {
                 if (!s.transform) return py::none();
@@ -229,7 +247,7 @@ void bind_shapes(py::module_& m) {
              [](const ShapeBox& a, const py::object& other) {
                  if (!py::isinstance<ShapeBox>(other)) return false;
                  const auto& b = other.cast<const ShapeBox&>();
-                 return a.same(b) && a.name == b.name && a.transform == b.transform &&
+                 return a.same(b) && a.name == b.name && a.color == b.color && a.transform == b.transform &&
                         same_material(a.material, b.material);
              })
         .def("__repr__",

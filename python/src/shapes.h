@@ -11,9 +11,10 @@
 
 namespace glint::python {
 
-/// A shape that Python refers to, with its material and its transform.
+/// A shape that Python refers to, with its material, its own color and its transform.
 struct ShapeBox {
     std::shared_ptr<MaterialBox> material;  ///< null: the default material
+    std::optional<Color> color;             ///< the shape's own, in single precision
     std::optional<Affine> transform;        ///< world_from_object
     std::string name;
 
@@ -31,7 +32,7 @@ struct ShapeBox {
     virtual bool same(const ShapeBox& other) const = 0;
 };
 
-/// The parameters of shape number `index`, without material, transform and name.
+/// The parameters of shape number `index`, without material, color, transform and name.
 std::shared_ptr<ShapeBox> read_shape(const Scene& scene, std::uint32_t index);
 
 void bind_shapes(py::module_& m);

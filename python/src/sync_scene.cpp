@@ -72,10 +72,13 @@ void SceneState::sync_shapes() {
         if (scene_->shape_texts.name(index) != box->name) set_name(own().shape_texts, index, box->name);
         const Shape& shape = scene_->shapes[index];
         const bool moved = !same_affine(transform_of(*scene_, shape), box->transform);
-        if (!moved && shape.material == material && box->is_shape(*scene_, index)) continue;
+        if (!moved && shape.material == material && scene_->shape_color(index) == box->color &&
+            box->is_shape(*scene_, index))
+            continue;
         Scene& scene = own();
         box->write(scene, index);
         scene.shapes[index].material = material;
+        scene.set_shape_color(index, box->color);
         write_transform(scene.shapes[index], *box);
         edited_shapes_.emplace_back(++edits_, index);
     }

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Shapes from arrays, hits as arrays, and objects of other packages."""
 
+import copy
+import pickle
 import time
 import types
 
@@ -12,7 +14,8 @@ import glint
 
 def test_spheres_from_arrays():
     random = np.random.default_rng(1)
-    centers, radii, colors = random.random((50, 3)), random.random(50) + 0.1, random.random((50, 3))
+    centers, radii = random.random((50, 3)), random.random(50) + 0.1
+    colors = random.random((50, 3)).astype(np.float32)
     scene = glint.Scene(size=(40, 30))
     assert scene.spheres(centers, radii, colors) == range(50)
     scene.add(glint.Light("point", position=(5, 5, 5)))
@@ -23,19 +26,46 @@ def test_spheres_from_arrays():
     scene.camera.position = one_by_one.camera.position = (0, 0, 5)
     assert scene.render() == one_by_one.render()
     assert scene.shapes[7].center == tuple(centers[7])
-    assert scene.shapes[7].material.color == tuple(colors[7])
+    assert scene.shapes[7].color == tuple(colors[7])
 
 
-def test_equal_colors_share_a_material():
+def test_colors_are_those_of_the_shapes():
     scene = glint.Scene()
     colors = np.array([(1, 0, 0), (0, 1, 0)] * 50, float)
     scene.spheres(np.zeros((100, 3)), 1, colors, material=glint.Material(shininess=5))
-    assert len(scene.materials) == 2
-    assert scene.materials[0].shininess == 5 and scene.materials[0].diffuse == (0.8, 0, 0)
+    assert len(scene.materials) == 1 and scene.materials[0].shininess == 5
+    assert scene.shapes[0].color == (1, 0, 0) and scene.shapes[0].material == scene.shapes[1].material
     scene.spheres(np.zeros((10, 3)), 1, (0, 0, 1))
-    assert len(scene.materials) == 3
+    assert len(scene.materials) == 2
+    assert scene.shapes[-1].color is None and scene.shapes[-1].material.color == (0, 0, 1)
     scene.spheres(np.zeros((10, 3)), 1)
-    assert scene.shapes[-1].material is None
+    assert scene.shapes[-1].material is None and scene.shapes[-1].color is None
+    scene.spheres(np.zeros((2, 3)), 1, [(0, 1, 1, 0.5), (1, 1, 0, 1)])
+    assert scene.shapes[-1].color == (1, 1, 0)
+
+
+def test_the_color_of_a_shape():
+    scene = glint.Scene(size=(40, 30))
+    scene.add(glint.Light("point", position=(5, 5, 5)))
+    scene.camera.position = (0, 0, 4)
+    gold = glint.Material(color=(0.75, 0.5, 0.25), specular=0.5)
+    ball = scene.add(glint.Sphere((0, 0, 0), 1, material=gold, color=(0.5, 0, 1)))
+    assert "color=" in repr(ball) and ball == copy.copy(ball)
+    colored = scene.render()
+    other = scene.copy()
+    assert other == scene and pickle.loads(pickle.dumps(scene)) == scene
+    assert pickle.loads(pickle.dumps(scene)).render() == colored
+    ball.color = None
+    assert other != scene and scene.render() != colored
+    ball.material = glint.Material(color=(0.5, 0, 1), specular=0.5)
+    assert scene.render() == colored
+    ball.material, ball.color = gold, "#8000ff"
+    assert ball.color == (np.float32(128 / 255), 0, 1)
+    with pytest.raises(ValueError, match="color"):
+        ball.color = (np.nan, 0, 0)
+    scene.spheres([(2, 0, 0), (3, 0, 0)], 0.2, [(1, 0, 0), (0, 1, 0)])
+    del scene.shapes[1]
+    assert [shape.color for shape in scene.shapes[1:]] == [(0, 1, 0)]
 
 
 def test_a_million_spheres():
@@ -103,7 +133,7 @@ def test_colormaps():
     scene = glint.Scene()
     scene.spheres(np.zeros((5, 3)), 1, [0, 1, 2, 3, 4], colormap="viridis")
     wanted = matplotlib.colormaps["viridis"](np.linspace(0, 1, 5))[:, :3]
-    assert np.allclose(scene.shapes[2].material.color, wanted[2])
+    assert np.allclose(scene.shapes[2].color, wanted[2])
     scene.spheres(np.zeros((5, 3)), 1, matplotlib.cm.magma(np.linspace(0, 1, 5)))
 
 
