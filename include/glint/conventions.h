@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "glint/bytes.h"
 #include "glint/diagnostic.h"
 #include "glint/export.h"
 #include "glint/result.h"
@@ -19,8 +20,8 @@ namespace glint {
 enum class Shading : std::uint8_t { phong, blinn_phong, diffuse, color, normals };
 
 /// The point of its pixel that a camera ray passes. corner: the bottom-left corner (CGFS). whole: whole pixel
-/// units from the picture's middle (LIGHT).
-enum class PixelSample : std::uint8_t { center, corner, whole };
+/// units from the picture's middle (LIGHT). top_right: the top-right corner (Tachyon).
+enum class PixelSample : std::uint8_t { center, corner, whole, top_right };
 
 /// The length of a camera ray's direction, which scales its t. viewport: not normalised (CGFS).
 enum class RayDirection : std::uint8_t { unit, viewport };
@@ -125,6 +126,11 @@ struct Conventions {
     AreaShading area_shading = AreaShading::samples;
     FogDistance fog_distance = FogDistance::ray;
     bool fog_background = true;  ///< the background is in the fog, at an infinite distance
+    // How the picture's numbers become those of a PNG or PPM file (ByteRule); OpenEXR is always linear.
+    Transfer transfer = Transfer::none;
+    double gamma = 1;  ///< > 0, at most 100
+    Rounding rounding = Rounding::half_even;
+    constexpr ByteRule byte_rule() const { return {transfer, gamma, rounding}; }
     friend bool operator==(const Conventions&, const Conventions&) = default;
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The whole public API.
+#include "glint/bytes.h"
 #include "glint/check.h"
 #include "glint/compare.h"
 #include "glint/conventions.h"

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "glint/bytes.h"
 #include "glint/export.h"
 #include "glint/result.h"
 #include "glint/vec.h"
@@ -37,20 +38,25 @@ struct Image {
 
 enum class FileFormat : std::uint8_t { png, ppm, exr };
 
-/// none: the numbers as they are. srgb: the sRGB curve, for use with photographs.
-enum class Transfer : std::uint8_t { none, srgb };
-
 struct EncodeOptions {
     FileFormat format = FileFormat::png;
     int bits = 8;                        ///< 8 or 16 per channel; EXR is always 32-bit float
     Transfer transfer = Transfer::none;  ///< EXR is always linear
     int threads = 0;
+    double gamma = 1;  ///< see ByteRule
+    Rounding rounding = Rounding::half_even;
+
+    constexpr ByteRule rule() const { return {transfer, gamma, rounding}; }
+    /// Takes the rule of a scene: options.set_rule(scene.conventions.byte_rule()).
+    constexpr void set_rule(const ByteRule& r) {
+        transfer = r.transfer, gamma = r.gamma, rounding = r.rounding;
+    }
 };
 
-/// The bytes of the file. Clamps to [0, 1], scales by 255 (65535) and rounds half to even
-/// (docs/conventions.md); EXR keeps floats. The bytes do not depend on threads. An error if a side of
-/// the image is not 1 to k_max_size pixels, if its numbers do not match its size, or if the options have an
-/// invalid format, number of bits or transfer. Never throws.
+/// The bytes of the file. Clamps to [0, 1], applies gamma and transfer, scales by 255 (65535) and rounds
+/// (ByteRule; docs/conventions.md); EXR keeps floats. The bytes do not depend on threads. An error if a side
+/// of the image is not 1 to k_max_size pixels, if its numbers do not match its size, or if the options have
+/// an invalid format, number of bits, transfer, gamma or rounding. Never throws.
 GLINT_API Result<std::vector<std::uint8_t>> encode(const Image& image, const EncodeOptions& options = {});
 
 /// The same with an alpha channel, for pictures that were rendered with RenderSettings::alpha. alpha: width *
@@ -63,9 +69,11 @@ GLINT_API Result<std::vector<std::uint8_t>> encode(const Image& image, std::span
 /// The number that `encode` writes for a channel value: 0 to 255 with 8 bits, 0 to 65535 with 16 (and with
 /// any other number of bits). 0 for NaN.
 GLINT_API std::uint32_t to_number(float value, int bits, Transfer transfer = Transfer::none);
+GLINT_API std::uint32_t to_number(float value, int bits, const ByteRule& rule);
 
 /// The byte that `encode` writes for a channel value with 8 bits.
 GLINT_API std::uint8_t to_byte(float value, Transfer transfer = Transfer::none);
+GLINT_API std::uint8_t to_byte(float value, const ByteRule& rule);
 
 struct DecodeOptions {
     /// Larger pictures are rejected before memory is allocated, because a small file can claim any size.

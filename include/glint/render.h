@@ -77,6 +77,7 @@ struct Rendering {
     std::vector<LayerImage> layers;  ///< in the order of RenderOptions::layers
     bool has_alpha = false;          ///< RenderSettings::alpha: the picture is multiplied by Layer::alpha
     RayCounts rays;
+    ByteRule rule;    ///< that of the World's conventions, for EncodeOptions::set_rule()
     std::string isa;  ///< the instruction set used
     int threads = 0;
 };

@@ -93,11 +93,12 @@ class Image:
         """The instruction set that it was rendered with; the picture does not depend on it."""
         return self._rendering.isa
 
-    def to_bytes(self, format: str = "png", *, bits: int = 8, transfer: str = "none") -> bytes:
-        """The bytes of a file: 'png', 'ppm' or 'exr'. bits: 8 or 16 a channel; transfer: 'none' or 'srgb'."""
+    def to_bytes(self, format: str = "png", *, bits: int = 8, transfer: Optional[str] = None) -> bytes:
+        """The bytes of a file: 'png', 'ppm' or 'exr'. bits: 8 or 16 a channel; transfer: 'none' or 'srgb', in
+        place of the scene's convention `transfer`."""
         return self._rendering.encode(format, bits, transfer)
 
-    def save(self, path: PathLike, *, bits: int = 8, transfer: str = "none") -> None:
+    def save(self, path: PathLike, *, bits: int = 8, transfer: Optional[str] = None) -> None:
         """Writes .png, .ppm or .exr; an .exr holds the layers, too."""
         name = os.fspath(path)
         ending = os.path.splitext(name)[1].lower()

@@ -109,7 +109,8 @@ py::tuple explain_pixel(SceneState& state, std::int32_t x, std::int32_t y, const
     const Explanation explanation =
         value_or_raise(run(progress, [&](Running&) { return explain(scene, snapshot.world, x, y); }));
     if (style.sample < 0 || style.sample >= n * n) throw py::index_error("sample out of range");
-    return py::make_tuple(value_or_raise(explanation_json(explanation, scene)),
+    style.file.set_rule(scene.conventions.byte_rule());
+    return py::make_tuple(value_or_raise(explanation_json(explanation, scene, style.file)),
                           cli::explanation_text(explanation, scene, style));
 }
 

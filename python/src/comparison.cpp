@@ -7,6 +7,7 @@
 #include "cli/submissions.h"
 #include "errors.h"
 #include "grade/grade_by_rubric.h"
+#include "image/quantize.h"
 #include "rendering.h"
 #include "run.h"
 #include "scene_state.h"
@@ -38,14 +39,18 @@ py::tuple compare_pictures(const Rendering& a, const Rendering& b, const std::st
     report.as_floats = as_floats;
     report.within = within;
     report.with_scene = shared != nullptr;
+    const auto given = [&](const Rendering& r) {
+        return as_written(r.image, as_floats ? ByteRule{} : r.rule);
+    };
+    const Image picture = given(a), reference = given(b);
     report.difference = value_or_raise(run(progress, [&](Running&) {
-        return compare(a.image, b.image, {as_floats, within, 0});
+        return compare(picture, reference, {as_floats, within, 0});
     }));
     const PictureDifference& d = report.difference;
     report.passes = d.all.equal == d.all.pixels;
     if (causes && !report.passes && d.not_finite == 0) {
         report.causes = run(progress, [&](Running& running) {
-            return find_causes(a.image, b.image, shared.get(), cause_options(running, as_floats));
+            return find_causes(picture, reference, shared.get(), cause_options(running, as_floats));
         });
     }
     return py::make_tuple(cli::json_report(report), cli::text_report(report));
@@ -62,9 +67,11 @@ RenderingPointer difference(const Rendering& a, const Rendering& b, double gain)
 py::list grade_causes(const std::vector<RenderingPointer>& pictures, const Rendering& reference,
                       const std::shared_ptr<const Scene>& scene, const py::object& progress) {
     std::vector<Image> images;
-    for (const RenderingPointer& picture : pictures) images.push_back(picture->image);
+    for (const RenderingPointer& picture : pictures)
+        images.push_back(as_written(picture->image, picture->rule));
     const auto reports = run(progress, [&](Running& running) {
-        return find_causes(images, reference.image, scene.get(), cause_options(running, false));
+        return find_causes(images, as_written(reference.image, reference.rule), scene.get(),
+                           cause_options(running, false));
     });
     py::list list;
     for (const Result<CauseReport>& report : reports) {

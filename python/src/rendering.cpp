@@ -34,7 +34,8 @@ py::bytes to_bytes(const std::vector<std::uint8_t>& bytes) {
     return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
-py::bytes encoded(const Rendering& r, const std::string& format, int bits, const std::string& transfer) {
+py::bytes encoded(const Rendering& r, const std::string& format, int bits,
+                  const std::optional<std::string>& transfer) {
     EncodeOptions options;
     if (format == "png") {
         options.format = FileFormat::png;
@@ -45,10 +46,14 @@ py::bytes encoded(const Rendering& r, const std::string& format, int bits, const
     } else {
         throw py::value_error("format: expected 'png', 'ppm' or 'exr', found " + repr_of(py::str(format)));
     }
-    if (transfer != "none" && transfer != "srgb")
-        throw py::value_error("transfer: expected 'none' or 'srgb', found " + repr_of(py::str(transfer)));
     options.bits = bits;
-    options.transfer = transfer == "srgb" ? Transfer::srgb : Transfer::none;
+    options.set_rule(r.rule);
+    if (transfer) {
+        if (*transfer != "none" && *transfer != "srgb")
+            throw py::value_error("transfer: expected 'none' or 'srgb', found " +
+                                  repr_of(py::str(*transfer)));
+        options.transfer = *transfer == "srgb" ? Transfer::srgb : Transfer::none;
+    }
     Result<std::vector<std::uint8_t>> result;
     {
         const py::gil_scoped_release release;

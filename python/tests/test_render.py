@@ -74,6 +74,15 @@ def test_keywords_of_the_command(scene):
         scene.render(aov=["norml"])
 
 
+def test_the_scene_says_how_numbers_become_bytes(scene):
+    plain, srgb = scene.render(), scene.render(convention={"transfer": "srgb"})
+    assert plain == srgb and plain.to_bytes() != srgb.to_bytes()
+    assert srgb.to_bytes() == plain.to_bytes(transfer="srgb") and srgb.to_bytes(transfer="none") == plain.to_bytes()
+    scene.conventions["rounding"] = "down"
+    assert scene.render().to_bytes() != plain.to_bytes()
+    assert "rounded down" in str(glint.explain(scene, 3, 3))
+
+
 def test_layers(scene):
     image = scene.render(aov="all")
     names = list(image.layers)

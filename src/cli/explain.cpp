@@ -109,7 +109,7 @@ int explain_command(ExplainArguments& arguments) {
     ExplainStyle style;
     style.colors = is_terminal(STDOUT_FILENO) && std::getenv("NO_COLOR") == nullptr;
     style.from_below = arguments.origin == "bottom-left";
-    style.file = encoding_of(arguments.numbers);
+    style.file = encoding_of(arguments.numbers, scene.conventions.byte_rule());
     style.sample = sample_of(arguments, scene.settings.samples);
     std::optional<std::uint32_t> light;
     if (!arguments.why_not.empty()) light = find_light(arguments.why_not, scene);

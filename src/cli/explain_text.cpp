@@ -441,10 +441,13 @@ void add_sum(const Explanation& e, const Scene& scene, const ExplainStyle& style
     fmt::format_to(out, "  = {:13}{}\n", "value", color(e.value));
     if (scene.settings.alpha) fmt::format_to(out, "    {:13}{}\n", "alpha", e.alpha);
     const bool clamps = std::any_of(e.value, e.value + 3, [](float v) { return v < 0 || v > 1; });
-    const auto written = [&](float v) { return to_number(v, style.file.bits, style.file.transfer); };
-    const std::string name = fmt::format("{}{}", style.file.bits == 8 ? "bytes" : "words",
-                                         style.file.transfer == Transfer::srgb ? ", sRGB" : "");
-    fmt::format_to(out, "    {:13}{} {} {}{}{}\n", name, written(e.value[0]), written(e.value[1]),
+    const auto written = [&](float v) { return to_number(v, style.file.bits, style.file.rule()); };
+    std::string name = style.file.bits == 8 ? "bytes" : "words";
+    if (style.file.gamma != 1) name += fmt::format(", to the power {}", style.file.gamma);
+    if (style.file.transfer == Transfer::srgb) name += ", sRGB";
+    if (style.file.rounding == Rounding::down) name += ", rounded down";
+    if (style.file.rounding == Rounding::half_up) name += ", halves up";
+    fmt::format_to(out, "    {:12} {} {} {}{}{}\n", name, written(e.value[0]), written(e.value[1]),
                    written(e.value[2]), clamps ? "  (clamped to 0 ... 1)" : "",
                    swatch(style, e.value[0], e.value[1], e.value[2]));
 }

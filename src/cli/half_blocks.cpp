@@ -13,7 +13,7 @@ namespace {
 using Pixel = std::array<std::uint8_t, 3>;
 
 // The mean of the pixels in a rectangle; each is clamped as in a file.
-Pixel mean(const Image& image, int x0, int x1, int y0, int y1, Transfer transfer) {
+Pixel mean(const Image& image, int x0, int x1, int y0, int y1, const ByteRule& rule) {
     std::array<double, 3> sum{};
     for (int y = y0; y < y1; ++y) {
         for (int x = x0; x < x1; ++x) {
@@ -24,7 +24,7 @@ Pixel mean(const Image& image, int x0, int x1, int y0, int y1, Transfer transfer
     }
     const double count = double(x1 - x0) * (y1 - y0);
     Pixel pixel;
-    for (std::size_t c = 0; c < 3; ++c) pixel[c] = to_byte(static_cast<float>(sum[c] / count), transfer);
+    for (std::size_t c = 0; c < 3; ++c) pixel[c] = to_byte(static_cast<float>(sum[c] / count), rule);
     return pixel;
 }
 
@@ -33,13 +33,13 @@ int begin_of(int i, int parts, int count) { return static_cast<int>(std::int64_t
 
 }  // namespace
 
-std::string half_blocks(const Image& image, int columns, Transfer transfer) {
+std::string half_blocks(const Image& image, int columns, const ByteRule& rule) {
     const int width = std::clamp(columns, 1, image.width);
     const int height =
         std::max(1, static_cast<int>((std::int64_t{image.height} * width + image.width / 2) / image.width));
     const auto pixel = [&](int x, int y) {
         return mean(image, begin_of(x, width, image.width), begin_of(x + 1, width, image.width),
-                    begin_of(y, height, image.height), begin_of(y + 1, height, image.height), transfer);
+                    begin_of(y, height, image.height), begin_of(y + 1, height, image.height), rule);
     };
     std::string text;
     auto out = std::back_inserter(text);

@@ -80,6 +80,7 @@ int join_command(const JoinArguments& arguments) {
     PictureOutput picture(arguments.output, arguments.numbers, 0, false);
     picture.set_layers(header.layers);
     if (has_alpha(header)) picture.set_alpha();
+    picture.set_rule(rule_of(header));
     const JournalPicture tiles(inputs);
     for (const JournalInput& input : inputs) {
         if (input.journal.damaged)

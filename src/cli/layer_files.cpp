@@ -44,10 +44,10 @@ std::vector<Layer> parse(const std::string& aov) {
     return layers;
 }
 
-// The transfer curve applies to light only, not to normals and other numbers.
+// Gamma and the transfer curve apply to light only, not to normals and other numbers.
 EncodeOptions encoding_of(Layer layer, EncodeOptions encoding) {
     const bool is_light = static_cast<int>(layer) < k_light_layers || layer == Layer::albedo;
-    if (!is_light) encoding.transfer = Transfer::none;
+    if (!is_light) encoding.set_rule({.rounding = encoding.rounding});
     return encoding;
 }
 

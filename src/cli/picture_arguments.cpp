@@ -98,8 +98,8 @@ void add_number_arguments(CLI::App& command, NumberArguments& a) {
     command
         .add_option(
             "--transfer", a.transfer,
-            "none: the numbers as computed (default); srgb: the sRGB curve, for use with photographs. "
-            "OpenEXR is always linear")
+            "none: the numbers as computed; srgb: the sRGB curve, for use with photographs. Default: the "
+            "scene's convention `transfer`, none. OpenEXR is always linear")
         ->check(one_of({"none", "srgb"}))
         ->option_text("none|srgb");
     command
@@ -115,10 +115,12 @@ void add_threads_argument(CLI::App& command, int& threads, const std::string& re
         ->option_text("N");
 }
 
-EncodeOptions encoding_of(const NumberArguments& arguments) {
+EncodeOptions encoding_of(const NumberArguments& arguments, const ByteRule& rule) {
     EncodeOptions options;
     options.bits = arguments.bits;
-    options.transfer = arguments.transfer == "srgb" ? Transfer::srgb : Transfer::none;
+    options.set_rule(rule);
+    if (!arguments.transfer.empty())
+        options.transfer = arguments.transfer == "srgb" ? Transfer::srgb : Transfer::none;
     return options;
 }
 

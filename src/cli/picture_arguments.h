@@ -28,7 +28,7 @@ void add_settings(const PictureArguments& arguments, PictureMemory memory, Scene
 
 /// How the picture's numbers are written to a file.
 struct NumberArguments {
-    std::string transfer = "none";
+    std::string transfer = {};  ///< empty: the scene's
     int bits = 8;
 };
 
@@ -38,8 +38,8 @@ void add_number_arguments(CLI::App& command, NumberArguments& arguments);
 /// Adds --threads, 0 to 1024. `rest` continues its description: ". The picture does not depend on it".
 void add_threads_argument(CLI::App& command, int& threads, const std::string& rest = {});
 
-/// The same as options of encode().
-EncodeOptions encoding_of(const NumberArguments& arguments);
+/// The same as options of encode(). rule: the scene's.
+EncodeOptions encoding_of(const NumberArguments& arguments, const ByteRule& rule);
 
 /// Throws Failure if this machine has too little memory for a picture. bytes: per pixel; a picture without
 /// layers has three floats.

@@ -30,7 +30,7 @@ FileFormat format_of(const std::string& path, const OutputFile& output) {
 }
 
 EncodeOptions encoding_of(const NumberArguments& numbers, FileFormat format, int threads) {
-    EncodeOptions encoding = encoding_of(numbers);
+    EncodeOptions encoding = encoding_of(numbers, {});
     encoding.format = format;
     encoding.threads = threads;
     return encoding;
@@ -42,6 +42,7 @@ bool is_picture_path(const std::string& path) { return format_of_name(path).has_
 
 PictureOutput::PictureOutput(const std::string& path, const NumberArguments& numbers, int threads, bool shows)
     : path_(path),
+      numbers_(numbers),
       output_("--output", path),
       encoding_(encoding_of(numbers, format_of(path, output_), threads)) {
     if (!output_.is_standard_output()) return;
@@ -63,6 +64,8 @@ void PictureOutput::set_alpha() {
     std::vector<Layer> others = layers_.wanted();
     if (std::erase(others, Layer::alpha) > 0) set_layers(others);
 }
+
+void PictureOutput::set_rule(const ByteRule& rule) { encoding_.set_rule(encoding_of(numbers_, rule).rule()); }
 
 double PictureOutput::bytes_a_pixel() const {
     return layers_.bytes_a_pixel() + (alpha_ ? 2 * sizeof(float) : 0);
@@ -137,6 +140,16 @@ bool has_alpha(const JournalHeader& header) {
     const std::pair<std::string, std::string> alpha("alpha", "true");
     return std::find(header.settings.begin(), header.settings.end(), alpha) != header.settings.end() &&
            !header.layers.empty() && header.layers.back() == Layer::alpha;
+}
+
+ByteRule rule_of(const JournalHeader& header) {
+    Scene scene;
+    for (const auto& [key, value] : header.settings) {
+        const auto index = find_setting(key);
+        if (index && (key == "transfer" || key == "gamma" || key == "rounding"))
+            set_setting(scene, *index, value, {});
+    }
+    return scene.conventions.byte_rule();
 }
 
 void put_alpha_last(std::vector<Layer>& layers) {

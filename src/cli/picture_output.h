@@ -23,8 +23,10 @@ class PictureOutput {
     /// as a layer. Throws Failure if the format has no alpha.
     void set_alpha();
     bool has_alpha() const { return alpha_; }
+    /// The scene's rule, as far as the arguments do not say otherwise.
+    void set_rule(const ByteRule& rule);
 
-    Transfer transfer() const { return encoding_.transfer; }
+    ByteRule rule() const { return encoding_.rule(); }
     bool is_stream() const { return output_.is_stream(); }
     /// The regular file of the picture, with links followed.
     const std::string& target() const { return output_.target(); }
@@ -47,6 +49,7 @@ class PictureOutput {
                                     std::span<const float> rgb) const;
 
     const std::string path_;
+    const NumberArguments numbers_;
     OutputFile output_;
     EncodeOptions encoding_;
     LayerFiles layers_;
@@ -55,6 +58,8 @@ class PictureOutput {
 
 /// Whether the picture of a journal has an alpha channel.
 bool has_alpha(const JournalHeader& header);
+/// The rule of the scene of a journal.
+ByteRule rule_of(const JournalHeader& header);
 /// Moves the layer alpha to the end of the list, or adds it there.
 void put_alpha_last(std::vector<Layer>& layers);
 

@@ -10,7 +10,7 @@
 namespace glint::cli {
 
 std::string print_rays(const Explanation& e, const Scene& scene, int y, const ExplainStyle& style) {
-    const auto written = [&](float v) { return to_number(v, style.file.bits, style.file.transfer); };
+    const auto written = [&](float v) { return to_number(v, style.file.bits, style.file.rule()); };
     std::string text = fmt::format("Pixel: [{}, {}] Color: ({}, {}, {})\n", e.x, y, written(e.value[0]),
                                    written(e.value[1]), written(e.value[2]));
     auto out = std::back_inserter(text);

@@ -110,6 +110,7 @@ int render_command(RenderArguments& arguments, const RenderHooks& hooks) {
         put_alpha_last(options.layers);
         if (target) target->set_alpha();
     }
+    if (target) target->set_rule(loaded.scene.conventions.byte_rule());
     if (hooks.loaded) hooks.loaded();
     options.crop = crop_of(arguments, loaded.scene.settings);
     const Crop rendered =
@@ -141,7 +142,7 @@ int render_command(RenderArguments& arguments, const RenderHooks& hooks) {
     times.encode = target->write(result);
     if (stats) stats->write(bytes_of(stats_text(result, times)));
     if (arguments.show)
-        fmt::print("{}", half_blocks(result.image, terminal_columns(STDOUT_FILENO), target->transfer()));
+        fmt::print("{}", half_blocks(result.image, terminal_columns(STDOUT_FILENO), target->rule()));
     print_result(arguments, target->path(), target->size_text(), result, times, seconds_since(start),
                  count_warnings(loaded.warnings));
     return k_done;

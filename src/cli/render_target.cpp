@@ -45,6 +45,10 @@ void RenderTarget::set_alpha() {
     if (picture_) picture_->set_alpha();
 }
 
+void RenderTarget::set_rule(const ByteRule& rule) {
+    if (picture_) picture_->set_rule(rule);
+}
+
 bool RenderTarget::is_in_strips(const Crop& picture) const {
     if (tiles_) return true;
     if (arguments_.show || picture_->is_stream()) return false;

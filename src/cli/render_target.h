@@ -22,9 +22,10 @@ class RenderTarget {
     void set_layers(const std::vector<Layer>& layers);
     /// The picture has an alpha channel: the last layer that is rendered. Throws Failure.
     void set_alpha();
+    void set_rule(const ByteRule& rule);
 
     const std::string& path() const { return path_; }
-    Transfer transfer() const { return picture_->transfer(); }
+    ByteRule rule() const { return picture_->rule(); }
     /// Throws Failure if this machine has not the memory for a picture that will be in memory as a whole.
     void check_memory(const Crop& picture) const;
 

@@ -12,6 +12,7 @@
 #include "cli/progress.h"
 #include "cli/render_or_fail.h"
 #include "cli/text.h"
+#include "image/quantize.h"
 
 namespace glint::cli {
 namespace {
@@ -134,7 +135,7 @@ int vary_command(SceneOption& scene, const Variation& variation, int threads, bo
             Result<World> changed = with_rules(prepared, loaded.scene.conventions, loaded.scene.settings);
             // Other changes, and invalid values, need prepare(), which reports errors.
             const World world = changed ? *std::move(changed) : prepare_or_fail(loaded.scene, threads);
-            Image now = render_or_fail(world, threads);
+            Image now = as_written(render_or_fail(world, threads), loaded.scene.conventions.byte_rule());
             steps.push_back({value, {}});
             if (!before.rgb.empty()) {
                 CompareOptions options;

@@ -19,6 +19,7 @@
 #include "cli/scene_arguments.h"
 #include "cli/terminal.h"
 #include "cli/text.h"
+#include "image/quantize.h"
 
 namespace glint::cli {
 namespace {
@@ -91,7 +92,7 @@ Side render_side(const VersusArguments& arguments, const std::vector<std::string
         side.name += fmt::format(", exponents times {}", k_matching_factor);
     }
     side.world = prepare_or_fail(scene);
-    side.image = render_or_fail(side.world);
+    side.image = as_written(render_or_fail(side.world), side.loaded.scene.conventions.byte_rule());
     return side;
 }
 
@@ -121,6 +122,7 @@ Image side_by_side(const Image& a, const Image& b, const Image& difference) {
 std::string explained(const Side& side, const LargestDifference& pixel, ExplainStyle style) {
     const int n = side.loaded.scene.settings.samples;
     style.sample = n / 2 * n + n / 2;
+    style.file.set_rule(side.loaded.scene.conventions.byte_rule());
     ExplainOptions options;
     options.sample = style.sample;
     const auto explanation = explain(side.loaded.scene, side.world, pixel.x, pixel.y, options);
@@ -131,7 +133,9 @@ std::string explained(const Side& side, const LargestDifference& pixel, ExplainS
 std::string explained_json(const Side& side, const LargestDifference& pixel) {
     const auto explanation = explain(side.loaded.scene, side.world, pixel.x, pixel.y);
     if (!explanation) throw_failure(explanation);
-    return explanation_json(*explanation, side.loaded.scene).value();
+    EncodeOptions file;
+    file.set_rule(side.loaded.scene.conventions.byte_rule());
+    return explanation_json(*explanation, side.loaded.scene, file).value();
 }
 
 // Whether the pixel's neighbours have nearly its colour in the displayed picture.

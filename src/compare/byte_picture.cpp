@@ -10,11 +10,11 @@
 
 namespace glint {
 
-BytePicture to_bytes(const Image& image, int threads, Transfer transfer) {
+BytePicture to_bytes(const Image& image, int threads, const ByteRule& rule) {
     BytePicture picture{image.width, image.height, std::vector<std::uint8_t>(image.rgb.size())};
     const std::size_t row = std::size_t{3} * image.width;
     parallel_for(static_cast<std::size_t>(image.height), threads, [&](std::size_t y) {
-        quantize_row(&image.rgb[y * row], row, 8, transfer, &picture.rgb[y * row]);
+        quantize_row(&image.rgb[y * row], row, 8, rule, &picture.rgb[y * row]);
     });
     return picture;
 }

@@ -22,7 +22,7 @@ struct BytePicture {
 };
 
 /// The bytes that encode() writes. Throws bad_alloc.
-BytePicture to_bytes(const Image& image, int threads, Transfer transfer = Transfer::none);
+BytePicture to_bytes(const Image& image, int threads, const ByteRule& rule = {});
 
 /// The same, as an image. Throws bad_alloc.
 Image to_floats(const BytePicture& picture);

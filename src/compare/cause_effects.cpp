@@ -95,7 +95,7 @@ std::vector<CauseEffect> effects_of(const SceneRenderer& renderer, const SceneSe
             Image image = made->image;
             for (std::size_t k = 0; k < image.rgb.size(); ++k)
                 image.rgb[k] += static_cast<float>(factor) * (plain.rgb[k] - image.rgb[k]);
-            BytePicture bytes = to_bytes(image, 1);
+            BytePicture bytes = to_bytes(image, 1, renderer.rule(renderer.scene().shading));
             effects.push_back(
                 {causes.scaled_candidate(i, factor, true), {std::move(image), std::move(bytes)}, true});
         }

@@ -92,7 +92,8 @@ void PairSearch::try_scene(const CauseCandidate& first, std::size_t most, bool w
         if (!factor || *factor < k_min_multiple) continue;
         for (std::size_t k = 0; k < part.size(); ++k) sum[k] += static_cast<float>(*factor) * part[k];
         (first.edit ? pair.after : pair.before) = causes_.scaled_candidate(i, *factor, true);
-        pair.after.left = distance(to_bytes(made->image, 1), coarse.faulty, coarse.area);
+        pair.after.left = distance(to_bytes(made->image, 1, renderer_.rule(renderer_.scene().shading)),
+                                   coarse.faulty, coarse.area);
         add(trial, std::move(pair.before), std::move(pair.after));
     }
 }

@@ -58,8 +58,10 @@ void set_grid(Scene& scene, const PixelGrid& grid) {
     const PreparedCamera camera = prepare_camera(scene.camera, scene.settings);
     const double across = static_cast<double>(grid.step) * grid.columns() / grid.width,
                  along = static_cast<double>(grid.step) * grid.rows() / grid.height;
-    // A corner's rays pass half a pixel further left and down.
-    const double half = scene.conventions.pixel_sample == PixelSample::corner ? 0.5 : 0;
+    // The rays of the bottom-left corner pass half a pixel further left and down, those of the top-right one
+    // further right and up.
+    const PixelSample where = scene.conventions.pixel_sample;
+    const double half = where == PixelSample::corner ? 0.5 : where == PixelSample::top_right ? -0.5 : 0;
     const Vec3 shift = camera.right * ((across - 1) / 2 - half / grid.width) +
                        camera.up * ((1 - along) / 2 - half / grid.height);
     const bool perspective = scene.camera.projection == Projection::perspective;

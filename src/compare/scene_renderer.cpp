@@ -45,6 +45,10 @@ SceneRenderer::SceneRenderer(const Scene& scene, std::int32_t width, std::int32_
     drop_shapes(named);
 }
 
+ByteRule SceneRenderer::rule(const Scene& scene) const {
+    return options_.as_floats ? ByteRule{} : scene.conventions.byte_rule();
+}
+
 bool SceneRenderer::is_cancelled() const {
     return options_.cancel != nullptr && options_.cancel->load(std::memory_order_relaxed);
 }
@@ -66,7 +70,7 @@ std::optional<RenderedScene> SceneRenderer::render(const FaultyScene& faulty, co
     Result<Rendering> result = render_scene(world, shading, options_.threads, options_.cancel);
     if (!result) return std::nullopt;
     RenderedScene rendered{std::move(result->image), {}};
-    rendered.bytes = to_bytes(rendered.image, options_.threads);
+    rendered.bytes = to_bytes(rendered.image, options_.threads, rule(shading));
     return rendered;
 }
 

@@ -50,6 +50,8 @@ class SceneRenderer {
     std::optional<RenderedScene> render(const FaultyScene& faulty, const PixelGrid& grid) const;
     bool is_cancelled() const;
     int threads() const { return options_.threads; }
+    /// The rule by which a rendered picture becomes the bytes that are compared.
+    ByteRule rule(const Scene& scene) const;
 
   private:
     FaultyScene scene_;

@@ -65,7 +65,7 @@ std::optional<RenderedScene> render_candidate(const SceneRenderer& renderer, con
     });
     if (!image) return std::nullopt;
     RenderedScene rendered{std::move(*image), {}};
-    rendered.bytes = to_bytes(rendered.image, renderer.threads());
+    rendered.bytes = to_bytes(rendered.image, renderer.threads(), renderer.rule(base.shading));
     return rendered;
 }
 
@@ -202,7 +202,8 @@ void SceneSearch::try_multiples(const std::vector<Search*>& searches, std::size_
         if (!factor) continue;
         Image image = without.image;
         for (std::size_t i = 0; i < part.size(); ++i) image.rgb[i] += static_cast<float>(*factor) * part[i];
-        search->judge(to_bytes(image, 1), scaled_candidate(row, *factor, false));
+        search->judge(to_bytes(image, 1, renderer_.rule(scene_.shading)),
+                      scaled_candidate(row, *factor, false));
     }
 }
 

@@ -225,8 +225,12 @@ Result<std::string> explanation_json(const Explanation& e, const Scene& scene, c
         json["value"] = to_json(e.value);
         json["alpha"] = e.alpha;
         json["transfer"] = file.transfer == Transfer::srgb ? "srgb" : "none";
+        json["gamma"] = file.gamma;
+        json["rounding"] = file.rounding == Rounding::down      ? "down"
+                           : file.rounding == Rounding::half_up ? "half_up"
+                                                                : "half_even";
         for (const float v : e.value)
-            json[file.bits == 8 ? "bytes" : "words"].push_back(to_number(v, file.bits, file.transfer));
+            json[file.bits == 8 ? "bytes" : "words"].push_back(to_number(v, file.bits, file.rule()));
         for (int l = 0; l < k_light_layers; ++l)
             json["layers"][std::string(layer_infos()[static_cast<std::size_t>(l)].name)] =
                 to_json(e.layers[l]);

@@ -92,14 +92,16 @@ WantedPicture PartRenderer::render(const RubricRow& row) const {
         Result<Rendering> rendered = render_plain(wanted.scene);
         wanted.error = rendered.message;
         if (!rendered) return;
-        wanted.bytes = to_bytes(rendered->image, options_.threads);
+        wanted.bytes = to_bytes(rendered->image, options_.threads, wanted.scene.conventions.byte_rule());
         wanted.image = rounded(wanted.bytes);
         wanted.counts = away_from_edges(wanted.bytes, options_.threads);
         if (row.without.empty()) return;
         rendered = render_plain(with_settings(wanted.scene, row.without));
         wanted.error = rendered.message;
         if (!rendered) return;
-        wanted.shows = that_differ(wanted.counts, to_bytes(rendered->image, options_.threads), wanted.bytes);
+        wanted.shows = that_differ(
+            wanted.counts, to_bytes(rendered->image, options_.threads, wanted.scene.conventions.byte_rule()),
+            wanted.bytes);
         if (marked(wanted.shows) == 0)
             wanted.error = "this part shows nothing in this scene: with and without it is the same picture";
     });
@@ -150,7 +152,7 @@ std::optional<PartRenderer::FaultyPicture> PartRenderer::render_faulty(const Rub
     std::optional<Image> image = make != nullptr ? (*make)(made.scene, render) : render(made.scene);
     if (!image) return std::nullopt;
     made.image = std::move(*image);
-    made.bytes = to_bytes(made.image, options_.threads);
+    made.bytes = to_bytes(made.image, options_.threads, shading.conventions.byte_rule());
     for (const NamedFault& fault : chain.faults) {
         if (!fault.of_pictures) continue;
         const PictureCause& cause = picture_causes()[*fault.of_pictures];

@@ -26,6 +26,8 @@ std::string fault(const Image& image, const EncodeOptions& options) {
     if (options.bits != 8 && options.bits != 16) return "a channel has 8 or 16 bits";
     if (options.format > FileFormat::exr) return "there is no such file format";
     if (options.transfer > Transfer::srgb) return "there is no such transfer curve";
+    if (options.rounding > Rounding::down) return "there is no such rounding";
+    if (!(options.gamma > 0 && options.gamma <= 100)) return "gamma: expected a number > 0 and at most 100";
     return {};
 }
 

@@ -48,8 +48,8 @@ void quantize_straight(const float* rgba, std::size_t pixels, const EncodeOption
         const float alpha = rgba[3];
         float color[3] = {};
         for (int c = 0; c < 3 && alpha > 0; ++c) color[c] = rgba[c] / alpha;
-        quantize_row(color, 3, options.bits, options.transfer, out);
-        quantize_row(&alpha, 1, options.bits, Transfer::none, out + 3 * bytes);
+        quantize_row(color, 3, options.bits, options.rule(), out);
+        quantize_row(&alpha, 1, options.bits, ByteRule{}, out + 3 * bytes);
     }
 }
 
@@ -67,7 +67,7 @@ Bytes filter_rows(std::span<const float> rows, std::int32_t width, const EncodeO
         if (alpha) {
             quantize_straight(&rows[first], static_cast<std::size_t>(width), options, row.data());
         } else {
-            quantize_row(&rows[first], samples, options.bits, options.transfer, row.data());
+            quantize_row(&rows[first], samples, options.bits, options.rule(), row.data());
         }
         *out++ = 1;
         std::memcpy(out, row.data(), pixel_bytes);

@@ -22,7 +22,7 @@ class PpmEncoder : public StripEncoder {
         const std::size_t sample_bytes = options_.bits / 8;
         strip.bytes.resize(values.size() * sample_bytes);
         for (std::size_t first = 0; first < values.size(); first += samples_) {
-            quantize_row(&values[first], samples_, options_.bits, options_.transfer,
+            quantize_row(&values[first], samples_, options_.bits, options_.rule(),
                          &strip.bytes[first * sample_bytes]);
         }
         return strip;

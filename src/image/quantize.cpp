@@ -13,36 +13,51 @@ double srgb_encode(double linear) {
     return 1.055 * pow(linear, 1 / 2.4) - 0.055;
 }
 
-std::uint32_t to_number(float value, int bits, Transfer transfer) {
+std::uint32_t to_number(float value, int bits, const ByteRule& rule) {
     const DefaultFpEnvironment environment;
     std::uint8_t bytes[2] = {};
-    quantize_row(&value, 1, bits, transfer, bytes);
+    quantize_row(&value, 1, bits, rule, bytes);
     return bits == 8 ? bytes[0] : bytes[0] * 256u + bytes[1];
 }
 
-std::uint8_t to_byte(float value, Transfer transfer) {
-    return static_cast<std::uint8_t>(to_number(value, 8, transfer));
+std::uint32_t to_number(float value, int bits, Transfer transfer) {
+    return to_number(value, bits, ByteRule{transfer});
 }
 
-void quantize_row(const float* values, std::size_t count, int bits, Transfer transfer, std::uint8_t* out) {
-    const auto each = [=](auto curve) {
-        if (bits == 8) {
-            for (std::size_t i = 0; i < count; ++i) {
-                out[i] = static_cast<std::uint8_t>(quantize(curve(static_cast<double>(values[i])), 255));
-            }
-            return;
-        }
+std::uint8_t to_byte(float value, const ByteRule& rule) {
+    return static_cast<std::uint8_t>(to_number(value, 8, rule));
+}
+
+std::uint8_t to_byte(float value, Transfer transfer) { return to_byte(value, ByteRule{transfer}); }
+
+void quantize_row(const float* values, std::size_t count, int bits, const ByteRule& rule, std::uint8_t* out) {
+    const auto each = [=](auto whole) {
         for (std::size_t i = 0; i < count; ++i) {
-            const std::uint32_t word = quantize(curve(static_cast<double>(values[i])), 65535);
-            out[2 * i] = static_cast<std::uint8_t>(word >> 8);
-            out[2 * i + 1] = static_cast<std::uint8_t>(word);
+            const double value = static_cast<double>(values[i]);
+            if (bits == 8) {
+                out[i] = static_cast<std::uint8_t>(whole(value, 255));
+            } else {
+                const std::uint32_t word = whole(value, 65535);
+                out[2 * i] = static_cast<std::uint8_t>(word >> 8);
+                out[2 * i + 1] = static_cast<std::uint8_t>(word);
+            }
         }
     };
-    if (transfer == Transfer::srgb) {
-        each(srgb_encode);
-    } else {
-        each([](double value) { return value; });
-    }
+    if (rule == ByteRule{}) return each([](double value, double scale) { return quantize(value, scale); });
+    each([&](double value, double scale) {
+        if (rule.gamma != 1) value = value > 0 && value < 1 ? pow(value, rule.gamma) : value;
+        if (rule.transfer == Transfer::srgb) value = srgb_encode(value);
+        return quantize(value, scale, rule.rounding);
+    });
+}
+
+Image as_written(Image image, const ByteRule& rule) {
+    if (rule == ByteRule{}) return image;
+    const DefaultFpEnvironment environment;
+    std::vector<std::uint8_t> bytes(image.rgb.size());
+    quantize_row(image.rgb.data(), bytes.size(), 8, rule, bytes.data());
+    for (std::size_t i = 0; i < bytes.size(); ++i) image.rgb[i] = static_cast<float>(bytes[i]) / 255;
+    return image;
 }
 
 }  // namespace glint

@@ -12,8 +12,12 @@ namespace glint {
 /// The sRGB transfer curve (IEC 61966-2-1); maps 0 to 0 and 1 to 1. Smaller values and NaN give 0, larger 1.
 double srgb_encode(double linear);
 
-/// Converts `count` channel values to samples of a file: `bits` / 8 bytes each, big-endian, rounded to
-/// nearest.
-void quantize_row(const float* values, std::size_t count, int bits, Transfer transfer, std::uint8_t* out);
+/// Converts `count` channel values to samples of a file: `bits` / 8 bytes each, big-endian, by
+/// the rule.
+void quantize_row(const float* values, std::size_t count, int bits, const ByteRule& rule, std::uint8_t* out);
+
+/// The picture as a file with 8 bits gives it back: n / 255 for each byte n. Unchanged by the default rule,
+/// which decides about bytes where they are needed.
+Image as_written(Image image, const ByteRule& rule);
 
 }  // namespace glint

@@ -4,6 +4,8 @@
 #include <bit>
 #include <cstdint>
 
+#include "glint/bytes.h"
+
 namespace glint {
 
 /// Clamps to [0, 1] (NaN gives 0), multiplies by `scale` (255 or 65535) and rounds half to even. The product
@@ -13,6 +15,13 @@ inline std::uint32_t quantize(double value, double scale) {
     const double clamped = value > 0 ? (value < 1 ? value : 1) : 0;
     constexpr double two_to_52 = 4503599627370496.0;
     return static_cast<std::uint32_t>(std::bit_cast<std::uint64_t>(clamped * scale + two_to_52));
+}
+
+/// The same with another rounding.
+inline std::uint32_t quantize(double value, double scale, Rounding rounding) {
+    if (rounding == Rounding::half_even) return quantize(value, scale);
+    const double clamped = value > 0 ? (value < 1 ? value : 1) : 0;
+    return static_cast<std::uint32_t>(clamped * scale + (rounding == Rounding::half_up ? 0.5 : 0));
 }
 
 }  // namespace glint

@@ -16,7 +16,7 @@
 namespace glint {
 namespace {
 
-constexpr std::string_view k_pixel_samples[] = {"center", "corner", "whole"};
+constexpr std::string_view k_pixel_samples[] = {"center", "corner", "whole", "top_right"};
 constexpr std::string_view k_ray_directions[] = {"unit", "viewport"};
 constexpr std::string_view k_offsets[] = {"ray", "normal", "facing", "direction", "scale"};
 constexpr std::string_view k_mirrors[] = {"blend", "add"};
@@ -31,6 +31,8 @@ constexpr std::string_view k_facings[] = {"none", "open", "all"};
 constexpr std::string_view k_spot_falloffs[] = {"cubic", "linear"};
 constexpr std::string_view k_fog_distances[] = {"ray", "depth"};
 constexpr std::string_view k_area_shadings[] = {"samples", "center"};
+constexpr std::string_view k_transfers[] = {"none", "srgb"};
+constexpr std::string_view k_roundings[] = {"half_even", "half_up", "down"};
 constexpr std::string_view k_shadings[] = {"phong", "blinn-phong", "diffuse", "color", "normals"};
 
 std::string found(std::string_view expected, std::string_view text) {
@@ -307,6 +309,15 @@ constexpr Row k_rows[] = {
         "what fog depends on: the distance along the ray, or of camera rays the depth along the view", true),
     bool_row<&C::fog_background>("fog_background", "the background is in the fog, at an infinite distance",
                                  true),
+    word_row<&C::transfer, k_transfers>(
+        "transfer", "the curve from numbers to bytes: none, or sRGB's; OpenEXR is always linear", true),
+    number_row<&C::gamma, k_gamma>(
+        "gamma", "numbers are raised to this power before the transfer curve: POV-Ray's assumed_gamma"),
+    word_row<&C::rounding, k_roundings>(
+        "rounding",
+        "how 255 v becomes a byte: the nearest, halves to the even one or up; or "
+        "down, without what is behind the point",
+        true),
     {{"size", "WIDTHxHEIGHT, each from 1 to 65536", "the size of the picture in pixels", false},
      parse_size,
      print_size},

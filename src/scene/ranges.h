@@ -34,6 +34,7 @@ inline constexpr Range k_angle{0, 180, true, true, "an angle between 0 and 180 d
 /// Of a spot's cone, off its axis.
 inline constexpr Range k_cone_angle{0, 180, false, false, "an angle from 0 to 180 degrees"};
 inline constexpr Range k_cone_limit{0, 180, true, false, "an angle > 0 and at most 180 degrees"};
+inline constexpr Range k_gamma{0, 100, true, false, "a number > 0 and at most 100"};
 inline constexpr Range k_index_of_refraction{0, 1e6, true, false, "a number > 0 and at most 1e6"};
 inline constexpr Range k_attenuation{0, 1e12, false, false, "a number from 0 to 1e12"};
 inline constexpr Range k_not_negative{0, 1e12, false, false, "a number from 0 to 1e12"};

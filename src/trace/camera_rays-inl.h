@@ -33,7 +33,9 @@ template <class Visit> HWY_INLINE void for_each_row(const TileJob& job, const Vi
 }
 
 /// The ray's position in its pixel or subpixel, from the top-left corner.
-HWY_INLINE double offset_x(PixelSample where) { return where == PixelSample::center ? 0.5 : 0; }
+HWY_INLINE double offset_x(PixelSample where) {
+    return where == PixelSample::center ? 0.5 : where == PixelSample::top_right ? 1 : 0;
+}
 HWY_INLINE double offset_y(PixelSample where) {
     return where == PixelSample::center ? 0.5 : where == PixelSample::corner ? 1 : 0;
 }

@@ -113,6 +113,7 @@ Result<Rendering> render_picture(const WorldParts& world, const RenderOptions& o
                                  const Kernels& kernels, const Crop& crop) {
     Rendering result;
     result.isa = kernels.isa;
+    result.rule = world.conventions.byte_rule();
     result.has_alpha = world.settings.alpha;
     result.threads = thread_count(options.threads);
     result.image.width = crop.width;

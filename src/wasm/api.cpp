@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "math/quantize.h"
+#include "image/quantize.h"
 #include "wasm/describe.h"
 #include "wasm/judge.h"
 #include "wasm/request.h"
@@ -185,13 +185,13 @@ const std::uint8_t* glint_pixels(GlintScene* scene) {
     const std::vector<float>& rgb = scene->image.rgb;
     if (rgb.empty()) return nullptr;
     scene->pixels.resize(rgb.size() / 3 * 4);
+    const glint::ByteRule rule = scene->scene->conventions.byte_rule();
     for (std::size_t from = 0, to = 0; from < rgb.size(); from += 3, to += 4) {
         // Straight alpha, as in PNG.
         const float alpha = scene->alpha.empty() ? 1 : scene->alpha[from / 3];
         for (std::size_t c = 0; c < 3; ++c) {
             const float value = alpha == 1 ? rgb[from + c] : alpha > 0 ? rgb[from + c] / alpha : 0;
-            scene->pixels[to + c] =
-                static_cast<std::uint8_t>(glint::quantize(static_cast<double>(value), 255));
+            glint::quantize_row(&value, 1, 8, rule, &scene->pixels[to + c]);
         }
         scene->pixels[to + 3] = static_cast<std::uint8_t>(glint::quantize(static_cast<double>(alpha), 255));
     }
@@ -204,7 +204,9 @@ const char* glint_explain(GlintScene* scene, std::int32_t x, std::int32_t y) {
     scene->answer = "null";
     if (!scene->world) return scene->answer.c_str();
     const auto explanation = glint::explain(*scene->scene, *scene->world, x, y);
-    const auto text = explanation ? glint::explanation_json(*explanation, *scene->scene)
+    glint::EncodeOptions file;
+    file.set_rule(scene->scene->conventions.byte_rule());
+    const auto text = explanation ? glint::explanation_json(*explanation, *scene->scene, file)
                                   : glint::Result<std::string>(glint::Status(explanation));
     scene->answer =
         text ? *text

@@ -250,7 +250,8 @@ export interface ExplainedSecondaryRay {
 }
 
 export interface ExplainedHit {
-    shape: NamedItem & {kind: string};
+    /** color: the shape's own, in place of the material's. */
+    shape: NamedItem & {kind: string; color?: Vec3};
     material: NamedItem & {
         color: Vec3;
         ambient: Vec3;
@@ -335,8 +336,10 @@ export interface Explanation {
     value: Vec3;
     /** As in the layer of this name. */
     alpha: number;
-    /** The transfer of the file with these bytes. */
-    transfer: 'none';
+    /** How the numbers become these bytes: the scene's conventions of the same names. */
+    transfer: 'none' | 'srgb';
+    gamma: number;
+    rounding: 'half_even' | 'half_up' | 'down';
     bytes: Vec3;
     layers: Record<LightLayer, Vec3>;
     rays: ExplainedRay[];

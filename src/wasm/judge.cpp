@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "wasm/judge.h"
 
+#include "image/quantize.h"
 #include "wasm/describe.h"
 
 namespace glint::wasm {
@@ -28,7 +29,8 @@ Json comparison(const std::optional<World>& world, const std::optional<World>& r
     if (!world || !reference) return {{"error", "one of the scenes has errors"}};
     const Result<Rendering> a = render(*world, {.threads = 1}), b = render(*reference, {.threads = 1});
     if (!a || !b) return {{"error", a ? b.message : a.message}};
-    const Result<PictureDifference> difference = compare(a->image, b->image, {.threads = 1});
+    const Image picture = as_written(a->image, a->rule), wanted = as_written(b->image, b->rule);
+    const Result<PictureDifference> difference = compare(picture, wanted, {.threads = 1});
     if (!difference) return {{"error", difference.message}};
     const PixelCounts& all = difference->all;
     Json json = {
@@ -43,7 +45,7 @@ Json comparison(const std::optional<World>& world, const std::optional<World>& r
         {"largest",
          {{"value", difference->largest.value}, {"x", difference->largest.x}, {"y", difference->largest.y}}}};
     if (faults == nullptr) return json;
-    const Result<CauseReport> report = find_causes(a->image, b->image, faults, {.threads = 1});
+    const Result<CauseReport> report = find_causes(picture, wanted, faults, {.threads = 1});
     if (!report) return {{"error", report.message}};
     json["remark"] = report->remark;
     json["causes"] = causes_json(report->causes);

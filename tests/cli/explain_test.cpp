@@ -51,7 +51,13 @@ TEST(Explain, TheBytesOfTheJsonAreTheFiles) {
 TEST(Explain, TheNumbersAreThoseOfTheFileThatRenderWrites) {
     const Folder folder;
     const std::vector<std::string> cases[] = {
-        {"--bits", "8"}, {"--bits", "16"}, {"--transfer", "srgb"}, {"--transfer", "srgb", "--bits", "16"}};
+        {"--bits", "8"},
+        {"--bits", "16"},
+        {"--transfer", "srgb"},
+        {"--transfer", "srgb", "--bits", "16"},
+        {"--convention", "rounding=down"},
+        {"--convention", "transfer=srgb", "--convention", "gamma=2.2", "--convention", "rounding=half_up"},
+        {"--convention", "transfer=srgb", "--transfer", "none"}};
     for (const std::vector<std::string>& more : cases) {
         std::vector<std::string> render = {"render", k_castle, "-s", "40x40", "-q", "-o", "c.png"},
                                  tell = {"explain", k_castle, "-s", "40x40", "-p", "20,30"};

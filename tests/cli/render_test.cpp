@@ -149,6 +149,50 @@ TEST(Render, BitsAndTransfer) {
     EXPECT_TRUE(brighter);
 }
 
+TEST(Render, TheSceneSaysHowNumbersBecomeBytes) {
+    const Folder folder;
+    folder.write("a.cgfs", k_scene);
+    const auto draw = [&](std::vector<std::string> more) {
+        std::vector<std::string> arguments = {"render", "a.cgfs", "-s", "90x20", "-q", "-o", "x.png"};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        EXPECT_EQ(run(folder, arguments).code, 0);
+        return folder.read("x.png");
+    };
+    const std::vector<std::string> convention = {"--convention", "transfer=srgb"};
+    const std::string plain = draw({}), srgb = draw({"--transfer", "srgb"});
+    EXPECT_NE(plain, srgb);
+    EXPECT_EQ(draw(convention), srgb);
+    EXPECT_EQ(draw({"--convention", "transfer=srgb", "--transfer", "none"}), plain);
+    EXPECT_EQ(draw({"--convention", "transfer=srgb", "--resume"}), srgb);
+    EXPECT_NE(draw({"--convention", "rounding=down"}), plain);
+    EXPECT_NE(draw({"--convention", "gamma=2"}), plain);
+    for (const std::string part : {"1", "2"}) {
+        ASSERT_EQ(run(folder, {"render", "a.cgfs", "-s", "90x20", "--convention", "transfer=srgb", "--part",
+                               part + "/2", "-o", part + ".tiles"})
+                      .code,
+                  0);
+    }
+    ASSERT_EQ(run(folder, {"join", "1.tiles", "2.tiles", "-o", "x.png"}).code, 0);
+    EXPECT_EQ(folder.read("x.png"), srgb);
+    // OpenEXR is linear.
+    ASSERT_EQ(run(folder, {"render", "a.cgfs", "-s", "20x20", "-o", "a.exr"}).code, 0);
+    ASSERT_EQ(
+        run(folder, {"render", "a.cgfs", "-s", "20x20", "-o", "b.exr", "--convention", "transfer=srgb"}).code,
+        0);
+    EXPECT_EQ(folder.read("a.exr"), folder.read("b.exr"));
+    // Pictures compared with the scene are those that render writes.
+    ASSERT_EQ(run(folder, {"convert", "a.cgfs", "a.glint"}).code, 0);
+    const std::string text = folder.read("a.glint");
+    const std::size_t at = text.find("render {");
+    ASSERT_NE(at, std::string::npos);
+    folder.write("b.glint",
+                 text.substr(0, at) + "conventions { transfer = srgb  rounding = down }\n" + text.substr(at));
+    ASSERT_EQ(run(folder, {"render", "b.glint", "-s", "60x60", "-o", "right.png"}).code, 0);
+    ASSERT_EQ(run(folder, {"render", "b.glint", "-s", "60x60", "--no-shadows", "-o", "wrong.png"}).code, 0);
+    const Finished r = run(folder, {"compare", "wrong.png", "right.png", "--scene", "b.glint"});
+    EXPECT_TRUE(contains(r.out, "shadows")) << r.out << r.err;
+}
+
 TEST(Render, CropIsAPartOfTheWhole) {
     const Folder folder;
     folder.write("a.cgfs", k_scene);

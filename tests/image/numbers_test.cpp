@@ -2,6 +2,7 @@
 // The conversion of floats to the numbers of a file.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cfenv>
 #include <cmath>
 #include <limits>
@@ -49,6 +50,40 @@ TEST(ToByte, IsTheNearestForEveryFloatNearATie) {
             ASSERT_EQ(to_byte(v), static_cast<int>(std::nearbyint(exact))) << v;
         }
     }
+}
+
+TEST(ToByte, FollowsTheRule) {
+    const ByteRule up{.rounding = Rounding::half_up}, down{.rounding = Rounding::down};
+    EXPECT_EQ(to_byte(0.5f, up), 128);
+    EXPECT_EQ(to_byte(1.5f / 255, up), 2);
+    EXPECT_EQ(to_byte(std::nextafter(0.5f, 0.0f), up), 127);
+    EXPECT_EQ(to_byte(std::nextafter(1.0f, 0.0f), down), 254);
+    EXPECT_EQ(to_byte(1.0f, down), 255);
+    EXPECT_EQ(to_number(0.5f, 16, down), 32767u);
+    for (int k = 0; k < 100000; ++k) {
+        const float v = static_cast<float>(k) / 90000;
+        const long double exact = std::min(static_cast<long double>(v), 1.0L) * 255;
+        ASSERT_EQ(to_byte(v, down), static_cast<int>(std::floor(exact))) << v;
+        ASSERT_EQ(to_byte(v, up), static_cast<int>(std::floor(exact + 0.5L))) << v;
+    }
+    // POV-Ray's bytes of rgb <.5, .25, .75>, measured.
+    const auto bytes = [](double gamma) {
+        const ByteRule rule{Transfer::srgb, gamma, Rounding::half_up};
+        return std::array{int{to_byte(0.5f, rule)}, int{to_byte(0.25f, rule)}, int{to_byte(0.75f, rule)}};
+    };
+    EXPECT_EQ(bytes(1), (std::array{188, 137, 225}));
+    EXPECT_EQ(bytes(2), (std::array{137, 71, 198}));
+    EXPECT_EQ(bytes(2.2), (std::array{128, 61, 193}));
+    for (const float v : {k_nan, -1.0f, 0.0f}) EXPECT_EQ(to_byte(v, ByteRule{Transfer::srgb, 2.2}), 0);
+    EXPECT_EQ(to_byte(k_inf, ByteRule{Transfer::none, 0.1, Rounding::down}), 255);
+}
+
+TEST(ToByte, IsUnchangedInAPictureAsWritten) {
+    const Image image{2, 1, {0.1f, 0.5f, 0.9f, 2, -1, k_nan}};
+    EXPECT_TRUE(std::isnan(as_written(image, {}).rgb[5])) << "the default rule changes nothing";
+    const ByteRule rule{Transfer::srgb, 2, Rounding::down};
+    const Image written = as_written(image, rule);
+    for (std::size_t i = 0; i < 6; ++i) EXPECT_EQ(to_byte(written.rgb[i]), to_byte(image.rgb[i], rule)) << i;
 }
 
 TEST(ToByte, DoesNotDependOnTheRoundingMode) {

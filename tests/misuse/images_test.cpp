@@ -45,6 +45,15 @@ TEST(Misuse, OfEncode) {
     options = {};
     options.transfer = beyond<Transfer>();
     expect_error(encode(good, options), "no such transfer");
+    options = {};
+    options.rounding = beyond<Rounding>();
+    expect_error(encode(good, options), "no such rounding");
+    EXPECT_EQ(EncodeOptions{}.rule(), Conventions{}.byte_rule());
+    for (const double gamma : {0.0, -1.0, 101.0, std::numeric_limits<double>::quiet_NaN()}) {
+        options = {};
+        options.set_rule({Transfer::none, gamma, Rounding::down});
+        expect_error(encode(good, options), "gamma");
+    }
     for (const int bits : {0, -8, 7, 9, 17, 32, std::numeric_limits<int>::max()}) {
         options = {};
         options.bits = bits;
@@ -59,6 +68,11 @@ TEST(Misuse, OfNumbers) {
         EXPECT_EQ(to_byte(nan, transfer), 0);
         EXPECT_EQ(to_byte(-infinity, transfer), 0);
         EXPECT_EQ(to_byte(infinity, transfer), 255);
+        for (const Rounding rounding : {Rounding::half_up, Rounding::down, beyond<Rounding>()}) {
+            EXPECT_EQ(to_byte(nan, ByteRule{transfer, 2.2, rounding}), 0);
+            EXPECT_EQ(to_byte(infinity, ByteRule{transfer, 2.2, rounding}), 255);
+            EXPECT_LE(to_byte(0.5f, ByteRule{transfer, infinity, rounding}), 255);
+        }
         for (const int bits : {16, 0, -1, 7, 64}) {
             EXPECT_EQ(to_number(nan, bits, transfer), 0u);
             EXPECT_EQ(to_number(infinity, bits, transfer), 65535u);

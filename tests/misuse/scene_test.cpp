@@ -63,6 +63,8 @@ TEST(Misuse, OfEnumerations) {
         [](Scene& s) { s.lights[4].samples_v = -2147483647; },
         [](Scene& s) { s.lights[4].samples_v = 2147483647; },
         [](Scene& s) { s.lights[4].adaptive = -1; },
+        [](Scene& s) { s.conventions.transfer = beyond<Transfer>(); },
+        [](Scene& s) { s.conventions.rounding = beyond<Rounding>(); },
     };
     for (const Edit& edit : edits) expect_refused(edit, "an enumeration");
     EXPECT_EQ(to_string(beyond<ShapeKind>()), "unknown shape");

@@ -49,7 +49,8 @@ def tachyon_finish(name, textures, lights, flags=(), render="shading = blinn-pho
                 f"{phong} Color {plain(color)} TexFunc 0")
     surface = f"ambient = {TACHYON_AMBIENT}  diffuse = {TACHYON_DIFFUSE}"
     peer = tachyon_camera() + f"Plane Center 0 0 0 Normal 0 1 0 {texture(FLOOR, 'Phong Plastic 0 Phong_size 30')}\n"
-    own = ("conventions { spot_falloff = linear  clamp_attenuation = false  attenuate_highlights = false  "
+    own = ("conventions { pixel_sample = top_right  rounding = down  "
+           "spot_falloff = linear  clamp_attenuation = false  attenuate_highlights = false  "
            "light_threshold = 0.001959  mirror = add  limit = drop }\n"
            f"render {{ {render} }}\n{tachyon_frame()}light {{ type = ambient }}\n"
            f"plane {{ point = (0, 0, 0)  normal = (0, 1, 0)  color = {paren(FLOOR)}  {surface} }}\n")

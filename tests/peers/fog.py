@@ -41,7 +41,6 @@ RULES = [
     tachyon_fog("tachyon_fog_exp2", "Exp2 Start 1 End 50 Density 0.1", "type = exp2  start = 1  density = 0.1"),
     tachyon_fog("tachyon_fog_in_mirrors", "Exp Start 0 End 50 Density 0.1", "type = exp  density = 0.1", "mirror = add",
                 specular=0.4),
-    # Thin: the view's direction in own_for_tachyon() is moved by half a pixel, and the depth along it too.
     tachyon_fog("tachyon_fog_vmd_linear", "Linear Start 4 End 60 Density 1", "type = linear  start = 4  end = 60",
                 "fog_distance = depth  fog_background = false", "Shader_Mode Full Fog_VMD End_Shader_Mode\n"),
     tachyon_fog("tachyon_fog_vmd_exp2", "Exp2 Start 1 End 50 Density 0.1", "type = exp2  start = 1  density = 0.1",

@@ -83,7 +83,7 @@ def pov_spot(name, radius, falloff, tightness):
                      f"tightness = {tightness}", name)
 
 
-# Tachyon: the sample is the upper right corner of its pixel, bytes are truncated; no highlight, because Tachyon's does not
+# Tachyon: no highlight, because Tachyon's does not
 # depend on attenuation and spot.
 
 TACHYON_AMBIENT, TACHYON_DIFFUSE = 0.1, 0.8
@@ -114,13 +114,12 @@ def tachyon_frame():
     forward = [f / length for f in FORWARD]
     up = (0, forward[2], -forward[1])
     right = (4 / 3, 0, 0)
-    moved = [f + r * 0.5 / WIDTH + u * 0.5 / HEIGHT for f, r, u in zip(forward, right, up)]
-    return f"camera {{ position = {paren(EYE)}  right = {paren(right)}  up = {paren(up)}  forward = {paren(moved)} }}\n"
+    return f"camera {{ position = {paren(EYE)}  right = {paren(right)}  up = {paren(up)}  forward = {paren(forward)} }}\n"
 
 
 def own_for_tachyon(light, conventions):
     surface = f"ambient = {TACHYON_AMBIENT}  diffuse = {TACHYON_DIFFUSE}"
-    text = (f"conventions {{ {conventions} }}\nrender {{ shading = diffuse }}\n{tachyon_frame()}"
+    text = (f"conventions {{ pixel_sample = top_right  rounding = down  {conventions} }}\nrender {{ shading = diffuse }}\n{tachyon_frame()}"
             f"light {{ type = ambient }}\n"
             f"plane {{ point = (0, 0, 0)  normal = (0, 1, 0)  color = {paren(FLOOR)}  {surface} }}\n")
     for center, radius, color in BALLS:

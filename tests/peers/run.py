@@ -16,11 +16,12 @@ import alpha
 import finish
 import fog
 import lights
+import output
 import sky
 import transparency
 
 SHARE = 0.99
-LISTS = [lights.RULES, fog.RULES, alpha.RULES, finish.RULES, transparency.RULES, sky.RULES]
+LISTS = [lights.RULES, fog.RULES, alpha.RULES, finish.RULES, transparency.RULES, sky.RULES, output.RULES]
 
 
 def read_ppm(path):

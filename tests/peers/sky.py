@@ -47,9 +47,7 @@ def orthographic_frame(own):
     length = sum(f * f for f in lights.FORWARD) ** 0.5
     forward = [f / length for f in lights.FORWARD]
     right, up = (16 / 3, 0, 0), (0, 4 * forward[2], -4 * forward[1])
-    # The sample is the upper right corner of its pixel.
-    eye = [e + r * 0.5 / lights.WIDTH + u * 0.5 / lights.HEIGHT for e, r, u in zip(lights.EYE, right, up)]
-    camera = (f"camera {{ projection = orthographic  position = {paren(eye)}  right = {paren(right)}  up = {paren(up)}  "
+    camera = (f"camera {{ projection = orthographic  position = {paren(lights.EYE)}  right = {paren(right)}  up = {paren(up)}  "
               f"forward = {paren(forward)} }}")
     return "\n".join(camera if line.startswith("camera ") else line for line in own.split("\n"))
 

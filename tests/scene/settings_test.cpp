@@ -66,6 +66,9 @@ TEST(Settings, EveryFieldHasAKey) {
                                                           {"area_shading", "center"},
                                                           {"fog_distance", "depth"},
                                                           {"fog_background", "false"},
+                                                          {"transfer", "srgb"},
+                                                          {"gamma", "2.2"},
+                                                          {"rounding", "down"},
                                                           {"size", "320x200"},
                                                           {"shading", "normals"},
                                                           {"shadows", "false"},
@@ -108,7 +111,10 @@ TEST(Settings, EveryFieldHasAKey) {
                                0.25,
                                AreaShading::center,
                                FogDistance::depth,
-                               false};
+                               false,
+                               Transfer::srgb,
+                               2.2,
+                               Rounding::down};
     EXPECT_EQ(scene.conventions, expected);
     const RenderSettings settings{320,  200,   Shading::normals, false, 7, 3, std::nullopt,
                                   true, false, 4294967295};

@@ -84,7 +84,8 @@ TEST(Adaptive, EachPixelHasOneSampleOrAll) {
 }
 
 TEST(Adaptive, AnyConventionOfCameraRays) {
-    for (const PixelSample where : {PixelSample::center, PixelSample::corner, PixelSample::whole}) {
+    for (const PixelSample where :
+         {PixelSample::center, PixelSample::corner, PixelSample::whole, PixelSample::top_right}) {
         for (const Projection projection : {Projection::perspective, Projection::orthographic}) {
             Scene scene = edges();
             scene.conventions.pixel_sample = where;

@@ -131,7 +131,7 @@ TEST(Invariance, TileCulling) {
         scene.background = {0.21, 0.33, 0.47};
         scene.settings.samples = 1 + below(random, 2);
         scene.settings.shading = Shading::color;
-        scene.conventions.pixel_sample = static_cast<PixelSample>(below(random, 3));
+        scene.conventions.pixel_sample = static_cast<PixelSample>(below(random, 4));
         scene.camera.position = unit_direction(random) * far;
         scene.camera.look_at = point_in_cube(random, 3);
         // A cloud of shapes of a few pixels each, which fills the picture or is in its centre.

@@ -45,7 +45,8 @@ double greatest_cosine(const WorldParts& world, const TileJob& job) {
 }
 
 TEST(TileCulling, FrustumContainsTheRaysByAPixel) {
-    for (const PixelSample where : {PixelSample::center, PixelSample::corner, PixelSample::whole}) {
+    for (const PixelSample where :
+         {PixelSample::center, PixelSample::corner, PixelSample::whole, PixelSample::top_right}) {
         for (const int samples : {1, 3}) {
             const WorldParts world = view(where, samples);
             const double pixel = length(world.camera.right) / world.settings.width;
