@@ -6,6 +6,7 @@
 #include "errors.h"
 #include "rendering.h"
 #include "scene_state.h"
+#include "world/world.h"
 
 namespace glint::python {
 namespace {
