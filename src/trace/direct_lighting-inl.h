@@ -34,10 +34,34 @@ struct LightRules : LightingRules {
     bool from_center = false;      // an area light that shines from its centre
     bool has_shadow_rays = false;  // one for each surface
     bool samples_shadow = false;   // shadow rays to the samples of the area light (area_shadow-inl.h)
+    bool is_moved = false;         // at another point for each surface
+    Color color, specular_color;   // the light's, times WorldParts::direct()
     FinishRules finish;
 
     /// Whether the light has the same strength everywhere.
     bool is_constant() const { return !attenuated && !is_spot && !has_emitter_cosine && !from_center; }
+    /// Whether PlainLightRules are the same.
+    bool is_plain() const {
+        return is_constant() && !is_moved && attenuate_highlights && !(light_threshold > 0) &&
+               !finish.brilliance && !finish.highlights;
+    }
+};
+/// The rules for a constant light on surfaces without finishes, which most lights are: known when the stages
+/// are compiled.
+struct PlainLightRules : LightingRules {
+    static constexpr bool attenuated = false, is_spot = false, has_emitter_cosine = false, is_moved = false,
+                          attenuate_highlights = true;
+    static constexpr double light_threshold = 0;
+    static constexpr FinishRules finish{};
+    bool has_shadow_rays;
+    Color color, specular_color;
+
+    explicit PlainLightRules(const LightRules& rules)
+        : LightingRules(rules),
+          has_shadow_rays(rules.has_shadow_rays),
+          color(rules.color),
+          specular_color(rules.specular_color) {}
+    static constexpr bool is_constant() { return true; }
 };
 HWY_INLINE LightRules light_rules(const WorldParts& world, const PreparedLight& light) {
     const Conventions& c = world.conventions;
@@ -51,6 +75,9 @@ HWY_INLINE LightRules light_rules(const WorldParts& world, const PreparedLight& 
     const bool shadows = world.settings.shadows && light.casts_shadows;
     rules.has_shadow_rays = shadows && !rules.from_center;
     rules.samples_shadow = shadows && rules.from_center;
+    rules.is_moved = light.sample >= 0 && light.jitter;
+    rules.color = light.color * world.direct();
+    rules.specular_color = light.specular_color * world.direct();
     rules.finish = finish_rules(world);
     return rules;
 }
@@ -92,14 +119,6 @@ inline Vector3<Doubles> moved_sample(const WorldParts& world, const PreparedLigh
     return area_point(area, sample_coordinate(sample % area.columns, area.columns, u, rule),
                       sample_coordinate(sample / area.columns, area.rows, v, rule));
 }
-/// Whether the light is at another point for each surface.
-HWY_INLINE bool is_moved(const PreparedLight& light) { return light.sample >= 0 && light.jitter; }
-/// Where a light with a position is, for a vector of surfaces.
-HWY_INLINE Vector3<Doubles> position_of(const WorldParts& world, const PreparedLight& light,
-                                        const SurfaceBatch& surfaces, int i) {
-    return is_moved(light) ? moved_sample(world, light, light.sample, surfaces, i) : lanes_of(light.position);
-}
-
 /// The values of a light at a vector of surfaces.
 struct LightLanes {
     Vector3<Doubles> to_light;
@@ -113,12 +132,16 @@ struct LightLanes {
     /// The factor of both terms.
     HWY_INLINE Doubles strength() const { return attenuation * spot; }
 };
-HWY_INLINE LightLanes light_at(const WorldParts& world, const PreparedLight& light, const LightRules& rules,
+template <class Rules>
+HWY_INLINE LightLanes light_at(const WorldParts& world, const PreparedLight& light, const Rules& rules,
                                const SurfaceBatch& surfaces, int i) {
     const Doubles zero(0);
-    const Vector3<Doubles> to_light =
-        light.has_position() ? position_of(world, light, surfaces, i) - load_vector3(surfaces.point, i)
-                             : lanes_of(light.to_light);
+    Vector3<Doubles> to_light = lanes_of(light.to_light);
+    if (rules.is_moved) {
+        to_light = moved_sample(world, light, light.sample, surfaces, i) - load_vector3(surfaces.point, i);
+    } else if (light.has_position()) {
+        to_light = lanes_of(light.position) - load_vector3(surfaces.point, i);
+    }
     const Doubles distance = length(to_light);
     const Vector3<Doubles> l = rules.normalize ? to_light / distance : to_light;
     const Vector3<Doubles> normal = load_vector3(surfaces.normal, i),
@@ -173,18 +196,19 @@ inline void clear_radiance(const SurfaceBatch& surfaces, RadianceBatch& radiance
     }
 }
 
+template <class Rules>
 HWY_INLINE ShadowRay<Doubles> shadow_ray_at(const WorldParts& world, const PreparedLight& light,
-                                            const SurfacePoint<Doubles>& surface, Vector3<Doubles> to_light) {
-    if (is_moved(light))
+                                            const Rules& rules, const SurfacePoint<Doubles>& surface,
+                                            Vector3<Doubles> to_light) {
+    if (rules.is_moved)
         return shadow_ray_from(surface, surface.point + to_light, to_light, world.conventions);
     return shadow_ray(surface, light, to_light, world.conventions);
 }
 
-/// Samples a light at all surfaces: its cosines, its attenuation, the surfaces that it may light, and, if
-/// shadows are on, their shadow rays.
-inline void sample_light(const WorldParts& world, const PreparedLight& light, const SurfaceBatch& surfaces,
-                         LightSampleBatch& samples, ShadowRayBatch& shadow_rays) {
-    const LightRules rules = light_rules(world, light);
+template <class Rules>
+inline void sample_light_by(const Rules& rules, const WorldParts& world, const PreparedLight& light,
+                            const SurfaceBatch& surfaces, LightSampleBatch& samples,
+                            ShadowRayBatch& shadow_rays) {
     const bool constant = rules.is_constant();
     int rays = 0;
     for (int i = 0; i < surfaces.count; i += lane_count<double>()) {
@@ -197,12 +221,24 @@ inline void sample_light(const WorldParts& world, const PreparedLight& light, co
         store(at.cosines.s, samples.s.data() + i);
         if (rules.finish.phong) store(at.phong_s, samples.phong_s.data() + i);
         if (!rules.has_shadow_rays) continue;
-        store_shadow_rays(shadow_ray_at(world, light, surface_at(surfaces, i), at.to_light),
-                          comes_from_light(light, world.conventions) && !is_moved(light), at.lit, shadow_rays,
+        store_shadow_rays(shadow_ray_at(world, light, rules, surface_at(surfaces, i), at.to_light),
+                          comes_from_light(light, world.conventions) && !rules.is_moved, at.lit, shadow_rays,
                           rays);
         rays += count(at.lit);
     }
     shadow_rays.count = rays;
+}
+
+/// Samples a light at all surfaces: its cosines, its attenuation, the surfaces that it may light, and, if
+/// shadows are on, their shadow rays.
+inline void sample_light(const WorldParts& world, const PreparedLight& light, const SurfaceBatch& surfaces,
+                         LightSampleBatch& samples, ShadowRayBatch& shadow_rays) {
+    const LightRules rules = light_rules(world, light);
+    if (rules.is_plain()) {
+        sample_light_by(PlainLightRules(rules), world, light, surfaces, samples, shadow_rays);
+    } else {
+        sample_light_by(rules, world, light, surfaces, samples, shadow_rays);
+    }
 }
 
 /// The surfaces of a vector whose highlight has to be computed.
@@ -235,29 +271,28 @@ inline void compute_highlights(const WorldParts& world, const SurfaceBatch& surf
 
 /// k_d I_l,d (N·L)^brilliance f_att. strength: f_att, times the factor by the
 /// direction and the visible part of an area light.
+template <class Rules>
 HWY_INLINE Vector3<Doubles> diffuse_of(const WorldParts& world, const MaterialLanes& material,
-                                       const Light& light, const LightRules& rules, Doubles n_l,
-                                       Doubles strength) {
-    return contribution(material.color(k_diffuse), lanes_of(light.color * world.direct()),
+                                       const Rules& rules, Doubles n_l, Doubles strength) {
+    return contribution(material.color(k_diffuse), lanes_of(rules.color),
                         diffuse_factor(world, material, rules.finish, n_l, rules), strength);
 }
 
 /// k_s I_l,s S^n f_att, with the second highlight and the tint of metals. power: S^n, or 0.
+template <class Rules>
 HWY_INLINE Vector3<Doubles> specular_of(const WorldParts& world, const MaterialLanes& material,
-                                        const Light& light, const LightRules& rules, Doubles power,
+                                        const Light& light, const Rules& rules, Doubles power,
                                         Cosines<Doubles> phong, Doubles strength) {
     const Doubles seen = rules.attenuate_highlights ? strength : Doubles(1);
     if (!rules.finish.highlights)
-        return contribution(material.color(k_specular), lanes_of(light.specular_color * world.direct()),
-                            power, seen);
+        return contribution(material.color(k_specular), lanes_of(rules.specular_color), power, seen);
     return finished_highlight(world, material, light, rules.finish, power, phong, seen, rules);
 }
 
-/// Adds the light's terms to the surfaces that are lit.
-inline void add_light(const WorldParts& world, const PreparedLight& light, const SurfaceBatch& surfaces,
-                      const LightSampleBatch& samples, const HighlightBatch& highlights,
-                      RadianceBatch& radiance) {
-    const LightRules rules = light_rules(world, light);
+template <class Rules>
+inline void add_light_by(const Rules& rules, const WorldParts& world, const PreparedLight& light,
+                         const SurfaceBatch& surfaces, const LightSampleBatch& samples,
+                         const HighlightBatch& highlights, RadianceBatch& radiance) {
     const bool constant = rules.is_constant();
     const bool filtered = world.colors_shadows() && rules.has_shadow_rays;
     const double* power = highlights.power.data();
@@ -273,7 +308,7 @@ inline void add_light(const WorldParts& world, const PreparedLight& light, const
             store_vector3(select_vector3(lit, sum + more, sum), to, i);
         };
         const Doubles n_l = load(samples.n_l.data() + i);
-        add(radiance.diffuse, diffuse_of(world, material, light, rules, n_l, strength), filtered);
+        add(radiance.diffuse, diffuse_of(world, material, rules, n_l, strength), filtered);
         const auto bright = highlights_at(samples, rules, i);
         if (!any(bright) && !rules.finish.phong) continue;
         const Doubles highlight = expand_load(power, bright);
@@ -282,6 +317,18 @@ inline void add_light(const WorldParts& world, const PreparedLight& light, const
         add(radiance.specular,
             specular_of(world, material, light, rules, highlight, {n_l, phong_s}, strength),
             filtered && rules.attenuate_highlights);
+    }
+}
+
+/// Adds the light's terms to the surfaces that are lit.
+inline void add_light(const WorldParts& world, const PreparedLight& light, const SurfaceBatch& surfaces,
+                      const LightSampleBatch& samples, const HighlightBatch& highlights,
+                      RadianceBatch& radiance) {
+    const LightRules rules = light_rules(world, light);
+    if (rules.is_plain()) {
+        add_light_by(PlainLightRules(rules), world, light, surfaces, samples, highlights, radiance);
+    } else {
+        add_light_by(rules, world, light, surfaces, samples, highlights, radiance);
     }
 }
 

@@ -146,10 +146,11 @@ HWY_INLINE HitLight light_of(const WorldParts& world, const SurfaceBatch& surfac
                              const RadianceBatch& radiance, const MaterialLanes& material, int h) {
     const LocalShares shares = local_shares(world, material, surfaces, h);
     const Vector3<Doubles> weight = load_vector3(surfaces.weight, h), matte = weight * shares.matte;
+    const Vector3<Doubles> emission =
+        world.uses<&Material::emission>() ? matte * emission_of(world, material) : lanes_of(Vec3{});
     const Vector3<Doubles> sky = world.occlusion ? matte * load_vector3(radiance.sky, h) : lanes_of(Vec3{});
     return {matte * ambient_of(world, material), matte * load_vector3(radiance.diffuse, h),
-            weight * shares.highlight * load_vector3(radiance.specular, h),
-            matte * emission_of(world, material), sky};
+            weight * shares.highlight * load_vector3(radiance.specular, h), emission, sky};
 }
 
 /// Adds the light of surfaces [begin, end) to their pixels.

@@ -56,7 +56,7 @@ HWY_INLINE Vector3<Doubles> highlight_light(const WorldParts& world, const Mater
     const Vector3<Doubles> color = lanes_of(light.specular_color * world.direct());
     if (!finish.tinted) return color;
     const auto tinted = ExtendedLanes(world, material).value<&Material::tinted_highlight>() > Doubles(0);
-    return select_vector3(tinted, color, lanes_of(Vec3{1, 1, 1}));
+    return select_vector3(tinted, color, lanes_of(Color{1, 1, 1} * world.direct()));
 }
 
 /// The factor of metals' highlights.

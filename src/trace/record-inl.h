@@ -178,7 +178,7 @@ inline void record_light(const WorldParts& world, const PreparedLight& light, co
             rules.samples_shadow && any(at.lit) ? load(samples.strength.data() + h) : at.strength();
         const Cosines<Doubles> phong{at.cosines.n_l, at.phong_s};
         const Vector3Elements to_light(at.to_light),
-            diffuse(diffuse_of(world, material, light, rules, at.cosines.n_l, strength)),
+            diffuse(diffuse_of(world, material, rules, at.cosines.n_l, strength)),
             specular(specular_of(world, material, light, rules, power, phong, strength)),
             tint(highlight_tint(world, material, rules.finish, at.cosines.n_l));
         const LaneElements distance(at.distance), f_att(at.attenuation), spot(at.spot), n_l(at.cosines.n_l),
