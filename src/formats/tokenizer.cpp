@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "formats/tokenizer.h"
 
-#include <fast_float/fast_float.h>
-
 #include <array>
 #include <cstring>
-#include <limits>
+
+#include "formats/number_text.h"
 
 namespace glint {
 namespace {
@@ -28,36 +27,11 @@ constexpr std::array<Class, 256> k_classes = [] {
 }();
 
 Class class_of(char c) { return k_classes[static_cast<unsigned char>(c)]; }
-bool is_digit(char c) { return class_of(c) == k_digit; }
 bool is_word(char c) { return class_of(c) == k_letter || class_of(c) == k_digit; }
 
 const char* find(const char* from, const char* end, char c) {
     const void* at = std::memchr(from, c, static_cast<std::size_t>(end - from));
     return at ? static_cast<const char*>(at) : end;
-}
-
-// Powers of ten that are exact in double.
-constexpr double k_tens[] = {1e0, 1e1, 1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
-                             1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15};
-
-// [-] digits [. digits] with at most 15 digits: the digits and the power of ten are exact, so that their
-// quotient is the nearest double. Most numbers of large scenes have this form. Null for other numbers.
-const char* read_short_number(const char* from, const char* end, double& value) {
-    const bool negative = *from == '-';
-    const char* at = from + (negative ? 1 : 0);
-    std::uint64_t digits = 0;
-    const char* first = at;
-    while (at != end && is_digit(*at)) digits = digits * 10 + static_cast<std::uint64_t>(*at++ - '0');
-    std::ptrdiff_t count = at - first, decimals = 0;
-    if (at != end && *at == '.') {
-        first = ++at;
-        while (at != end && is_digit(*at)) digits = digits * 10 + static_cast<std::uint64_t>(*at++ - '0');
-        decimals = at - first;
-    }
-    if (count + decimals > 15 || (at != end && (is_word(*at) || *at == '.'))) return nullptr;
-    value = static_cast<double>(digits) / k_tens[decimals];
-    if (negative) value = -value;
-    return at;
 }
 
 }  // namespace
@@ -125,7 +99,7 @@ Token Tokenizer::next() {
     const bool is_signed = c == '-' || c == '+';
     const char first = is_signed ? after(1) : c;
     const char second = is_signed ? after(2) : after(1);
-    if (is_digit(first) || (first == '.' && is_digit(second))) {
+    if (is_decimal_digit(first) || (first == '.' && is_decimal_digit(second))) {
         read_number(token);
     } else if (first != '\0' && class_of(first) == k_letter) {
         token.kind = TokenKind::word;
@@ -150,16 +124,12 @@ Token Tokenizer::next() {
 void Tokenizer::read_number(Token& token) {
     token.kind = TokenKind::number;
     const char* from = *position_ == '+' ? position_ + 1 : position_;
-    if (const char* end = read_short_number(from, end_, token.number)) {
+    const auto continues = [](char c) { return is_word(c) || c == '.'; };
+    if (const char* end = read_short_number(from, end_, token.number, continues)) {
         position_ = end;
         return;
     }
-    const auto [end, error] = fast_float::from_chars(from, end_, token.number);
-    // Versions of fast_float differ in whether this is an error.
-    if (error == std::errc::result_out_of_range && token.number != 0) {
-        token.number = std::numeric_limits<double>::infinity();
-    }
-    position_ = end;
+    position_ = read_any_number(from, end_, token.number);
     if (position_ == end_ || !(is_word(*position_) || *position_ == '.')) return;
     token.kind = TokenKind::malformed;
     while (position_ != end_ && (is_word(*position_) || *position_ == '.')) ++position_;
