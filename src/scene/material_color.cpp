@@ -20,9 +20,12 @@ double find_factor(Color color, Color k, double usual) {
     constexpr double none = std::numeric_limits<double>::quiet_NaN();
     const double sum = color.r + color.g + color.b;
     if (!(sum > 0)) return k == Color{} ? usual : none;
-    if (const auto exact = find_coefficient(color, k)) return *exact;
     double factor = (k.r + k.g + k.b) / sum;
-    if (number::abs(factor - usual) <= 1e-12) factor = usual;
+    if (number::abs(factor - usual) <= 1e-12) {
+        factor = usual;
+    } else if (const auto exact = find_coefficient(color, k)) {
+        return *exact;
+    }
     const Color multiple = factor * color;
     const double off = largest({multiple.r - k.r, multiple.g - k.g, multiple.b - k.b});
     return off <= 1e-9 * number::max(1.0, largest(k)) ? factor : none;
@@ -50,7 +53,7 @@ std::optional<double> find_coefficient(Color color, Color k) {
 
 std::array<double, k_color_factors> find_color_factors(
     Color color, const std::array<Color, k_color_factors>& coefficients) {
-    static_assert(std::size(k_material_coefficients) == k_color_factors);
+    static_assert(std::size(k_material_coefficients) >= k_color_factors);
     std::array<double, k_color_factors> factors{};
     for (std::size_t i = 0; i < factors.size(); ++i)
         factors[i] = find_factor(color, coefficients[i], k_material_coefficients[i].usual);
@@ -60,10 +63,9 @@ std::array<double, k_color_factors> find_color_factors(
 Material with_color(const Material& material, Color color) {
     Material changed = material;
     changed.color = color;
-    const auto factors =
-        find_color_factors(material.color, {material.ambient, material.diffuse, material.specular});
-    for (std::size_t i = 0; i < factors.size(); ++i) {
-        if (factors[i] == factors[i]) changed.*k_material_coefficients[i].field = factors[i] * color;
+    for (const MaterialCoefficient& c : k_material_coefficients) {
+        const double factor = find_factor(material.color, material.*c.field, c.usual);
+        if (factor == factor) changed.*c.field = factor * color;
     }
     return changed;
 }

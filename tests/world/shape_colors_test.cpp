@@ -130,6 +130,10 @@ TEST(ShapeColors, FactorsOfAMaterial) {
     EXPECT_EQ(changed.ambient, blue * 0.3);  // 0.3 * 0.6 / 0.6 is not 0.3
     EXPECT_EQ(changed.diffuse, blue * 0.1);
     EXPECT_EQ(changed.specular, (Color{1, 1, 1}));
+    EXPECT_EQ(with_color(Material{}, blue).diffuse, blue * 0.8) << "0.8 * 0.8 is not 0.64";
+    EXPECT_EQ(with_color(Material{}, blue).ambient, blue * 0.1);
+    EXPECT_EQ(with_color({.color = {1, 0, 0}, .diffuse = {0, 0.8, 0}}, blue).diffuse, (Color{0, 0.8, 0}))
+        << "another color, as bright";
     EXPECT_EQ(with_color(with_color(m, {}), blue).diffuse, blue * 0.8) << "black";
     m.diffuse = m.color * 2.5;
     EXPECT_EQ(with_color(m, blue).diffuse, blue * 2.5) << "above 1";
