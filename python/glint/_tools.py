@@ -63,7 +63,7 @@ def load(
     shadows: Optional[bool] = None,
     progress: Progress = None,
 ) -> Scene:
-    """The scene of one file, or of several together: .cgfs, .json, .js, .pov, .nff or .glint.
+    """The scene of one file, or of several together: .cgfs, .json, .js, .pov, .nff, .dat or .glint.
 
     The keywords are the options of the command. format: if the file's name does not tell; scene_name: of a
     file that holds several; profile: one of glint.profiles, or a file of `key = value` lines.
@@ -77,7 +77,8 @@ def load(
 
 
 def loads(text: str, format: str = "glint", *, name: str = "text", scene_name: str = "", profile: str = "") -> Scene:
-    """The scene of a text: 'cgfs', 'epfl', 'csc473', 'povray', 'nff' or 'glint'. name: for messages."""
+    """The scene of a text: 'cgfs', 'epfl', 'csc473', 'povray', 'nff',
+    'tachyon' or 'glint'. name: for messages."""
     return _load([(name, text.encode(), format)], scene_name, profile, {}, None, None)
 
 

@@ -14,7 +14,7 @@ namespace {
 Dialect dialect_of(std::string_view format) {
     if (format == "epfl") return {.slash_comments = true, .block_comments = true, .single_quotes = true};
     if (format == "csc473") return {.slash_comments = true, .block_comments = true};
-    if (format == "nff") return {.hash_comments = true};
+    if (format == "nff" || format == "tachyon") return {.hash_comments = true};
     return {.hash_comments = true, .slash_comments = true};
 }
 

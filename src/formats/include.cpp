@@ -49,11 +49,11 @@ class Include {
     Include(LoadState& reading, const ReadText& from, const Token& at)
         : reading_(reading), from_(from), at_(at) {}
 
-    void read(const std::string& name) {
+    void read(const std::string& name, const std::string& format_name) {
         if (reading_.diagnostics.full()) return;
         const std::string path = path_of(name);
         std::string why;
-        const Format* format = find_format({path, {}, {}}, why);
+        const Format* format = find_format({path, {}, format_name}, why);
         const std::string loop = loop_of(path);
         if (reading_.sources == nullptr) {
             error(name, "this text cannot include others: no files are read here");
@@ -170,8 +170,9 @@ class Include {
 
 }  // namespace
 
-void include_text(LoadState& reading, const ReadText& from, const Token& at, const std::string& name) {
-    Include(reading, from, at).read(name);
+void include_text(LoadState& reading, const ReadText& from, const Token& at, const std::string& name,
+                  const std::string& format) {
+    Include(reading, from, at).read(name, format);
 }
 
 }  // namespace glint

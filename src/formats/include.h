@@ -7,7 +7,9 @@ namespace glint {
 
 /// Reads the text `name`, relative to the text `from`, in the format of its extension, and adds its
 /// items to the scene. Its camera and background are used only if no other text has one; its settings
-/// are ignored. An error of the include itself is reported at `at`.
-void include_text(LoadState& reading, const ReadText& from, const Token& at, const std::string& name);
+/// are ignored. An error of the include itself is reported at `at`. format: of the text; empty: by its
+/// extension.
+void include_text(LoadState& reading, const ReadText& from, const Token& at, const std::string& name,
+                  const std::string& format = {});
 
 }  // namespace glint

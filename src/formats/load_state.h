@@ -18,6 +18,7 @@
 namespace glint {
 
 class GlintMaterials;
+struct TachyonState;
 
 /// A text of the load.
 struct ReadText {
@@ -52,6 +53,7 @@ struct LoadState {
     // An ordered map, so that no choice of names makes lookups slow.
     std::map<std::string, std::uint32_t, std::less<>> materials;  ///< of all texts, by name
     std::shared_ptr<GlintMaterials> glint_materials;              ///< created by the first .glint text
+    std::shared_ptr<TachyonState> tachyon;                        ///< created by the first .dat text
     bool camera_given = false, background_given = false;
     bool camera_included = false, background_included = false;  ///< set by an included text
     bool is_include_missing = false;                            ///< a text could not be read

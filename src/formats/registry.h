@@ -37,6 +37,10 @@ void read_povray(LoadState& reading, const ReadText& text);
 void set_nff_defaults(Scene& scene);
 void read_nff(LoadState& reading, const ReadText& text);
 
+void set_tachyon_defaults(Scene& scene);
+void read_tachyon(LoadState& reading, const ReadText& text);
+void finish_tachyon(LoadState& reading);
+
 void set_glint_defaults(Scene& scene);
 void read_glint(LoadState& reading, const ReadText& text);
 void finish_glint(LoadState& reading);

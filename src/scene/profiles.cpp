@@ -49,6 +49,18 @@ constexpr Profile k_profiles[] = {
     {"nff",
      {.mirror = MirrorRule::add, .limit = LimitRule::drop, .min_weight = 0.01},
      {.width = 512, .height = 512, .shading = Shading::phong, .reflections = 5}},
+    {"tachyon",
+     {.mirror = MirrorRule::add,
+      .limit = LimitRule::background,
+      .transparency = Transparency::add,
+      .transparency_counts = true,
+      .spot_falloff = SpotFalloff::linear,
+      .clamp_attenuation = false,
+      .attenuate_highlights = false,
+      .light_threshold = 0.001959,
+      .rounding = Rounding::down},
+     {.width = 512, .height = 512, .reflections = 11},
+     true},
     {"glint", {}, {}},
 };
 

@@ -83,7 +83,7 @@ TEST(Hostile, RandomEdits) {
 }
 
 TEST(Hostile, AMillionBracketsAreAnError) {
-    for (const char* name : {"a.cgfs", "a.json", "a.pov", "a.nff", "a.glint"}) {
+    for (const char* name : {"a.cgfs", "a.json", "a.pov", "a.nff", "a.dat", "a.glint"}) {
         for (const char* before : {"", "x = ", "sphere { center = ", "sphere { x = ", "{ \"camera\": ",
                                    "{ x: ", "[", "const a = ", "group ", "group { sphere "}) {
             for (const char bracket : {'{', '[', '('}) {
@@ -140,6 +140,14 @@ TEST(Hostile, OneLongLineIsReadInLinearTime) {
         {"a.nff", "", "v from 1 1 1 ", bytes},
         {"a.nff", "v ", "x ", bytes},
         {"a.nff", "", "l 1 2 3 ", bytes},
+        {"a.dat", "Begin_Scene Resolution 9 9 ", "Sphere Center 0 0 0 Rad 1 t ", bytes},
+        {"a.dat", "Begin_Scene Resolution 9 9 ", "x ", bytes},
+        {"a.dat", "Begin_Scene Resolution 9 9 ", "# ", bytes},
+        {"a.dat", "Begin_Scene Resolution 9 9 VertexArray Numverts 4e9 Coords ", "1 ", bytes},
+        {"a.dat", "Begin_Scene Resolution 9 9 ",
+         "TexDef t Ambient 0 Diffuse 1 Specular 0 Opacity 1 Color 1 1 1 TexFunc 0 ", bytes},
+        {"a.dat", "Begin_Scene Resolution 9 9 ImageDef a Format RGB24 Resolution 65536 65536 65536 Encoding Hex ",
+         "123 ", bytes},
         {"a.js", "[{ name: '", "\\u00e9", bytes}};
     for (const auto& [name, begin, piece, length] : cases) {
         std::string text = begin;
@@ -154,7 +162,7 @@ TEST(Hostile, OneLongLineIsReadInLinearTime) {
 
 TEST(Hostile, BinaryDataIsRejectedOnce) {
     using namespace std::string_view_literals;
-    for (const char* name : {"a.cgfs", "a.json", "a.pov", "a.nff", "a.glint"}) {
+    for (const char* name : {"a.cgfs", "a.json", "a.pov", "a.nff", "a.dat", "a.glint"}) {
         const std::pair<std::string_view, const char*> cases[] = {
             {"\0\0\0\0"sv, "expected text, found the byte 0x00"},
             {"\x7f"
@@ -183,7 +191,7 @@ TEST(Hostile, BinaryDataIsRejectedOnce) {
 }
 
 TEST(Hostile, EmptyTextsReportWhatIsExpected) {
-    for (const char* name : {"a.cgfs", "a.json", "a.pov", "a.nff", "a.glint"}) {
+    for (const char* name : {"a.cgfs", "a.json", "a.pov", "a.nff", "a.dat", "a.glint"}) {
         for (const char* text : {"", " ", "\n\n", "\xef\xbb\xbf", "// only a comment"}) {
             const Result<Scene> result = load_text(text, name);
             EXPECT_FALSE(result);

@@ -52,7 +52,7 @@ TEST(Load, AProfileReplacesTheFormats) {
     options.profile = "glimt";
     EXPECT_EQ(load_text(k_text, "a.cgfs", options).diagnostics.at(0).message,
               "no profile is called 'glimt': there are cgfs, epfl, lecture5, light, csc473, povray, nff, "
-              "glint; did "
+              "tachyon, glint; did "
               "you mean "
               "`glint`?");
 }

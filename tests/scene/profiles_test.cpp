@@ -154,7 +154,21 @@ TEST(Profiles, AgreeWithTheSources) {
           {"shading", "phong"},
           {"limit", "drop"},
           {"reflections", "5"},
-          {"size", "512x512"}}}};
+          {"size", "512x512"}}},
+        {"tachyon",
+         {{"mirror", "add"},
+          {"limit", "background"},
+          {"transparency", "add"},
+          {"transparent_shadow", "colored"},
+          {"transparency_counts", "true"},
+          {"spot_falloff", "linear"},
+          {"clamp_attenuation", "false"},
+          {"attenuate_highlights", "false"},
+          {"light_threshold", "0.001959"},
+          {"rounding", "down"},
+          {"facing", "all"},
+          {"specular_gate", "true"},
+          {"shading", "blinn-phong"}}}};
     for (const auto& [profile, values] : expected) {
         for (const auto& [key, text] : values)
             EXPECT_EQ(value(profile.c_str(), key.c_str()), text) << profile << " " << key;

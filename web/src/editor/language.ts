@@ -14,6 +14,7 @@ const marksOf: Record<string, Marks> = {
     glint: {comment: /^(#|\/\/)/, long: false},
     cgfs: {comment: /^(#|\/\/)/, long: false},
     nff: {comment: /^#/, long: false},
+    dat: {comment: /^#/, long: false},
     json: {comment: /^\/\//, long: true},
     js: {comment: /^\/\//, long: true},
     pov: {comment: /^\/\//, long: true},

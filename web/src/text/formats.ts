@@ -2,11 +2,11 @@
 import {cgfs, glint} from './blocks';
 import type {SceneFormat} from './edit';
 import {json} from './json';
-import {nff, pov} from './lines';
+import {dat, nff, pov} from './lines';
 import {moveBlock} from './moving';
 
 const byExtension: Record<string, SceneFormat> = {
-    glint: {...glint, moveShape: moveBlock}, cgfs: {...cgfs, moveShape: moveBlock}, json, js: {...json, name: '.js'}, nff, pov,
+    glint: {...glint, moveShape: moveBlock}, cgfs: {...cgfs, moveShape: moveBlock}, json, js: {...json, name: '.js'}, nff, pov, dat,
 };
 
 export const extensions = Object.keys(byExtension);

@@ -14,6 +14,9 @@ function find(text: string, pattern: RegExp, offset: number, end = text.length):
 
 const plain = (v: Vec3) => v.map(number).join(' ');
 
+/** .dat is shown and rendered; it has no text that the page changes. */
+export const dat: SceneFormat = {name: '.dat', setting: () => null, light: () => null, camera: () => null};
+
 export const nff: SceneFormat = {
     name: '.nff',
     setting(text, key, value) {

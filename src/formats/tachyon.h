@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+// What the texts of a Tachyon scene have set so far. docs/formats/tachyon.md.
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+#include "formats/load_state.h"
+
+namespace glint {
+
+/// The body of a texture. The defaults are Tachyon's for a name that is not defined.
+struct TachyonTexture {
+    double ambient = 0.1, diffuse = 0.9, specular = 0, opacity = 1;
+    double outline = 0, outline_width = 0;
+    double phong = 0, phong_size = 100;
+    bool is_metal = false;         ///< the highlight has the surface's colour
+    bool fades_at_angles = false;  ///< TransMode R3D
+    Color color{1, 1, 1};
+    friend bool operator==(const TachyonTexture&, const TachyonTexture&) = default;
+};
+
+struct TachyonTextureHash {
+    std::size_t operator()(const TachyonTexture& texture) const;
+};
+
+/// A camera, whose frame depends on the picture's size.
+struct TachyonCamera {
+    Projection projection = Projection::perspective;
+    double zoom = 1, aspect_ratio = 1;
+    Vec3 center, view, up;
+};
+
+enum class TachyonShader : std::uint8_t { full, medium, low, lowest };
+
+/// Rules of Tachyon's that glint has only a part of, or none; in the order of k_limit_texts.
+enum class TachyonLimit : std::uint8_t {
+    raster3d,
+    outline,
+    fogged_light,
+    winding,
+    vertex_colors,
+    endless_cylinder,
+    count
+};
+
+/// Shared by the texts of one load().
+struct TachyonState {
+    // A texture is an index into Scene::materials, which finish_tachyon() fills from `textures`.
+    std::unordered_map<std::string, std::uint32_t> names;
+    std::unordered_map<TachyonTexture, std::uint32_t, TachyonTextureHash> materials;
+    std::vector<std::pair<std::uint32_t, TachyonTexture>> textures;  ///< by material
+
+    std::optional<TachyonCamera> camera;
+    TachyonShader shader = TachyonShader::full;
+    SourcePlace shader_place;
+    bool is_raster3d = false;            ///< Trans_Raster3D
+    std::optional<Occlusion> occlusion;  ///< Ambient_Occlusion or Sky_Light, without `direct`
+    SourcePlace occlusion_place;
+    bool has_header = false;            ///< Begin_Scene
+    double light_scale = 1;             ///< Rescale_Direct
+    std::vector<std::uint32_t> lights;  ///< in Scene::lights, those that light_scale applies to
+    std::uint32_t wrong_windings = 0;
+
+    /// Where each limit was met first.
+    struct Place {
+        InputText text;
+        std::size_t offset = 0, length = 0;
+    };
+    std::array<std::optional<Place>, static_cast<std::size_t>(TachyonLimit::count)> limits;
+
+    std::optional<Place>& limit(TachyonLimit which) { return limits[static_cast<std::size_t>(which)]; }
+};
+
+}  // namespace glint

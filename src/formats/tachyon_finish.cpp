@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: Apache-2.0
+// What depends on modes that a Tachyon text may set anywhere: the materials, the lights, the camera's frame;
+// and the warnings about what glint has not.
+#include <fmt/format.h>
+
+#include "base/diagnostics.h"
+#include "formats/profile_file.h"
+#include "formats/registry.h"
+#include "formats/tachyon.h"
+#include "math/number.h"
+#include "math/transform.h"
+
+namespace glint {
+namespace {
+
+// A weaker highlight, mirror or transparency is not drawn.
+constexpr double k_least_contribution = 0.001959;
+
+constexpr std::string_view k_limit_texts[] = {
+    "glint does not render opacity that depends on the angle (Raster3D): it is constant here",
+    "glint does not render outlines (Outline)",
+    "the spheres of lights are in the fog here; in Tachyon they are not",
+    "the normals of this triangle are on the other side of its winding: Tachyon lights it from behind, glint "
+    "from "
+    "the viewer's side",
+    "glint does not mix the colors of vertices: each triangle has the mean of its three",
+    "the endless cylinder ends a million radii from its Center",
+};
+static_assert(std::size(k_limit_texts) == static_cast<std::size_t>(TachyonLimit::count));
+
+Material material_of(const TachyonTexture& t, const TachyonState& state) {
+    const double highlight = t.phong > k_least_contribution ? t.phong : 0;
+    Material m;
+    m.color = state.shader == TachyonShader::lowest ? Color{1, 1, 1} : t.color;
+    m.ambient = t.color * t.ambient;
+    m.diffuse = t.color * t.diffuse;
+    m.specular = t.is_metal ? t.color * highlight : Color{highlight, highlight, highlight};
+    m.tinted_highlight = !t.is_metal;
+    m.shininess = t.phong_size;
+    m.mirror = t.specular > k_least_contribution ? t.specular : 0;
+    m.transmit = t.opacity < 1 - k_least_contribution ? 1 - t.opacity : 0;
+    return m;
+}
+
+void set_camera(LoadState& reading, const TachyonCamera& given) {
+    Scene& scene = reading.scene;
+    // The frame has the proportions of the picture, whose size an option may set.
+    double width = scene.settings.width, height = scene.settings.height;
+    for (const auto& [key, value] : reading.options.settings) {
+        Scene probe;
+        const auto setting = find_setting("size");
+        if (key != "size" || !setting || !set_setting(probe, *setting, value, {})) continue;
+        width = probe.settings.width;
+        height = probe.settings.height;
+    }
+    const Vec3 view = normalize(given.view);
+    const Vec3 x = normalize(cross(given.up, view));
+    const Vec3 right = x * (width / height / given.aspect_ratio / given.zoom);
+    const Vec3 up = cross(view, x) * (1 / given.zoom);
+    // Tachyon's rays pass the upper right corners of the pixels, and its further samples lie around these.
+    const Vec3 half_pixel = right * (0.5 / width) + up * (0.5 / height);
+    Camera camera;
+    camera.projection = given.projection;
+    camera.position = given.center;
+    camera.frame = CameraFrame{right, up, view};
+    if (given.projection == Projection::orthographic) {
+        camera.position = camera.position + half_pixel;
+    } else {
+        camera.frame->forward = view + half_pixel;
+    }
+    scene.camera = camera;
+}
+
+}  // namespace
+
+void finish_tachyon(LoadState& reading) {
+    if (!reading.tachyon) return;
+    TachyonState& state = *reading.tachyon;
+    Scene& scene = reading.scene;
+    for (const auto& [material, texture] : state.textures)
+        scene.materials[material] = material_of(texture, state);
+    if (state.occlusion && state.shader == TachyonShader::full) {
+        scene.occlusion = *state.occlusion;
+        scene.occlusion->direct = state.light_scale;
+        scene.occlusion_place = state.occlusion_place;
+    } else {
+        for (const std::uint32_t i : state.lights) {
+            scene.lights[i].color = scene.lights[i].color * state.light_scale;
+            scene.lights[i].specular_color = scene.lights[i].color;
+        }
+    }
+    if (state.shader == TachyonShader::low || state.shader == TachyonShader::lowest) {
+        const SettingOrigin origin{SettingOrigin::Kind::file, state.shader_place};
+        set_named_setting(scene, "shading", "color", origin);
+        set_named_setting(scene, "reflections", "0", origin);
+        if (state.shader == TachyonShader::lowest) scene.background = {0, 0, 0};
+    }
+    if (state.camera) set_camera(reading, *state.camera);
+    // A texture's Ambient needs no light.
+    Light ambient;
+    ambient.kind = LightKind::ambient;
+    note(scene.light_texts, scene.lights.size(), {});
+    scene.lights.push_back(ambient);
+
+    const bool is_shaded = state.shader == TachyonShader::full || state.shader == TachyonShader::medium;
+    const auto drop = [&](TachyonLimit which, bool matters) {
+        if (!matters) state.limit(which).reset();
+    };
+    drop(TachyonLimit::outline, is_shaded);
+    drop(TachyonLimit::winding, is_shaded);
+    drop(TachyonLimit::fogged_light, scene.fog.has_value());
+    for (std::size_t i = 0; i < state.limits.size(); ++i) {
+        const auto& at = state.limits[i];
+        if (at) reading.diagnostics.warn(at->text, at->offset, at->length, std::string(k_limit_texts[i]));
+    }
+}
+
+}  // namespace glint
