@@ -36,11 +36,11 @@ struct Image {
     }
 };
 
-enum class FileFormat : std::uint8_t { png, ppm, exr };
+enum class FileFormat : std::uint8_t { png, ppm, exr, tga };
 
 struct EncodeOptions {
     FileFormat format = FileFormat::png;
-    int bits = 8;                        ///< 8 or 16 per channel; EXR is always 32-bit float
+    int bits = 8;                        ///< 8 or 16 per channel; EXR is always 32-bit float, TGA has 8
     Transfer transfer = Transfer::none;  ///< EXR is always linear
     int threads = 0;
     double gamma = 1;  ///< see ByteRule

@@ -2,6 +2,7 @@
 #pragma once
 // The options of rendering that several commands share.
 #include <CLI/CLI.hpp>
+#include <optional>
 #include <string>
 
 #include "cli/scene_arguments.h"
@@ -30,6 +31,7 @@ void add_settings(const PictureArguments& arguments, PictureMemory memory, Scene
 struct NumberArguments {
     std::string transfer = {};  ///< empty: the scene's
     int bits = 8;
+    std::optional<FileFormat> format = {};  ///< empty: by the output's name
 };
 
 /// Adds --transfer and --bits.

@@ -20,13 +20,15 @@ std::optional<FileFormat> format_of_name(const std::string& path) {
     if (ending == ".png") return FileFormat::png;
     if (ending == ".ppm") return FileFormat::ppm;
     if (ending == ".exr") return FileFormat::exr;
+    if (ending == ".tga") return FileFormat::tga;
     return std::nullopt;
 }
 
-FileFormat format_of(const std::string& path, const OutputFile& output) {
+FileFormat format_of(const std::string& path, const OutputFile& output, const NumberArguments& numbers) {
+    if (numbers.format) return *numbers.format;
     if (const auto format = format_of_name(path)) return *format;
     if (output.is_stream()) return FileFormat::png;
-    throw Failure(k_usage, fmt::format("--output '{}': glint writes .png, .ppm and .exr", path));
+    throw Failure(k_usage, fmt::format("--output '{}': glint writes .png, .ppm and .exr, and .tga", path));
 }
 
 EncodeOptions encoding_of(const NumberArguments& numbers, FileFormat format, int threads) {
@@ -44,7 +46,7 @@ PictureOutput::PictureOutput(const std::string& path, const NumberArguments& num
     : path_(path),
       numbers_(numbers),
       output_("--output", path),
-      encoding_(encoding_of(numbers, format_of(path, output_), threads)) {
+      encoding_(encoding_of(numbers, format_of(path, output_, numbers), threads)) {
     if (!output_.is_standard_output()) return;
     if (shows) throw Failure(k_usage, "--show and the picture cannot both go to standard output");
     if (is_terminal(STDOUT_FILENO))
@@ -56,10 +58,11 @@ void PictureOutput::set_layers(const std::vector<Layer>& layers) {
 }
 
 void PictureOutput::set_alpha() {
-    if (encoding_.format == FileFormat::ppm)
-        throw Failure(k_usage, fmt::format("--output '{}': PPM has no alpha channel; write .png or .exr, or "
-                                           "render without alpha",
-                                           path_));
+    if (encoding_.format == FileFormat::ppm || encoding_.format == FileFormat::tga)
+        throw Failure(k_usage,
+                      fmt::format("--output '{}': {}; write .png or .exr, or render without alpha", path_,
+                                  encoding_.format == FileFormat::ppm ? "PPM has no alpha channel"
+                                                                      : "glint writes TGA without alpha"));
     alpha_ = true;
     std::vector<Layer> others = layers_.wanted();
     if (std::erase(others, Layer::alpha) > 0) set_layers(others);

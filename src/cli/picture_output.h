@@ -63,7 +63,7 @@ ByteRule rule_of(const JournalHeader& header);
 /// Moves the layer alpha to the end of the list, or adds it there.
 void put_alpha_last(std::vector<Layer>& layers);
 
-/// True for a path that ends in .png, .ppm or .exr.
+/// True for a path that ends in .png, .ppm, .tga or .exr.
 bool is_picture_path(const std::string& path);
 
 }  // namespace glint::cli

@@ -24,7 +24,8 @@ std::string fault(const Image& image, const EncodeOptions& options) {
         return "the picture's numbers do not fit its size";
     }
     if (options.bits != 8 && options.bits != 16) return "a channel has 8 or 16 bits";
-    if (options.format > FileFormat::exr) return "there is no such file format";
+    if (options.format == FileFormat::tga && options.bits != 8) return "TGA has 8 bits a channel";
+    if (options.format > FileFormat::tga) return "there is no such file format";
     if (options.transfer > Transfer::srgb) return "there is no such transfer curve";
     if (options.rounding > Rounding::down) return "there is no such rounding";
     if (!(options.gamma > 0 && options.gamma <= 100)) return "gamma: expected a number > 0 and at most 100";
@@ -106,6 +107,8 @@ std::unique_ptr<StripEncoder> make_strip_encoder(std::int32_t width, std::int32_
 #endif
         case FileFormat::ppm:
             return make_ppm_encoder(width, height, options, file);
+        case FileFormat::tga:
+            return make_tga_encoder(width, height, options, file);
         case FileFormat::exr:
 #if defined(GLINT_WITH_EXR)
             return make_exr_encoder(width, height, file, alpha);
@@ -146,6 +149,7 @@ Result<std::vector<std::uint8_t>> encode_checked(const Image& image, std::span<c
             return not_built("PNG");
 #endif
         case FileFormat::ppm:
+        case FileFormat::tga:
             return encode_strips(image, {}, options);
         case FileFormat::exr:
 #if defined(GLINT_WITH_EXR)
@@ -173,6 +177,7 @@ Result<std::vector<std::uint8_t>> encode(const Image& image, std::span<const flo
         std::string wrong = fault(image, options);
         if (wrong.empty()) wrong = alpha_fault(image, alpha);
         if (wrong.empty() && options.format == FileFormat::ppm) wrong = "PPM has no alpha channel";
+        if (wrong.empty() && options.format == FileFormat::tga) wrong = "glint writes TGA without alpha";
         if (!wrong.empty()) return invalid_argument(std::move(wrong));
         return encode_checked(image, alpha, options);
     });

@@ -12,6 +12,8 @@ std::unique_ptr<StripEncoder> make_png_encoder(std::int32_t width, std::int32_t 
                                                const EncodeOptions& options, ByteFile& file, bool alpha);
 std::unique_ptr<StripEncoder> make_ppm_encoder(std::int32_t width, std::int32_t height,
                                                const EncodeOptions& options, ByteFile& file);
+std::unique_ptr<StripEncoder> make_tga_encoder(std::int32_t width, std::int32_t height,
+                                               const EncodeOptions& options, ByteFile& file);
 std::unique_ptr<StripEncoder> make_exr_encoder(std::int32_t width, std::int32_t height, ByteFile& file,
                                                bool alpha);
 
