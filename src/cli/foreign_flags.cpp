@@ -9,6 +9,8 @@
 #include <string_view>
 #include <vector>
 
+#include "cli/foreign_table.h"
+
 namespace glint::cli {
 namespace {
 
@@ -42,6 +44,8 @@ struct Answer {
     }
 };
 
+using Value = ForeignValue;
+
 bool is_number(std::string_view text) {
     return !text.empty() &&
            std::all_of(text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; });
@@ -53,31 +57,31 @@ std::string or_else(std::string_view text, std::string_view otherwise) {
 
 // A POV-Ray flag: a sign, a letter and the value without a space. Case does not matter.
 void answer_povray(const std::string& flag, Answer& answer) {
-    const char letter =
-        flag.size() > 1 ? static_cast<char>(std::toupper(static_cast<unsigned char>(flag[1]))) : '\0';
-    const std::string value = flag.size() > 2 ? flag.substr(2) : "";
-    const char second =
-        value.empty() ? '\0' : static_cast<char>(std::toupper(static_cast<unsigned char>(value[0])));
+    const PovraySwitch* known = find_povray_switch(std::string_view(flag).substr(1));
+    if (known == nullptr)
+        return answer.add_line(flag, "glint's options begin with - or --; see 'glint render --help'");
+    const std::string value = flag.substr(1 + known->letters.size());
     const bool off = flag[0] == '-';
-    switch (letter) {
-        case 'W':
-            if (second == 'T') return answer.use(flag, "--threads " + or_else(value.substr(1), "0"));
+    switch (known->id) {
+        case PovrayKey::threads:
+            return answer.use(flag, "--threads " + or_else(value, "0"));
+        case PovrayKey::width:
             return answer.dimension(flag, answer.width, value);
-        case 'H':
+        case PovrayKey::height:
             return answer.dimension(flag, answer.height, value);
-        case 'I':
+        case PovrayKey::input:
             return answer.use(flag, or_else(value, "SCENE"));
-        case 'O':
+        case PovrayKey::output:
             return answer.use(flag, "--output " + or_else(value, "OUT"));
-        case 'A':
+        case PovrayKey::antialias:
             if (off) return answer.add_line(flag, "one sample per pixel is glint's default");
             return answer.use(flag, "--aa 3");
-        case 'R':
+        case PovrayKey::antialias_depth:
             return answer.use(flag, fmt::format("--aa {}", is_number(value) ? value : "3"));
-        case 'D':
+        case PovrayKey::display:
             if (off) return answer.add_line(flag, "glint opens no window; leave it out");
             return answer.use(flag, "--show");
-        case 'Q':
+        case PovrayKey::quality:
             if (is_number(value) && value.size() == 1 && value[0] <= '1')
                 return answer.use(flag, "--shading color");
             if (is_number(value) && value.size() == 1 && value[0] <= '3')
@@ -85,115 +89,31 @@ void answer_povray(const std::string& flag, Answer& answer) {
             return answer.add_line(
                 flag,
                 "full quality is the default; for less: --no-shadows, --reflections 0, --shading color");
-        case 'S':
-        case 'E':
+        case PovrayKey::part:
             return answer.add_line(flag, "--crop WxH+X+Y renders a part of the picture");
-        case 'F':
+        case PovrayKey::file_type:
             return answer.add_line(
-                flag, "OUT's extension chooses the file type: .png .ppm .exr; --bits 16 writes 16 bits");
-        case 'V':
+                flag, "OUT's extension chooses the file type: .png .ppm .tga .exr; --bits 16 writes 16 bits");
+        case PovrayKey::verbose:
             if (off) return answer.use(flag, "--quiet");
             return answer.add_line(
                 flag, "glint shows its progress on a terminal; --stats FILE.json writes figures");
-        case 'G':
+        case PovrayKey::console:
             return answer.add_line(flag, "messages go to standard error; --stats FILE.json writes figures");
-        case 'L':
+        case PovrayKey::library:
             return answer.add_line(
                 flag,
                 "included files are searched in the folder of the file that includes them; leave it out");
-        case 'K':
+        case PovrayKey::alpha:
+            if (off) return answer.add_line(flag, "pictures have no alpha by default; leave it out");
+            return answer.use(flag, "--alpha");
+        case PovrayKey::clock:
+        case PovrayKey::animation:
             return answer.add_line(flag, "glint has no animation clock");
-        case 'P':
-        case 'C':
-        case 'B':
-        case 'M':
-        case 'U':
-        case 'J':
-            return answer.add_line(flag, "glint does not need it; leave it out");
         default:
-            return answer.add_line(flag, "glint's options begin with - or --; see 'glint render --help'");
+            return answer.add_line(flag, "glint does not need it; leave it out");
     }
 }
-
-// How a flag's value is translated.
-enum class Value {
-    none,   // no value, or glint does not use it
-    same,   // unchanged, after glint's option
-    size,   // two values: WxH
-    width,  // combined with the height of another flag
-    height,
-    samples,          // samples per pixel; glint counts them along a side
-    samples_besides,  // the same, in addition to the first one
-    scene,            // an argument without an option
-};
-
-struct ForeignFlag {
-    std::string_view flag;
-    int values;             // how many arguments it takes
-    std::string_view ours;  // an option, or a sentence if it does not begin with -
-    Value value = Value::none;
-};
-constexpr ForeignFlag k_flags[] = {
-    // Tachyon
-    {"-res", 2, "--size", Value::size},
-    {"-numthreads", 1, "--threads", Value::same},
-    {"-aasamples", 1, "--aa", Value::samples_besides},
-    {"-format", 1, "OUT's extension chooses the file type: .png .ppm .exr; --bits 16 writes 16 bits"},
-    {"-fullshade", 0, "shadows and mirrors are glint's default; leave it out"},
-    {"-mediumshade", 0, "--no-shadows"},
-    {"-lowshade", 0, "--no-shadows --reflections 0"},
-    {"-lowestshade", 0, "--shading color"},
-    {"-shade_phong", 0, "--shading phong"},
-    {"-shade_blinn", 0, "--shading blinn-phong"},
-    {"-shade_blinn_fast", 0, "--shading blinn-phong"},
-    {"-shade_nullphong", 0, "--shading diffuse"},
-    {"-raydepth", 1, "--reflections", Value::same},
-    {"-verbose", 0, "--stats FILE.json writes figures"},
-    {"-nosave", 0, "--output /dev/null"},
-    {"-gamma", 1, "--transfer srgb"},
-    {"-crop", 4, "--crop WxH+X+Y renders a part of the picture"},
-    {"-clamp", 0, "glint clamps colours; leave it out"},
-    {"-nobounding", 0, "glint does not need it; leave it out"},
-    {"-boundthresh", 1, "glint does not need it; leave it out"},
-    {"-normalize", 0, "glint does not scale colours; an .exr picture keeps their full range"},
-    {"-rescale_lights", 1, "glint uses the lights as they are in the scene"},
-    {"-auto_skylight", 1, "glint has hard shadows and no sky light"},
-    {"-add_skylight", 1, "glint has hard shadows and no sky light"},
-    {"-skylight_samples", 1, "glint has hard shadows and no sky light"},
-    {"-camfile", 1, "glint renders one picture of a scene"},
-    {"-trans_max_surfaces", 1, "glint has no such limit; see --reflections N"},
-    {"-trans_raster3d", 0, "see --convention in 'glint render --help'"},
-    {"-trans_vmd", 0, "see --convention in 'glint render --help'"},
-    // pbrt, Mitsuba, Yocto/GL, Blender and programs of courses
-    {"-i", 1, "SCENE", Value::scene},
-    {"--input", 1, "SCENE", Value::scene},
-    {"--scene-file", 1, "SCENE", Value::scene},
-    {"--out", 1, "--output", Value::same},
-    {"--outfile", 1, "--output", Value::same},
-    {"--output-file", 1, "--output", Value::same},
-    {"-w", 1, "", Value::width},
-    {"--width", 1, "", Value::width},
-    {"--height", 1, "", Value::height},
-    {"--res", 1, "--size", Value::same},
-    {"--resolution", 1, "--size", Value::same},
-    {"--samples", 1, "--aa", Value::samples},
-    {"--spp", 1, "--aa", Value::samples},
-    {"--pixelsamples", 1, "--aa", Value::samples},
-    {"--antialias", 1, "--aa", Value::same},
-    {"-j", 1, "--threads", Value::same},
-    {"--jobs", 1, "--threads", Value::same},
-    {"--nthreads", 1, "--threads", Value::same},
-    {"--num-threads", 1, "--threads", Value::same},
-    {"--depth", 1, "--reflections", Value::same},
-    {"--max-depth", 1, "--reflections", Value::same},
-    {"--bounces", 1, "--reflections", Value::same},
-    {"--seed", 1, "glint's samples are regular, and every run gives the same picture; leave it out"},
-    {"--gamma", 1, "--transfer srgb"},
-    {"--preview", 0, "--show"},
-    {"-v", 0, "glint shows its progress on a terminal; --stats FILE.json writes figures"},
-    {"--verbose", 0, "glint shows its progress on a terminal; --stats FILE.json writes figures"},
-    {"--silent", 0, "--quiet"},
-};
 
 // Converts samples per pixel to glint's samples along a side, rounded up.
 std::string side_of(const std::string& samples, int besides) {
@@ -209,9 +129,10 @@ void answer_known(const ForeignFlag& known, std::span<const std::string> values,
     const std::string value = values.empty() ? "" : values[0];
     const std::string ours(known.ours);
     switch (known.value) {
-        case Value::none:
+        default:
             return ours[0] == '-' ? answer.use(flag, ours) : answer.add_line(flag, ours);
         case Value::same:
+        case Value::depth:
             return answer.use(flag, ours + " " + or_else(value, "VALUE"));
         case Value::size:
             return answer.use(flag, ours + " " + (values.size() == 2 ? values[0] + "x" + values[1] : "WxH"));
@@ -235,11 +156,7 @@ struct FoundFlag {
 };
 
 FoundFlag find_flag(const std::string& argument) {
-    const auto named = [](std::string_view word) -> const ForeignFlag* {
-        const auto* at = std::find_if(std::begin(k_flags), std::end(k_flags),
-                                      [&](const ForeignFlag& f) { return f.flag == word; });
-        return at == std::end(k_flags) ? nullptr : at;
-    };
+    const auto named = [](std::string_view word) { return find_foreign_flag(word); };
     const std::size_t equals = argument.starts_with("--") ? argument.find('=') : std::string::npos;
     if (equals != std::string::npos)
         return {named(std::string_view(argument).substr(0, equals)), argument.substr(equals + 1)};
@@ -248,7 +165,10 @@ FoundFlag find_flag(const std::string& argument) {
     return {named(argument), {}};
 }
 
-bool is_sentence(const ForeignFlag& flag) { return flag.value == Value::none && !flag.ours.starts_with('-'); }
+bool is_sentence(const ForeignFlag& flag) {
+    return flag.value != Value::width && flag.value != Value::height && flag.value != Value::scene &&
+           !flag.ours.starts_with('-');
+}
 
 bool is_povray(const std::string& argument) {
     if (argument.size() < 2) return false;

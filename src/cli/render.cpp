@@ -157,7 +157,7 @@ Run add_render(CLI::App& app, const RenderHooks& hooks) {
     add_scene_arguments(command, a.scene);
     command
         .add_option("-o,--output", a.output,
-                    "The picture: .png, .ppm or .exr; - is standard output (PNG). Default: SCENE's name with "
+                    "The picture: .png, .ppm, .tga or .exr; - is standard output (PNG). Default: SCENE's name with "
                     ".png, in the "
                     "current folder")
         ->option_text("OUT");
@@ -189,6 +189,11 @@ Run add_render(CLI::App& app, const RenderHooks& hooks) {
     command.add_flag("-q,--quiet", a.quiet, "Print only errors");
     command.footer(k_render_examples);
     return [arguments, &hooks] { return render_command(*arguments, hooks); };
+}
+
+int render_picture(RenderArguments& arguments) {
+    static const RenderHooks none;
+    return render_command(arguments, none);
 }
 
 Run add_render(CLI::App& app) {

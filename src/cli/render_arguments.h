@@ -19,4 +19,7 @@ struct RenderArguments {
     int threads = 0;
 };
 
+/// What `glint render` does with these arguments. Throws Failure.
+int render_picture(RenderArguments& arguments);
+
 }  // namespace glint::cli

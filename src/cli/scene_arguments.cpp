@@ -130,8 +130,13 @@ LoadedScene load_scene(const SceneArguments& arguments, TextReader& reader) {
         files.push_back(std::move(*file));
     }
     if (!problems.empty()) throw Failure(k_bad_input, problems);
+    files.reserve(files.size() + arguments.further_texts.size());  // texts of files keep their place
     for (std::size_t i = 0; i < files.size(); ++i) {
         texts.push_back({arguments.files[i], files[i].text(), arguments.format});
+    }
+    for (const auto& [name, text] : arguments.further_texts) {
+        files.push_back(InputFile::of_text(text));
+        texts.push_back({name, files.back().text(), arguments.format});
     }
     FileSources sources(reader, arguments.include_paths);
     Result<Scene> result = load(texts, options, &sources);

@@ -18,6 +18,8 @@ struct SceneArguments {
     std::vector<std::string> include_paths;  // folders
     /// Set by the command from its own options, before load_scene.
     std::vector<std::pair<std::string, std::string>> settings;
+    /// Texts that follow the files, in the same format: their names and texts.
+    std::vector<std::pair<std::string, std::string>> further_texts = {};
 };
 
 /// Adds SCENE..., --format, --scene, --include-path, --profile and --convention.

@@ -364,12 +364,11 @@ INSTANTIATE_TEST_SUITE_P(
         BadText{"radius",
                 DAT_SCENE "Sphere Center 0 0 0 Rad $-1 " DAT_TEXTURE,
                 {"expected a number > 0 and at most 1e12, found '-1'"}},
-        BadText{
-            "opacity",
-            DAT_SCENE
-            "Sphere Center 0 0 0 Rad 1 Texture Ambient 0 Diffuse 1 Specular 0 Opacity $2 Color 1 1 1 TexFunc "
-            "0\n",
-            {"expected a number from 0 to 1, found '2'"}},
+        BadText{"opacity",
+                DAT_SCENE "Sphere Center 0 0 0 Rad 1 Texture Ambient 0 Diffuse 1 Specular 0 Opacity $2 Color "
+                          "1 1 1\nTexFunc "
+                          "0\n",
+                {"expected a number from 0 to 1, found '2'"}},
         BadText{"index",
                 DAT_SCENE
                 "VertexArray Numverts 1 Coords 0 0 0 Normals 0 0 1 TriMesh 1 0 $1 0 End_VertexArray",
@@ -380,14 +379,14 @@ INSTANTIATE_TEST_SUITE_P(
         BadText{
             "up",
             DAT_BEGIN
-            "Camera Zoom 1 Aspectratio 1 Antialiasing 0 Raydepth 5 Center 0 0 0 Viewdir 0 1 0 Updir $0 2 0 "
+            "Camera Zoom 1 Aspectratio 1 Antialiasing 0 Raydepth 5 Center 0 0 0 Viewdir 0 1 0\nUpdir $0 2 0 "
             "End_Camera " DAT_LIGHT DAT_SPHERE,
             {"the camera's `Updir` is along its `Viewdir`: they must differ"}}),
     test_name);
 
 #define DAT_CRS "Center 0 0 0 Rotate 0 0 0 Scale 1 1 1 "
 #define DAT_BODY \
-    "Sphere Center 0 0 0 Rad 1 Texture Ambient 0 Diffuse 1 Specular 0 Opacity 1 Color 1 1 1 TexFunc "
+    "Sphere Center 0 0 0 Rad 1 Texture Ambient 0 Diffuse 1 Specular 0 Opacity 1 Color 1 1 1\nTexFunc "
 
 INSTANTIATE_TEST_SUITE_P(
     Refused, TachyonMistakes,

@@ -1,0 +1,313 @@
+// SPDX-License-Identifier: Apache-2.0
+// glint-povray's command line.
+#include <fast_float/fast_float.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <optional>
+
+#include "base/text.h"
+#include "cli/drop_in.h"
+#include "cli/failure.h"
+#include "cli/foreign_table.h"
+#include "cli/input_file.h"
+#include "cli/text.h"
+
+namespace glint::cli {
+namespace {
+
+constexpr int k_max_ini_depth = 10;
+
+std::string trimmed(std::string_view text) {
+    while (!text.empty() && (text.front() == ' ' || text.front() == '\t')) text.remove_prefix(1);
+    while (!text.empty() && (text.back() == ' ' || text.back() == '\t' || text.back() == '\r'))
+        text.remove_suffix(1);
+    if (text.size() > 1 && text.front() == '"' && text.back() == '"') text = text.substr(1, text.size() - 2);
+    return std::string(text);
+}
+
+class PovrayArguments {
+  public:
+    DropIn parse(const std::vector<std::string>& words) {
+        read_own_ini();
+        for (const std::string& word : words) {
+            if (word == "--help" || word == "-help" || word == "-h" || word == "-?") {
+                parsed_.wants_help = true;
+            } else if (word == "--version" || word == "-version") {
+                parsed_.wants_version = true;
+            } else {
+                read(word);
+            }
+        }
+        if (!parsed_.wants_help && !parsed_.wants_version) finish();
+        return std::move(parsed_);
+    }
+
+  private:
+    [[noreturn]] void fail(const std::string& message) const {
+        throw Failure(k_usage, place_.empty() ? message : fmt::format("{}: {}", place_, message));
+    }
+    void warn(const std::string& message) {
+        parsed_.warnings.push_back(place_.empty() ? message : fmt::format("{}: {}", place_, message));
+    }
+
+    // The user's and the system's defaults, as POV-Ray finds them.
+    void read_own_ini() {
+        std::vector<std::string> candidates;
+        if (const char* named = std::getenv("POVINI")) candidates.emplace_back(named);
+        candidates.emplace_back("povray.ini");
+        if (const char* home = std::getenv("HOME"))
+            candidates.push_back(std::string(home) + "/.povray/3.7/povray.ini");
+        candidates.emplace_back("/etc/povray/3.7/povray.ini");
+        std::error_code ignored;
+        for (const std::string& path : candidates) {
+            if (!std::filesystem::is_regular_file(path, ignored)) continue;
+            is_own_ini_ = true;
+            read_ini(path);
+            is_own_ini_ = false;
+            return;
+        }
+    }
+
+    // FILE.ini or FILE.ini[section].
+    void read_ini(const std::string& word) {
+        const std::size_t bracket = word.ends_with(']') ? word.find('[') : std::string::npos;
+        const std::string path = word.substr(0, bracket);
+        const std::string wanted =
+            bracket == std::string::npos ? "" : word.substr(bracket + 1, word.size() - bracket - 2);
+        std::string why;
+        const auto file = InputFile::open(path, why);
+        if (!file) throw Failure(k_bad_input, fmt::format("{}: {}", path, why));
+        if (++depth_ > k_max_ini_depth) fail(fmt::format("{}: .ini files are nested too deeply", path));
+        const std::string outer = place_;
+        std::string_view rest = file->text();
+        bool is_wanted = true;
+        for (int line = 1; !rest.empty(); ++line) {
+            const std::size_t end = std::min(rest.find('\n'), rest.size());
+            const std::string text = trimmed(rest.substr(0, std::min(end, rest.find(';'))));
+            rest.remove_prefix(std::min(end + 1, rest.size()));
+            place_ = fmt::format("{}:{}", path, line);
+            if (text.starts_with('[') && text.ends_with(']')) {
+                is_wanted = text.substr(1, text.size() - 2) == wanted;
+            } else if (is_wanted && !text.empty()) {
+                read_line(text);
+            }
+        }
+        place_ = outer;
+        --depth_;
+    }
+
+    // Key = Value, or switches.
+    void read_line(const std::string& text) {
+        if (text.find('=') != std::string::npos) return read(text);
+        for (std::size_t i = 0; i < text.size();) {
+            const std::size_t end = std::min(text.find_first_of(" \t", i), text.size());
+            if (end > i) read(text.substr(i, end - i));
+            i = end + 1;
+        }
+    }
+
+    void read(const std::string& word) {
+        if (word.size() > 1 && (word[0] == '+' || word[0] == '-')) {
+            const PovraySwitch* known = find_povray_switch(std::string_view(word).substr(1));
+            if (known == nullptr) return unknown(fmt::format("unknown switch {}", glint::quoted(word)));
+            return set(known->id, word.substr(1 + known->letters.size()), word[0] == '+', word);
+        }
+        const std::size_t equals = word.find('=');
+        if (equals != std::string::npos) {
+            const std::string key = trimmed(word.substr(0, equals)), value = trimmed(word.substr(equals + 1));
+            const PovraySwitch* known = find_povray_key(key);
+            if (known == nullptr) return unknown(fmt::format("unknown key {}", glint::quoted(key)));
+            return set_key(*known, value, word);
+        }
+        const std::string ending = extension(word.substr(0, word.find('[')));
+        if (ending == ".ini") return read_ini(word);
+        input_ = word;
+    }
+
+    // The system's own defaults may have keys of other versions.
+    void unknown(const std::string& message) const {
+        if (!is_own_ini_) fail(message);
+    }
+
+    static std::optional<bool> truth(const std::string& text) {
+        std::string lower;
+        for (const char c : text) lower += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+        if (lower == "on" || lower == "true" || lower == "yes" || lower == "1") return true;
+        if (lower == "off" || lower == "false" || lower == "no" || lower == "0") return false;
+        return std::nullopt;
+    }
+
+    // Keys whose values differ from those of their switches.
+    void set_key(const PovraySwitch& known, const std::string& value, const std::string& word) {
+        if (known.key == "Output_to_File") return void(writes_ = truth(value).value_or(true));
+        const bool is_switch = known.id == PovrayKey::antialias || known.id == PovrayKey::alpha ||
+                               known.id == PovrayKey::jitter || known.id == PovrayKey::display ||
+                               known.id == PovrayKey::verbose;
+        if (is_switch && known.key != "Jitter_Amount")
+            return set(known.id, {}, truth(value).value_or(true), word);
+        if (known.id == PovrayKey::other_picture && !truth(value).value_or(true)) return;
+        set(known.id, value, true, word);
+    }
+
+    double number(const std::string& value, const std::string& word, double most) const {
+        double result = 0;
+        const auto [end, error] = fast_float::from_chars(value.data(), value.data() + value.size(), result);
+        if (error != std::errc() || end != value.data() + value.size() || !(result >= 0 && result <= most))
+            fail(fmt::format("{}: expected a number from 0 to {}", glint::quoted(word), most));
+        return result;
+    }
+
+    void set(PovrayKey key, const std::string& value, bool on, const std::string& word) {
+        RenderArguments& render = parsed_.render;
+        switch (key) {
+            case PovrayKey::width:
+                return void(width_ = static_cast<int>(number(value, word, k_max_size)));
+            case PovrayKey::height:
+                return void(height_ = static_cast<int>(number(value, word, k_max_size)));
+            case PovrayKey::input:
+                return void(input_ = value);
+            case PovrayKey::output:
+                return void(output_ = value);
+            case PovrayKey::file_type:
+                writes_ = on;
+                return set_file_type(value, word);
+            case PovrayKey::bits:
+                return void(render.numbers.bits = number(value, word, 16) > 8 ? 16 : 8);
+            case PovrayKey::threads:
+                return void(render.threads = static_cast<int>(number(value, word, 1024)));
+            case PovrayKey::antialias:
+                antialias_ = on;
+                if (!value.empty()) threshold_ = number(value, word, 1e6);
+                return;
+            case PovrayKey::antialias_threshold:
+                return void(threshold_ = number(value, word, 1e6));
+            case PovrayKey::antialias_depth:
+                return void(depth_of_samples_ = std::clamp(static_cast<int>(number(value, word, 9)), 1, 9));
+            case PovrayKey::quality:
+                return set_quality(number(value, word, 11));
+            case PovrayKey::alpha:
+                return void(render.picture.alpha = on);
+            case PovrayKey::verbose:
+                return void(render.quiet = !on);
+            case PovrayKey::library:
+                return void(folders_.push_back(value));
+            case PovrayKey::clock:
+                if (!value.empty() && number(value, word, 1e12) == 0) return;
+                return fail(fmt::format("{}: glint-povray has no animation clock", glint::quoted(word)));
+            case PovrayKey::animation:
+                return fail(
+                    fmt::format("{}: glint-povray renders one picture, no animation", glint::quoted(word)));
+            case PovrayKey::part:
+                return fail(fmt::format("{}: glint-povray renders whole pictures", glint::quoted(word)));
+            case PovrayKey::declare:
+            case PovrayKey::header:
+                return fail(fmt::format("{}: glint-povray does not change the scene", glint::quoted(word)));
+            case PovrayKey::file_gamma:
+            case PovrayKey::other_picture:
+                return warn(fmt::format("{} has no effect in glint", glint::quoted(word)));
+            case PovrayKey::jitter:
+            case PovrayKey::sampling_method:
+            case PovrayKey::display:
+            case PovrayKey::console:
+            case PovrayKey::unused:
+                return;
+        }
+    }
+
+    // N8, N16, T, P, E; the bits follow the letter.
+    void set_file_type(const std::string& value, const std::string& word) {
+        if (value.empty()) return;
+        NumberArguments& numbers = parsed_.render.numbers;
+        const char type = value[0] >= 'a' ? static_cast<char>(value[0] - 'a' + 'A') : value[0];
+        std::string rest = value.substr(1);
+        if (!rest.empty() && (rest[0] == 'G' || rest[0] == 'g')) return fail_gray(word);
+        switch (type) {
+            case 'N':
+            case 'S':  // the system's, on Unix
+                numbers.format = FileFormat::png;
+                break;
+            case 'T':
+            case 'C':  // compressed: other bytes of the same picture
+                numbers.format = FileFormat::tga;
+                break;
+            case 'P':
+                numbers.format = FileFormat::ppm;
+                break;
+            case 'E':
+                numbers.format = FileFormat::exr;
+                break;
+            default:
+                fail(fmt::format("{}: glint-povray writes N (PNG), T (TGA), P (PPM) and E (OpenEXR)",
+                                 glint::quoted(word)));
+        }
+        if (!rest.empty()) numbers.bits = number(rest, word, 16) > 8 ? 16 : 8;
+    }
+    void fail_gray(const std::string& word) const {
+        fail(fmt::format("{}: glint-povray writes colours only", glint::quoted(word)));
+    }
+
+    void set_quality(double quality) {
+        auto& settings = parsed_.render.scene.settings;
+        std::erase_if(settings, [](const auto& s) { return s.first == "shading" || s.first == "shadows"; });
+        if (quality <= 1) settings.emplace_back("shading", "color");
+        if (quality <= 3) settings.emplace_back("shadows", "false");
+    }
+
+    void finish() {
+        if (input_.empty()) throw Failure(k_usage, "expected the name of a scene: +Iscene.pov");
+        RenderArguments& render = parsed_.render;
+        std::error_code ignored;
+        const bool exists = std::filesystem::exists(input_, ignored);
+        if (!exists && extension(input_).empty() && input_ != "-") input_ += ".pov";
+        render.scene.files = {input_};
+        render.scene.format = "povray";
+        if (width_ == 0 || height_ == 0) fail("expected a width and a height above 0");
+        render.picture.size = fmt::format("{}x{}", width_, height_);
+        // POV-Ray compares the sum of three channels.
+        if (antialias_ && depth_of_samples_ > 1)
+            render.picture.aa = fmt::format("adaptive:{}:{:.4g}", depth_of_samples_, threshold_ / 3);
+        if (!antialias_) render.picture.aa = "1";
+        NumberArguments& numbers = render.numbers;
+        if (!numbers.format) numbers.format = FileFormat::png;
+        if (*numbers.format != FileFormat::png && *numbers.format != FileFormat::ppm) numbers.bits = 8;
+        render.output = writes_ ? output_path() : "/dev/null";
+        render.scene.include_paths = folders_;
+    }
+
+    std::string output_path() const {
+        const FileFormat format = *parsed_.render.numbers.format;
+        const std::string ending = format == FileFormat::tga   ? ".tga"
+                                   : format == FileFormat::ppm ? ".ppm"
+                                   : format == FileFormat::exr ? ".exr"
+                                                               : ".png";
+        const std::string name = (input_ == "-" ? std::string("stdin") : stem(input_)) + ending;
+        if (output_.empty()) return name;
+        std::error_code ignored;
+        if (output_ == "-") return output_;
+        if (output_.ends_with('/') || std::filesystem::is_directory(output_, ignored))
+            return (std::filesystem::path(output_) / name).string();
+        return extension(output_).empty() ? output_ + ending : output_;
+    }
+
+    DropIn parsed_;
+    std::string place_;  // in an .ini file
+    bool is_own_ini_ = false;
+    int depth_ = 0;
+    std::string input_, output_;
+    std::vector<std::string> folders_;
+    int width_ = 320, height_ = 240;
+    bool antialias_ = false, writes_ = true;
+    double threshold_ = 0.3;
+    int depth_of_samples_ = 3;
+};
+
+}  // namespace
+
+DropIn povray_drop_in(const std::vector<std::string>& arguments) {
+    return PovrayArguments().parse(arguments);
+}
+
+}  // namespace glint::cli

@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: Apache-2.0
+// glint-tachyon's command line. Flags that set modes become a second text in Tachyon's format.
+#include <fast_float/fast_float.h>
+#include <fmt/format.h>
+
+#include <optional>
+
+#include "base/text.h"
+#include "cli/drop_in.h"
+#include "cli/failure.h"
+#include "cli/foreign_table.h"
+
+namespace glint::cli {
+namespace {
+
+using Value = ForeignValue;
+
+constexpr int k_sky_samples = 128;  // Tachyon's default
+
+class TachyonArguments {
+  public:
+    explicit TachyonArguments(const std::vector<std::string>& words) : words_(words) {}
+
+    DropIn parse() {
+        RenderArguments& render = parsed_.render;
+        render.scene.format = "tachyon";
+        render.output = "outfile.tga";
+        render.numbers.format = FileFormat::tga;
+        for (next_ = 0; next_ < words_.size();) read(words_[next_++]);
+        if (parsed_.wants_help || parsed_.wants_version) return std::move(parsed_);
+        if (render.scene.files.empty()) throw Failure(k_usage, "expected the name of a model file");
+        if (!modes_.empty() || light_scale_)
+            text_ += fmt::format("Shader_Mode{}{} End_Shader_Mode\n", modes_,
+                                 light_scale_ ? fmt::format(" Rescale_Direct {}", *light_scale_) : "");
+        if (sky_)
+            text_ +=
+                fmt::format("Sky_Light NumSamples {} Color {} {} {}\n", sky_samples_, *sky_, *sky_, *sky_);
+        if (!text_.empty()) render.scene.further_texts.emplace_back("command line", text_);
+        return std::move(parsed_);
+    }
+
+  private:
+    [[noreturn]] static void fail(const std::string& message) { throw Failure(k_usage, message); }
+
+    std::string value_of(std::string_view flag) {
+        if (next_ == words_.size()) fail(fmt::format("{}: expected a value", flag));
+        return words_[next_++];
+    }
+    static double number_in(std::string_view flag, const std::string& text) {
+        double value = 0;
+        const auto [end, error] = fast_float::from_chars(text.data(), text.data() + text.size(), value);
+        if (error != std::errc() || end != text.data() + text.size() || !(value >= 0 && value <= 1e9))
+            fail(fmt::format("{}: expected a number >= 0, found {}", flag, glint::quoted(text)));
+        return value;
+    }
+    static int whole_in(std::string_view flag, const std::string& text, int most) {
+        const double value = number_in(flag, text);
+        const int whole = value <= most ? static_cast<int>(value) : -1;
+        if (static_cast<double>(whole) != value)
+            fail(fmt::format("{}: expected a whole number from 0 to {}, found {}", flag, most,
+                             glint::quoted(text)));
+        return whole;
+    }
+    void set(const std::string& key, const std::string& value) {
+        std::erase_if(parsed_.render.scene.settings,
+                      [&](const auto& setting) { return setting.first == key; });
+        parsed_.render.scene.settings.emplace_back(key, value);
+    }
+
+    void read(const std::string& word) {
+        if (word == "-help") return void(parsed_.wants_help = true);
+        if (word == "-version" || word == "-banner") return void(parsed_.wants_version = true);
+        if (word == "+V") return void(parsed_.render.quiet = false);
+        if (word == "-V") return;
+        if (word == "-o") return void(parsed_.render.output = value_of(word));
+        if (word.size() > 1 && word[0] == '-') return read_flag(word);
+        parsed_.render.scene.files = {word};  // the last one counts
+    }
+
+    void read_flag(const std::string& word) {
+        const ForeignFlag* flag = find_foreign_flag(word, true);
+        if (flag == nullptr) {
+            std::vector<std::string_view> known;
+            for (const ForeignFlag& f : tachyon_flags()) known.push_back(f.flag);
+            fail(fmt::format("unknown flag {}{}", glint::quoted(word), did_you_mean(word, known)));
+        }
+        std::vector<std::string> values;
+        for (int i = 0; i < flag->values; ++i) values.push_back(value_of(word));
+        if (!flag->mode.empty()) {
+            modes_ += fmt::format(" {}", flag->mode);
+            for (const std::string& value : values)
+                modes_ += fmt::format(" {}", whole_in(word, value, 1000000000));
+            return;
+        }
+        apply(*flag, word, values);
+    }
+
+    void apply(const ForeignFlag& flag, const std::string& word, const std::vector<std::string>& values) {
+        RenderArguments& render = parsed_.render;
+        switch (flag.value) {
+            case Value::size:
+                return void(render.picture.size = values[0] + "x" + values[1]);
+            case Value::samples_besides: {
+                const int wanted = whole_in(word, values[0], 1000000) + 1;
+                int side = 1;
+                while (side < k_max_samples && side * side < wanted) ++side;
+                return set("aa", std::to_string(side));
+            }
+            case Value::depth:
+                return set("reflections", std::to_string(std::clamp(whole_in(word, values[0], 1000000) - 1, 0,
+                                                                    k_max_reflections)));
+            case Value::same:  // -numthreads
+                return void(render.threads = whole_in(word, values[0], 1024));
+            case Value::file_type:
+                return set_format(values[0]);
+            case Value::light_scale: {
+                const double scale = number_in(word, values[0]);
+                if (scale < 1) light_scale_ = scale;
+                return;
+            }
+            case Value::sky_instead:
+                sky_ = number_in(word, values[0]);
+                light_scale_ = std::max(0.0, 1 - *sky_);
+                return;
+            case Value::sky_besides:
+                sky_ = number_in(word, values[0]);
+                return;
+            case Value::sky_samples:
+                sky_samples_ = whole_in(word, values[0], 1000000);
+                return;
+            case Value::unused:
+                return;
+            case Value::nearest:
+                parsed_.warnings.push_back(fmt::format("{}: drawn as -shade_blinn", word));
+                return set("shading", "blinn-phong");
+            case Value::gamma:
+                parsed_.warnings.push_back(
+                    fmt::format("{}: glint has no such gamma; the picture has none", word));
+                return;
+            default:
+                break;
+        }
+        if (word == "-nosave") return void(render.output = "/dev/null");
+        constexpr std::string_view shading = "--shading ";
+        if (flag.ours.starts_with(shading))
+            return set("shading", std::string(flag.ours.substr(shading.size())));
+        parsed_.warnings.push_back(fmt::format("{} has no effect: {}", word, flag.ours));
+    }
+
+    void set_format(const std::string& name) {
+        NumberArguments& numbers = parsed_.render.numbers;
+        std::string upper;
+        for (const char c : name) upper += c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
+        numbers.bits = upper == "PPM48" ? 16 : 8;
+        if (upper == "PNG") {
+            numbers.format = FileFormat::png;
+        } else if (upper == "PPM" || upper == "PPM48") {
+            numbers.format = FileFormat::ppm;
+        } else if (upper == "TARGA" || upper == "TGA") {
+            numbers.format = FileFormat::tga;
+        } else {
+            fail(fmt::format("-format: glint-tachyon writes TARGA, PNG, PPM and PPM48, found {}",
+                             glint::quoted(name)));
+        }
+    }
+
+    const std::vector<std::string>& words_;
+    std::size_t next_ = 0;
+    DropIn parsed_;
+    std::string modes_, text_;
+    std::optional<double> light_scale_, sky_;
+    int sky_samples_ = k_sky_samples;
+};
+
+}  // namespace
+
+DropIn tachyon_drop_in(const std::vector<std::string>& arguments) {
+    return TachyonArguments(arguments).parse();
+}
+
+}  // namespace glint::cli
