@@ -11,7 +11,7 @@ class Rule:
     name: str
     program: str  # povray or tachyon
     peer: str     # the scene in its language
-    own: str      # the same in .glint
+    own: str      # the same in .glint; empty: glint reads the peer's file
     width: int = WIDTH
     height: int = HEIGHT
     alpha: bool = False  # both write an alpha channel

@@ -13,6 +13,7 @@ import sys
 import zlib
 
 import alpha
+import dat
 import finish
 import fog
 import lights
@@ -21,7 +22,7 @@ import sky
 import transparency
 
 SHARE = 0.99
-LISTS = [lights.RULES, fog.RULES, alpha.RULES, finish.RULES, transparency.RULES, sky.RULES, output.RULES]
+LISTS = [lights.RULES, fog.RULES, alpha.RULES, finish.RULES, transparency.RULES, sky.RULES, output.RULES, dat.RULES]
 
 
 def read_ppm(path):
@@ -93,15 +94,16 @@ def render_peer(folder, rule):
             return read_png(folder / "peer.png")
     else:
         (folder / "peer.dat").write_text(rule.peer)
-        run(folder, "tachyon", "peer.dat", "-fullshade", "-numthreads", "1", "-format", "PPM", "-o", "peer.ppm",
-            *rule.flags)
+        run(folder, "tachyon", "peer.dat", "-numthreads", "1", "-format", "PPM", "-o", "peer.ppm", *rule.flags)
     return read_ppm(folder / "peer.ppm")
 
 
 def render_glint(folder, rule, glint):
-    (folder / "own.glint").write_text(rule.own)
+    own = "own.glint" if rule.own else "peer.dat"  # glint reads the peer's own file
+    if rule.own:
+        (folder / own).write_text(rule.own)
     output = ("-o", "own.png", "--alpha") if rule.alpha else ("-o", "own.ppm")
-    run(folder, str(glint), "render", "own.glint", "-s", f"{rule.width}x{rule.height}", *output, "--quiet",
+    run(folder, str(glint), "render", own, "-s", f"{rule.width}x{rule.height}", *output, "--quiet",
         *rule.args)
     return read_png(folder / "own.png") if rule.alpha else read_ppm(folder / "own.ppm")
 

@@ -1,0 +1,49 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Scenes of Tachyon's own, which glint reads as they are."""
+from lights import Rule
+
+CAMERA = ("Camera {projection}Zoom {zoom} Aspectratio {aspect} Antialiasing 0 Raydepth {depth}\n"
+          "  Center 0.2 3 -8 Viewdir 0 -0.35 1 Updir 0.1 1 0\nEnd_Camera\n")
+LIGHTS = ("Light Center -4 6 -5 Rad 0.3 Color 0.7 0.6 0.6\n"
+          "Directional_Light Direction -1 -2 1.5 Color 0.3 0.4 0.5\n")
+
+
+def texture(color, specular=0, opacity=1, phong="Plastic 0.4", size=25, ambient=0.1, diffuse=0.7):
+    return (f"Texture Ambient {ambient} Diffuse {diffuse} Specular {specular} Opacity {opacity} "
+            f"Phong {phong} Phong_size {size} Color {color} TexFunc 0\n")
+
+
+FLOOR = "Plane Center 0 0 0 Normal 0 1 0 " + texture("0.8 0.8 0.7", phong="Plastic 0")
+BALL = "Sphere Center -1.2 0.8 0 Rad 0.8 " + texture("0.9 0.5 0.2")
+
+
+def rule(name, objects, projection="", zoom=1.5, aspect=1, depth=6, mode="", head=LIGHTS + FLOOR):
+    camera = CAMERA.format(projection=projection and f"Projection {projection} ", zoom=zoom, aspect=aspect, depth=depth)
+    return Rule("dat_" + name, "tachyon",
+                f"Begin_Scene\nResolution 160 120\n{mode}\n{camera}Background 0.1 0.2 0.4\n{head}{objects}End_Scene\n", "")
+
+
+GLASS = ("Sphere Center 0 1 -2 Rad 0.7 " + texture("0.3 0.8 0.5", opacity=0.4) +
+         "Sphere Center 0.5 1 -3 Rad 0.3 " + texture("0.8 0.3 0.5", opacity=0.7, specular=0.3))
+ARRAY = ("VertexArray Numverts 4 Coords -2 0.5 0  0 0.3 -1  -2 2 0.5  0 2 0\n"
+         "Normals -0.2 0.1 -1  0.3 0 -1  -0.3 0.4 -1  0.1 0.3 -1\n" + texture("0.4 0.7 0.9") +
+         "TriStrip 4 0 2 1 3 End_VertexArray\n")
+RULES = [
+    rule("sphere", BALL),
+    rule("orthographic", BALL, projection="Orthographic", zoom=0.2),
+    rule("aspect", BALL, aspect=1.5),
+    rule("cylinders", "FCylinder Base -1 0.2 0 Apex 1 1.5 -1 Rad 0.4 " + texture("0.9 0.5 0.2") +
+         "PolyCylinder Points 3 -2 1 1 0 2 1 2 1 0 Rad 0.2 " + texture("0.2 0.5 0.9")),
+    rule("rings", "Ring Center -1 1 0 Normal 0.3 0.5 -1 Inner 0 Outer 0.8 " + texture("0.9 0.5 0.2") +
+         "Ring Center 1 1 0 Normal -0.3 1 -1 Inner 0.4 Outer 1 " + texture("0.2 0.5 0.9")),
+    rule("box", "Box Min -1 0.2 -1 Max 1 1.4 0.5 " + texture("0.9 0.5 0.2")),
+    rule("triangles", "Tri V0 -2 0.2 0 V1 0 2 0.5 V2 -0.5 0.2 -1 " + texture("0.9 0.5 0.2") +
+         "STri V0 0.2 0.2 0 V1 0.5 2 0.5 V2 2 0.2 -1 N0 -0.5 0 -1 N1 0 0.5 -1 N2 0.5 0 -1 " + texture("0.2 0.5 0.9")),
+    rule("vertex_array", ARRAY),
+    rule("mirrors", BALL + "Sphere Center 0.8 0.9 -0.6 Rad 0.9 " + texture("0.3 0.6 0.9", specular=0.6)),
+    rule("trans_orig", BALL + GLASS, mode="Shader_Mode Medium End_Shader_Mode"),
+    rule("trans_vmd", BALL + GLASS, mode="Shader_Mode Medium Trans_VMD End_Shader_Mode"),
+    rule("shadow_filter_off", BALL + GLASS, mode="Shader_Mode Full Shadow_Filter_Off End_Shader_Mode"),
+    rule("metal", "Sphere Center 0 1.2 -1 Rad 1 " + texture("0.9 0.6 0.2", phong="Metal 0.8", size=12),
+         head="Directional_Light Direction -1 -2 1.5 Color 1 1 1\n" + FLOOR),
+]
