@@ -283,6 +283,21 @@ TEST(PovRay, LightsFogAndBackground) {
     EXPECT_EQ(scene.profile, "povray");
 }
 
+TEST(PovRay, AreaLightsShineFromTheirCentre) {
+    const Scene scene = povray_scene(
+        "light_source { 0, rgb 1 area_light <2, 0, 0>, <0, 3, 0>, 5, 4 adaptive 1 jitter rotate 90*z }\n"
+        "sphere { 0, 1 }");
+    const Light& light = scene.lights.at(1);
+    EXPECT_EQ(light.kind, LightKind::parallelogram);
+    expect_vec(light.side_u, {0, 2, 0});
+    expect_vec(light.side_v, {-3, 0, 0});
+    EXPECT_EQ(light.samples_u, 5);
+    EXPECT_EQ(light.samples_v, 4);
+    EXPECT_EQ(light.adaptive, 1);
+    EXPECT_TRUE(light.jitter);
+    EXPECT_EQ(scene.conventions.area_shading, AreaShading::center);
+}
+
 TEST(PovRay, APovIsOfCsc473IfItsWholeTextIs) {
     const std::string both =
         "camera { location <0, 0, 5> look_at <0, 0, 0> }\n"

@@ -195,7 +195,7 @@ TEST(Profiles, SetEveryOriginAndTheName) {
 
 TEST(Profiles, UnknownProfilesChangeNothing) {
     Scene scene;
-    EXPECT_FALSE(apply_profile(scene, "povray"));
+    EXPECT_FALSE(apply_profile(scene, "renderman"));
     EXPECT_FALSE(apply_profile(scene, ""));
     EXPECT_EQ(scene.profile, "glint");
 }

@@ -2,6 +2,8 @@
 // light_source.
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "base/text.h"
 #include "formats/povray/reader.h"
 #include "formats/povray_keywords.h"
@@ -57,21 +59,26 @@ Object Reader::read_light(const Token& word) {
                 flag();
                 break;
             case Word::k_area_light:
-                vector();
+                source.is_area = true;
+                source.light.side_u = vector();
                 accept(',');
-                vector();
+                source.light.side_v = vector();
                 accept(',');
-                number();
+                source.light.samples_u = sample_count();
                 accept(',');
-                number();
-                source.missing = missing(item, "area_light");
+                source.light.samples_v = sample_count();
+                source.light.adaptive = 0;
                 break;
             case Word::k_adaptive:
-                number();
+                source.light.adaptive =
+                    static_cast<std::int32_t>(std::clamp(number(), 0.0, 1.0 * k_all_levels));
                 break;
             case Word::k_jitter:
+                source.light.jitter = true;
+                break;
             case Word::k_circular:
             case Word::k_orient:
+                source.missing = missing(item, to_string(item.word()));
                 break;
             case Word::k_area_illumination:
                 if (flag()) source.missing = missing(item, "area_illumination");
@@ -97,6 +104,16 @@ Object Reader::read_light(const Token& word) {
     }
     object.light = std::move(held);
     return object;
+}
+
+// The number of samples along a side of an area light.
+std::int32_t Reader::sample_count() {
+    const Token at = peek();
+    const double count = number();
+    if (!failed_ && !(count >= 1 && count <= k_max_light_samples)) {
+        error(at, fmt::format("expected a number of samples from 1 to {}", k_max_light_samples));
+    }
+    return failed_ ? 1 : static_cast<std::int32_t>(count);
 }
 
 // { object }: moved to the light; it casts no shadow.

@@ -153,6 +153,19 @@ void Reader::place_light(const Object& object, const Inherited& own) {
         light.outer_angle = std::clamp(light.outer_angle, 1e-6, 180.0);
         light.inner_angle = std::clamp(light.inner_angle, 0.0, light.outer_angle);
     }
+    if (source.is_area) {
+        if (light.kind == LightKind::point) {
+            light.kind = LightKind::parallelogram;
+            if (own.map) {
+                light.side_u = transform_vector(*own.map, light.side_u);
+                light.side_v = transform_vector(*own.map, light.side_v);
+            }
+            // A side with one sample has no length in POV-Ray.
+            if (light.samples_u == 1 && light.samples_v == 1) light.kind = LightKind::point;
+        } else {
+            report({"area_light", "of a spotlight or parallel light", call_place(object.at)});
+        }
+    }
     light.fade_distance = std::max(light.fade_distance, 0.0);
     light.fade_power = std::max(light.fade_power, 0.0);
     note(scene_.light_texts, scene_.lights.size(), place_of(call_place(object.at)));

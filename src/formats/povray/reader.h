@@ -21,7 +21,7 @@ namespace glint::povray {
 // Limits on what a short text can ask for.
 inline constexpr std::uint64_t k_max_steps = 30'000'000;    // tokens read again by loops and macros
 inline constexpr std::size_t k_max_frames = 500;            // macros and includes within each other
-inline constexpr int k_max_depth = 200;                     // brackets and blocks within each other
+inline constexpr int k_max_depth = 100;                     // brackets and blocks within each other
 inline constexpr std::uint64_t k_max_elements = 4'000'000;  // of all arrays
 inline constexpr std::uint64_t k_max_shapes = 4'000'000;    // more than the text has tokens
 inline constexpr std::size_t k_max_string = 65536;
@@ -255,6 +255,7 @@ class Reader {
     // lights.cpp
     Object read_light(const Token& word);
     void read_looks_like(Object& light);
+    std::int32_t sample_count();
 
     // camera.cpp
     CameraItems read_camera(const Token& word);
@@ -265,8 +266,8 @@ class Reader {
     void read_global_settings();
     void read_background(const Token& at);
     void read_fog(const Token& at);
-    void report_gamma();
-    void set(std::string_view name, const Token& at, double value);
+    void use_gamma();
+    bool set(std::string_view name, const Token& at, std::string_view value);
     void finish_settings();
 
     // place.cpp

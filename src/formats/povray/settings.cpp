@@ -116,10 +116,11 @@ void Reader::read_global_settings() {
             case Word::k_max_trace_level:
                 // The camera ray is level 1.
                 set("reflections", item,
-                    std::clamp(number() - 1, 0.0, static_cast<double>(k_max_reflections)));
+                    fmt::format("{}",
+                                static_cast<int>(std::clamp(number() - 1, 0.0, 1.0 * k_max_reflections))));
                 break;
             case Word::k_adc_bailout:
-                set("min_weight", item, std::clamp(number(), 0.0, 1.0));
+                set("min_weight", item, fmt::format("{}", std::clamp(number(), 0.0, 1.0)));
                 break;
             case Word::k_ambient_light: {
                 const std::array<double, 5> c = color(true);
@@ -157,23 +158,23 @@ void Reader::read_global_settings() {
     }
 }
 
-// glint's bytes are the picture's numbers. POV-Ray's are if neither assumed_gamma nor a version from 3.7 on
-// is given.
-void Reader::report_gamma() {
-    if (gamma_) {
-        report({"assumed_gamma", "the encoding of the picture's bytes", gamma_place_});
-    } else if (version_.value_or(0) >= 3.7) {
-        report({"#version 3.7", "it encodes the picture's bytes by sRGB's curve", version_place_});
-    }
+// POV-Ray's bytes are the picture's numbers if neither assumed_gamma nor a version from 3.7 on is given, else
+// sRGB's curve of them to the power of assumed_gamma.
+void Reader::use_gamma() {
+    const bool is_new = version_.value_or(0) >= 3.7;
+    if ((!gamma_ && !is_new) || is_gamma_srgb_) return;
+    const Token at = gamma_ ? gamma_place_ : version_place_;
+    const double gamma = gamma_.value_or(1);
+    if (!(gamma > 0 && gamma <= 100)) return error(at, "expected a gamma above 0 and at most 100");
+    if (set("transfer", at, "srgb") && set("gamma", at, fmt::format("{}", gamma))) return;
+    report({gamma_ ? "assumed_gamma" : "#version 3.7", "the encoding of the picture's bytes", at});
 }
 
-// Sets a convention or setting that the text gives.
-void Reader::set(std::string_view name, const Token& at, double value) {
+// Sets a convention or setting that the text gives; false if there is none of this name.
+bool Reader::set(std::string_view name, const Token& at, std::string_view value) {
     const auto key = find_setting(name);
-    if (failed_ || !key) return;
-    const bool is_whole = name == "reflections";
-    const std::string text = is_whole ? fmt::format("{}", static_cast<int>(value)) : fmt::format("{}", value);
-    (void)set_setting(scene_, *key, text, {SettingOrigin::Kind::file, place_of(at)}).ok();
+    return !failed_ && key &&
+           set_setting(scene_, *key, value, {SettingOrigin::Kind::file, place_of(at)}).ok();
 }
 
 // What the whole text decides.
@@ -189,12 +190,10 @@ void Reader::finish_settings() {
         scene_.light_texts.places.emplace_back();
         scene_.lights.push_back(ambient);
     }
-    report_gamma();
+    use_gamma();
     const bool is_new = version_.value_or(0) >= 3.7;
-    if (const auto key = find_setting("opacity"); key && !is_new) {
-        (void)set_setting(scene_, *key, "brightest", {SettingOrigin::Kind::file, place_of(version_place_)})
-            .ok();
-    }
+    if (!is_new) set("opacity", version_place_, "brightest");
+    set("rounding", version_place_, "half_up");
     if (is_transparent_ && scene_.fog) {
         report({"fog", "behind transparent surfaces", tokens_[text_.file].back()});
     }

@@ -103,7 +103,7 @@ struct LightSource {
     Light light;  ///< position, colour and kind; the direction of spots and parallel lights is point_at -
                   ///< position
     Vec3 point_at{0, 0, 1};
-    bool is_parallel = false;
+    bool is_parallel = false, is_area = false;
     std::optional<Missing> missing;
 };
 
