@@ -51,8 +51,8 @@ class StripEncoder {
     virtual void finish() = 0;
 };
 
-/// The encoder of a picture with 1 to k_max_size pixels a side, which may have alpha (not PPM and TGA). The file must
-/// outlive it. Null if this build does not write the format.
+/// The encoder of a picture with 1 to k_max_size pixels a side, which may have alpha (not PPM and TGA). The
+/// file must outlive it. Null if this build does not write the format.
 std::unique_ptr<StripEncoder> make_strip_encoder(std::int32_t width, std::int32_t height,
                                                  const EncodeOptions& options, ByteFile& file,
                                                  bool alpha = false);

@@ -146,7 +146,8 @@ TEST(Hostile, OneLongLineIsReadInLinearTime) {
         {"a.dat", "Begin_Scene Resolution 9 9 VertexArray Numverts 4e9 Coords ", "1 ", bytes},
         {"a.dat", "Begin_Scene Resolution 9 9 ",
          "TexDef t Ambient 0 Diffuse 1 Specular 0 Opacity 1 Color 1 1 1 TexFunc 0 ", bytes},
-        {"a.dat", "Begin_Scene Resolution 9 9 ImageDef a Format RGB24 Resolution 65536 65536 65536 Encoding Hex ",
+        {"a.dat",
+         "Begin_Scene Resolution 9 9 ImageDef a Format RGB24 Resolution 65536 65536 65536 Encoding Hex ",
          "123 ", bytes},
         {"a.js", "[{ name: '", "\\u00e9", bytes}};
     for (const auto& [name, begin, piece, length] : cases) {
