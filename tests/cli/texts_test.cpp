@@ -87,12 +87,12 @@ TEST(Texts, ProgressWithoutATerminalIsALineEveryTenSeconds) {
 
 TEST(Texts, HalfBlocks) {
     const Image image{2, 3, {1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 1, 1, 0, 0, 0, 0.5f, 0.5f, 0.5f}};
-    EXPECT_EQ(half_blocks(image, 80, Transfer::none),
+    EXPECT_EQ(half_blocks(image, 80, {}),
               "\x1b[38;2;255;0;0;48;2;0;0;255m▀\x1b[38;2;0;255;0;48;2;255;255;255m▀\x1b[0m\n"
               "\x1b[38;2;0;0;0m▀\x1b[38;2;128;128;128m▀\x1b[0m\n");
     // Scaled to one column: the mean of white and black is 127.5, rounded to even.
     const Image wide{2, 2, {1, 1, 1, 0, 0, 0, 0, 0, 0, 1, 1, 1}};
-    EXPECT_EQ(half_blocks(wide, 1, Transfer::none), "\x1b[38;2;128;128;128m▀\x1b[0m\n");
+    EXPECT_EQ(half_blocks(wide, 1, {}), "\x1b[38;2;128;128;128m▀\x1b[0m\n");
 }
 
 TEST(Texts, ForeignFlags) {

@@ -9,19 +9,20 @@ _glint() {
     fi
     case $command in
         render)
-            options='-h --help --scene --format --profile --convention -o --output -s --size --shading --no-shadows --reflections --aa --seed --alpha --aov --crop --transfer --bits -t --threads --isa --resume --part --stats --strict --show -q --quiet'
+            options='-h --help --scene --include-path --format --profile --convention -o --output -s --size --shading --no-shadows --reflections --aa --seed --alpha --aov --crop --transfer --bits -t --threads --isa --resume --part --stats --strict --show -q --quiet'
             [[ $word == -* ]] || case $before in
                 --scene) return ;;
-                --format) words='cgfs epfl csc473 nff glint' ;;
-                --profile) words='cgfs epfl lecture5 light csc473 nff glint' kind=file ;;
-                --convention) words='pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= transparency= opacity= transparent_shadow= transparency_counts= transparent_surfaces= min_weight= facing= cones= spot_falloff= clamp_attenuation= fog_distance= fog_background= size= shading= shadows= reflections= aa= alpha= seed='; compopt -o nospace 2>/dev/null ;;
+                --include-path) return ;;
+                --format) words='cgfs epfl csc473 povray nff tachyon glint' ;;
+                --profile) words='cgfs epfl lecture5 light csc473 povray nff tachyon glint' kind=file ;;
+                --convention) words='pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= transparency= opacity= transparent_shadow= transparency_counts= transparent_surfaces= min_weight= facing= cones= spot_falloff= clamp_attenuation= attenuate_highlights= light_threshold= area_shading= fog_distance= fog_background= transfer= gamma= rounding= size= shading= shadows= reflections= aa= alpha= seed='; compopt -o nospace 2>/dev/null ;;
                 -o|--output) kind=file ;;
                 -s|--size) return ;;
                 --shading) words='phong blinn-phong diffuse color normals' ;;
                 --reflections) return ;;
                 --aa) words='N adaptive:N[:T]' ;;
                 --seed) return ;;
-                --aov) words='all background ambient diffuse specular reflection transmission sky fog normal depth position albedo shadow occlusion object material alpha' ;;
+                --aov) words='all background ambient diffuse specular reflection transmission emission sky fog normal depth position albedo shadow occlusion object material alpha' ;;
                 --crop) return ;;
                 --transfer) words='none srgb' ;;
                 --bits) words='8 16' ;;
@@ -32,31 +33,34 @@ _glint() {
                 *) kind=scene ;;
             esac ;;
         info)
-            options='-h --help --scene --format --profile --convention --json --isa'
+            options='-h --help --scene --include-path --format --profile --convention --json --isa'
             [[ $word == -* ]] || case $before in
                 --scene) return ;;
-                --format) words='cgfs epfl csc473 nff glint' ;;
-                --profile) words='cgfs epfl lecture5 light csc473 nff glint' kind=file ;;
-                --convention) words='pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= transparency= opacity= transparent_shadow= transparency_counts= transparent_surfaces= min_weight= facing= cones= spot_falloff= clamp_attenuation= fog_distance= fog_background= size= shading= shadows= reflections= aa= alpha= seed='; compopt -o nospace 2>/dev/null ;;
+                --include-path) return ;;
+                --format) words='cgfs epfl csc473 povray nff tachyon glint' ;;
+                --profile) words='cgfs epfl lecture5 light csc473 povray nff tachyon glint' kind=file ;;
+                --convention) words='pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= transparency= opacity= transparent_shadow= transparency_counts= transparent_surfaces= min_weight= facing= cones= spot_falloff= clamp_attenuation= attenuate_highlights= light_threshold= area_shading= fog_distance= fog_background= transfer= gamma= rounding= size= shading= shadows= reflections= aa= alpha= seed='; compopt -o nospace 2>/dev/null ;;
                 *) kind=scene ;;
             esac ;;
         convert)
-            options='-h --help --scene --format --profile --convention -o --output -q --quiet'
+            options='-h --help --scene --include-path --format --profile --convention -o --output -q --quiet'
             [[ $word == -* ]] || case $before in
                 --scene) return ;;
-                --format) words='cgfs epfl csc473 nff glint' ;;
-                --profile) words='cgfs epfl lecture5 light csc473 nff glint' kind=file ;;
-                --convention) words='pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= transparency= opacity= transparent_shadow= transparency_counts= transparent_surfaces= min_weight= facing= cones= spot_falloff= clamp_attenuation= fog_distance= fog_background= size= shading= shadows= reflections= aa= alpha= seed='; compopt -o nospace 2>/dev/null ;;
+                --include-path) return ;;
+                --format) words='cgfs epfl csc473 povray nff tachyon glint' ;;
+                --profile) words='cgfs epfl lecture5 light csc473 povray nff tachyon glint' kind=file ;;
+                --convention) words='pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= transparency= opacity= transparent_shadow= transparency_counts= transparent_surfaces= min_weight= facing= cones= spot_falloff= clamp_attenuation= attenuate_highlights= light_threshold= area_shading= fog_distance= fog_background= transfer= gamma= rounding= size= shading= shadows= reflections= aa= alpha= seed='; compopt -o nospace 2>/dev/null ;;
                 -o|--output) kind=file ;;
                 *) kind=scene ;;
             esac ;;
         check)
-            options='-h --help --scene --format --profile --convention -s --size --shading --no-shadows --reflections --aa --seed -t --threads --strict --json -q --quiet'
+            options='-h --help --scene --include-path --format --profile --convention -s --size --shading --no-shadows --reflections --aa --seed -t --threads --strict --json -q --quiet'
             [[ $word == -* ]] || case $before in
                 --scene) return ;;
-                --format) words='cgfs epfl csc473 nff glint' ;;
-                --profile) words='cgfs epfl lecture5 light csc473 nff glint' kind=file ;;
-                --convention) words='pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= transparency= opacity= transparent_shadow= transparency_counts= transparent_surfaces= min_weight= facing= cones= spot_falloff= clamp_attenuation= fog_distance= fog_background= size= shading= shadows= reflections= aa= alpha= seed='; compopt -o nospace 2>/dev/null ;;
+                --include-path) return ;;
+                --format) words='cgfs epfl csc473 povray nff tachyon glint' ;;
+                --profile) words='cgfs epfl lecture5 light csc473 povray nff tachyon glint' kind=file ;;
+                --convention) words='pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= transparency= opacity= transparent_shadow= transparency_counts= transparent_surfaces= min_weight= facing= cones= spot_falloff= clamp_attenuation= attenuate_highlights= light_threshold= area_shading= fog_distance= fog_background= transfer= gamma= rounding= size= shading= shadows= reflections= aa= alpha= seed='; compopt -o nospace 2>/dev/null ;;
                 -s|--size) return ;;
                 --shading) words='phong blinn-phong diffuse color normals' ;;
                 --reflections) return ;;
@@ -66,12 +70,13 @@ _glint() {
                 *) kind=scene ;;
             esac ;;
         explain)
-            options='-h --help --scene --format --profile --convention -p --pixel --sample --as --origin --why-not --overlay -s --size --shading --no-shadows --reflections --aa --seed --alpha --transfer --bits --isa'
+            options='-h --help --scene --include-path --format --profile --convention -p --pixel --sample --as --origin --why-not --overlay -s --size --shading --no-shadows --reflections --aa --seed --alpha --transfer --bits --isa'
             [[ $word == -* ]] || case $before in
                 --scene) return ;;
-                --format) words='cgfs epfl csc473 nff glint' ;;
-                --profile) words='cgfs epfl lecture5 light csc473 nff glint' kind=file ;;
-                --convention) words='pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= transparency= opacity= transparent_shadow= transparency_counts= transparent_surfaces= min_weight= facing= cones= spot_falloff= clamp_attenuation= fog_distance= fog_background= size= shading= shadows= reflections= aa= alpha= seed='; compopt -o nospace 2>/dev/null ;;
+                --include-path) return ;;
+                --format) words='cgfs epfl csc473 povray nff tachyon glint' ;;
+                --profile) words='cgfs epfl lecture5 light csc473 povray nff tachyon glint' kind=file ;;
+                --convention) words='pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= transparency= opacity= transparent_shadow= transparency_counts= transparent_surfaces= min_weight= facing= cones= spot_falloff= clamp_attenuation= attenuate_highlights= light_threshold= area_shading= fog_distance= fog_background= transfer= gamma= rounding= size= shading= shadows= reflections= aa= alpha= seed='; compopt -o nospace 2>/dev/null ;;
                 -p|--pixel) return ;;
                 --sample) return ;;
                 --as) words='text json printrays' ;;
@@ -95,12 +100,12 @@ _glint() {
                 --fail-percent) return ;;
                 --hard-fail) return ;;
                 --diff) kind=file ;;
-                --vary) words='pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= transparency= opacity= transparent_shadow= transparency_counts= transparent_surfaces= min_weight= facing= cones= spot_falloff= clamp_attenuation= fog_distance= fog_background= size= shading= shadows= reflections= aa= alpha= seed='; compopt -o nospace 2>/dev/null ;;
+                --vary) words='pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= transparency= opacity= transparent_shadow= transparency_counts= transparent_surfaces= min_weight= facing= cones= spot_falloff= clamp_attenuation= attenuate_highlights= light_threshold= area_shading= fog_distance= fog_background= transfer= gamma= rounding= size= shading= shadows= reflections= aa= alpha= seed='; compopt -o nospace 2>/dev/null ;;
                 --scene) kind=scene ;;
                 --scene-name) return ;;
-                --format) words='cgfs epfl csc473 nff glint' ;;
-                --profile) words='cgfs epfl lecture5 light csc473 nff glint' kind=file ;;
-                --convention) words='pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= transparency= opacity= transparent_shadow= transparency_counts= transparent_surfaces= min_weight= facing= cones= spot_falloff= clamp_attenuation= fog_distance= fog_background= size= shading= shadows= reflections= aa= alpha= seed='; compopt -o nospace 2>/dev/null ;;
+                --format) words='cgfs epfl csc473 povray nff tachyon glint' ;;
+                --profile) words='cgfs epfl lecture5 light csc473 povray nff tachyon glint' kind=file ;;
+                --convention) words='pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= transparency= opacity= transparent_shadow= transparency_counts= transparent_surfaces= min_weight= facing= cones= spot_falloff= clamp_attenuation= attenuate_highlights= light_threshold= area_shading= fog_distance= fog_background= transfer= gamma= rounding= size= shading= shadows= reflections= aa= alpha= seed='; compopt -o nospace 2>/dev/null ;;
                 -s|--size) return ;;
                 --shading) words='phong blinn-phong diffuse color normals' ;;
                 --reflections) return ;;
@@ -110,14 +115,15 @@ _glint() {
                 *) kind=file ;;
             esac ;;
         versus)
-            options='-h --help --scene --format --profile --convention --a --b --match-exponents -o --output --json -s --size --shading --no-shadows --reflections --aa --seed'
+            options='-h --help --scene --include-path --format --profile --convention --a --b --match-exponents -o --output --json -s --size --shading --no-shadows --reflections --aa --seed'
             [[ $word == -* ]] || case $before in
                 --scene) return ;;
-                --format) words='cgfs epfl csc473 nff glint' ;;
-                --profile) words='cgfs epfl lecture5 light csc473 nff glint' kind=file ;;
-                --convention) words='pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= transparency= opacity= transparent_shadow= transparency_counts= transparent_surfaces= min_weight= facing= cones= spot_falloff= clamp_attenuation= fog_distance= fog_background= size= shading= shadows= reflections= aa= alpha= seed='; compopt -o nospace 2>/dev/null ;;
-                --a) words='pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= transparency= opacity= transparent_shadow= transparency_counts= transparent_surfaces= min_weight= facing= cones= spot_falloff= clamp_attenuation= fog_distance= fog_background= size= shading= shadows= reflections= aa= alpha= seed= profile='; compopt -o nospace 2>/dev/null ;;
-                --b) words='pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= transparency= opacity= transparent_shadow= transparency_counts= transparent_surfaces= min_weight= facing= cones= spot_falloff= clamp_attenuation= fog_distance= fog_background= size= shading= shadows= reflections= aa= alpha= seed= profile='; compopt -o nospace 2>/dev/null ;;
+                --include-path) return ;;
+                --format) words='cgfs epfl csc473 povray nff tachyon glint' ;;
+                --profile) words='cgfs epfl lecture5 light csc473 povray nff tachyon glint' kind=file ;;
+                --convention) words='pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= transparency= opacity= transparent_shadow= transparency_counts= transparent_surfaces= min_weight= facing= cones= spot_falloff= clamp_attenuation= attenuate_highlights= light_threshold= area_shading= fog_distance= fog_background= transfer= gamma= rounding= size= shading= shadows= reflections= aa= alpha= seed='; compopt -o nospace 2>/dev/null ;;
+                --a) words='pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= transparency= opacity= transparent_shadow= transparency_counts= transparent_surfaces= min_weight= facing= cones= spot_falloff= clamp_attenuation= attenuate_highlights= light_threshold= area_shading= fog_distance= fog_background= transfer= gamma= rounding= size= shading= shadows= reflections= aa= alpha= seed= profile='; compopt -o nospace 2>/dev/null ;;
+                --b) words='pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= transparency= opacity= transparent_shadow= transparency_counts= transparent_surfaces= min_weight= facing= cones= spot_falloff= clamp_attenuation= attenuate_highlights= light_threshold= area_shading= fog_distance= fog_background= transfer= gamma= rounding= size= shading= shadows= reflections= aa= alpha= seed= profile='; compopt -o nospace 2>/dev/null ;;
                 -o|--output) kind=file ;;
                 -s|--size) return ;;
                 --shading) words='phong blinn-phong diffuse color normals' ;;
@@ -132,9 +138,9 @@ _glint() {
                 --reference) kind=file ;;
                 --scene) kind=scene ;;
                 --scene-name) return ;;
-                --format) words='cgfs epfl csc473 nff glint' ;;
-                --profile) words='cgfs epfl lecture5 light csc473 nff glint' kind=file ;;
-                --convention) words='pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= transparency= opacity= transparent_shadow= transparency_counts= transparent_surfaces= min_weight= facing= cones= spot_falloff= clamp_attenuation= fog_distance= fog_background= size= shading= shadows= reflections= aa= alpha= seed='; compopt -o nospace 2>/dev/null ;;
+                --format) words='cgfs epfl csc473 povray nff tachyon glint' ;;
+                --profile) words='cgfs epfl lecture5 light csc473 povray nff tachyon glint' kind=file ;;
+                --convention) words='pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= transparency= opacity= transparent_shadow= transparency_counts= transparent_surfaces= min_weight= facing= cones= spot_falloff= clamp_attenuation= attenuate_highlights= light_threshold= area_shading= fog_distance= fog_background= transfer= gamma= rounding= size= shading= shadows= reflections= aa= alpha= seed='; compopt -o nospace 2>/dev/null ;;
                 -s|--size) return ;;
                 --shading) words='phong blinn-phong diffuse color normals' ;;
                 --reflections) return ;;
@@ -184,7 +190,7 @@ _glint() {
         if [[ -d $file || $kind == file ]]; then
             COMPREPLY+=("$file")
         elif [[ $kind == scene ]]; then
-            for ending in .cgfs .json .js .pov .nff .glint; do
+            for ending in .cgfs .json .js .pov .pov .nff .dat .glint; do
                 [[ $file == *"$ending" ]] && COMPREPLY+=("$file")
             done
         fi

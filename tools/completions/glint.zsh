@@ -27,12 +27,13 @@ _glint() {
         render)
             _arguments \
                 '(-h --help)'{-h,--help}'[Print this help message and exit]' \
-                '*:SCENE:_files -g "*.(cgfs|json|js|pov|nff|glint)"' \
+                '*:SCENE:_files -g "*.(cgfs|json|js|pov|pov|nff|dat|glint)"' \
                 '--scene[The scene to use, if the file has several]:NAME: ' \
-                '--format[The scene'\''s format]:cgfs|epfl|csc473|nff|glint:(cgfs epfl csc473 nff glint)' \
-                '--profile[Conventions to start from instead of the format'\''s: cgfs, epfl, lecture5, light, csc473, nff and glint]:NAME|FILE:{compadd -- cgfs epfl lecture5 light csc473 nff glint; _files}' \
-                '*--convention[Set one convention (docs/conventions.md lists them; `glint info SCENE` shows the values in force)]:KEY=VALUE:{compadd -S "" -- pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= transparency= opacity= transparent_shadow= transparency_counts= transparent_surfaces= min_weight= facing= cones= spot_falloff= clamp_attenuation= fog_distance= fog_background= size= shading= shadows= reflections= aa= alpha= seed=}' \
-                '(-o --output)'{-o,--output}'[The picture: .png, .ppm or .exr]:OUT:_files' \
+                '*--include-path[A folder with files that the scene includes and that are not beside it]:DIR: ' \
+                '--format[The scene'\''s format]:cgfs|epfl|csc473|povray|nff|tachyon|glint:(cgfs epfl csc473 povray nff tachyon glint)' \
+                '--profile[Conventions to start from instead of the format'\''s: cgfs, epfl, lecture5, light, csc473, povray, nff, tachyon and glint]:NAME|FILE:{compadd -- cgfs epfl lecture5 light csc473 povray nff tachyon glint; _files}' \
+                '*--convention[Set one convention (docs/conventions.md lists them; `glint info SCENE` shows the values in force)]:KEY=VALUE:{compadd -S "" -- pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= transparency= opacity= transparent_shadow= transparency_counts= transparent_surfaces= min_weight= facing= cones= spot_falloff= clamp_attenuation= attenuate_highlights= light_threshold= area_shading= fog_distance= fog_background= transfer= gamma= rounding= size= shading= shadows= reflections= aa= alpha= seed=}' \
+                '(-o --output)'{-o,--output}'[The picture: .png, .ppm, .tga or .exr]:OUT:_files' \
                 '(-s --size)'{-s,--size}'[Size in pixels]:WxH: ' \
                 '--shading[How surfaces are shaded]:phong|blinn-phong|diffuse|color|normals:(phong blinn-phong diffuse color normals)' \
                 '--no-shadows[No shadows: every light reaches every surface]' \
@@ -40,9 +41,9 @@ _glint() {
                 '--aa[N x N samples per pixel]:N|adaptive\:N[\:T]:(N adaptive:N[:T])' \
                 '--seed[Number of another picture of everything that is sampled]:N: ' \
                 '--alpha[The background is transparent: PNG and OpenEXR have an alpha channel]' \
-                '--aov[Also write these layers, separated by commas: background, ambient, diffuse, specular, reflection, transmission, sky, fog, normal, depth, position, albedo, shadow, occlusion, object, material and alpha]:LAYERS:(all background ambient diffuse specular reflection transmission sky fog normal depth position albedo shadow occlusion object material alpha)' \
+                '--aov[Also write these layers, separated by commas: background, ambient, diffuse, specular, reflection, transmission, emission, sky, fog, normal, depth, position, albedo, shadow, occlusion, object, material and alpha]:LAYERS:(all background ambient diffuse specular reflection transmission emission sky fog normal depth position albedo shadow occlusion object material alpha)' \
                 '--crop[Render only this part of the picture]:WxH+X+Y: ' \
-                '--transfer[none: the numbers as computed (default)]:none|srgb:(none srgb)' \
+                '--transfer[none: the numbers as computed]:none|srgb:(none srgb)' \
                 '--bits[Bits per channel of PNG and PPM: 8 (default) or 16]:8|16:(8 16)' \
                 '(-t --threads)'{-t,--threads}'[Number of threads]:N: ' \
                 '--isa[Instruction set (`glint info --isa` lists them)]:NAME:{compadd -- $(glint info --isa 2>/dev/null)}' \
@@ -55,31 +56,34 @@ _glint() {
         info)
             _arguments \
                 '(-h --help)'{-h,--help}'[Print this help message and exit]' \
-                '*:SCENE:_files -g "*.(cgfs|json|js|pov|nff|glint)"' \
+                '*:SCENE:_files -g "*.(cgfs|json|js|pov|pov|nff|dat|glint)"' \
                 '--scene[The scene to use, if the file has several]:NAME: ' \
-                '--format[The scene'\''s format]:cgfs|epfl|csc473|nff|glint:(cgfs epfl csc473 nff glint)' \
-                '--profile[Conventions to start from instead of the format'\''s: cgfs, epfl, lecture5, light, csc473, nff and glint]:NAME|FILE:{compadd -- cgfs epfl lecture5 light csc473 nff glint; _files}' \
-                '*--convention[Set one convention (docs/conventions.md lists them; `glint info SCENE` shows the values in force)]:KEY=VALUE:{compadd -S "" -- pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= transparency= opacity= transparent_shadow= transparency_counts= transparent_surfaces= min_weight= facing= cones= spot_falloff= clamp_attenuation= fog_distance= fog_background= size= shading= shadows= reflections= aa= alpha= seed=}' \
+                '*--include-path[A folder with files that the scene includes and that are not beside it]:DIR: ' \
+                '--format[The scene'\''s format]:cgfs|epfl|csc473|povray|nff|tachyon|glint:(cgfs epfl csc473 povray nff tachyon glint)' \
+                '--profile[Conventions to start from instead of the format'\''s: cgfs, epfl, lecture5, light, csc473, povray, nff, tachyon and glint]:NAME|FILE:{compadd -- cgfs epfl lecture5 light csc473 povray nff tachyon glint; _files}' \
+                '*--convention[Set one convention (docs/conventions.md lists them; `glint info SCENE` shows the values in force)]:KEY=VALUE:{compadd -S "" -- pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= transparency= opacity= transparent_shadow= transparency_counts= transparent_surfaces= min_weight= facing= cones= spot_falloff= clamp_attenuation= attenuate_highlights= light_threshold= area_shading= fog_distance= fog_background= transfer= gamma= rounding= size= shading= shadows= reflections= aa= alpha= seed=}' \
                 '--json[Print JSON]' \
                 '--isa[List the instruction sets of this machine, the best first]' ;;
         convert)
             _arguments \
                 '(-h --help)'{-h,--help}'[Print this help message and exit]' \
-                '*:SCENE:_files -g "*.(cgfs|json|js|pov|nff|glint)"' \
+                '*:SCENE:_files -g "*.(cgfs|json|js|pov|pov|nff|dat|glint)"' \
                 '--scene[The scene to use, if the file has several]:NAME: ' \
-                '--format[The scene'\''s format]:cgfs|epfl|csc473|nff|glint:(cgfs epfl csc473 nff glint)' \
-                '--profile[Conventions to start from instead of the format'\''s: cgfs, epfl, lecture5, light, csc473, nff and glint]:NAME|FILE:{compadd -- cgfs epfl lecture5 light csc473 nff glint; _files}' \
-                '*--convention[Set one convention (docs/conventions.md lists them; `glint info SCENE` shows the values in force)]:KEY=VALUE:{compadd -S "" -- pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= transparency= opacity= transparent_shadow= transparency_counts= transparent_surfaces= min_weight= facing= cones= spot_falloff= clamp_attenuation= fog_distance= fog_background= size= shading= shadows= reflections= aa= alpha= seed=}' \
+                '*--include-path[A folder with files that the scene includes and that are not beside it]:DIR: ' \
+                '--format[The scene'\''s format]:cgfs|epfl|csc473|povray|nff|tachyon|glint:(cgfs epfl csc473 povray nff tachyon glint)' \
+                '--profile[Conventions to start from instead of the format'\''s: cgfs, epfl, lecture5, light, csc473, povray, nff, tachyon and glint]:NAME|FILE:{compadd -- cgfs epfl lecture5 light csc473 povray nff tachyon glint; _files}' \
+                '*--convention[Set one convention (docs/conventions.md lists them; `glint info SCENE` shows the values in force)]:KEY=VALUE:{compadd -S "" -- pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= transparency= opacity= transparent_shadow= transparency_counts= transparent_surfaces= min_weight= facing= cones= spot_falloff= clamp_attenuation= attenuate_highlights= light_threshold= area_shading= fog_distance= fog_background= transfer= gamma= rounding= size= shading= shadows= reflections= aa= alpha= seed=}' \
                 '(-o --output)'{-o,--output}'[The output file: a name that ends in .glint]:OUT:_files' \
                 '(-q --quiet)'{-q,--quiet}'[Print only errors]' ;;
         check)
             _arguments \
                 '(-h --help)'{-h,--help}'[Print this help message and exit]' \
-                '*:SCENE:_files -g "*.(cgfs|json|js|pov|nff|glint)"' \
+                '*:SCENE:_files -g "*.(cgfs|json|js|pov|pov|nff|dat|glint)"' \
                 '--scene[The scene to use, if the file has several]:NAME: ' \
-                '--format[The scene'\''s format]:cgfs|epfl|csc473|nff|glint:(cgfs epfl csc473 nff glint)' \
-                '--profile[Conventions to start from instead of the format'\''s: cgfs, epfl, lecture5, light, csc473, nff and glint]:NAME|FILE:{compadd -- cgfs epfl lecture5 light csc473 nff glint; _files}' \
-                '*--convention[Set one convention (docs/conventions.md lists them; `glint info SCENE` shows the values in force)]:KEY=VALUE:{compadd -S "" -- pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= transparency= opacity= transparent_shadow= transparency_counts= transparent_surfaces= min_weight= facing= cones= spot_falloff= clamp_attenuation= fog_distance= fog_background= size= shading= shadows= reflections= aa= alpha= seed=}' \
+                '*--include-path[A folder with files that the scene includes and that are not beside it]:DIR: ' \
+                '--format[The scene'\''s format]:cgfs|epfl|csc473|povray|nff|tachyon|glint:(cgfs epfl csc473 povray nff tachyon glint)' \
+                '--profile[Conventions to start from instead of the format'\''s: cgfs, epfl, lecture5, light, csc473, povray, nff, tachyon and glint]:NAME|FILE:{compadd -- cgfs epfl lecture5 light csc473 povray nff tachyon glint; _files}' \
+                '*--convention[Set one convention (docs/conventions.md lists them; `glint info SCENE` shows the values in force)]:KEY=VALUE:{compadd -S "" -- pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= transparency= opacity= transparent_shadow= transparency_counts= transparent_surfaces= min_weight= facing= cones= spot_falloff= clamp_attenuation= attenuate_highlights= light_threshold= area_shading= fog_distance= fog_background= transfer= gamma= rounding= size= shading= shadows= reflections= aa= alpha= seed=}' \
                 '(-s --size)'{-s,--size}'[Size in pixels]:WxH: ' \
                 '--shading[How surfaces are shaded]:phong|blinn-phong|diffuse|color|normals:(phong blinn-phong diffuse color normals)' \
                 '--no-shadows[No shadows: every light reaches every surface]' \
@@ -93,11 +97,12 @@ _glint() {
         explain)
             _arguments \
                 '(-h --help)'{-h,--help}'[Print this help message and exit]' \
-                '*:SCENE:_files -g "*.(cgfs|json|js|pov|nff|glint)"' \
+                '*:SCENE:_files -g "*.(cgfs|json|js|pov|pov|nff|dat|glint)"' \
                 '--scene[The scene to use, if the file has several]:NAME: ' \
-                '--format[The scene'\''s format]:cgfs|epfl|csc473|nff|glint:(cgfs epfl csc473 nff glint)' \
-                '--profile[Conventions to start from instead of the format'\''s: cgfs, epfl, lecture5, light, csc473, nff and glint]:NAME|FILE:{compadd -- cgfs epfl lecture5 light csc473 nff glint; _files}' \
-                '*--convention[Set one convention (docs/conventions.md lists them; `glint info SCENE` shows the values in force)]:KEY=VALUE:{compadd -S "" -- pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= transparency= opacity= transparent_shadow= transparency_counts= transparent_surfaces= min_weight= facing= cones= spot_falloff= clamp_attenuation= fog_distance= fog_background= size= shading= shadows= reflections= aa= alpha= seed=}' \
+                '*--include-path[A folder with files that the scene includes and that are not beside it]:DIR: ' \
+                '--format[The scene'\''s format]:cgfs|epfl|csc473|povray|nff|tachyon|glint:(cgfs epfl csc473 povray nff tachyon glint)' \
+                '--profile[Conventions to start from instead of the format'\''s: cgfs, epfl, lecture5, light, csc473, povray, nff, tachyon and glint]:NAME|FILE:{compadd -- cgfs epfl lecture5 light csc473 povray nff tachyon glint; _files}' \
+                '*--convention[Set one convention (docs/conventions.md lists them; `glint info SCENE` shows the values in force)]:KEY=VALUE:{compadd -S "" -- pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= transparency= opacity= transparent_shadow= transparency_counts= transparent_surfaces= min_weight= facing= cones= spot_falloff= clamp_attenuation= attenuate_highlights= light_threshold= area_shading= fog_distance= fog_background= transfer= gamma= rounding= size= shading= shadows= reflections= aa= alpha= seed=}' \
                 '(-p --pixel)'{-p,--pixel}'[The pixel, counted from 0 at the top left]:X,Y: ' \
                 '--sample[The sample whose rays are printed: its column and row in the pixel]:I,J: ' \
                 '--as[text (default)]:text|json|printrays:(text json printrays)' \
@@ -111,7 +116,7 @@ _glint() {
                 '--aa[N x N samples per pixel]:N|adaptive\:N[\:T]:(N adaptive:N[:T])' \
                 '--seed[Number of another picture of everything that is sampled]:N: ' \
                 '--alpha[The background is transparent: PNG and OpenEXR have an alpha channel]' \
-                '--transfer[none: the numbers as computed (default)]:none|srgb:(none srgb)' \
+                '--transfer[none: the numbers as computed]:none|srgb:(none srgb)' \
                 '--bits[Bits per channel of PNG and PPM: 8 (default) or 16]:8|16:(8 16)' \
                 '--isa[Instruction set (`glint info --isa` lists them)]:NAME:{compadd -- $(glint info --isa 2>/dev/null)}' ;;
         compare)
@@ -122,12 +127,12 @@ _glint() {
                 '--fail-percent[P percent of the pixels may differ by more than --within]:P: ' \
                 '--hard-fail[No pixel may differ by more than N 255ths]:N: ' \
                 '--diff[Write |A - B| as a PNG, amplified so that the largest difference is white]:OUT.png:_files' \
-                '--vary[Render a scene with each value of a setting]:KEY=VALUES:{compadd -S "" -- pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= transparency= opacity= transparent_shadow= transparency_counts= transparent_surfaces= min_weight= facing= cones= spot_falloff= clamp_attenuation= fog_distance= fog_background= size= shading= shadows= reflections= aa= alpha= seed=}' \
-                '*--scene[The scene of B: causes are tested by rendering it]:FILE:_files -g "*.(cgfs|json|js|pov|nff|glint)"' \
+                '--vary[Render a scene with each value of a setting]:KEY=VALUES:{compadd -S "" -- pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= transparency= opacity= transparent_shadow= transparency_counts= transparent_surfaces= min_weight= facing= cones= spot_falloff= clamp_attenuation= attenuate_highlights= light_threshold= area_shading= fog_distance= fog_background= transfer= gamma= rounding= size= shading= shadows= reflections= aa= alpha= seed=}' \
+                '*--scene[The scene of B: causes are tested by rendering it]:FILE:_files -g "*.(cgfs|json|js|pov|pov|nff|dat|glint)"' \
                 '--scene-name[The scene to use, if the file has several]:NAME: ' \
-                '--format[The scene'\''s format]:cgfs|epfl|csc473|nff|glint:(cgfs epfl csc473 nff glint)' \
-                '--profile[Conventions to start from instead of the format'\''s: cgfs, epfl, lecture5, light, csc473, nff and glint]:NAME|FILE:{compadd -- cgfs epfl lecture5 light csc473 nff glint; _files}' \
-                '*--convention[Set one convention (docs/conventions.md lists them; `glint info SCENE` shows the values in force)]:KEY=VALUE:{compadd -S "" -- pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= transparency= opacity= transparent_shadow= transparency_counts= transparent_surfaces= min_weight= facing= cones= spot_falloff= clamp_attenuation= fog_distance= fog_background= size= shading= shadows= reflections= aa= alpha= seed=}' \
+                '--format[The scene'\''s format]:cgfs|epfl|csc473|povray|nff|tachyon|glint:(cgfs epfl csc473 povray nff tachyon glint)' \
+                '--profile[Conventions to start from instead of the format'\''s: cgfs, epfl, lecture5, light, csc473, povray, nff, tachyon and glint]:NAME|FILE:{compadd -- cgfs epfl lecture5 light csc473 povray nff tachyon glint; _files}' \
+                '*--convention[Set one convention (docs/conventions.md lists them; `glint info SCENE` shows the values in force)]:KEY=VALUE:{compadd -S "" -- pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= transparency= opacity= transparent_shadow= transparency_counts= transparent_surfaces= min_weight= facing= cones= spot_falloff= clamp_attenuation= attenuate_highlights= light_threshold= area_shading= fog_distance= fog_background= transfer= gamma= rounding= size= shading= shadows= reflections= aa= alpha= seed=}' \
                 '(-s --size)'{-s,--size}'[Size in pixels]:WxH: ' \
                 '--shading[How surfaces are shaded]:phong|blinn-phong|diffuse|color|normals:(phong blinn-phong diffuse color normals)' \
                 '--no-shadows[No shadows: every light reaches every surface]' \
@@ -141,13 +146,14 @@ _glint() {
         versus)
             _arguments \
                 '(-h --help)'{-h,--help}'[Print this help message and exit]' \
-                '*:SCENE:_files -g "*.(cgfs|json|js|pov|nff|glint)"' \
+                '*:SCENE:_files -g "*.(cgfs|json|js|pov|pov|nff|dat|glint)"' \
                 '--scene[The scene to use, if the file has several]:NAME: ' \
-                '--format[The scene'\''s format]:cgfs|epfl|csc473|nff|glint:(cgfs epfl csc473 nff glint)' \
-                '--profile[Conventions to start from instead of the format'\''s: cgfs, epfl, lecture5, light, csc473, nff and glint]:NAME|FILE:{compadd -- cgfs epfl lecture5 light csc473 nff glint; _files}' \
-                '*--convention[Set one convention (docs/conventions.md lists them; `glint info SCENE` shows the values in force)]:KEY=VALUE:{compadd -S "" -- pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= transparency= opacity= transparent_shadow= transparency_counts= transparent_surfaces= min_weight= facing= cones= spot_falloff= clamp_attenuation= fog_distance= fog_background= size= shading= shadows= reflections= aa= alpha= seed=}' \
-                '*--a[A setting of the first picture: a convention, a render setting, or profile=NAME]:KEY=VALUE:{compadd -S "" -- pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= transparency= opacity= transparent_shadow= transparency_counts= transparent_surfaces= min_weight= facing= cones= spot_falloff= clamp_attenuation= fog_distance= fog_background= size= shading= shadows= reflections= aa= alpha= seed= profile=}' \
-                '*--b[The same for the second picture]:KEY=VALUE:{compadd -S "" -- pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= transparency= opacity= transparent_shadow= transparency_counts= transparent_surfaces= min_weight= facing= cones= spot_falloff= clamp_attenuation= fog_distance= fog_background= size= shading= shadows= reflections= aa= alpha= seed= profile=}' \
+                '*--include-path[A folder with files that the scene includes and that are not beside it]:DIR: ' \
+                '--format[The scene'\''s format]:cgfs|epfl|csc473|povray|nff|tachyon|glint:(cgfs epfl csc473 povray nff tachyon glint)' \
+                '--profile[Conventions to start from instead of the format'\''s: cgfs, epfl, lecture5, light, csc473, povray, nff, tachyon and glint]:NAME|FILE:{compadd -- cgfs epfl lecture5 light csc473 povray nff tachyon glint; _files}' \
+                '*--convention[Set one convention (docs/conventions.md lists them; `glint info SCENE` shows the values in force)]:KEY=VALUE:{compadd -S "" -- pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= transparency= opacity= transparent_shadow= transparency_counts= transparent_surfaces= min_weight= facing= cones= spot_falloff= clamp_attenuation= attenuate_highlights= light_threshold= area_shading= fog_distance= fog_background= transfer= gamma= rounding= size= shading= shadows= reflections= aa= alpha= seed=}' \
+                '*--a[A setting of the first picture: a convention, a render setting, or profile=NAME]:KEY=VALUE:{compadd -S "" -- pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= transparency= opacity= transparent_shadow= transparency_counts= transparent_surfaces= min_weight= facing= cones= spot_falloff= clamp_attenuation= attenuate_highlights= light_threshold= area_shading= fog_distance= fog_background= transfer= gamma= rounding= size= shading= shadows= reflections= aa= alpha= seed= profile=}' \
+                '*--b[The same for the second picture]:KEY=VALUE:{compadd -S "" -- pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= transparency= opacity= transparent_shadow= transparency_counts= transparent_surfaces= min_weight= facing= cones= spot_falloff= clamp_attenuation= attenuate_highlights= light_threshold= area_shading= fog_distance= fog_background= transfer= gamma= rounding= size= shading= shadows= reflections= aa= alpha= seed= profile=}' \
                 '--match-exponents[With Blinn-Phong, multiply exponents by 4: highlights are then about as wide as Phong'\''s]' \
                 '(-o --output)'{-o,--output}'[Write both pictures and their difference side by side]:OUT.png:_files' \
                 '--json[Print JSON]' \
@@ -162,11 +168,11 @@ _glint() {
                 '(-h --help)'{-h,--help}'[Print this help message and exit]' \
                 ':DIR:_files -/' \
                 '--reference[The right picture]:PICTURE:_files' \
-                '*--scene[The scene of the task: for the causes and for a rubric'\''s parts]:FILE:_files -g "*.(cgfs|json|js|pov|nff|glint)"' \
+                '*--scene[The scene of the task: for the causes and for a rubric'\''s parts]:FILE:_files -g "*.(cgfs|json|js|pov|pov|nff|dat|glint)"' \
                 '--scene-name[The scene to use, if the file has several]:NAME: ' \
-                '--format[The scene'\''s format]:cgfs|epfl|csc473|nff|glint:(cgfs epfl csc473 nff glint)' \
-                '--profile[Conventions to start from instead of the format'\''s: cgfs, epfl, lecture5, light, csc473, nff and glint]:NAME|FILE:{compadd -- cgfs epfl lecture5 light csc473 nff glint; _files}' \
-                '*--convention[Set one convention (docs/conventions.md lists them; `glint info SCENE` shows the values in force)]:KEY=VALUE:{compadd -S "" -- pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= transparency= opacity= transparent_shadow= transparency_counts= transparent_surfaces= min_weight= facing= cones= spot_falloff= clamp_attenuation= fog_distance= fog_background= size= shading= shadows= reflections= aa= alpha= seed=}' \
+                '--format[The scene'\''s format]:cgfs|epfl|csc473|povray|nff|tachyon|glint:(cgfs epfl csc473 povray nff tachyon glint)' \
+                '--profile[Conventions to start from instead of the format'\''s: cgfs, epfl, lecture5, light, csc473, povray, nff, tachyon and glint]:NAME|FILE:{compadd -- cgfs epfl lecture5 light csc473 povray nff tachyon glint; _files}' \
+                '*--convention[Set one convention (docs/conventions.md lists them; `glint info SCENE` shows the values in force)]:KEY=VALUE:{compadd -S "" -- pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= transparency= opacity= transparent_shadow= transparency_counts= transparent_surfaces= min_weight= facing= cones= spot_falloff= clamp_attenuation= attenuate_highlights= light_threshold= area_shading= fog_distance= fog_background= transfer= gamma= rounding= size= shading= shadows= reflections= aa= alpha= seed=}' \
                 '(-s --size)'{-s,--size}'[Size in pixels]:WxH: ' \
                 '--shading[How surfaces are shaded]:phong|blinn-phong|diffuse|color|normals:(phong blinn-phong diffuse color normals)' \
                 '--no-shadows[No shadows: every light reaches every surface]' \
@@ -185,7 +191,7 @@ _glint() {
                 '(-h --help)'{-h,--help}'[Print this help message and exit]' \
                 '*:FILE:_files' \
                 '(-o --output)'{-o,--output}'[The picture: .png, .ppm or .exr]:OUT:_files' \
-                '--transfer[none: the numbers as computed (default)]:none|srgb:(none srgb)' \
+                '--transfer[none: the numbers as computed]:none|srgb:(none srgb)' \
                 '--bits[Bits per channel of PNG and PPM: 8 (default) or 16]:8|16:(8 16)' \
                 '--partial[Write the picture even if tiles are missing]' \
                 '(-q --quiet)'{-q,--quiet}'[Say nothing but errors]' ;;
