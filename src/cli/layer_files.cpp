@@ -81,6 +81,13 @@ LayerFiles::LayerFiles(std::vector<Layer> wanted, const std::string& picture, Fi
     }
 }
 
+void LayerFiles::leave_out(Layer layer) {
+    const auto at = std::find(wanted_.begin(), wanted_.end(), layer);
+    if (at == wanted_.end()) return;
+    if (!files_.empty()) files_.erase(files_.begin() + (at - wanted_.begin()));
+    wanted_.erase(at);
+}
+
 double LayerFiles::bytes_a_pixel() const {
     double floats = 3;
     for (const Layer layer : wanted_)

@@ -30,6 +30,8 @@ class LayerFiles {
     LayerFiles(std::vector<Layer> wanted, const std::string& picture, FileFormat format, bool is_stream);
 
     const std::vector<Layer>& wanted() const { return wanted_; }
+    /// Writes no file of this layer.
+    void leave_out(Layer layer);
     /// Bytes per pixel of the picture and the layers together.
     double bytes_a_pixel() const;
     /// Writes the layers that have files of their own; those of journals are on the disk when it returns.

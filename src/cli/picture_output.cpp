@@ -64,8 +64,7 @@ void PictureOutput::set_alpha() {
                                   encoding_.format == FileFormat::ppm ? "PPM has no alpha channel"
                                                                       : "glint writes TGA without alpha"));
     alpha_ = true;
-    std::vector<Layer> others = layers_.wanted();
-    if (std::erase(others, Layer::alpha) > 0) set_layers(others);
+    layers_.leave_out(Layer::alpha);  // it is a channel of the picture
 }
 
 void PictureOutput::set_rule(const ByteRule& rule) { encoding_.set_rule(encoding_of(numbers_, rule).rule()); }
