@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // glint-povray's command line.
-#include <fast_float/fast_float.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -14,6 +13,7 @@
 #include "cli/foreign_table.h"
 #include "cli/input_file.h"
 #include "cli/text.h"
+#include "formats/number_text.h"
 
 namespace glint::cli {
 namespace {
@@ -154,8 +154,9 @@ class PovrayArguments {
 
     double number(const std::string& value, const std::string& word, double most) const {
         double result = 0;
-        const auto [end, error] = fast_float::from_chars(value.data(), value.data() + value.size(), result);
-        if (error != std::errc() || end != value.data() + value.size() || !(result >= 0 && result <= most))
+        const char* const end = value.data() + value.size();
+        if (value.empty() || read_any_number(value.data(), end, result) != end ||
+            !(result >= 0 && result <= most))
             fail(fmt::format("{}: expected a number from 0 to {}", glint::quoted(word), most));
         return result;
     }

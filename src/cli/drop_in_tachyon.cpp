@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // glint-tachyon's command line. Flags that set modes become a second text in Tachyon's format.
-#include <fast_float/fast_float.h>
 #include <fmt/format.h>
 
 #include <optional>
@@ -9,6 +8,7 @@
 #include "cli/drop_in.h"
 #include "cli/failure.h"
 #include "cli/foreign_table.h"
+#include "formats/number_text.h"
 
 namespace glint::cli {
 namespace {
@@ -48,8 +48,8 @@ class TachyonArguments {
     }
     static double number_in(std::string_view flag, const std::string& text) {
         double value = 0;
-        const auto [end, error] = fast_float::from_chars(text.data(), text.data() + text.size(), value);
-        if (error != std::errc() || end != text.data() + text.size() || !(value >= 0 && value <= 1e9))
+        const char* const end = text.data() + text.size();
+        if (text.empty() || read_any_number(text.data(), end, value) != end || !(value >= 0 && value <= 1e9))
             fail(fmt::format("{}: expected a number >= 0, found {}", flag, glint::quoted(text)));
         return value;
     }
