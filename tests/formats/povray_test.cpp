@@ -353,7 +353,7 @@ INSTANTIATE_TEST_SUITE_P(
             "BigArray", "#declare A = $array[1000][1000][1000];", {"more than 4000000 elements of arrays"}},
         BadText{"Include", "$#include \"b.inc\"", {"'b.inc': no files are read here"}},
         BadText{"Endless",
-                "#macro $F() F() #end\nF()",
+                "#macro F() $F() #end\nF()",
                 {"F(): macros and includes are nested more than 500 deep (in a call of F() at a.pov:2:1)"}}),
     test_name);
 

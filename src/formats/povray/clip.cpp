@@ -34,7 +34,7 @@ std::vector<Corner> part_in(const std::vector<Corner>& corners, const HalfSpace&
         const Corner &from = corners[i], &to = corners[(i + 1) % corners.size()];
         const double a = half.d - dot(half.n, from.point), b = half.d - dot(half.n, to.point);
         if (a >= 0) out.push_back(from);
-        if ((a >= 0) == (b >= 0)) continue;
+        if (!(a > 0 && b < 0) && !(a < 0 && b > 0)) continue;
         const double t = a / (a - b);
         out.push_back(
             {from.point + (to.point - from.point) * t, from.normal + (to.normal - from.normal) * t});

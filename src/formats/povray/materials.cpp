@@ -144,17 +144,17 @@ void Reader::place_light(const Object& object, const Inherited& own) {
     const Vec3 axis = point_at - light.position;
     const bool has_axis = !(axis == Vec3{0, 0, 0});
     if (source.is_parallel) {
-        if (light.kind == LightKind::spot) report({"spotlight", "that is parallel", call_place(object.at)});
+        if (light.is_spot()) report({"spotlight", "that is parallel", call_place(object.at)});
         light.kind = LightKind::directional;
         light.to_light = has_axis ? -axis : Vec3{0, 0, -1};
         light.fade_distance = light.fade_power = 0;
-    } else if (light.kind == LightKind::spot) {
+    } else if (light.is_spot()) {
         light.axis = has_axis ? axis : Vec3{0, 0, 1};
         light.outer_angle = std::clamp(light.outer_angle, 1e-6, 180.0);
         light.inner_angle = std::clamp(light.inner_angle, 0.0, light.outer_angle);
     }
     if (source.is_area) {
-        if (light.kind == LightKind::point) {
+        if (light.has_position() && !light.is_spot()) {
             light.kind = LightKind::parallelogram;
             if (own.map) {
                 light.side_u = transform_vector(*own.map, light.side_u);

@@ -12,6 +12,14 @@
 namespace glint::povray {
 namespace {
 
+// The word as the text has it: of a pattern, it can be anything.
+std::string shown(std::string_view word) {
+    const bool is_plain =
+        word.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_ ") ==
+        std::string_view::npos;
+    return is_plain ? fmt::format("`{}`", word) : quoted(word);
+}
+
 // The factor of a map that keeps all angles, or 0.
 double similarity(const Affine& map) {
     const auto column = [&](int i) { return Vec3{map.m[0][i], map.m[1][i], map.m[2][i]}; };
@@ -65,16 +73,17 @@ void Reader::report(const Missing& missing) {
         missing.meaning.empty() ? std::string() : fmt::format(" ({})", missing.meaning);
     if (!missing.is_error) {
         return warn_once(missing.name, missing.at,
-                         fmt::format("glint does not render `{}`{} of POV-Ray: the picture will differ",
-                                     missing.name, meaning));
+                         fmt::format("glint does not render {}{} of POV-Ray: the picture will differ",
+                                     shown(missing.name), meaning));
     }
     // Reading goes on, so that all of them are named.
     const std::string key = fmt::format("refused {}", missing.name);
     if (std::find(warned_.begin(), warned_.end(), key) != warned_.end()) return;
     warned_.push_back(key);
-    reading_.diagnostics.error(reading_.texts[missing.at.text], missing.at.offset,
-                               std::max<std::size_t>(text_of(missing.at).size(), 1),
-                               fmt::format("glint does not render `{}`{} of POV-Ray", missing.name, meaning));
+    reading_.diagnostics.error(
+        reading_.texts[missing.at.text], missing.at.offset,
+        std::max<std::size_t>(text_of(missing.at).size(), 1),
+        fmt::format("glint does not render {}{} of POV-Ray", shown(missing.name), meaning));
 }
 
 void Reader::place(const Object& object) {
