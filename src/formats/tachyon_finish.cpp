@@ -13,8 +13,8 @@
 namespace glint {
 namespace {
 
-// A weaker highlight, mirror or transparency is not drawn.
-constexpr double k_least_contribution = 0.001959;
+// A weaker highlight, mirror or transparency is left out.
+constexpr double k_min_contribution = 0.001959;
 
 constexpr std::string_view k_limit_texts[] = {
     "glint does not render opacity that depends on the angle (Raster3D): it is constant here",
@@ -29,7 +29,7 @@ constexpr std::string_view k_limit_texts[] = {
 static_assert(std::size(k_limit_texts) == static_cast<std::size_t>(TachyonLimit::count));
 
 Material material_of(const TachyonTexture& t, const TachyonState& state) {
-    const double highlight = t.phong > k_least_contribution ? t.phong : 0;
+    const double highlight = t.phong > k_min_contribution ? t.phong : 0;
     Material m;
     m.color = state.shader == TachyonShader::lowest ? Color{1, 1, 1} : t.color;
     m.ambient = t.color * t.ambient;
@@ -37,8 +37,8 @@ Material material_of(const TachyonTexture& t, const TachyonState& state) {
     m.specular = t.is_metal ? t.color * highlight : Color{highlight, highlight, highlight};
     m.tinted_highlight = !t.is_metal;
     m.shininess = t.phong_size;
-    m.mirror = t.specular > k_least_contribution ? t.specular : 0;
-    m.transmit = t.opacity < 1 - k_least_contribution ? 1 - t.opacity : 0;
+    m.mirror = t.specular > k_min_contribution ? t.specular : 0;
+    m.transmit = t.opacity < 1 - k_min_contribution ? 1 - t.opacity : 0;
     return m;
 }
 

@@ -276,7 +276,7 @@ bool TachyonReader::read_box() {
     return true;
 }
 
-// Tachyon draws its lights as spheres, which cast no shadow.
+// Tachyon renders its lights as spheres, which cast no shadow.
 void TachyonReader::add_light(Light light, double radius) {
     state_.lights.push_back(static_cast<std::uint32_t>(scene_.lights.size()));
     note(scene_.light_texts, scene_.lights.size(), source_place(text_, object_));
