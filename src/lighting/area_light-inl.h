@@ -29,9 +29,9 @@ template <class T> HWY_INLINE T sample_coordinate(int i, int n, T moved, AreaSha
 template <class T> HWY_INLINE Vector3<T> area_point(const AreaGrid& light, T u, T v) {
     const auto of = [](Vec3 a) { return Vector3<T>{T(a.x), T(a.y), T(a.z)}; };
     const Vector3<T> center = of(light.center), x = of(light.x), y = of(light.y);
-    if (light.shape == LightKind::parallelogram) return center + (x * (u - T(0.5)) + y * (v - T(0.5)));
+    if (light.is_parallelogram) return center + (x * (u - T(0.5)) + y * (v - T(0.5)));
     const T degrees = T(360) * v;
-    if (light.shape == LightKind::disc) {
+    if (light.is_disc) {
         const T r = sqrt(max(u, T(0)));
         return center + (x * (r * cos_degrees(degrees)) + y * (r * sin_degrees(degrees)));
     }

@@ -14,8 +14,8 @@ struct SpotCone {
 
 /// The samples of an area light: columns x rows points on a parallelogram, a disc or a sphere.
 struct AreaGrid {
-    LightKind shape = LightKind::parallelogram;
-    std::int32_t columns = 0, rows = 0;  // 0: not an area light
+    bool is_parallelogram = false, is_disc = false;  // else a sphere
+    std::int32_t columns = 0, rows = 0;              // 0: not an area light
     Vec3 center;
     Vec3 x, y, z;  // the sides; or axes at right angles, the radius long, of which a disc has only x and y
     bool jitter = false;

@@ -96,7 +96,7 @@ HWY_INLINE Doubles emitter_cosine(const PreparedLight& light, Vector3<Doubles> t
 
 /// The rule for the places of an area light's samples.
 HWY_INLINE AreaShading placing_rule(const WorldParts& world, const AreaGrid& area) {
-    return area.shape == LightKind::parallelogram ? world.conventions.area_shading : AreaShading::samples;
+    return area.is_parallelogram ? world.conventions.area_shading : AreaShading::samples;
 }
 /// A sample of an area light whose samples are not moved.
 inline Vec3 fixed_sample(const WorldParts& world, const AreaGrid& area, int sample) {

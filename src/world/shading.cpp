@@ -36,7 +36,8 @@ void set_across(Vec3 unit, double length, Vec3& x, Vec3& y) {
 
 void prepare_area(PreparedLight& light) {
     AreaGrid& area = light.area;
-    area.shape = light.kind;
+    area.is_parallelogram = light.is_parallelogram();
+    area.is_disc = light.is_disc();
     area.columns = light.samples_u;
     area.rows = light.samples_v;
     area.center = light.position;
