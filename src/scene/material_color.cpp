@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <span>
 
 #include "math/number.h"
 #include "scene/material_fields.h"
@@ -63,7 +64,7 @@ std::array<double, k_color_factors> find_color_factors(
 Material with_color(const Material& material, Color color) {
     Material changed = material;
     changed.color = color;
-    for (const MaterialCoefficient& c : k_material_coefficients) {
+    for (const MaterialCoefficient& c : std::span(k_material_coefficients).first(k_color_factors)) {
         const double factor = find_factor(material.color, material.*c.field, c.usual);
         if (factor == factor) changed.*c.field = factor * color;
     }
