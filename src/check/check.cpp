@@ -22,6 +22,8 @@ constexpr CheckKind k_kinds[] = {
     {"light-behind-plane", "a plane is between a light and all that the camera sees"},
     {"light-blocked", "every shadow ray to a light is blocked"},
     {"spot-aimed-elsewhere", "nothing that the camera sees is in the cone of a spot"},
+    {"area-light-faces-away", "nothing that the camera sees is on the bright side of an area light"},
+    {"area-light-too-many-samples", "an area light has more samples than the picture can show"},
     {"light-adds-nothing", "no material reflects a light"},
     {"light-too-weak", "a light adds less than half of 1/255 to any pixel"},
     {"light-without-color", "a light is black"},

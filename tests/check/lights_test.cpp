@@ -25,7 +25,7 @@ TEST(CheckLights, NotInsideALampOfGlassOrWithoutShadows) {
 
 TEST(CheckLights, InsideATransparentLamp) {
     const std::string lamp =
-        "sphere { center = (-2, 3, 1)  radius = 0.3  transmit = 0.9 }\n"
+        "sphere { center = (-2, 3, 1)  radius = 0.3  diffuse = 0  specular = 0  transmit = 0.9 }\n"
         "light { position = (-2, 3, 1)  intensity = 0.4 }\n";
     EXPECT_EQ(ids_of(k_clean + lamp), "");
     EXPECT_EQ(ids_of(k_clean + "conventions { transparent_shadow = none }\n" + lamp), "");
