@@ -225,10 +225,11 @@ void Parser::report_unknown(const FieldSet& set, const Token& key, std::string_v
     if (!set.is_strict()) return warn_ignored(key_name, key, set.what(), known);
     for (const SpellingHint& hint : set.hints()) {
         if (hint.name == key_name)
-            return error(key,
-                         fmt::format("a {} has no {}: write {}", set.what(), quoted(key_name), hint.instead));
+            return error(key, fmt::format("{} has no {}: write {}", with_article(set.what()),
+                                          quoted(key_name), hint.instead));
     }
-    error(key, fmt::format("a {} has no {}{}", set.what(), quoted(key_name), did_you_mean(key_name, known)));
+    error(key, fmt::format("{} has no {}{}", with_article(set.what()), quoted(key_name),
+                           did_you_mean(key_name, known)));
 }
 
 bool Parser::check_required(const FieldSet& set, const Token& block) {
