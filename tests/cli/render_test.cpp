@@ -188,9 +188,10 @@ TEST(Render, TheSceneSaysHowNumbersBecomeBytes) {
     folder.write("b.glint",
                  text.substr(0, at) + "conventions { transfer = srgb  rounding = down }\n" + text.substr(at));
     ASSERT_EQ(run(folder, {"render", "b.glint", "-s", "60x60", "-o", "right.png"}).code, 0);
-    ASSERT_EQ(run(folder, {"render", "b.glint", "-s", "60x60", "--no-shadows", "-o", "wrong.png"}).code, 0);
+    ASSERT_EQ(
+        run(folder, {"render", "b.glint", "-s", "60x60", "--shading", "diffuse", "-o", "wrong.png"}).code, 0);
     const Finished r = run(folder, {"compare", "wrong.png", "right.png", "--scene", "b.glint"});
-    EXPECT_TRUE(contains(r.out, "shadows")) << r.out << r.err;
+    EXPECT_TRUE(contains(r.out, "specular-missing: explains 100%")) << r.out << r.err;
 }
 
 TEST(Render, CropIsAPartOfTheWhole) {

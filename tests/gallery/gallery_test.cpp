@@ -42,7 +42,7 @@ const GalleryPicture k_gallery[] = {
     {"glint/acne.glint", "size=160x100", 0xa96c24ede7d9f51d},
     {"glint/attenuation.glint", "size=160x42", 0x38950e9e0091f670},
     {"glint/caffeine.glint", "size=160x120", 0x2a831db41c33aa3a},
-    {"glint/finishes.glint", "size=160x107", 0xc2919c9957c7f29a},
+    {"glint/finishes.glint", "size=160x107", 0x426e0114d1ae4b8b},
     {"glint/colonnade.glint", "size=160x107 aa=adaptive:2:0.05", 0xd4547d0a3f37e4bb},
     {"glint/colonnade.glint", "size=160x107 aa=2:jitter", 0x6b77cb2fa519aa57},
     {"glint/glass.glint", "size=120x79 aa=1", 0x8e402a0a40dc3035},

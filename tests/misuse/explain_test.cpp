@@ -192,6 +192,12 @@ TEST(Misuse, OfReasons) {
     hit.material = 9999;
     EXPECT_EQ(highlight_reason(terms, hit, Scene{}), HighlightReason::none);
     EXPECT_EQ(material_of(hit, Scene{}).shininess, Material{}.shininess);
+    hit.parts[3] = {k_nan, 1e300, 1};
+    hit.occlusion.emplace().part = {1, 1e300, 2};
+    EXPECT_EQ(hit.own_light().b, 3);
+    Material odd;
+    odd.filter = odd.transmit = k_nan;
+    EXPECT_FALSE(odd.is_transparent());
 }
 
 }  // namespace

@@ -35,6 +35,12 @@ TEST(Misuse, OfTexts) {
         const SceneText other{"a", "sphere {", std::string(format.name)};
         expect_error(load({&other, 1}), "half a shape");
     }
+    for (const SceneText& text :
+         {empty, unknown, SceneText{"a.", every, ""}, SceneText{"a.pov", every, ""}}) {
+        const FormatChoice choice = choose_format(text);
+        EXPECT_EQ(choice.format, text.name == "a.pov" ? "povray" : "") << text.name;
+        EXPECT_FALSE(choice.reason.empty()) << text.name;
+    }
     const std::vector<SceneText> many(70000, SceneText{"a.glint", "", ""});
     expect_error(load(many), "too many texts");
 }

@@ -55,6 +55,8 @@ TEST(Misuse, OfShading) {
         expect_error(with_camera(world, camera), "a camera");
         expect_error(with_background(world, {0, odd, 0}), "a background");
         expect_error(with_fog(world, Fog{.density = odd}), "a fog");
+        expect_error(with_gradient(world, BackgroundGradient{.top = odd}), "a gradient");
+        expect_error(with_occlusion(world, Occlusion{.color = {0, odd, 0}}), "an occlusion");
         Conventions conventions = scene.conventions;
         conventions.epsilon = odd;
         expect_error(with_rules(world, conventions, scene.settings), "a convention");

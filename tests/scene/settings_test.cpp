@@ -15,7 +15,7 @@ std::string set(Scene& scene, std::string_view key, std::string_view value) {
 
 TEST(Settings, KeysAreFoundByName) {
     const auto keys = setting_keys();
-    ASSERT_EQ(keys.size(), 32u);
+    ASSERT_EQ(keys.size(), 40u);
     for (std::size_t i = 0; i < keys.size(); ++i) {
         EXPECT_EQ(find_setting(keys[i].name), i);
         EXPECT_FALSE(keys[i].values.empty());
@@ -253,7 +253,7 @@ INSTANTIATE_TEST_SUITE_P(
         Wrong{"shading", "blinn_phong",
               "expected phong | blinn-phong | diffuse | color | normals, found 'blinn_phong'; did you mean "
               "`blinn-phong`?"},
-        Wrong{"limit", "\x1b[31m", "expected keep | drop, found '\\x1b[31m'"}));
+        Wrong{"limit", "\x1b[31m", "expected keep | drop | background, found '\\x1b[31m'"}));
 
 TEST(Settings, UnknownKeysChangeNothing) {
     Scene scene;
