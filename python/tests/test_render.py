@@ -60,7 +60,6 @@ def test_keywords_of_the_command(scene):
         dict(aa=2),
         dict(aa="2:jitter"),
         dict(shading="normals"),
-        dict(alpha=True),
     ):
         assert scene.render(**options) != plain
     assert scene.render(aa="2:jitter", seed=7) != scene.render(aa="2:jitter")
@@ -72,6 +71,22 @@ def test_keywords_of_the_command(scene):
         scene.render(shading="fong")
     with pytest.raises(ValueError, match="no layer 'norml'"):
         scene.render(aov=["norml"])
+
+
+def test_alpha(scene):
+    scene.background = (0.2, 0.4, 0.6)
+    plain, image = scene.render(aov="background"), scene.render(alpha=True)
+    alpha = image.layers["alpha"]
+    assert list(image.layers) == ["alpha"] and alpha.min() == 0 and alpha.max() == 1
+    # The background is left out, and nothing else.
+    assert np.array_equal(image.array, plain.array * alpha) and image != plain
+    assert np.array_equal(plain.layers["background"], plain.array * (1 - alpha))
+    png = image.to_bytes()
+    assert png[25] == 6 and plain.to_bytes()[25] == 2  # the header's colour type: with and without alpha
+    scene.settings["alpha"] = True
+    assert scene.render() == image and scene.render(alpha=False) == plain
+    with pytest.raises(glint.GlintError, match="alpha"):
+        image.to_bytes("ppm")
 
 
 def test_the_scene_says_how_numbers_become_bytes(scene):
@@ -87,7 +102,8 @@ def test_layers(scene):
     image = scene.render(aov="all")
     names = list(image.layers)
     assert names[:6] == ["background", "ambient", "diffuse", "specular", "reflection", "transmission"]
-    total = sum(image.layers[name] for name in names[1:6])
+    assert names[6:9] == ["emission", "sky", "fog"]
+    total = sum(image.layers[name] for name in names[1:9])
     assert np.allclose(total + image.layers["background"], image.array)
     assert image.layers["depth"].shape == (48, 64, 1)
     assert image.viewable("normal").size == (64, 48)

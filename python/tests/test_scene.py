@@ -158,7 +158,7 @@ def test_occlusion_and_gradient(scene):
     scene.occlusion.samples = 9
     assert scene.render() != occluded  # the object is the scene's
     scene.occlusion.method = "hashed"
-    scene.gradient = glint.BackgroundGradient(up=(0, 1, 1), bottom=-1)
+    scene.gradient = glint.BackgroundGradient(up=(0, 1, 1), bottom=-0.25)
     assert glint.loads(scene.to_glint()).occlusion == scene.occlusion
     assert glint.loads(scene.to_glint()).gradient == scene.gradient
     assert eval(repr(scene.gradient), {"BackgroundGradient": glint.BackgroundGradient}) == scene.gradient

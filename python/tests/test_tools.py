@@ -85,7 +85,8 @@ def test_explains_as_the_command_does():
     assert light.reason == "adds" and isinstance(light.to_light, glint.Vec3)
     whole = ray.hit.ambient + sum((t.diffuse + t.specular for t in ray.hit.lights), glint.Color(0, 0, 0))
     assert np.allclose(whole, explanation.value, atol=1e-6)
-    assert dict(explanation.layers).keys() == set(list(scene.render(size=(2, 2), aov="all").layers)[:6])
+    # The layers that add up to the picture.
+    assert dict(explanation.layers).keys() == set(list(scene.render(size=(2, 2), aov="all").layers)[:9])
     with pytest.raises(AttributeError, match="there is no 'hits'"):
         ray.hits
     with pytest.raises(glint.GlintError):
