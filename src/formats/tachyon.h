@@ -45,6 +45,8 @@ enum class TachyonLimit : std::uint8_t {
     winding,
     vertex_colors,
     endless_cylinder,
+    box_normals,
+    normal_lengths,
     count
 };
 

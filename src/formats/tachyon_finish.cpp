@@ -25,6 +25,10 @@ constexpr std::string_view k_limit_texts[] = {
     "the viewer's side",
     "glint does not mix the colors of vertices: each triangle has the mean of its three",
     "the endless cylinder ends a million radii from its Center",
+    "near the edges of a box that is no cube Tachyon takes the normal of a neighbouring face; glint does not",
+    "the normals of this triangle have different lengths: glint interpolates unit normals, Tachyon the "
+    "normals "
+    "as they are",
 };
 static_assert(std::size(k_limit_texts) == static_cast<std::size_t>(TachyonLimit::count));
 
@@ -108,6 +112,8 @@ void finish_tachyon(LoadState& reading) {
     };
     drop(TachyonLimit::outline, is_shaded);
     drop(TachyonLimit::winding, is_shaded);
+    drop(TachyonLimit::box_normals, is_shaded);
+    drop(TachyonLimit::normal_lengths, is_shaded);
     drop(TachyonLimit::fogged_light, scene.fog.has_value());
     for (std::size_t i = 0; i < state.limits.size(); ++i) {
         const auto& at = state.limits[i];

@@ -19,6 +19,12 @@ constexpr double k_endless = 1e6;
 // angle.
 constexpr double k_ring_height = 1e-6;
 
+// The largest of the numbers over the smallest.
+double spread(const double (&numbers)[3]) {
+    return number::max(number::max(numbers[0], numbers[1]), numbers[2]) /
+           number::min(number::min(numbers[0], numbers[1]), numbers[2]);
+}
+
 Color mean(const Color& a, const Color& b, const Color& c) { return (a + b + c) * (1.0 / 3); }
 
 }  // namespace
@@ -42,6 +48,8 @@ void TachyonReader::add_smooth(const SmoothTriangle& t, std::uint32_t material) 
         note_limit(TachyonLimit::winding, object_);
         ++state_.wrong_windings;
     }
+    const double squares[] = {dot(n[0], n[0]), dot(n[1], n[1]), dot(n[2], n[2])};
+    if (spread(squares) > 1.04) note_limit(TachyonLimit::normal_lengths, object_);  // by more than 2%
     add(t, material);
 }
 
@@ -272,6 +280,9 @@ bool TachyonReader::read_box() {
     sort(b.min.x, b.max.x);
     sort(b.min.y, b.max.y);
     sort(b.min.z, b.max.z);
+    const Vec3 size = b.max - b.min;
+    const double sides[] = {size.x, size.y, size.z};
+    if (!(spread(sides) < 1 + 1e-6)) note_limit(TachyonLimit::box_normals, object_);
     add(b, material);
     return true;
 }

@@ -328,6 +328,10 @@ TEST(Tachyon, LimitsAreNamedOnce) {
                        "the endless cylinder ends");
     expect_dat_warning(DAT_SCENE "STri V0 0 0 0 V1 0 1 0 V2 1 0 0 N0 0 0 1 N1 0 0 1 N2 0 0 1 " DAT_TEXTURE,
                        "the normals of this triangle are on the other side of its winding");
+    expect_dat_warning(DAT_SCENE "STri V0 0 0 0 V1 0 1 0 V2 1 0 0 N0 0 0 -1 N1 0 0 -2 N2 0 0 -1 " DAT_TEXTURE,
+                       "the normals of this triangle have different lengths");
+    expect_dat_warning(DAT_SCENE "Box Min 0 0 0 Max 1 1 2 " DAT_TEXTURE,
+                       "near the edges of a box that is no cube");
     const auto missing =
         warned_dat_scene(DAT_SCENE "Sphere Center 0 0 0 Rad 1 nosuch Sphere Center 0 0 0 Rad 1 nosuch",
                          "a.dat:6:27: warning: no texture is called 'nosuch'");

@@ -26,7 +26,7 @@ def rule(name, objects, projection="", zoom=1.5, aspect=1, depth=6, mode="", hea
 GLASS = ("Sphere Center 0 1 -2 Rad 0.7 " + texture("0.3 0.8 0.5", opacity=0.4) +
          "Sphere Center 0.5 1 -3 Rad 0.3 " + texture("0.8 0.3 0.5", opacity=0.7, specular=0.3))
 ARRAY = ("VertexArray Numverts 4 Coords -2 0.5 0  0 0.3 -1  -2 2 0.5  0 2 0\n"
-         "Normals -0.2 0.1 -1  0.3 0 -1  -0.3 0.4 -1  0.1 0.3 -1\n" + texture("0.4 0.7 0.9") +
+         "Normals -0.19518 0.09759 -0.9759  0.287348 0 -0.957826  -0.268328 0.357771 -0.894427  0.0953463 0.286039 -0.953463\n" + texture("0.4 0.7 0.9") +
          "TriStrip 4 0 2 1 3 End_VertexArray\n")
 RULES = [
     rule("sphere", BALL),
@@ -36,7 +36,7 @@ RULES = [
          "PolyCylinder Points 3 -2 1 1 0 2 1 2 1 0 Rad 0.2 " + texture("0.2 0.5 0.9")),
     rule("rings", "Ring Center -1 1 0 Normal 0.3 0.5 -1 Inner 0 Outer 0.8 " + texture("0.9 0.5 0.2") +
          "Ring Center 1 1 0 Normal -0.3 1 -1 Inner 0.4 Outer 1 " + texture("0.2 0.5 0.9")),
-    rule("box", "Box Min -1 0.2 -1 Max 1 1.4 0.5 " + texture("0.9 0.5 0.2")),
+    rule("box", "Box Min -0.7 0.2 -1 Max 0.5 1.4 0.2 " + texture("0.9 0.5 0.2")),
     rule("triangles", "Tri V0 -2 0.2 0 V1 0 2 0.5 V2 -0.5 0.2 -1 " + texture("0.9 0.5 0.2") +
          "STri V0 0.2 0.2 0 V1 0.5 2 0.5 V2 2 0.2 -1 N0 -0.5 0 -1 N1 0 0.5 -1 N2 0.5 0 -1 " + texture("0.2 0.5 0.9")),
     rule("vertex_array", ARRAY),
