@@ -126,7 +126,7 @@ Value Reader::array_value(const Token& at) {
     const bool has_sizes = !array->sizes.empty();
     if (has_sizes) {
         if (!spend_elements(at, count)) return {};
-        array->elements.resize(count);
+        array->elements.resize(static_cast<std::size_t>(count));
     }
     if (peek().is('{')) {
         std::size_t next = 0;
