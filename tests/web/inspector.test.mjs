@@ -53,18 +53,24 @@ test('the ray tree opens and closes, and its terms lead to their lines', () => w
 }));
 
 test('a pixel that is clicked before the picture of a new scene is explained in that picture', () => withPage(async (page) => {
-    await settled(page);
+    // The workers get no message until the click is over.
     await page.evaluate(() => {
-        const send = Worker.prototype.postMessage;
+        const send = Worker.prototype.postMessage, held = [];
         Worker.prototype.postMessage = function (...message) {
-            setTimeout(() => send.apply(this, message), 1000);
+            held.push(() => send.apply(this, message));
+        };
+        globalThis.release = () => {
+            Worker.prototype.postMessage = send;
+            held.forEach((one) => one());
         };
     });
     await page.getByRole('button', {name: 'Scenes', exact: true}).click();
     await page.locator('[data-scene$="glint/glass.glint"]').click();
-    await clickPicture(page, 0.25, 0.5);
+    await clickPicture(page, 0.25, 0.35);
+    await page.evaluate(() => globalThis.release());
     await page.locator('.inspector').waitFor();
-    assert.match(await page.locator('.ray-node').first().innerText(), /Glass ray/);
+    assert.match(await page.locator('.ray-node > summary').first().innerText(), /Camera ray hits sphere “lens”/);
+    assert.equal(await page.getByRole('tab', {name: 'Inspect'}).getAttribute('aria-selected'), 'true');
 }));
 
 test('in a comparison, a pixel is explained in the picture it is seen in', () => withPage(async (page) => {

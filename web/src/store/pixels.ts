@@ -47,11 +47,12 @@ export async function hover(at: [number, number] | null) {
 
 const isPhong = (side: Side) => settingIn(services[side]?.current?.info, 'shading')?.value === 'phong';
 
-let pinNext: [number, number] | null = null;
+/** A pixel to be pinned in the next picture; `opens`: the user has clicked it, which opens the inspector. */
+let pinNext: {at: [number, number]; opens: boolean} | null = null;
 let pins = 0;
 
 /** Explains a pixel and keeps its explanation. While the picture is replaced, this waits for the next one. */
-export async function pin(at: [number, number] | null) {
+export async function pin(at: [number, number] | null, opens = true) {
     const number = ++pins;
     pinNext = null;
     if (!at) {
@@ -62,7 +63,7 @@ export async function pin(at: [number, number] | null) {
     const explanation = await ask(at, side);
     if (number !== pins) return;  // another pixel was pinned meanwhile
     if (!explanation) {
-        pinNext = at;
+        pinNext = {at, opens};
         return;
     }
     batch(() => {
@@ -70,26 +71,28 @@ export async function pin(at: [number, number] | null) {
         pinnedIn.value = {side, isPhong: isPhong(side)};
         selected.value = {ray: 0, light: strongestLight(explanation, 0)};
         step.value = null;
-        tab.value = 'inspect';
+        if (opens) tab.value = 'inspect';
     });
 }
 
 /** Pins a pixel as soon as the picture is complete. */
 export function pinLater(at: [number, number]) {
-    pinNext = at;
+    pinNext = {at, opens: false};
 }
 
 /** A picture changed: explains its pixels again. */
 export async function explainAgain(side: Side) {
     if (pixel.value && sideAt(pixel.value) === side) void hover(pixel.value);
-    if (pinNext && side === 'first') {
-        const before = tab.value;
-        await pin(pinNext);
-        tab.value = before;
-        return;
+    const facts = services[side]?.current?.info;
+    if (pinNext && facts && side === 'first') {
+        const {at: [x, y], opens} = pinNext;
+        pinNext = null;
+        if (x < facts.width && y < facts.height) {
+            await pin([x, y], opens);
+            return;
+        }
     }
     const at = pinned.value?.pixel;
-    const facts = services[side]?.current?.info;
     if (!at || !facts || pinnedIn.value.side !== side) return;
     const number = pins;
     const isInside = at[0] < facts.width && at[1] < facts.height;
