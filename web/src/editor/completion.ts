@@ -1,11 +1,29 @@
 // SPDX-License-Identifier: Apache-2.0
 // Completion for .glint: blocks, keys and values, from the reader's own tables.
 import {type Completion, type CompletionContext, type CompletionResult, autocompletion} from '@codemirror/autocomplete';
-import type {SceneInfo} from 'glint-wasm';
+import type {FieldInfo, SceneInfo} from 'glint-wasm';
 
 /** Enough text before the cursor to find the blocks around it. */
 const farthest = 50_000;
-const lightKinds = ['ambient', 'point', 'directional'];
+/** The words of the key that says a block's kind. */
+const kinds: Record<string, Record<string, string[]>> = {
+    light: {type: ['ambient', 'point', 'directional', 'spot', 'parallelogram', 'disc', 'sphere']},
+    fog: {type: ['linear', 'exp', 'exp2']},
+    background_gradient: {type: ['sphere', 'plane']},
+    occlusion: {method: ['hashed', 'fixed']},
+};
+
+/** The fields of a block; those that are not listed are materials and shapes. */
+function fieldsOf(facts: SceneInfo, block: string): FieldInfo[] {
+    switch (block) {
+        case 'light': return facts.light_fields;
+        case 'camera': return facts.camera_fields;
+        case 'fog': return facts.fog_fields;
+        case 'background_gradient': return facts.gradient_fields;
+        case 'occlusion': return facts.occlusion_fields;
+        default: return facts.material_fields;
+    }
+}
 
 /** The words of the blocks that are open at the end of a text, the outermost first; null in a comment or a string. */
 function openBlocks(text: string, blocks: Record<string, string[]>): string[] | null {
@@ -36,15 +54,16 @@ function openBlocks(text: string, blocks: Record<string, string[]>): string[] | 
 function describe(facts: SceneInfo, block: string, key: string): Partial<Completion> {
     const setting = facts.settings.find(({name}) => name === key);
     if (setting && (block === 'render' || block === 'conventions')) return {detail: setting.values, info: setting.description};
-    const fields = block === 'light' ? facts.light_fields : block === 'camera' ? facts.camera_fields : facts.material_fields;
-    const field = fields.find(({keys}) => keys.includes(key));
+    const field = fieldsOf(facts, block).find(({keys}) => keys.includes(key));
     return field ? {detail: field.type, info: field.description} : {};
 }
 
 /** The words that a key's value can be. */
 function valuesOf(facts: SceneInfo, block: string, key: string, text: string): string[] {
-    if (block === 'light' && key === 'type') return lightKinds;
+    const words = kinds[block]?.[key];
+    if (words) return words;
     if (key === 'material') return [...text.matchAll(/^\s*material\s+("[^"\n]*"|[\w-]+)/gm)].map(([, name]) => name!);
+    if (fieldsOf(facts, block).find(({keys}) => keys.includes(key))?.type === 'boolean') return ['true', 'false'];
     const values = facts.settings.find(({name}) => name === key)?.values;
     return values?.includes(' | ') && (block === 'render' || block === 'conventions') ? values.split(' | ') : [];
 }
