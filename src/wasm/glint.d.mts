@@ -26,7 +26,7 @@ export interface SceneText {
     /** The name for messages; its extension chooses the format unless `format` is given. */
     name: string;
     text: string;
-    /** "cgfs", "epfl", "csc473", "nff" or "glint". */
+    /** "cgfs", "epfl", "csc473", "povray", "nff", "tachyon" or "glint". */
     format?: string;
 }
 

@@ -27,7 +27,11 @@ function NumbersField({field, value, set}: {field: FieldInfo; value: number | Ve
     const reach = useSignal(0);
     const needed = Math.max(5, ...numbers.map((c) => Math.abs(c) * 1.25));
     if (hasSliders && needed > reach.value) reach.value = Number(needed.toPrecision(1)) >= needed ? Number(needed.toPrecision(1)) : Math.ceil(needed);
-    const setPart = (i: number, v: number) => set(typeof value === 'number' ? v : (value.map((c, k) => (k === i ? v : c)) as Vec3));
+    const isWhole = field.type === 'whole';
+    const setPart = (i: number, typed: number) => {
+        const v = isWhole ? Math.round(typed) : typed;
+        set(typeof value === 'number' ? v : (value.map((c, k) => (k === i ? v : c)) as Vec3));
+    };
     if (hasSliders) {
         return (
             <>
@@ -42,7 +46,7 @@ function NumbersField({field, value, set}: {field: FieldInfo; value: number | Ve
         <fieldset class="row" title={field.description}>
             <legend>{label}</legend>
             {numbers.map((c, i) => (
-                <NumberField key={i} label={numbers.length === 1 ? label : `${label} ${parts[field.type]![i]}`} hidden value={c}
+                <NumberField key={i} label={numbers.length === 1 ? label : `${label} ${parts[field.type]![i]}`} hidden value={c} {...(isWhole ? {step: 1} : {})}
                              {...(field.min === undefined ? {} : {min: field.min})} {...(field.max == null ? {} : {max: field.max})}
                              set={(v) => setPart(i, v)} />
             ))}

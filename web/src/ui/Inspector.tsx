@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Explains a pixel: the sum of its colour, its ray tree, and each term of each light.
-import type {Explanation, ExplainedHit, LightTerms} from 'glint-wasm';
+import type {Explanation, ExplainedHit, ExplainedRay, LightTerms} from 'glint-wasm';
 import type {ComponentChildren} from 'preact';
 
 import {reveal} from '../store/places';
@@ -13,6 +13,13 @@ import {sentence} from './sentence';
 import {SpaceInPanel} from './Space';
 import {Stepper} from './Stepper';
 import {css, hex, highlights, isBlack, itemName, layerNames, lightName, rayNames, reasons, short, shortColor, shortVector} from './words';
+
+/** How the sum becomes the bytes. */
+function byteWords({transfer, gamma}: Explanation): string {
+    const value = gamma === 1 ? '' : `c^${short(gamma)}`;
+    if (transfer === 'srgb') return `sRGB${value && `(${value})`} × 255`;
+    return `${value} × 255`.trim();
+}
 
 function Sum({explanation}: {explanation: Explanation}) {
     const layers = layerNames.filter((name) => !isBlack(explanation.layers[name]));
@@ -43,7 +50,7 @@ function Sum({explanation}: {explanation: Explanation}) {
                 </tbody>
                 <tfoot>
                     <tr data-sum><th scope="row">sum</th>{explanation.value.map((value, c) => <td key={c}>{short(value)}</td>)}</tr>
-                    <tr><th scope="row">× 255</th>{explanation.bytes.map((value, c) => <td key={c}>{value}</td>)}</tr>
+                    <tr><th scope="row">{byteWords(explanation)}</th>{explanation.bytes.map((value, c) => <td key={c}>{value}</td>)}</tr>
                 </tfoot>
             </table>
         </section>
@@ -82,6 +89,7 @@ function Light({terms, hit, ray, index}: {terms: LightTerms; hit: ExplainedHit; 
             {terms.attenuation !== 1 && <Term name="f_att" place={light} value={short(terms.attenuation)} />}
             {terms.spot !== 1 && <Term name="spot" place={light} value={short(terms.spot)} />}
             {terms.emitter !== 1 && <Term name="emitter’s cosine" place={light} value={short(terms.emitter)} />}
+            {terms.filters?.slice(0, 12).map(({shape, distance, factor}, i) => <Term key={i} name="passes" place={shape} formula={`${itemName(shape)}, ${short(distance)} away: times`} value={shortColor(factor)} />)}
             {terms.samples && <Term name="visible" place={light} formula={`${terms.samples.filter((s) => !s.blocked).length} of ${terms.samples.length} samples`} value={short(terms.visible)} />}
             <Term name="N·L" place={light} value={short(terms.n_l)} />
             <Term name={isPhong ? 'R·V' : 'N·H'} place={light} value={short(terms.s)} />
@@ -104,11 +112,19 @@ const branchWords: Record<string, string> = {
     cut: 'not traced: this sample has too many rays',
 };
 
+/** An area light may have thousands of samples. */
+const mostLights = 64;
+
 /** The formula of a hit's contribution to the pixel. */
-function sumWords(hit: ExplainedHit): string {
-    const terms = ['ambient', ...(hit.lights.length > 0 ? ['all diffuse', 'all specular'] : []), ...(isBlack(hit.emission) ? [] : ['emission'])];
-    const sum = terms.length > 1 ? `(${terms.join(' + ')})` : 'ambient';
-    return `weight × ${hit.local_share === 1 ? '' : 'own share × '}${sum}`;
+function sumWords(hit: ExplainedHit, fog: ExplainedRay['fog']): string {
+    const {local_share: share, highlight_share: highlights = share} = hit;
+    const areApart = highlights !== share && hit.lights.length > 0;  // as highlights on clear glass
+    const terms = [
+        'ambient', ...(hit.lights.length > 0 ? ['all diffuse', ...(areApart ? [] : ['all specular'])] : []), ...(isBlack(hit.emission) ? [] : ['emission']),
+        ...(hit.occlusion ? ['sky'] : []),
+    ];
+    const sum = `${share === 1 ? '' : 'own share × '}${terms.length > 1 ? `(${terms.join(' + ')})` : 'ambient'}`;
+    return `weight × ${areApart ? `(${sum} + ${highlights === 1 ? '' : `${short(highlights)} × `}all specular)` : sum}${fog && !isBlack(fog.added) ? ' + fog' : ''}`;
 }
 
 function Ray({explanation, number, depth}: {explanation: Explanation; number: number; depth: number}) {
@@ -116,6 +132,7 @@ function Ray({explanation, number, depth}: {explanation: Explanation; number: nu
     const {hit} = ray;
     const added = addedBy(ray);
     const isNow = steps.value?.ray === number;
+    const absorbed = hit !== undefined && hit.weight.some((c, i) => c !== ray.weight[i]);
     return (
         <details class="ray-node" open={depth < 3} data-ray={number}>
             <summary aria-current={isNow ? 'step' : undefined} onClick={() => {
@@ -123,7 +140,7 @@ function Ray({explanation, number, depth}: {explanation: Explanation; number: nu
                 goToRay(number);
             }}>
                 <span class={`ray-key ${ray.kind}`} aria-hidden="true" />
-                <b>{rayNames[ray.kind]}</b> {hit ? <>hits {itemName(hit.shape)}</> : 'leaves the scene'}
+                <b>{rayNames[ray.kind]}</b> {hit ? <>hits {itemName(hit.shape)}</> : ray.beyond_limit ? 'is beyond the limit of reflections' : 'leaves the scene'}
                 <span class="swatch" style={{background: css(added)}} aria-hidden="true" />
             </summary>
             {ray.fog && ray.fog.visibility !== 1 && <Term name="fog" formula={`${short(ray.fog.visibility)} of the light is seen; the fog adds`} value={shortColor(ray.fog.added)} />}
@@ -132,14 +149,16 @@ function Ray({explanation, number, depth}: {explanation: Explanation; number: nu
                     <Term name="object" place={hit.shape} formula={`t = ${short(ray.t)}`} value={itemName(hit.shape)} />
                     <Term name="P" place={hit.shape} value={shortVector(hit.point)} />
                     <Term name="N" place={hit.shape} formula={`${hit.side} side${hit.normal_turned ? ', turned' : ''}`} value={shortVector(hit.normal)} />
-                    <Term name="weight" place={ray.parent === null ? null : explanation.rays[ray.parent]!.hit?.material} formula="of this ray in the pixel" value={shortColor(ray.weight)} />
-                    {hit.local_share !== 1 && <Term name="own share" place={hit.material} formula="1 − mirror − glass" value={short(hit.local_share)} />}
+                    <Term name="weight" place={ray.parent === null ? null : explanation.rays[ray.parent]!.hit?.material} formula={absorbed ? 'of this ray in the pixel, after glass and fog' : 'of this ray in the pixel'} value={shortColor(hit.weight)} />
+                    {hit.opacity !== undefined && <Term name="opacity" place={hit.material} formula="the rest is what is behind" value={short(hit.opacity)} />}
+                    {hit.local_share !== 1 && <Term name="own share" place={hit.material} formula={hit.opacity === undefined ? '1 − mirror − glass' : 'of its own light'} value={short(hit.local_share)} />}
                     <Term name="ambient" place={hit.material} formula="k_a I_a" value={shortColor(hit.ambient)} />
-                    {hit.lights.map((terms, i) => <Light key={i} terms={terms} hit={hit} ray={number} index={i} />)}
+                    {hit.lights.slice(0, mostLights).map((terms, i) => <Light key={i} terms={terms} hit={hit} ray={number} index={i} />)}
+                    {hit.lights.length > mostLights && <p class="why">And {hit.lights.length - mostLights} more lights and samples of lights.</p>}
                     {!isBlack(hit.emission) && <Term name="emission" place={hit.material} formula="k_e" value={shortColor(hit.emission)} />}
                     {hit.occlusion && <Term name="sky" place={hit.material} formula={`k_d color f: ${hit.occlusion.blocked} of ${hit.occlusion.samples} samples are blocked, f = ${short(hit.occlusion.factor)}`} value={shortColor(hit.occlusion.light)} />}
                     <Term name="adds to the pixel" value={shortColor(added)} />
-                    <p class="why">= {sumWords(hit)}</p>
+                    <p class="why">= {sumWords(hit, ray.fog)}</p>
                     {(['reflected', 'transmitted'] as const).map((side) => {
                         const branch = hit[side];
                         if (branch.state === 'none') return null;

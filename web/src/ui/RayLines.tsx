@@ -18,6 +18,9 @@ export interface Segment {
 const reachOf = (explanation: Explanation) =>
     2 * Math.max(1, ...explanation.rays.filter((ray) => ray.hit && ray.t).map((ray) => ray.t! * Math.hypot(...ray.direction)));
 
+/** Lines from one hit: of an area light's samples, which may be thousands, some. */
+const mostLights = 256;
+
 /** All lines of an explanation; of several samples, those of the present step's, else of the middle one. */
 export function segments(explanation: Explanation): Segment[] {
     const middle = Math.floor(explanation.samples / 2);
@@ -29,7 +32,9 @@ export function segments(explanation: Explanation): Segment[] {
         if (ray.sample[0] !== sample[0] || ray.sample[1] !== sample[1]) continue;
         const step = reach / Math.hypot(...ray.direction);
         list.push({ray: i, from: ray.origin, to: ray.hit?.point ?? add(ray.origin, ray.direction, step), kind: ray.kind});
-        for (const light of ray.hit?.lights ?? []) {
+        const lights = ray.hit?.lights ?? [], every = Math.ceil(lights.length / mostLights);
+        for (const light of lights) {
+            if (light.sample !== undefined && light.sample % every !== 0) continue;
             const point = ray.hit!.point;
             const far = light.shadow_ray && light.shadow_ray.t_max === null ? reach / Math.max(1e-9, light.distance) : 1;
             const end = add(point, light.to_light, far);
