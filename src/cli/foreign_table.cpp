@@ -73,7 +73,6 @@ constexpr ForeignFlag k_others[] = {
     {"--depth", 1, "--reflections", Value::same},
     {"--max-depth", 1, "--reflections", Value::same},
     {"--bounces", 1, "--reflections", Value::same},
-    {"--seed", 1, "glint's samples are regular, and every run gives the same picture; leave it out"},
     {"--gamma", 1, "--transfer srgb"},
     {"--preview", 0, "--show"},
     {"-v", 0, "glint shows its progress on a terminal; --stats FILE.json writes figures"},

@@ -104,6 +104,7 @@ TEST(Texts, ForeignFlags) {
             .value_or("");
     };
     EXPECT_EQ(answer({"render", "a.cgfs", "-o", "a.png", "-s", "64x64", "-t", "2", "--aa", "3"}), "");
+    EXPECT_EQ(answer({"render", "a.cgfs", "--seed", "7", "--alpha", "--aa", "2:jitter"}), "");
     EXPECT_EQ(answer({"render", "a.cgfs", "-"}), "");
     EXPECT_EQ(answer({"render", "--", "+a.cgfs"}), "");
     EXPECT_EQ(answer({"render", "+W64", "+H48"}),
@@ -118,11 +119,10 @@ TEST(Texts, ForeignFlags) {
     EXPECT_EQ(answer({"check", "a.json", "--samples", "5"}),
               "--samples 5: use --aa 3\ncommand: glint check a.json --aa 3");
     for (const char* flag :
-         {"--width",      "--height",   "-i",        "--input", "--samples",  "--spp",
-          "--jobs",       "-j",         "--depth",   "--seed",  "+A",         "-A",
-          "+D",           "-D",         "+R3",       "+WT4",    "+Q9",        "+FN16",
-          "+SC10",        "-V",         "+L/usr",    "+Z",      "-fullshade", "-mediumshade",
-          "-lowestshade", "-aasamples", "-raydepth", "-res",    "-verbose"}) {
+         {"--width",    "--height",     "-i",           "--input",    "--samples", "--spp",  "--jobs",
+          "-j",         "--depth",      "+A",           "-A",         "+D",        "-D",     "+R3",
+          "+WT4",       "+Q9",          "+FN16",        "+SC10",      "-V",        "+L/usr", "+Z",
+          "-fullshade", "-mediumshade", "-lowestshade", "-aasamples", "-raydepth", "-res",   "-verbose"}) {
         const std::string text = answer({"a.cgfs", flag});
         EXPECT_EQ(text.find(flag), 0u) << text;
         EXPECT_NE(text.find("\ncommand: glint render a.cgfs"), std::string::npos) << text;
