@@ -96,6 +96,7 @@ def explain(
     shading: Optional[str] = None,
     reflections: Optional[int] = None,
     shadows: Optional[bool] = None,
+    seed: Optional[int] = None,
     convention: Optional[Mapping[str, object]] = None,
     sample: Optional[int] = None,
 ) -> Explanation:
@@ -104,7 +105,7 @@ def explain(
     The result has them as attributes, and as the text that `glint explain` prints. The other keywords are those
     of Scene.render(). sample: which of N x N the text is about; default: the middle one.
     """
-    settings = dict(size=size, aa=aa, shading=shading, reflections=reflections, shadows=shadows)
+    settings = dict(size=size, aa=aa, shading=shading, reflections=reflections, shadows=shadows, seed=seed)
     listed = to_list(settings) + to_list(convention or {})
     data, text = to_scene(scene)._state.explain(x, y, listed, sample, None)
     return Explanation(json.loads(data), text)

@@ -107,12 +107,21 @@ py::tuple explain_pixel(SceneState& state, std::int32_t x, std::int32_t y, const
     const int n = scene.settings.samples;
     cli::ExplainStyle style;
     style.sample = sample.value_or(n / 2 * n + n / 2);
-    const Explanation explanation =
-        value_or_raise(run(progress, [&](Running&) { return explain(scene, snapshot.world, x, y); }));
     if (style.sample < 0 || style.sample >= n * n) throw py::index_error("sample out of range");
     style.file.set_rule(scene.conventions.byte_rule());
-    return py::make_tuple(value_or_raise(explanation_json(explanation, scene, style.file)),
-                          cli::explanation_text(explanation, scene, style));
+    // JSON explains all samples, the text one.
+    const auto explain_sample = [&](int which) {
+        ExplainOptions options;
+        options.sample = which;
+        return value_or_raise(
+            run(progress, [&](Running&) { return explain(scene, snapshot.world, x, y, options); }));
+    };
+    const Explanation all = explain_sample(-1);
+    const bool is_listed = all.samples > 1 && all.samples <= cli::k_max_listed_samples;
+    std::string text =
+        cli::explanation_text(all.samples > 1 ? explain_sample(style.sample) : all, scene, style);
+    if (is_listed) text += cli::samples_text(all, scene, style);
+    return py::make_tuple(value_or_raise(explanation_json(all, scene, style.file)), text);
 }
 
 py::list check_scene(SceneState& state, const py::object& progress) {

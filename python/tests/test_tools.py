@@ -72,6 +72,23 @@ def test_includes(tmp_path):
         glint.load(main)
 
 
+@pytest.mark.parametrize("aa", ["3", "2:jitter", "adaptive:3:0.05", "9"])
+def test_explains_samples_as_the_command_does(aa):
+    scene = glint.load(CASTLE, size=(64, 64))
+    for x, y in ((5, 5), (32, 40)):
+        text = subprocess.run(
+            [COMMAND, "explain", CASTLE, "-s", "64x64", "-p", f"{x},{y}", "--aa", aa, "--seed", "3"],
+            check=True, stdout=subprocess.PIPE, text=True,
+        ).stdout  # fmt: skip
+        explanation = glint.explain(scene, x, y, aa=aa, seed=3)
+        assert str(explanation) == text
+    n = int(aa.replace("adaptive:", "")[0])
+    assert len([ray for ray in explanation.rays if ray.kind == "camera"]) == n * n
+    assert "sample 1,0" in glint.explain(scene, 32, 40, aa=2, sample=1).text
+    with pytest.raises(IndexError):
+        glint.explain(scene, 32, 40, aa=2, sample=4)
+
+
 def test_explains_as_the_command_does():
     scene = glint.load(CASTLE, size=(640, 640))
     explanation = glint.explain(scene, 320, 350)

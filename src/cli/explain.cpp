@@ -29,8 +29,6 @@ constexpr auto k_explain_examples = R"(Examples:
   glint explain castle.json -p 320,200 --as json | jq .value
   glint explain spheres.pov -p 315,185 --origin bottom-left --as printrays)";
 
-constexpr int k_max_listed_samples = 8;  // --aa up to which samples are listed one by one
-
 struct ExplainArguments {
     SceneArguments scene;
     PictureArguments picture;

@@ -7,6 +7,9 @@
 
 namespace glint::cli {
 
+/// --aa up to which samples are listed one by one.
+constexpr int k_max_listed_samples = 8;
+
 struct ExplainStyle {
     bool colors = false;      ///< print swatches in 24-bit terminal colours
     bool from_below = false;  ///< rows are counted from the bottom
