@@ -7,7 +7,7 @@ import dataclasses
 import json
 import os
 import pathlib
-from typing import Any, List, Mapping, Optional, Tuple, Union
+from typing import Any, Callable, List, Mapping, Optional, Sequence, Tuple, Union
 
 from . import _glint
 from ._image import Image, PathLike, to_image
@@ -19,15 +19,21 @@ from ._settings import profiles, to_list
 SceneLike = Union[Scene, PathLike]
 
 
-def _read(name: str, origin: str) -> bytes:
-    """A file that a scene includes, relative to the one that includes it."""
-    path = os.path.join(os.path.dirname(origin), name)
-    if not os.path.exists(path):
-        raise OSError("no such file")
-    if not os.path.isfile(path):
-        raise OSError("not a regular file")
-    with open(path, "rb") as file:
-        return file.read()
+def _reader(folders: List[str]) -> Callable[[str, str], bytes]:
+    """Reads a file that a scene includes, beside the one that includes it, else in one of the folders."""
+
+    def read(name: str, origin: str) -> bytes:
+        beside = os.path.join(os.path.dirname(origin), name)
+        paths = [beside, *(os.path.join(folder, name) for folder in folders)]
+        path = next(filter(os.path.isfile, paths), beside)
+        if not os.path.exists(path):
+            raise OSError("no such file")
+        if not os.path.isfile(path):
+            raise OSError("not a regular file")
+        with open(path, "rb") as file:
+            return file.read()
+
+    return read
 
 
 def _load(
@@ -36,6 +42,7 @@ def _load(
     profile: str,
     settings: Mapping[str, object],
     convention: Optional[Mapping[str, object]],
+    folders: List[str],
     progress: Progress,
 ) -> Scene:
     profile_text = None
@@ -45,7 +52,13 @@ def _load(
     scene = Scene()
     with reporting(progress) as report:
         scene._state.load_texts(
-            texts, scene_name, profile, profile_text, to_list(convention or {}) + to_list(settings), _read, report
+            texts,
+            scene_name,
+            profile,
+            profile_text,
+            to_list(convention or {}) + to_list(settings),
+            _reader(folders),
+            report,
         )
     return scene
 
@@ -54,6 +67,7 @@ def load(
     *paths: PathLike,
     format: str = "",
     scene_name: str = "",
+    include_path: Union[PathLike, Sequence[PathLike]] = (),
     profile: str = "",
     convention: Optional[Mapping[str, object]] = None,
     size: Union[None, Tuple[int, int], str] = None,
@@ -61,25 +75,33 @@ def load(
     shading: Optional[str] = None,
     reflections: Optional[int] = None,
     shadows: Optional[bool] = None,
+    alpha: Optional[bool] = None,
+    seed: Optional[int] = None,
     progress: Progress = None,
 ) -> Scene:
     """The scene of one file, or of several together: .cgfs, .json, .js, .pov, .nff, .dat or .glint.
 
     The keywords are the options of the command. format: if the file's name does not tell; scene_name: of a
-    file that holds several; profile: one of glint.profiles, or a file of `key = value` lines.
+    file that holds several; include_path: a folder, or several, with files that the scene includes and that are
+    not beside it; profile: one of glint.profiles, or a file of `key = value` lines.
     Raises GlintError with the place of each mistake, and FileNotFoundError.
     """
     if not paths:
         raise TypeError("load() needs the path of a scene")
     texts = [(os.fspath(path), pathlib.Path(path).read_bytes(), format) for path in paths]
-    settings = dict(size=size, aa=aa, shading=shading, reflections=reflections, shadows=shadows)
-    return _load(texts, scene_name, profile, settings, convention, progress)
+    settings = dict(
+        size=size, aa=aa, shading=shading, reflections=reflections, shadows=shadows, alpha=alpha, seed=seed
+    )
+    folders = [include_path] if isinstance(include_path, (str, os.PathLike)) else include_path
+    return _load(texts, scene_name, profile, settings, convention, [os.fspath(f) for f in folders], progress)
 
 
 def loads(text: str, format: str = "glint", *, name: str = "text", scene_name: str = "", profile: str = "") -> Scene:
-    """The scene of a text: 'cgfs', 'epfl', 'csc473', 'povray', 'nff',
-    'tachyon' or 'glint'. name: for messages."""
-    return _load([(name, text.encode(), format)], scene_name, profile, {}, None, None)
+    """The scene of a text: 'cgfs', 'epfl', 'csc473', 'povray', 'nff', 'tachyon' or 'glint'.
+
+    name: for messages; a file that the text includes is looked for beside a file of this name.
+    """
+    return _load([(name, text.encode(), format)], scene_name, profile, {}, None, [], None)
 
 
 def to_scene(scene: SceneLike) -> Scene:

@@ -43,8 +43,11 @@ py::bytes encoded(const Rendering& r, const std::string& format, int bits,
         options.format = FileFormat::ppm;
     } else if (format == "exr") {
         options.format = FileFormat::exr;
+    } else if (format == "tga") {
+        options.format = FileFormat::tga;
     } else {
-        throw py::value_error("format: expected 'png', 'ppm' or 'exr', found " + repr_of(py::str(format)));
+        throw py::value_error("format: expected 'png', 'ppm', 'tga' or 'exr', found " +
+                              repr_of(py::str(format)));
     }
     options.bits = bits;
     options.set_rule(r.rule);

@@ -72,6 +72,54 @@ def test_includes(tmp_path):
         glint.load(main)
 
 
+POV = """#include "ball.inc"
+camera { location <0, 0, -5> look_at 0 }
+light_source { <4, 5, -3>, rgb 1 area_light <1, 0, 0>, <0, 1, 0>, 2, 2 }
+object { Ball texture { pigment { rgbt <1, 0, 0, 0.25> } } }
+fog { fog_type 1 distance 9 rgb 0.5 }
+"""
+DAT = """Begin_Scene
+Resolution 40 30
+Camera Zoom 1 Aspectratio 1 Antialiasing 0 Raydepth 5 Center 0 0 -5 Viewdir 0 0 1 Updir 0 1 0 End_Camera
+Directional_Light Direction 0 0 1 Color 1 1 1
+Background 0 0 0.5
+Sphere Center 0 0 0 Rad 1 Texture Ambient 0.25 Diffuse 0.75 Specular 0 Opacity 0.5 Color 1 0.5 0 TexFunc 0
+End_Scene
+"""
+
+
+@pytest.mark.filterwarnings("ignore::glint.GlintWarning")
+def test_formats_of_other_ray_tracers(tmp_path):
+    (tmp_path / "library").mkdir()
+    main = tmp_path / "main.pov"
+    main.write_text(POV)
+    with pytest.raises(glint.GlintError, match="no such file"):
+        glint.load(main, format="povray")
+    (tmp_path / "library" / "ball.inc").write_text("#declare Ball = sphere { 0, 1 }\n")
+    scene = glint.load(main, format="povray", size=(40, 30), include_path=tmp_path / "library")
+    assert scene == glint.load(
+        main, format="povray", size=(40, 30), include_path=[str(tmp_path / "none"), str(tmp_path / "library")]
+    )
+    assert scene.profile == "povray" and scene.fog.density == pytest.approx(1 / 9)
+    assert scene.lights[0].kind == "parallelogram" and scene.lights[0].samples_u == 2
+    assert scene.shapes[0].material.transmit == 0.25
+    # A file beside the scene comes before the folders.
+    (tmp_path / "ball.inc").write_text("#declare Ball = sphere { 0, 2 }\n")
+    assert glint.load(main, format="povray", include_path=tmp_path / "library").shapes[0].radius == 2
+
+    molecule = glint.loads(DAT, "tachyon")
+    assert molecule.profile == "tachyon" and molecule.conventions["rounding"] == "down"
+    assert molecule.shapes[0].kind == "sphere" and molecule.background == (0, 0, 0.5)
+    (tmp_path / "molecule.dat").write_text(DAT)
+    (tmp_path / "ball.inc").unlink()
+    for file, options, read in (
+        (main, ["--format", "povray", "-s", "40x30", "--include-path", "library"], scene),
+        ("molecule.dat", [], molecule),
+    ):
+        subprocess.run([COMMAND, "render", file, *options, "-q", "-o", "c.tga"], check=True, cwd=tmp_path)
+        assert read.render().to_bytes("tga") == (tmp_path / "c.tga").read_bytes()
+
+
 @pytest.mark.parametrize("aa", ["3", "2:jitter", "adaptive:3:0.05", "9"])
 def test_explains_samples_as_the_command_does(aa):
     scene = glint.load(CASTLE, size=(64, 64))
