@@ -46,7 +46,7 @@ const views = [
         await page.getByRole('button', {name: 'Back to the picture'}).click();
         await page.getByRole('tab', {name: 'Controls'}).click();
         await page.getByText('Conventions', {exact: true}).click();
-        await page.getByRole('combobox', {name: 'Shading'}).selectOption('blinn-phong');
+        await page.getByRole('combobox', {name: 'Shading', exact: true}).selectOption('blinn-phong');
         await settled(page);
     }],
     ['Compare', async (page) => {
