@@ -41,7 +41,7 @@ def from_text(key: str, text: str) -> Setting:
     if key == "size":
         width, height = text.split("x")
         return int(width), int(height)
-    if key in ("reflections", "aa", "seed"):
+    if setting_infos[key].values.startswith("a whole number"):
         return int(text) if text.isdigit() else text
     try:
         return float(text)

@@ -232,6 +232,11 @@ def test_settings_and_profiles(scene):
     scene.settings["shading"] = "phong"
     scene.conventions["limit"] = "drop"
     assert dict(scene.settings)["shading"] == "phong" and scene.conventions["limit"] == "drop"
+    for key, value in (("transparent_surfaces", 4096), ("seed", 0), ("reflections", 4), ("aa", 1)):
+        found = {**scene.settings, **scene.conventions}[key]
+        assert found == value and isinstance(found, int)
+    scene.settings["aa"] = "adaptive:3:0.1:jitter"
+    assert scene.settings["aa"] == "adaptive:3:0.1:jitter" and scene.conventions["gamma"] == 1.0
     with pytest.raises(glint.GlintError, match="phong"):
         scene.settings["shading"] = "fong"
     with pytest.raises(KeyError, match="did you mean `specular_gate`"):
