@@ -145,6 +145,33 @@ sphere "lid" { center = (0, 5, 0.5) radius = 2 }\n`});
     assert.equal(await page.locator('.plot .now').count(), 2);
 }));
 
+test('an area light, fog and the light from all directions are explained', () => withPage(async (page) => {
+    await drop(page, {name: 'soft.glint', text: `render { size = 100 x 100  shading = phong }
+fog { type = exp  color = (0.7, 0.75, 0.8)  density = 0.04 }
+occlusion { samples = 16  color = (0.4, 0.4, 0.4) }
+camera { position = (0, 0, 6)  look_at = (0, 0, 0)  fov_x = 60 }
+light "lamp" { type = parallelogram  position = (0, 0, 6)  side_u = (2, 0, 0)  side_v = (0, 2, 0)  samples_u = 4  samples_v = 3 }
+disc "veil" { center = (0, 0, 2)  normal = (0, 0, 1)  radius = 0.5  color = (1, 0, 0)  transmit = 0.5 }
+sphere "ball" { center = (0, 0, 0)  radius = 1  color = (0, 1, 0)  emission = 0.3 }\n`});
+    await page.waitForFunction(() => document.querySelector('.file-name').textContent === 'soft.glint');
+    await settled(page);
+    await clickPicture(page, 0.5, 0.5);
+    const sentence = page.locator('.sentence');
+    await page.waitForFunction(() => /% is the sphere “ball” on line 7 behind the transparent surface/.test(document.querySelector('.sentence')?.textContent));
+    assert.match(await sentence.innerText(), /% is light from all directions.*% is the fog's own light/);
+    const rows = await page.locator('.layers tbody th').allInnerTexts();
+    assert.deepEqual(rows, ['diffuse', 'transmission', 'sky', 'fog']);
+    const [veil, ball] = [0, 1].map((i) => page.locator(`.ray-node[data-ray="${i}"]`));
+    assert.match(await veil.locator('> .light-terms > summary').innerText(), /“lamp”: 12 of 12 samples add light/);
+    assert.match(await veil.locator('> .why').first().innerText(), /^= weight × .*all diffuse.*sky\).* \+ fog$/);
+    assert.match(await ball.locator('> .why').first().innerText(), /emission \+ sky/);
+    await ball.locator('> .light-terms > summary').click();
+    await ball.locator('> .light-terms > .light-terms > summary').first().click();
+    assert.match(await ball.locator('> .light-terms > .light-terms').first().innerText(), /passes\s*disc “veil”, line 6, .* away: times/);
+    await clickPicture(page, 0.02, 0.02);
+    await page.waitForFunction(() => /hits nothing: this is the fog\.$/.test(document.querySelector('.sentence').textContent));
+}));
+
 test('the object that is clicked has controls, which change its numbers in the text', () => withPage(async (page) => {
     const text = `render { size = 100 x 100 }
 camera { position = (0, 0, 6) look_at = (0, 0, 0) }

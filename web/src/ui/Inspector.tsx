@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Explains a pixel: the sum of its colour, its ray tree, and each term of each light.
-import type {Explanation, ExplainedHit, ExplainedRay, LightTerms} from 'glint-wasm';
+import type {Explanation, ExplainedHit, ExplainedRay, LightTerms, Vec3} from 'glint-wasm';
 import type {ComponentChildren} from 'preact';
 
 import {reveal} from '../store/places';
@@ -113,7 +113,34 @@ const branchWords: Record<string, string> = {
 };
 
 /** An area light may have thousands of samples. */
-const mostLights = 64;
+const mostSamples = 64;
+
+/** The indices of the terms, those of one area light's samples together. */
+function byLight(lights: LightTerms[]): number[][] {
+    const groups: number[][] = [];
+    for (const [i, terms] of lights.entries()) {
+        const last = groups.at(-1);
+        if (last && terms.sample !== undefined && lights[last[0]!]!.light.index === terms.light.index) last.push(i);
+        else groups.push([i]);
+    }
+    return groups;
+}
+
+/** The samples of an area light, each of which is a light. */
+function Samples({members, hit, ray}: {members: number[]; hit: ExplainedHit; ray: number}) {
+    const all = members.map((i) => hit.lights[i]!), {light} = all[0]!;
+    const adding = all.filter(({reason}) => reason === 'adds').length;
+    const total = (part: 'diffuse' | 'specular') => [0, 1, 2].map((c) => all.reduce((sum, terms) => sum + terms[part][c]!, 0)) as Vec3;
+    return (
+        <details class="light-terms">
+            <summary><span class={`dot ${adding > 0 ? 'adds' : all[0]!.reason}`} aria-hidden="true" />{lightName(light)}: {adding} of {all.length} samples add light</summary>
+            <Term name="diffuse" place={light} formula="of all samples" value={shortColor(total('diffuse'))} />
+            <Term name="specular" place={light} formula="of all samples" value={shortColor(total('specular'))} />
+            {members.slice(0, mostSamples).map((i) => <Light key={i} terms={hit.lights[i]!} hit={hit} ray={ray} index={i} />)}
+            {members.length > mostSamples && <p class="why">And {members.length - mostSamples} more samples.</p>}
+        </details>
+    );
+}
 
 /** The formula of a hit's contribution to the pixel. */
 function sumWords(hit: ExplainedHit, fog: ExplainedRay['fog']): string {
@@ -153,8 +180,9 @@ function Ray({explanation, number, depth}: {explanation: Explanation; number: nu
                     {hit.opacity !== undefined && <Term name="opacity" place={hit.material} formula="the rest is what is behind" value={short(hit.opacity)} />}
                     {hit.local_share !== 1 && <Term name="own share" place={hit.material} formula={hit.opacity === undefined ? '1 − mirror − glass' : 'of its own light'} value={short(hit.local_share)} />}
                     <Term name="ambient" place={hit.material} formula="k_a I_a" value={shortColor(hit.ambient)} />
-                    {hit.lights.slice(0, mostLights).map((terms, i) => <Light key={i} terms={terms} hit={hit} ray={number} index={i} />)}
-                    {hit.lights.length > mostLights && <p class="why">And {hit.lights.length - mostLights} more lights and samples of lights.</p>}
+                    {byLight(hit.lights).map((members) => (members.length === 1
+                        ? <Light key={members[0]} terms={hit.lights[members[0]!]!} hit={hit} ray={number} index={members[0]!} />
+                        : <Samples key={members[0]} members={members} hit={hit} ray={number} />))}
                     {!isBlack(hit.emission) && <Term name="emission" place={hit.material} formula="k_e" value={shortColor(hit.emission)} />}
                     {hit.occlusion && <Term name="sky" place={hit.material} formula={`k_d color f: ${hit.occlusion.blocked} of ${hit.occlusion.samples} samples are blocked, f = ${short(hit.occlusion.factor)}`} value={shortColor(hit.occlusion.light)} />}
                     <Term name="adds to the pixel" value={shortColor(added)} />

@@ -19,7 +19,7 @@ const reachOf = (explanation: Explanation) =>
     2 * Math.max(1, ...explanation.rays.filter((ray) => ray.hit && ray.t).map((ray) => ray.t! * Math.hypot(...ray.direction)));
 
 /** Lines from one hit: of an area light's samples, which may be thousands, some. */
-const mostLights = 256;
+const mostLights = 32;
 
 /** All lines of an explanation; of several samples, those of the present step's, else of the middle one. */
 export function segments(explanation: Explanation): Segment[] {

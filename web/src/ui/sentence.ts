@@ -31,9 +31,12 @@ function seenIn(explanation: Explanation, hit: ExplainedHit, side: 'reflected' |
 /** "Mostly green diffuse light; 22% is the sphere on line 8 in the mirror; the point light on line 12 is blocked by ..." */
 export function sentence(explanation: Explanation): string {
     const hit = explanation.rays[0]?.hit;
-    if (!hit) return 'The ray hits nothing: this is the background.';
     const {layers} = explanation;
     const total = layerNames.reduce((all, name) => all + sum(layers[name]), 0);
+    if (!hit) {
+        const share = total > 0 ? Math.round((100 * sum(layers.fog)) / total) : 0;
+        return `The ray hits nothing: this is the ${share === 0 ? 'background' : share === 100 ? 'fog' : `background through the fog, whose own light is ${share}% of it`}.`;
+    }
     const parts: string[] = [];
     if (total <= 1e-6) {
         parts.push('black: nothing adds light here');
@@ -46,7 +49,8 @@ export function sentence(explanation: Explanation): string {
             parts.push(`${amount} ${colorName(layers[local])} ${words}`);
         }
         if (share('reflection') > 0.005) parts.push(`${Math.round(100 * share('reflection'))}% is ${seenIn(explanation, hit, 'reflected')} in the mirror`);
-        if (share('transmission') > 0.005) parts.push(`${Math.round(100 * share('transmission'))}% is ${seenIn(explanation, hit, 'transmitted')} through the glass`);
+        const isStraight = explanation.rays[hit.transmitted.ray ?? -1]?.straight === true;
+        if (share('transmission') > 0.005) parts.push(`${Math.round(100 * share('transmission'))}% is ${seenIn(explanation, hit, 'transmitted')} ${isStraight ? 'behind the transparent surface' : 'through the glass'}`);
         if (share('sky') > 0.005) parts.push(`${Math.round(100 * share('sky'))}% is light from all directions${hit.occlusion ? `, of which ${Math.round(100 * hit.occlusion.blocked / hit.occlusion.samples)}% is blocked` : ''}`);
         if (share('fog') > 0.005) parts.push(`${Math.round(100 * share('fog'))}% is the fog's own light`);
     }
