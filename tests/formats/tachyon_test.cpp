@@ -197,7 +197,7 @@ TEST(Tachyon, ReadsShapes) {
                               "FCylinder Base 0 0 0 Apex 0 0 2 Rad 1 t\n"
                               "FCylinder Base 0 0 0 Apex 0 0 0 Rad 1 t\n"
                               "Tri V0 0 0 0 V1 1 0 0 V2 0 1 0 t\n"
-                              "STri V0 0 0 0 V1 1 0 0 V2 0 1 0 N0 0 0 1 N1 0 0 2 N2 0 0 3 t\n"
+                              "STri V0 0 0 0 V1 1 0 0 V2 0 1 0 N0 0 0 1 N1 0 1 0 N2 1 0 0 t\n"
                               "Plane Center 0 1 0 Normal 0 2 0 t\n"
                               "Box Min 1 0 0 Max 0 1 1 t\n"
                               "Ring Center 0 0 0 Normal 0 1 0 Inner 0 Outer 2 t\n"
@@ -207,7 +207,7 @@ TEST(Tachyon, ReadsShapes) {
     EXPECT_EQ(s.get<Cylinder>()[0].to, (Vec3{0, 0, 2}));
     EXPECT_FALSE(s.get<Cylinder>()[0].caps);
     EXPECT_EQ(s.get<Triangle>()[0].vertices[2], (Vec3{0, 1, 0}));
-    EXPECT_EQ(s.get<SmoothTriangle>()[0].normals[2], (Vec3{0, 0, 3}));
+    EXPECT_EQ(s.get<SmoothTriangle>()[0].normals[2], (Vec3{1, 0, 0}));
     EXPECT_EQ(s.get<Plane>()[0].normal, (Vec3{0, 2, 0}));
     EXPECT_EQ(s.get<Box>()[0].min, (Vec3{0, 0, 0})) << "the corners are sorted";
     EXPECT_EQ(s.get<Box>()[0].max, (Vec3{1, 1, 1}));
