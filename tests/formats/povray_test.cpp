@@ -232,6 +232,18 @@ TEST(PovRay, MeshesBecomeTriangles) {
     EXPECT_EQ(scene.get<Triangle>().size(), 1u);
 }
 
+TEST(PovRay, AnIncludeIsReadBeforeWhatFollowsIt) {
+    TextSources sources(std::map<std::string, std::string, std::less<>>{
+        {"b.inc", "sphere { <1, 2, 3>, 1 }\n#declare R = 4;"}});
+    for (const char* const end : {"", ";", " ;"}) {
+        const Scene scene =
+            povray_scene(std::string("#include \"b.inc\"") + end + "\nsphere { 0, R }", &sources);
+        ASSERT_EQ(scene.get<Sphere>().size(), 2u);
+        EXPECT_EQ(scene.get<Sphere>()[0].radius, 1);
+        EXPECT_EQ(scene.get<Sphere>()[1].radius, 4);
+    }
+}
+
 TEST(PovRay, MeshesAreCutByBoxes) {
     const Scene scene = povray_scene(
         "mesh2 { vertex_vectors { 3, 0, 2*x, 2*y } face_indices { 1, <0, 1, 2> }\n"

@@ -20,7 +20,9 @@ constexpr std::uint32_t k_max_includes = 10000;
 void Reader::read_include(const Token& at) {
     begin_value();
     const std::string name = string();
-    accept(';');
+    // Not by accept(): the token after the file's name must come after the file's own.
+    const Frame& frame = frames_.back();
+    if (!has_ahead_ && frame.at < frame.end && tokens_[frame.text][frame.at].is(';')) take_raw();
     end_value();
     if (failed_) return;
     if (frames_.size() >= k_max_frames) {
