@@ -49,6 +49,7 @@ HWY_INLINE void trace_chunk(const WorldParts& world, const RaySpan& rays, int co
     SlabRays slab_rays;
     prepare_rays(rays, count, slab_rays);
     std::uint32_t occluder = k_none;
+    const bool shares_occluders = !ordered && world.occlusion;  // neighbouring rays often have the same
     const HitResult result{world, slab_rays, t, slot, occluded, &occluder};
     ShearedRays sheared_rays(rays);
     ShapeTests tests{geometry, rays, slab_rays, result, sheared_rays};
@@ -68,7 +69,7 @@ HWY_INLINE void trace_chunk(const WorldParts& world, const RaySpan& rays, int co
         } else {
             for (int i = first; i < first + n; ++i) {
                 if (!(slab_rays.t_max[i] >= slab_rays.t_min[i])) continue;
-                if (!ordered && occluder != k_none) {  // often the occluder of the next ray, too
+                if (shares_occluders && occluder != k_none) {
                     tests.visit(i, occluder, 1);
                     if (!(slab_rays.t_max[i] >= slab_rays.t_min[i])) continue;
                 }
