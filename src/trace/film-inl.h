@@ -71,8 +71,8 @@ inline void add_transparency(const RayBatch& rays, int ray, LaneMask<double> see
 }
 
 /// Adds a colour that rays see to their pixels. layer: that of camera rays.
-inline void add_seen(const RayBatch& rays, int ray, LaneMask<double> set, Layer layer,
-                     const Vector3<Doubles>& color, Film& film) {
+HWY_INLINE void add_seen(const RayBatch& rays, int ray, LaneMask<double> set, Layer layer,
+                         const Vector3<Doubles>& color, Film& film) {
     if (!any(set)) return;
     if (rays.generation == 0) {
         alignas(k_ray_alignment) double pixels[lane_count<double>()];
@@ -85,17 +85,29 @@ inline void add_seen(const RayBatch& rays, int ray, LaneMask<double> set, Layer 
     }
 }
 
+/// Calls visit(ray, missed) for each vector of a range in which rays hit nothing.
+template <class Visit>
+HWY_INLINE void for_each_miss(const HitBatch& hits, RayRange range, const Visit& visit) {
+    for (int i = range.begin; i < range.end; i += lane_count<double>()) {
+        const auto missed =
+            !(load(hits.t.data() + i) < Doubles(k_infinity)) && first_lanes<double>(range.end - i);
+        if (any(missed)) visit(hits.first + i, missed);
+    }
+}
+
 /// Adds the light of those rays of a range that hit nothing.
 inline void add_misses(const WorldParts& world, const RayBatch& rays, const HitBatch& hits, RayRange range,
                        Film& film) {
     if (rays.generation > 0 && world.conventions.mirror_miss == MissRule::black) return;
     const FoggedBackground seen = fogged_background(world, miss_color(world));
     const bool gradient = has_gradient(world);
-    for (int i = range.begin; i < range.end; i += lane_count<double>()) {
-        const auto missed =
-            !(load(hits.t.data() + i) < Doubles(k_infinity)) && first_lanes<double>(range.end - i);
-        if (!any(missed)) continue;
-        const int ray = hits.first + i;
+    if (!rays.alpha && !gradient && !(seen.visibility < 1)) {
+        const Vector3<Doubles> color = lanes_of(seen.background);
+        return for_each_miss(hits, range, [&](int ray, LaneMask<double> missed) HWY_ATTR {
+            add_seen(rays, ray, missed, Layer::background, color, film);
+        });
+    }
+    for_each_miss(hits, range, [&](int ray, LaneMask<double> missed) HWY_ATTR {
         auto opaque = missed;
         if (rays.alpha) {
             const auto transparent = see_through(rays, ray, missed);
@@ -107,7 +119,7 @@ inline void add_misses(const WorldParts& world, const RayBatch& rays, const HitB
                      : lanes_of(seen.background);
         add_seen(rays, ray, opaque, Layer::background, background, film);
         if (seen.visibility < 1) add_seen(rays, ray, missed, Layer::fog, lanes_of(seen.fog), film);
-    }
+    });
 }
 
 /// The colours of a vector of surfaces in the unlit shading modes.
@@ -138,35 +150,41 @@ HWY_INLINE Vector3<Doubles> emission_of(const WorldParts& world, const MaterialL
 }
 
 /// The weighted light of a vector of surfaces, as it is added to the pixels. emission and sky: 0 if the world
-/// has none.
+/// has none, as if plain.
 struct HitLight {
     Vector3<Doubles> ambient, diffuse, specular, emission, sky;
 };
+template <bool plain = false>
 HWY_INLINE HitLight light_of(const WorldParts& world, const SurfaceBatch& surfaces,
                              const RadianceBatch& radiance, const MaterialLanes& material, int h) {
-    const LocalShares shares = local_shares(world, material, surfaces, h);
+    const LocalShares shares = local_shares<plain>(world, material, surfaces, h);
     const Vector3<Doubles> weight = load_vector3(surfaces.weight, h), matte = weight * shares.matte;
     const Vector3<Doubles> emission =
-        world.uses<&Material::emission>() ? matte * emission_of(world, material) : lanes_of(Vec3{});
-    const Vector3<Doubles> sky = world.occlusion ? matte * load_vector3(radiance.sky, h) : lanes_of(Vec3{});
+        !plain && world.uses<&Material::emission>() ? matte * emission_of(world, material) : lanes_of(Vec3{});
+    const Vector3<Doubles> sky =
+        !plain && world.occlusion ? matte * load_vector3(radiance.sky, h) : lanes_of(Vec3{});
+    const Vector3<Doubles> highlight = plain ? matte : weight * shares.highlight;
     return {matte * ambient_of(world, material), matte * load_vector3(radiance.diffuse, h),
-            weight * shares.highlight * load_vector3(radiance.specular, h), emission, sky};
+            highlight * load_vector3(radiance.specular, h), emission, sky};
 }
 
-/// Adds the light of surfaces [begin, end) to their pixels.
+/// Adds the light of surfaces [begin, end) to their pixels. plain: the world has no extended fields,
+/// occlusion or fog, as most.
+template <bool plain>
 inline void add_hits(const WorldParts& world, const SurfaceBatch& surfaces, const RadianceBatch& radiance,
                      int begin, int end, Film& film) {
     if (begin == end) return;
-    const bool camera = surfaces.generation == 0, emits = world.uses<&Material::emission>();
+    const bool camera = surfaces.generation == 0, emits = !plain && world.uses<&Material::emission>(),
+               sky = !plain && world.occlusion, fog = !plain && world.fog;
     if (camera) {
         for (const Layer layer : {Layer::ambient, Layer::diffuse, Layer::specular}) film.touch(layer);
         if (emits) film.touch(Layer::emission);
-        if (world.occlusion) film.touch(Layer::sky);
-        if (world.fog) film.touch(Layer::fog);
+        if (sky) film.touch(Layer::sky);
+        if (fog) film.touch(Layer::fog);
     }
     for (int h = begin; h < end; h += lane_count<double>()) {
         const MaterialLanes material(surfaces, h);
-        const HitLight light = light_of(world, surfaces, radiance, material, h);
+        const HitLight light = light_of<plain>(world, surfaces, radiance, material, h);
         const PixelLanes pixels(surfaces.target.data() + h, first_lanes<double>(end - h));
         if (camera) {
             pixels.add(film, Layer::ambient, light.ambient);
@@ -177,9 +195,8 @@ inline void add_hits(const WorldParts& world, const SurfaceBatch& surfaces, cons
             pixels.add(film, Layer::reflection, light.ambient, light.diffuse, light.specular);
             if (emits) pixels.add(film, Layer::reflection, light.emission);
         }
-        if (world.occlusion) pixels.add(film, camera ? Layer::sky : Layer::reflection, light.sky);
-        if (world.fog)
-            pixels.add(film, camera ? Layer::fog : Layer::reflection, load_vector3(surfaces.fog, h));
+        if (sky) pixels.add(film, camera ? Layer::sky : Layer::reflection, light.sky);
+        if (fog) pixels.add(film, camera ? Layer::fog : Layer::reflection, load_vector3(surfaces.fog, h));
     }
 }
 
@@ -187,11 +204,16 @@ inline void add_hits(const WorldParts& world, const SurfaceBatch& surfaces, cons
 /// pixel is fixed.
 inline void add_to_film(const WorldParts& world, const RayBatch& rays, const HitBatch& hits, int first_ray,
                         const SurfaceBatch& surfaces, const RadianceBatch& radiance, Film& film) {
+    const bool plain = world.extended_uses == 0 && !world.occlusion && !world.fog;
     SurfaceBatch::GroupEnd begin{first_ray, 0};
     for (int i = 0; i < surfaces.groups; ++i) {
         const SurfaceBatch::GroupEnd end = surfaces.group_end[static_cast<std::size_t>(i)];
         add_misses(world, rays, hits, {begin.rays, end.rays}, film);
-        add_hits(world, surfaces, radiance, begin.hits, end.hits, film);
+        if (plain) {
+            add_hits<true>(world, surfaces, radiance, begin.hits, end.hits, film);
+        } else {
+            add_hits<false>(world, surfaces, radiance, begin.hits, end.hits, film);
+        }
         begin = end;
     }
 }

@@ -110,11 +110,13 @@ HWY_INLINE Doubles incidence(Vector3<Doubles> normal, Vector3<Doubles> incoming)
     return min(abs(dot(normal, incoming)) / length(incoming), Doubles(1));
 }
 
-/// a, the part of the light that the mirror reflects towards the ray.
+/// a, the part of the light that the mirror reflects towards the ray. plain: the world uses no extended
+/// fields.
+template <bool plain = false>
 HWY_INLINE Doubles mirror_of(const WorldParts& world, const MaterialLanes& material,
                              const SurfaceBatch& surfaces, int h) {
     const Doubles a = material.value(k_mirror);
-    if (!world.uses<&Material::mirror_falloff>()) return a;
+    if (plain || !world.uses<&Material::mirror_falloff>()) return a;
     const ExtendedLanes extended(world, material);
     return angled_mirror(extended.value<&Material::mirror_min>(), a,
                          extended.value<&Material::mirror_falloff>(),
@@ -122,10 +124,11 @@ HWY_INLINE Doubles mirror_of(const WorldParts& world, const MaterialLanes& mater
 }
 
 /// The color of what the mirror shows.
+template <bool plain = false>
 HWY_INLINE Vector3<Doubles> mirror_tint_of(const WorldParts& world, const MaterialLanes& material,
                                            Vector3<Doubles> normal, Vector3<Doubles> incoming) {
     const Vector3<Doubles> tint = material.color(k_mirror_tint);
-    if (!world.uses<&Material::mirror_metallic>()) return tint;
+    if (plain || !world.uses<&Material::mirror_metallic>()) return tint;
     return tint * metal_tint(material.color(k_color),
                              ExtendedLanes(world, material).value<&Material::mirror_metallic>(),
                              incidence(normal, incoming));

@@ -17,12 +17,21 @@ HWY_BEFORE_NAMESPACE();
 namespace glint {
 namespace HWY_NAMESPACE {
 
+/// Whether the rays of the surfaces have no more than the columns of RayFields that all rays have (and the
+/// medium), start at one t, and no surface uses an extended field. The stage is compiled for this case, too,
+/// because it is the usual one.
+HWY_INLINE bool are_plain(const WorldParts& world, const SurfaceBatch& surfaces) {
+    return world.extended_uses == 0 && world.conventions.limit != LimitRule::background && !surfaces.alpha &&
+           !surfaces.hashed;
+}
+
 /// The secondary rays of a vector of surfaces, to be stored by push().
 struct SecondaryRays {
     Vector3<Doubles> origin, direction, weight;
     Doubles target, straight, medium, path, t_min;
     Doubles start, level, passed;
 };
+template <bool plain>
 HWY_INLINE void push(RayBatch& batch, const SecondaryRays& rays, LaneMask<double> set,
                      const SurfaceBatch& surfaces, bool medium) {
     const RayFields<double*> to = batch.end();
@@ -30,15 +39,19 @@ HWY_INLINE void push(RayBatch& batch, const SecondaryRays& rays, LaneMask<double
     compress_vector3(rays.direction, set, to.direction, 0);
     compress_vector3(rays.weight, set, to.weight, 0);
     compress_store(rays.target, set, to.target);
-    if (surfaces.alpha) compress_store(rays.straight, set, to.straight);
-    if (surfaces.hashed) compress_store(rays.path, set, to.path);
     if (medium) compress_store(rays.medium, set, to.medium);
-    if (surfaces.transparent) {
-        compress_store(rays.start, set, to.start);
-        compress_store(rays.level, set, to.level);
-        compress_store(rays.passed, set, to.passed);
+    if (plain) {
+        store(rays.t_min, to.t_min);
+    } else {
+        compress_store(rays.t_min, set, to.t_min);
+        if (surfaces.alpha) compress_store(rays.straight, set, to.straight);
+        if (surfaces.hashed) compress_store(rays.path, set, to.path);
+        if (surfaces.transparent) {
+            compress_store(rays.start, set, to.start);
+            compress_store(rays.level, set, to.level);
+            compress_store(rays.passed, set, to.passed);
+        }
     }
-    compress_store(rays.t_min, set, to.t_min);
     store(Doubles(k_infinity), to.t_max);
     batch.count += count(set);
 }
@@ -87,44 +100,48 @@ HWY_INLINE void go_straight(const WorldParts& world, const SurfaceBatch& surface
     rays.passed = rays.passed + select(through, one, zero);
 }
 
-/// Queues the mirror and glass rays of the vector of surfaces at index h.
+/// Queues the mirror and glass rays of the vector of surfaces at index h. plain: are_plain().
+template <bool plain>
 HWY_INLINE void queue_vector(const WorldParts& world, const SurfaceBatch& surfaces, int h,
                              LaneMask<double> hit, bool limited, SecondaryRayBatch& secondary,
                              RayCounts& counts, TileRecord* record) {
     const Conventions& rules = world.conventions;
     const Doubles zero(0);
+    const bool transparent = !plain && surfaces.transparent, hashed = !plain && surfaces.hashed;
     const MaterialLanes material(surfaces, h);
     const auto refracts = hit && material.value(k_transmission) > zero;
     auto through = first_lanes<double>(0);
-    if (surfaces.transparent) through = hit && TransparencyLanes(world, material).is_transparent();
+    if (transparent) through = hit && TransparencyLanes(world, material).is_transparent();
     const auto glass = refracts || through;
-    const Doubles a = mirror_of(world, material, surfaces, h);
+    const Doubles a = mirror_of<plain>(world, material, surfaces, h);
     const auto has_secondary = glass || (hit && a > zero);
     if (!any(has_secondary)) return;
     const bool beer = rules.beer > 0;
     const SurfacePoint<Doubles> surface = surface_at(surfaces, h);
     const auto from_inside = refracts && load(surfaces.behind.data() + h) > zero;
     const Vector3<Doubles> weight = load_vector3(surfaces.weight, h);
-    SecondaryWeights b = secondary_weights(world, material, surface, a, refracts, from_inside, weight);
-    if (any(through)) weight_straight_rays(world, TransparencyLanes(world, material), through, weight, b);
-    const auto at_limit = are_at_limit(world, surfaces, h);
-    if (any(at_limit)) weight_rays_at_limit(world, material, a, at_limit, through, weight, b);
+    SecondaryWeights b = secondary_weights<plain>(world, material, surface, a, refracts, from_inside, weight);
+    if (transparent && any(through))
+        weight_straight_rays(world, TransparencyLanes(world, material), through, weight, b);
+    // If plain, none are: queue_secondary_rays() has returned.
+    const auto at_limit = plain ? through : are_at_limit(world, surfaces, h);
+    if (!plain && any(at_limit)) weight_rays_at_limit(world, material, a, at_limit, through, weight, b);
     const auto may_start =
-        rules.limit == LimitRule::background ? has_secondary : and_not(has_secondary, at_limit);
+        plain || rules.limit == LimitRule::background ? has_secondary : and_not(has_secondary, at_limit);
     const auto kept = [&](Vector3<Doubles> w, LaneMask<double> of) HWY_ATTR {
         const Doubles most = max(max(w.x, w.y), w.z);
         const auto set = of && most > zero && most >= Doubles(rules.min_weight);
         return limited ? limit_rays(surfaces.target.data() + h, set, secondary, counts) : set;
     };
-    const Doubles t_min =
-        select(at_limit, Doubles(k_blind_t_min), Doubles(offset_t_min(rules.offset, rules.epsilon)));
+    Doubles t_min(offset_t_min(rules.offset, rules.epsilon));
+    if (!plain) t_min = select(at_limit, Doubles(k_blind_t_min), t_min);
     SecondaryRays rays{surface.point, surface.incoming,
                        b.reflected,   load(surfaces.target.data() + h),
                        zero,          zero,
                        zero,          t_min,
                        zero,          zero,
                        zero};
-    if (surfaces.transparent) {
+    if (transparent) {
         rays.level = load(surfaces.level.data() + h) + Doubles(1);
         rays.passed = load(surfaces.passed.data() + h);
     }
@@ -137,8 +154,8 @@ HWY_INLINE void queue_vector(const WorldParts& world, const SurfaceBatch& surfac
         rays.direction = ray.direction;
         rays.origin = ray.origin;
         if (beer) rays.medium = select(from_inside, own, load(surfaces.medium.data() + h));
-        if (surfaces.hashed) rays.path = child_paths(surfaces, h, false);
-        push(secondary.rays, rays, reflected, surfaces, beer);
+        if (hashed) rays.path = child_paths(surfaces, h, false);
+        push<plain>(secondary.rays, rays, reflected, surfaces, beer);
         counts.mirror += static_cast<std::uint64_t>(count(reflected));
     }
     const auto transmitted = any(glass) ? kept(b.transmitted, may_start && glass) : glass;
@@ -152,14 +169,14 @@ HWY_INLINE void queue_vector(const WorldParts& world, const SurfaceBatch& surfac
     rays.origin = offset_transmitted_origin(surface, rays.direction, rules.offset, rules.epsilon);
     rays.weight = b.transmitted;
     if (surfaces.generation == 0) rays.target = rays.target + Doubles(k_layer_stride);
-    if (surfaces.alpha) rays.straight = load(surfaces.straight.data() + h);
+    if (!plain && surfaces.alpha) rays.straight = load(surfaces.straight.data() + h);
     if (beer) {
         rays.medium = select(from_inside, none, own);
-        rays.medium = select(through, load(surfaces.medium.data() + h), rays.medium);
+        if (transparent) rays.medium = select(through, load(surfaces.medium.data() + h), rays.medium);
     }
-    if (any(through)) go_straight(world, surfaces, h, through, at_limit, rays);
-    if (surfaces.hashed) rays.path = child_paths(surfaces, h, true);
-    push(secondary.transmitted, rays, transmitted, surfaces, beer);
+    if (transparent && any(through)) go_straight(world, surfaces, h, through, at_limit, rays);
+    if (hashed) rays.path = child_paths(surfaces, h, true);
+    push<plain>(secondary.transmitted, rays, transmitted, surfaces, beer);
     counts.transmitted += static_cast<std::uint64_t>(count(transmitted));
 }
 
@@ -174,15 +191,19 @@ inline void queue_secondary_rays(const WorldParts& world, const SurfaceBatch& su
         if (record != nullptr) record_limit(world, surfaces, *record);
         return;
     }
-    const bool limited = is_limited(world);
+    const bool limited = is_limited(world), plain = are_plain(world, surfaces);
     int h = 0;
     for (int group = 0; group < surfaces.groups; ++group) {
         const int end = surfaces.group_end[static_cast<std::size_t>(group)].hits;
         secondary.rays.reserve(secondary.rays.count + (end - h));
         secondary.transmitted.reserve(end - h);
         for (; h < end; h += lane_count<double>()) {
-            queue_vector(world, surfaces, h, first_lanes<double>(end - h), limited, secondary, counts,
-                         record);
+            const auto hit = first_lanes<double>(end - h);
+            if (plain) {
+                queue_vector<true>(world, surfaces, h, hit, limited, secondary, counts, record);
+            } else {
+                queue_vector<false>(world, surfaces, h, hit, limited, secondary, counts, record);
+            }
         }
         h = end;
         secondary.rays.end_group();

@@ -31,15 +31,17 @@ struct LocalShares {
 };
 /// a: mirror, f: transmission. MirrorRule::blend: (1-f)(1-a); add: 1. With LimitRule::keep it is 1 in the
 /// last generation. Of transparent surfaces also times the opacity, by the convention `transparency`.
+/// plain: the world uses no extended fields.
+template <bool plain = false>
 HWY_INLINE LocalShares local_shares(const WorldParts& world, const MaterialLanes& material,
                                     const SurfaceBatch& surfaces, int h) {
     const Conventions& rules = world.conventions;
     const bool keep = rules.limit == LimitRule::keep;
-    if (!surfaces.transparent) {
+    if (plain || !surfaces.transparent) {
         const bool at_limit = surfaces.generation >= world.settings.reflections;
         if (rules.mirror == MirrorRule::add || (at_limit && keep)) return {Doubles(1), Doubles(1)};
         const Doubles share = (Doubles(1) - material.value(k_transmission)) *
-                              (Doubles(1) - mirror_of(world, material, surfaces, h));
+                              (Doubles(1) - mirror_of<plain>(world, material, surfaces, h));
         return {share, share};
     }
     const Doubles one(1);
@@ -71,6 +73,7 @@ struct SecondaryWeights {
     Vector3<Doubles> refracted_direction;     // direction of the transmitted ray
     Doubles fresnel;                          // F
 };
+template <bool plain>
 HWY_INLINE SecondaryWeights secondary_weights(const WorldParts& world, const MaterialLanes& material,
                                               const SurfacePoint<Doubles>& surface, Doubles a,
                                               LaneMask<double> glass, LaneMask<double> from_inside,
@@ -93,7 +96,7 @@ HWY_INLINE SecondaryWeights secondary_weights(const WorldParts& world, const Mat
             b.transmitted = select_vector3(from_inside, b.transmitted, tinted);
         }
     }
-    b.reflected = weight * mirror * mirror_tint_of(world, material, surface.normal, surface.incoming);
+    b.reflected = weight * mirror * mirror_tint_of<plain>(world, material, surface.normal, surface.incoming);
     return b;
 }
 

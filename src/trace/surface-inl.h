@@ -30,7 +30,9 @@ inline void append_transparent_hits(const RayBatch& rays, int ray, Doubles t, La
     compress_store(camera ? Doubles(0) : load(rays.passed.data() + ray), hit, surfaces.passed.data() + h);
 }
 
-/// Appends the hits among entries [i, end) of the HitBatch, at most a vector of them.
+/// Appends the hits among entries [i, end) of the HitBatch, at most a vector of them. plain: the surfaces
+/// have no columns for alpha, transparent surfaces, hashes or fog.
+template <bool plain>
 HWY_INLINE void append_hits(const WorldParts& world, const RayBatch& rays, const HitBatch& hits, int i,
                             int end, SurfaceBatch& surfaces) {
     const Doubles t = load(hits.t.data() + i);
@@ -53,21 +55,22 @@ HWY_INLINE void append_hits(const WorldParts& world, const RayBatch& rays, const
         compress_vector3(load_vector3(rays.weight, ray), hit, surfaces.weight, h);
         compress_store(load(rays.target.data() + ray), hit, surfaces.target.data() + h);
     }
-    if (rays.hashed) {
+    const bool beer = world.conventions.beer > 0, transparent = !plain && rays.transparent;
+    if (!plain && rays.hashed) {
         const Doubles path =
             camera ? Doubles(static_cast<double>(k_camera_path)) : load(rays.path.data() + ray);
         compress_store(path, hit, surfaces.path.data() + h);
     }
-    if (rays.alpha) {
+    if (!plain && rays.alpha) {
         const Doubles straight = camera ? Doubles(1) : load(rays.straight.data() + ray);
         compress_store(straight, hit, surfaces.straight.data() + h);
     }
-    if (rays.transparent) append_transparent_hits(rays, ray, t, hit, origin, surfaces);
-    if (world.conventions.beer > 0 || world.fog) {
-        const Doubles start = rays.transparent && !camera ? load(rays.start.data() + ray) : Doubles(0);
+    if (transparent) append_transparent_hits(rays, ray, t, hit, origin, surfaces);
+    if (beer || (!plain && world.fog)) {
+        const Doubles start = transparent && !camera ? load(rays.start.data() + ray) : Doubles(0);
         compress_store(t - start, hit, surfaces.hit_t.data() + h);
     }
-    if (world.conventions.beer > 0) {
+    if (beer) {
         const Doubles medium = camera ? Doubles(static_cast<double>(k_none)) : load(rays.medium.data() + ray);
         compress_store(medium, hit, surfaces.medium.data() + h);
     }
@@ -82,10 +85,17 @@ inline void collect_hits(const WorldParts& world, const RayBatch& rays, const Hi
     surfaces.transparent = rays.transparent;
     surfaces.hashed = rays.hashed;
     surfaces.count = surfaces.groups = 0;
+    const bool plain = !rays.alpha && !rays.transparent && !rays.hashed && !world.fog;
     std::size_t group = rays.group_of(hits.first + range.begin);
     for (int i = range.begin; i < range.end; ++group) {
         const int end = number::min(rays.group_end(group) - hits.first, range.end);
-        for (; i < end; i += lane_count<double>()) append_hits(world, rays, hits, i, end, surfaces);
+        for (; i < end; i += lane_count<double>()) {
+            if (plain) {
+                append_hits<true>(world, rays, hits, i, end, surfaces);
+            } else {
+                append_hits<false>(world, rays, hits, i, end, surfaces);
+            }
+        }
         i = end;
         surfaces.group_end[static_cast<std::size_t>(surfaces.groups++)] = {end, surfaces.count};
     }
