@@ -45,8 +45,10 @@ template <class Column> struct RayFields {
     Column path;    // for sampled numbers: the path of math/sample_hash.h
 };
 
-/// Calls visit(column...) for each column, with the same column of all arguments.
-template <class Visit, class... Columns> void for_each_column(const Visit& visit, Columns&... of) {
+/// Calls visit(column...) for each column, with the same column of all arguments. Inlined, so that the
+/// columns that the caller does not use cost nothing.
+template <class Visit, class... Columns>
+[[gnu::always_inline]] inline void for_each_column(const Visit& visit, Columns&... of) {
     for (int c = 0; c < 3; ++c) visit(of.origin[c]...);
     for (int c = 0; c < 3; ++c) visit(of.direction[c]...);
     visit(of.t_min...);
@@ -111,8 +113,10 @@ class RayBatch : public RayFields<GrowingColumn> {
   private:
     void ensure_capacity(int rays) {
         const auto needed = static_cast<std::size_t>(rays) + k_ray_padding;
-        if (t_min.size() >= needed) return;
-        for_each_column([&](GrowingColumn& column) { column.resize(2 * needed); }, *this);
+        if (t_min.size() < needed) grow(2 * needed);
+    }
+    void grow(std::size_t size) {
+        for_each_column([&](GrowingColumn& column) { column.resize(size); }, *this);
         uniform_rays_ = 0;
     }
 
