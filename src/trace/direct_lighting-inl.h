@@ -42,26 +42,27 @@ struct LightRules : LightingRules {
     bool is_constant() const { return !attenuated && !is_spot && !has_emitter_cosine && !from_center; }
     /// Whether PlainLightRules are the same.
     bool is_plain() const {
-        return is_constant() && !is_moved && attenuate_highlights && !(light_threshold > 0) &&
-               !finish.brilliance && !finish.highlights;
+        return !is_spot && !has_emitter_cosine && !from_center && !is_moved && attenuate_highlights &&
+               !(light_threshold > 0) && !finish.brilliance && !finish.highlights;
     }
 };
-/// The rules for a constant light on surfaces without finishes, which most lights are: known when the stages
-/// are compiled.
+/// The rules for a light of the same strength in all directions on surfaces without finishes, which most are:
+/// known when the stages are compiled.
 struct PlainLightRules : LightingRules {
-    static constexpr bool attenuated = false, is_spot = false, has_emitter_cosine = false, is_moved = false,
+    static constexpr bool is_spot = false, has_emitter_cosine = false, is_moved = false,
                           attenuate_highlights = true;
     static constexpr double light_threshold = 0;
     static constexpr FinishRules finish{};
-    bool has_shadow_rays;
+    bool attenuated, has_shadow_rays;
     Color color, specular_color;
 
     explicit PlainLightRules(const LightRules& rules)
         : LightingRules(rules),
+          attenuated(rules.attenuated),
           has_shadow_rays(rules.has_shadow_rays),
           color(rules.color),
           specular_color(rules.specular_color) {}
-    static constexpr bool is_constant() { return true; }
+    bool is_constant() const { return !attenuated; }
 };
 HWY_INLINE LightRules light_rules(const WorldParts& world, const PreparedLight& light) {
     const Conventions& c = world.conventions;
