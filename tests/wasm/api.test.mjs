@@ -156,7 +156,7 @@ test('the facts of a scene', () => {
             const other = glint.open({texts: [{name: 'a.glint', text: `${word} ${word === 'material' ? 'm ' : ''}{ ${key} = ? }`}]});
             const {diagnostics} = other.report;
             other.close();
-            return !diagnostics.some(({message}) => new RegExp(`^a ${word}( block)? has no `).test(message));
+            return !diagnostics.some(({message}) => new RegExp(`^an? ${word}( block)? has no `).test(message));
         };
         assert.deepEqual([...keys, 'zzz'].filter((key) => !isKnown(key)), ['zzz'], word);
     }
