@@ -26,6 +26,12 @@ std::vector<float> small_picture(Scene scene) {
     scene.settings.height = 36;
     scene.settings.samples = 1;
     scene.settings.reflections = std::min(scene.settings.reflections, 4);
+    // first_difference() has compared the numbers of samples.
+    if (scene.occlusion) scene.occlusion->samples = std::min(scene.occlusion->samples, 16);
+    for (Light& light : scene.lights) {
+        light.samples_u = std::min(light.samples_u, 4);
+        light.samples_v = std::min(light.samples_v, 4);
+    }
     const Result<World> prepared = prepare(scene);
     if (!prepared) return {};
     Result<Rendering> result = render(*prepared);
