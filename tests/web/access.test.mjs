@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import {test} from 'node:test';
 
-import {choose, clickPicture, native, picture, saved, scenes, settled, shoot, withPage} from './browser.mjs';
+import {bothSettled, choose, clickPicture, native, picture, saved, scenes, settled, shoot, withPage} from './browser.mjs';
 
 /** Presses Tab until an element has the focus. */
 async function tabTo(page, selector) {
@@ -164,7 +164,6 @@ test('the page in the dark, to look at', () => withPage(async (page) => {
     await choose(page, 'cgfs/three_mirrors.cgfs');
     await page.getByRole('tab', {name: 'Compare'}).click();
     await page.getByRole('button', {name: '0 | 3 reflections'}).click();
-    await settled(page);
-    await page.waitForTimeout(1200);
+    await bothSettled(page);
     await shoot(page, 'playground_dark.png');
 }, {scheme: 'dark'}));

@@ -83,7 +83,7 @@ const views = [
 
 for (const scheme of ['light', 'dark']) {
     for (const width of [1440, 360]) {
-        test(`no violation: ${scheme}, ${width} pixels`, {timeout: 120_000}, () => withPage(async (page) => {
+        test(`no violation: ${scheme}, ${width} pixels`, () => withPage(async (page) => {
             await page.evaluate(axe);
             const found = [];
             for (const [name, open] of views) {

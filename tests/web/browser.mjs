@@ -31,7 +31,8 @@ after(async () => {
     rmSync(folder, {recursive: true});
 });
 
-
+/** The time, in milliseconds, in which anything but rendering happens even on a busy machine. */
+export const patience = 90_000;
 
 /** Opens the page for a test, and checks afterwards that it reported no errors. */
 export async function withPage(use, {width = 1440, height = 900, scheme = 'light', offline = false, path = '', ...more} = {}) {
@@ -47,6 +48,7 @@ export async function withPage(use, {width = 1440, height = 900, scheme = 'light
         if (['error', 'warning'].includes(message.type()) && !ours) complaints.push(message.text());
     });
     try {
+        context.setDefaultTimeout(patience);
         await page.goto(address + path);
         await settled(page);
         await use(page, context);
@@ -60,6 +62,7 @@ export async function withPage(use, {width = 1440, height = 900, scheme = 'light
 export async function withBrowserPage(root, use, path = '', expected = null) {
     const other = await serve(root, 0);
     const context = await browser.newContext();
+    context.setDefaultTimeout(patience);
     const page = await context.newPage();
     const complaints = [];
     page.on('pageerror', (error) => complaints.push(error.message));
@@ -80,14 +83,40 @@ export async function withBrowserPage(root, use, path = '', expected = null) {
 
 /** A test of several cases on one page, one after the other: each begins with a scene of its own. */
 export function testOnOnePage(name, cases, use, options = {}) {
-    test(name, {timeout: 300_000}, (t) => withPage(async (page) => {
+    test(name, (t) => withPage(async (page) => {
         for (const one of cases) await t.test(one[0], () => use(page, ...one));
     }, options));
 }
 
-/** Waits until the picture is complete. */
-export async function settled(page, state = 'done') {
-    await page.waitForSelector(`[data-state=${state}]`, {timeout: 60_000});
+/** Waits until the picture is complete, however long that takes: as long as it makes progress. */
+export async function settled(page, ...states) {
+    const wanted = states.length > 0 ? states : ['done'];
+    for (let before = '';;) {
+        try {
+            await page.waitForSelector(wanted.map((state) => `[data-state=${state}]`).join(', '), {timeout: patience});
+            return;
+        } catch (error) {
+            const now = await page.locator('[data-state]').innerText();
+            if (!now.startsWith('rendering') || now === before) throw new Error(`the page says '${now}' instead of ${wanted.join(' or ')}`, {cause: error});
+            before = now;
+        }
+    }
+}
+
+/** The same for both pictures of a comparison. */
+export async function bothSettled(page) {
+    await settled(page);
+    await page.waitForSelector('.right-half[data-complete=true]');
+}
+
+/** Reads a value until it is as expected; returns the last one. */
+export async function until(read, isExpected) {
+    const end = Date.now() + patience;
+    for (;;) {
+        const value = await read();
+        if (isExpected(value) || Date.now() > end) return value;
+        await new Promise((next) => setTimeout(next, 50));
+    }
 }
 
 /** SHA-256 of a canvas's red, green and blue bytes, and its size. */

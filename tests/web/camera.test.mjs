@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import {test} from 'node:test';
 
-import {choose, nativeText, picture, sceneText, settled, testOnOnePage, withPage} from './browser.mjs';
+import {choose, nativeText, picture, sceneText, settled, testOnOnePage, until, withPage} from './browser.mjs';
 
 const cameras = ['cgfs/three_mirrors.cgfs', 'cgfs/from_the_side.cgfs', 'epfl/three_lights.json', 'snowman', 'csc473/glass_ball.pov',
                  'nff/pyramid.nff', 'glint/acne.glint', 'glint/lit_sphere.glint'];
@@ -26,7 +26,7 @@ testOnOnePage('orbit, pan and zoom move the camera', cameras.map((scene) => [sce
         const visible = await editor.innerText();
         await page.mouse.move(...at);
         await act();
-        for (let i = 0; i < 100 && await editor.innerText() === visible; ++i) await page.waitForTimeout(20);
+        await until(() => editor.innerText(), (now) => now !== visible);
         await settled(page);
         seen.push(await sceneText(page));
         assert.notEqual(seen.at(-1), seen.at(-2));
@@ -81,6 +81,7 @@ test('two fingers shift the camera and take it nearer; one turns it', () => with
     await send('touchEnd', at(0.3, 0.5, 0));
     await send('touchMove', at(0.2, 0.2, 0));  // the finger that is left
     await send('touchEnd');
+    await until(() => eye(page), (now) => now.join() !== start.join());
     await settled(page);
     const near = await eye(page);
     const range = ([x, y, z]) => Math.hypot(x, y - 0.8, z);
@@ -90,6 +91,7 @@ test('two fingers shift the camera and take it nearer; one turns it', () => with
     await send('touchStart', at(0.5, 0.3, 0));
     for (const y of [0.4, 0.5, 0.6]) await send('touchMove', at(0.5, y, 0));
     await send('touchEnd');
+    await until(() => eye(page), (now) => now.join() !== near.join());
     await settled(page);
     const over = await eye(page);
     assert.ok(over[1] > near[1] + 0.5 && Math.abs(range(over) / range(near) - 1) < 0.01, `${near} ${over}`);

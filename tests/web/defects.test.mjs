@@ -4,7 +4,7 @@ import assert from 'node:assert/strict';
 import {test} from 'node:test';
 import {deflateRawSync} from 'node:zlib';
 
-import {address, book, choose, clickPicture, drop, native, nativeText, paste, picture, sceneText, scenes, settled, withPage} from './browser.mjs';
+import {address, book, choose, clickPicture, drop, native, nativeText, paste, picture, sceneText, scenes, settled, until, withPage} from './browser.mjs';
 
 const fragment = (shared) => `#1=${deflateRawSync(Buffer.from(JSON.stringify(shared))).toString('base64url')}`;
 const named = (page, name) => page.waitForFunction((wanted) => document.querySelector('.file-name').textContent === wanted, name);
@@ -72,14 +72,12 @@ test('an edit and at once a mistake: the last good picture is completed', () => 
     await page.keyboard.type('oops ');
     await settled(page, 'error');
     const expected = nativeText('hall_of_mirrors.glint', text);
-    const isWhole = async () => JSON.stringify(await picture(page)) === JSON.stringify(expected);
-    for (let i = 0; i < 200 && !(await isWhole()); ++i) await new Promise((next) => setTimeout(next, 100));
-    assert.deepEqual(await picture(page), expected);
+    const whole = await until(() => picture(page), (now) => JSON.stringify(now) === JSON.stringify(expected));
+    assert.deepEqual(whole, expected);
     assert.equal(await page.locator('[data-state]').getAttribute('data-state'), 'error');
 }));
 
 test('links and files that are too large are refused with a message', () => withPage(async (page) => {
-    const start = Date.now();
     await page.goto('about:blank');
     await page.goto(address + fragment({name: 'a.cgfs', text: '#'.repeat(63e6)}));
     await settled(page);
@@ -88,7 +86,6 @@ test('links and files that are too large are refused with a message', () => with
     await page.waitForFunction(() => /line 1 has more than \d+ characters/.test(document.querySelector('.notice')?.textContent));
     await paste(page, `${book}# ${'x'.repeat(10e6)}`);
     await page.waitForFunction(() => /Not inserted/.test(document.querySelector('.notice')?.textContent));
-    assert.ok(Date.now() - start < 30_000, `${Date.now() - start} ms`);
     assert.equal(await sceneText(page), book);
     assert.deepEqual(await picture(page), native(`${scenes}/cgfs/three_mirrors.cgfs`));
 }));

@@ -21,7 +21,7 @@ function pictures(file) {
 }
 
 for (const family of ['cgfs', 'csc473', 'epfl', 'glint', 'nff', 'faults']) {
-    test(`the gallery: ${family}`, {timeout: 300_000}, () => withPage(async (page) => {
+    test(`the gallery: ${family}`, () => withPage(async (page) => {
         const list = files.filter((file) => file.startsWith(`${family}/`)).flatMap(pictures);
         assert.ok(list.length >= 2);
         for (const [name, args] of list) {

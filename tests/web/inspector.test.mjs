@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import {test} from 'node:test';
 
-import {choose, clickPicture, drop, nativeText, picture, sceneText, settled, withPage} from './browser.mjs';
+import {bothSettled, choose, clickPicture, drop, nativeText, picture, sceneText, settled, withPage} from './browser.mjs';
 
 /** The numbers of a table's row. */
 async function numbers(row) {
@@ -76,15 +76,12 @@ test('a pixel that is clicked before the picture of a new scene is explained in 
 test('in a comparison, a pixel is explained in the picture it is seen in', () => withPage(async (page) => {
     await page.getByRole('tab', {name: 'Compare'}).click();
     await page.getByRole('button', {name: '0 | 3 reflections'}).click();
-    await page.waitForSelector('.right-half canvas');
-    await settled(page);
+    await bothSettled(page);
     const bytes = (index, x, y) => page.evaluate(([i, fx, fy]) => {
         const canvas = document.querySelectorAll('.frame canvas')[i];
         const at = (fraction, size) => Math.floor(fraction * size);
         return [...canvas.getContext('2d').getImageData(at(fx, canvas.width), at(fy, canvas.height), 1, 1).data].slice(0, 3).join(' ');
     }, [index, x, y]);
-    await page.waitForFunction(() => document.querySelectorAll('.frame canvas')[1].width === 600);
-    await page.waitForTimeout(1500);
     for (const [side, x, name] of [[0, 0.2, 'left'], [1, 0.8, 'right']]) {
         const expected = await bytes(side, x, 0.9);
         assert.notEqual(expected, await bytes(1 - side, x, 0.9));

@@ -5,7 +5,7 @@ import {readFileSync} from 'node:fs';
 import {join} from 'node:path';
 import {test} from 'node:test';
 
-import {address, book, choose, clickPicture, drop, native, nativeText, picture, sceneText, scenes, settled, shoot, withPage} from './browser.mjs';
+import {address, book, choose, clickPicture, drop, native, nativeText, picture, sceneText, scenes, settled, shoot, until, withPage} from './browser.mjs';
 
 const named = (page, name) => page.waitForFunction((wanted) => document.querySelector('.file-name').textContent === wanted, name);
 
@@ -104,8 +104,9 @@ test('the first visit says what this is; the layout is the user’s', () => with
     const frame = () => page.locator('.frame').boundingBox();
     // The picture fits its space, or has its own size.
     const area = await page.locator('.stage-area').boundingBox();
-    const fit = await frame();
-    assert.ok(Math.abs(Math.min(area.width - fit.width, area.height - fit.height)) < 2, JSON.stringify([area, fit]));
+    const isFitted = (fit) => Math.abs(Math.min(area.width - fit.width, area.height - fit.height)) < 2;
+    const fit = await until(frame, isFitted);
+    assert.ok(isFitted(fit), JSON.stringify([area, fit]));
     await page.getByRole('button', {name: '100%'}).click();
     assert.equal((await frame()).width, 600);
     await page.reload();

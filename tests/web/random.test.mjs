@@ -4,7 +4,7 @@
 import assert from 'node:assert/strict';
 import {test} from 'node:test';
 
-import {picture, sceneText, withPage} from './browser.mjs';
+import {patience, picture, sceneText, settled, withPage} from './browser.mjs';
 
 const sessions = Number(process.env.GLINT_SESSIONS ?? 2), firstSeed = Number(process.env.GLINT_SEED ?? 1);
 const actionsPerRound = 14, rounds = 2;
@@ -129,7 +129,7 @@ function actionsOf(page, random) {
 /** Waits until nothing happens any more; the picture's state. */
 async function quiet(page) {
     for (let last = ''; ;) {
-        await page.waitForSelector('[data-state=done], [data-state=error]', {timeout: 120_000});
+        await settled(page, 'done', 'error');
         await page.waitForTimeout(150);
         const now = await page.locator('[data-state]').evaluate((element) => element.dataset.state + element.textContent);
         if (now === last) return now.startsWith('done') ? 'done' : 'error';
@@ -138,11 +138,13 @@ async function quiet(page) {
 }
 
 for (let seed = firstSeed; seed < firstSeed + sessions; ++seed) {
-    test(`random use, seed ${seed}`, {timeout: 300_000}, async () => {
+    test(`random use, seed ${seed}`, {timeout: 1_200_000}, async () => {
         const log = [];
         const random = randomOf(seed);
         try {
             await withPage(async (page) => {
+                page.setDefaultTimeout(2000);
+                page.setDefaultNavigationTimeout(patience);
                 const actions = actionsOf(page, random);
                 const all = actions.reduce((sum, [weight]) => sum + weight, 0);
                 for (let round = 0; round < rounds; ++round) {
@@ -161,7 +163,7 @@ for (let seed = firstSeed; seed < firstSeed + sessions; ++seed) {
                     await page.setViewportSize({width: 1440, height: 900});
                     const state = await quiet(page), text = await sceneText(page), before = await picture(page);
                     await page.reload();
-                    await page.locator('.cm-content').waitFor();
+                    await page.locator('.cm-content').waitFor({timeout: patience});
                     assert.equal(await quiet(page), state);
                     assert.equal(await sceneText(page), text, 'the text after a reload');
                     if (state === 'done') assert.deepEqual(await picture(page), before, 'the picture is stale');

@@ -98,6 +98,8 @@ test('nothing is fetched after the page is loaded, and only from itself before',
     await settled(page);
     assert.ok(requests.every((url) => url.startsWith(address) || url.startsWith('data:')), requests.join(' '));
     assert.ok(requests.some((url) => url.endsWith('.wasm')));
+    // What the browser fetches when it is idle.
+    await page.waitForFunction(() => ['lessons', 'challenges', 'SpaceView', 'RayLines'].every((name) => performance.getEntriesByType('resource').some((one) => one.name.includes(`/${name}-`))));
     await page.waitForLoadState('networkidle');
     const loaded = requests.length;
     await context.setOffline(true);
@@ -112,8 +114,6 @@ test('nothing is fetched after the page is loaded, and only from itself before',
 
 test('once loaded, the page opens without its server', () => withPage(async (page, context) => {
     await page.evaluate(() => navigator.serviceWorker.ready);
-    await page.waitForFunction(() => navigator.serviceWorker.controller || caches.keys().then((names) => names.length > 0));
-    await page.waitForTimeout(500);
     await context.setOffline(true);
     await page.reload();
     await settled(page);

@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import {test} from 'node:test';
 
-import {choose, clickPicture, drop, nativeText, picture, sceneText, settled, withPage} from './browser.mjs';
+import {choose, clickPicture, drop, nativeText, picture, sceneText, settled, until, withPage} from './browser.mjs';
 
 /** Waits until the view shows the scene, and returns the middles of its red and its green, in its fractions. */
 async function redAndGreen(page) {
@@ -21,14 +21,14 @@ async function redAndGreen(page) {
         }
         return Math.min(...count) > 20 ? sum.map((one, k) => one.map((c) => c / count[k])) : null;
     });
-    let seen = await at();
-    for (let i = 0; i < 200; ++i) {
-        await page.waitForTimeout(100);
-        const next = await at();
-        if (next && JSON.stringify(next) === JSON.stringify(seen)) return next;
+    let seen = null;
+    const isSame = (next) => {
+        const same = next !== null && JSON.stringify(next) === JSON.stringify(seen);
         seen = next;
-    }
-    throw new Error('the view does not show both balls');
+        return same;
+    };
+    assert.ok(await until(at, isSame), 'the view shows both balls');
+    return seen;
 }
 
 async function open(page, name, text) {
@@ -173,7 +173,7 @@ test('stepping goes through the rays, and the sum grows to the pixel', () => wit
     assert.equal(await page.locator('.tree summary[aria-current=step]').count(), 0);
 }));
 
-test('the view is of the scene that is open, and says when it simplifies', {timeout: 120_000}, () => withPage(async (page) => {
+test('the view is of the scene that is open, and says when it simplifies', () => withPage(async (page) => {
     await choose(page, 'glint/hall_of_mirrors.glint');
     await clickPicture(page, 0.5, 0.5);
     await page.locator('.space-frame').waitFor();

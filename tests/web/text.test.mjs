@@ -225,7 +225,7 @@ test('keys, blocks and values are completed from the reader’s tables, and the 
     await complete('conv', 'conventions');
     await page.keyboard.type('specular_g', {delay: 10});
     await list.getByText('specular_gate').waitFor();
-    assert.match(await page.locator('.cm-completionInfo').innerText(), /N\.L > 0/);
+    await page.locator('.cm-completionInfo').filter({hasText: 'N.L > 0'}).waitFor();
     await page.keyboard.press('Escape');
     await page.keyboard.type('ate = true }');
     await settled(page);

@@ -12,7 +12,7 @@ import {forgetLights} from './lights';
 import {keptPage, presentScene, remember} from './memory';
 import {pinLater} from './pixels';
 import {
-    type Comparison, currentDocumentState, comparison, comparisonFailure, documentId, fileName, history, hovered, includes, isFirstVisit, givenChallenge, missing,
+    type Comparison, currentDocumentState, comparison, comparisonFailure, documentId, fileName, history, hovered, includes, isFirstVisit, isSecondDone, givenChallenge, missing,
     services as page, notice,
     overrides, pinned, pinnedIn, pixel, sceneName, state, tab, text,
 } from './state';
@@ -34,6 +34,7 @@ export function render() {
     const compare = comparison.value;
     state.value = 'rendering';
     page.first?.show({request: requestWith(compare ? {[compare.key]: compare.a} : {}), prepare: {}, document: documentId.value, version: page.editor?.version});
+    isSecondDone.value = false;
     if (compare) {
         page.second?.show({request: requestWith({[compare.key]: compare.b}), prepare: {}, document: documentId.value});
     } else {

@@ -37,6 +37,8 @@ export const size = signal({width: 600, height: 600});
 
 export type Comparison = {key: string; a: string; b: string};
 export const comparison = signal<Comparison | null>(null);
+/** The right picture of a comparison is complete. */
+export const isSecondDone = signal(false);
 /** Why the right picture of a comparison could not be rendered. */
 export const comparisonFailure = signal('');
 export const difference = signal(false);

@@ -8,7 +8,7 @@ import {layout} from '../store/layout';
 import {reveal} from '../store/places';
 import {isLarge} from '../store/space';
 import {
-    comparison, comparisonFailure, diagnostics, difference, failure, hovered, info, isPictureOfScene, notice, pinned, pixel, progress, size, split, state,
+    comparison, comparisonFailure, diagnostics, difference, failure, hovered, info, isPictureOfScene, isSecondDone, notice, pinned, pixel, progress, size, split, state,
 } from '../store/state';
 import {cameraNow, moveCamera, resetCamera} from '../store/viewpoint';
 import {Difference} from './Compare';
@@ -160,7 +160,7 @@ export function Stage() {
                     <Canvas canvas={canvases.first} label={compare ? `${compare.key} = ${compare.a}` : 'The rendered scene'} />
                     {compare && !difference.value && (
                         <>
-                            <div class="right-half" style={{clipPath: `inset(0 0 0 ${100 * split.value}%)`}}>
+                            <div class="right-half" data-complete={isSecondDone.value} style={{clipPath: `inset(0 0 0 ${100 * split.value}%)`}}>
                                 <Canvas canvas={canvases.second} label={`${compare.key} = ${compare.b}`} />
                             </div>
                             <Border frame={frame} />

@@ -7,7 +7,7 @@ import type {Opened, Rect} from '../engine/protocol';
 import {type ViewContent, View, type ViewEvents} from '../engine/view';
 import {explainAgain} from '../store/pixels';
 import {wasOpened} from '../store/viewpoint';
-import {comparison, comparisonFailure, diagnostics, failure, hovered, info, missing, pinned, services, progress, shownId, size, state} from '../store/state';
+import {comparison, comparisonFailure, diagnostics, failure, hovered, info, isSecondDone, missing, pinned, services, progress, shownId, size, state} from '../store/state';
 
 export const canvases = {first: document.createElement('canvas'), second: document.createElement('canvas')};
 /** The number of completed second pictures, for the difference. */
@@ -106,7 +106,10 @@ export function connectViews(pool: Pool) {
         },
         progress: () => {},
         done: () => {
-            secondDone.value += 1;
+            batch(() => {
+                isSecondDone.value = true;
+                secondDone.value += 1;
+            });
             void explainAgain('second');
         },
         failed: (why) => {
