@@ -165,13 +165,31 @@ sphere { center = (0, 0, 0) radius = 2 color = (1, 0, 0) ambient = 1 }
 light { type = ambient intensity = 1 }\n`});
     await named(page, 'near.glint');
     await settled(page);
-    const box = await page.locator('.frame').boundingBox();
-    await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
-    await page.waitForFunction(() => /sphere/.test(document.querySelector('.pixel-line').textContent));
+    const point = async () => {
+        const box = await page.locator('.frame').boundingBox();
+        await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
+        await page.waitForFunction(() => /sphere/.test(document.querySelector('.pixel-line').textContent));
+    };
+    const distance = async () => Number(/position = \(\S+, \S+, (\S+)\)/.exec(await sceneText(page))[1]);
+    await point();
     for (let i = 0; i < 12; ++i) {
         await page.mouse.wheel(0, -300);
         await settled(page);
     }
-    const z = Number(/position = \(\S+, \S+, (\S+)\)/.exec(await sceneText(page))[1]);
+    const z = await distance();
     assert.ok(z > 2 && z < 9, `z = ${z}`);
+    // Also if it is turned faster than pictures and explanations come.
+    await page.getByRole('button', {name: 'Reset the camera'}).click();
+    await settled(page);
+    assert.equal(await distance(), 9);
+    await point();
+    await page.locator('.frame').evaluate(async (frame) => {
+        for (let i = 0; i < 40; ++i) {
+            frame.dispatchEvent(new WheelEvent('wheel', {deltaY: -300, bubbles: true, cancelable: true}));
+            await new Promise((next) => setTimeout(next, 5 * (i % 8)));
+        }
+    });
+    await settled(page);
+    const last = await distance();
+    assert.ok(last >= 2 && last < 3, `z = ${last}`);
 }));

@@ -4,7 +4,7 @@ import {batch} from '@preact/signals';
 import type {Explanation} from 'glint-wasm';
 
 import {
-    type Side, comparison, difference, documentId, hovered, services, pinned, pinnedIn, pixel, selected, settingIn, size, split, step, tab,
+    type Side, comparison, difference, documentId, hovered, isPictureOfScene, services, pinned, pinnedIn, pixel, selected, settingIn, size, split, step, tab,
 } from './state';
 
 let asking = false;
@@ -40,7 +40,8 @@ export async function hover(at: [number, number] | null) {
         const next: [number, number] = wanted;
         wanted = null;
         const explanation = await ask(next, sideAt(next));
-        if (pixel.value) hovered.value = explanation;
+        // Without an answer, the scene's picture is being replaced: the next one explains the pixel again.
+        if (pixel.value && (explanation || !isPictureOfScene.value)) hovered.value = explanation;
     }
     asking = false;
 }
