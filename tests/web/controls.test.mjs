@@ -139,7 +139,7 @@ test('what is dragged is undone at once', () => withPage(async (page) => {
         for (let i = 1; i <= 20; ++i) {
             input.value = String(2 + i / 10);
             input.dispatchEvent(new Event('input', {bubbles: true}));
-            await new Promise((next) => setTimeout(next, 20));
+            await new Promise((next) => setTimeout(next, i === 10 ? 700 : 20));  // once, the hand rests
         }
     });
     await settled(page);
@@ -149,7 +149,10 @@ test('what is dragged is undone at once', () => withPage(async (page) => {
     const box = await page.locator('.frame').boundingBox();
     await page.mouse.move(box.x + 200, box.y + 200);
     await page.mouse.down();
-    for (let i = 1; i <= 10; ++i) await page.mouse.move(box.x + 200 + 8 * i, box.y + 200);
+    for (let i = 1; i <= 10; ++i) {
+        await page.mouse.move(box.x + 200 + 8 * i, box.y + 200);
+        if (i === 5) await page.waitForTimeout(700);
+    }
     await page.mouse.up();
     await settled(page);
     assert.match(await sceneText(page), /^camera {/m);

@@ -5,7 +5,7 @@ import {defaultKeymap, history, historyKeymap, invertedEffects, isolateHistory, 
 import {bracketMatching, indentUnit} from '@codemirror/language';
 import {type Diagnostic as Mark, lintGutter, setDiagnostics} from '@codemirror/lint';
 import {openSearchPanel, search, searchKeymap} from '@codemirror/search';
-import {Compartment, EditorState, StateEffect, Transaction} from '@codemirror/state';
+import {Annotation, Compartment, EditorState, StateEffect, Transaction} from '@codemirror/state';
 import {EditorView, drawSelection, highlightActiveLine, highlightActiveLineGutter, keymap, lineNumbers} from '@codemirror/view';
 
 import type {SceneInfo, SceneText} from 'glint-wasm';
@@ -39,6 +39,10 @@ export function tooLongLine(text: string): number {
     return 0;
 }
 const documentStateChanged = StateEffect.define<DocumentState>();
+/** The change goes on with the one before. */
+const continued = Annotation.define<boolean>();
+/** Changes of the same place in quicker succession are undone together; in milliseconds. */
+const quick = 500;
 
 export interface EditorEvents {
     /** `documentState` changes, too. */
@@ -97,6 +101,8 @@ export class Editor {
     readonly #language = new Compartment();
     readonly #completion = new Compartment();
     readonly #places = new PlaceTracker();
+    #changedAt = -Infinity;
+    #continues = false;
 
     constructor(host: HTMLElement, private readonly events: EditorEvents) {
         const root = host.shadowRoot ?? host.attachShadow({mode: 'open'});
@@ -110,7 +116,7 @@ export class Editor {
         return EditorState.create({
             doc: text,
             extensions: [
-                lineNumbers(), history(), drawSelection(), bracketMatching(), EditorView.lineWrapping, highlightActiveLine(), highlightActiveLineGutter(),
+                lineNumbers(), this.#history(), drawSelection(), bracketMatching(), EditorView.lineWrapping, highlightActiveLine(), highlightActiveLineGutter(),
                 lintGutter(), indentUnit.of('    '), search({top: true}), numbers, keymap.of([...searchKeymap, ...defaultKeymap, ...historyKeymap]), theme,
                 this.#completion.of(this.#completionOf(name)),
                 this.#language.of(languageOf(name)),
@@ -135,11 +141,22 @@ export class Editor {
                 invertedEffects.of((transaction) =>
                     transaction.effects.some((one) => one.is(documentStateChanged)) ? [documentStateChanged.of(this.events.documentState())] : []),
                 EditorView.updateListener.of((update) => {
-                    if (update.docChanged) this.#places.changed(update.changes.desc, update.state.doc);
+                    if (update.docChanged) {
+                        this.#places.changed(update.changes.desc, update.state.doc);
+                        this.#changedAt = performance.now();
+                    }
                     const documentState = update.transactions.flatMap((one) => one.effects).findLast((one) => one.is(documentStateChanged))?.value;
                     if (update.docChanged || documentState) this.#tell(documentState ?? null);
                 }),
             ],
+        });
+    }
+
+    #history() {
+        return history({
+            newGroupDelay: 1e9,  // not infinite: the history isolates a change by a time of 0
+            joinToEvent: (transaction, isAdjacent) => isAdjacent &&
+                (transaction.annotation(continued) === true || performance.now() - this.#changedAt < quick),
         });
     }
 
@@ -177,7 +194,19 @@ export class Editor {
 
     /** Applies an edit of a control. Edits in quick succession are undone together; the history does this without a userEvent. */
     apply(edits: Edit[]) {
-        this.#view.dispatch({changes: edits});
+        this.#view.dispatch({changes: edits, annotations: continued.of(this.#continues)});
+    }
+
+    /** `continues`: edits that are made by `act` are undone together with the ones before, whatever the time between them. */
+    edit(continues: boolean, act: () => void) {
+        this.#continues = continues;
+        act();
+        this.#continues = false;
+    }
+
+    /** Within edit(true). */
+    get continues() {
+        return this.#continues;
     }
 
     /** Makes the text this one, by one edit of what differs. `continues`: undone together with the edit before, whenever that was. */

@@ -22,7 +22,7 @@ export function setSetting(name: string, value: string) {
         return;
     }
     // Dragging a slider is one change for undo.
-    const again = lastOverride.name === name && performance.now() - lastOverride.time < 500;
+    const again = lastOverride.name === name && (services.editor?.continues || performance.now() - lastOverride.time < 500);
     lastOverride = {name, time: performance.now()};
     setOverrides({...overrides.value, [name]: value}, again);
 }

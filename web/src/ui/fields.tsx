@@ -5,6 +5,7 @@ import type {ComponentChildren} from 'preact';
 import {useId} from 'preact/hooks';
 
 import {openFiles} from '../store/scene';
+import {services} from '../store/state';
 
 /** `name`: the setting's key, shown beside the label. */
 export function Switch({label, on, set, disabled, hint, name}: {
@@ -33,8 +34,9 @@ export function Slider({label, value, min, max, step, set, disabled, text}: {
             <label for={id}>{label}</label>
             <input id={id} type="range" min={min} max={max} step={step} value={shown} disabled={disabled} aria-valuetext={text}
                    onInput={(event) => {
-                       draft.value = event.currentTarget.valueAsNumber;
-                       set(draft.value);
+                       const now = event.currentTarget.valueAsNumber, isDragged = draft.value !== null;
+                       draft.value = now;
+                       services.editor?.edit(isDragged, () => set(now));
                    }}
                    onChange={() => {
                        draft.value = null;

@@ -3,10 +3,10 @@
 import type {CameraInfo} from 'glint-wasm';
 import {useEffect, useRef} from 'preact/hooks';
 
-import {dot, moved, sub} from '../camera';
+import {type Move, dot, moved, sub} from '../camera';
 import {allows, embedded} from '../store/embedded';
 import {hover, pin} from '../store/pixels';
-import {hovered, info, pinned, pixel, size} from '../store/state';
+import {hovered, info, pinned, pixel, services, size} from '../store/state';
 import {cameraNow, moveCamera} from '../store/viewpoint';
 import {length} from '../text/edit';
 
@@ -93,14 +93,12 @@ export function usePointers(frame: Frame) {
             const x = middle.x - now.from.x, y = middle.y - now.from.y;
             if (!now.moved && Math.hypot(x, y, span - now.span) < 4) return;
             if (!allows('camera')) return;
+            const continues = now.moved;
             now.moved = true;
             const box = frame.current!.getBoundingClientRect();
             const by = {x: x / box.width, y: y / box.height};
-            if (now.kind === 'pinch') {
-                moveCamera(now.camera, now.distance, {kind: 'zoom', factor: now.span / span}, {kind: 'pan', ...by});
-            } else {
-                moveCamera(now.camera, now.distance, {kind: now.kind, ...by});
-            }
+            const moves: Move[] = now.kind === 'pinch' ? [{kind: 'zoom', factor: now.span / span}, {kind: 'pan', ...by}] : [{kind: now.kind, ...by}];
+            services.editor?.edit(continues, () => moveCamera(now.camera, now.distance, ...moves));
         },
         onPointerUp(event: PointerEvent) {
             const now = gesture.current;
