@@ -4,6 +4,7 @@
 import os
 import pathlib
 import re
+import shlex
 import subprocess
 import sys
 
@@ -29,6 +30,7 @@ class CMakeBuild(build_ext):
         subprocess.check_call(
             ["cmake", "-S", str(ROOT), "-B", str(build), "-G", "Ninja"]
             + [f"-D{key}={value}" for key, value in options.items()]
+            + shlex.split(os.environ.get("CMAKE_ARGS", ""))
         )
         subprocess.check_call(["cmake", "--build", str(build), "--target", "glint_python"])
         target.parent.mkdir(parents=True, exist_ok=True)
