@@ -256,9 +256,11 @@ struct SteppedRays {
 struct AreaShadowBatch {
     static constexpr int k_words = k_batch_size / 64;    // for the surfaces of a batch
     std::vector<std::uint64_t> wanted, traced, visible;  // [sample * k_words + surface / 64]
-    BatchColumn<double> fraction;                        // the visible part of the light, by surface
+    /// With colored shadows: the factor of the light of visible samples, [sample * k_batch_size + surface].
+    std::vector<Color> filter;
+    BatchColumn<double> fraction;  // the visible part of the light, by surface
 
-    void start(int samples) {
+    void start(int samples, bool colored) {
         for (auto* sets : {&wanted, &traced, &visible})
             sets->assign(static_cast<std::size_t>(samples) * k_words, 0);
     }
@@ -289,6 +291,8 @@ struct Film {
     std::array<bool, k_light_layers> touched;  // the sums of other layers are uninitialised and count as 0
     // If alpha is wanted: the weights with which the background is seen, directly or through glass.
     std::array<double, k_layer_stride> transparency;
+        if (colored && filter.size() < static_cast<std::size_t>(samples) * k_batch_size)
+            filter.resize(static_cast<std::size_t>(samples) * k_batch_size);
 
     void clear(bool alpha) {
         touched.fill(false);
@@ -300,6 +304,12 @@ struct Film {
         touched[static_cast<std::size_t>(layer)] = true;
         for (auto& sums : channel) {
             const auto first = sums.begin() + static_cast<int>(layer) * k_layer_stride;
+    Color& filter_of(int sample, int surface) {
+        return filter[static_cast<std::size_t>(sample * k_batch_size + surface)];
+    }
+    const Color& filter_of(int sample, int surface) const {
+        return filter[static_cast<std::size_t>(sample * k_batch_size + surface)];
+    }
             std::fill(first, first + k_layer_stride, 0.0);
         }
     }

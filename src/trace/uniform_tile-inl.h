@@ -37,7 +37,8 @@ inline void light_from(const WorldParts& world, const PreparedLight& light, Tile
         s.counts.shadow += static_cast<std::uint64_t>(s.shadow_rays.count);
     } else if (light_rules(world, light).samples_shadow) {
         if (first_hits != nullptr) count_tested(s.surfaces, s.light_samples, *first_hits);
-        sample_area_shadow(world, light, s.surfaces, s.light_samples, s.area_shadow, s.shadow_rays, s.counts);
+        sample_area_shadow(world, light, s.surfaces, s.light_samples, s.area_shadow, s.shadow_rays,
+                           s.stepped_rays, s.counts, s.record);
         if (first_hits != nullptr) count_visible(s.surfaces, s.light_samples, s.area_shadow, *first_hits);
     }
     compute_highlights(world, s.surfaces, s.light_samples, s.highlights);
