@@ -95,9 +95,10 @@ struct ExplainedSecondaryRay {
 /// The light from all directions at a hit (Occlusion).
 struct ExplainedOcclusion {
     int samples = 0, blocked = 0;
-    double factor = 1;  ///< f
-    Color light;        ///< k_d color f
-    Color part;         ///< added to the pixel: `light` times weight and local_share
+    double factor = 1;       ///< f; if transparent surfaces color the light, the mean over the channels
+    Color factors{1, 1, 1};  ///< f by channel
+    Color light;             ///< k_d color f
+    Color part;              ///< added to the pixel: `light` times weight and local_share
     struct Occluder {
         std::uint32_t shape = k_none;  ///< in Scene::shapes
         int samples = 0;               ///< of which it is the nearest occluder

@@ -289,8 +289,10 @@ class Tree {
     }
 
     void add_occlusion(const ExplainedOcclusion& o, int depth) {
+        const bool colored = !(o.factors == Color{o.factor, o.factor, o.factor});
         line(depth, fmt::format("sky: {} of {} samples are blocked, f = {}: k_d color f = {}{}", o.blocked,
-                                o.samples, number(o.factor), color(o.light), swatch(style_, o.light)));
+                                o.samples, colored ? color(o.factors) : number(o.factor), color(o.light),
+                                swatch(style_, o.light)));
         constexpr std::size_t most = 4;
         std::string list;
         for (std::size_t i = 0; i < std::min(o.occluders.size(), most); ++i)

@@ -155,9 +155,10 @@ Json occlusion_json(const Scene& scene, const ExplainedOcclusion& occlusion) {
     Json occluders = Json::array();
     for (const ExplainedOcclusion::Occluder& o : occlusion.occluders)
         occluders.push_back({{"shape", shape_json(scene, o.shape)}, {"samples", o.samples}});
-    return {{"samples", occlusion.samples},    {"blocked", occlusion.blocked},
-            {"factor", occlusion.factor},      {"light", to_json(occlusion.light)},
-            {"part", to_json(occlusion.part)}, {"occluders", std::move(occluders)}};
+    return {{"samples", occlusion.samples},      {"blocked", occlusion.blocked},
+            {"factor", occlusion.factor},        {"factors", to_json(occlusion.factors)},
+            {"light", to_json(occlusion.light)}, {"part", to_json(occlusion.part)},
+            {"occluders", std::move(occluders)}};
 }
 
 Json hit_json(const Scene& scene, const ExplainedHit& hit) {

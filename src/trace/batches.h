@@ -183,13 +183,16 @@ struct SkyBatch {
     // Those of the surface: point, normal, incoming and magnitude; and the hash.
     static constexpr int k_normal = 3, k_incoming = 6, k_magnitude = 9;
     BatchColumn<double> surface[10], hash;
-    BatchColumn<double> arrived;  // the sum over the samples that are not blocked: 1, or N·D
-    BatchColumn<double> blocked;  // their number
+    // The sum over the samples that are not blocked: 1, or N·D. With colored shadows: times the factor of the
+    // light, by channel; else the first column alone.
+    BatchColumn<double> arrived[3];
+    BatchColumn<double> blocked;  // the number of the others
     // Of each ray in the ShadowRayBatch: its entry, and what it adds if it is not blocked.
     BatchColumn<double> entry, cosine;
 };
 
-/// The hashed directions of so many samples of the light from all directions, at most, are sorted together.
+/// The hashed directions of some samples of the light from all directions are sorted together: at most so
+/// many. Part of the pictures if shadows are colored: the light of a surface is summed in this order.
 inline constexpr int k_sky_group_samples = 64;
 /// Directions are sorted by the cell of a grid of so many rows and columns.
 inline constexpr int k_sky_cell_rows = 16, k_sky_cells = k_sky_cell_rows * k_sky_cell_rows;

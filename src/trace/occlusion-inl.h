@@ -12,6 +12,7 @@
 
 #include "trace/material-inl.h"
 #include "trace/occlusion_rays-inl.h"
+#include "trace/transparency-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace glint {
@@ -32,41 +33,54 @@ inline void sort_surfaces(const SurfaceBatch& surfaces, SkyBatch& to) {
         copy(surfaces.point[c], to.surface[c]);
         copy(surfaces.normal[c], to.surface[SkyBatch::k_normal + c]);
         copy(surfaces.incoming[c], to.surface[SkyBatch::k_incoming + c]);
+        std::fill_n(to.arrived[c].begin(), count, 0.0);
     }
     copy(surfaces.magnitude, to.surface[SkyBatch::k_magnitude]);
     if (surfaces.hashed) copy(surfaces.hash, to.hash);
-    std::fill_n(to.arrived.begin(), count, 0.0);
     std::fill_n(to.blocked.begin(), count, 0.0);
 }
 
+/// Whether transparent surfaces color the light from all directions.
+inline bool colors_sky(const WorldParts& world) { return world.colors_shadows() && world.settings.shadows; }
+
+/// Determines which rays are occluded, and with colored shadows the factor of the light of the others.
+inline void find_sky_visibility(const WorldParts& world, ShadowRayBatch& rays, SteppedRays& steps) {
+    any_hit(world, rays.span(), rays.count, k_packet_size, k_sky_spread, rays.occluded.data());
+    if (world.colors_shadows()) filter_light(world, rays, steps, nullptr);
+}
+
 /// Adds the rays to the sums of their surfaces. The order of the rays of a surface is fixed.
-inline void add_sky_rays(const ShadowRayBatch& rays, SkyBatch& sky) {
+inline void add_sky_rays(const WorldParts& world, const ShadowRayBatch& rays, SkyBatch& sky) {
+    const bool colored = colors_sky(world);
     for (std::size_t r = 0; r < static_cast<std::size_t>(rays.count); ++r) {
         const auto i = static_cast<std::size_t>(sky.entry[r]);
         const double blocked = rays.occluded[r];
-        sky.arrived[i] += sky.cosine[r] * (1 - blocked);
         sky.blocked[i] += blocked;
+        const double arrived = sky.cosine[r] * (1 - blocked);
+        if (!colored) {
+            sky.arrived[0][i] += arrived;
+            continue;
+        }
+        for (std::size_t c = 0; c < 3; ++c) sky.arrived[c][i] += arrived * rays.filter[c][r];
     }
-}
-
-/// Determines which rays are occluded.
-inline void find_sky_visibility(const WorldParts& world, ShadowRayBatch& rays) {
-    any_hit(world, rays.span(), rays.count, k_packet_size, k_sky_spread, rays.occluded.data());
 }
 
 /// Puts the sums into the order of the surfaces.
 inline void unsort_sky(SkyBatch& sky) {
     const auto count = static_cast<std::size_t>(sky.count);
-    for (BatchColumn<double>* sums : {&sky.arrived, &sky.blocked}) {
+    for (BatchColumn<double>* sums : {&sky.arrived[0], &sky.arrived[1], &sky.arrived[2], &sky.blocked}) {
         std::copy_n(sums->begin(), count, sky.cosine.begin());
         for (std::size_t i = 0; i < count; ++i) (*sums)[sky.order[i]] = sky.cosine[i];
     }
 }
 
-/// f of a vector of surfaces.
-HWY_INLINE Doubles sky_factor(const Occlusion& occlusion, const SkyBatch& sky, int h) {
-    const double scale = occlusion.method == OcclusionMethod::fixed ? 2 : 1;
-    return load(sky.arrived.data() + h) * Doubles(scale / occlusion.samples);
+/// f of a vector of surfaces, by channel.
+HWY_INLINE Vector3<Doubles> sky_factor(const WorldParts& world, const SkyBatch& sky, int h) {
+    const Occlusion& occlusion = *world.occlusion;
+    const Doubles scale((occlusion.method == OcclusionMethod::fixed ? 2.0 : 1.0) / occlusion.samples);
+    if (colors_sky(world)) return load_vector3(sky.arrived, h) * scale;
+    const Doubles f = load(sky.arrived[0].data() + h) * scale;
+    return {f, f, f};
 }
 
 /// k_d color f.
@@ -75,7 +89,7 @@ inline void add_sky(const WorldParts& world, const SurfaceBatch& surfaces, const
     for (int h = 0; h < surfaces.count; h += lane_count<double>()) {
         const MaterialLanes material(surfaces, h);
         store_vector3(
-            material.color(k_diffuse) * lanes_of(world.occlusion->color) * sky_factor(*world.occlusion, sky, h),
+            material.color(k_diffuse) * lanes_of(world.occlusion->color) * sky_factor(world, sky, h),
             radiance.sky, h);
     }
 }

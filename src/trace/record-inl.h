@@ -268,12 +268,13 @@ inline void record_sky_rays(const ShadowRayBatch& rays, const SkyBatch& sky, Til
 inline void record_sky(const WorldParts& world, const SurfaceBatch& surfaces, const SkyBatch& sky,
                        const RadianceBatch& radiance, TileRecord& record) {
     for_each_hit(surfaces, [&](int h, int lanes) HWY_ATTR {
-        const LaneElements factor(sky_factor(*world.occlusion, sky, h));
+        const Vector3Elements factors(sky_factor(world, sky, h));
         for (int k = 0; k < lanes; ++k) {
             ExplainedOcclusion& to = record.hit(h + k).occlusion.emplace();
             to.samples = world.occlusion->samples;
             to.blocked = static_cast<int>(sky.blocked[static_cast<std::size_t>(h + k)]);
-            to.factor = factor[k];
+            to.factors = factors.color(k);
+            to.factor = colors_sky(world) ? (to.factors.r + to.factors.g + to.factors.b) / 3 : to.factors.r;
             to.light = color_at(radiance.sky, h + k);
         }
     });

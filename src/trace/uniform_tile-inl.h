@@ -65,12 +65,12 @@ inline void light_surfaces(const WorldParts& world, const PreparedLight& light, 
 /// Traces rays of the light from all directions.
 inline void trace_sky_rays(const WorldParts& world, TileScratch& s) {
     if (world.settings.shadows) {
-        find_sky_visibility(world, s.shadow_rays);
+        find_sky_visibility(world, s.shadow_rays, s.stepped_rays);
         s.counts.shadow += static_cast<std::uint64_t>(s.shadow_rays.count);
     } else {
         std::fill_n(s.shadow_rays.occluded.begin(), s.shadow_rays.count, std::uint8_t{0});
     }
-    add_sky_rays(s.shadow_rays, s.sky);
+    add_sky_rays(world, s.shadow_rays, s.sky);
     if (s.record != nullptr) record_sky_rays(s.shadow_rays, s.sky, *s.record);
 }
 

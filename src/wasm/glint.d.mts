@@ -306,7 +306,7 @@ export interface ExplainedHit {
     reflected: ExplainedSecondaryRay;
     transmitted: ExplainedSecondaryRay;
     /** If the scene has occlusion: the light from all directions; part: the contribution to the pixel. */
-    occlusion?: {samples: number; blocked: number; factor: number; light: Vec3; part: Vec3; occluders: {shape: NamedItem; samples: number}[]};
+    occlusion?: {samples: number; blocked: number; factor: number; factors: Vec3; light: Vec3; part: Vec3; occluders: {shape: NamedItem; samples: number}[]};
 }
 
 export interface ExplainedRay {

@@ -115,6 +115,9 @@ CLEAR = [(PANE, RED, {"opacity": 0.4}), (PANE_2, GREEN, {"opacity": 0.6}), (PANE
 RINGS = [(g, (0.9, 0.3 + 0.05 * i, 0.2), {"opacity": 0.25}) for i, g in enumerate(STACK)]
 GLASS_BALL = (BUBBLE, AMBER, {"opacity": 0.4})
 
+OCCLUSION = {"mode": "Ambient_Occlusion Ambient_Color 0.8 0.9 1 Rescale_Direct 0.4 Samples 24",
+             "sky": "occlusion { method = fixed  samples = 24  color = (0.8, 0.9, 1)  direct = 0.4 }\n"}
+
 RULES = [
     pov("pov_filter", (PANE, RED, {"filter": 0.8}), OPAQUE),
     pov("pov_transmit", (PANE, RED, {"transmit": 0.6}), OPAQUE),
@@ -130,17 +133,20 @@ RULES = [
     pov("pov_mirror_behind_glass", *PANES, (BEHIND, BALL, {"reflection": 0.6})),
     pov("pov_mirror_level_3", *PANES, (BEHIND, BALL, {"reflection": 0.6}), (BUBBLE, AMBER, {"transmit": 0.4, "reflection": 0.3}),
         levels=3),
-    tachyon("tachyon_opacity", *CLEAR, GLASS_BALL, OPAQUE),
-    tachyon("tachyon_trans_vmd", *CLEAR, GLASS_BALL, OPAQUE, mode="Trans_VMD", conventions="transparency = blend"),
-    # Highlights are not colored by what the light passes.
     # Each sample of an area light is colored.
     *[pov(f"pov_area_transparent_{n}", *PANES, (BUBBLE, AMBER, {"transmit": 0.4}), OPAQUE, light=area(n, n)) for n in (2, 3, 4, 5)],
     *[pov(f"pov_area_transparent_{n}_adaptive_{level}", *PANES, (BUBBLE, AMBER, {"filter": 0.8}), OPAQUE, light=area(n, n, level))
       for n in (5, 9) for level in (0, 1)],
     pov("pov_area_pale", (PANE, (0.9, 1, 0.95), {"filter": 0.97}), (PANE_2, (1, 1, 1), {"transmit": 0.96}), OPAQUE,
         light=area(9, 9, 0)),
+    tachyon("tachyon_opacity", *CLEAR, GLASS_BALL, OPAQUE),
+    tachyon("tachyon_trans_vmd", *CLEAR, GLASS_BALL, OPAQUE, mode="Trans_VMD", conventions="transparency = blend"),
+    # Highlights are not colored by what the light passes.
     tachyon("tachyon_colored_highlight", *CLEAR, GLASS_BALL, (BEHIND, BALL, {"highlight": 0.5}),
             conventions="transparency = add  attenuate_highlights = false"),
+    tachyon("tachyon_occlusion_transparent", *CLEAR, GLASS_BALL, OPAQUE, **OCCLUSION),
+    tachyon("tachyon_occlusion_filter_off", *CLEAR, GLASS_BALL, OPAQUE, mode="Shadow_Filter_Off " + OCCLUSION["mode"],
+            sky=OCCLUSION["sky"], conventions="transparency = add  transparent_shadow = none"),
     tachyon("tachyon_shadow_filter_off", *CLEAR, GLASS_BALL, OPAQUE, mode="Shadow_Filter_Off",
             conventions="transparency = add  transparent_shadow = none"),
     tachyon("tachyon_trans_max_surfaces", *RINGS, GLASS_BALL, OPAQUE, mode="Trans_VMD Trans_Max_Surfaces 3",

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Transparent surfaces before area lights that shine from their centre.
+// Transparent surfaces before area lights that shine from their centre, and in the light from all directions.
 #include <gtest/gtest.h>
 
 #include "glint/explain.h"
@@ -8,6 +8,8 @@
 
 namespace glint::test {
 namespace {
+
+constexpr double k_infinite = std::numeric_limits<double>::infinity();
 
 // A white floor under a panel of columns x rows samples, seen from below the shapes between them.
 Scene floor_under_panel(std::int32_t columns, std::int32_t rows) {
@@ -155,6 +157,37 @@ TEST(ColoredAreaShadows, CropsAndInstructionSets) {
         const Image part = render_world(*world, options);
         for (int y = 0; y < 11; ++y)
             for (int x = 0; x < 15; ++x) ASSERT_EQ(part.pixel(x, y), whole.pixel(9 + x, 17 + y)) << isa;
+    }
+}
+
+TEST(ColoredSky, PanesColorTheLightFromAllDirections) {
+    for (const OcclusionMethod method : {OcclusionMethod::hashed, OcclusionMethod::fixed}) {
+        Scene scene = floor_under_panel(1, 1);
+        scene.lights.clear();
+        scene.occlusion = Occlusion{method, 70, {1, 1, 1}, k_infinite, 1};
+        const Color open = render_scene(scene).pixel(20, 25);
+        scene.add(Plane{{0, 2, 0}, {0, 1, 0}}, add_material(scene, sheet({1, 0.5, 0.25}, 0.5, 0.25)));
+        const auto color = [&]() { return render_scene(scene).pixel(20, 25); };
+        const auto expect = [&](Color factor) {
+            const Color c = color();
+            EXPECT_NEAR(c.r, open.r * factor.r, 1e-6);
+            EXPECT_NEAR(c.g, open.g * factor.g, 1e-6);
+            EXPECT_NEAR(c.b, open.b * factor.b, 1e-6);
+        };
+        expect({0.75, 0.5, 0.375});
+        const std::optional<World> world = make_world(scene);
+        const Explanation e = explain(scene, *world, 20, 25).value();
+        const ExplainedOcclusion& o = e.rays.at(0).hit->occlusion.value();
+        EXPECT_EQ(o.blocked, 0);
+        EXPECT_NEAR(o.factors.g / o.factors.r, 0.5 / 0.75, 1e-12);
+        EXPECT_EQ(o.factor, (o.factors.r + o.factors.g + o.factors.b) / 3);
+        scene.settings.shadows = false;
+        expect({1, 1, 1});
+        scene.settings.shadows = true;
+        scene.conventions.transparent_shadow = TransparentShadow::none;
+        expect({1, 1, 1});
+        scene.conventions.transparent_shadow = TransparentShadow::opaque;
+        expect({0, 0, 0});
     }
 }
 
