@@ -37,31 +37,36 @@ struct ShadowSample {
     Vec3 origin, direction;  ///< of the ray, as in LightTerms
     double t_min = 0, t_max = 0;
     std::optional<Blocker> blocker;
+    Color filter{1, 1, 1};              ///< as in LightTerms, of this sample
+    std::vector<ShadowFilter> filters;  ///< likewise
 };
 
 /// One light at one hit, or one sample of an area light. Vectors and cosines are those of the lighting
 /// equation (docs/lighting.md).
 struct LightTerms {
-    std::uint32_t light = 0;    ///< in Scene::lights
-    std::int32_t sample = -1;   ///< row * samples_u + column, if each sample is a light of its own; else -1
-    Vec3 to_light;              ///< to the position of a light that has one; else its own direction. Not unit
-    double distance = 0;        ///< its length
-    double attenuation = 1;     ///< f_att
-    double spot = 1;            ///< of a spot: the factor of its light in this direction
-    double emitter = 1;         ///< of a one-sided area light: the cosine off its normal, 0 behind it
-    double visible = 1;         ///< of an area light that shines from its centre: the visible part
-    double n_l = 0;             ///< N·L
-    double s = 0;               ///< R·V (Phong) or N·H (Blinn-Phong)
-    double power = 0;           ///< S^n if there is a highlight, blocked or not; else 0
-    double diffuse_factor = 0;  ///< of k_d I: N·L, to the power of the brilliance
-    double phong_s = 0;         ///< R·V of the second highlight, if a material has one
-    double phong_power = 0;     ///< of the second highlight, as `power`
+    std::uint32_t light = 0;   ///< in Scene::lights
+    std::int32_t sample = -1;  ///< row * samples_u + column, if each sample is a light of its own; else -1
+    Vec3 to_light;             ///< to the position of a light that has one; else its own direction. Not unit
+    double distance = 0;       ///< its length
+    double attenuation = 1;    ///< f_att
+    double spot = 1;           ///< of a spot: the factor of its light in this direction
+    double emitter = 1;        ///< of a one-sided area light: the cosine off its normal, 0 behind it
+    /// Of an area light that shines from its centre: the visible part; if transparent surfaces color it, the
+    /// mean over the channels of `filter`.
+    double visible = 1;
+    double n_l = 0;                 ///< N·L
+    double s = 0;                   ///< R·V (Phong) or N·H (Blinn-Phong)
+    double power = 0;               ///< S^n if there is a highlight, blocked or not; else 0
+    double diffuse_factor = 0;      ///< of k_d I: N·L, to the power of the brilliance
+    double phong_s = 0;             ///< R·V of the second highlight, if a material has one
+    double phong_power = 0;         ///< of the second highlight, as `power`
     Color highlight_tint{1, 1, 1};  ///< of a metal's highlights; included in `specular`
     double threshold = 0;           ///< Conventions::light_threshold
     bool may_add = false;           ///< it adds light unless it is blocked
     bool blocked = false;           ///< a shape blocks it: `blocker`
     Color diffuse, specular;        ///< the light that it adds, before the hit's weight
-    /// The product of the factors of `filters`, multiplied in the order of the ray; included in diffuse and,
+    /// The product of the factors of `filters`, multiplied in the order of the ray; of an area light that
+    /// shines from its centre, with colored shadows: the mean of its samples' light. Included in diffuse and,
     /// with Conventions::attenuate_highlights, in specular.
     Color filter{1, 1, 1};
     std::vector<ShadowFilter> filters;  ///< the transparent surfaces on the way to the light, from P
@@ -90,9 +95,10 @@ struct ExplainedSecondaryRay {
 /// The light from all directions at a hit (Occlusion).
 struct ExplainedOcclusion {
     int samples = 0, blocked = 0;
-    double factor = 1;  ///< f
-    Color light;        ///< k_d color f
-    Color part;         ///< added to the pixel: `light` times weight and local_share
+    double factor = 1;       ///< f; if transparent surfaces color the light, the mean over the channels
+    Color factors{1, 1, 1};  ///< f by channel
+    Color light;             ///< k_d color f
+    Color part;              ///< added to the pixel: `light` times weight and local_share
     struct Occluder {
         std::uint32_t shape = k_none;  ///< in Scene::shapes
         int samples = 0;               ///< of which it is the nearest occluder

@@ -130,20 +130,26 @@ std::string nothing_text(const Scene& scene, const ExplainedHit& hit, const Ligh
     return {};
 }
 
-// The numbers of an area light's samples, by the shape that blocks them; k_none: by an unknown one.
-using BlockedSamples = std::map<std::uint32_t, std::vector<std::int32_t>>;
+// The numbers of an area light's samples, by the shape that blocks or colors them; k_none: by an unknown one.
+using SamplesByShape = std::map<std::uint32_t, std::vector<std::int32_t>>;
+
+// "blocked by box 2: 0, 1, 4; by sphere 1: 8"
+std::string samples_text(const Scene& scene, std::string_view what, const SamplesByShape& list) {
+    std::string text;
+    for (const auto& [shape, samples] : list) {
+        const bool first = text.empty();
+        text += fmt::format("{}{}: {}", first ? what : std::string_view("; "),
+                            shape == k_none ? "" : (first ? " by " : "by ") + shape_text(scene, shape),
+                            fmt::join(samples, ", "));
+    }
+    return text;
+}
 
 // "12 of 16 samples visible; blocked by box 2: 0, 1, 4; by sphere 1: 8"
 std::string visible_samples_text(const Scene& scene, std::size_t visible, std::size_t all,
-                                 const BlockedSamples& blocked) {
+                                 const SamplesByShape& blocked) {
     std::string text = fmt::format("{} of {} samples visible", visible, all);
-    bool first = true;
-    for (const auto& [shape, samples] : blocked) {
-        text += fmt::format("; {}{}: {}", first ? "blocked" : "",
-                            shape == k_none ? "" : (first ? " by " : "by ") + shape_text(scene, shape),
-                            fmt::join(samples, ", "));
-        first = false;
-    }
+    if (!blocked.empty()) text += "; " + samples_text(scene, "blocked", blocked);
     return text;
 }
 
@@ -283,8 +289,10 @@ class Tree {
     }
 
     void add_occlusion(const ExplainedOcclusion& o, int depth) {
+        const bool colored = !(o.factors == Color{o.factor, o.factor, o.factor});
         line(depth, fmt::format("sky: {} of {} samples are blocked, f = {}: k_d color f = {}{}", o.blocked,
-                                o.samples, number(o.factor), color(o.light), swatch(style_, o.light)));
+                                o.samples, colored ? color(o.factors) : number(o.factor), color(o.light),
+                                swatch(style_, o.light)));
         constexpr std::size_t most = 4;
         std::string list;
         for (std::size_t i = 0; i < std::min(o.occluders.size(), most); ++i)
@@ -333,23 +341,36 @@ class Tree {
         if (terms.filters.size() > most)
             line(depth + 1, fmt::format("and {} more", terms.filters.size() - most));
         if (terms.filters.size() > 1) line(depth + 1, fmt::format("together: times {}", color(terms.filter)));
-        if (terms.samples.empty()) return;
-        BlockedSamples blocked;
+        if (!terms.samples.empty()) add_shadow_samples(terms, depth + 1);
+    }
+
+    // The samples of an area light that shines from its centre.
+    void add_shadow_samples(const LightTerms& terms, int depth) {
+        SamplesByShape blocked, colored;
         std::size_t visible = 0;
         for (const ShadowSample& sample : terms.samples) {
-            if (sample.blocked)
+            if (sample.blocked) {
                 blocked[sample.blocker ? sample.blocker->shape : k_none].push_back(sample.sample);
-            else
-                ++visible;
+                continue;
+            }
+            ++visible;
+            std::uint32_t before = k_none;  // a sphere has two surfaces
+            for (const ShadowFilter& filter : sample.filters) {
+                if (filter.shape != before) colored[filter.shape].push_back(sample.sample);
+                before = filter.shape;
+            }
         }
-        line(depth + 1, fmt::format("visible part {}: {}", number(terms.visible),
-                                    visible_samples_text(scene_, visible, terms.samples.size(), blocked)));
+        line(depth, fmt::format("visible part {}: {}", number(terms.visible),
+                                visible_samples_text(scene_, visible, terms.samples.size(), blocked)));
+        if (colored.empty()) return;
+        line(depth, fmt::format("{}; together: times {}{}", samples_text(scene_, "colored", colored),
+                                color(terms.filter), swatch(style_, terms.filter)));
     }
 
     // The samples of an area light, each of which is a light of its own.
     void add_samples(const ExplainedHit& hit, std::span<const LightTerms> samples, int depth) {
         Color diffuse, specular;
-        BlockedSamples blocked;
+        SamplesByShape blocked;
         std::size_t visible = 0;
         for (const LightTerms& terms : samples) {
             diffuse = diffuse + terms.diffuse;

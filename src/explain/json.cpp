@@ -3,7 +3,9 @@
 // The JSON library must not use <filesystem>, which the browser build lacks.
 #define JSON_HAS_FILESYSTEM 0
 #define JSON_HAS_EXPERIMENTAL_FILESYSTEM 0
+#include <algorithm>
 #include <nlohmann/json.hpp>
+#include <span>
 
 #include "base/status.h"
 #include "explain/references.h"
@@ -76,6 +78,23 @@ template <class Terms> Json shadow_ray_json(const Terms& terms) {
             {"t_max", finite(terms.t_max)}};
 }
 
+/// Whether transparent surfaces color the light.
+bool is_filtered(const LightTerms& terms) {
+    return !terms.filters.empty() || std::any_of(terms.samples.begin(), terms.samples.end(),
+                                                 [](const auto& sample) { return !sample.filters.empty(); });
+}
+
+Json filters_json(const Scene& scene, std::span<const ShadowFilter> filters) {
+    Json list = Json::array();
+    for (const ShadowFilter& filter : filters) {
+        list.push_back({{"shape", shape_json(scene, filter.shape)},
+                        {"distance", filter.distance},
+                        {"point", to_json(filter.point)},
+                        {"factor", to_json(filter.factor)}});
+    }
+    return list;
+}
+
 Json samples_json(const Scene& scene, const LightTerms& terms) {
     Json list = Json::array();
     for (const ShadowSample& sample : terms.samples) {
@@ -84,6 +103,10 @@ Json samples_json(const Scene& scene, const LightTerms& terms) {
                      {"blocked", sample.blocked},
                      {"shadow_ray", shadow_ray_json(sample)}};
         if (sample.blocker) json["blocker"] = blocker_json(scene, *sample.blocker);
+        if (!sample.filters.empty()) {
+            json["filter"] = to_json(sample.filter);
+            json["filters"] = filters_json(scene, sample.filters);
+        }
         list.push_back(std::move(json));
     }
     return list;
@@ -111,15 +134,8 @@ Json terms_json(const Scene& scene, const ExplainedHit& hit, const LightTerms& t
         json["phong_power"] = terms.phong_power;
     }
     if (material.metallic > 0) json["highlight_tint"] = to_json(terms.highlight_tint);
-    if (!terms.filters.empty()) {
-        json["filter"] = to_json(terms.filter);
-        for (const ShadowFilter& filter : terms.filters) {
-            json["filters"].push_back({{"shape", shape_json(scene, filter.shape)},
-                                       {"distance", filter.distance},
-                                       {"point", to_json(filter.point)},
-                                       {"factor", to_json(filter.factor)}});
-        }
-    }
+    if (is_filtered(terms)) json["filter"] = to_json(terms.filter);
+    if (!terms.filters.empty()) json["filters"] = filters_json(scene, terms.filters);
     if (terms.sample >= 0) json["sample"] = terms.sample;
     if (terms.has_ray) json["shadow_ray"] = shadow_ray_json(terms);
     if (terms.blocker) json["blocker"] = blocker_json(scene, *terms.blocker);
@@ -139,9 +155,10 @@ Json occlusion_json(const Scene& scene, const ExplainedOcclusion& occlusion) {
     Json occluders = Json::array();
     for (const ExplainedOcclusion::Occluder& o : occlusion.occluders)
         occluders.push_back({{"shape", shape_json(scene, o.shape)}, {"samples", o.samples}});
-    return {{"samples", occlusion.samples},    {"blocked", occlusion.blocked},
-            {"factor", occlusion.factor},      {"light", to_json(occlusion.light)},
-            {"part", to_json(occlusion.part)}, {"occluders", std::move(occluders)}};
+    return {{"samples", occlusion.samples},      {"blocked", occlusion.blocked},
+            {"factor", occlusion.factor},        {"factors", to_json(occlusion.factors)},
+            {"light", to_json(occlusion.light)}, {"part", to_json(occlusion.part)},
+            {"occluders", std::move(occluders)}};
 }
 
 Json hit_json(const Scene& scene, const ExplainedHit& hit) {

@@ -8,41 +8,67 @@
 #define GLINT_TRACE_AREA_SHADOW_INL_H_
 #endif
 
+#include <bit>
+#include <type_traits>
+
 #include "glint/render.h"
 #include "trace/direct_lighting-inl.h"
-#include "trace/intersect-inl.h"
+#include "trace/transparency-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace glint {
 namespace HWY_NAMESPACE {
 
-/// The visible part of an area light at one surface (POV-Ray, measured): the value of a region of the grid is
-/// the mean of the visibility of its four corners, or of the values of its quarters if it is divided. A
-/// region is divided if its level is below `adaptive`, or if the light of two neighbouring corners differs by
-/// more than 0.1 in the sum of the channels. Values are multiples of powers of 1/2, so that sums are exact.
-class VisiblePart {
+/// The light of one color and strength at a surface, for the question whether it differs between two samples:
+/// by more than 0.1 in the sum of the channels (POV-Ray, measured).
+class LightDifference {
   public:
-    VisiblePart(const AreaGrid& grid, AreaShadowBatch& shadow, int surface, double light)
-        : grid_(grid), shadow_(shadow), surface_(surface), differ_(light > 0.1) {}
+    LightDifference(Color light, double strength)
+        : light_{abs(light.r), abs(light.g), abs(light.b)},
+          strength_(strength),
+          lit_and_dark_((light_.r + light_.g + light_.b) * strength > 0.1) {}
+    /// a, b: 1 if the sample is visible, else 0.
+    bool exists(double a, double b) const { return lit_and_dark_ && a != b; }
+    /// a, b: the factors of the samples' light.
+    bool exists(Color a, Color b) const {
+        return (light_.r * abs(a.r - b.r) + light_.g * abs(a.g - b.g) + light_.b * abs(a.b - b.b)) *
+                   strength_ >
+               0.1;
+    }
+
+  private:
+    Color light_;
+    double strength_;
+    bool lit_and_dark_;
+};
+
+/// The visible part of an area light at one surface (POV-Ray, measured): the value of a region of the grid is
+/// the mean of the values of its four corners, or of its quarters if it is divided. A region is divided if
+/// its level is below `adaptive`, or if the light of two neighbouring corners differs. Value: double for
+/// visible samples, 1 or 0, whose sums are exact; Color with colored shadows.
+template <class Value> class VisiblePart {
+  public:
+    VisiblePart(const AreaGrid& grid, AreaShadowBatch& shadow, int surface, const LightDifference& difference)
+        : grid_(grid), shadow_(shadow), surface_(surface), difference_(difference) {}
 
     /// The value of the grid. If it needs samples that have not been traced, they are wanted, and the value
     /// has no meaning.
-    double value() { return region(0, 0, grid_.columns - 1, grid_.rows - 1, 0); }
+    Value value() { return region(0, 0, grid_.columns - 1, grid_.rows - 1, 0); }
     bool wants_samples() const { return wants_; }
 
   private:
-    double region(int u1, int v1, int u2, int v2, int level) {
+    Value region(int u1, int v1, int u2, int v2, int level) {
         const int corners[4] = {sample(u1, v1), sample(u2, v1), sample(u2, v2), sample(u1, v2)};
-        int traced = 0, visible = 0;
-        for (const int corner : corners) {
-            traced += shadow_.is_traced(corner, surface_) ? 1 : 0;
-            visible += shadow_.is_visible(corner, surface_) ? 1 : 0;
+        bool traced = true;
+        Value values[4];
+        for (int k = 0; k < 4; ++k) {
+            traced = traced && shadow_.is_traced(corners[k], surface_);
+            values[k] = value_of(corners[k]);
         }
-        if (traced < 4) want(corners);
+        if (!traced) want(corners);
         const bool small = u2 - u1 <= 1 && v2 - v1 <= 1;
-        // Of corners that are not all equal, two neighbours differ.
-        const bool divided = level < grid_.adaptive || (traced == 4 && differ_ && visible % 4 != 0);
-        if (small || !divided) return visible * 0.25;
+        const bool divided = level < grid_.adaptive || (traced && neighbours_differ(values));
+        if (small || !divided) return (values[0] + values[1] + values[2] + values[3]) * 0.25;
         const int u = (u1 + u2) / 2, v = (v1 + v2) / 2, next_u = (u1 + u2 + 1) / 2,
                   next_v = (v1 + v2 + 1) / 2;
         return (region(u1, v1, u, v, level + 1) + region(next_u, v1, u2, v, level + 1) +
@@ -51,6 +77,22 @@ class VisiblePart {
     }
 
     int sample(int u, int v) const { return v * grid_.columns + u; }
+
+    Value value_of(int corner) const {
+        if (!shadow_.is_visible(corner, surface_)) return Value{};
+        if constexpr (std::is_same_v<Value, Color>) {
+            return shadow_.filter_of(corner, surface_);
+        } else {
+            return 1;
+        }
+    }
+
+    bool neighbours_differ(const Value (&values)[4]) const {
+        for (int k = 0; k < 4; ++k) {
+            if (difference_.exists(values[k], values[(k + 1) % 4])) return true;
+        }
+        return false;
+    }
 
     void want(const int (&corners)[4]) {
         wants_ = true;
@@ -64,7 +106,7 @@ class VisiblePart {
     const AreaGrid& grid_;
     AreaShadowBatch& shadow_;
     const int surface_;
-    const bool differ_;  // light and shadow differ enough
+    const LightDifference& difference_;
     bool wants_ = false;
 };
 
@@ -77,10 +119,37 @@ HWY_INLINE ShadowRay<Doubles> sample_ray(const WorldParts& world, const Prepared
     return shadow_ray_from(surface, from, from - surface.point, world.conventions);
 }
 
+/// Calls visit(surface) for each surface that wants a sample, in the order of its shadow rays.
+template <class Visit>
+inline void for_each_wanting(const AreaShadowBatch& shadow, int sample, const Visit& visit) {
+    for (int first = 0; first < k_batch_size; first += 64) {
+        for (std::uint64_t bits = shadow.wanted[AreaShadowBatch::word_of(sample, first)]; bits != 0;
+             bits &= bits - 1)
+            visit(first + std::countr_zero(bits));
+    }
+}
+
+/// With colored shadows: stores the factors of the light of one sample, and records the transparent surfaces.
+inline void store_sample_filters(const ShadowRayBatch& rays, int sample, AreaShadowBatch& shadow,
+                                 TileRecord* record) {
+    int ray = 0;
+    for_each_wanting(shadow, sample, [&](int surface) {
+        const auto r = static_cast<std::size_t>(ray);
+        shadow.filter_of(sample, surface) = {rays.filter[0][r], rays.filter[1][r], rays.filter[2][r]};
+        if (record != nullptr) {
+            for (const TileRecord::ShadowStep& step : record->shadow_steps) {
+                if (step.ray == ray) record->sample_steps.push_back({sample, surface, step});
+            }
+        }
+        ++ray;
+    });
+    if (record != nullptr) record->shadow_steps.clear();
+}
+
 /// Traces the shadow rays of one sample to the surfaces that want it.
 inline void trace_sample_rays(const WorldParts& world, const PreparedLight& light, int sample,
                               const SurfaceBatch& surfaces, AreaShadowBatch& shadow,
-                              ShadowRayBatch& shadow_rays) {
+                              ShadowRayBatch& shadow_rays, SteppedRays& steps, TileRecord* record) {
     const Vec3 fixed = fixed_sample(world, light.area, sample);
     const bool one_origin = !light.jitter && world.conventions.shadow_stops_at_light;
     shadow_rays.count = 0;
@@ -96,7 +165,8 @@ inline void trace_sample_rays(const WorldParts& world, const PreparedLight& ligh
         shadow_rays.count += count(set);
     }
     if (shadow_rays.count == 0) return;
-    intersect_shadow(world, shadow_rays);
+    find_visibility(world, shadow_rays, steps, record);
+    if (world.colors_shadows()) store_sample_filters(shadow_rays, sample, shadow, record);
     const std::uint8_t* occluded = shadow_rays.occluded.data();
     for (std::size_t word = 0; word < AreaShadowBatch::k_words; ++word) {
         const std::size_t at = static_cast<std::size_t>(sample) * AreaShadowBatch::k_words + word;
@@ -107,25 +177,50 @@ inline void trace_sample_rays(const WorldParts& world, const PreparedLight& ligh
     }
 }
 
-/// Traces the shadow rays to the samples of an area light, and multiplies its strength at each surface by the
-/// part that is visible. Surfaces that see none of it are no longer lit.
+/// Stores the visible part of the light at a surface.
+inline void store_part(double part, std::size_t at, LightSampleBatch&, AreaShadowBatch& shadow) {
+    shadow.fraction[at] = part;
+}
+/// With colored shadows: also the factor of the light, whose mean over the channels is the visible part.
+inline void store_part(Color part, std::size_t at, LightSampleBatch& samples, AreaShadowBatch& shadow) {
+    samples.filter[0][at] = part.r;
+    samples.filter[1][at] = part.g;
+    samples.filter[2][at] = part.b;
+    shadow.fraction[at] = number::min((part.r + part.g + part.b) / 3, 1.0);
+}
+
+/// Finds the visible part of the light at each lit surface. Returns whether samples are wanted.
+template <class Value>
+inline bool find_visible_parts(const PreparedLight& light, const SurfaceBatch& surfaces,
+                               LightSampleBatch& samples, AreaShadowBatch& shadow) {
+    bool wants = false;
+    for (int h = 0; h < surfaces.count; ++h) {
+        const auto at = static_cast<std::size_t>(h);
+        if ((lit_bits(samples, h) >> (h % lane_count<double>()) & 1) == 0) {
+            store_part(Value{}, at, samples, shadow);
+            continue;
+        }
+        const LightDifference difference(light.color, samples.strength[at]);
+        VisiblePart<Value> part(light.area, shadow, h, difference);
+        store_part(part.value(), at, samples, shadow);
+        wants = wants || part.wants_samples();
+    }
+    return wants;
+}
+
+/// Traces the shadow rays to the samples of an area light. Its strength at each surface is multiplied by the
+/// part that is visible; with colored shadows, LightSampleBatch::filter is that part. Surfaces that see none
+/// of the light are no longer lit.
 inline void sample_area_shadow(const WorldParts& world, const PreparedLight& light,
                                const SurfaceBatch& surfaces, LightSampleBatch& samples,
-                               AreaShadowBatch& shadow, ShadowRayBatch& shadow_rays, RayCounts& counts) {
-    shadow.start(light.area.count());
-    const double light_sum = abs(light.color.r) + abs(light.color.g) + abs(light.color.b);
-    for (bool wants = true; wants;) {
-        wants = false;
-        for (int h = 0; h < surfaces.count; ++h) {
-            const auto at = static_cast<std::size_t>(h);
-            if ((lit_bits(samples, h) >> (h % lane_count<double>()) & 1) == 0) continue;
-            VisiblePart part(light.area, shadow, h, light_sum * samples.strength[at]);
-            shadow.fraction[at] = part.value();
-            wants = wants || part.wants_samples();
-        }
-        if (!wants) break;
+                               AreaShadowBatch& shadow, ShadowRayBatch& shadow_rays, SteppedRays& steps,
+                               RayCounts& counts, TileRecord* record) {
+    const bool colored = world.colors_shadows();
+    shadow.start(light.area.count(), colored);
+    while (colored ? find_visible_parts<Color>(light, surfaces, samples, shadow)
+                   : find_visible_parts<double>(light, surfaces, samples, shadow)) {
         for (int sample = 0; sample < light.area.count(); ++sample) {
-            trace_sample_rays(world, light, sample, surfaces, shadow, shadow_rays);
+            trace_sample_rays(world, light, sample, surfaces, shadow, shadow_rays, steps, record);
             counts.shadow += static_cast<std::uint64_t>(shadow_rays.count);
         }
     }
@@ -135,7 +230,7 @@ inline void sample_area_shadow(const WorldParts& world, const PreparedLight& lig
         const auto at = static_cast<std::size_t>(h);
         const Doubles fraction = load(shadow.fraction.data() + at);
         lit = static_cast<std::uint8_t>(lit & to_bits(fraction > Doubles(0)));
-        store(load(samples.strength.data() + at) * fraction, samples.strength.data() + at);
+        if (!colored) store(load(samples.strength.data() + at) * fraction, samples.strength.data() + at);
     }
 }
 

@@ -179,12 +179,40 @@ struct RadianceBatch {
 /// the order of their slots, so that rays that are traced together start near each other.
 struct SkyBatch {
     int count = 0;
-    BatchColumn<std::uint32_t> order;                                       // the surface of each entry
-    BatchColumn<double> point[3], normal[3], incoming[3], magnitude, hash;  // those of the surface
-    BatchColumn<double> arrived;  // the sum over the samples that are not blocked: 1, or N·D
-    BatchColumn<double> blocked;  // their number
-    // Of each ray of the current sample: its entry, and what it adds if it is not blocked.
+    BatchColumn<std::uint32_t> order;  // the surface of each entry
+    // Those of the surface: point, normal, incoming and magnitude; and the hash.
+    static constexpr int k_normal = 3, k_incoming = 6, k_magnitude = 9;
+    BatchColumn<double> surface[10], hash;
+    // The sum over the samples that are not blocked: 1, or N·D. With colored shadows: times the factor of the
+    // light, by channel; else the first column alone.
+    BatchColumn<double> arrived[3];
+    BatchColumn<double> blocked;  // the number of the others
+    // Of each ray in the ShadowRayBatch: its entry, and what it adds if it is not blocked.
     BatchColumn<double> entry, cosine;
+};
+
+/// The hashed directions of some samples of the light from all directions are sorted together: at most so
+/// many. Part of the pictures if shadows are colored: the light of a surface is summed in this order.
+inline constexpr int k_sky_group_samples = 64;
+/// Directions are sorted by the cell of a grid of so many rows and columns.
+inline constexpr int k_sky_cell_rows = 16, k_sky_cells = k_sky_cell_rows * k_sky_cell_rows;
+
+/// Hashed directions of the entries of a SkyBatch: entry i of sample s at s * k_batch_size + i.
+struct SkyGroup {
+    int count = 0;
+    GrowingColumn direction[3];
+    std::vector<std::uint8_t> cell;
+    std::vector<std::uint32_t> sorted;  // the places of the directions, by cell
+    std::array<std::uint32_t, k_sky_cells> end;
+
+    void start() {
+        constexpr std::size_t size = std::size_t{k_sky_group_samples} * k_batch_size + k_ray_padding;
+        end.fill(0);
+        if (cell.size() == size) return;
+        for (GrowingColumn& column : direction) column.resize(size);
+        cell.resize(size);
+        sorted.resize(size);
+    }
 };
 
 /// The values of one light at the surfaces.
@@ -256,11 +284,15 @@ struct SteppedRays {
 struct AreaShadowBatch {
     static constexpr int k_words = k_batch_size / 64;    // for the surfaces of a batch
     std::vector<std::uint64_t> wanted, traced, visible;  // [sample * k_words + surface / 64]
-    BatchColumn<double> fraction;                        // the visible part of the light, by surface
+    /// With colored shadows: the factor of the light of visible samples, [sample * k_batch_size + surface].
+    std::vector<Color> filter;
+    BatchColumn<double> fraction;  // the visible part of the light, by surface
 
-    void start(int samples) {
+    void start(int samples, bool colored) {
         for (auto* sets : {&wanted, &traced, &visible})
             sets->assign(static_cast<std::size_t>(samples) * k_words, 0);
+        if (colored && filter.size() < static_cast<std::size_t>(samples) * k_batch_size)
+            filter.resize(static_cast<std::size_t>(samples) * k_batch_size);
     }
     static std::size_t word_of(int sample, int surface) {
         return static_cast<std::size_t>(sample * k_words + surface / 64);
@@ -271,6 +303,12 @@ struct AreaShadowBatch {
     }
     bool is_visible(int sample, int surface) const {
         return (visible[word_of(sample, surface)] & bit_of(surface)) != 0;
+    }
+    Color& filter_of(int sample, int surface) {
+        return filter[static_cast<std::size_t>(sample * k_batch_size + surface)];
+    }
+    const Color& filter_of(int sample, int surface) const {
+        return filter[static_cast<std::size_t>(sample * k_batch_size + surface)];
     }
 };
 

@@ -50,7 +50,7 @@ struct LightRules : LightingRules {
 /// known when the stages are compiled.
 struct PlainLightRules : LightingRules {
     static constexpr bool is_spot = false, has_emitter_cosine = false, is_moved = false,
-                          attenuate_highlights = true;
+                          attenuate_highlights = true, samples_shadow = false;
     static constexpr double light_threshold = 0;
     static constexpr FinishRules finish{};
     bool attenuated, has_shadow_rays;
@@ -295,7 +295,7 @@ inline void add_light_by(const Rules& rules, const WorldParts& world, const Prep
                          const SurfaceBatch& surfaces, const LightSampleBatch& samples,
                          const HighlightBatch& highlights, RadianceBatch& radiance) {
     const bool constant = rules.is_constant();
-    const bool filtered = world.colors_shadows() && rules.has_shadow_rays;
+    const bool filtered = world.colors_shadows() && (rules.has_shadow_rays || rules.samples_shadow);
     const double* power = highlights.power.data();
     for (int i = 0; i < surfaces.count; i += lane_count<double>()) {
         const std::uint32_t bits = lit_bits(samples, i);

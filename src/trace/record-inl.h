@@ -124,16 +124,33 @@ inline void record_unlit(const WorldParts& world, const SurfaceBatch& surfaces, 
     });
 }
 
+/// The transparent surface that a shadow ray passes in a step. terms: LightTerms or a ShadowSample.
+template <class Terms>
+inline ShadowFilter recorded_filter(const WorldParts& world, const TileRecord::ShadowStep& step,
+                                    const Terms& terms, Vec3 shaded) {
+    const Vec3 at = terms.origin + terms.direction * step.t;
+    return {world.geometry->shape_index[step.slot], glint::length(at - shaded), at,
+            world.shadow_factor(step.slot)};
+}
 /// The transparent surfaces on the way of a shadow ray, from P.
 inline std::vector<ShadowFilter> recorded_filters(const WorldParts& world, const Light& light, int ray,
                                                   const LightTerms& terms, Vec3 shaded,
                                                   const TileRecord& record) {
     std::vector<ShadowFilter> filters;
     for (const TileRecord::ShadowStep& step : record.shadow_steps) {
-        if (step.ray != ray) continue;
-        const Vec3 at = terms.origin + terms.direction * step.t;
-        filters.push_back({world.geometry->shape_index[step.slot], glint::length(at - shaded), at,
-                           world.shadow_factor(step.slot)});
+        if (step.ray == ray) filters.push_back(recorded_filter(world, step, terms, shaded));
+    }
+    if (comes_from_light(light, world.conventions)) std::reverse(filters.begin(), filters.end());
+    return filters;
+}
+/// The same for the shadow ray of a sample of a light that shines from its centre.
+inline std::vector<ShadowFilter> recorded_filters(const WorldParts& world, const Light& light, int surface,
+                                                  const ShadowSample& traced, Vec3 shaded,
+                                                  const TileRecord& record) {
+    std::vector<ShadowFilter> filters;
+    for (const TileRecord::SampleStep& of : record.sample_steps) {
+        if (of.sample == traced.sample && of.surface == surface)
+            filters.push_back(recorded_filter(world, of.step, traced, shaded));
     }
     if (comes_from_light(light, world.conventions)) std::reverse(filters.begin(), filters.end());
     return filters;
@@ -142,7 +159,7 @@ inline std::vector<ShadowFilter> recorded_filters(const WorldParts& world, const
 /// The samples of an area light whose shadow rays were traced for the surface at index h + k.
 inline std::vector<ShadowSample> recorded_samples(const WorldParts& world, const PreparedLight& light,
                                                   const SurfaceBatch& surfaces, const AreaShadowBatch& shadow,
-                                                  int h, int k) {
+                                                  int h, int k, const TileRecord& record) {
     std::vector<ShadowSample> list;
     for (int sample = 0; sample < light.area.count(); ++sample) {
         if (!shadow.is_traced(sample, h + k)) continue;
@@ -158,6 +175,10 @@ inline std::vector<ShadowSample> recorded_samples(const WorldParts& world, const
         traced.direction = Vector3Elements(ray.direction).vec3(k);
         traced.t_min = LaneElements(ray.t_min)[k];
         traced.t_max = ray.t_max;
+        if (!world.colors_shadows()) continue;
+        if (!traced.blocked) traced.filter = shadow.filter_of(sample, h + k);
+        traced.filters =
+            recorded_filters(world, light, h + k, traced, vec3_at(surfaces.point, h + k), record);
     }
     return list;
 }
@@ -217,8 +238,9 @@ inline void record_light(const WorldParts& world, const PreparedLight& light, co
                 ++rays;
             }
             if (r.may_add && rules.samples_shadow) {
-                r.samples = recorded_samples(world, light, surfaces, area_shadow, h, k);
+                r.samples = recorded_samples(world, light, surfaces, area_shadow, h, k, record);
                 r.visible = area_shadow.fraction[static_cast<std::size_t>(h + k)];
+                if (world.colors_shadows()) r.filter = color_at(samples.filter, h + k);
             }
             if (r.may_add && !r.blocked) {
                 r.diffuse = diffuse.color(k) * r.filter;
@@ -228,6 +250,7 @@ inline void record_light(const WorldParts& world, const PreparedLight& light, co
         }
     });
     record.shadow_steps.clear();
+    record.sample_steps.clear();
 }
 
 /// Records the rays of one occlusion sample that are blocked.
@@ -245,12 +268,13 @@ inline void record_sky_rays(const ShadowRayBatch& rays, const SkyBatch& sky, Til
 inline void record_sky(const WorldParts& world, const SurfaceBatch& surfaces, const SkyBatch& sky,
                        const RadianceBatch& radiance, TileRecord& record) {
     for_each_hit(surfaces, [&](int h, int lanes) HWY_ATTR {
-        const LaneElements factor(sky_factor(*world.occlusion, sky, h));
+        const Vector3Elements factors(sky_factor(world, sky, h));
         for (int k = 0; k < lanes; ++k) {
             ExplainedOcclusion& to = record.hit(h + k).occlusion.emplace();
             to.samples = world.occlusion->samples;
             to.blocked = static_cast<int>(sky.blocked[static_cast<std::size_t>(h + k)]);
-            to.factor = factor[k];
+            to.factors = factors.color(k);
+            to.factor = colors_sky(world) ? (to.factors.r + to.factors.g + to.factors.b) / 3 : to.factors.r;
             to.light = color_at(radiance.sky, h + k);
         }
     });

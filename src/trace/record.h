@@ -45,6 +45,11 @@ struct TileRecord {
         double t;
     };
     std::vector<ShadowStep> shadow_steps;  // the transparent surfaces on the shadow rays of the current light
+    struct SampleStep {
+        int sample, surface;
+        ShadowStep step;
+    };
+    std::vector<SampleStep> sample_steps;  // likewise, of a light that shines from its centre
     struct SkyRay {
         std::size_t ray;  // whose hit it starts from
         Vec3 origin, direction;

@@ -63,6 +63,7 @@ struct TileScratch {
     HighlightBatch highlights;
     ShadowRayBatch shadow_rays;
     SkyBatch sky;
+    SkyGroup sky_group;
     AreaShadowBatch area_shadow;
     SecondaryRayBatch secondary;
     Film film;

@@ -37,7 +37,8 @@ inline void light_from(const WorldParts& world, const PreparedLight& light, Tile
         s.counts.shadow += static_cast<std::uint64_t>(s.shadow_rays.count);
     } else if (light_rules(world, light).samples_shadow) {
         if (first_hits != nullptr) count_tested(s.surfaces, s.light_samples, *first_hits);
-        sample_area_shadow(world, light, s.surfaces, s.light_samples, s.area_shadow, s.shadow_rays, s.counts);
+        sample_area_shadow(world, light, s.surfaces, s.light_samples, s.area_shadow, s.shadow_rays,
+                           s.stepped_rays, s.counts, s.record);
         if (first_hits != nullptr) count_visible(s.surfaces, s.light_samples, s.area_shadow, *first_hits);
     }
     compute_highlights(world, s.surfaces, s.light_samples, s.highlights);
@@ -61,22 +62,38 @@ inline void light_surfaces(const WorldParts& world, const PreparedLight& light, 
     }
 }
 
+/// Traces rays of the light from all directions.
+inline void trace_sky_rays(const WorldParts& world, TileScratch& s) {
+    if (world.settings.shadows) {
+        find_sky_visibility(world, s.shadow_rays, s.stepped_rays);
+        s.counts.shadow += static_cast<std::uint64_t>(s.shadow_rays.count);
+    } else {
+        std::fill_n(s.shadow_rays.occluded.begin(), s.shadow_rays.count, std::uint8_t{0});
+    }
+    add_sky_rays(world, s.shadow_rays, s.sky);
+    if (s.record != nullptr) record_sky_rays(s.shadow_rays, s.sky, *s.record);
+}
+
 /// Runs the stages of the light from all directions.
 inline void light_from_sky(const WorldParts& world, TileScratch& s) {
-    const Vec3* const fixed = fixed_block(world, s.surfaces, s.pixel_sample);
-    const SampleGrid grid(world.occlusion->samples);
+    const int samples = world.occlusion->samples;
     sort_surfaces(s.surfaces, s.sky);
-    for (int sample = 0; sample < world.occlusion->samples; ++sample) {
-        make_sky_rays(world, grid, fixed, sample, s.sky, s.shadow_rays);
-        if (s.shadow_rays.count == 0) continue;
-        if (world.settings.shadows) {
-            intersect_shadow(world, s.shadow_rays);
-            s.counts.shadow += static_cast<std::uint64_t>(s.shadow_rays.count);
-        } else {
-            std::fill_n(s.shadow_rays.occluded.begin(), s.shadow_rays.count, std::uint8_t{0});
+    if (world.occlusion->method == OcclusionMethod::fixed) {
+        const Vec3* const fixed = fixed_block(world, s.surfaces, s.pixel_sample);
+        for (int sample = 0; sample < samples; ++sample) {
+            make_fixed_rays(world, fixed[sample], s.sky, s.shadow_rays);
+            trace_sky_rays(world, s);
         }
-        add_sky_sample(s.shadow_rays, s.sky);
-        if (s.record != nullptr) record_sky_rays(s.shadow_rays, s.sky, *s.record);
+    } else {
+        const SampleGrid grid(samples);
+        for (int first = 0; first < samples; first += k_sky_group_samples) {
+            make_hashed_rays(grid, first, number::min(first + k_sky_group_samples, samples), s.sky,
+                             s.sky_group);
+            for (int at = 0; at < s.sky_group.count; at += k_batch_size) {
+                take_hashed_rays(world, s.sky_group, at, s.sky, s.shadow_rays);
+                trace_sky_rays(world, s);
+            }
+        }
     }
     unsort_sky(s.sky);
     if (s.surfaces.generation == 0 && s.first_hits.wanted) count_sky(world, s.surfaces, s.sky, s.first_hits);

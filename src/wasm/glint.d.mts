@@ -207,6 +207,14 @@ export interface Blocker {
     point: Vec3;
 }
 
+/** A transparent surface that light passes. */
+export interface ShadowFilter {
+    shape: NamedItem & {kind: string};
+    distance: number;
+    point: Vec3;
+    factor: Vec3;
+}
+
 export interface LightTerms {
     light: NamedItem & {kind: LightKind; has_position: boolean; color: Vec3; specular_color: Vec3};
     /** Why it adds something, or nothing. */
@@ -219,7 +227,7 @@ export interface LightTerms {
     spot: number;
     /** Of a one-sided area light: the cosine off its normal. */
     emitter: number;
-    /** Of an area light that shines from its centre: the visible part. */
+    /** Of an area light that shines from its centre: the visible part; with colored shadows, the mean of `filter`. */
     visible: number;
     /** Of an area light each of whose samples is a light: row * samples_u + column. */
     sample?: number;
@@ -235,11 +243,11 @@ export interface LightTerms {
     specular: Vec3;
     /** The factor of the light that passes transparent surfaces on its way, and these surfaces from the point on. */
     filter?: Vec3;
-    filters?: {shape: NamedItem & {kind: string}; distance: number; point: Vec3; factor: Vec3}[];
+    filters?: ShadowFilter[];
     shadow_ray?: ShadowRay;
     blocker?: Blocker;
     /** Of an area light that shines from its centre: the samples to which shadow rays were traced. */
-    samples?: {sample: number; position: Vec3; blocked: boolean; shadow_ray: ShadowRay; blocker?: Blocker}[];
+    samples?: {sample: number; position: Vec3; blocked: boolean; shadow_ray: ShadowRay; blocker?: Blocker; filter?: Vec3; filters?: ShadowFilter[]}[];
 }
 
 export interface ExplainedSecondaryRay {
@@ -298,7 +306,7 @@ export interface ExplainedHit {
     reflected: ExplainedSecondaryRay;
     transmitted: ExplainedSecondaryRay;
     /** If the scene has occlusion: the light from all directions; part: the contribution to the pixel. */
-    occlusion?: {samples: number; blocked: number; factor: number; light: Vec3; part: Vec3; occluders: {shape: NamedItem; samples: number}[]};
+    occlusion?: {samples: number; blocked: number; factor: number; factors: Vec3; light: Vec3; part: Vec3; occluders: {shape: NamedItem; samples: number}[]};
 }
 
 export interface ExplainedRay {

@@ -95,7 +95,7 @@ TEST(Occlusion, DirectIsAFactorOfTheLights) {
     expect_same_picture(scaled, render_scene(scene));
 }
 
-Scene occlusion_mixture(OcclusionMethod method) {
+Scene occlusion_mixture(OcclusionMethod method, bool transparent = false) {
     Random random(43);
     Scene scene = random_scene(random, 60, 6);
     set_size(scene, 70, 50);
@@ -108,6 +108,7 @@ Scene occlusion_mixture(OcclusionMethod method) {
         m.mirror = i % 2 == 0 ? 0.4 : 0;
         m.transmission = i >= 2 ? 0.7 : 0;
         m.ior = i == 3 ? 1.4 : 1;
+        if (transparent && i == 1) m.filter = 0.5, m.transmit = 0.4, m.color = {0.9, 0.6, 0.3};
         add_material(scene, m);
     }
     for (std::size_t i = 0; i < scene.shapes.size(); ++i)
@@ -129,7 +130,7 @@ constexpr OcclusionMethod k_occlusion_methods[] = {OcclusionMethod::hashed, Occl
 TEST(Occlusion, CropsThreadsAndInstructionSets) {
     for (const OcclusionMethod method : k_occlusion_methods) {
         for (const bool adaptive : {false, true}) {
-            Scene scene = occlusion_mixture(method);
+            Scene scene = occlusion_mixture(method, !adaptive);
             if (adaptive) scene.settings.aa_threshold = 0.1;
             const std::optional<World> world = make_world(scene);
             const Image whole = render_world(*world);
@@ -169,7 +170,7 @@ TEST(Occlusion, HashedSamplesDifferBetweenPixels) {
 TEST(Occlusion, ExplainedAsDrawn) {
     for (const OcclusionMethod method : k_occlusion_methods) {
         for (const bool fog : {false, true}) {
-            Scene scene = occlusion_mixture(method);
+            Scene scene = occlusion_mixture(method, fog);
             if (fog) scene.fog = Fog{FogKind::exp, {0.5, 0.6, 0.7}, 0.06, 5, 0, 0.05};
             const std::optional<World> world = make_world(scene);
             RenderOptions options;

@@ -90,6 +90,7 @@ function Light({terms, hit, ray, index}: {terms: LightTerms; hit: ExplainedHit; 
             {terms.spot !== 1 && <Term name="spot" place={light} value={short(terms.spot)} />}
             {terms.emitter !== 1 && <Term name="emitter’s cosine" place={light} value={short(terms.emitter)} />}
             {terms.filters?.slice(0, 12).map(({shape, distance, factor}, i) => <Term key={i} name="passes" place={shape} formula={`${itemName(shape)}, ${short(distance)} away: times`} value={shortColor(factor)} />)}
+            {terms.filter && !terms.filters && <Term name="filter" place={light} formula="transparent surfaces color the light: times" value={shortColor(terms.filter)} />}
             {terms.samples && <Term name="visible" place={light} formula={`${terms.samples.filter((s) => !s.blocked).length} of ${terms.samples.length} samples`} value={short(terms.visible)} />}
             <Term name="N·L" place={light} value={short(terms.n_l)} />
             <Term name={isPhong ? 'R·V' : 'N·H'} place={light} value={short(terms.s)} />
