@@ -429,7 +429,7 @@ export interface Scene {
     renderPixels(x: number, y: number, width: number, height: number): {pixels: Bytes; rays: number};
     /**
      * The same, and layers of the rectangle (`glint render --help` lists them): "depth" has one float for each pixel, "albedo" and
-     * "normal" have three. Throws also for unknown and repeated names.
+     * "normal" have three, and so has "light:2", the picture with the second light alone. Throws also for unknown and repeated names.
      */
     renderLayers<Name extends string>(names: Name[], x: number, y: number, width: number, height: number):
         {pixels: Bytes; rays: number; layers: Record<Name, Floats>};
