@@ -123,6 +123,15 @@ HWY_INLINE Doubles mirror_of(const WorldParts& world, const MaterialLanes& mater
                          incidence(load_vector3(surfaces.normal, h), load_vector3(surfaces.incoming, h)));
 }
 
+/// The factor of diffuse light and of the light from all directions, if the world uses outlines; else 1.
+HWY_INLINE Doubles outline_of(const WorldParts& world, const MaterialLanes& material,
+                              const SurfaceBatch& surfaces, int h) {
+    if (!world.uses<&Material::outline>()) return Doubles(1);
+    const ExtendedLanes extended(world, material);
+    return outline_factor(extended.value<&Material::outline>(), extended.value<&Material::outline_width>(),
+                          incidence(load_vector3(surfaces.normal, h), load_vector3(surfaces.incoming, h)));
+}
+
 /// The color of what the mirror shows.
 template <bool plain = false>
 HWY_INLINE Vector3<Doubles> mirror_tint_of(const WorldParts& world, const MaterialLanes& material,

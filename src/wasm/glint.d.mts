@@ -275,6 +275,8 @@ export interface ExplainedHit {
         mirror_metallic: number;
         filter: number;
         transmit: number;
+        outline: number;
+        outline_width: number;
     };
     point: Vec3;
     normal: Vec3;
@@ -294,6 +296,8 @@ export interface ExplainedHit {
     /** Of a transparent surface (filter, transmit). */
     opacity?: number;
     highlight_share?: number;
+    /** Of a surface with an outline: the factor of its diffuse light, and of the light from all directions. */
+    outline?: number;
     fresnel: number;
     reflected: ExplainedSecondaryRay;
     transmitted: ExplainedSecondaryRay;
