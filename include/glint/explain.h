@@ -98,7 +98,7 @@ struct ExplainedOcclusion {
     double factor = 1;       ///< f; if transparent surfaces color the light, the mean over the channels
     Color factors{1, 1, 1};  ///< f by channel
     Color light;             ///< k_d color f
-    Color part;              ///< added to the pixel: `light` times weight and local_share
+    Color part;              ///< added to the pixel: `light` times weight, local_share and outline
     struct Occluder {
         std::uint32_t shape = k_none;  ///< in Scene::shapes
         int samples = 0;               ///< of which it is the nearest occluder
@@ -119,7 +119,8 @@ struct ExplainedHit {
     double local_share = 1;
     Color ambient;                   ///< k_a I_a; for shading color or normals, the shown colour
     std::vector<LightTerms> lights;  ///< in scene order, without ambient lights
-    Color diffuse, specular;         ///< sums over the lights
+    double outline = 1;              ///< the factor of the outline (Material::outline)
+    Color diffuse, specular;         ///< sums over the lights; the diffuse one times `outline`
     Color emission;                  ///< k_e
     /// Added to the pixel: ambient, diffuse, specular and emission times weight and local_share.
     Color parts[4];

@@ -13,11 +13,16 @@
 
 namespace glint {
 
-/// The first eight are light: their sum, as floats and in this order, is exactly the picture. Light seen in a
+struct Scene;
+
+/// The first nine are light: their sum, as floats and in this order, is exactly the picture. Light seen in a
 /// mirror belongs to reflection, light seen through glass to transmission; the first secondary ray of the
 /// path decides. The other layers but shadow, occlusion and alpha describe the first hit of the pixel's
 /// middle sample (row and column n / 2 of n).
-enum class Layer : std::uint8_t {
+///
+/// Beyond the layers of layer_infos(), each light has a layer (light_layer()): the picture with this light
+/// alone. It takes a render of its own.
+enum class Layer : std::uint32_t {
     background,
     ambient,
     diffuse,
@@ -36,6 +41,8 @@ enum class Layer : std::uint8_t {
     object,     ///< index in Scene::shapes + 1 (exact up to 2^24); 0: no hit
     material,   ///< index in Scene::materials + 1, their number + 1 for the default; 0: no hit
     alpha,      ///< 1 - the part of the pixel that shows the background, directly or through glass; 0 to 1
+
+    no_light = 0xffff,  ///< the picture without lights: background, emission, light from all directions, fog
 };
 inline constexpr int k_light_layers = 9, k_layers = 18;
 
@@ -45,9 +52,34 @@ struct LayerInfo {
     std::string_view channels;  ///< one letter per channel: "RGB", "XYZ", "Z" ...
     std::string_view description;
 };
-/// All layers, in the order of Layer.
+/// All layers but those of lights, in the order of Layer.
 GLINT_API std::span<const LayerInfo> layer_infos();
+/// The layer of this name; of a light by its number, counted from 1, as "light:2". "light:none" is no_light.
 GLINT_API std::optional<Layer> find_layer(std::string_view name);
+/// The same, and of a light of the scene by its name, as "light:lamp": the first one of this name. Nothing if
+/// the scene has no such light.
+GLINT_API std::optional<Layer> find_layer(std::string_view name, const Scene& scene);
+
+/// The picture with light number `light` of Scene::lights alone: all other lights, the background, the
+/// emission, the light from all directions and the fog's color are black. The layers of all lights and
+/// no_light add up to the picture, but for rounding: within 1e-5 of it, times the largest value of a layer
+/// where that is above 1. light < k_max_light_layers.
+constexpr Layer light_layer(std::uint32_t light) { return static_cast<Layer>(0x10000 + light); }
+inline constexpr std::uint32_t k_max_light_layers = 0x7fff0000;
+/// Whether the layer is one of light_layer(), or no_light.
+constexpr bool is_light_layer(Layer layer) {
+    const auto number = static_cast<std::uint32_t>(layer);
+    return number >= 0xffff && number < 0x10000 + k_max_light_layers;
+}
+/// The index in Scene::lights of a light_layer(); nothing for others.
+constexpr std::optional<std::uint32_t> light_of(Layer layer) {
+    if (!is_light_layer(layer) || layer == Layer::no_light) return std::nullopt;
+    return static_cast<std::uint32_t>(layer) - 0x10000;
+}
+/// "ambient", "light:2"; empty if there is no such layer.
+GLINT_API std::string layer_name(Layer layer);
+/// LayerInfo::channels; of lights "RGB"; empty if there is no such layer.
+GLINT_API std::string_view layer_channels(Layer layer);
 
 /// One layer: `channels` floats per pixel, row by row from the top.
 struct LayerImage {

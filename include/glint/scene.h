@@ -266,6 +266,11 @@ struct Material {
     double filter = 0;    ///< 0 to 1; with `transmit` at most 1; only if `transmission` is 0
     double transmit = 0;  ///< 0 to 1: not tinted; Tachyon's 1 - opacity
 
+    // An outline, as in drawings (Tachyon): diffuse light and that from all directions are multiplied by
+    // 1 - outline + outline (1 - (1 - c^2)^(32 (1 - outline_width))), with the cosine c of ray and normal.
+    double outline = 0;        ///< 0 to 1: how dark it is
+    double outline_width = 0;  ///< 0 to 1: all of the surface; only if outline > 0
+
     constexpr bool is_transparent() const { return filter > 0 || transmit > 0; }
 };
 

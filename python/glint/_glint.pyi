@@ -138,6 +138,8 @@ class Material:
         mirror_metallic: float = ...,
         filter: float = ...,
         transmit: float = ...,
+        outline: float = ...,
+        outline_width: float = ...,
     ) -> None: ...
     name: str
     color: _ColorField
@@ -162,6 +164,8 @@ class Material:
     mirror_metallic: float
     filter: float
     transmit: float
+    outline: float
+    outline_width: float
     def __eq__(self, other: object) -> bool: ...
     def __copy__(self) -> Material: ...
     def __deepcopy__(self, memo: Dict[Any, Any]) -> Material: ...

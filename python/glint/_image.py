@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import os
-from typing import Any, Dict, Iterator, List, Mapping, Optional, Tuple, Union
+from typing import Any, Dict, Iterator, List, Mapping, Optional, Sequence, Tuple, Union
 
 import numpy as np
 import numpy.typing as npt
@@ -16,11 +16,12 @@ PathLike = Union[str, "os.PathLike[str]"]
 
 
 class _Layers(Mapping[str, FloatArray]):
-    def __init__(self, rendering: _glint.Rendering) -> None:
+    def __init__(self, rendering: _glint.Rendering, asked: Mapping[str, str]) -> None:
         self._rendering = rendering
+        self._asked = asked
 
     def __getitem__(self, name: str) -> FloatArray:
-        return self._rendering.layer(name)
+        return self._rendering.layer(self._asked.get(name, name))
 
     def __iter__(self) -> Iterator[str]:
         return iter(self._rendering.layer_names())
@@ -39,10 +40,14 @@ class Image:
     def __init__(self, picture: Any) -> None:
         self._rendering = _glint.Rendering(_to_array(picture))
 
+    # The layers as render() was asked for them: a light's by its name, too.
+    _asked: Mapping[str, str] = {}
+
     @classmethod
-    def _of(cls, rendering: _glint.Rendering) -> Image:
+    def _of(cls, rendering: _glint.Rendering, asked: Sequence[str] = ()) -> Image:
         image = cls.__new__(cls)
         image._rendering = rendering
+        image._asked = dict(zip(asked, rendering.layer_names()))
         return image
 
     @classmethod
@@ -76,12 +81,13 @@ class Image:
 
     @property
     def layers(self) -> Mapping[str, FloatArray]:
-        """The layers that render(aov=...) was asked for, by name: views of (height, width, channels)."""
-        return _Layers(self._rendering)
+        """The layers that render(aov=...) was asked for, by name: views of (height, width, channels). That of a
+        light is called by its number, as 'light:2', and by the name that render() was given."""
+        return _Layers(self._rendering, self._asked)
 
     def viewable(self, layer: str) -> Image:
         """A layer as a picture to look at: normals as colors, depth from white to dark."""
-        return Image._of(self._rendering.viewable(layer))
+        return Image._of(self._rendering.viewable(self._asked.get(layer, layer)))
 
     @property
     def rays(self) -> Dict[str, int]:
@@ -125,7 +131,9 @@ class Image:
     __hash__ = None  # type: ignore[assignment]
 
     def __copy__(self) -> Image:
-        return Image._of(self._rendering.copy())
+        image = Image._of(self._rendering.copy())
+        image._asked = self._asked
+        return image
 
     def __deepcopy__(self, memo: Dict[int, Any]) -> Image:
         return self.__copy__()

@@ -307,9 +307,10 @@ class Scene:
         the end; shading: 'phong', 'blinn-phong', 'diffuse', 'color' or 'normals'; reflections: the largest number
         in succession; alpha: True for a transparent background, which PNG and EXR files then have (the layer
         'alpha' is added to aov); seed: another number samples other places; convention: changes for this picture
-        alone; aov: names of layers, or 'all'; crop: (width, height, x, y), a part of the picture; threads: 0 for
-        all, which changes nothing in the picture. progress: True for a bar, or a function that is called with the
-        fraction done. Ctrl-C stops it.
+        alone; aov: names of layers, or 'all'; 'light:NAME', or 'light:2' for scene.lights[1], is the picture with
+        this light alone; crop: (width, height, x, y), a part of the picture; threads: 0 for all, which changes
+        nothing in the picture. progress: True for a bar, or a function that is called with the fraction done.
+        Ctrl-C stops it.
         """
         settings = to_list(
             dict(
@@ -328,7 +329,7 @@ class Scene:
             aov = aov.split(",")
         with reporting(progress) as report:
             return Image._of(
-                self._state.render(settings, list(aov), crop, threads, isa, report)
+                self._state.render(settings, list(aov), crop, threads, isa, report), list(aov)
             )
 
     def cast(

@@ -59,15 +59,27 @@ void load_texts(SceneState& state,
     state.warn_once(warnings);
 }
 
-std::vector<Layer> layers_of(const std::vector<std::string>& names) {
+std::string lights_text(const Scene& scene) {
+    std::string known;
+    for (std::uint32_t i = 0; i < scene.lights.size(); ++i) {
+        const std::string_view name = scene.light_texts.name(i);
+        known += (known.empty() ? "" : ", ") + std::to_string(i + 1);
+        if (!name.empty()) known += " (" + std::string(name) + ")";
+    }
+    return known.empty() ? "the scene has no lights" : "there are " + known;
+}
+
+std::vector<Layer> layers_of(const std::vector<std::string>& names, const Scene& scene) {
     std::vector<Layer> layers;
     for (const std::string& name : names) {
-        const auto layer = find_layer(name);
+        const auto layer = find_layer(name, scene);
+        if (!layer && name.starts_with("light:"))
+            throw py::value_error("there is no light '" + name.substr(6) + "'; " + lights_text(scene));
         if (!layer) {
             std::string known;
             for (const LayerInfo& info : layer_infos())
                 known += (known.empty() ? "" : ", ") + std::string(info.name);
-            throw py::value_error("there is no layer '" + name + "'; there are " + known);
+            throw py::value_error("there is no layer '" + name + "'; there are " + known + ", light:NAME");
         }
         layers.push_back(*layer);
     }
@@ -79,7 +91,7 @@ std::shared_ptr<Rendering> render_scene(SceneState& state, const SettingList& se
                                         const std::optional<std::array<std::int32_t, 4>>& crop, int threads,
                                         const std::string& isa, const py::object& progress) {
     RenderOptions options;
-    options.layers = layers_of(layers);
+    options.layers = layers_of(layers, state.scene());
     if (crop) options.crop = Crop{(*crop)[0], (*crop)[1], (*crop)[2], (*crop)[3]};
     options.threads = threads;
     options.isa = isa;

@@ -74,11 +74,9 @@ py::bytes encoded(const Rendering& r, const std::string& format, int bits,
     return to_bytes(value_or_raise(std::move(result)));
 }
 
-std::string_view name_of(Layer layer) { return layer_infos()[static_cast<std::size_t>(layer)].name; }
-
 const LayerImage& layer_named(const Rendering& r, const std::string& name) {
     for (const LayerImage& layer : r.layers)
-        if (name_of(layer.layer) == name) return layer;
+        if (layer_name(layer.layer) == name) return layer;
     throw py::key_error("the picture was rendered without the layer '" + name + "'");
 }
 
@@ -119,7 +117,7 @@ void bind_rendering(py::module_& m) {
         .def("layer_names",
              [](const Rendering& r) {
                  std::vector<std::string> names;
-                 for (const LayerImage& layer : r.layers) names.emplace_back(name_of(layer.layer));
+                 for (const LayerImage& layer : r.layers) names.push_back(layer_name(layer.layer));
                  return names;
              })
         .def("layer",

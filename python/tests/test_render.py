@@ -110,6 +110,20 @@ def test_layers(scene):
     assert list(scene.render(aov="depth,normal").layers) == ["depth", "normal"]
 
 
+def test_one_light_alone(scene):
+    scene.lights[0].name = "lamp"
+    aov = ["light:none", "light:lamp"] + [f"light:{i + 2}" for i in range(len(scene.lights) - 1)]
+    image = scene.render(aov=aov)
+    assert image == scene.render()
+    names = list(image.layers)
+    assert names == ["light:none"] + [f"light:{i + 1}" for i in range(len(scene.lights))]
+    assert np.allclose(sum(image.layers[name] for name in names), image.array, atol=1e-5)
+    assert np.array_equal(image.layers["light:lamp"], image.layers["light:1"])
+    assert np.array_equal(image.viewable("light:lamp").array, image.layers["light:1"])
+    with pytest.raises(ValueError, match=r"no light 'lam'; there are 1 \(lamp\)"):
+        scene.render(aov="light:lam")
+
+
 def test_files(scene, tmp_path):
     image = scene.render()
     image.save(tmp_path / "a.tga")

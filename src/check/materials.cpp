@@ -55,6 +55,10 @@ void check_finish(CheckContext& context, std::uint32_t index) {
     if ((m.mirror_falloff > 0 || m.mirror_metallic > 0) && !mirrors)
         report(m.mirror_falloff > 0 ? "`mirror_falloff`" : "`mirror_metallic`", "it is no mirror",
                "give it a mirror");
+    if (m.outline > 0 && brightest(m.diffuse) == 0)
+        report("an outline", "no diffuse light", "give it a diffuse coefficient");
+    if (m.outline_width > 0 && m.outline == 0)
+        report("`outline_width`", "outline is 0", "give it an outline, such as 0.8");
     if (m.mirror_min > 0 && !(m.mirror_falloff > 0))
         report("`mirror_min`", "mirror_falloff is 0", "give it a mirror_falloff, such as 1");
 }

@@ -11,6 +11,7 @@
 #include "cli/commands.h"
 #include "cli/explain_text.h"
 #include "cli/failure.h"
+#include "cli/light_argument.h"
 #include "cli/output_file.h"
 #include "cli/picture_arguments.h"
 #include "cli/render_or_fail.h"
@@ -73,23 +74,6 @@ int sample_of(const ExplainArguments& arguments, int n) {
     return sample.y * n + sample.x;
 }
 
-// Finds a light by its name, or by its number in the scene, counted from 1.
-std::uint32_t find_light(const std::string& text, const Scene& scene) {
-    const auto count = static_cast<std::uint32_t>(scene.lights.size());
-    for (std::uint32_t i = 0; i < count; ++i) {
-        if (scene.light_texts.name(i) == text) return i;
-    }
-    std::uint32_t number = 0;
-    const auto read = std::from_chars(text.data(), text.data() + text.size(), number);
-    if (read.ec == std::errc() && read.ptr == text.data() + text.size() && number >= 1 && number <= count)
-        return number - 1;
-    std::string known;
-    for (std::uint32_t i = 0; i < std::min(count, 20u); ++i)
-        known += fmt::format("\n  {}: {}", i + 1, light_text(scene, i));
-    throw Failure(k_usage, fmt::format("--why-not: there is no light '{}'; there {} {}{}", text,
-                                       count == 1 ? "is" : "are", counted(count, "light"), known));
-}
-
 int explain_command(ExplainArguments& arguments) {
     if (!arguments.why_not.empty() && arguments.form != "text")
         throw Failure(k_usage, fmt::format("--why-not prints text only, not {}", arguments.form));
@@ -110,7 +94,7 @@ int explain_command(ExplainArguments& arguments) {
     style.file = encoding_of(arguments.numbers, scene.conventions.byte_rule());
     style.sample = sample_of(arguments, scene.settings.samples);
     std::optional<std::uint32_t> light;
-    if (!arguments.why_not.empty()) light = find_light(arguments.why_not, scene);
+    if (!arguments.why_not.empty()) light = find_light("--why-not", arguments.why_not, scene);
 
     const Result<World> prepared = prepare(scene);
     add_warnings(loaded.warnings, prepared.diagnostics);

@@ -258,6 +258,9 @@ class Tree {
             line(depth + 1,
                  fmt::format("emission k_e = {}{}", color(hit.emission), swatch(style_, hit.emission)));
         if (hit.occlusion) add_occlusion(*hit.occlusion, depth + 1);
+        if (hit.outline != 1)
+            line(depth + 1, fmt::format("outline: diffuse light{} times {} at this angle",
+                                        hit.occlusion ? " and sky" : "", number(hit.outline)));
         const Color sum = hit.ambient + hit.diffuse + hit.specular + hit.emission;
         line(depth + 1, fmt::format("sum: ambient {} + diffuse {} + specular {}{} = {}{}", color(hit.ambient),
                                     color(hit.diffuse), color(hit.specular),

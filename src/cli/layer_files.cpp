@@ -8,6 +8,7 @@
 
 #include "base/text.h"
 #include "cli/failure.h"
+#include "cli/light_argument.h"
 #include "cli/strip_file.h"
 #include "cli/text.h"
 #include "image/layer_preview.h"
@@ -21,7 +22,18 @@ std::vector<std::string_view> layer_names() {
     return names;
 }
 
-std::vector<Layer> parse(const std::string& aov) {
+constexpr std::string_view k_light = "light:";
+
+// A layer of a light; without a scene, any.
+Layer light_layer_of(const std::string& word, const Scene* scene) {
+    const std::string light = word.substr(k_light.size());
+    if (light.empty())
+        throw Failure(k_usage, "--aov: expected the name or the number of a light after 'light:'");
+    if (scene == nullptr || light == "none") return Layer::no_light;
+    return light_layer(find_light("--aov", light, *scene));
+}
+
+std::vector<Layer> parse(const std::string& aov, const Scene* scene) {
     std::vector<Layer> layers;
     if (aov == "all") {
         for (const LayerInfo& info : layer_infos()) layers.push_back(info.layer);
@@ -35,10 +47,10 @@ std::vector<Layer> parse(const std::string& aov) {
             throw Failure(k_usage,
                           fmt::format("--aov '{}': expected layer names separated by commas, found {}", aov,
                                       aov.empty() ? "nothing" : "an empty name"));
-        const auto layer = find_layer(word);
+        const auto layer = word.starts_with(k_light) ? light_layer_of(word, scene) : find_layer(word);
         if (!layer)
-            throw Failure(k_usage, fmt::format("--aov: there is no layer {}{}, or all", glint::quoted(word),
-                                               suggestion(word, layer_names())));
+            throw Failure(k_usage, fmt::format("--aov: there is no layer {}{}, light:NAME, or all",
+                                               glint::quoted(word), suggestion(word, layer_names())));
         if (std::find(layers.begin(), layers.end(), *layer) == layers.end()) layers.push_back(*layer);
     }
     return layers;
@@ -46,7 +58,8 @@ std::vector<Layer> parse(const std::string& aov) {
 
 // Gamma and the transfer curve apply to light only, not to normals and other numbers.
 EncodeOptions encoding_of(Layer layer, EncodeOptions encoding) {
-    const bool is_light = static_cast<int>(layer) < k_light_layers || layer == Layer::albedo;
+    const bool is_light =
+        static_cast<int>(layer) < k_light_layers || layer == Layer::albedo || is_light_layer(layer);
     if (!is_light) encoding.set_rule({.rounding = encoding.rounding});
     return encoding;
 }
@@ -57,14 +70,19 @@ void add_layer_argument(CLI::App& command, std::optional<std::string>& aov) {
     command
         .add_option(
             "--aov", aov,
-            fmt::format("Also write these layers, separated by commas: {}; or all. OpenEXR: as parts of "
-                        "the file; PNG and PPM: as separate files, such as castle.normal.png",
+            fmt::format("Also write these layers, separated by commas: {}; or all. light:NAME, or "
+                        "light:2: the picture with this light alone; light:none: without lights. OpenEXR: as "
+                        "parts of the file; PNG and PPM: as separate files, such as castle.normal.png",
                         joined(layer_names())))
         ->option_text("LAYERS");
 }
 
-std::vector<Layer> parse_layers(const std::optional<std::string>& aov) {
-    return aov ? parse(*aov) : std::vector<Layer>{};
+std::vector<Layer> parse_layers(const std::optional<std::string>& aov, const Scene* scene) {
+    return aov ? parse(*aov, scene) : std::vector<Layer>{};
+}
+
+bool has_light_layers(const std::vector<Layer>& layers) {
+    return std::any_of(layers.begin(), layers.end(), is_light_layer);
 }
 
 LayerFiles::LayerFiles(std::vector<Layer> wanted, const std::string& picture, FileFormat format,
@@ -75,9 +93,9 @@ LayerFiles::LayerFiles(std::vector<Layer> wanted, const std::string& picture, Fi
         throw Failure(k_usage, "--aov: standard output holds one picture; name a file with --output");
     const std::string ending = extension(picture), base = picture.substr(0, picture.size() - ending.size());
     for (const Layer layer : wanted_) {
-        files_.emplace_back(
-            "--aov",
-            fmt::format("{}.{}{}", base, layer_infos()[static_cast<std::size_t>(layer)].name, ending));
+        std::string name = layer_name(layer);
+        std::replace(name.begin(), name.end(), ':', '-');  // Windows and scp give colons a meaning
+        files_.emplace_back("--aov", fmt::format("{}.{}{}", base, name, ending));
     }
 }
 
@@ -90,8 +108,7 @@ void LayerFiles::leave_out(Layer layer) {
 
 double LayerFiles::bytes_a_pixel() const {
     double floats = 3;
-    for (const Layer layer : wanted_)
-        floats += static_cast<double>(layer_infos()[static_cast<std::size_t>(layer)].channels.size());
+    for (const Layer layer : wanted_) floats += static_cast<double>(layer_channels(layer).size());
     // An OpenEXR file of the layers is built in memory, and may be as large as they are.
     return floats * sizeof(float) * (files_.empty() && !wanted_.empty() ? 2 : 1);
 }

@@ -16,8 +16,10 @@ namespace glint::cli {
 /// Adds --aov.
 void add_layer_argument(CLI::App& command, std::optional<std::string>& aov);
 
-/// The layers of --aov: names separated by commas, or `all`; none: no layers. Throws Failure.
-std::vector<Layer> parse_layers(const std::optional<std::string>& aov);
+/// The layers of --aov: names separated by commas, or `all`; none: no layers. Before the scene is known
+/// (null), each light is no_light. Throws Failure.
+std::vector<Layer> parse_layers(const std::optional<std::string>& aov, const Scene* scene);
+bool has_light_layers(const std::vector<Layer>& layers);
 
 /// The files of layers; checked before rendering begins.
 class LayerFiles {
@@ -26,7 +28,7 @@ class LayerFiles {
     LayerFiles() = default;
 
     /// In an OpenEXR file layers are parts of the file; with a PNG or PPM `castle.png` they are the files
-    /// `castle.normal.png` and so on. Throws Failure.
+    /// `castle.normal.png`, `castle.light-2.png` and so on. Throws Failure.
     LayerFiles(std::vector<Layer> wanted, const std::string& picture, FileFormat format, bool is_stream);
 
     const std::vector<Layer>& wanted() const { return wanted_; }

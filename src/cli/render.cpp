@@ -87,7 +87,8 @@ int render_command(RenderArguments& arguments, const RenderHooks& hooks) {
     const auto start = Clock::now();
     check_scenes(arguments.scene);
     RenderOptions options;
-    options.layers = parse_layers(arguments.aov);
+    options.layers = parse_layers(arguments.aov, nullptr);
+    const bool names_lights = has_light_layers(options.layers);
     options.threads = arguments.threads;
     options.isa = arguments.isa;
     std::optional<RenderTarget> target;
@@ -95,7 +96,7 @@ int render_command(RenderArguments& arguments, const RenderHooks& hooks) {
     if (hooks.is_writer) {
         target.emplace(arguments);
         if (!arguments.stats.empty()) stats.emplace("--stats", arguments.stats);
-        target->set_layers(options.layers);
+        if (!names_lights) target->set_layers(options.layers);
     } else {
         arguments.quiet = true;
     }
@@ -106,6 +107,8 @@ int render_command(RenderArguments& arguments, const RenderHooks& hooks) {
     TextReader disk;
     LoadedScene loaded = load_scene(arguments.scene, hooks.reader != nullptr ? *hooks.reader : disk);
     times.load = seconds_since(start);
+    if (names_lights) options.layers = parse_layers(arguments.aov, &loaded.scene);
+    if (names_lights && target) target->set_layers(options.layers);
     if (loaded.scene.settings.alpha) {
         put_alpha_last(options.layers);
         if (target) target->set_alpha();

@@ -190,6 +190,7 @@ Json hit_json(const Scene& scene, const ExplainedHit& hit) {
         json["opacity"] = hit.opacity;
         json["highlight_share"] = hit.highlight_share;
     }
+    if (hit.outline != 1) json["outline"] = hit.outline;
     if (hit.occlusion) json["occlusion"] = occlusion_json(scene, *hit.occlusion);
     return json;
 }

@@ -40,7 +40,6 @@ enum class TachyonShader : std::uint8_t { full, medium, low, lowest };
 /// Rules of Tachyon's that glint has only a part of, or none; in the order of k_limit_texts.
 enum class TachyonLimit : std::uint8_t {
     raster3d,
-    outline,
     fogged_light,
     winding,
     vertex_colors,

@@ -18,7 +18,6 @@ constexpr double k_min_contribution = 0.001959;
 
 constexpr std::string_view k_limit_texts[] = {
     "glint does not render opacity that depends on the angle (Raster3D): it is constant here",
-    "glint does not render outlines (Outline)",
     "the spheres of lights are in the fog here; in Tachyon they are not",
     "the normals of this triangle are on the other side of its winding: Tachyon lights it from behind, glint "
     "from "
@@ -42,6 +41,8 @@ Material material_of(const TachyonTexture& t, const TachyonState& state) {
     m.tinted_highlight = !t.is_metal;
     m.shininess = t.phong_size;
     m.mirror = t.specular > k_min_contribution ? t.specular : 0;
+    m.outline = t.outline;
+    m.outline_width = t.outline > 0 ? t.outline_width : 0;
     m.transmit = t.opacity < 1 - k_min_contribution ? 1 - t.opacity : 0;
     return m;
 }
@@ -110,7 +111,6 @@ void finish_tachyon(LoadState& reading) {
     const auto drop = [&](TachyonLimit which, bool matters) {
         if (!matters) state.limit(which).reset();
     };
-    drop(TachyonLimit::outline, is_shaded);
     drop(TachyonLimit::winding, is_shaded);
     drop(TachyonLimit::box_normals, is_shaded);
     drop(TachyonLimit::normal_lengths, is_shaded);

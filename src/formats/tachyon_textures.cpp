@@ -82,7 +82,6 @@ std::uint32_t TachyonReader::material_of(const TachyonTexture& texture, const To
         scene_.materials.emplace_back();
         state_.textures.emplace_back(at->second, texture);
         if (texture.fades_at_angles && texture.opacity < 1) note_limit(TachyonLimit::raster3d, place);
-        if (texture.outline > 0) note_limit(TachyonLimit::outline, place);
     }
     return at->second;
 }

@@ -2,6 +2,7 @@
 // Selects the encoder.
 #include <algorithm>
 #include <cstddef>
+#include <set>
 #include <utility>
 
 #include "base/parallel_for.h"
@@ -39,17 +40,13 @@ std::string alpha_fault(const Image& image, std::span<const float> alpha) {
 }
 
 std::string layers_fault(const Image& picture, std::span<const LayerImage> layers) {
-    bool seen[k_layers] = {};
+    std::set<Layer> seen;
     for (const LayerImage& layer : layers) {
         if (std::string wrong = layer_fault(layer); !wrong.empty()) return wrong;
         if (layer.width != picture.width || layer.height != picture.height)
             return "a layer has not the picture's size";
-        bool& is_there = seen[static_cast<std::size_t>(layer.layer)];
-        if (is_there) {
-            const std::string_view name = layer_infos()[static_cast<std::size_t>(layer.layer)].name;
-            return "the layer '" + std::string(name) + "' is there twice";
-        }
-        is_there = true;
+        if (!seen.insert(layer.layer).second)
+            return "the layer '" + layer_name(layer.layer) + "' is there twice";
     }
     return {};
 }

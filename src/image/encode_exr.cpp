@@ -125,9 +125,8 @@ class ExrPartsEncoder : public PartsEncoder {
         };
         add("beauty", channels_.front());
         for (const Layer layer : layers) {
-            const LayerInfo& info = layer_infos()[static_cast<std::size_t>(layer)];
-            channels_.push_back(info.channels);
-            add(info.name, info.channels);
+            channels_.push_back(layer_channels(layer));
+            add(layer_name(layer), channels_.back());
         }
         file_.emplace(stream_, headers.data(), static_cast<int>(headers.size()), false, 0);
     }

@@ -48,7 +48,7 @@ std::string layer_list(const std::vector<Layer>& layers) {
     std::string text;
     for (const Layer layer : layers) {
         if (!text.empty()) text += ',';
-        text += layer_infos()[static_cast<std::size_t>(layer)].name;
+        text += layer_name(layer);
     }
     return text;
 }
@@ -129,9 +129,7 @@ std::size_t JournalHeader::floats_of_pixel() const {
     return floats;
 }
 
-std::size_t JournalHeader::channels_of_layer(std::size_t i) const {
-    return layer_infos()[static_cast<std::size_t>(layers[i])].channels.size();
-}
+std::size_t JournalHeader::channels_of_layer(std::size_t i) const { return layer_channels(layers[i]).size(); }
 
 std::uint32_t journal_checksum(std::string_view bytes) {
     return static_cast<std::uint32_t>(

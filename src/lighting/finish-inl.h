@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The formulas of POV-Ray's finishes (measured; docs/lighting.md): brilliance, metals, and mirrors that
-// depend on the angle. Pure functions.
+// depend on the angle; and of Tachyon's outlines. Pure functions.
 #if defined(GLINT_LIGHTING_FINISH_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLINT_LIGHTING_FINISH_INL_H_
 #undef GLINT_LIGHTING_FINISH_INL_H_
@@ -39,6 +39,14 @@ template <class T> HWY_INLINE Vector3<T> metal_tint(Vector3<T> color, T metallic
 template <class T> HWY_INLINE T angled_mirror(T least, T most, T falloff, T cosine) {
     const T power = pow(max(T(1) - cosine, T(0)), falloff);
     return select(falloff == T(0), most, least + (most - least) * power);
+}
+
+/// The factor of diffuse light on a surface with an outline, whose normal has this cosine, 0 to 1, with the
+/// ray: 1 - outline + outline (1 - (1 - cosine^2)^(32 (1 - width))) (Tachyon, measured). Exactly 1 if outline
+/// is 0.
+template <class T> HWY_INLINE T outline_factor(T outline, T width, T cosine) {
+    const T edge = T(1) - pow(max(T(1) - cosine * cosine, T(0)), (T(1) - width) * T(32));
+    return (T(1) - outline) + outline * edge;
 }
 
 }  // namespace HWY_NAMESPACE

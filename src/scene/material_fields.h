@@ -80,6 +80,10 @@ inline constexpr ItemField<Material> k_material_fields[] = {
      "transparency without refraction: the part of the light from behind that the color tints"},
     {"transmit", "transmit", "transmit", number_field(&Material::transmit, k_fraction),
      "the part that is not tinted"},
+    {"outline", "outline", "outline", number_field(&Material::outline, k_fraction),
+     "how dark diffuse light is where the surface turns away from the ray"},
+    {"outline_width", "outline_width", "width of the outline",
+     number_field(&Material::outline_width, k_fraction), "from 0, a thin outline, to 1, the whole surface"},
 };
 
 /// A key of .glint that gives a field as a factor of the color.

@@ -18,10 +18,11 @@ namespace HWY_NAMESPACE {
 constexpr int k_compared = 4;
 
 /// Traces n x n samples of the listed pixels, and writes their colours to `rgb`, one after the other.
-inline void trace_listed(const WorldParts& world, const TileJob& job, int n, TileScratch& s, float* rgb) {
-    if (!trace_samples(world, job, &s.pixels, n, s))
+inline void trace_listed(const WorldParts& world, const TileJob& job, const PixelList& pixels, int n,
+                         TileScratch& s, float* rgb) {
+    if (!trace_samples(world, job, &pixels, n, s))
         add_misses(world, s.rays, s.hits, {0, s.hits.count}, s.film);
-    resolve_row(s.film, static_cast<double>(n) * n, 0, s.pixels.count, rgb);
+    resolve_row(s.film, static_cast<double>(n) * n, 0, pixels.count, rgb);
 }
 
 /// The tile and the pixels around it.
@@ -99,7 +100,7 @@ inline void trace_border(const WorldParts& world, const TileJob& job, const OneS
     colors.for_each_on_border([&](int x, int y) { s.pixels.add(job.x + x, job.y + y); });
     if (s.pixels.count == 0) return;
     float rgb[3 * 4 * k_tile_side];
-    trace_listed(world, job, 1, s, rgb);
+    trace_listed(world, job, s.pixels, 1, s, rgb);
     std::size_t p = 0;
     colors.for_each_on_border([&](int x, int y) {
         colors.set(x, y, rgb + 3 * p, world.settings.alpha ? alpha_value(s.film, p, 1) : 0);
@@ -107,18 +108,18 @@ inline void trace_border(const WorldParts& world, const TileJob& job, const OneS
     });
 }
 
-/// Renders the listed pixels of the tile with n x n samples.
+/// Renders the pixels of s.refined with n x n samples.
 inline void refine(const WorldParts& world, const TileJob& job, TileScratch& s) {
     const int n = world.settings.samples;
     float rgb[3 * k_tile_pixels];
     s.first_hits.wanted = job.layers != nullptr;
     if (s.first_hits.wanted) clear_first_hits(s.first_hits);
-    trace_listed(world, job, n, s, rgb);
+    trace_listed(world, job, s.refined, n, s, rgb);
     if (is_cancelled(job)) return;
     const auto for_each_pixel = [&](const auto& visit) {
-        for (int p = 0; p < s.pixels.count; ++p) {
+        for (int p = 0; p < s.refined.count; ++p) {
             const auto i = static_cast<std::size_t>(p);
-            visit(static_cast<int>(s.pixels.x[i]) - job.x, static_cast<int>(s.pixels.y[i]) - job.y, p);
+            visit(static_cast<int>(s.refined.x[i]) - job.x, static_cast<int>(s.refined.y[i]) - job.y, p);
         }
     };
     for_each_pixel([&](int x, int y, int p) {
@@ -133,7 +134,13 @@ inline void render_adaptive_pixels(const WorldParts& world, const TileJob& job, 
     if (record == nullptr && job.layers == nullptr && !has_gradient(world) &&
         is_tile_empty(world, with_border(job))) {
         s.counts.camera += static_cast<std::uint64_t>(job.width * job.height);
+        if (!job.same_refinement) s.refined.count = 0;
         return fill_background(world, job, 1);
+    }
+    if (job.same_refinement) {
+        render_uniform_tile(world, job, 1, s);
+        if (s.refined.count > 0 && !is_cancelled(job)) refine(world, job, s);
+        return;
     }
     s.record = nullptr;
     const bool has_alpha = render_uniform_tile(world, job, 1, s) && world.settings.alpha;
@@ -154,15 +161,15 @@ inline void render_adaptive_pixels(const WorldParts& world, const TileJob& job, 
         return;
     }
 
-    s.pixels.count = 0;
+    s.refined.count = 0;
     SampleDifference difference;
     for_each_row(job, [&](int x, int y, int, int width) {
         for (int i = x; i < x + width; ++i) {
             difference = colors.greatest_difference(i, y);
-            if (difference.difference > *world.settings.aa_threshold) s.pixels.add(job.x + i, job.y + y);
+            if (difference.difference > *world.settings.aa_threshold) s.refined.add(job.x + i, job.y + y);
         }
     });
-    const bool refined = s.pixels.count > 0;
+    const bool refined = s.refined.count > 0;
     s.record = record;
     if (record != nullptr) record->decide(difference, refined);
     if (refined) {

@@ -38,7 +38,7 @@ std::vector<float> claim_floats(std::size_t count, int threads, const std::atomi
 std::vector<LayerImage> empty_layers(const std::vector<Layer>& wanted, const Crop& picture) {
     std::vector<LayerImage> layers;
     for (const Layer layer : wanted) {
-        const std::size_t channels = layer_infos()[static_cast<std::size_t>(layer)].channels.size();
+        const std::size_t channels = layer_channels(layer).size();
         layers.push_back({layer, picture.width, picture.height, static_cast<int>(channels), {}});
     }
     return layers;

@@ -35,7 +35,7 @@ struct LightRules : LightingRules {
     bool has_shadow_rays = false;  // one for each surface
     bool samples_shadow = false;   // shadow rays to the samples of the area light (area_shadow-inl.h)
     bool is_moved = false;         // at another point for each surface
-    Color color, specular_color;   // the light's, times WorldParts::direct()
+    Color color, specular_color;   // the light's, times WorldParts::direct
     FinishRules finish;
 
     /// Whether the light has the same strength everywhere.
@@ -77,8 +77,8 @@ HWY_INLINE LightRules light_rules(const WorldParts& world, const PreparedLight& 
     rules.has_shadow_rays = shadows && !rules.from_center;
     rules.samples_shadow = shadows && rules.from_center;
     rules.is_moved = light.sample >= 0 && light.jitter;
-    rules.color = light.color * world.direct();
-    rules.specular_color = light.specular_color * world.direct();
+    rules.color = light.color * world.direct;
+    rules.specular_color = light.specular_color * world.direct;
     rules.finish = finish_rules(world);
     return rules;
 }

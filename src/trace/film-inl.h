@@ -149,6 +149,24 @@ HWY_INLINE Vector3<Doubles> emission_of(const WorldParts& world, const MaterialL
     return ExtendedLanes(world, material).color<&Material::emission>();
 }
 
+/// The diffuse light of a vector of surfaces, with their outlines.
+template <bool plain = false>
+HWY_INLINE Vector3<Doubles> outlined_diffuse(const WorldParts& world, const SurfaceBatch& surfaces,
+                                             const RadianceBatch& radiance, const MaterialLanes& material,
+                                             int h) {
+    const Vector3<Doubles> diffuse = load_vector3(radiance.diffuse, h);
+    if (plain || !world.uses<&Material::outline>()) return diffuse;
+    return diffuse * outline_of(world, material, surfaces, h);
+}
+
+/// The light from all directions of a vector of surfaces, with their outlines.
+HWY_INLINE Vector3<Doubles> outlined_sky(const WorldParts& world, const SurfaceBatch& surfaces,
+                                         const RadianceBatch& radiance, const MaterialLanes& material,
+                                         int h) {
+    const Vector3<Doubles> sky = load_vector3(radiance.sky, h);
+    return world.uses<&Material::outline>() ? sky * outline_of(world, material, surfaces, h) : sky;
+}
+
 /// The weighted light of a vector of surfaces, as it is added to the pixels. emission and sky: 0 if the world
 /// has none, as if plain.
 struct HitLight {
@@ -161,10 +179,12 @@ HWY_INLINE HitLight light_of(const WorldParts& world, const SurfaceBatch& surfac
     const Vector3<Doubles> weight = load_vector3(surfaces.weight, h), matte = weight * shares.matte;
     const Vector3<Doubles> emission =
         !plain && world.uses<&Material::emission>() ? matte * emission_of(world, material) : lanes_of(Vec3{});
-    const Vector3<Doubles> sky =
-        !plain && world.occlusion ? matte * load_vector3(radiance.sky, h) : lanes_of(Vec3{});
+    const Vector3<Doubles> sky = !plain && world.occlusion
+                                     ? matte * outlined_sky(world, surfaces, radiance, material, h)
+                                     : lanes_of(Vec3{});
     const Vector3<Doubles> highlight = plain ? matte : weight * shares.highlight;
-    return {matte * ambient_of(world, material), matte * load_vector3(radiance.diffuse, h),
+    return {matte * ambient_of(world, material),
+            matte * outlined_diffuse<plain>(world, surfaces, radiance, material, h),
             highlight * load_vector3(radiance.specular, h), emission, sky};
 }
 

@@ -53,10 +53,10 @@ HWY_INLINE Doubles diffuse_factor(const WorldParts& world, const MaterialLanes& 
 /// The light's color in highlights: I_l,s, or 1 for materials that leave it out.
 HWY_INLINE Vector3<Doubles> highlight_light(const WorldParts& world, const MaterialLanes& material,
                                             const Light& light, const FinishRules& finish) {
-    const Vector3<Doubles> color = lanes_of(light.specular_color * world.direct());
+    const Vector3<Doubles> color = lanes_of(light.specular_color * world.direct);
     if (!finish.tinted) return color;
     const auto tinted = ExtendedLanes(world, material).value<&Material::tinted_highlight>() > Doubles(0);
-    return select_vector3(tinted, color, lanes_of(Color{1, 1, 1} * world.direct()));
+    return select_vector3(tinted, color, lanes_of(Color{1, 1, 1} * world.direct));
 }
 
 /// The factor of metals' highlights.
@@ -121,6 +121,15 @@ HWY_INLINE Doubles mirror_of(const WorldParts& world, const MaterialLanes& mater
     return angled_mirror(extended.value<&Material::mirror_min>(), a,
                          extended.value<&Material::mirror_falloff>(),
                          incidence(load_vector3(surfaces.normal, h), load_vector3(surfaces.incoming, h)));
+}
+
+/// The factor of diffuse light and of the light from all directions, if the world uses outlines; else 1.
+HWY_INLINE Doubles outline_of(const WorldParts& world, const MaterialLanes& material,
+                              const SurfaceBatch& surfaces, int h) {
+    if (!world.uses<&Material::outline>()) return Doubles(1);
+    const ExtendedLanes extended(world, material);
+    return outline_factor(extended.value<&Material::outline>(), extended.value<&Material::outline_width>(),
+                          incidence(load_vector3(surfaces.normal, h), load_vector3(surfaces.incoming, h)));
 }
 
 /// The color of what the mirror shows.

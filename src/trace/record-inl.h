@@ -348,11 +348,14 @@ inline void record_sums(const WorldParts& world, const SurfaceBatch& surfaces, c
                         Vector3Elements(light.specular), Vector3Elements(light.emission)};
         const LocalShares shares = local_shares(world, material, surfaces, h);
         const LaneElements share(shares.matte), highlight_share(shares.highlight);
-        const Vector3Elements sky(light.sky);
+        const Vector3Elements sky(light.sky),
+            diffuse(outlined_diffuse(world, surfaces, radiance, material, h));
+        const LaneElements outline(outline_of(world, material, surfaces, h));
         for (int k = 0; k < lanes; ++k) {
             ExplainedHit& hit = record.hit(h + k);
             hit.ambient = ambient.color(k);
-            hit.diffuse = color_at(radiance.diffuse, h + k);
+            hit.diffuse = diffuse.color(k);
+            hit.outline = outline[k];
             hit.specular = color_at(radiance.specular, h + k);
             hit.emission = emission.color(k);
             hit.mirror = mirror[k];

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 #include <memory>
+#include <set>
 
 #include "base/one_at_a_time.h"
 #include "base/parallel_for.h"
@@ -10,6 +11,8 @@
 #include "glint/render.h"
 #include "trace/assemble.h"
 #include "trace/kernels.h"
+#include "trace/light_layers.h"
+#include "world/light_alone.h"
 
 namespace glint {
 namespace {
@@ -33,11 +36,18 @@ struct TileTargets {
     float* rgb = nullptr;
     int row_pixels = 0;
     LayerTargets layers;
-    std::vector<TileLayer> parts;  // the same as on_tile gets them
+    bool has_layers = false;       // other than those of lights
+    std::vector<float*> lights;    // the layers of lights, in their order
+    std::vector<TileLayer> parts;  // all, as on_tile gets them
 
     void add(const LayerImage& layer, float* values) {
-        layers.data[static_cast<std::size_t>(layer.layer)] = values;
-        layers.row_pixels = row_pixels;
+        if (is_light_layer(layer.layer)) {
+            lights.push_back(values);
+        } else {
+            layers.data[static_cast<std::size_t>(layer.layer)] = values;
+            layers.row_pixels = row_pixels;
+            has_layers = true;
+        }
         parts.push_back({layer.layer, layer.channels, values,
                          static_cast<std::size_t>(layer.channels) * static_cast<std::size_t>(row_pixels)});
     }
@@ -46,7 +56,7 @@ struct TileTargets {
 // In the image, of which the tile's first pixel has this number.
 TileTargets targets_in_image(float* rgb, std::vector<LayerImage>& layers, const Crop& crop,
                              std::size_t pixel) {
-    TileTargets targets{rgb + 3 * pixel, crop.width, {}, {}};
+    TileTargets targets{rgb + 3 * pixel, crop.width, {}, false, {}, {}};
     for (LayerImage& layer : layers)
         targets.add(layer, layer.values.data() + static_cast<std::size_t>(layer.channels) * pixel);
     return targets;
@@ -58,7 +68,7 @@ TileTargets targets_in_thread(std::vector<LayerImage>& layers) {
     std::size_t floats = 3;
     for (const LayerImage& layer : layers) floats += static_cast<std::size_t>(layer.channels);
     memory.resize(floats * k_tile_pixels);
-    TileTargets targets{memory.data(), k_tile_side, {}, {}};
+    TileTargets targets{memory.data(), k_tile_side, {}, false, {}, {}};
     float* next = memory.data() + 3 * k_tile_pixels;
     for (const LayerImage& layer : layers) {
         targets.add(layer, next);
@@ -68,13 +78,16 @@ TileTargets targets_in_thread(std::vector<LayerImage>& layers) {
 }
 
 // The error of an invalid list of layers, or an empty string.
-std::string layers_error(const std::vector<Layer>& layers) {
-    bool wanted[k_layers] = {};
+std::string layers_error(const WorldParts& world, const std::vector<Layer>& layers) {
+    const std::size_t lights = count_lights(world);
+    std::set<Layer> wanted;
     for (const Layer layer : layers) {
-        const auto l = static_cast<std::size_t>(layer);
-        if (l >= k_layers) return "there is no such layer";
-        if (wanted[l]) return "the layer '" + std::string(layer_infos()[l].name) + "' is asked for twice";
-        wanted[l] = true;
+        if (layer_channels(layer).empty()) return "there is no such layer";
+        const std::optional<std::uint32_t> light = light_of(layer);
+        if (light && *light >= lights)
+            return "there is no light " + std::to_string(*light + 1) + " for the layer '" +
+                   layer_name(layer) + "': the scene has " + std::to_string(lights);
+        if (!wanted.insert(layer).second) return "the layer '" + layer_name(layer) + "' is asked for twice";
     }
     return {};
 }
@@ -125,6 +138,7 @@ Result<Rendering> render_picture(const WorldParts& world, const RenderOptions& o
     const std::size_t tiles = count_tiles(crop);
     result.layers = empty_layers(options.layers, crop);
     if (options.keep_image) claim_values(result.layers, result.threads, options.cancel);
+    const LightLayers light_layers(world, options.layers);
     OneAtATime counting;
     std::atomic<bool> stopped{false};
     std::atomic<std::int64_t> no_tile{-1};  // a number that next_tile gave and no tile has
@@ -148,11 +162,12 @@ Result<Rendering> render_picture(const WorldParts& world, const RenderOptions& o
                                                        : targets_in_thread(result.layers);
         job.rgb = targets.rgb;
         job.row_pixels = targets.row_pixels;
-        if (!result.layers.empty()) job.layers = &targets.layers;
+        if (targets.has_layers) job.layers = &targets.layers;
         job.cancel = options.cancel;
         TileScratch& scratch = thread_scratch();
         scratch.counts = {};
         kernels.render_tile(world, job, scratch);
+        if (!cancelled()) light_layers.render_tile(kernels, job, targets.lights, scratch);
         if (cancelled()) return;  // the tile need not be finished
         counting.run([&] { add_rays(result.rays, scratch.counts); });
         reporter.report({static_cast<std::uint32_t>(tile), area, job.rgb,
@@ -194,7 +209,7 @@ Result<Rendering> render(const World& rendered, const RenderOptions& options) {
         if (kernels == nullptr) return invalid_argument(no_kernels_error(options.isa));
         const Crop crop = options.crop.value_or(Crop{world.settings.width, world.settings.height, 0, 0});
         std::string wrong = crop_error(crop, world.settings);
-        if (wrong.empty()) wrong = layers_error(options.layers);
+        if (wrong.empty()) wrong = layers_error(world, options.layers);
         if (wrong.empty()) wrong = pixels_error(options, crop);
         if (!wrong.empty()) return invalid_argument(std::move(wrong));
         return render_picture(world, options, *kernels, crop);

@@ -51,6 +51,7 @@ struct TileJob {
     int row_pixels = 0;
     const LayerTargets* layers = nullptr;       // null: no layers requested
     const std::atomic<bool>* cancel = nullptr;  // checked between samples; null: never cancelled
+    bool same_refinement = false;  // adaptive sampling: refines TileScratch::refined instead of choosing
 };
 
 /// The batches of a tile. A thread reuses them for its next tile.
@@ -71,6 +72,7 @@ struct TileScratch {
     PixelList pixels;                        // for adaptive and jittered sampling only
     StreamColumn<std::uint32_t> pixel_hash;  // of the current sample, if hashes are wanted
     std::array<float, k_bordered_tile_floats> one_sample;
+    PixelList refined;         // the pixels of the last tile that adaptive sampling refined
     SteppedRays stepped_rays;  // for transparent surfaces only
 
     int pixel_sample = 0;  // the number of the current sample of the pixels

@@ -162,7 +162,8 @@ std::int32_t glint_render_layers(GlintScene* scene, const char* names, std::uint
     for (std::string_view rest(names, length); !rest.empty();) {
         const std::string_view name = rest.substr(0, rest.find(' '));
         rest.remove_prefix(std::min(rest.size(), name.size() + 1));
-        const std::optional<glint::Layer> layer = glint::find_layer(name);
+        const std::optional<glint::Layer> layer =
+            scene->scene ? glint::find_layer(name, *scene->scene) : glint::find_layer(name);
         if (!layer) {
             scene->layers.clear();
             scene->write_report("there is no layer '" + std::string(name) + "'");

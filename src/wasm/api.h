@@ -55,7 +55,7 @@ const float* GLINT_WASM_EXPORT(glint_render)(GlintScene* scene, std::int32_t x, 
 /// Null if nothing was rendered.
 const std::uint8_t* GLINT_WASM_EXPORT(glint_pixels)(GlintScene* scene);
 /// The same rectangle, and layers of it (glint/layers.h): `names` separated by spaces, such as "albedo
-/// depth". Returns 0 where glint_render fails, and for names that are unknown or repeated.
+/// light:2". Returns 0 where glint_render fails, and for names that are unknown or repeated.
 std::int32_t GLINT_WASM_EXPORT(glint_render_layers)(GlintScene* scene, const char* names,
                                                     std::uint32_t length, std::int32_t x, std::int32_t y,
                                                     std::int32_t width, std::int32_t height);

@@ -283,6 +283,8 @@ export interface ExplainedHit {
         mirror_metallic: number;
         filter: number;
         transmit: number;
+        outline: number;
+        outline_width: number;
     };
     point: Vec3;
     normal: Vec3;
@@ -302,6 +304,8 @@ export interface ExplainedHit {
     /** Of a transparent surface (filter, transmit). */
     opacity?: number;
     highlight_share?: number;
+    /** Of a surface with an outline: the factor of its diffuse light, and of the light from all directions. */
+    outline?: number;
     fresnel: number;
     reflected: ExplainedSecondaryRay;
     transmitted: ExplainedSecondaryRay;
@@ -437,7 +441,7 @@ export interface Scene {
     renderPixels(x: number, y: number, width: number, height: number): {pixels: Bytes; rays: number};
     /**
      * The same, and layers of the rectangle (`glint render --help` lists them): "depth" has one float for each pixel, "albedo" and
-     * "normal" have three. Throws also for unknown and repeated names.
+     * "normal" have three, and so has "light:2", the picture with the second light alone. Throws also for unknown and repeated names.
      */
     renderLayers<Name extends string>(names: Name[], x: number, y: number, width: number, height: number):
         {pixels: Bytes; rays: number; layers: Record<Name, Floats>};

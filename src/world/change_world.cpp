@@ -79,11 +79,8 @@ Result<World> with_lights(const World& world, std::span<const Light> lights) {
     return change_world([&]() -> Result<World> {
         Scene given;
         given.lights.assign(lights.begin(), lights.end());
-        return changed(world, find_mistakes(given, ScenePart::lights), [&](WorldParts& parts) {
-            PreparedLights prepared = prepare_lights(lights);
-            parts.lights = std::move(prepared.lights);
-            parts.ambient = prepared.ambient;
-        });
+        return changed(world, find_mistakes(given, ScenePart::lights),
+                       [&](WorldParts& parts) { set_lights(prepare_lights(lights), parts); });
     });
 }
 

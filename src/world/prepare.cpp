@@ -27,9 +27,7 @@ Result<World> prepare(const Scene& scene, const PrepareOptions& options) {
         parts.extended = std::move(extended.table);
         parts.extended_uses = extended.uses;
         set_colors(parts, scene.shape_colors, options.threads);
-        PreparedLights lights = prepare_lights(scene.lights);
-        parts.lights = std::move(lights.lights);
-        parts.ambient = lights.ambient;
+        set_lights(prepare_lights(scene.lights), parts);
         parts.background = scene.background;
         parts.fog = scene.fog;
         set_gradient(scene.gradient, parts);

@@ -58,6 +58,7 @@ void set_gradient(const std::optional<BackgroundGradient>& gradient, WorldParts&
 
 void set_occlusion(const std::optional<Occlusion>& occlusion, WorldParts& parts) {
     parts.occlusion = occlusion;
+    parts.direct = occlusion ? occlusion->direct : 1;
     const bool fixed = occlusion && occlusion->method == OcclusionMethod::fixed;
     parts.occlusion_directions =
         fixed

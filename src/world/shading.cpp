@@ -157,6 +157,7 @@ PreparedLights prepare_lights(std::span<const Light> lights) {
     for (std::size_t i = 0; i < lights.size(); ++i) {
         const Light& light = lights[i];
         if (light.is_ambient()) {
+            prepared.ambient_lights.push_back({static_cast<std::uint32_t>(i), light.color});
             prepared.ambient = prepared.ambient + light.color;
             continue;
         }
@@ -171,6 +172,12 @@ PreparedLights prepare_lights(std::span<const Light> lights) {
             to_light = normalize(to_light) * k_min_direction;
     }
     return prepared;
+}
+
+void set_lights(PreparedLights lights, WorldParts& parts) {
+    parts.lights = std::move(lights.lights);
+    parts.ambient_lights = std::move(lights.ambient_lights);
+    parts.ambient = lights.ambient;
 }
 
 }  // namespace glint

@@ -30,8 +30,11 @@ void pack_material(const Material& material, double* row);
 
 struct PreparedLights {
     std::vector<PreparedLight> lights;  // all but the ambient ones, in scene order
-    Color ambient{0, 0, 0};             // the sum of the ambient lights
+    std::vector<AmbientLight> ambient_lights;
+    Color ambient{0, 0, 0};  // the sum of the ambient lights
 };
 PreparedLights prepare_lights(std::span<const Light> lights);
+/// Gives the World these lights.
+void set_lights(PreparedLights lights, WorldParts& parts);
 
 }  // namespace glint

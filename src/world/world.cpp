@@ -49,8 +49,8 @@ WorldMemory memory_usage(const World& world) {
     m.packed = geometry.count;
     m.hierarchy = bytes(geometry.bvh.nodes);
     m.colors = bytes(*parts.slot_color) + bytes(*parts.color_factors);
-    m.materials =
-        bytes(*parts.materials) + bytes(*parts.no_shadow) + bytes(*parts.extended) + bytes(*parts.lights);
+    m.materials = bytes(*parts.materials) + bytes(*parts.no_shadow) + bytes(*parts.extended) +
+                  bytes(*parts.lights) + bytes(*parts.ambient_lights);
     return m;
 }
 

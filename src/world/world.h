@@ -47,6 +47,12 @@ struct PreparedLight : Light {
     AreaGrid area;
 };
 
+/// The color of an ambient light, by its index in Scene::lights.
+struct AmbientLight {
+    std::uint32_t index = 0;
+    Color color;
+};
+
 struct WorldParts {
     CopyOnWrite<PackedGeometry> geometry;
     CopyOnWrite<std::vector<std::uint32_t>> slot_material;  // by slot, padded: the row in `materials`
@@ -60,20 +66,19 @@ struct WorldParts {
         extended;                      // k_extended_values each, by row of `materials`; empty: no uses
     ExtendedFields extended_uses = 0;  // the fields in which a material differs from the default
     CopyOnWrite<std::vector<PreparedLight>> lights;  // all but the ambient ones, in scene order
-    Color ambient{0, 0, 0};                          // I_a: the sum of the ambient lights
+    CopyOnWrite<std::vector<AmbientLight>> ambient_lights;
+    Color ambient{0, 0, 0};  // I_a: the sum of the ambient lights
     Color background;
     std::optional<Fog> fog;
     std::optional<BackgroundGradient> gradient;  // `up` is a unit vector
     std::optional<Occlusion> occlusion;
+    double direct = 1;  // the factor of the light of the lights but the ambient ones (Occlusion::direct)
     CopyOnWrite<std::vector<Vec3>> occlusion_directions;  // method fixed: k_occlusion_blocks times samples
     Camera scene_camera;  // from which `camera` was prepared, for the settings' size
     PreparedCamera camera;
     Conventions conventions;
     RenderSettings settings;
     bool last_of_equals = false;  // for check: of shapes hit at the same t, the last one is the hit
-
-    /// The factor of the light of the lights.
-    double direct() const { return occlusion ? occlusion->direct : 1; }
 
     /// A row of the table of materials.
     const double* material(std::uint32_t row) const {

@@ -40,8 +40,9 @@ TEST(CheckMaterials, ShininessOfZero) {
 
 TEST(CheckMaterials, FinishesWithoutEffect) {
     const std::string ball = "sphere { center = (0, 1, 2)  radius = 0.4  ";
-    for (const std::string_view unused : {"metallic = 1", "diffuse = 0  brilliance = 2", "mirror_falloff = 2",
-                                          "mirror_metallic = 1", "mirror = 0.1  mirror_min = 0.1"})
+    for (const std::string_view unused :
+         {"metallic = 1", "diffuse = 0  brilliance = 2", "diffuse = 0  outline = 1", "outline_width = 0.5",
+          "mirror_falloff = 2", "mirror_metallic = 1", "mirror = 0.1  mirror_min = 0.1"})
         EXPECT_EQ(ids_of(k_clean + ball + std::string(unused) + " }\n"), "finish-unused@7") << unused;
     for (const std::string_view used :
          {"metallic = 1  specular = 0.1", "metallic = 1  phong_color = (0.1, 0.1, 0.1)", "brilliance = 2",

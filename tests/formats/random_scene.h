@@ -189,6 +189,7 @@ class RandomScene {
         m.tinted_highlight = pick(4) != 0;
         if (pick(4) == 0) m.mirror_falloff = 1e9 * fraction(), m.mirror_min = fraction();
         if (pick(4) == 0) m.mirror_metallic = fraction();
+        if (pick(4) == 0) m.outline = fraction(), m.outline_width = fraction();
         if (pick(3) == 0) {
             m.transmission = 0;
             m.filter = 0.5 * fraction();

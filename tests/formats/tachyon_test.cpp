@@ -314,11 +314,19 @@ TEST(Tachyon, ASecondTextMaySetModes) {
     EXPECT_FALSE(s->settings.shadows);
 }
 
+TEST(Tachyon, Outlines) {
+    const Result<Scene> s =
+        load_text(DAT_SCENE
+                  "Sphere Center 0 0 0 Rad 1 Texture Ambient 0 Diffuse 1 Specular 0 Opacity 1 Outline 0.75 "
+                  "Outline_Width 0.5 Color 1 1 1 TexFunc 0",
+                  "a.dat");
+    ASSERT_TRUE(s) << messages(s);
+    EXPECT_EQ(messages(s), "");
+    EXPECT_EQ(s->materials.back().outline, 0.75);
+    EXPECT_EQ(s->materials.back().outline_width, 0.5);
+}
+
 TEST(Tachyon, LimitsAreNamedOnce) {
-    expect_dat_warning(DAT_SCENE
-                       "Sphere Center 0 0 0 Rad 1 Texture Ambient 0 Diffuse 1 Specular 0 Opacity 1 Outline 1 "
-                       "Outline_Width 0.5 Color 1 1 1 TexFunc 0",
-                       "glint does not render outlines");
     expect_dat_warning(
         DAT_SCENE
         "Sphere Center 0 0 0 Rad 1 Texture Ambient 0 Diffuse 1 Specular 0 Opacity 0.5 TransMode R3D "

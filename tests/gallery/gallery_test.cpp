@@ -45,6 +45,7 @@ const GalleryPicture k_gallery[] = {
     {"glint/finishes.glint", "size=160x107", 0x426e0114d1ae4b8b},
     {"glint/colonnade.glint", "size=160x107 aa=adaptive:2:0.05", 0xd4547d0a3f37e4bb},
     {"glint/colonnade.glint", "size=160x107 aa=2:jitter", 0x6b77cb2fa519aa57},
+    {"glint/figure.glint", "size=120x90 aa=1", 0xd59a9aa8a7dc507a},
     {"glint/glass.glint", "size=120x79 aa=1", 0x8e402a0a40dc3035},
     {"glint/hall_of_mirrors.glint", "size=160x120", 0x04e811f38623f931},
     {"glint/hall_of_mirrors.glint", "size=160x120 reflections=3", 0xa3c1782ffd0aeb0b},

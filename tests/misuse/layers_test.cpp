@@ -71,6 +71,20 @@ TEST(Misuse, OfEncodeLayers) {
 TEST(Misuse, OfFindLayer) {
     for (const char* const name : {"", "Depth", "depth ", "shadows"}) EXPECT_FALSE(find_layer(name)) << name;
     EXPECT_EQ(find_layer("depth"), Layer::depth);
+    const Scene scene = some_scene();
+    for (const char* const name : {"", "light:", "light:0", "light:99999999999", "light:1 ", "Light:1"})
+        EXPECT_FALSE(find_layer(name, scene)) << name;
+}
+
+TEST(Misuse, OfTheLayersOfLights) {
+    for (const Layer layer : {beyond<Layer>(), static_cast<Layer>(k_layers), static_cast<Layer>(0xfffe),
+                              light_layer(k_max_light_layers), static_cast<Layer>(0xffffffff)}) {
+        EXPECT_FALSE(is_light_layer(layer));
+        EXPECT_FALSE(light_of(layer));
+        EXPECT_EQ(layer_name(layer), "");
+        EXPECT_EQ(layer_channels(layer), "");
+    }
+    EXPECT_EQ(light_of(light_layer(k_max_light_layers - 1)), k_max_light_layers - 1);
 }
 
 }  // namespace

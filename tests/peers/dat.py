@@ -8,8 +8,8 @@ LIGHTS = ("Light Center -4 6 -5 Rad 0.3 Color 0.7 0.6 0.6\n"
           "Directional_Light Direction -1 -2 1.5 Color 0.3 0.4 0.5\n")
 
 
-def texture(color, specular=0, opacity=1, phong="Plastic 0.4", size=25, ambient=0.1, diffuse=0.7):
-    return (f"Texture Ambient {ambient} Diffuse {diffuse} Specular {specular} Opacity {opacity} "
+def texture(color, specular=0, opacity=1, phong="Plastic 0.4", size=25, ambient=0.1, diffuse=0.7, outline=""):
+    return (f"Texture Ambient {ambient} Diffuse {diffuse} Specular {specular} Opacity {opacity} {outline} "
             f"Phong {phong} Phong_size {size} Color {color} TexFunc 0\n")
 
 
@@ -44,6 +44,15 @@ RULES = [
     rule("trans_orig", BALL + GLASS, mode="Shader_Mode Medium End_Shader_Mode"),
     rule("trans_vmd", BALL + GLASS, mode="Shader_Mode Medium Trans_VMD End_Shader_Mode"),
     rule("shadow_filter_off", BALL + GLASS, mode="Shader_Mode Full Shadow_Filter_Off End_Shader_Mode"),
+    rule("outlines", "Sphere Center -1.2 0.8 0 Rad 0.8 " + texture("0.9 0.5 0.2", outline="Outline 1 Outline_Width 0.4") +
+         "Sphere Center 0.8 0.8 -1 Rad 0.8 " + texture("0.3 0.6 0.9", outline="Outline 0.6 Outline_Width 0.95", ambient=0.3) +
+         "FCylinder Base -1 0.2 -2 Apex 1 0.5 -2.5 Rad 0.2 " + texture("0.9 0.5 0.2", outline="Outline 0.8 Outline_Width 1")),
+    rule("outlines_in_mirrors", BALL + "Sphere Center 0.9 0.9 -0.6 Rad 0.9 " +
+         texture("0.3 0.6 0.9", specular=0.4, outline="Outline 0.7 Outline_Width 0.9") +
+         "Sphere Center -0.3 0.5 -2 Rad 0.5 " + texture("0.3 0.8 0.5", opacity=0.5, outline="Outline 0.8 Outline_Width 0.7")),
+    rule("outlines_of_all_light", "Sphere Center -1.2 0.8 0 Rad 0.8 " + texture("0.9 0.5 0.2", outline="Outline 0.9 Outline_Width 0.8") +
+         "Sphere Center 0.9 0.9 -0.6 Rad 0.9 " + texture("0.3 0.6 0.9", specular=0.4, outline="Outline 0.7 Outline_Width 0.9"),
+         mode="Shader_Mode Full Ambient_Occlusion Ambient_Color 0.5 0.5 0.4 Rescale_Direct 0.6 Samples 12 End_Shader_Mode"),
     rule("metal", "Sphere Center 0 1.2 -1 Rad 1 " + texture("0.9 0.6 0.2", phong="Metal 0.8", size=12),
          head="Directional_Light Direction -1 -2 1.5 Color 1 1 1\n" + FLOOR),
 ]

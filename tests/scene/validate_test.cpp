@@ -236,6 +236,10 @@ INSTANTIATE_TEST_SUITE_P(
                [](Scene& s) { s.materials[0].filter = -0.1; }},
         Broken{"material 1: transmit: expected a number from 0 to 1",
                [](Scene& s) { s.materials[0].transmit = k_nan; }},
+        Broken{"material 1: outline: expected a number from 0 to 1",
+               [](Scene& s) { s.materials[0].outline = 1.5; }},
+        Broken{"material 1: width of the outline: expected a number from 0 to 1",
+               [](Scene& s) { s.materials[0].outline_width = -0.5; }},
         Broken{"material 1: filter + transmit: expected at most 1, found 0.5 + 0.75",
                [](Scene& s) { s.materials[0].filter = 0.5, s.materials[0].transmit = 0.75; }},
         Broken{"material 1: expected `transmission` (with refraction) or `filter` and `transmit` (without), "

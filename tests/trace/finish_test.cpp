@@ -63,7 +63,7 @@ void expect_explained(const Scene& scene) {
                     diffuse = diffuse + terms.diffuse;
                     specular = specular + terms.specular;
                 }
-                ASSERT_EQ(diffuse, ray.hit->diffuse);
+                ASSERT_EQ(diffuse * ray.hit->outline, ray.hit->diffuse);
                 ASSERT_EQ(specular, ray.hit->specular);
             }
         }
@@ -182,6 +182,52 @@ TEST(Finishes, BrillianceIsAPowerOfTheCosine) {
             return Layers{.diffuse = m.diffuse * scene.lights[0].color * power(dot(n, l), b)};
         });
     }
+}
+
+TEST(Finishes, OutlineDarkensTheEdge) {
+    for (const auto& [outline, width] : {std::pair{1.0, 0.0}, {0.4, 0.8}, {0.7, 0.98}, {0.5, 1.0}}) {
+        Material m = white();
+        m.ambient = {0.1, 0.1, 0.1};
+        m.specular = {0.2, 0.3, 0.4};
+        m.outline = outline;
+        m.outline_width = width;
+        Scene scene = ball(m, {0.1, 0.2, 0.9});
+        scene.settings.shading = Shading::phong;
+        scene.lights.push_back(ambient_light({0.5, 0.5, 0.5}));
+        expect_ball(scene, [&, o = outline, w = width](Vec3 n, Vec3 l, Vec3 v) {
+            const double edge = 1 - std::pow(1 - dot(n, v) * dot(n, v), 32 * (1 - w)), n_l = dot(n, l);
+            const double r_v = dot(n * (2 * n_l) - l, v);
+            Layers layers;
+            layers.ambient = m.ambient * 0.5;
+            layers.diffuse = m.diffuse * scene.lights[0].color * (std::max(n_l, 0.0) * (1 - o + o * edge));
+            if (n_l > 0) layers.specular = m.specular * scene.lights[0].color * power(r_v, m.shininess);
+            return layers;
+        });
+    }
+}
+
+TEST(Finishes, OutlineDarkensTheSky) {
+    Scene scene = ball(white());
+    scene.lights.clear();
+    scene.occlusion = Occlusion{.samples = 16};
+    const Image plain = render_scene(scene);
+    Material& m = scene.materials[0];
+    m.outline = 0.5;
+    m.outline_width = 0.9;
+    const World world = *make_world(scene);
+    const Image picture = render_world(world);
+    int darker = 0;
+    for (int y = 0; y < picture.height; ++y) {
+        for (int x = 0; x < picture.width; ++x) {
+            const Explanation e = explain(scene, world, x, y).value();
+            const double factor = e.rays[0].hit ? e.rays[0].hit->outline : 1;
+            const auto i = 3 * static_cast<std::size_t>(y * picture.width + x);
+            EXPECT_NEAR(picture.rgb[i], plain.rgb[i] * factor, 1e-6);
+            darker += factor < 0.6 ? 1 : 0;
+        }
+    }
+    EXPECT_GT(darker, 50);
+    expect_explained(scene);
 }
 
 TEST(Finishes, SecondHighlightIsPhongs) {
@@ -307,6 +353,7 @@ TEST(Finishes, DefaultsGiveTheSameBits) {
     unused.phong = {1, 1, 1};
     unused.tinted_highlight = false;
     unused.mirror = unused.mirror_falloff = unused.mirror_metallic = 1;
+    unused.outline = 1;
     other.materials.push_back(unused);
     for (const Shading shading : {Shading::phong, Shading::blinn_phong, Shading::diffuse}) {
         Scene a = plain, b = other;
@@ -401,6 +448,8 @@ TEST(Finishes, AreExplained) {
         metal.mirror_falloff = 3;
         metal.mirror_metallic = 1;
         scene.materials[1].tinted_highlight = false;
+        scene.materials[1].outline = 0.6;
+        scene.materials[1].outline_width = 0.9;
         scene.materials[2].brilliance = 0.5;
         expect_explained(scene);
         scene.settings.samples = 2;

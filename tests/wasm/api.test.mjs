@@ -192,6 +192,7 @@ sphere { center = (0, 0, 0)  radius = 1  ambient_color = (1, 0, 0) }\n`}]});
 test('layers of a rectangle', () => {
     const scene = glint.open({texts: [{name: 'ball.glint', text: `render { size = 5 x 5 }
 camera { projection = orthographic  position = (0, 0, 6)  width = 10 }
+light { position = (0, 0, 9) }
 sphere { center = (0, 0, 0)  radius = 1  color = (0.5, 0.25, 1)  diffuse = 1 }\n`}]});
     const {pixels, layers} = scene.renderLayers(['depth', 'albedo', 'normal'], 2, 1, 1, 2);
     assert.deepEqual([...layers.depth], [Infinity, 5]);
@@ -199,6 +200,10 @@ sphere { center = (0, 0, 0)  radius = 1  color = (0.5, 0.25, 1)  diffuse = 1 }\n
     assert.deepEqual([...layers.normal].slice(3), [0, 0, 1]);
     assert.deepEqual(pixels, scene.renderPixels(2, 1, 1, 2).pixels);
     assert.deepEqual(scene.renderLayers([], 2, 1, 1, 2), {...scene.renderPixels(2, 1, 1, 2), layers: {}});
+    const light = scene.renderLayers(['light:1', 'light:none'], 2, 1, 1, 2).layers;
+    const picture = scene.render(2, 1, 1, 2);
+    for (const [i, value] of light['light:1'].entries()) assert.ok(Math.abs(value + light['light:none'][i] - picture[i]) < 1e-5);
+    assert.throws(() => scene.renderLayers(['light:2'], 2, 1, 1, 2), /no layer 'light:2'/);
     for (const names of [['dept'], ['depth', 'depth']]) assert.throws(() => scene.renderLayers(names, 0, 0, 1, 1), /dept/);
     assert.throws(() => scene.renderLayers(['depth'], 4, 0, 2, 1), /./);
     scene.close();

@@ -21,7 +21,7 @@ function pictures(file) {
 }
 
 /** Scenes that take the page half a minute, and the size at which they are compared. */
-const slow = new Map([['glint/peapod.glint', '160x105']]);
+const slow = new Map([['glint/peapod.glint', '160x105'], ['glint/figure.glint', '160x120']]);
 
 /** Opens a scene, and makes its picture smaller when it has begun. */
 async function openSlow(page, name, size) {

@@ -179,6 +179,7 @@ function Ray({explanation, number, depth}: {explanation: Explanation; number: nu
                     <Term name="N" place={hit.shape} formula={`${hit.side} side${hit.normal_turned ? ', turned' : ''}`} value={shortVector(hit.normal)} />
                     <Term name="weight" place={ray.parent === null ? null : explanation.rays[ray.parent]!.hit?.material} formula={absorbed ? 'of this ray in the pixel, after glass and fog' : 'of this ray in the pixel'} value={shortColor(hit.weight)} />
                     {hit.opacity !== undefined && <Term name="opacity" place={hit.material} formula="the rest is what is behind" value={short(hit.opacity)} />}
+                    {hit.outline !== undefined && <Term name="outline" place={hit.material} formula="times the diffuse light" value={short(hit.outline)} />}
                     {hit.local_share !== 1 && <Term name="own share" place={hit.material} formula={hit.opacity === undefined ? '1 − mirror − glass' : 'of its own light'} value={short(hit.local_share)} />}
                     <Term name="ambient" place={hit.material} formula="k_a I_a" value={shortColor(hit.ambient)} />
                     {byLight(hit.lights).map((members) => (members.length === 1
