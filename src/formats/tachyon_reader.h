@@ -61,6 +61,7 @@ class TachyonReader {
     std::uint32_t material_of(const TachyonTexture& texture, const Token& place);
     bool read_definition();
     bool read_alias();
+    bool keep_texture(const Token& at, std::string_view word);
 
     // tachyon_settings.cpp
     bool read_camera();

@@ -44,6 +44,10 @@ RULES = [
     rule("trans_orig", BALL + GLASS, mode="Shader_Mode Medium End_Shader_Mode"),
     rule("trans_vmd", BALL + GLASS, mode="Shader_Mode Medium Trans_VMD End_Shader_Mode"),
     rule("shadow_filter_off", BALL + GLASS, mode="Shader_Mode Full Shadow_Filter_Off End_Shader_Mode"),
+    rule("texture_again",
+         "TexDef t Ambient 0.1 Diffuse 0.7 Specular 0 Opacity 1 Color 0.9 0.5 0.2 TexFunc 0\n"
+         "TexDef t Ambient 0.1 Diffuse 0.7 Specular 0.5 Opacity 1 Color 0.2 0.5 0.9 TexFunc 0\n"
+         "Sphere Center -1.2 0.8 0 Rad 0.8 t Sphere Center 1 0.8 0 Rad 0 t\n"),
     rule("metal", "Sphere Center 0 1.2 -1 Rad 1 " + texture("0.9 0.6 0.2", phong="Metal 0.8", size=12),
          head="Directional_Light Direction -1 -2 1.5 Color 1 1 1\n" + FLOOR),
 ]
