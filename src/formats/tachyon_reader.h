@@ -43,6 +43,7 @@ class TachyonReader {
     bool read_smooth_triangle();
     bool read_colored_triangle();
     bool read_vertices();
+    void reserve_triangles(std::size_t count);
     bool read_facets(std::uint32_t& material, bool is_strip);
     bool read_sphere();
     bool read_finite_cylinder();

@@ -21,6 +21,11 @@ class TachyonScanner {
 
     bool at_end() const { return at_ == end_; }
     std::size_t offset() const { return static_cast<std::size_t>(at_ - begin_); }
+    /// `count` items of at least three numbers, or as many as may follow at most.
+    std::size_t at_most(double count) const {
+        const std::size_t possible = static_cast<std::size_t>(end_ - at_) / 6 + 1;
+        return count < static_cast<double>(possible) ? static_cast<std::size_t>(count) : possible;
+    }
 
     /// The place of a word; cheaper than its token.
     struct Mark {

@@ -110,6 +110,7 @@ bool TachyonReader::read_vertices() {
     if (!expect("NUMVERTS", "Numverts") || !whole_number(count, k_count)) return false;
     const auto read_points = [&](std::vector<Vec3>& list) {
         list.clear();
+        list.reserve(scanner_.at_most(count));
         for (double left = count; left > 0; --left) {
             Vec3 v;
             if (!point(v)) return false;
@@ -147,6 +148,15 @@ bool TachyonReader::read_vertices() {
     return true;
 }
 
+// A large mesh would move the lists several times, with twice their memory at the last time.
+void TachyonReader::reserve_triangles(std::size_t count) {
+    auto& list = scene_.get<SmoothTriangle>();
+    if (count <= scene_.shapes.size()) return;
+    list.reserve(list.size() + count);
+    scene_.shapes.reserve(scene_.shapes.size() + count);
+    scene_.shape_texts.places.reserve(scene_.shapes.size() + count);
+}
+
 // The triangles of a mesh: three indices each. Of a strip: each index makes one with the two before it.
 bool TachyonReader::read_facets(std::uint32_t& material, bool is_strip) {
     const Range index_range{0, number::max(0.0, static_cast<double>(coordinates_.size()) - 1), false, false,
@@ -173,6 +183,7 @@ bool TachyonReader::read_facets(std::uint32_t& material, bool is_strip) {
         return true;
     };
     if (!is_strip) {
+        reserve_triangles(scanner_.at_most(count));
         for (double left = count; left > 0; --left) {
             if (!read_corner(corners[0]) || !read_corner(corners[1]) || !read_corner(corners[2]))
                 return false;
