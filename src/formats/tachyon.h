@@ -33,6 +33,10 @@ struct TachyonCamera {
     Projection projection = Projection::perspective;
     double zoom = 1, aspect_ratio = 1;
     Vec3 center, view, up;
+    struct Frustum {
+        double left, right, bottom, top;
+    };
+    std::optional<Frustum> frustum;  ///< at distance 1, in place of `zoom` and `aspect_ratio`
 };
 
 enum class TachyonShader : std::uint8_t { full, medium, low, lowest };

@@ -63,18 +63,25 @@ void set_camera(LoadState& reading, const TachyonCamera& given) {
     }
     const Vec3 view = normalize(given.view);
     const Vec3 x = normalize(cross(given.up, view));
-    const Vec3 right = x * (width / height / given.aspect_ratio / given.zoom);
-    const Vec3 up = cross(view, x) * (1 / given.zoom);
+    const Vec3 y = cross(view, x);
+    Vec3 right = x * (width / height / given.aspect_ratio / given.zoom), up = y * (1 / given.zoom);
+    if (given.frustum) {
+        const TachyonCamera::Frustum& f = *given.frustum;
+        right = x * (f.right - f.left);
+        up = y * (f.top - f.bottom);
+    }
     // Tachyon's rays pass the upper right corners of the pixels, and its further samples lie around these.
-    const Vec3 half_pixel = right * (0.5 / width) + up * (0.5 / height);
+    Vec3 shift = right * (0.5 / width) + up * (0.5 / height);
+    if (const auto& f = given.frustum)
+        shift = shift + x * ((f->left + f->right) / 2) + y * ((f->bottom + f->top) / 2);
     Camera camera;
     camera.projection = given.projection;
     camera.position = given.center;
     camera.frame = CameraFrame{right, up, view};
     if (given.projection == Projection::orthographic) {
-        camera.position = camera.position + half_pixel;
+        camera.position = camera.position + shift;
     } else {
-        camera.frame->forward = view + half_pixel;
+        camera.frame->forward = view + shift;
     }
     scene.camera = camera;
 }

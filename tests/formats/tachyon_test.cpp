@@ -66,6 +66,22 @@ TEST(Tachyon, AspectRatioDividesTheWidth) {
     EXPECT_EQ(s.settings.reflections, 0);
 }
 
+// Left, right, bottom and top at distance 1; Zoom does not count.
+TEST(Tachyon, ReadsAFrustum) {
+    const auto scene = [](const std::string& projection, const std::string& frustum) {
+        return dat_scene(
+            DAT_BEGIN "Camera " + projection +
+            "Zoom 2 Aspectratio 1 Antialiasing 0 Raydepth 5 Center 0 0 0 Viewdir 0 0 4 Updir 0 2 0 "
+            "Frustum " +
+            frustum + " End_Camera " DAT_LIGHT DAT_SPHERE);
+    };
+    const Scene s = scene("", "-1 3 -0.5 0.5");
+    EXPECT_EQ(s.camera.frame->right, (Vec3{4, 0, 0}));
+    EXPECT_EQ(s.camera.frame->up, (Vec3{0, 1, 0}));
+    EXPECT_EQ(s.camera.frame->forward, (Vec3{1.05, 0.025, 1})) << "its middle, and half a pixel";
+    EXPECT_EQ(scene("Projection Orthographic ", "-1 3 -0.5 0.5").camera.position, (Vec3{1.05, 0.025, 0}));
+}
+
 TEST(Tachyon, FiveSamplesNeedAGridOfNine) {
     const Scene s =
         dat_scene(DAT_BEGIN

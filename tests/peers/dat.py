@@ -3,7 +3,7 @@
 from lights import Rule
 
 CAMERA = ("Camera {projection}Zoom {zoom} Aspectratio {aspect} Antialiasing 0 Raydepth {depth}\n"
-          "  Center 0.2 3 -8 Viewdir 0 -0.35 1 Updir 0.1 1 0\nEnd_Camera\n")
+          "  Center 0.2 3 -8 Viewdir 0 -0.35 1 Updir 0.1 1 0\n{frustum}End_Camera\n")
 LIGHTS = ("Light Center -4 6 -5 Rad 0.3 Color 0.7 0.6 0.6\n"
           "Directional_Light Direction -1 -2 1.5 Color 0.3 0.4 0.5\n")
 
@@ -17,8 +17,9 @@ FLOOR = "Plane Center 0 0 0 Normal 0 1 0 " + texture("0.8 0.8 0.7", phong="Plast
 BALL = "Sphere Center -1.2 0.8 0 Rad 0.8 " + texture("0.9 0.5 0.2")
 
 
-def rule(name, objects, projection="", zoom=1.5, aspect=1, depth=6, mode="", head=LIGHTS + FLOOR):
-    camera = CAMERA.format(projection=projection and f"Projection {projection} ", zoom=zoom, aspect=aspect, depth=depth)
+def rule(name, objects, projection="", zoom=1.5, aspect=1, depth=6, mode="", head=LIGHTS + FLOOR, frustum=""):
+    camera = CAMERA.format(projection=projection and f"Projection {projection} ", zoom=zoom, aspect=aspect, depth=depth,
+                           frustum=frustum and f"Frustum {frustum}\n")
     return Rule("dat_" + name, "tachyon",
                 f"Begin_Scene\nResolution 160 120\n{mode}\n{camera}Background 0.1 0.2 0.4\n{head}{objects}End_Scene\n", "")
 
@@ -32,6 +33,8 @@ RULES = [
     rule("sphere", BALL),
     rule("orthographic", BALL, projection="Orthographic", zoom=0.2),
     rule("aspect", BALL, aspect=1.5),
+    rule("frustum", BALL, frustum="-0.6 0.4 -0.3 0.35"),
+    rule("frustum_orthographic", BALL, projection="Orthographic", frustum="-3 2 -1.5 2"),
     rule("cylinders", "FCylinder Base -1 0.2 0 Apex 1 1.5 -1 Rad 0.4 " + texture("0.9 0.5 0.2") +
          "PolyCylinder Points 3 -2 1 1 0 2 1 2 1 0 Rad 0.2 " + texture("0.2 0.5 0.9")),
     rule("rings", "Ring Center -1 1 0 Normal 0.3 0.5 -1 Inner 0 Outer 0.8 " + texture("0.9 0.5 0.2") +
