@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "cli/commands.h"
+#include "cli/drop_in.h"
 #include "cli/failure.h"
 #include "cli/scene_arguments.h"
 #include "cli/validators.h"
@@ -100,12 +101,20 @@ Run add_completion(CLI::App& app) {
         ->required()
         ->check(one_of({"bash", "zsh", "fish"}))
         ->option_text("bash|zsh|fish");
+    const auto program = std::make_shared<std::string>();
+    command.add_option("--program", *program, "The program whose script it is; default: glint")
+        ->check(one_of({"glint", "glint-povray", "glint-tachyon"}))
+        ->option_text("glint|glint-povray|glint-tachyon");
     command.footer(
         "Examples:\n"
         "  source <(glint completion bash)\n"
         "  source <(glint completion zsh)\n"
         "  glint completion fish | source");
-    return [&app, shell] {  // `shell` is set when the arguments are parsed
+    return [&app, shell, program] {  // they are set when the arguments are parsed
+        if (const DropInProgram* other = find_drop_in(*program)) {
+            fmt::print("{}", drop_in_completion(*other, *shell));
+            return k_done;
+        }
         fmt::print("{}", *shell == "bash"  ? bash_completion(app)
                          : *shell == "zsh" ? zsh_completion(app)
                                            : fish_completion(app));

@@ -18,8 +18,8 @@ int run(const DropInProgram& program, const std::vector<std::string>& arguments)
     try {
         DropIn parsed = program.parse(arguments);
         if (parsed.wants_help || parsed.wants_version) {
-            fmt::print("{}",
-                       parsed.wants_help ? program.help : fmt::format("{} ({})\n", program.name, k_version));
+            fmt::print("{}", parsed.wants_help ? drop_in_help(program)
+                                               : fmt::format("{} ({})\n", program.name, k_version));
             return k_done;
         }
         for (const std::string& warning : parsed.warnings)

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 // glint-tachyon and glint-povray: other programs' command lines, rendered by glint.
+#include <array>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "cli/render_arguments.h"
@@ -22,12 +25,39 @@ DropIn tachyon_drop_in(const std::vector<std::string>& arguments);
 /// Failure that names an unknown switch or key, with its line in the file; of input if a file cannot be read.
 DropIn povray_drop_in(const std::vector<std::string>& arguments);
 
-/// A program's name and its failures' exit code, for run_drop_in().
+/// A line of the help: "-o FILE" or "-trans_vmd, -trans_orig", and what it does. Switches before a value
+/// without a blank, as +W640, have the value in brackets there: "+W[N]".
+struct DropInOption {
+    std::string_view names, text;
+    std::string_view values = {};  ///< the possible ones, separated by blanks
+};
+
+/// A program: the text of its help, its manual page and its completions; and what it does.
 struct DropInProgram {
-    std::string name, help;
-    int failure;
+    std::string_view name;     ///< "glint-tachyon"
+    std::string_view purpose;  ///< what it does, beginning with a verb
+    std::string_view usage;    ///< its arguments
+    std::span<const DropInOption> options;
+    std::string_view notes;       ///< a paragraph after the options; or empty
+    std::string_view examples;    ///< lines
+    std::string_view extensions;  ///< of the files that it takes, separated by blanks
+    int failure;                  ///< the exit code
     DropIn (*parse)(const std::vector<std::string>&);
 };
+
+extern const DropInProgram k_tachyon_program, k_povray_program;
+/// All of them.
+std::array<const DropInProgram*, 2> drop_in_programs();
+/// The program `glint-NAME` or `NAME`; null if there is none.
+const DropInProgram* find_drop_in(std::string_view name);
+
+/// What --help prints.
+std::string drop_in_help(const DropInProgram& program);
+/// What a program's failure code means.
+inline constexpr const char* k_drop_in_failure =
+    "the command line, the scene or a file is not valid; the message says why";
+/// The script for the shell: bash, zsh or fish.
+std::string drop_in_completion(const DropInProgram& program, std::string_view shell);
 
 /// The whole program: parses, renders, prints messages. Returns the exit code.
 int run_drop_in(const DropInProgram& program, int count, char** values);

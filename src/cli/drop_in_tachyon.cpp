@@ -2,7 +2,7 @@
 // glint-tachyon's command line. Flags that set modes become a second text in Tachyon's format.
 #include <fmt/format.h>
 
-#include <optional>
+#include <algorithm>
 
 #include "base/text.h"
 #include "cli/drop_in.h"
@@ -24,22 +24,38 @@ class TachyonArguments {
     DropIn parse() {
         RenderArguments& render = parsed_.render;
         render.scene.format = "tachyon";
-        render.output = "outfile.tga";
         render.numbers.format = FileFormat::tga;
         for (next_ = 0; next_ < words_.size();) read(words_[next_++]);
         if (parsed_.wants_help || parsed_.wants_version) return std::move(parsed_);
         if (render.scene.files.empty()) throw Failure(k_usage, "expected the name of a model file");
-        if (!modes_.empty() || light_scale_)
-            text_ += fmt::format("Shader_Mode{}{} End_Shader_Mode\n", modes_,
-                                 light_scale_ ? fmt::format(" Rescale_Direct {}", *light_scale_) : "");
-        if (sky_)
-            text_ +=
-                fmt::format("Sky_Light NumSamples {} Color {} {} {}\n", sky_samples_, *sky_, *sky_, *sky_);
-        if (!text_.empty()) render.scene.further_texts.emplace_back("command line", text_);
+        if (render.output.empty()) {
+            const FileFormat format = *render.numbers.format;
+            render.output = format == FileFormat::png   ? "outfile.png"
+                            : format == FileFormat::ppm ? "outfile.ppm"
+                                                        : "outfile.tga";
+        }
+        if (!writes_) render.output = "/dev/null";
+        const std::string text = settings_text();
+        if (!text.empty()) render.scene.further_texts.emplace_back("command line", text);
         return std::move(parsed_);
     }
 
   private:
+    // What the flags set, in Tachyon's format. The order of the lights' flags does not matter.
+    std::string settings_text() const {
+        std::string modes = modes_, text;
+        double sky = add_sky_;
+        if (auto_sky_ > 0) {
+            sky = auto_sky_;
+            modes += fmt::format(" Rescale_Direct {}", std::max(0.0, 1 - sky));
+        } else if (light_scale_ < 1) {
+            modes += fmt::format(" Rescale_Direct {}", light_scale_);
+        }
+        if (!modes.empty()) text += fmt::format("Shader_Mode{} End_Shader_Mode\n", modes);
+        if (sky > 0) text += fmt::format("Sky_Light NumSamples {0} Color {1} {1} {1}\n", sky_samples_, sky);
+        return text;
+    }
+
     [[noreturn]] static void fail(const std::string& message) { throw Failure(k_usage, message); }
 
     std::string value_of(std::string_view flag) {
@@ -53,13 +69,13 @@ class TachyonArguments {
             fail(fmt::format("{}: expected a number >= 0, found {}", flag, glint::quoted(text)));
         return value;
     }
+    // Tachyon cuts off fractions: VMD's scripts compute sizes.
     static int whole_in(std::string_view flag, const std::string& text, int most) {
         const double value = number_in(flag, text);
-        const int whole = value <= most ? static_cast<int>(value) : -1;
-        if (static_cast<double>(whole) != value)
+        if (value > most)
             fail(fmt::format("{}: expected a whole number from 0 to {}, found {}", flag, most,
                              glint::quoted(text)));
-        return whole;
+        return static_cast<int>(value);
     }
     void set(const std::string& key, const std::string& value) {
         std::erase_if(parsed_.render.scene.settings,
@@ -74,7 +90,10 @@ class TachyonArguments {
         if (word == "-V") return;
         if (word == "-o") return void(parsed_.render.output = value_of(word));
         if (word.size() > 1 && word[0] == '-') return read_flag(word);
-        parsed_.render.scene.files = {word};  // the last one counts
+        if (!parsed_.render.scene.files.empty())
+            fail(fmt::format("glint-tachyon renders one scene, found {} and {}",
+                             glint::quoted(parsed_.render.scene.files[0]), glint::quoted(word)));
+        parsed_.render.scene.files = {word};
     }
 
     void read_flag(const std::string& word) {
@@ -99,7 +118,9 @@ class TachyonArguments {
         RenderArguments& render = parsed_.render;
         switch (flag.value) {
             case Value::size:
-                return void(render.picture.size = values[0] + "x" + values[1]);
+                render.picture.size = fmt::format("{}x{}", whole_in(word, values[0], k_max_size),
+                                                  whole_in(word, values[1], k_max_size));
+                return;
             case Value::samples_besides: {
                 const int wanted = whole_in(word, values[0], 1000000) + 1;
                 int side = 1;
@@ -113,18 +134,12 @@ class TachyonArguments {
                 return void(render.threads = whole_in(word, values[0], 1024));
             case Value::file_type:
                 return set_format(values[0]);
-            case Value::light_scale: {
-                const double scale = number_in(word, values[0]);
-                if (scale < 1) light_scale_ = scale;
-                return;
-            }
+            case Value::light_scale:
+                return void(light_scale_ = number_in(word, values[0]));
             case Value::sky_instead:
-                sky_ = number_in(word, values[0]);
-                light_scale_ = std::max(0.0, 1 - *sky_);
-                return;
+                return void(auto_sky_ = number_in(word, values[0]));
             case Value::sky_besides:
-                sky_ = number_in(word, values[0]);
-                return;
+                return void(add_sky_ = number_in(word, values[0]));
             case Value::sky_samples:
                 sky_samples_ = whole_in(word, values[0], 1000000);
                 return;
@@ -140,7 +155,7 @@ class TachyonArguments {
             default:
                 break;
         }
-        if (word == "-nosave") return void(render.output = "/dev/null");
+        if (word == "-nosave") return void(writes_ = false);
         constexpr std::string_view shading = "--shading ";
         if (flag.ours.starts_with(shading))
             return set("shading", std::string(flag.ours.substr(shading.size())));
@@ -167,8 +182,9 @@ class TachyonArguments {
     const std::vector<std::string>& words_;
     std::size_t next_ = 0;
     DropIn parsed_;
-    std::string modes_, text_;
-    std::optional<double> light_scale_, sky_;
+    std::string modes_;
+    bool writes_ = true;
+    double light_scale_ = 1, auto_sky_ = 0, add_sky_ = 0;
     int sky_samples_ = k_sky_samples;
 };
 

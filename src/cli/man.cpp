@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "cli/commands.h"
+#include "cli/drop_in.h"
 #include "cli/failure.h"
 #include "cli/usage.h"
 
@@ -103,6 +104,12 @@ std::string glint_page(const CLI::App& app) {
             fmt::format(".TP\n.BR {} (1)\n{}\n", roff(page_name(*command)), roff(command->get_description()));
         see_also += fmt::format("{}.BR {} (1)", see_also.empty() ? "" : ",\n", roff(page_name(*command)));
     }
+    text += ".SH PROGRAMS\n";
+    for (const DropInProgram* program : drop_in_programs()) {
+        const std::string name = roff(std::string(program->name));
+        text += fmt::format(".TP\n.BR {} (1)\n{}\n", name, roff(std::string(program->purpose)));
+        see_also += fmt::format(",\n.BR {} (1)", name);
+    }
     return text + options_text(app) + end(app, see_also);
 }
 
@@ -117,15 +124,37 @@ std::string command_page(const CLI::App& command) {
            options_text(command) + end(command, ".BR glint (1)");
 }
 
+std::string program_page(const DropInProgram& program) {
+    const std::string name(program.name), purpose(program.purpose);
+    std::string text = head(name, first_lower(purpose)) +
+                       fmt::format(".SH SYNOPSIS\n{} {}\n.SH DESCRIPTION\n{}.\n", bold(name),
+                                   roff(std::string(program.usage)), roff(purpose));
+    if (!program.notes.empty()) text += fmt::format("{}\n", roff(std::string(program.notes)));
+    text += ".SH OPTIONS\n";
+    for (const DropInOption& option : program.options) {
+        text += fmt::format(".TP\n{}\n{}\n", bold(std::string(option.names)), roff(std::string(option.text)));
+    }
+    return text + fmt::format(
+                      ".SH EXIT STATUS\n.TP\n0\ndone\n.TP\n{}\n{}\n.SH EXAMPLES\n.nf\n{}.fi\n"
+                      ".SH SEE ALSO\n.BR glint (1)\n",
+                      program.failure, roff(k_drop_in_failure), roff(std::string(program.examples)));
+}
+
 }  // namespace
 
 Run add_man(CLI::App& app) {
     CLI::App& command = *app.add_subcommand("man", "Print a manual page as roff");
     command.group("");  // for packaging; users read `man glint`
     const auto name = std::make_shared<std::string>();
-    command.add_option("COMMAND", *name, "The command; default: glint itself")->option_text(" ");
+    command
+        .add_option("COMMAND", *name, "The command, or glint-povray or glint-tachyon; default: glint itself")
+        ->option_text(" ");
     command.footer("Examples:\n  glint man | man -l -\n  glint man render > glint-render.1");
     return [&app, name] {
+        if (const DropInProgram* program = find_drop_in(*name)) {
+            fmt::print("{}", program_page(*program));
+            return k_done;
+        }
         const CLI::App* wanted = name->empty() ? &app : find_command(app, *name);
         if (wanted == nullptr) throw Failure(k_usage, command_message(app, std::array{*name}));
         fmt::print("{}", name->empty() ? glint_page(app) : command_page(*wanted));

@@ -195,18 +195,20 @@ bool TachyonReader::is_binary(const Token& at) {
 }
 
 bool TachyonReader::number(double& value, const Range& range) {
-    const Token at = scanner_.token();
+    const TachyonScanner::Mark mark = scanner_.mark();
     if (!scanner_.accept_number(value)) return expected("a number");
     if (range.contains(value)) return true;
+    const Token at = scanner_.token(mark);
     error(at, fmt::format("expected {}, found {}", range.text,
                           quoted(text_.place.text.substr(at.offset, at.length))));
     return true;
 }
 
 bool TachyonReader::whole_number(double& value, const Range& range) {
-    const Token at = scanner_.token();
+    const TachyonScanner::Mark mark = scanner_.mark();
     if (!scanner_.accept_number(value)) return expected(range.text);
     if (range.contains(value) && value == static_cast<double>(static_cast<std::int64_t>(value))) return true;
+    const Token at = scanner_.token(mark);
     return error(at, fmt::format("expected {}, found {}", range.text,
                                  quoted(text_.place.text.substr(at.offset, at.length))));
 }
@@ -214,9 +216,9 @@ bool TachyonReader::whole_number(double& value, const Range& range) {
 bool TachyonReader::point(Vec3& v) { return number(v.x) && number(v.y) && number(v.z); }
 
 bool TachyonReader::direction(Vec3& v) {
-    const Token at = scanner_.token();
+    const TachyonScanner::Mark mark = scanner_.mark();
     if (!point(v)) return false;
-    return !is_zero(v) || error(at, "expected a direction of some length, found 0 0 0");
+    return !is_zero(v) || error(scanner_.token(mark), "expected a direction of some length, found 0 0 0");
 }
 
 bool TachyonReader::color(Color& c) {

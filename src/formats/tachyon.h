@@ -33,6 +33,10 @@ struct TachyonCamera {
     Projection projection = Projection::perspective;
     double zoom = 1, aspect_ratio = 1;
     Vec3 center, view, up;
+    struct Frustum {
+        double left, right, bottom, top;
+    };
+    std::optional<Frustum> frustum;  ///< at distance 1, in place of `zoom` and `aspect_ratio`
 };
 
 enum class TachyonShader : std::uint8_t { full, medium, low, lowest };
@@ -46,6 +50,7 @@ enum class TachyonLimit : std::uint8_t {
     endless_cylinder,
     box_normals,
     normal_lengths,
+    bent_normals,
     count
 };
 
@@ -65,7 +70,7 @@ struct TachyonState {
     bool has_header = false;            ///< Begin_Scene
     double light_scale = 1;             ///< Rescale_Direct
     std::vector<std::uint32_t> lights;  ///< in Scene::lights, those that light_scale applies to
-    std::uint32_t wrong_windings = 0;
+    std::uint32_t smooth_triangles = 0, bent_triangles = 0;  ///< bent: a normal is far from the face's
 
     /// Where each limit was met first.
     struct Place {

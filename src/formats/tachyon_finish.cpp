@@ -16,18 +16,22 @@ namespace {
 // A weaker highlight, mirror or transparency is left out.
 constexpr double k_min_contribution = 0.001959;
 
+// With a smaller share of bent triangles, or in a few triangles, few pixels differ.
+constexpr double k_bent_share = 0.03;
+constexpr std::uint32_t k_mesh = 8;
+
 constexpr std::string_view k_limit_texts[] = {
     "glint does not render opacity that depends on the angle (Raster3D): it is constant here",
     "the spheres of lights are in the fog here; in Tachyon they are not",
     "the normals of this triangle are on the other side of its winding: Tachyon lights it from behind, glint "
-    "from "
-    "the viewer's side",
+    "from the viewer's side",
     "glint does not mix the colors of vertices: each triangle has the mean of its three",
     "the endless cylinder ends a million radii from its Center",
     "near the edges of a box that is no cube Tachyon takes the normal of a neighbouring face; glint does not",
     "the normals of this triangle have different lengths: glint interpolates unit normals, Tachyon the "
-    "normals "
-    "as they are",
+    "normals as they are",
+    "many triangles, this one first, have normals more than 45 degrees off their faces: at outlines, Tachyon "
+    "lights some of their pixels from behind, glint from the viewer's side",
 };
 static_assert(std::size(k_limit_texts) == static_cast<std::size_t>(TachyonLimit::count));
 
@@ -60,18 +64,25 @@ void set_camera(LoadState& reading, const TachyonCamera& given) {
     }
     const Vec3 view = normalize(given.view);
     const Vec3 x = normalize(cross(given.up, view));
-    const Vec3 right = x * (width / height / given.aspect_ratio / given.zoom);
-    const Vec3 up = cross(view, x) * (1 / given.zoom);
+    const Vec3 y = cross(view, x);
+    Vec3 right = x * (width / height / given.aspect_ratio / given.zoom), up = y * (1 / given.zoom);
+    if (given.frustum) {
+        const TachyonCamera::Frustum& f = *given.frustum;
+        right = x * (f.right - f.left);
+        up = y * (f.top - f.bottom);
+    }
     // Tachyon's rays pass the upper right corners of the pixels, and its further samples lie around these.
-    const Vec3 half_pixel = right * (0.5 / width) + up * (0.5 / height);
+    Vec3 shift = right * (0.5 / width) + up * (0.5 / height);
+    if (const auto& f = given.frustum)
+        shift = shift + x * ((f->left + f->right) / 2) + y * ((f->bottom + f->top) / 2);
     Camera camera;
     camera.projection = given.projection;
     camera.position = given.center;
     camera.frame = CameraFrame{right, up, view};
     if (given.projection == Projection::orthographic) {
-        camera.position = camera.position + half_pixel;
+        camera.position = camera.position + shift;
     } else {
-        camera.frame->forward = view + half_pixel;
+        camera.frame->forward = view + shift;
     }
     scene.camera = camera;
 }
@@ -114,6 +125,9 @@ void finish_tachyon(LoadState& reading) {
     drop(TachyonLimit::winding, is_shaded);
     drop(TachyonLimit::box_normals, is_shaded);
     drop(TachyonLimit::normal_lengths, is_shaded);
+    drop(TachyonLimit::bent_normals,
+         is_shaded && !state.limit(TachyonLimit::winding) && state.smooth_triangles >= k_mesh &&
+             state.bent_triangles > k_bent_share * static_cast<double>(state.smooth_triangles));
     drop(TachyonLimit::fogged_light, scene.fog.has_value());
     for (std::size_t i = 0; i < state.limits.size(); ++i) {
         const auto& at = state.limits[i];

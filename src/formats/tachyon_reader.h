@@ -43,6 +43,7 @@ class TachyonReader {
     bool read_smooth_triangle();
     bool read_colored_triangle();
     bool read_vertices();
+    void reserve_triangles(std::size_t count);
     bool read_facets(std::uint32_t& material, bool is_strip);
     bool read_sphere();
     bool read_finite_cylinder();
@@ -61,6 +62,7 @@ class TachyonReader {
     std::uint32_t material_of(const TachyonTexture& texture, const Token& place);
     bool read_definition();
     bool read_alias();
+    bool keep_texture(const Token& at, std::string_view word);
 
     // tachyon_settings.cpp
     bool read_camera();

@@ -21,17 +21,31 @@ class TachyonScanner {
 
     bool at_end() const { return at_ == end_; }
     std::size_t offset() const { return static_cast<std::size_t>(at_ - begin_); }
+    /// `count` items of at least three numbers, or as many as may follow at most.
+    std::size_t at_most(double count) const {
+        const std::size_t possible = static_cast<std::size_t>(end_ - at_) / 6 + 1;
+        return count < static_cast<double>(possible) ? static_cast<std::size_t>(count) : possible;
+    }
 
-    /// The current word, as a token with its place; kind end at the end of the text.
-    Token token() const {
+    /// The place of a word; cheaper than its token.
+    struct Mark {
+        const char *at, *line_start;
+        std::uint32_t line;
+    };
+    Mark mark() const { return {at_, line_start_, line_}; }
+
+    /// The word at a mark, as a token with its place; kind end at the end of the text.
+    Token token(const Mark& mark) const {
         Token token;
-        token.kind = at_end() ? TokenKind::end : TokenKind::word;
-        token.line = line_;
-        token.column = static_cast<std::uint32_t>(at_ - line_start_) + 1;
-        token.offset = offset();
-        token.length = static_cast<std::size_t>(word_end(at_) - at_);
+        token.kind = mark.at == end_ ? TokenKind::end : TokenKind::word;
+        token.line = mark.line;
+        token.column = static_cast<std::uint32_t>(mark.at - mark.line_start) + 1;
+        token.offset = static_cast<std::size_t>(mark.at - begin_);
+        token.length = static_cast<std::size_t>(word_end(mark.at) - mark.at);
         return token;
     }
+    /// The current word's.
+    Token token() const { return token(mark()); }
     std::string_view word() const { return {at_, static_cast<std::size_t>(word_end(at_) - at_)}; }
 
     void take() {

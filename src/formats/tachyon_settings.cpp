@@ -62,13 +62,13 @@ bool TachyonReader::read_camera() {
     if (!direction(camera.up)) return false;
     if (is_zero(cross(camera.up, camera.view)))
         return error(up_at, "the camera's `Updir` is along its `Viewdir`: they must differ");
-    const Token frustum_at = scanner_.token();
     if (scanner_.accept("FRUSTUM")) {
-        double ignored = 0;
-        refuse(frustum_at, "a camera with a `Frustum`");
-        for (int i = 0; i < 4; ++i) {
-            if (!number(ignored)) return false;
-        }
+        const Token sides_at = scanner_.token();
+        TachyonCamera::Frustum f{};
+        if (!number(f.left) || !number(f.right) || !number(f.bottom) || !number(f.top)) return false;
+        if (f.left == f.right || f.bottom == f.top)
+            return error(sides_at, "expected a frustum whose left and right, and bottom and top differ");
+        camera.frustum = f;
     }
     if (!expect("END_CAMERA", "End_Camera")) return false;
 

@@ -13,6 +13,10 @@ namespace glint {
 namespace {
 
 constexpr Range k_count{0, 4e9, false, false, "a whole number from 0 to 4e9"};
+// With a radius of 0 nothing is seen; programs write such shapes.
+constexpr Range k_radius{0, k_length.max, false, false, k_length.text};
+// The square of the cosine between a triangle's normal and a vertex's, below which it is bent.
+constexpr double k_bent = 0.49;
 // Half the length of an endless cylinder, in its radii.
 constexpr double k_endless = 1e6;
 // The height of the cone that stands for a ring with a hole, in its widths: its normals are off by this
@@ -44,11 +48,18 @@ void TachyonReader::add_smooth(const SmoothTriangle& t, std::uint32_t material) 
             "a vertex has the normal 0 0 0: triangles with such a vertex are drawn flat");
         return add(Triangle{{t.vertices[0], t.vertices[1], t.vertices[2]}}, material);
     }
-    if (dot(face, n[0]) + dot(face, n[1]) + dot(face, n[2]) < 0) {
-        note_limit(TachyonLimit::winding, object_);
-        ++state_.wrong_windings;
-    }
+    const double cosines[] = {dot(face, n[0]), dot(face, n[1]), dot(face, n[2])};  // times the lengths
     const double squares[] = {dot(n[0], n[0]), dot(n[1], n[1]), dot(n[2], n[2])};
+    if (cosines[0] + cosines[1] + cosines[2] < 0) note_limit(TachyonLimit::winding, object_);
+    const double least = k_bent * dot(face, face);
+    bool is_bent = false;
+    for (int i = 0; i < 3; ++i)
+        is_bent = is_bent || cosines[i] < 0 || cosines[i] * cosines[i] < least * squares[i];
+    ++state_.smooth_triangles;
+    if (is_bent) {
+        ++state_.bent_triangles;
+        note_limit(TachyonLimit::bent_normals, object_);
+    }
     if (spread(squares) > 1.04) note_limit(TachyonLimit::normal_lengths, object_);  // by more than 2%
     add(t, material);
 }
@@ -99,6 +110,7 @@ bool TachyonReader::read_vertices() {
     if (!expect("NUMVERTS", "Numverts") || !whole_number(count, k_count)) return false;
     const auto read_points = [&](std::vector<Vec3>& list) {
         list.clear();
+        list.reserve(scanner_.at_most(count));
         for (double left = count; left > 0; --left) {
             Vec3 v;
             if (!point(v)) return false;
@@ -136,6 +148,15 @@ bool TachyonReader::read_vertices() {
     return true;
 }
 
+// A large mesh would move the lists several times, with twice their memory at the last time.
+void TachyonReader::reserve_triangles(std::size_t count) {
+    auto& list = scene_.get<SmoothTriangle>();
+    if (count <= scene_.shapes.size()) return;
+    list.reserve(list.size() + count);
+    scene_.shapes.reserve(scene_.shapes.size() + count);
+    scene_.shape_texts.places.reserve(scene_.shapes.size() + count);
+}
+
 // The triangles of a mesh: three indices each. Of a strip: each index makes one with the two before it.
 bool TachyonReader::read_facets(std::uint32_t& material, bool is_strip) {
     const Range index_range{0, number::max(0.0, static_cast<double>(coordinates_.size()) - 1), false, false,
@@ -162,6 +183,7 @@ bool TachyonReader::read_facets(std::uint32_t& material, bool is_strip) {
         return true;
     };
     if (!is_strip) {
+        reserve_triangles(scanner_.at_most(count));
         for (double left = count; left > 0; --left) {
             if (!read_corner(corners[0]) || !read_corner(corners[1]) || !read_corner(corners[2]))
                 return false;
@@ -187,11 +209,11 @@ bool TachyonReader::read_facets(std::uint32_t& material, bool is_strip) {
 bool TachyonReader::read_sphere() {
     Sphere s;
     std::uint32_t material = k_none;
-    if (!point("CENTER", "Center", s.center) || !number("RAD", "Rad", s.radius, k_length) ||
+    if (!point("CENTER", "Center", s.center) || !number("RAD", "Rad", s.radius, k_radius) ||
         !texture(material)) {
         return false;
     }
-    add(s, material);
+    if (s.radius > 0) add(s, material);
     return true;
 }
 
@@ -200,10 +222,10 @@ bool TachyonReader::read_finite_cylinder() {
     Cylinder c;
     std::uint32_t material = k_none;
     if (!point("BASE", "Base", c.from) || !point("APEX", "Apex", c.to) ||
-        !number("RAD", "Rad", c.radius, k_length) || !texture(material)) {
+        !number("RAD", "Rad", c.radius, k_radius) || !texture(material)) {
         return false;
     }
-    if (c.from != c.to) add(c, material);
+    if (c.from != c.to && c.radius > 0) add(c, material);
     return true;
 }
 
@@ -212,9 +234,10 @@ bool TachyonReader::read_cylinder() {
     double radius = 0;
     std::uint32_t material = k_none;
     if (!point("CENTER", "Center", center) || !expect("AXIS", "Axis") || !direction(axis) ||
-        !number("RAD", "Rad", radius, k_length) || !texture(material)) {
+        !number("RAD", "Rad", radius, k_radius) || !texture(material)) {
         return false;
     }
+    if (radius == 0) return true;
     note_limit(TachyonLimit::endless_cylinder, object_);
     const Vec3 half = normalize(axis) * (k_endless * radius);
     add(Cylinder{center - half, center + half, radius, false}, material);
@@ -231,7 +254,8 @@ bool TachyonReader::read_polycylinder() {
         points.push_back(p);
     }
     std::uint32_t material = k_none;
-    if (!number("RAD", "Rad", radius, k_length) || !texture(material)) return false;
+    if (!number("RAD", "Rad", radius, k_radius) || !texture(material)) return false;
+    if (radius == 0) return true;
     for (std::size_t i = 0; i < points.size(); ++i) {
         add(Sphere{points[i], radius}, material);
         if (i + 1 < points.size() && points[i] != points[i + 1])

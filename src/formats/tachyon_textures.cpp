@@ -147,6 +147,7 @@ bool TachyonReader::read_definition() {
     scanner_.take();
     TachyonTexture read;
     if (!texture_body(read, false)) return false;
+    if (state_.names.contains(word)) return keep_texture(name, word);
     // Each name has a material of its own, that `glint convert` keeps.
     const auto material = static_cast<std::uint32_t>(scene_.materials.size());
     state_.materials.erase(read);
@@ -154,7 +155,7 @@ bool TachyonReader::read_definition() {
     const auto is_control = [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; };
     if (std::none_of(word.begin(), word.end(), is_control))
         scene_.material_texts.names.emplace(material, word);
-    state_.names.insert_or_assign(std::move(word), material);
+    state_.names.emplace(std::move(word), material);
     return true;
 }
 
@@ -171,7 +172,17 @@ bool TachyonReader::read_alias() {
     }
     const std::uint32_t material = found == state_.names.end() ? material_of({}, name) : found->second;
     scanner_.take();
-    state_.names.insert_or_assign(std::move(word), material);
+    if (state_.names.contains(word)) return keep_texture(name, word);
+    state_.names.emplace(std::move(word), material);
+    return true;
+}
+
+// A further definition of a name has no effect in Tachyon.
+bool TachyonReader::keep_texture(const Token& at, std::string_view word) {
+    reading_.diagnostics.warn_once(
+        "tachyon texture again", text_.place, at.offset, at.length,
+        fmt::format("the texture {} is defined already: its first definition counts, as in Tachyon",
+                    quoted(word)));
     return true;
 }
 

@@ -4,6 +4,7 @@
 
 #include "cli/drop_in.h"
 #include "cli/failure.h"
+#include "cli/foreign_table.h"
 #include "cli/process.h"
 
 namespace glint::test {
@@ -62,7 +63,64 @@ TEST(TachyonDropIn, SetsTheLightOfTheSky) {
         "Shader_Mode Rescale_Direct 0.25 End_Shader_Mode\nSky_Light NumSamples 9 Color 0.75 0.75 0.75\n");
 }
 
+// As they stand in VMD's variable, in tutorials and in scripts, and as Sage calls it.
+TEST(TachyonDropIn, TakesTheLinesOfUsers) {
+    const auto text_of = [](const std::vector<std::string>& words) {
+        const DropIn d = cli::tachyon_drop_in(words);
+        EXPECT_TRUE(d.warnings.empty()) << d.warnings.front();
+        return d.render.scene.further_texts.empty() ? "" : d.render.scene.further_texts[0].second;
+    };
+    EXPECT_EQ(text_of({"-aasamples", "12", "a.dat", "-format", "TARGA", "-o", "a.dat.tga"}), "");
+    EXPECT_EQ(text_of({"a.dat", "-aasamples", "4", "-trans_vmd", "-mediumshade", "-format", "TARGA"}),
+              "Shader_Mode Trans_VMD Medium End_Shader_Mode\n");
+    EXPECT_EQ(text_of({"a.dat", "-fullshade", "-shade_phong", "-trans_vmd", "-aasamples", "32", "-res",
+                       "1080", "1080"}),
+              "Shader_Mode Full Trans_VMD End_Shader_Mode\n");
+    EXPECT_EQ(text_of({"a.dat", "-trans_vmd", "-shade_blinn", "-fullshade", "-aasamples", "10",
+                       "-rescale_lights", "0.5", "-add_skylight", "0.8"}),
+              "Shader_Mode Trans_VMD Full Rescale_Direct 0.5 End_Shader_Mode\n"
+              "Sky_Light NumSamples 128 Color 0.8 0.8 0.8\n");
+    EXPECT_EQ(text_of({"a.dat", "-trans_vmd", "-shadow_filter_off", "-fog_vmd", "-numthreads", "4"}),
+              "Shader_Mode Trans_VMD Shadow_Filter_Off Fog_VMD End_Shader_Mode\n");
+    EXPECT_EQ(text_of({"-trans_max_surfaces", "2", "-trans_orig", "-fog_normal", "a.dat", "+V"}),
+              "Shader_Mode Trans_Max_Surfaces 2 Trans_Orig Fog_Radial End_Shader_Mode\n");
+    EXPECT_EQ(text_of({"/tmp/a.dat", "-format", "PNG", "-o", "/tmp/a.png", "-res", "400", "400", "+V"}), "");
+    EXPECT_EQ(cli::tachyon_drop_in({"a.dat", "-res", "1620.0", "910.5"}).render.picture.size, "1620x910");
+}
+
+TEST(TachyonDropIn, NamesThePictureByTheFormat) {
+    EXPECT_EQ(cli::tachyon_drop_in({"a.dat", "-format", "PNG"}).render.output, "outfile.png");
+    EXPECT_EQ(cli::tachyon_drop_in({"a.dat", "-format", "ppm48"}).render.output, "outfile.ppm");
+    EXPECT_EQ(cli::tachyon_drop_in({"a.dat", "-format", "PNG", "-o", "x.tga"}).render.numbers.format,
+              FileFormat::png);
+    EXPECT_EQ(cli::tachyon_drop_in({"-nosave", "a.dat", "-o", "x.tga"}).render.output, "/dev/null");
+}
+
+// In Tachyon the automatic light replaces the other two, wherever it stands.
+TEST(TachyonDropIn, IgnoresTheOrderOfTheLightsFlags) {
+    const std::string all =
+        "Shader_Mode Rescale_Direct 0.25 End_Shader_Mode\n"
+        "Sky_Light NumSamples 128 Color 0.75 0.75 0.75\n";
+    for (const std::vector<std::string>& words :
+         {std::vector<std::string>{"a.dat", "-auto_skylight", "0.75", "-rescale_lights", "0.5",
+                                   "-add_skylight", "1"},
+          {"a.dat", "-add_skylight", "1", "-rescale_lights", "0.5", "-auto_skylight", "0.75"}})
+        EXPECT_EQ(cli::tachyon_drop_in(words).render.scene.further_texts.at(0).second, all);
+    EXPECT_TRUE(cli::tachyon_drop_in({"a.dat", "-rescale_lights", "1.5"}).render.scene.further_texts.empty());
+}
+
+// Every flag of Tachyon's is in the help.
+TEST(TachyonDropIn, HelpHasEveryFlag) {
+    const std::string help = cli::drop_in_help(cli::k_tachyon_program);
+    for (const cli::ForeignFlag& flag : cli::tachyon_flags()) {
+        if (flag.flag == "-verbose") continue;  // not Tachyon's
+        EXPECT_TRUE(contains(help, std::string(flag.flag))) << flag.flag;
+    }
+}
+
 TEST(TachyonDropIn, NamesWhatItDoesNotKnow) {
+    EXPECT_EQ(failure_of(cli::tachyon_drop_in, {"a.dat", "b.dat"}),
+              "glint-tachyon renders one scene, found 'a.dat' and 'b.dat'");
     EXPECT_EQ(failure_of(cli::tachyon_drop_in, {}), "expected the name of a model file");
     EXPECT_EQ(failure_of(cli::tachyon_drop_in, {"a.dat", "-trans_vdm"}),
               "unknown flag '-trans_vdm'; did you mean `-trans_vmd`?");
@@ -98,6 +156,28 @@ TEST_F(Povray, TakesSwitches) {
     EXPECT_TRUE(d.render.quiet);
     EXPECT_TRUE(has_setting(d, {"shadows", "false"}));
     EXPECT_FALSE(has_setting(d, {"shading", "color"}));
+}
+
+// The lines of VMD, PyMOL, LeoCAD and Avogadro.
+TEST_F(Povray, TakesTheLinesOfPrograms) {
+    const DropIn vmd = cli::povray_drop_in(
+        {"+W400", "+H300", "-Ivmdscene.pov", "-Ovmdscene.pov.tga", "+D", "+X", "+A", "+FT"});
+    EXPECT_EQ(vmd.render.scene.files, (std::vector<std::string>{"vmdscene.pov"}));
+    EXPECT_EQ(vmd.render.output, "vmdscene.pov.tga");
+    EXPECT_EQ(vmd.render.numbers.format, FileFormat::tga);
+    EXPECT_EQ(vmd.render.picture.aa, "adaptive:3:0.1");
+    const DropIn pymol =
+        cli::povray_drop_in({"+FN", "-D", "+Itmp_pymol.pov", "+Otmp_pymol.png", "+W320", "+H240", "+A"});
+    EXPECT_EQ(pymol.render.output, "tmp_pymol.png");
+    EXPECT_EQ(pymol.render.picture.size, "320x240");
+    const DropIn leocad = cli::povray_drop_in(
+        {"+C", "+W1280", "+H720", "+A0.1", "+J0", "+R3", "+Omodel.png", "+Imodel.pov", "-D"});
+    EXPECT_EQ(leocad.render.picture.aa, "adaptive:3:0.03333");
+    const DropIn avogadro = cli::povray_drop_in(
+        {"+Imol.pov", "+Omol.png", "+W640", "+H480", "-V", "+FN", "+Q9", "+A0.300000", "+UA"});
+    EXPECT_TRUE(avogadro.render.picture.alpha);
+    EXPECT_TRUE(avogadro.render.quiet);
+    for (const DropIn* d : {&vmd, &pymol, &leocad, &avogadro}) EXPECT_TRUE(d->warnings.empty());
 }
 
 TEST_F(Povray, HasPovraysDefaults) {

@@ -15,12 +15,21 @@ std::string source(const std::string& name) {
     return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
 }
 
-std::set<std::string> commands(const Folder& folder) {
+constexpr const char* k_programs[] = {"povray", "tachyon"};  // their own programs, not commands
+
+// The pages that glint's names: its commands and other programs.
+std::set<std::string> pages(const Folder& folder) {
     std::set<std::string> names;
     const std::string page = run(folder, {"man"}).out;
     const std::regex name(R"(\n\.BR glint\\-([a-z]+) \(1\))");
     for (std::sregex_iterator it(page.begin(), page.end(), name), end; it != end; ++it)
         names.insert((*it)[1].str());
+    return names;
+}
+
+std::set<std::string> commands(const Folder& folder) {
+    std::set<std::string> names = pages(folder);
+    for (const char* program : k_programs) EXPECT_EQ(names.erase(program), 1u) << program;
     return names;
 }
 
@@ -35,21 +44,50 @@ int shell(const Folder& folder, const std::string& command) {
 
 TEST(Generated, ManualPagesAreUpToDate) {
     const Folder folder;
-    const auto names = commands(folder);
-    EXPECT_TRUE(names.contains("render") && names.contains("completion"));
+    const auto names = pages(folder);
+    EXPECT_TRUE(names.contains("render") && names.contains("completion") && names.contains("povray"));
     EXPECT_EQ(source("docs/man/glint.1"), run(folder, {"man"}).out) << "run `make generated`";
     for (const std::string& name : names)
         EXPECT_EQ(source("docs/man/glint-" + name + ".1"), run(folder, {"man", name}).out)
             << "run `make generated`";
-    const std::filesystem::directory_iterator pages(GLINT_SOURCE "/docs/man");
-    EXPECT_EQ(std::distance(begin(pages), end(pages)), static_cast<long>(names.size()) + 1);
+    const std::filesystem::directory_iterator files(GLINT_SOURCE "/docs/man");
+    EXPECT_EQ(std::distance(begin(files), end(files)), static_cast<long>(names.size()) + 1);
 }
 
 TEST(Generated, CompletionsAreUpToDate) {
     const Folder folder;
-    for (const std::string shell : {"bash", "zsh", "fish"})
+    for (const std::string shell : {"bash", "zsh", "fish"}) {
         EXPECT_EQ(source("tools/completions/glint." + shell), run(folder, {"completion", shell}).out)
             << "run `make generated`";
+        for (const std::string name : {"glint", "glint-povray", "glint-tachyon"})
+            EXPECT_EQ(source("tools/completions/" + name + "." + shell),
+                      run(folder, {"completion", shell, "--program", name}).out)
+                << "run `make generated`";
+    }
+}
+
+// A program's manual page has every line of its --help.
+TEST(Generated, ManualPagesOfProgramsSayWhatTheirHelpSays) {
+    const Folder folder;
+    for (const std::string name : k_programs) {
+        const std::string program = std::filesystem::path(GLINT_COMMAND).parent_path() / ("glint-" + name);
+        ASSERT_EQ(shell(folder, program + (name == "povray" ? " --help" : " -help") + " >help.txt"), 0);
+        std::string page =
+            std::regex_replace(run(folder, {"man", name}).out, std::regex(R"(\\f[BIR]|\\&)"), "");
+        page = std::regex_replace(page, std::regex(R"(\\-)"), "-");
+        std::istringstream help(folder.read("help.txt"));
+        int lines = 0;
+        for (std::string line; std::getline(help, line);) {
+            if (!line.starts_with("  ")) continue;
+            ++lines;
+            for (std::size_t at = line.find_first_not_of(' '); at < line.size();) {  // columns
+                const std::size_t end = std::min(line.find("  ", at), line.size());
+                EXPECT_TRUE(contains(page, line.substr(at, end - at))) << line << "\n" << page;
+                at = std::min(line.find_first_not_of(' ', end), line.size());
+            }
+        }
+        EXPECT_GT(lines, 15);
+    }
 }
 
 // A manual page contains every option of the help, with its whole description.
@@ -107,11 +145,36 @@ try --stats render a.json --quiet --sta
     EXPECT_EQ(shell(folder, "bash try.bash 2>&1"), 0);
 }
 
+TEST(Generated, BashCompletesPrograms) {
+    const Folder folder;
+    for (const std::string name : {"glint-povray", "glint-tachyon"})
+        folder.write(name + ".bash", source("tools/completions/" + name + ".bash"));
+    folder.write("a.pov", "");
+    folder.write("b.dat", "");
+    folder.write("b.tga", "");
+    folder.write("try.bash", R"(source ./glint-povray.bash; source ./glint-tachyon.bash
+try() { COMP_WORDS=("${@:2}"); COMP_CWORD=$(($# - 2)); _$2; [[ $(printf "%s\n" "${COMPREPLY[@]}" | sort | xargs) == "$1" ]] || { echo "$* gives ${COMPREPLY[*]}"; exit 1; }; }
+try a.pov glint-povray ''
+try +Ia.pov glint-povray +Ia
+try '+W +WT' glint-povray +W
+try b.dat glint-tachyon ''
+try '-trans_max_surfaces -trans_orig -trans_raster3d -trans_vmd' glint-tachyon b.dat -trans
+try 'PPM PPM48' glint-tachyon b.dat -format PP
+try b.tga glint-tachyon b.dat -o b.t
+try '' glint-tachyon b.dat -res ''
+)");
+    EXPECT_EQ(shell(folder, "bash try.bash 2>&1"), 0);
+}
+
 TEST(Generated, ZshCompletes) {
     if (!has_program("zsh")) GTEST_SKIP() << "no zsh";
     const Folder folder;
     folder.write("_glint", source("tools/completions/glint.zsh"));
     EXPECT_EQ(shell(folder, "zsh -f -n _glint"), 0);
+    for (const std::string name : {"glint-povray", "glint-tachyon"}) {
+        folder.write("_" + name, source("tools/completions/" + name + ".zsh"));
+        EXPECT_EQ(shell(folder, "zsh -f -n _" + name), 0);
+    }
     // Checks that _arguments can parse its specifications, by completing as at a prompt.
     folder.write("try.zsh", R"(zmodload zsh/zpty
 zpty glint zsh -f -i

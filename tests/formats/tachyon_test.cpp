@@ -66,6 +66,22 @@ TEST(Tachyon, AspectRatioDividesTheWidth) {
     EXPECT_EQ(s.settings.reflections, 0);
 }
 
+// Left, right, bottom and top at distance 1; Zoom does not count.
+TEST(Tachyon, ReadsAFrustum) {
+    const auto scene = [](const std::string& projection, const std::string& frustum) {
+        return dat_scene(
+            DAT_BEGIN "Camera " + projection +
+            "Zoom 2 Aspectratio 1 Antialiasing 0 Raydepth 5 Center 0 0 0 Viewdir 0 0 4 Updir 0 2 0 "
+            "Frustum " +
+            frustum + " End_Camera " DAT_LIGHT DAT_SPHERE);
+    };
+    const Scene s = scene("", "-1 3 -0.5 0.5");
+    EXPECT_EQ(s.camera.frame->right, (Vec3{4, 0, 0}));
+    EXPECT_EQ(s.camera.frame->up, (Vec3{0, 1, 0}));
+    EXPECT_EQ(s.camera.frame->forward, (Vec3{1.05, 0.025, 1})) << "its middle, and half a pixel";
+    EXPECT_EQ(scene("Projection Orthographic ", "-1 3 -0.5 0.5").camera.position, (Vec3{1.05, 0.025, 0}));
+}
+
 TEST(Tachyon, FiveSamplesNeedAGridOfNine) {
     const Scene s =
         dat_scene(DAT_BEGIN
@@ -219,6 +235,17 @@ TEST(Tachyon, ReadsShapes) {
     EXPECT_EQ(s.shape_texts.place(1).line, 8u);
 }
 
+// Programs write shapes without extent; Tachyon shows nothing of them.
+TEST(Tachyon, ShapesOfRadius0AreNotSeen) {
+    const Scene s = dat_scene(DAT_SCENE
+                              "TexDef t Ambient 0 Diffuse 1 Specular 0 Opacity 1 Color 1 1 1 TexFunc 0\n"
+                              "Sphere Center 0 0 0 Rad 0 t\n"
+                              "FCylinder Base 0 0 0 Apex 1 0 0 Rad 0 t\n"
+                              "Cylinder Center 0 0 0 Axis 1 0 0 Rad 0 t\n"
+                              "PolyCylinder Points 2 0 0 0 1 0 0 Rad 0 t\n");
+    EXPECT_EQ(s.shapes.size(), 1u);
+}
+
 TEST(Tachyon, ReadsVertexArrays) {
     const Scene s = dat_scene(
         DAT_BEGIN DAT_CAMERA DAT_LIGHT
@@ -326,7 +353,25 @@ TEST(Tachyon, Outlines) {
     EXPECT_EQ(s->materials.back().outline_width, 0.5);
 }
 
+TEST(Tachyon, TheFirstDefinitionOfATextureCounts) {
+    const auto definition = [](const std::string& color) {
+        return "TexDef t Ambient 0 Diffuse 1 Specular 0 Opacity 1 Color " + color + " TexFunc 0\n";
+    };
+    const Result<Scene> s =
+        warned_dat_scene(DAT_SCENE + definition("1 0 0") + "TexAlias u t\n" + definition("0 1 0") +
+                             "Sphere Center 0 0 9 Rad 1 t\n" + definition("0 0 1") +
+                             "TexAlias u t\nSphere Center 0 0 9 Rad 2 u\n",
+                         "the texture 't' is defined already: its first definition counts, as in Tachyon");
+    EXPECT_EQ(s->materials[s->shapes[1].material].color, (Color{1, 0, 0}));
+    EXPECT_EQ(s->shapes[1].material, s->shapes[2].material);
+    EXPECT_EQ(messages(s).find("is defined already"), messages(s).rfind("is defined already")) << "once";
+}
+
 TEST(Tachyon, LimitsAreNamedOnce) {
+    std::string mesh = DAT_SCENE;
+    for (int i = 0; i < 8; ++i)
+        mesh += "STri V0 0 0 0 V1 1 0 0 V2 0 1 0 N0 0 0 1 N1 0 1 0.8 N2 0 0 1 " DAT_TEXTURE;
+    expect_dat_warning(mesh, "have normals more than 45 degrees off their faces");
     expect_dat_warning(
         DAT_SCENE
         "Sphere Center 0 0 0 Rad 1 Texture Ambient 0 Diffuse 1 Specular 0 Opacity 0.5 TransMode R3D "

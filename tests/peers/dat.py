@@ -3,7 +3,7 @@
 from lights import Rule
 
 CAMERA = ("Camera {projection}Zoom {zoom} Aspectratio {aspect} Antialiasing 0 Raydepth {depth}\n"
-          "  Center 0.2 3 -8 Viewdir 0 -0.35 1 Updir 0.1 1 0\nEnd_Camera\n")
+          "  Center 0.2 3 -8 Viewdir 0 -0.35 1 Updir 0.1 1 0\n{frustum}End_Camera\n")
 LIGHTS = ("Light Center -4 6 -5 Rad 0.3 Color 0.7 0.6 0.6\n"
           "Directional_Light Direction -1 -2 1.5 Color 0.3 0.4 0.5\n")
 
@@ -17,8 +17,9 @@ FLOOR = "Plane Center 0 0 0 Normal 0 1 0 " + texture("0.8 0.8 0.7", phong="Plast
 BALL = "Sphere Center -1.2 0.8 0 Rad 0.8 " + texture("0.9 0.5 0.2")
 
 
-def rule(name, objects, projection="", zoom=1.5, aspect=1, depth=6, mode="", head=LIGHTS + FLOOR):
-    camera = CAMERA.format(projection=projection and f"Projection {projection} ", zoom=zoom, aspect=aspect, depth=depth)
+def rule(name, objects, projection="", zoom=1.5, aspect=1, depth=6, mode="", head=LIGHTS + FLOOR, frustum=""):
+    camera = CAMERA.format(projection=projection and f"Projection {projection} ", zoom=zoom, aspect=aspect, depth=depth,
+                           frustum=frustum and f"Frustum {frustum}\n")
     return Rule("dat_" + name, "tachyon",
                 f"Begin_Scene\nResolution 160 120\n{mode}\n{camera}Background 0.1 0.2 0.4\n{head}{objects}End_Scene\n", "")
 
@@ -32,6 +33,8 @@ RULES = [
     rule("sphere", BALL),
     rule("orthographic", BALL, projection="Orthographic", zoom=0.2),
     rule("aspect", BALL, aspect=1.5),
+    rule("frustum", BALL, frustum="-0.6 0.4 -0.3 0.35"),
+    rule("frustum_orthographic", BALL, projection="Orthographic", frustum="-3 2 -1.5 2"),
     rule("cylinders", "FCylinder Base -1 0.2 0 Apex 1 1.5 -1 Rad 0.4 " + texture("0.9 0.5 0.2") +
          "PolyCylinder Points 3 -2 1 1 0 2 1 2 1 0 Rad 0.2 " + texture("0.2 0.5 0.9")),
     rule("rings", "Ring Center -1 1 0 Normal 0.3 0.5 -1 Inner 0 Outer 0.8 " + texture("0.9 0.5 0.2") +
@@ -53,6 +56,10 @@ RULES = [
     rule("outlines_of_all_light", "Sphere Center -1.2 0.8 0 Rad 0.8 " + texture("0.9 0.5 0.2", outline="Outline 0.9 Outline_Width 0.8") +
          "Sphere Center 0.9 0.9 -0.6 Rad 0.9 " + texture("0.3 0.6 0.9", specular=0.4, outline="Outline 0.7 Outline_Width 0.9"),
          mode="Shader_Mode Full Ambient_Occlusion Ambient_Color 0.5 0.5 0.4 Rescale_Direct 0.6 Samples 12 End_Shader_Mode"),
+    rule("texture_again",
+         "TexDef t Ambient 0.1 Diffuse 0.7 Specular 0 Opacity 1 Color 0.9 0.5 0.2 TexFunc 0\n"
+         "TexDef t Ambient 0.1 Diffuse 0.7 Specular 0.5 Opacity 1 Color 0.2 0.5 0.9 TexFunc 0\n"
+         "Sphere Center -1.2 0.8 0 Rad 0.8 t Sphere Center 1 0.8 0 Rad 0 t\n"),
     rule("metal", "Sphere Center 0 1.2 -1 Rad 1 " + texture("0.9 0.6 0.2", phong="Metal 0.8", size=12),
          head="Directional_Light Direction -1 -2 1.5 Color 1 1 1\n" + FLOOR),
 ]

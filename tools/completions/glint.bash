@@ -163,8 +163,9 @@ _glint() {
                 *) kind=file ;;
             esac ;;
         completion)
-            options='-h --help'
+            options='-h --help --program'
             [[ $word == -* ]] || case $before in
+                --program) words='glint glint-povray glint-tachyon' ;;
                 *) words='bash zsh fish' ;;
             esac ;;
         help)

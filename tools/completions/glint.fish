@@ -169,6 +169,7 @@ complete -c glint -n '__fish_seen_subcommand_from join' -l partial -d 'Write the
 complete -c glint -n '__fish_seen_subcommand_from join' -s q -l quiet -d 'Say nothing but errors'
 complete -c glint -n '__fish_seen_subcommand_from completion' -s h -l help -d 'Print this help message and exit'
 complete -c glint -n '__fish_seen_subcommand_from completion' -a 'bash zsh fish'
+complete -c glint -n '__fish_seen_subcommand_from completion' -l program -x -a 'glint glint-povray glint-tachyon' -d 'The program whose script it is'
 complete -c glint -n '__fish_seen_subcommand_from help' -s h -l help -d 'Print this help message and exit'
 complete -c glint -n '__fish_seen_subcommand_from help' -a 'render info convert check explain compare versus grade join completion help version'
 complete -c glint -n '__fish_seen_subcommand_from version' -s h -l help -d 'Print this help message and exit'

@@ -198,7 +198,8 @@ _glint() {
         completion)
             _arguments \
                 '(-h --help)'{-h,--help}'[Print this help message and exit]' \
-                ':SHELL:(bash zsh fish)' ;;
+                ':SHELL:(bash zsh fish)' \
+                '--program[The program whose script it is]:glint|glint-povray|glint-tachyon:(glint glint-povray glint-tachyon)' ;;
         help)
             _arguments \
                 '(-h --help)'{-h,--help}'[Print this help message and exit]' \
