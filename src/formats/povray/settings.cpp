@@ -180,8 +180,12 @@ bool Reader::set(std::string_view name, const Token& at, std::string_view value)
 // What the whole text decides.
 void Reader::finish_settings() {
     if (failed_) return;
-    use_camera(camera_.value_or(camera_default_.value_or(CameraItems())));
-    if (!camera_ && !camera_default_) scene_.camera_place = {};
+    const bool has_camera = camera_ || camera_default_;
+    // A text of objects for another scene need not have a camera.
+    if (has_camera || !text_.is_included) {
+        use_camera(camera_.value_or(camera_default_.value_or(CameraItems())));
+    }
+    if (!has_camera) scene_.camera_place = {};
     if (!(ambient_light_ == Color{0, 0, 0})) {
         Light ambient;
         ambient.kind = LightKind::ambient;
