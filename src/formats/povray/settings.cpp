@@ -31,7 +31,12 @@ void Reader::read_statement() {
         case Word::k_fog:
             take();
             return read_fog(item);
+        case Word::k_default:  // without `#`
+            take();
+            return read_default();
         case Word::k_sky_sphere:
+            take();
+            return read_sky(item);
         case Word::k_rainbow:
             take();
             skip_block();
@@ -194,6 +199,9 @@ void Reader::finish_settings() {
         scene_.light_texts.places.emplace_back();
         scene_.lights.push_back(ambient);
     }
+    check_parallel_lights();
+    check_glass();
+    check_clips();
     use_gamma();
     const bool is_new = version_.value_or(0) >= 3.7;
     if (!is_new) set("opacity", version_place_, "brightest");
