@@ -66,6 +66,9 @@ class Include {
         } else if (format == nullptr) {
             error(name, why);
         } else if (const auto file = find_text(name, path)) {
+            // A .pov is of one of two formats, by its text.
+            const SceneText text{path, reading_.texts[*file].text, format_name};
+            if (const Format* by_text = find_format(text, why)) format = by_text;
             read_text(*format, {reading_.texts[*file], *file, true});
         }
     }

@@ -31,7 +31,8 @@ constexpr Meaning k_meanings[] = {
      " interior interior_texture material material_map media normal normal_map texture texture_list "
      "texture_map slope_map "},
     {"a pattern",
-     " agate average boxed bozo brick bumps cells checker crackle cubic_pattern cylindrical density_file "
+     " aoi agate average boxed bozo brick bumps cells checker crackle cubic_pattern cylindrical density "
+     "density_file density_map "
      "dents facets fractal function gradient granite hexagon image_map image_pattern leopard magnet mandel "
      "marble onion pattern pigment_map pigment_pattern planar quilted radial ripples slope spherical "
      "spiral1 spiral2 spotted square tiles triangular turbulence warp waves wood wrinkles color_map "
@@ -49,6 +50,7 @@ constexpr Meaning k_meanings[] = {
      " angle aperture blur_samples confidence direction fisheye focal_point omnimax orthographic panoramic "
      "perspective sky ultra_wide_angle variance "},
     {"a map", " matrix transform "},
+    {"a function", " inside max_extent min_extent trace vturbulence "},
 };
 
 constexpr std::string_view k_directives[] = {

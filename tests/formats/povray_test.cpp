@@ -1,25 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // POV-Ray's language: directives, macros, expressions, objects, the camera, and what is refused.
-#include <map>
-
 #include "formats/mistakes.h"
-#include "glint/scene.h"
+#include "formats/povray_text.h"
 
 namespace glint::test {
 namespace {
-
-constexpr double k_near = 1e-12;
-
-Result<Scene> read_povray(std::string_view text, Sources* sources = nullptr) {
-    return load_text(text, "a.pov", {}, sources, "povray");
-}
-
-// The scene of a text that has at least one shape; notes and warnings are allowed.
-Scene povray_scene(const std::string& text, Sources* sources = nullptr) {
-    const Result<Scene> result = read_povray("light_source { <0, 0, -9>, rgb 1 }\n" + text, sources);
-    EXPECT_TRUE(result) << messages(result);
-    return result.value_or(Scene{});
-}
 
 // The radius of the first sphere: how the tests below see the value of an expression.
 double value_of(const std::string& expression, const std::string& before = {}) {
@@ -28,95 +13,79 @@ double value_of(const std::string& expression, const std::string& before = {}) {
     return scene.get<Sphere>().empty() ? -99 : scene.get<Sphere>()[0].radius - 10;
 }
 
-void expect_vec(Vec3 a, Vec3 b) {
-    EXPECT_NEAR(a.x, b.x, k_near);
-    EXPECT_NEAR(a.y, b.y, k_near);
-    EXPECT_NEAR(a.z, b.z, k_near);
-}
-
-class TextSources : public Sources {
-  public:
-    explicit TextSources(std::map<std::string, std::string, std::less<>> texts) : texts_(std::move(texts)) {}
-    Result<std::string> read(std::string_view name, std::string_view) override {
-        const auto at = texts_.find(name);
-        if (at != texts_.end()) return at->second;
-        return Status{ErrorCode::io, "no such file", {}};
-    }
-
-  private:
-    std::map<std::string, std::string, std::less<>> texts_;
-};
-
 TEST(PovRay, ExpressionsHaveItsPrecedenceAndPromotion) {
-    EXPECT_NEAR(value_of("1 + 2*3 - 4/8"), 6.5, k_near);
-    EXPECT_NEAR(value_of("-2*-3"), 6, k_near);
-    EXPECT_NEAR(value_of("(<1, 2, 3>*2).y"), 4, k_near);
-    EXPECT_NEAR(value_of("(x + 2*y).y"), 2, k_near);
-    EXPECT_NEAR(value_of("(2 < 3) & (3 != 4)"), 1, k_near);
-    EXPECT_NEAR(value_of("1 > 2 ? 5 : 7"), 7, k_near);
-    EXPECT_NEAR(value_of("!true"), 0, k_near);
-    EXPECT_NEAR(value_of("<.9 .8 .7>.z"), .7, k_near) << "commas are optional";
-    EXPECT_NEAR(value_of("(rgb <.1, .2, .3>).green"), .2, k_near);
-    EXPECT_NEAR(value_of("V.v", "#declare V = <1, 5>;"), 5, k_near);
+    EXPECT_NEAR(value_of("1 + 2*3 - 4/8"), 6.5, k_pov_near);
+    EXPECT_NEAR(value_of("-2*-3"), 6, k_pov_near);
+    EXPECT_NEAR(value_of("(<1, 2, 3>*2).y"), 4, k_pov_near);
+    EXPECT_NEAR(value_of("(x + 2*y).y"), 2, k_pov_near);
+    EXPECT_NEAR(value_of("(2 < 3) & (3 != 4)"), 1, k_pov_near);
+    EXPECT_NEAR(value_of("1 > 2 ? 5 : 7"), 7, k_pov_near);
+    EXPECT_NEAR(value_of("!true"), 0, k_pov_near);
+    EXPECT_NEAR(value_of("<.9 .8 .7>.z"), .7, k_pov_near) << "commas are optional";
+    EXPECT_NEAR(value_of("(rgb <.1, .2, .3>).green"), .2, k_pov_near);
+    EXPECT_NEAR(value_of("V.v", "#declare V = <1, 5>;"), 5, k_pov_near);
 }
 
 TEST(PovRay, FunctionsComputeAsDocumented) {
-    EXPECT_NEAR(value_of("sqrt(9) + abs(-2) + int(-2.5) + floor(-2.5) + ceil(1.2)"), 2, k_near);
-    EXPECT_NEAR(value_of("sin(pi/6)"), 0.5, k_near);
+    EXPECT_NEAR(value_of("sqrt(9) + abs(-2) + int(-2.5) + floor(-2.5) + ceil(1.2)"), 2, k_pov_near);
+    EXPECT_NEAR(value_of("sin(pi/6)"), 0.5, k_pov_near);
     EXPECT_NEAR(value_of("degrees(atan2(1, 1))"), 45, 1e-9);
-    EXPECT_NEAR(value_of("min(3, 1, 2) + max(3, 1, 2)"), 4, k_near);
-    EXPECT_NEAR(value_of("mod(7, 3) + div(7, 3)"), 3, k_near);
-    EXPECT_NEAR(value_of("vlength(<3, 4, 0>)"), 5, k_near);
-    EXPECT_NEAR(value_of("vdot(vcross(x, y), z)"), 1, k_near);
-    EXPECT_NEAR(value_of("vrotate(x, 90*z).y"), 1, k_near);
-    EXPECT_NEAR(value_of("vaxis_rotate(y, x, 90).z"), 1, k_near);
-    EXPECT_NEAR(value_of("select(-1, 5, 6, 7)"), 5, k_near);
-    EXPECT_NEAR(value_of("strlen(concat(\"ab\", str(1.5, 0, 2)))"), 6, k_near);
-    EXPECT_NEAR(value_of("val(\"2.5\")"), 2.5, k_near);
-    EXPECT_NEAR(value_of("pow(2, -1)"), 0.5, k_near);
+    EXPECT_NEAR(value_of("min(3, 1, 2) + max(3, 1, 2)"), 4, k_pov_near);
+    EXPECT_NEAR(value_of("mod(7, 3) + div(7, 3)"), 3, k_pov_near);
+    EXPECT_NEAR(value_of("vlength(<3, 4, 0>)"), 5, k_pov_near);
+    EXPECT_NEAR(value_of("vdot(vcross(x, y), z)"), 1, k_pov_near);
+    EXPECT_NEAR(value_of("vrotate(x, 90*z).y"), 1, k_pov_near);
+    EXPECT_NEAR(value_of("vaxis_rotate(y, x, 90).z"), 1, k_pov_near);
+    EXPECT_NEAR(value_of("select(-1, 5, 6, 7)"), 5, k_pov_near);
+    EXPECT_NEAR(value_of("strlen(concat(\"ab\", str(1.5, 0, 2)))"), 6, k_pov_near);
+    EXPECT_NEAR(value_of("val(\"2.5\")"), 2.5, k_pov_near);
+    EXPECT_NEAR(value_of("pow(2, -1)"), 0.5, k_pov_near);
 }
 
 TEST(PovRay, CommentsNest) {
     EXPECT_NEAR(value_of("3 /* a /* b */ c */ + 1 // d"
                          "\n"),
-                4, k_near);
+                4, k_pov_near);
 }
 
 TEST(PovRay, ConditionsAndLoopsMayStandAnywhere) {
-    EXPECT_NEAR(value_of("#if (1 > 2) 5 #else 6 #end"), 6, k_near);
-    EXPECT_NEAR(value_of("#ifdef (Q) 5 #elseif (1) 7 #else 6 #end"), 7, k_near);
+    EXPECT_NEAR(value_of("#if (1 > 2) 5 #else 6 #end"), 6, k_pov_near);
+    EXPECT_NEAR(value_of("#ifdef (Q) 5 #elseif (1) 7 #else 6 #end"), 7, k_pov_near);
     EXPECT_NEAR(value_of("S",
                          "#declare S = 0; #declare I = 0;\n"
                          "#while (I < 4) #declare S = S + I; #declare I = I + 1; #end"),
-                6, k_near);
+                6, k_pov_near);
     EXPECT_NEAR(
         value_of("S", "#declare S = 0; #for (I, 1, 9, 2) #declare S = S + I; #if (I > 4) #break #end #end"),
-        9, k_near);
+        9, k_pov_near);
     EXPECT_NEAR(value_of("S",
                          "#switch (3) #case (1) #declare S = 1; #break #range (2, 4) #declare S = 2; #break "
                          "#else #declare S = 3; #end"),
-                2, k_near);
+                2, k_pov_near);
     const Scene scene = povray_scene("cylinder { 0, y, 1 #if (yes) open #end pigment { rgb 1 } }");
     EXPECT_FALSE(scene.get<Cylinder>().at(0).caps);
 }
 
 TEST(PovRay, MacrosAreParsedAtTheirCallsWithArgumentsByReference) {
-    EXPECT_NEAR(value_of("A", "#macro Add(V) #declare V = V + .5; #end #declare A = 1; Add(A)"), 1.5, k_near);
-    EXPECT_NEAR(value_of("Twice(3) + 1", "#macro Twice(V) V*2 #end"), 7, k_near);
-    EXPECT_NEAR(value_of("G", "#declare G = 1; #macro M() #local G = 2; #declare G = 3; #end M()"), 1, k_near)
+    EXPECT_NEAR(value_of("A", "#macro Add(V) #declare V = V + .5; #end #declare A = 1; Add(A)"), 1.5,
+                k_pov_near);
+    EXPECT_NEAR(value_of("Twice(3) + 1", "#macro Twice(V) V*2 #end"), 7, k_pov_near);
+    EXPECT_NEAR(value_of("G", "#declare G = 1; #macro M() #local G = 2; #declare G = 3; #end M()"), 1,
+                k_pov_near)
         << "#declare changes the local identifier";
-    EXPECT_NEAR(value_of("F(5)", "#macro F(N) #if (N < 2) 1 #else N*F(N - 1) #end #end"), 120, k_near);
+    EXPECT_NEAR(value_of("F(5)", "#macro F(N) #if (N < 2) 1 #else N*F(N - 1) #end #end"), 120, k_pov_near);
     // A macro that is never called may hold anything.
-    EXPECT_NEAR(value_of("1", "#macro Never() pigment { average pigment_map { [1 foo] } } #end"), 1, k_near);
+    EXPECT_NEAR(value_of("1", "#macro Never() pigment { average pigment_map { [1 foo] } } #end"), 1,
+                k_pov_near);
     // The comma between two arguments may be missing.
-    EXPECT_NEAR(value_of("P(<1, 2, 3>4)", "#macro P(V, R) V.y*R #end"), 8, k_near);
+    EXPECT_NEAR(value_of("P(<1, 2, 3>4)", "#macro P(V, R) V.y*R #end"), 8, k_pov_near);
 }
 
 TEST(PovRay, ArraysHoldValuesOfAllKinds) {
-    EXPECT_NEAR(value_of("A[1] + A[2]", "#declare A = array[3] {1, 2, 3};"), 5, k_near);
-    EXPECT_NEAR(value_of("A[1][0]", "#declare A = array[2][2] {{1, 2}, {3, 4}}"), 3, k_near);
-    EXPECT_NEAR(value_of("A[0]", "#declare A = array[2]; #declare A[0] = 7;"), 7, k_near);
-    EXPECT_NEAR(value_of("dimension_size(A, 1)", "#declare A = array[4]"), 4, k_near);
+    EXPECT_NEAR(value_of("A[1] + A[2]", "#declare A = array[3] {1, 2, 3};"), 5, k_pov_near);
+    EXPECT_NEAR(value_of("A[1][0]", "#declare A = array[2][2] {{1, 2}, {3, 4}}"), 3, k_pov_near);
+    EXPECT_NEAR(value_of("A[0]", "#declare A = array[2]; #declare A[0] = 7;"), 7, k_pov_near);
+    EXPECT_NEAR(value_of("dimension_size(A, 1)", "#declare A = array[4]"), 4, k_pov_near);
     const Scene scene =
         povray_scene("#declare A = array[2] {sphere { 0, 1 }, box { 0, 1 }}\nobject { A[1] }");
     EXPECT_EQ(scene.get<Box>().size(), 1u);
@@ -130,7 +99,7 @@ TEST(PovRay, IncludesAreReadOnceBesideTheTextOrFromItsTable) {
     EXPECT_EQ(scene.get<Sphere>().at(0).radius, 2);
     const Scene named =
         povray_scene("#include \"colors.inc\"\nsphere { 0, 1 pigment { color SteelBlue*.5 } }");
-    EXPECT_NEAR(named.materials.at(0).color.g, 0.419608 / 2, k_near);
+    EXPECT_NEAR(named.materials.at(0).color.g, 0.419608 / 2, k_pov_near);
 }
 
 TEST(PovRay, ShapesHaveTheirParameters) {
@@ -164,7 +133,7 @@ TEST(PovRay, TransformsAreAppliedInTheOrderWritten) {
         "union { sphere { 0, 1 translate y } transform { T } scale 3 }\n"
         "sphere { x, 1 matrix <0, 1, 0, -1, 0, 0, 0, 0, 1, 0, 0, 7> }\n");
     expect_vec(scene.get<Sphere>().at(0).center, {0, 2, 5});
-    EXPECT_NEAR(scene.get<Sphere>().at(0).radius, 2, k_near);
+    EXPECT_NEAR(scene.get<Sphere>().at(0).radius, 2, k_pov_near);
     EXPECT_EQ(scene.shapes.at(0).transform, k_none);
     EXPECT_NE(scene.shapes.at(1).transform, k_none) << "an ellipsoid";
     expect_vec(scene.get<Sphere>().at(2).center, {3, 3, 0});
@@ -180,16 +149,16 @@ TEST(PovRay, TexturesAreInheritedAndChangedItemByItem) {
         "#default { finish { diffuse .9 } }\n"
         "sphere { 0, 3 pigment { color rgb 1 } }\n");
     const auto material = [&](std::size_t i) { return scene.materials.at(scene.shapes.at(i).material); };
-    EXPECT_NEAR(material(0).ambient.r, .6, k_near);
-    EXPECT_NEAR(material(0).diffuse.r, .5, k_near);
-    EXPECT_NEAR(material(0).phong.r, .7, k_near);
+    EXPECT_NEAR(material(0).ambient.r, .6, k_pov_near);
+    EXPECT_NEAR(material(0).diffuse.r, .5, k_pov_near);
+    EXPECT_NEAR(material(0).phong.r, .7, k_pov_near);
     EXPECT_EQ(material(0).phong_shininess, 9);
     EXPECT_EQ(material(1).diffuse.r, .5);
     EXPECT_FALSE(material(1).casts_shadow);
-    EXPECT_NEAR(material(2).color.b, 1, k_near);
-    EXPECT_NEAR(material(2).diffuse.b, .6, k_near) << "its own texture has POV-Ray's default finish";
-    EXPECT_NEAR(material(3).diffuse.r, .9, k_near);
-    EXPECT_NEAR(material(3).ambient.r, .1, k_near);
+    EXPECT_NEAR(material(2).color.b, 1, k_pov_near);
+    EXPECT_NEAR(material(2).diffuse.b, .6, k_pov_near) << "its own texture has POV-Ray's default finish";
+    EXPECT_NEAR(material(3).diffuse.r, .9, k_pov_near);
+    EXPECT_NEAR(material(3).ambient.r, .1, k_pov_near);
 }
 
 TEST(PovRay, FinishesHaveBothHighlightsAndMetals) {
@@ -199,11 +168,11 @@ TEST(PovRay, FinishesHaveBothHighlightsAndMetals) {
         "  metallic brilliance 3 reflection { .1, .5 falloff 2 metallic .5 } } }\n"
         "sphere { 0, 2 finish { phong -1 reflection .25 } }");
     const Material &a = scene.materials.at(0), &b = scene.materials.at(1);
-    EXPECT_NEAR(a.emission.g, .1, k_near);
+    EXPECT_NEAR(a.emission.g, .1, k_pov_near);
     EXPECT_EQ(a.phong, (Color{.3, .3, .3}));
     EXPECT_EQ(a.phong_shininess, 7);
     EXPECT_EQ(a.specular, (Color{.4, .4, .4}));
-    EXPECT_NEAR(a.shininess, 50, k_near);
+    EXPECT_NEAR(a.shininess, 50, k_pov_near);
     EXPECT_EQ(a.metallic, 1);
     EXPECT_EQ(a.brilliance, 3);
     EXPECT_EQ(a.mirror_min, .1);
@@ -250,7 +219,7 @@ TEST(PovRay, MeshesAreCutByBoxes) {
         "  clipped_by { box { -1, 1 } } }");
     EXPECT_EQ(scene.get<Triangle>().size(), 2u) << "a quadrangle: the corner square without the corner";
     for (const Triangle& t : scene.get<Triangle>()) {
-        for (const Vec3& v : t.vertices) EXPECT_LE(v.x, 1 + k_near);
+        for (const Vec3& v : t.vertices) EXPECT_LE(v.x, 1 + k_pov_near);
     }
     // A box that holds the whole shape cuts nothing.
     EXPECT_EQ(povray_scene("sphere { 0, 1 clipped_by { box { -2, 2 } } }").shapes.size(), 1u);
@@ -266,7 +235,7 @@ TEST(PovRay, TheCameraIsLeftHandedAndAppliedAtItsEnd) {
     expect_vec(scene.camera.frame->right, {-2, 0, 0});
     scene = povray_scene("camera { orthographic location <0, 0, -5> look_at 0 }\nsphere { 0, 1 }");
     EXPECT_EQ(scene.camera.projection, Projection::orthographic);
-    EXPECT_NEAR(scene.camera.frame->right.x, 5 * 4.0 / 3, k_near);
+    EXPECT_NEAR(scene.camera.frame->right.x, 5 * 4.0 / 3, k_pov_near);
     scene = povray_scene("sphere { 0, 1 }");
     expect_vec(scene.camera.frame->forward, {0, 0, 1});
 }
@@ -324,6 +293,20 @@ TEST(PovRay, APovIsOfCsc473IfItsWholeTextIs) {
     EXPECT_EQ(load_text(both, "a.pov").value_or(Scene{}).profile, "csc473");
     EXPECT_EQ(load_text(own, "a.pov").value_or(Scene{}).profile, "povray");
     EXPECT_EQ(choose_format({"a.pov", both, "povray"}).format, "povray");
+}
+
+TEST(PovRay, AGlintSceneIncludesAPovByItsText) {
+    TextSources sources(std::map<std::string, std::string, std::less<>>{
+        {"a.pov", "#declare R = 2;\nsphere { x, R pigment { rgb 1 } }"},
+        {"b.pov", "sphere { <0, 0, 0>, 1 }"}});
+    const Result<Scene> result = load_text(
+        "camera { position = (0, 0, 9)  look_at = (0, 0, 0) }\nlight { position = (0, 9, 9) }\n"
+        "include \"a.pov\"\ninclude \"b.pov\"\n",
+        "s.glint", {}, &sources);
+    ASSERT_TRUE(result) << messages(result);
+    EXPECT_EQ(result->get<Sphere>().size(), 2u);
+    EXPECT_EQ(result->camera.position, (Vec3{0, 0, 9}));
+    EXPECT_EQ(messages(result).find("ignores the camera"), std::string::npos) << messages(result);
 }
 
 class PovRayMistakes : public testing::TestWithParam<BadText> {};

@@ -18,11 +18,12 @@ import finish
 import fog
 import lights
 import output
+import pov
 import sky
 import transparency
 
 SHARE = 0.99
-LISTS = [lights.RULES, fog.RULES, alpha.RULES, finish.RULES, transparency.RULES, sky.RULES, output.RULES, dat.RULES]
+LISTS = [lights.RULES, fog.RULES, alpha.RULES, finish.RULES, transparency.RULES, sky.RULES, output.RULES, dat.RULES, pov.RULES]
 
 
 def read_ppm(path):
@@ -99,12 +100,15 @@ def render_peer(folder, rule):
 
 
 def render_glint(folder, rule, glint):
-    own = "own.glint" if rule.own else "peer.dat"  # glint reads the peer's own file
+    own, of_peer = "own.glint", ()
     if rule.own:
         (folder / own).write_text(rule.own)
+    else:  # glint reads the peer's own file
+        own = "peer.pov" if rule.program == "povray" else "peer.dat"
+        of_peer = ("--format", rule.program)
     output = ("-o", "own.png", "--alpha") if rule.alpha else ("-o", "own.ppm")
     run(folder, str(glint), "render", own, "-s", f"{rule.width}x{rule.height}", *output, "--quiet",
-        *rule.args)
+        *of_peer, *rule.args)
     return read_png(folder / "own.png") if rule.alpha else read_ppm(folder / "own.ppm")
 
 

@@ -60,15 +60,24 @@ Bounds own_bounds(const Object& object) {
 
 }  // namespace
 
-bool Reader::holds(const Object& clip, const Object& object) {
+// The box of an object with its map; false for planes and groups.
+bool Reader::bounds_of(const Object& object, Vec3& lo, Vec3& hi) {
     const Bounds own = own_bounds(object);
-    if (!own.is_known || clip.map || clip.missing) return false;
+    if (!own.is_known) return false;
     Bounds outer;
     for (int corner = 0; corner < 8; ++corner) {
         const Vec3 p{corner & 1 ? own.hi.x : own.lo.x, corner & 2 ? own.hi.y : own.lo.y,
                      corner & 4 ? own.hi.z : own.lo.z};
         outer.add(object.map ? transform_point(*object.map, p) : p);
     }
+    lo = outer.lo;
+    hi = outer.hi;
+    return true;
+}
+
+bool Reader::holds(const Object& clip, const Object& object) {
+    Bounds outer;
+    if (clip.map || !clip.missing.empty() || !bounds_of(object, outer.lo, outer.hi)) return false;
     if (clip.kind == ObjectKind::box) {
         const Vec3 lo{std::min(clip.a.x, clip.b.x), std::min(clip.a.y, clip.b.y),
                       std::min(clip.a.z, clip.b.z)};

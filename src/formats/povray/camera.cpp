@@ -2,9 +2,12 @@
 // The camera: its items are collected, and applied together at the closing brace.
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "formats/povray/reader.h"
 #include "formats/povray_keywords.h"
 #include "math/elementary.h"
+#include "math/number.h"
 #include "math/transform.h"
 
 namespace glint::povray {
@@ -53,7 +56,7 @@ CameraItems Reader::read_camera(const Token& word) {
                 vector();
                 break;
             case Word::k_aperture:
-                if (number() != 0) camera.missing = missing(item, "aperture");
+                if (number() != 0) camera.missing.add(missing(item, "aperture"));
                 break;
             case Word::k_blur_samples:
                 number();
@@ -69,20 +72,16 @@ CameraItems Reader::read_camera(const Token& word) {
             case Word::k_spherical:
             case Word::k_ultra_wide_angle:
             case Word::k_cylinder:
-                camera.missing = {to_string(item.word()), "a kind of camera", item, true};
+                camera.missing.add({to_string(item.word()), "a kind of camera", item, true});
                 if (item.word() == Word::k_cylinder) number();
                 break;
             case Word::k_normal:
                 skip_block();
-                camera.missing = missing(item, "normal");
+                camera.missing.add(missing(item, "normal"));
                 break;
             default: {
-                const Value* value = item.kind == TokenKind::word && !Names::is_reserved(item.name)
-                                         ? find_value(item.name)
-                                         : nullptr;
-                const auto* held = value ? std::get_if<std::shared_ptr<const CameraItems>>(value) : nullptr;
-                if (held != nullptr) {
-                    camera = **held;
+                if (const auto held = named<CameraItems>(item)) {
+                    camera = *held;
                 } else {
                     error(item, fmt::format("expected an item of a camera or `}}`, found {}{}",
                                             describe(item), what_is(item)));
@@ -96,7 +95,8 @@ CameraItems Reader::read_camera(const Token& word) {
 
 // POV-Ray's order: angle, look_at, the size of orthographic cameras, transforms.
 void Reader::use_camera(const CameraItems& items) {
-    if (items.missing) report(*items.missing);
+    report(items.missing);
+    if (items.missing.has_error()) return;
     Vec3 location = items.location, direction = items.direction, up = items.up, right = items.right;
     if (items.angle > 0) {
         const bool is_wide = items.angle >= 180 && !items.is_orthographic;
@@ -109,7 +109,10 @@ void Reader::use_camera(const CameraItems& items) {
         const Vec3 to = *items.look_at - location;
         if (to == Vec3{0, 0, 0}) return error(items.at, "expected a `look_at` other than the location");
         direction = normalize(to) * focal;
-        right = normalize(cross(items.sky, direction)) * width;
+        const Vec3 across = cross(items.sky, normalize(to));
+        const double most = std::max({number::abs(across.x), number::abs(across.y), number::abs(across.z)});
+        // Along `sky` the camera keeps its own right vector.
+        right = normalize(most < 1e-10 ? right : across) * width;
         up = normalize(cross(direction, right)) * height;
         if (is_mirrored) right = -right;
         if (items.is_orthographic && ((!items.has_up && !items.has_right) || items.has_angle)) {

@@ -1,18 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// Meshes cut by a box or a plane: the parts of their triangles that are inside.
+// clipped_by with a box or a plane: the parts of triangles that are inside, and cuts outside the picture.
 #include <algorithm>
+#include <array>
 
 #include "formats/povray/reader.h"
+#include "math/number.h"
 #include "math/transform.h"
 
 namespace glint::povray {
 namespace {
 
-// The points p with dot(n, p) <= d are kept.
-struct HalfSpace {
-    Vec3 n;
-    double d = 0;
-};
+using HalfSpace = Clip::HalfSpace;
 
 std::vector<HalfSpace> half_spaces(const Object& clip) {
     if (clip.kind == ObjectKind::plane) return {{normalize(clip.b), clip.s}};
@@ -42,12 +40,68 @@ std::vector<Corner> part_in(const std::vector<Corner>& corners, const HalfSpace&
     return out;
 }
 
+// The points of a camera's picture are eye + offset + s way, s > 0.
+struct Line {
+    Vec3 offset, way;
+};
+
+std::array<Line, 4> picture_corners(const Camera& camera) {
+    const CameraFrame frame = camera.frame.value_or(CameraFrame{});
+    std::array<Line, 4> out;
+    for (std::size_t i = 0; i < 4; ++i) {
+        const Vec3 side = frame.right * (i & 1 ? 0.5 : -0.5) + frame.up * (i & 2 ? 0.5 : -0.5);
+        const bool is_orthographic = camera.projection == Projection::orthographic;
+        out[i] = is_orthographic ? Line{side, frame.forward} : Line{{0, 0, 0}, frame.forward + side};
+    }
+    return out;
+}
+
 }  // namespace
+
+// The half spaces that cut a shape, for clips that are boxes or planes.
+std::shared_ptr<const Clip> Reader::clip_of(const Object& clip, const Object& object, const Token& at) {
+    auto out = std::make_shared<Clip>();
+    out->missing = missing(at, "clipped_by");
+    out->missing.is_error = true;
+    Vec3 lo, hi;
+    if (clip.map || !clip.missing.empty() || !bounds_of(object, lo, hi)) return out;
+    const auto least = [](double n, double a, double b) { return std::max(n * a, n * b); };
+    for (const HalfSpace& half : half_spaces(clip)) {
+        const Vec3& n = half.n;
+        if (least(n.x, lo.x, hi.x) + least(n.y, lo.y, hi.y) + least(n.z, lo.z, hi.z) > half.d) {
+            out->halves.push_back(half);
+        }
+    }
+    out->reach = std::max(length(lo), length(hi)) * 2;
+    return out;
+}
+
+// Clips are no error if they cut only what is outside the picture, and what is cut casts no shadow.
+void Reader::check_clips() {
+    const auto corners = picture_corners(scene_.camera);
+    const auto& all = scene_.materials;
+    const bool has_mirrors = std::any_of(
+        all.begin(), all.end(), [](const Material& m) { return m.mirror > 0 || m.transmission > 0; });
+    for (const auto& clip : clips_) {
+        bool is_seen = clip->halves.empty() || has_mirrors;
+        for (const HalfSpace& half : clip->halves) {
+            for (const Line& line : corners) {
+                // The corner ray to beyond the shape: straight, so that its ends decide.
+                const Vec3 from = scene_.camera.position + line.offset;
+                const double far = (length(from) + clip->reach) / length(line.way);
+                const double most = std::max(dot(half.n, from), dot(half.n, from + line.way * far));
+                const double size = number::abs(half.d) + far * length(line.way);
+                is_seen = is_seen || !(most <= half.d + 1e-9 * size);
+            }
+        }
+        if (is_seen) report(clip->missing);
+    }
+}
 
 // False if the mesh cannot be cut by this object.
 bool Reader::clip_mesh(const Object& clip, Object& object) {
     const std::vector<HalfSpace> halves = half_spaces(clip);
-    if (object.kind != ObjectKind::mesh || object.map || clip.map || clip.missing || halves.empty())
+    if (object.kind != ObjectKind::mesh || object.map || clip.map || !clip.missing.empty() || halves.empty())
         return false;
     const Mesh& mesh = *object.mesh;
     auto cut = std::make_shared<Mesh>();

@@ -78,10 +78,6 @@ std::array<double, 5> Reader::color(bool from_numbers) {
             case Word::k_transmit:
                 component = 4;
                 break;
-            case Word::k_color:
-            case Word::k_colour:
-                take();
-                continue;
             default: {
                 if (is_any || !begins_number(peek())) {
                     if (!is_any) expected("a colour");

@@ -6,6 +6,7 @@
 
 #include "base/text.h"
 #include "formats/povray/reader.h"
+#include "formats/povray/standard_includes.h"
 #include "math/elementary.h"
 #include "math/number.h"
 #include "math/transform.h"
@@ -251,9 +252,15 @@ Numbers Reader::call(const Token& name) {
             const Token at = peek();
             return value_of(at, string());
         }
-        case Word::k_file_exists:
-            string();
-            return 0.0;
+        case Word::k_file_exists: {
+            const std::string file = string();
+            if (++reading_.includes.count > k_max_includes) {
+                error(name, fmt::format("more than {} includes", k_max_includes));
+            }
+            if (failed_ || reading_.sources == nullptr) return 0.0;
+            const bool is_own = !standard_include(file).text.empty();
+            return is_own || reading_.sources->read(file, text_.place.name) ? 1.0 : 0.0;
+        }
         case Word::k_dimensions:
         case Word::k_dimension_size:
             return array_size(name);

@@ -13,7 +13,6 @@ namespace {
 
 // The folder of Debian's package povray-includes.
 constexpr std::string_view k_system_folder = "/usr/share/povray-3.7/include/";
-constexpr std::uint32_t k_max_includes = 10000;
 
 }  // namespace
 

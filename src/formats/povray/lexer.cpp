@@ -151,6 +151,7 @@ class Lexer {
         const char* name = at_;
         const std::uint32_t number =
             at_ != end_ && is_letter(*at_) ? read_name() : static_cast<std::uint32_t>(Word::k_count);
+        if (number == static_cast<std::uint32_t>(Word::k_count)) return;  // `#` alone means nothing
         if (number > static_cast<std::uint32_t>(Word::k_write)) {
             const std::string_view found(name, static_cast<std::size_t>(at_ - name));
             return fail(from, 1, fmt::format("expected a directive after '#', found {}", quoted(found)));

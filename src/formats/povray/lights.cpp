@@ -19,10 +19,20 @@ Object Reader::read_light(const Token& word) {
     source.light.inner_angle = 30;
     source.light.outer_angle = 45;
     if (!expect('{')) return object;
-    source.light.position = vector();
-    accept(',');
-    const std::array<double, 5> c = color(true);
-    source.light.color = source.light.specular_color = {c[0], c[1], c[2]};
+    if (const Token name = peek(); begins_object(name) && !Names::is_reserved(name.name)) {
+        Object declared = object_of(take());  // another light, to be changed
+        if (!failed_ && declared.kind != ObjectKind::light) {
+            error(name, fmt::format("expected a light, found {}", describe(name)));
+        }
+        if (failed_) return object;
+        *held = *declared.light;
+        object = std::move(declared);
+    } else {
+        source.light.position = vector();
+        accept(',');
+        const std::array<double, 5> c = color(true);
+        source.light.color = source.light.specular_color = {c[0], c[1], c[2]};
+    }
     while (!failed_ && !accept('}')) {
         if (accept(',') || read_transform_item(object.map)) continue;
         const Token item = take();
@@ -54,6 +64,9 @@ Object Reader::read_light(const Token& word) {
             case Word::k_shadowless:
                 source.light.casts_shadows = !flag();
                 break;
+            case Word::k_photons:
+                skip_block();
+                break;
             case Word::k_media_attenuation:
             case Word::k_media_interaction:
                 flag();
@@ -78,19 +91,19 @@ Object Reader::read_light(const Token& word) {
                 break;
             case Word::k_circular:
             case Word::k_orient:
-                source.missing = missing(item, to_string(item.word()));
+                source.missing.add(missing(item, to_string(item.word())));
                 break;
             case Word::k_area_illumination:
-                if (flag()) source.missing = missing(item, "area_illumination");
+                if (flag()) source.missing.add(missing(item, "area_illumination"));
                 break;
             case Word::k_cylinder:
-                source.missing = {"cylinder", "a kind of light", call_place(item), true};
+                source.missing.add({"cylinder", "a kind of light", call_place(item), true});
                 break;
             case Word::k_looks_like:
                 read_looks_like(object);
                 break;
             case Word::k_projected_through:
-                source.missing = missing(item, "projected_through");
+                source.missing.add(missing(item, "projected_through"));
                 skip_block();
                 break;
             default: {

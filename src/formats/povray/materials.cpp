@@ -6,6 +6,7 @@
 
 #include "base/text.h"
 #include "formats/povray/add_shape.h"
+#include "formats/povray/parts.h"
 #include "math/number.h"
 #include "math/transform.h"
 
@@ -16,6 +17,17 @@ Color times(const std::array<double, 5>& pigment, Color by) {
     return {pigment[0] * by.r, pigment[1] * by.g, pigment[2] * by.b};
 }
 
+// The parts of a face along a side, and the strips of one with two colors.
+constexpr int k_max_parts = 32, k_max_fine_parts = 64, k_max_strips = 171;
+constexpr std::uint64_t k_few_shapes = 1'000'000;
+
+bool same_light(const Finish& a, const Finish& b) {
+    return a.ambient == b.ambient && a.emission == b.emission && a.diffuse == b.diffuse &&
+           a.brilliance == b.brilliance && a.phong == b.phong && a.phong_size == b.phong_size &&
+           a.specular == b.specular && a.roughness == b.roughness && a.metallic == b.metallic &&
+           a.reflection_max == b.reflection_max && a.reflection_min == b.reflection_min;
+}
+
 double largest(Color c) { return std::max({c.r, c.g, c.b}); }
 
 }  // namespace
@@ -24,6 +36,7 @@ std::uint32_t Reader::material_of(const Inherited& own, const Token& at) {
     const Texture& texture = *own.texture;
     const Finish& f = texture.finish;
     const std::array<double, 5>& p = texture.pigment.color;
+    const double glass = glass_of(own);
     const MaterialKey key{{p[0],
                            p[1],
                            p[2],
@@ -55,7 +68,8 @@ std::uint32_t Reader::material_of(const Inherited& own, const Token& at) {
                            own.is_no_shadow ? 1.0 : 0.0,
                            f.reflection_exponent,
                            f.reflection_fresnel ? 1.0 : 0.0,
-                           f.conserve_energy ? 1.0 : 0.0}};
+                           f.conserve_energy ? 1.0 : 0.0,
+                           glass > 0 ? own.interior->ior : 0.0}};
     report_texture(own, at);
     if (last_material_ != k_none && key.values == last_key_.values) return last_material_;
     last_key_ = key;
@@ -92,6 +106,13 @@ std::uint32_t Reader::material_of(const Inherited& own, const Token& at) {
     m.transmit = std::clamp(p[4], 0.0, 1.0 - m.filter);
     if (m.is_transparent()) is_transparent_ = true;
     m.casts_shadow = !own.is_no_shadow;
+    if (glass > 0) {
+        m.filter = m.transmit = 0;
+        m.transmission = glass;
+        m.ior = own.interior->ior;
+        for (Color* matte : {&m.ambient, &m.diffuse, &m.emission}) *matte = *matte * (1 - glass);
+        m.casts_shadow = false;
+    }
     last_material_ = static_cast<std::uint32_t>(scene_.materials.size());
     note(scene_.material_texts, last_material_, place_of(call_place(at)));
     scene_.materials.push_back(m);
@@ -104,15 +125,17 @@ void Reader::report_texture(const Inherited& own, const Token& at) {
     const Texture& texture = *own.texture;
     const Finish& f = texture.finish;
     const std::array<double, 5>& p = texture.pigment.color;
-    if (texture.missing) report(*texture.missing);
+    report(texture.missing);
     if (texture.pigment.missing) report(*texture.pigment.missing);
-    if (f.missing) report(*f.missing);
+    report(f.missing);
     const bool is_transparent = p[3] != 0 || p[4] != 0;
     const auto check = [&](bool is_used, std::string_view name, std::string_view meaning) {
         if (is_used && !reading_.diagnostics.warned(name)) report({name, meaning, call_place(at)});
     };
     check(p[3] < 0 || p[4] < 0 || p[3] + p[4] > 1 + 1e-9, "filter, transmit", "with a sum beyond 0 and 1");
-    check(is_transparent && own.interior && own.interior->ior != 1, "ior", "refraction");
+    if (is_transparent && own.interior) report(own.interior->missing);
+    check(is_transparent && own.interior && own.interior->ior != 1 && !(glass_of(own) > 0), "ior",
+          "refraction");
     check(is_transparent && own.is_merge, "merge", "of transparent surfaces");
     check(is_transparent && texture.is_layered, "layered textures", "transparent textures over others");
     check(f.metallic < 0 || f.metallic > 1 || f.reflection_metallic < 0 || f.reflection_metallic > 1,
@@ -134,7 +157,7 @@ void Reader::report_texture(const Inherited& own, const Token& at) {
 
 void Reader::place_light(const Object& object, const Inherited& own) {
     const LightSource& source = *object.light;
-    if (source.missing) report(*source.missing);
+    report(source.missing);
     Light light = source.light;
     Vec3 point_at = source.point_at;
     if (own.map) {
@@ -148,10 +171,16 @@ void Reader::place_light(const Object& object, const Inherited& own) {
         light.kind = LightKind::directional;
         light.to_light = has_axis ? -axis : Vec3{0, 0, -1};
         light.fade_distance = light.fade_power = 0;
+        if (light.casts_shadows) {
+            parallel_lights_.push_back({light.position, normalize(light.to_light), call_place(object.at)});
+        }
     } else if (light.is_spot()) {
         light.axis = has_axis ? axis : Vec3{0, 0, 1};
-        light.outer_angle = std::clamp(light.outer_angle, 1e-6, 180.0);
-        light.inner_angle = std::clamp(light.inner_angle, 0.0, light.outer_angle);
+        // POV-Ray takes the cosines of both.
+        light.inner_angle = std::min(number::abs(light.inner_angle), 180.0);
+        // A radius beyond the falloff counts.
+        light.outer_angle =
+            std::clamp(number::abs(light.outer_angle), std::max(light.inner_angle, 1e-6), 180.0);
     }
     if (source.is_area) {
         if (light.has_position() && !light.is_spot()) {
@@ -179,7 +208,7 @@ void Reader::place_light(const Object& object, const Inherited& own) {
 }
 
 // The three textures of a face are blended between its corners: by parts of one colour each, whose colours
-// differ by at most 1.5 of 255.
+// differ by at most 1.5 of 255, or more if the three corners have very different ones.
 void Reader::add_blended_face(const Object& o, const Inherited& own, const Mesh::Face& face,
                               std::span<const Vec3> points, std::span<const Vec3> normals) {
     const Mesh& mesh = *o.mesh;
@@ -192,46 +221,59 @@ void Reader::add_blended_face(const Object& o, const Inherited& own, const Mesh:
             most = std::max(most, number::abs(d));
         }
     }
-    const int n = std::clamp(static_cast<int>(most * 170) + 1, 1, 32);
-    shapes_ += static_cast<std::uint64_t>(n) * static_cast<std::uint64_t>(n);
-    if (shapes_ > max_shapes()) return error(o.at, fmt::format("more than {} shapes", max_shapes()));
-    const auto mixed = [&](std::span<const Vec3> from, const std::array<std::uint32_t, 3>& of, double u,
-                           double v,
-                           double w) { return from[of[0]] * u + from[of[1]] * v + from[of[2]] * w; };
-    // Parts of a corner grid of n rows: upright ones and, between them, turned ones.
-    for (int row = 0; row < n && !failed_; ++row) {
-        for (int i = 0; i < 2 * (n - row) - 1 && !failed_; ++i) {
-            const bool is_turned = i % 2 != 0;
-            const int column = i / 2;
-            const int upright[3][2] = {{row, column}, {row, column + 1}, {row + 1, column}};
-            const int turned[3][2] = {{row + 1, column + 1}, {row + 1, column}, {row, column + 1}};
-            const auto& at = is_turned ? turned : upright;
-            Texture texture = *textures[0];
-            texture.pigment.color.fill(0);
-            SmoothTriangle part;
-            for (std::size_t k = 0; k < 3; ++k) {
-                const double v = static_cast<double>(at[k][1]) / n, w = static_cast<double>(at[k][0]) / n,
-                             u = 1 - v - w;
-                part.vertices[k] = mixed(points, face.vertices, u, v, w);
-                if (face.has_normals) part.normals[k] = mixed(normals, face.normals, u, v, w);
-                for (std::size_t c = 0; c < 5; ++c) {
-                    texture.pigment.color[c] +=
-                        (textures[0]->pigment.color[c] * u + textures[1]->pigment.color[c] * v +
-                         textures[2]->pigment.color[c] * w) /
-                        3;
-                }
-            }
-            Inherited part_own = own;
-            part_own.texture = &texture;
-            const std::uint32_t material = material_of(part_own, o.at);
-            if (face.has_normals) {
-                add(part, material, nullptr, o.at);
-            } else {
-                add(Triangle{{part.vertices[0], part.vertices[1], part.vertices[2]}}, material, nullptr,
-                    o.at);
-            }
+    for (const Texture* texture : textures) {
+        if (texture->pigment.missing) report(*texture->pigment.missing);
+        report(texture->missing);
+        if (!same_light(texture->finish, textures[0]->finish)) {
+            report({"texture_list", "with different finishes at the corners of a face", call_place(o.at)});
         }
     }
+    const auto corner = [&](std::span<const Vec3> from, const std::array<std::uint32_t, 3>& of,
+                            const CornerWeights& w) {
+        return mixed(from[of[0]], from[of[1]], from[of[2]], w);
+    };
+    using Corners = std::array<CornerWeights, 3>;
+    // colors: the part's color is their mean.
+    const auto add_part = [&](const Corners& corners, const Corners& colors) {
+        Texture texture = *textures[0];
+        texture.pigment.color.fill(0);
+        SmoothTriangle part;
+        for (std::size_t k = 0; k < 3; ++k) {
+            part.vertices[k] = corner(points, face.vertices, corners[k]);
+            if (face.has_normals) part.normals[k] = corner(normals, face.normals, corners[k]);
+            for (std::size_t c = 0; c < 5; ++c) {
+                const auto at = [&](std::size_t i) { return textures[i]->pigment.color[c]; };
+                texture.pigment.color[c] += mixed(at(0), at(1), at(2), colors[k]) / 3;
+            }
+        }
+        Inherited part_own = own;
+        part_own.texture = &texture;
+        const std::uint32_t material = material_of(part_own, o.at);
+        if (face.has_normals) {
+            add(part, material, nullptr, o.at);
+        } else {
+            add(Triangle{{part.vertices[0], part.vertices[1], part.vertices[2]}}, material, nullptr, o.at);
+        }
+        return !failed_;
+    };
+    const auto has_room = [&](int parts) {
+        shapes_ += static_cast<std::uint64_t>(parts);
+        if (shapes_ > max_shapes()) error(o.at, fmt::format("more than {} shapes", max_shapes()));
+        return !failed_;
+    };
+    const int steps = static_cast<int>(std::min(most, 10.0) * 170) + 1;
+    for (std::size_t i = 0; i < 3 && steps > k_max_parts; ++i) {
+        if (!(textures[(i + 1) % 3]->pigment == textures[(i + 2) % 3]->pigment)) continue;
+        // Only one corner has another color: strips along the side opposite to it.
+        const int strips = std::min(steps, k_max_strips);
+        if (!has_room(2 * strips)) return;
+        return for_each_strip(strips, i, [&](const Corners& corners, const CornerWeights& middle) {
+            return add_part(corners, {middle, middle, middle});
+        });
+    }
+    const int n = std::clamp(steps, 1, shapes_ < k_few_shapes ? k_max_fine_parts : k_max_parts);
+    if (!has_room(n * n)) return;
+    for_each_part(n, [&](const Corners& corners) { return add_part(corners, corners); });
 }
 
 }  // namespace glint::povray

@@ -221,13 +221,10 @@ void Reader::read_texture_list(Mesh& mesh) {
             texture = read_texture();
         } else {
             const Token name = take();
-            const Value* value = name.kind == TokenKind::word && !Names::is_reserved(name.name)
-                                     ? find_value(name.name)
-                                     : nullptr;
-            const auto* held = value ? std::get_if<std::shared_ptr<const Texture>>(value) : nullptr;
+            const auto held = named<Texture>(name);
             if (held == nullptr)
                 return error(name, fmt::format("expected `texture`, found {}", describe(name)));
-            texture = **held;
+            texture = *held;
         }
         mesh.textures.push_back(std::make_shared<const Texture>(std::move(texture)));
         accept(',');

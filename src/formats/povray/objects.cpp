@@ -29,7 +29,8 @@ bool Reader::begins_object(const Token& token) {
         }
         return std::holds_alternative<std::shared_ptr<const Object>>(*value);
     }
-    return povray_meaning(names_.name(token.name)) == "a shape";
+    const std::string_view name = names_.name(token.name);
+    return povray_meaning(name) == "a shape" || name == "light_group";
 }
 
 Object Reader::read_object() {
@@ -80,8 +81,9 @@ Object Reader::refuse_object(const Token& word) {
     Object object;
     object.kind = ObjectKind::refused;
     object.at = word;
-    object.missing = missing(word, text_of(word));
-    object.missing->is_error = true;
+    Missing shape = missing(word, text_of(word));
+    shape.is_error = true;
+    object.missing.add(shape);
     skip_block();
     return object;
 }
@@ -171,7 +173,7 @@ void Reader::check_shape(Object& object) {
         if (object.b == Vec3{0, 0, 0}) error(object.at, "expected a normal other than 0");
     }
     if (object.kind == ObjectKind::disc && object.s > 0) {
-        object.missing = {"disc", "with a hole", call_place(object.at), true};
+        object.missing.add({"disc", "with a hole", call_place(object.at), true});
     }
     if (object.r < 0) object.r = -object.r;
     if (object.s < 0 && object.kind == ObjectKind::cone) object.s = -object.s;
@@ -214,118 +216,6 @@ Object Reader::read_group(const Token& word) {
     }
     read_modifiers(group);
     return group;
-}
-
-// Up to and including the `}`.
-void Reader::read_modifiers(Object& object) {
-    while (!failed_ && !accept('}')) {
-        if (accept(',') || read_modifier(object)) continue;
-        const Token item = peek();
-        const std::string_view name = text_of(item);
-        if (item.kind == TokenKind::word && !povray_meaning(name).empty() && !find_value(item.name)) {
-            take();
-            object.missing = missing(item, name);
-            if (peek().is('{')) skip_block();
-        } else {
-            expected("a modifier of an object or `}`");
-        }
-    }
-}
-
-bool Reader::read_modifier(Object& object) {
-    if (read_transform_item(object.map)) return true;
-    const Token item = peek();
-    switch (item.word()) {
-        case Word::k_texture:
-            take();
-            object.texture = layered(object.texture, read_texture());
-            return true;
-        case Word::k_pigment:
-            take();
-            read_pigment(own_texture(object).pigment);
-            return true;
-        case Word::k_finish:
-            take();
-            read_finish(own_texture(object).finish);
-            return true;
-        case Word::k_normal:
-            take();
-            skip_block();
-            own_texture(object).missing = missing(item, "normal");
-            return true;
-        case Word::k_material: {
-            take();
-            const MaterialValue material = read_material();
-            if (material.texture) object.texture = layered(object.texture, *material.texture);
-            if (material.interior) object.interior = material.interior;
-            return true;
-        }
-        case Word::k_interior:
-            take();
-            object.interior = read_opaque(Word::k_interior, item);
-            return true;
-        case Word::k_no_shadow:
-            take();
-            object.is_no_shadow = flag();
-            return true;
-        case Word::k_open:
-            take();
-            object.is_open = true;
-            return true;
-        case Word::k_clipped_by:
-            take();
-            read_clip(object);
-            return true;
-        case Word::k_bounded_by:
-        case Word::k_photons:
-        case Word::k_radiosity:
-            take();
-            skip_block();
-            return true;
-        case Word::k_interior_texture:
-            take();
-            skip_block();
-            object.missing = missing(item, "interior_texture");
-            return true;
-        case Word::k_double_illuminate:
-        case Word::k_no_image:
-        case Word::k_no_reflection:
-            take();
-            if (flag()) object.missing = missing(item, to_string(item.word()));
-            return true;
-        // Without effect on surfaces that cut nothing.
-        case Word::k_hollow:
-        case Word::k_inverse:
-        case Word::k_sturm:
-        case Word::k_hierarchy:
-        case Word::k_split_union:
-        case Word::k_no_radiosity:
-        case Word::k_uv_mapping:
-            take();
-            flag();
-            return true;
-        default:
-            return false;
-    }
-}
-
-// { objects }, after clipped_by: an error unless the objects hold the whole shape.
-void Reader::read_clip(Object& object) {
-    const Token at = ahead_;
-    if (!expect('{')) return;
-    if (accept(Word::k_bounded_by)) {
-        expect('}');
-        return;
-    }
-    while (!failed_ && !accept('}')) {
-        if (!begins_object(peek())) return expected("an object or `}`");
-        const Object clip = read_object();
-        accept(',');
-        if (!failed_ && !holds(clip, object) && !clip_mesh(clip, object)) {
-            object.missing = missing(at, "clipped_by");
-            object.missing->is_error = true;
-        }
-    }
 }
 
 }  // namespace glint::povray

@@ -86,6 +86,10 @@ void Reader::report(const Missing& missing) {
         fmt::format("glint does not render {}{} of POV-Ray", shown(missing.name), meaning));
 }
 
+void Reader::report(const MissingList& missing) {
+    for (const Missing& each : missing) report(each);
+}
+
 void Reader::place(const Object& object) {
     if (failed_) return;
     shapes_ += object.count;
@@ -107,7 +111,15 @@ void Reader::place(const Object& object, const Inherited& from) {
     if (object.texture) own.texture = object.texture.get();
     own.is_no_shadow = from.is_no_shadow || object.is_no_shadow;
     if (object.interior) own.interior = &*object.interior;
-    if (object.missing) report(*object.missing);
+    report(object.missing);
+    if (object.clip) {
+        const bool is_as_read = !from.map && object.map == object.clip_map && own.is_no_shadow;
+        if (is_as_read) {
+            clips_.push_back(object.clip);
+        } else {
+            report(object.clip->missing);
+        }
+    }
     switch (object.kind) {
         case ObjectKind::refused:
             return;
@@ -128,8 +140,12 @@ void Reader::place(const Object& object, const Inherited& from) {
     place_shape(object, own);
 }
 
-void Reader::place_shape(const Object& o, const Inherited& own) {
+void Reader::place_shape(const Object& o, const Inherited& from) {
+    Inherited own = from;
+    const bool has_ends = o.kind == ObjectKind::cylinder || o.kind == ObjectKind::cone;
+    own.is_solid = o.kind == ObjectKind::sphere || (has_ends && !o.is_open);
     const std::uint32_t material = material_of(own, o.at);
+    const auto first = static_cast<std::uint32_t>(scene_.shapes.size());
     const Affine* map = own.map;
     const double factor = map ? similarity(*map) : 1;
     const auto point = [&](Vec3 p) { return map ? transform_point(*map, p) : p; };
@@ -184,16 +200,22 @@ void Reader::place_shape(const Object& o, const Inherited& own) {
                 material, nullptr, o.at);
         }
     }
+    if (scene_.shapes.size() > first && scene_.materials[material].transmission > 0) {
+        glass_.push_back(first);
+        glass_at_ = o.at;
+    }
 }
 
 void Reader::place_mesh(const Object& o, const Inherited& own) {
     const Mesh& mesh = *o.mesh;
     std::vector<Vec3> points = mesh.vertices, normals = mesh.normals;
+    bool is_skewed = false;
     if (own.map) {
         const auto object_from_world = inverse(*own.map);
         if (!object_from_world) return error(o.at, "the mesh's transform leaves nothing of it");
         for (Vec3& p : points) p = transform_point(*own.map, p);
-        for (Vec3& n : normals) n = transform_normal(*object_from_world, n);
+        is_skewed = !(similarity(*own.map) > 0);
+        for (Vec3& n : normals) n = transform_normal(*object_from_world, is_skewed ? normalize(n) : n);
     }
     Inherited face_own = own;
     const std::uint32_t material = material_of(own, o.at);
@@ -219,7 +241,11 @@ void Reader::place_mesh(const Object& o, const Inherited& own) {
             smooth.vertices[i] = flat.vertices[i];
             smooth.normals[i] = normals[face.normals[i]];
         }
-        add(smooth, of_face, nullptr, o.at);
+        if (is_skewed) {
+            add_smooth(smooth, of_face, o.at);
+        } else {
+            add(smooth, of_face, nullptr, o.at);
+        }
     }
 }
 

@@ -2,8 +2,9 @@
 #pragma once
 // The reader of POV-Ray's language: directives and macros make a stream of tokens, from which declarations,
 // objects and settings are parsed. One class, in several files: stream.cpp (texts, macros, loops),
-// directives.cpp, expressions.cpp, functions.cpp, strings.cpp, values.cpp, textures.cpp, objects.cpp,
-// meshes.cpp, lights.cpp, camera.cpp, settings.cpp, place.cpp (objects to the Scene).
+// directives.cpp, conditions.cpp, expressions.cpp, functions.cpp, strings.cpp, values.cpp, textures.cpp,
+// blocks.cpp, objects.cpp, modifiers.cpp, meshes.cpp, lights.cpp, camera.cpp, sky.cpp, settings.cpp;
+// place.cpp, materials.cpp, smooth.cpp, glass.cpp and parallel.cpp (to the Scene).
 #include <functional>
 #include <map>
 #include <optional>
@@ -24,6 +25,7 @@ inline constexpr std::size_t k_max_frames = 500;            // macros and includ
 inline constexpr int k_max_depth = 100;                     // brackets and blocks within each other
 inline constexpr std::uint64_t k_max_elements = 4'000'000;  // of all arrays
 inline constexpr std::uint64_t k_max_shapes = 4'000'000;    // more than the text has tokens
+inline constexpr std::uint32_t k_max_includes = 10000;      // and tests of files
 inline constexpr std::size_t k_max_string = 65536;
 
 class Reader {
@@ -114,13 +116,18 @@ class Reader {
     void read_directive();
     void read_declare(bool is_local);
     void read_macro(const Token& at);
+    void read_version();
+    void read_default();
+    void read_message(const Token& at);
+
+    // conditions.cpp
+    bool condition();
     bool read_defined();
     void read_if(const Token& at, bool is_true);
     void read_ifdef(const Token& at, bool wanted);
     void read_else(const Token& at);
     void read_elseif(const Token& at);
     void read_end(const Token& at);
-    void read_while(const Token& at);
     void run_while();
     void read_for(const Token& at);
     void read_switch(const Token& at);
@@ -128,11 +135,6 @@ class Reader {
     void read_break(const Token& at);
     void leave_condition();
     bool is_within(double value, const Condition& condition) const;
-    void read_version();
-    void read_default();
-    void read_message(const Token& at);
-    void read_undef();
-    bool condition();
 
     // includes.cpp
 
@@ -190,6 +192,8 @@ class Reader {
     // values.cpp
     Value value();
     Value identifier_value(const Token& name);
+    Value named_value(const Token& name);
+    template <class T> std::shared_ptr<const T> named(const Token& name);
     Numbers expression_after(Numbers first);
     Value array_value(const Token& at);
     void read_elements(Array& array, std::size_t dimensions, std::size_t& next, bool has_sizes);
@@ -212,11 +216,14 @@ class Reader {
     void read_pigment(Pigment& pigment);
     void read_finish(Finish& finish);
     void read_reflection(Finish& finish);
-    MaterialValue read_material();
-    static bool is_opaque(Word word);
-    Opaque read_opaque(Word word, const Token& at);
     Missing missing(const Token& at, std::string_view name);
     std::shared_ptr<const Texture> layered(const std::shared_ptr<const Texture>& below, Texture top);
+
+    // blocks.cpp
+    static bool is_opaque(Word word);
+    Opaque read_opaque(Word word, const Token& at);
+    Opaque read_interior(const Token& at);
+    MaterialValue read_material();
     void skip_block();
     void skip_rest();
 
@@ -236,6 +243,9 @@ class Reader {
     bool read_modifier(Object& object);
     void read_clip(Object& object);
     static bool clip_mesh(const Object& clip, Object& object);
+    static bool bounds_of(const Object& object, Vec3& lo, Vec3& hi);
+    std::shared_ptr<const Clip> clip_of(const Object& clip, const Object& object, const Token& at);
+    void check_clips();
     Object refuse_object(const Token& word);
     Object read_group(const Token& word);
 
@@ -261,6 +271,11 @@ class Reader {
     CameraItems read_camera(const Token& word);
     void use_camera(const CameraItems& camera);
 
+    // sky.cpp
+    void read_sky(const Token& at);
+    std::shared_ptr<const GradientPattern> read_gradient(std::optional<Affine> map);
+    bool read_color_map(std::vector<ColorMapEntry>& map);
+
     // settings.cpp
     void read_statement();
     void read_global_settings();
@@ -279,11 +294,26 @@ class Reader {
         const Affine* map = nullptr;
         const Opaque* interior = nullptr;
         bool is_no_shadow = false, is_merge = false;
+        bool is_solid = false;  // a shape whose inside is known
     };
     void place(const Object& object, const Inherited& from);
-    void place_shape(const Object& object, const Inherited& own);
+    void place_shape(const Object& object, const Inherited& from);
     void place_mesh(const Object& object, const Inherited& own);
     SourcePlace shape_place(const Token& at);
+
+    // smooth.cpp
+    void add_smooth(const SmoothTriangle& whole, std::uint32_t material, const Token& at);
+
+    // parallel.cpp
+    struct ParallelLight {
+        Vec3 position, to_light;
+        Token at;
+    };
+    void check_parallel_lights();
+
+    // glass.cpp
+    double glass_of(const Inherited& own) const;
+    void check_glass();
 
     // materials.cpp
     std::uint32_t material_of(const Inherited& own, const Token& at);
@@ -292,6 +322,7 @@ class Reader {
     void add_blended_face(const Object& object, const Inherited& own, const Mesh::Face& face,
                           std::span<const Vec3> points, std::span<const Vec3> normals);
     void report(const Missing& missing);
+    void report(const MissingList& missing);
     template <class Shape>
     void add(const Shape& shape, std::uint32_t material, const Affine* map, const Token& at);
 
@@ -329,9 +360,13 @@ class Reader {
     Token gamma_place_, version_place_;
     std::array<double, 5> background_{};
     Color ambient_light_{1, 1, 1};
+    std::vector<ParallelLight> parallel_lights_;
+    std::vector<std::shared_ptr<const Clip>> clips_;
+    std::vector<std::uint32_t> glass_;  // shapes that refract
+    Token glass_at_;                    // the last of them
     std::optional<CameraItems> camera_, camera_default_;
     struct MaterialKey {
-        std::array<double, 32> values{};
+        std::array<double, 33> values{};
         bool operator<(const MaterialKey& other) const { return values < other.values; }
     };
     std::map<MaterialKey, std::uint32_t> materials_;
@@ -341,5 +376,13 @@ class Reader {
     SourcePlace last_place_;
     std::vector<std::string> warned_;  // what has been refused
 };
+
+// What an identifier that has been read, or an element of an array, stands for; null if that is nothing of
+// this kind.
+template <class T> std::shared_ptr<const T> Reader::named(const Token& name) {
+    const Value value = named_value(name);
+    const auto* held = std::get_if<std::shared_ptr<const T>>(&value);
+    return held != nullptr ? *held : nullptr;
+}
 
 }  // namespace glint::povray

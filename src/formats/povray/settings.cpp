@@ -31,7 +31,12 @@ void Reader::read_statement() {
         case Word::k_fog:
             take();
             return read_fog(item);
+        case Word::k_default:  // without `#`
+            take();
+            return read_default();
         case Word::k_sky_sphere:
+            take();
+            return read_sky(item);
         case Word::k_rainbow:
             take();
             skip_block();
@@ -180,8 +185,12 @@ bool Reader::set(std::string_view name, const Token& at, std::string_view value)
 // What the whole text decides.
 void Reader::finish_settings() {
     if (failed_) return;
-    use_camera(camera_.value_or(camera_default_.value_or(CameraItems())));
-    if (!camera_ && !camera_default_) scene_.camera_place = {};
+    const bool has_camera = camera_ || camera_default_;
+    // A text of objects for another scene need not have a camera.
+    if (has_camera || !text_.is_included) {
+        use_camera(camera_.value_or(camera_default_.value_or(CameraItems())));
+    }
+    if (!has_camera) scene_.camera_place = {};
     if (!(ambient_light_ == Color{0, 0, 0})) {
         Light ambient;
         ambient.kind = LightKind::ambient;
@@ -190,6 +199,9 @@ void Reader::finish_settings() {
         scene_.light_texts.places.emplace_back();
         scene_.lights.push_back(ambient);
     }
+    check_parallel_lights();
+    check_glass();
+    check_clips();
     use_gamma();
     const bool is_new = version_.value_or(0) >= 3.7;
     if (!is_new) set("opacity", version_place_, "brightest");

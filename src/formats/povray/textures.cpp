@@ -17,62 +17,6 @@ Missing Reader::missing(const Token& at, std::string_view name) {
     return {name, povray_meaning(name), call_place(at)};
 }
 
-// The rest of a block, up to its `}`.
-void Reader::skip_rest() {
-    int open = 0;
-    while (!failed_) {
-        const Token& token = peek();
-        if (token.kind == TokenKind::end) return expected("`}`");
-        if (token.is('{')) ++open;
-        if (token.is('}') && open-- == 0) return;
-        take();
-    }
-}
-
-void Reader::skip_block() {
-    if (!expect('{')) return;
-    skip_rest();
-    expect('}');
-}
-
-bool Reader::is_opaque(Word word) {
-    return word == Word::k_normal || word == Word::k_interior || word == Word::k_color_map ||
-           word == Word::k_colour_map || word == Word::k_function || word == Word::k_spline ||
-           word == Word::k_rainbow || word == Word::k_sky_sphere || word == Word::k_fog;
-}
-
-// A block that is not rendered, after its word; of an interior, its ior is kept.
-Opaque Reader::read_opaque(Word word, const Token& at) {
-    Opaque out{word, at};
-    if (word == Word::k_function && peek().is('(')) {
-        while (!failed_ && !accept(')')) {
-            if (peek().kind == TokenKind::end) expected("`)`");
-            take();
-        }
-    }
-    if (word != Word::k_interior) {
-        skip_block();
-        return out;
-    }
-    if (!expect('{')) return out;
-    while (!failed_ && !accept('}')) {
-        const Token item = take();
-        const Value* value =
-            item.kind == TokenKind::word && !Names::is_reserved(item.name) ? find_value(item.name) : nullptr;
-        if (const auto* held = value ? std::get_if<Opaque>(value) : nullptr) {
-            out.ior = held->ior;
-        } else if (item.word() == Word::k_ior) {
-            out.ior = number();
-        } else if (item.kind == TokenKind::end) {
-            expected("`}`");
-        } else if (item.is('{')) {
-            skip_rest();
-            expect('}');
-        }
-    }
-    return out;
-}
-
 // { [identifier] items }
 void Reader::read_pigment(Pigment& pigment) {
     const Deeper deeper(*this);
@@ -81,17 +25,19 @@ void Reader::read_pigment(Pigment& pigment) {
     while (!failed_ && !accept('}')) {
         const Token item = peek();
         if (begins_color(item)) {
-            pigment = {color(false), {}};
+            pigment = {color(false), {}, {}};
             continue;
         }
         if (item.kind == TokenKind::word && !Names::is_reserved(item.name)) {
             if (const Value* value = find_value(item.name)) {
-                if (const auto* held = std::get_if<std::shared_ptr<const Pigment>>(value)) {
-                    pigment = **held;
-                    take();
+                const auto* array = std::get_if<std::shared_ptr<Array>>(value);
+                const Value& kind =
+                    array && !(*array)->elements.empty() ? (*array)->elements.front() : *value;
+                if (std::holds_alternative<std::shared_ptr<const Pigment>>(kind)) {
+                    if (const auto held = named<Pigment>(take())) pigment = *held;
                     continue;
                 }
-                pigment = {color(false), {}};
+                pigment = {color(false), {}, {}};
                 continue;
             }
         } else if (item.word() == Word::k_quick_color || item.word() == Word::k_quick_colour) {
@@ -99,7 +45,7 @@ void Reader::read_pigment(Pigment& pigment) {
             color(true);
             continue;
         } else if (begins_number(item)) {
-            pigment = {color(false), {}};
+            pigment = {color(false), {}, {}};
             continue;
         } else if (read_transform_item(map) || accept(Word::k_uv_mapping)) {
             continue;
@@ -110,7 +56,11 @@ void Reader::read_pigment(Pigment& pigment) {
         }
         pigment.missing = missing(item, text_of(item));
         pigment.missing->meaning = "a pattern";
-        skip_rest();
+        if (item.word() == Word::k_gradient) {
+            pigment.gradient = read_gradient(map);
+        } else {
+            skip_rest();
+        }
     }
 }
 
@@ -169,22 +119,19 @@ void Reader::read_finish(Finish& finish) {
                 break;
             case Word::k_irid:
             case Word::k_subsurface:
-                finish.missing = missing(item, to_string(item.word()));
+                finish.missing.add(missing(item, to_string(item.word())));
                 skip_block();
                 break;
             case Word::k_ior:
                 number();
                 break;
             default: {
-                const Value* value = item.kind == TokenKind::word && !Names::is_reserved(item.name)
-                                         ? find_value(item.name)
-                                         : nullptr;
-                const auto* held = value ? std::get_if<std::shared_ptr<const Finish>>(value) : nullptr;
+                const auto held = named<Finish>(item);
                 if (held == nullptr) {
                     return error(item, fmt::format("expected an item of a finish or `}}`, found {}{}",
                                                    describe(item), what_is(item)));
                 }
-                finish = **held;
+                finish = *held;
             }
         }
         accept(',');
@@ -247,15 +194,14 @@ void Reader::read_texture_items(Texture& texture) {
             read_finish(texture.finish);
         } else if (item.word() == Word::k_normal) {
             skip_block();
-            texture.missing = missing(item, "normal");
+            texture.missing.add(missing(item, "normal"));
         } else {
-            const Value* value = item.kind == TokenKind::word && !Names::is_reserved(item.name)
-                                     ? find_value(item.name)
-                                     : nullptr;
-            if (const auto* held = value ? std::get_if<std::shared_ptr<const Texture>>(value) : nullptr) {
-                texture = **held;
-            } else if (value == nullptr && item.kind == TokenKind::word) {
-                texture.missing = missing(item, text_of(item));  // a map of textures, tiles, ...
+            const bool is_name =
+                item.kind == TokenKind::word && !Names::is_reserved(item.name) && find_value(item.name);
+            if (const auto held = named<Texture>(item)) {
+                texture = *held;
+            } else if (!is_name && item.kind == TokenKind::word) {
+                texture.missing.add(missing(item, text_of(item)));  // a map of textures, tiles, ...
                 skip_rest();
             } else {
                 return error(item, fmt::format("expected `pigment`, `finish` or a texture, found {}{}",
@@ -263,34 +209,6 @@ void Reader::read_texture_items(Texture& texture) {
             }
         }
     }
-}
-
-// { [identifier] texture interior transforms }
-MaterialValue Reader::read_material() {
-    MaterialValue material;
-    const Deeper deeper(*this);
-    if (!deeper.ok || !expect('{')) return material;
-    std::optional<Affine> map;
-    while (!failed_ && !accept('}')) {
-        if (read_transform_item(map)) continue;
-        const Token item = take();
-        const Value* value =
-            item.kind == TokenKind::word && !Names::is_reserved(item.name) ? find_value(item.name) : nullptr;
-        if (item.word() == Word::k_texture) {
-            material.texture = layered(material.texture, read_texture());
-        } else if (item.word() == Word::k_interior) {
-            material.interior = read_opaque(Word::k_interior, item);
-        } else if (item.word() == Word::k_interior_texture) {
-            skip_block();
-        } else if (const auto* held =
-                       value ? std::get_if<std::shared_ptr<const MaterialValue>>(value) : nullptr) {
-            material = **held;
-        } else {
-            error(item, fmt::format("expected `texture`, `interior` or `}}`, found {}{}", describe(item),
-                                    what_is(item)));
-        }
-    }
-    return material;
 }
 
 // The texture `top` over `below`.

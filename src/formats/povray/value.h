@@ -37,14 +37,36 @@ struct Missing {
     bool is_error = false;  ///< without it the scene has no meaning
 };
 
+/// The features of one thing that are not rendered; of each name the first, and at most a few.
+class MissingList {
+  public:
+    void add(const Missing& missing);
+    bool empty() const { return list_.empty(); }
+    bool has_error() const;
+    auto begin() const { return list_.begin(); }
+    auto end() const { return list_.end(); }
+
+  private:
+    std::vector<Missing> list_;
+};
+
 struct ColorMapEntry {
     double at = 0;
     std::array<double, 5> color{};
 };
 
+/// The pattern `gradient`, which a sky can have: x = axis · p, axis of length 1, p the point in the pigment's
+/// space.
+struct GradientPattern {
+    Vec3 axis{0, 1, 0};
+    std::vector<ColorMapEntry> map;
+    std::optional<Affine> transform;  ///< of the pattern
+};
+
 struct Pigment {
     std::array<double, 5> color{0, 0, 0, 0, 0};
     std::optional<Missing> missing;  ///< a pattern that is not rendered
+    std::shared_ptr<const GradientPattern> gradient;
     friend bool operator==(const Pigment& a, const Pigment& b) { return a.color == b.color; }
 };
 
@@ -57,21 +79,22 @@ struct Finish {
     double reflection_exponent = 1, reflection_falloff = 1, reflection_metallic = 0;
     bool reflection_fresnel = false, conserve_energy = false;
     double crand = 0, diffuse_back = 0;
-    std::optional<Missing> missing;
+    MissingList missing;
 };
 
 struct Texture {
     Pigment pigment;
     Finish finish;
-    std::optional<Missing> missing;  ///< a normal, a texture map, ...
-    bool is_layered = false;         ///< below it are other textures
+    MissingList missing;      ///< a normal, a texture map, ...
+    bool is_layered = false;  ///< below it are other textures
 };
 
 /// A block that has a meaning only where it is used, and is not rendered: normal, interior, color_map, ...
 struct Opaque {
     Word word = Word::k_none;
     Token at;
-    double ior = 1;  ///< of an interior
+    double ior = 1;       ///< of an interior
+    MissingList missing;  ///< what else of an interior counts
 };
 
 enum class ObjectKind : std::uint8_t {
@@ -104,7 +127,18 @@ struct LightSource {
                   ///< position
     Vec3 point_at{0, 0, 1};
     bool is_parallel = false, is_area = false;
-    std::optional<Missing> missing;
+    MissingList missing;
+};
+
+/// What clipped_by cuts off a shape: nothing that is seen, or the scene has no meaning.
+struct Clip {
+    struct HalfSpace {
+        Vec3 n;
+        double d = 0;  ///< dot(n, p) <= d is kept
+    };
+    std::vector<HalfSpace> halves;  ///< those that cut, in world space; empty: not known
+    double reach = 0;               ///< of the shape's points, the greatest distance from 0
+    Missing missing;
 };
 
 /// An object: a shape, a group of objects, a light, or one that is not rendered. Parts are shared.
@@ -120,10 +154,12 @@ struct Object {
     std::shared_ptr<const std::vector<Object>> parts;
     std::shared_ptr<const Mesh> mesh;
     std::shared_ptr<const LightSource> light;
+    std::shared_ptr<const Clip> clip;
+    std::optional<Affine> clip_map;  ///< `map` where the clip was read
     std::optional<Opaque> interior;
-    std::optional<Missing> missing;  ///< what is not rendered of it
-    std::uint64_t count = 1;         ///< of shapes in it
-    int depth = 1;                   ///< of groups
+    MissingList missing;      ///< what is not rendered of it
+    std::uint64_t count = 1;  ///< of shapes in it
+    int depth = 1;            ///< of groups
 };
 
 struct CameraItems {
@@ -133,7 +169,7 @@ struct CameraItems {
     double angle = 0;
     std::optional<Affine> map;
     Token at;
-    std::optional<Missing> missing;
+    MissingList missing;
 };
 
 struct Array;
@@ -154,6 +190,7 @@ struct Reference {
 struct MaterialValue {
     std::shared_ptr<const Texture> texture;
     std::optional<Opaque> interior;
+    MissingList missing;
 };
 
 using Value =

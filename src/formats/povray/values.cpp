@@ -6,6 +6,7 @@
 
 #include "base/text.h"
 #include "formats/povray/reader.h"
+#include "formats/povray_keywords.h"
 
 namespace glint::povray {
 
@@ -67,6 +68,10 @@ Value Reader::identifier_value(const Token& name) {
     if (value == nullptr) {
         const std::string_view word = names_.name(name.name);
         if (begins_object(name)) return std::make_shared<const Object>(read_object());
+        if (!povray_meaning(word).empty() && !at_frame_end() && raw().is('{')) {  // media, a map, ...
+            take();
+            return read_opaque(Word::k_none, name);
+        }
         error(name, fmt::format("expected a value, found {}{}", quoted(word), what_is(name)));
         return {};
     }
@@ -87,6 +92,17 @@ Value Reader::identifier_value(const Token& name) {
     Value copy = *value;
     take();
     return copy;
+}
+
+// The value of an identifier that has been read, also of an element of an array.
+Value Reader::named_value(const Token& name) {
+    if (name.kind != TokenKind::word || Names::is_reserved(name.name)) return {};
+    const Value* value = find_value(name.name);
+    if (value == nullptr) return {};
+    const Value whole = *value;
+    if (!std::holds_alternative<std::shared_ptr<Array>>(whole) || !peek().is('[')) return whole;
+    const Value* element = read_element(name, whole);
+    return element != nullptr ? *element : Value();
 }
 
 // The rest of an expression whose first operand has been read.

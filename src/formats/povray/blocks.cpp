@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: Apache-2.0
+// Blocks that are read over: normals, functions, maps. Interiors and materials.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "formats/povray/reader.h"
+
+namespace glint::povray {
+
+void MissingList::add(const Missing& missing) {
+    const auto is_same = [&](const Missing& m) {
+        return m.name == missing.name && m.is_error == missing.is_error;
+    };
+    if (std::any_of(list_.begin(), list_.end(), is_same)) return;
+    if (list_.size() < 16 || missing.is_error) list_.push_back(missing);
+}
+
+bool MissingList::has_error() const {
+    return std::any_of(list_.begin(), list_.end(), [](const Missing& m) { return m.is_error; });
+}
+
+// The rest of a block, up to its `}`.
+void Reader::skip_rest() {
+    int open = 0;
+    while (!failed_) {
+        const Token& token = peek();
+        if (token.kind == TokenKind::end) return expected("`}`");
+        if (token.is('{')) ++open;
+        if (token.is('}') && open-- == 0) return;
+        take();
+    }
+}
+
+void Reader::skip_block() {
+    if (!expect('{')) return;
+    skip_rest();
+    expect('}');
+}
+
+bool Reader::is_opaque(Word word) {
+    return word == Word::k_normal || word == Word::k_interior || word == Word::k_color_map ||
+           word == Word::k_colour_map || word == Word::k_function || word == Word::k_spline ||
+           word == Word::k_rainbow || word == Word::k_sky_sphere || word == Word::k_fog;
+}
+
+// A block that is not rendered, after its word.
+Opaque Reader::read_opaque(Word word, const Token& at) {
+    if (word == Word::k_interior) return read_interior(at);
+    if (word == Word::k_function && peek().is('(')) {
+        while (!failed_ && !accept(')')) {
+            if (peek().kind == TokenKind::end) expected("`)`");
+            take();
+        }
+    }
+    skip_block();
+    return {word, at, 1, {}};
+}
+
+// { [identifier] items }, after `interior`
+Opaque Reader::read_interior(const Token& at) {
+    Opaque out{Word::k_interior, at, 1, {}};
+    if (!expect('{')) return out;
+    while (!failed_ && !accept('}')) {
+        const Token item = take();
+        const std::string_view name = item.kind == TokenKind::word ? text_of(item) : std::string_view();
+        const Value* value =
+            !name.empty() && !Names::is_reserved(item.name) ? find_value(item.name) : nullptr;
+        if (const auto* held = value ? std::get_if<Opaque>(value) : nullptr) {
+            out.ior = held->ior;
+            out.missing = held->missing;
+        } else if (item.word() == Word::k_ior) {
+            out.ior = number();
+        } else if (item.word() == Word::k_fade_power) {
+            if (number() > 0) {
+                out.missing.add({"fade_power", "light lost inside an object", call_place(item)});
+            }
+        } else if (name == "caustics" || name == "dispersion") {
+            if (number() != (name == "caustics" ? 0 : 1)) out.missing.add(missing(item, name));
+        } else if (name == "media") {
+            skip_block();
+            out.missing.add({"media", "smoke or haze inside an object", call_place(item)});
+        } else if (item.kind == TokenKind::end) {
+            expected("`}`");
+        } else if (item.is('{')) {
+            skip_rest();
+            expect('}');
+        }
+    }
+    return out;
+}
+
+// { [identifier] texture interior transforms }
+MaterialValue Reader::read_material() {
+    MaterialValue material;
+    const Deeper deeper(*this);
+    if (!deeper.ok || !expect('{')) return material;
+    std::optional<Affine> map;
+    while (!failed_ && !accept('}')) {
+        if (read_transform_item(map)) continue;
+        const Token item = take();
+        if (item.word() == Word::k_texture) {
+            material.texture = layered(material.texture, read_texture());
+        } else if (item.word() == Word::k_interior) {
+            material.interior = read_opaque(Word::k_interior, item);
+        } else if (item.word() == Word::k_interior_texture) {
+            skip_block();
+            material.missing.add(missing(item, "interior_texture"));
+        } else if (const auto held = named<MaterialValue>(item)) {
+            material = *held;
+        } else {
+            error(item, fmt::format("expected `texture`, `interior` or `}}`, found {}{}", describe(item),
+                                    what_is(item)));
+        }
+    }
+    return material;
+}
+
+}  // namespace glint::povray

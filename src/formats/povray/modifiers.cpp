@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: Apache-2.0
+// The modifiers of objects.
+#include <fmt/format.h>
+
+#include "base/text.h"
+#include "formats/povray/reader.h"
+#include "formats/povray_keywords.h"
+
+namespace glint::povray {
+
+// Up to and including the `}`.
+void Reader::read_modifiers(Object& object) {
+    while (!failed_ && !accept('}')) {
+        if (accept(',') || read_modifier(object)) continue;
+        const Token item = peek();
+        const std::string_view name = text_of(item);
+        if (item.kind == TokenKind::word && !povray_meaning(name).empty() && !find_value(item.name)) {
+            take();
+            object.missing.add(missing(item, name));
+            if (peek().is('{')) skip_block();
+        } else {
+            expected("a modifier of an object or `}`");
+        }
+    }
+}
+
+bool Reader::read_modifier(Object& object) {
+    if (read_transform_item(object.map)) return true;
+    const Token item = peek();
+    switch (item.word()) {
+        case Word::k_texture:
+            take();
+            object.texture = layered(object.texture, read_texture());
+            return true;
+        case Word::k_pigment:
+            take();
+            read_pigment(own_texture(object).pigment);
+            return true;
+        case Word::k_finish:
+            take();
+            read_finish(own_texture(object).finish);
+            return true;
+        case Word::k_normal:
+            take();
+            skip_block();
+            own_texture(object).missing.add(missing(item, "normal"));
+            return true;
+        case Word::k_material: {
+            take();
+            const MaterialValue material = read_material();
+            if (material.texture) object.texture = layered(object.texture, *material.texture);
+            if (material.interior) object.interior = material.interior;
+            for (const Missing& of : material.missing) object.missing.add(of);
+            return true;
+        }
+        case Word::k_interior:
+            take();
+            object.interior = read_opaque(Word::k_interior, item);
+            return true;
+        case Word::k_no_shadow:
+            take();
+            object.is_no_shadow = flag();
+            return true;
+        case Word::k_open:
+            take();
+            object.is_open = true;
+            return true;
+        case Word::k_clipped_by:
+            take();
+            read_clip(object);
+            return true;
+        case Word::k_bounded_by:
+        case Word::k_photons:
+        case Word::k_radiosity:
+            take();
+            skip_block();
+            return true;
+        case Word::k_interior_texture:
+            take();
+            skip_block();
+            object.missing.add(missing(item, "interior_texture"));
+            return true;
+        case Word::k_double_illuminate:
+        case Word::k_no_image:
+        case Word::k_no_reflection:
+            take();
+            if (flag()) object.missing.add(missing(item, to_string(item.word())));
+            return true;
+        // Without effect on surfaces that cut nothing.
+        case Word::k_hollow:
+        case Word::k_inverse:
+        case Word::k_sturm:
+        case Word::k_hierarchy:
+        case Word::k_split_union:
+        case Word::k_no_radiosity:
+        case Word::k_uv_mapping:
+            take();
+            flag();
+            return true;
+        default:
+            return false;
+    }
+}
+
+// { objects }, after clipped_by: an error unless the objects hold the whole shape.
+void Reader::read_clip(Object& object) {
+    const Token at = ahead_;
+    if (!expect('{')) return;
+    if (accept(Word::k_bounded_by)) {
+        expect('}');
+        return;
+    }
+    while (!failed_ && !accept('}')) {
+        if (!begins_object(peek())) return expected("an object or `}`");
+        const Object clip = read_object();
+        accept(',');
+        if (!failed_ && !holds(clip, object) && !clip_mesh(clip, object)) {
+            const auto cut = clip_of(clip, object, at);
+            if (object.clip) object.missing.add(cut->missing);  // two: not known
+            object.clip = cut;
+            object.clip_map = object.map;
+        }
+    }
+}
+
+}  // namespace glint::povray

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "formats/povray/reach.h"
+
+#include <algorithm>
+
+#include "math/transform.h"
+
+namespace glint::povray {
+namespace {
+
+// How far a disc of radius r around `axis` reaches along d.
+double disc_reach(Vec3 axis, double r, Vec3 d) {
+    const Vec3 n = normalize(axis);
+    return r * length(d - n * dot(d, n));
+}
+
+// The greatest d·p of the points p of a shape without transform; nothing if there is none.
+std::optional<double> own_reach(const Scene& scene, const Shape& shape, Vec3 d) {
+    switch (shape.kind) {
+        case ShapeKind::sphere: {
+            const Sphere& s = scene.get<Sphere>()[shape.index];
+            return dot(d, s.center) + s.radius * length(d);
+        }
+        case ShapeKind::cylinder: {
+            const Cylinder& c = scene.get<Cylinder>()[shape.index];
+            return std::max(dot(d, c.from), dot(d, c.to)) + disc_reach(c.to - c.from, c.radius, d);
+        }
+        case ShapeKind::cone: {
+            const Cone& c = scene.get<Cone>()[shape.index];
+            const Vec3 axis = c.to - c.from;
+            return std::max(dot(d, c.from) + disc_reach(axis, c.from_radius, d),
+                            dot(d, c.to) + disc_reach(axis, c.to_radius, d));
+        }
+        case ShapeKind::disc: {
+            const Disc& c = scene.get<Disc>()[shape.index];
+            return dot(d, c.center) + disc_reach(c.normal, c.radius, d);
+        }
+        case ShapeKind::box: {
+            const Box& b = scene.get<Box>()[shape.index];
+            return std::max(d.x * b.min.x, d.x * b.max.x) + std::max(d.y * b.min.y, d.y * b.max.y) +
+                   std::max(d.z * b.min.z, d.z * b.max.z);
+        }
+        case ShapeKind::triangle:
+        case ShapeKind::smooth_triangle: {
+            const Vec3* v = shape.kind == ShapeKind::triangle
+                                ? scene.get<Triangle>()[shape.index].vertices
+                                : scene.get<SmoothTriangle>()[shape.index].vertices;
+            return std::max({dot(d, v[0]), dot(d, v[1]), dot(d, v[2])});
+        }
+        default:
+            return std::nullopt;
+    }
+}
+
+}  // namespace
+
+std::optional<double> reach(const Scene& scene, const Shape& shape, Vec3 d) {
+    if (shape.transform == k_none) return own_reach(scene, shape, d);
+    const Affine& map = scene.transforms[shape.transform];
+    const auto part = [&](Vec3 unit) { return dot(d, transform_vector(map, unit)); };
+    const auto far = own_reach(scene, shape, {part({1, 0, 0}), part({0, 1, 0}), part({0, 0, 1})});
+    if (!far) return std::nullopt;
+    return *far + dot(d, transform_point(map, {0, 0, 0}));
+}
+
+bool are_apart(const Scene& scene, const Shape& a, const Shape& b) {
+    for (const Vec3 d : {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}}) {
+        const auto most_a = reach(scene, a, d), most_b = reach(scene, b, d);
+        const auto least_a = reach(scene, a, -d), least_b = reach(scene, b, -d);
+        if (!most_a || !most_b || !least_a || !least_b) return false;
+        if (*most_a < -*least_b || *most_b < -*least_a) return true;
+    }
+    return false;
+}
+
+}  // namespace glint::povray

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+// How far shapes reach: what the reader asks where a rule depends on other shapes.
+#include <optional>
+
+#include "glint/scene.h"
+
+namespace glint::povray {
+
+/// The greatest dot(d, p) of the points p of a shape; nothing for planes and polygons.
+std::optional<double> reach(const Scene& scene, const Shape& shape, Vec3 d);
+
+/// Whether the boxes of two shapes are apart; false for planes and polygons.
+bool are_apart(const Scene& scene, const Shape& a, const Shape& b);
+
+}  // namespace glint::povray

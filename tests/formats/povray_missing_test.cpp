@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: Apache-2.0
+// Features of POV-Ray that glint does not render: each is named where it counts.
+#include "formats/povray_text.h"
+#include "math/transform.h"
+
+namespace glint::test {
+namespace {
+
+// The warnings and errors of a text.
+std::string said(const std::string& text) {
+    return messages(read_povray("light_source { <0, 0, -9>, rgb 1 }\n" + text));
+}
+
+TEST(PovRayMissing, PartsOfAnInteriorAreNamedIfItCanBeSeenInto) {
+    const std::string before = "sphere { 0, 1 pigment { rgbt <1, 1, 1, .5> } interior { ";
+    EXPECT_NE(said(before + "media { emission 1 } } }").find("2:57: warning: glint does not render `media`"),
+              std::string::npos)
+        << said(before + "media { emission 1 } } }");
+    EXPECT_NE(said(before + "fade_power 2 fade_distance 1 } }").find("`fade_power`"), std::string::npos);
+    EXPECT_NE(said(before + "caustics 1 } }").find("`caustics`"), std::string::npos);
+    EXPECT_NE(said(before + "ior 1.2 dispersion 1.1 } }").find("`dispersion`"), std::string::npos);
+    const std::string named =
+        "#declare I = interior { media { absorption 1 } }\nsphere { 0, 1 pigment { rgbt .5 } "
+        "material { interior { I } } }";
+    EXPECT_NE(said(named).find("`media`"), std::string::npos);
+    EXPECT_EQ(said("sphere { 0, 1 pigment { rgb 1 } interior { media { emission 1 } ior 1.5 } }"), "");
+}
+
+TEST(PovRayMissing, ClearSolidsRefract) {
+    const std::string glass = "pigment { rgbt 1 } interior { ior 1.5 } }";
+    const Scene scene = povray_scene("sphere { 0, 1 " + glass);
+    EXPECT_EQ(scene.materials.at(0).transmission, 1);
+    EXPECT_EQ(scene.materials.at(0).ior, 1.5);
+    EXPECT_FALSE(scene.materials.at(0).casts_shadow);
+    EXPECT_EQ(said("sphere { 0, 1 " + glass + " cylinder { 2*x, 3*x, 1 " + glass), "");
+    for (const std::string& text : {
+             "sphere { 0, 1 " + glass + " sphere { x, 1 " + glass,
+             std::string("sphere { 0, 1 pigment { rgbt <1, 1, 1, .5> } interior { ior 1.5 } }"),
+             "box { 0, 1 " + glass,
+             "cylinder { 0, x, 1 open " + glass,
+             "sphere { 0, 1 finish { reflection .1 } " + glass,
+         }) {
+        EXPECT_NE(said(text).find("warning: glint does not render `ior`"), std::string::npos) << text;
+    }
+}
+
+TEST(PovRayMissing, NothingThatIsNamedHidesAnother) {
+    // Both an effect and a shape's cut are missing: the cut is an error, whatever follows it.
+    const std::string text = said("sphere { 0, 2 clipped_by { box { -1, 1 } } no_image double_illuminate }");
+    EXPECT_NE(text.find("error: glint does not render `clipped_by`"), std::string::npos) << text;
+    EXPECT_NE(text.find("`no_image`"), std::string::npos) << text;
+    EXPECT_NE(text.find("`double_illuminate`"), std::string::npos) << text;
+    const std::string camera = said("camera { fisheye location -3*z normal { bumps .1 } }\nsphere { 0, 1 }");
+    EXPECT_NE(camera.find("error: glint does not render `fisheye`"), std::string::npos) << camera;
+}
+
+TEST(PovRayMissing, MaterialsAndGroupsOfLights) {
+    EXPECT_NE(said("sphere { 0, 1 material { texture { pigment { rgb 1 } } interior_texture { pigment { rgb "
+                   "<1, 0, 0> } } } }")
+                  .find("`interior_texture`"),
+              std::string::npos);
+    EXPECT_NE(
+        said("light_group { light_source { y, 1 } sphere { 0, 1 } }").find("error: glint does not render"),
+        std::string::npos)
+        << "its shapes are missing";
+}
+
+TEST(PovRayMissing, ParallelLightsWithShapesBeyondTheirPlane) {
+    const std::string light = "light_source { 3*y, 1 parallel point_at 0 }\nplane { y, -1 }\n";
+    EXPECT_EQ(said(light + "sphere { 0, 1 } cylinder { -x, x, 2.9 }"), "");
+    for (const char* const shape :
+         {"sphere { 2.5*y, 1 }", "cylinder { -x + y, x + y, 2.1 }", "box { 2*y, 1 + 4*y }",
+          "cone { 0, 1, 3.1*y, 0 }", "triangle { 0, x, 4*y }", "sphere { 0, 1 scale <1, 4, 1> }",
+          "disc { 0, z, 3.2 }"}) {
+        EXPECT_NE(said(light + shape).find("2:1: warning: glint does not render `parallel`"),
+                  std::string::npos)
+            << shape << ": " << said(light + shape);
+    }
+    EXPECT_EQ(said(light + "sphere { 2.5*y, 1 no_shadow }"), "");
+    EXPECT_NE(
+        said("camera { location y - z }\nlight_source { -y, 1 parallel point_at 2*y }\nplane { y, -2 }\n"
+             "sphere { y, 1 }")
+            .size(),
+        std::string::npos);
+}
+
+// POV-Ray mixes the unit normals of a mesh before its transform. Small parts of the triangle do nearly the
+// same.
+TEST(PovRayMissing, NormalsOfAMeshAreMixedBeforeItsTransform) {
+    const std::string corners = "smooth_triangle { 0, <-1, -1, 1>, x, <1, -1, 1>, y, <0, 9, 9> }";
+    EXPECT_EQ(povray_scene(corners).shapes.size(), 1u);
+    EXPECT_EQ(povray_scene("mesh { " + corners + " rotate 20 scale 3 }").shapes.size(), 1u);
+    const Scene scene = povray_scene("mesh { " + corners + " scale <1, 1, 4> }");
+    const auto& parts = scene.get<SmoothTriangle>();
+    ASSERT_GT(parts.size(), 1u);
+    double area = 0;
+    for (const SmoothTriangle& t : parts) {
+        area += length(cross(t.vertices[1] - t.vertices[0], t.vertices[2] - t.vertices[0])) / 2;
+        for (int i = 0; i < 3; ++i) {
+            const Vec3 p = t.vertices[i];
+            const Vec3 n = normalize(Vec3{-1, -1, 1}) * (1 - p.x - p.y) + normalize(Vec3{1, -1, 1}) * p.x +
+                           normalize(Vec3{0, 9, 9}) * p.y;
+            expect_vec(t.normals[i], {n.x, n.y, n.z / 4});
+        }
+    }
+    EXPECT_NEAR(area, 0.5, k_pov_near);
+}
+
+// A face with two colors is made of strips, one with three of small triangles.
+TEST(PovRayMissing, FacesOfVeryDifferentColorsAreFine) {
+    const auto mesh = [](const std::string& last) {
+        return "mesh2 { vertex_vectors { 3, 0, x, y } texture_list { 3, texture { pigment { rgb 0 } }, "
+               "texture { "
+               "pigment { rgb 0 } }, texture { " +
+               last + " } } face_indices { 1, <0, 1, 2>, 0, 1, 2 } }";
+    };
+    const Scene scene = povray_scene(mesh("pigment { rgb 1 }"));
+    EXPECT_EQ(scene.shapes.size(), 2u * 171 - 1);
+    double area = 0;
+    for (const Shape& shape : scene.shapes) {
+        const Triangle& t = scene.get<Triangle>().at(shape.index);
+        area += length(cross(t.vertices[1] - t.vertices[0], t.vertices[2] - t.vertices[0])) / 2;
+        const double middle = (t.vertices[0].y + t.vertices[1].y + t.vertices[2].y) / 3;
+        EXPECT_NEAR(scene.materials.at(shape.material).color.r, middle, 1.0 / 300);
+    }
+    EXPECT_NEAR(area, 0.5, k_pov_near);
+    EXPECT_NE(said(mesh("pigment { rgb 1 } finish { phong 1 }")).find("`texture_list`"), std::string::npos);
+}
+
+TEST(PovRayMissing, NamesOfArraysOfTexturesAndLights) {
+    const Scene scene = povray_scene(
+        "#declare T = array[1][2] { { texture { pigment { rgb <1, 0, 0> } }, texture { pigment { rgb <0, 1, "
+        "0> } } } }\n"
+        "#declare F = array[1] { finish { phong .5 } }\n#declare P = array[1] { pigment { rgb <0, 0, 1> } }\n"
+        "#declare C = array[1] { rgb <1, 1, 0> }\n#declare L = light_source { 5*y, rgb 2 }\n"
+        "sphere { 0, 1 texture { T[0][1] finish { F[0] } } } sphere { x, 1 pigment { P[0] } }\n"
+        "sphere { y, 1 pigment { C[0]*.5 } } light_source { L translate x }\n");
+    ASSERT_EQ(scene.materials.size(), 3u);
+    EXPECT_EQ(scene.materials[0].color, (Color{0, 1, 0}));
+    EXPECT_EQ(scene.materials[0].phong, (Color{.5, .5, .5}));
+    EXPECT_EQ(scene.materials[1].color, (Color{0, 0, 1}));
+    EXPECT_EQ(scene.materials[2].color, (Color{.5, .5, 0}));
+    EXPECT_EQ(scene.lights.at(1).position, (Vec3{1, 5, 0}));
+    EXPECT_EQ(scene.lights.at(1).color, (Color{2, 2, 2}));
+}
+
+TEST(PovRayMissing, UnusualCamerasAndSpots) {
+    const Scene scene = povray_scene("camera { location 9*y look_at 0 right 2*x } sphere { 0, 1 }");
+    ASSERT_TRUE(scene.camera.frame);
+    expect_vec(scene.camera.frame->right, {2, 0, 0});
+    expect_vec(scene.camera.frame->up, {0, 0, 1});
+    const Scene spot =
+        povray_scene("light_source { 5*y, 1 spotlight point_at 0 radius 20 falloff 1 } sphere { 0, 1 }");
+    EXPECT_EQ(spot.lights.at(1).inner_angle, 20) << "as VTK writes it: the radius counts";
+    EXPECT_EQ(spot.lights.at(1).outer_angle, 20);
+    const std::string camera = said("camera { cylinder 3 angle 200 location 9*y }\nsphere { 0, 1 }");
+    EXPECT_NE(camera.find("2:10: error: glint does not render `cylinder`"), std::string::npos) << camera;
+    EXPECT_EQ(camera.find("expected"), std::string::npos) << camera;
+}
+
+// Jmol cuts shapes by the box of the picture.
+TEST(PovRayMissing, CutsOutsideThePictureAreNone) {
+    const std::string camera =
+        "camera { orthographic location <2, 1, -5> look_at <2, 1, 0> right 4*x up 2*y }\n";
+    const std::string inside = "clipped_by { box { 0, <4, 2, 99> } } ";
+    EXPECT_EQ(said(camera + "sphere { <0, 1, 3>, 1 " + inside + "no_shadow }"), "");
+    const std::string seen = "error: glint does not render `clipped_by`";
+    for (const std::string& shape : {
+             "sphere { <0, 1, 3>, 1 " + inside + "}",  // its shadow is seen
+             std::string("sphere { <4, 1, 3>, 1 clipped_by { box { 0, <3.9, 2, 99> } } no_shadow }"),
+             std::string("sphere { <0, 1, 3>, 1 clipped_by { box { 0, <4, 2, 3> } } no_shadow }"),
+             "sphere { <0, 1, 3>, 1 " + inside + "no_shadow translate x }",
+             "union { sphere { <0, 1, 3>, 1 " + inside + "no_shadow } translate x }",
+             "sphere { <0, 1, 3>, 1 " + inside + "no_shadow finish { reflection .5 } }",
+             "union { sphere { <0, 1, 3>, 1 } " + inside + "no_shadow }",
+         }) {
+        EXPECT_NE(said(camera + shape).find(seen), std::string::npos) << shape << said(camera + shape);
+    }
+    EXPECT_NE(
+        said("camera { location <2, 1, -5> look_at <2, 1, 0> right 4*x up 2*y }\nsphere { <0, 1, 3>, 1 " +
+             inside + "no_shadow }")
+            .find(seen),
+        std::string::npos)
+        << "perspective shows more at this depth";
+}
+
+TEST(PovRayMissing, DeclarationsOfOtherKinds) {
+    EXPECT_EQ(said("#declare deprecated once \"old\" R = 2;\n#declare M = media { emission 1 }\n"
+                   "default { finish { ambient 1 } }\nsphere { 0, R }"),
+              "");
+}
+
+}  // namespace
+}  // namespace glint::test

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+// sky_sphere of POV-Ray: a gradient of two colours is the scene's background gradient.
+#include "formats/povray_text.h"
+
+namespace glint::test {
+namespace {
+
+constexpr std::string_view k_map = "color_map { [0 rgb <1, 0, 0>] [1 color rgb <0, 0, 1>] }";
+
+BackgroundGradient sky_of(const std::string& items) {
+    const Result<Scene> result =
+        read_povray("light_source { 9, 1 }\nsphere { 0, 1 }\nsky_sphere { " + items + " }");
+    EXPECT_TRUE(result) << messages(result);
+    EXPECT_EQ(messages(result), "") << items;
+    const std::optional<BackgroundGradient> gradient = result.value_or(Scene{}).gradient;
+    EXPECT_TRUE(gradient) << items;
+    return gradient.value_or(BackgroundGradient{});
+}
+
+TEST(PovRaySky, AGradientOfTwoColorsRepeats) {
+    const BackgroundGradient sky = sky_of("pigment { gradient y " + std::string(k_map) + " }");
+    EXPECT_EQ(sky.kind, GradientKind::sphere);
+    EXPECT_EQ(sky.up, (Vec3{0, 1, 0}));
+    EXPECT_EQ(sky.bottom, 0);
+    EXPECT_EQ(sky.top, 1);
+    EXPECT_EQ(sky.bottom_color, (Color{1, 0, 0}));
+    EXPECT_EQ(sky.top_color, (Color{0, 0, 1}));
+    EXPECT_TRUE(sky.repeats);
+}
+
+TEST(PovRaySky, ItsTransformsMoveTheColors) {
+    const BackgroundGradient whole =
+        sky_of("pigment { gradient y color_map { [.25 rgb 0] [.75 rgb 1] } scale 2 translate -1 }");
+    EXPECT_FALSE(whole.repeats) << "one period is the whole sphere";
+    EXPECT_NEAR(whole.bottom, -.5, k_pov_near);
+    EXPECT_NEAR(whole.top, .5, k_pov_near);
+    const BackgroundGradient turned = sky_of("pigment { gradient y " + std::string(k_map) + " } rotate 90*z");
+    expect_vec(turned.up, {-1, 0, 0});
+    const BackgroundGradient steep = sky_of("pigment { gradient 2*x " + std::string(k_map) + " scale .5 }");
+    EXPECT_NEAR(steep.top, .5, k_pov_near) << "the length of the vector does not count";
+}
+
+TEST(PovRaySky, OneColorAndTwoNumbersOfAnEntry) {
+    EXPECT_EQ(sky_of("pigment { rgb <.1, .2, .3> }").top_color, (Color{.1, .2, .3}));
+    EXPECT_EQ(sky_of("pigment { gradient z color_map { [0, 1 color rgb 0 color rgb 1] } }").top_color,
+              (Color{1, 1, 1}));
+}
+
+TEST(PovRaySky, OtherPatternsAreNamed) {
+    for (const char* const items : {
+             "pigment { gradient y color_map { [0 rgb 0] [.5 rgb 1] [1 rgb 0] } }",
+             "pigment { gradient y color_map { [0 rgb 0] [.5 rgb 1] } }",
+             "pigment { gradient y color_map { [0 rgb 0] [1 rgb 1] } turbulence .2 }",
+             "pigment { gradient y color_map { [0 rgbt 0] [1 rgbt 1] } }",
+             "pigment { bozo color_map { [0 rgb 0] [1 rgb 1] } }",
+             "pigment { rgb 1 } pigment { rgbt .5 }",
+         }) {
+        const Result<Scene> result =
+            read_povray(std::string("light_source { 9, 1 }\nsphere { 0, 1 }\nsky_sphere { ") + items + " }");
+        ASSERT_TRUE(result) << messages(result);
+        EXPECT_FALSE(result->gradient) << items;
+        EXPECT_NE(messages(result).find("3:1: warning: glint does not render `sky_sphere`"),
+                  std::string::npos)
+            << items << messages(result);
+    }
+}
+
+}  // namespace
+}  // namespace glint::test

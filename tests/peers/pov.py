@@ -1,0 +1,52 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Scenes of POV-Ray's own, which glint reads as they are."""
+from lights import Rule
+
+CAMERA = "camera { location <0, 1, -4> look_at <0, 0.8, 0> angle 60 }\n"
+LIGHT = "light_source { <2, 3, -5>, rgb 1 }\n"
+FLOOR = "plane { y, -1 pigment { rgb <0.8, 0.7, 0.6> } }\n"
+MAP = "color_map { [0 color rgb <1, 1, 0.6>] [1 rgb <0.1, 0.3, 0.9>] }"
+NORMALS = "<-2, -1, -1>", "<3, -3, -3>", "<0, 0.5, -0.5>"
+CORNERS = "<-1.5, 0, 0>", "<1.5, 0, 0>", "<0, 2, 0>"
+SHINE = "pigment { rgb <0.9, 0.6, 0.3> } finish { phong 0.5 phong_size 30 }"
+
+
+def rule(name, objects, head="#version 3.6;\n" + CAMERA + LIGHT):
+    return Rule("pov_" + name, "povray", head + objects, "")
+
+
+def sky(name, items):
+    return rule("sky_" + name, f"sky_sphere {{ {items} }}\nsphere {{ y, 0.8 pigment {{ rgb 0.2 }} finish {{ reflection 0.6 }} }}\n")
+
+
+def smooth(items):
+    corners = ", ".join(f"{p}, {n}" for p, n in zip(CORNERS, NORMALS))
+    return f"smooth_triangle {{ {corners} {items} }}"
+
+
+def mesh2(transform=""):
+    return (f"mesh2 {{ vertex_vectors {{ 3, {', '.join(CORNERS)} }} normal_vectors {{ 3, {', '.join(NORMALS)} }} "
+            f"face_indices {{ 1, <0, 1, 2> }} {transform} {SHINE} }}\n")
+
+
+RULES = [
+    sky("gradient", f"pigment {{ gradient y {MAP} }}"),
+    sky("one_period", f"pigment {{ gradient y {MAP.replace('[0', '[0.3').replace('[1', '[0.8')} scale 2 translate -1 }}"),
+    sky("turned", f"pigment {{ gradient <1, 2, 0> {MAP} scale 0.9 rotate 30*z }} rotate <10, 20, 30>"),
+    sky("color", "pigment { rgb <0.3, 0.5, 0.7> }"),
+    rule("normals", smooth(SHINE)),
+    rule("normals_scaled", smooth("scale <1, 1.2, 3> " + SHINE)),
+    rule("normals_mesh", f"mesh {{ {smooth('')} scale <1, 1.2, 0.4> {SHINE} }}\n"),
+    rule("normals_mesh2", mesh2()),
+    rule("normals_mesh2_scaled", mesh2("scale <1, 1.2, 0.4>")),
+    rule("looks_like", FLOOR + "light_source { <0, 1.5, 0>, rgb 0.7 looks_like { sphere { 0, 0.4 pigment { rgb 1 } "
+         "finish { ambient 1 diffuse 0 } } } }\nsphere { <-1, 0, 0>, 0.6 pigment { rgb <1, 0.2, 0.2> } }\n"),
+    rule("camera_down", "camera { location <1, 9, 1> look_at <1, 0, 1> angle 40 }\n" + LIGHT + FLOOR +
+         "box { <1, 0, 2>, <2, 1, 4> pigment { rgb <0, 1, 0> } }\nsphere { 0, 1 pigment { rgb <1, 0, 0> } }\n", head=""),
+    rule("spot_angles", FLOOR + "light_source { <-1, 2, 0>, rgb <1, 0, 0> spotlight point_at -x radius 40 falloff 20 }\n"
+         "light_source { <1, 2, 0>, rgb <0, 1, 0> spotlight point_at x radius 60 }\n"
+         "light_source { <0, 2, 2>, rgb <0, 0, 1> spotlight point_at 2*z radius -10 falloff -30 tightness 3 }\n",
+         head="#version 3.6;\n" + CAMERA),
+    rule("glass", FLOOR + "sphere { <-1, 0.5, 0>, 0.9 pigment { rgbf 1 } finish { phong 0.8 } interior { ior 1.5 } }\n"
+         "cylinder { <-3, 0, 1.6>, <3, 0.5, 1.6>, 0.3 pigment { rgb <1, 0, 0> } }\n"),
+]
