@@ -45,6 +45,8 @@ constexpr CheckKind k_kinds[] = {
     {"material-almost-black", "a material's colour is below 1/255"},
     {"shininess-zero", "a highlight has the exponent 0"},
     {"finish-unused", "a field of a finish has no effect"},
+    {"fog-hides-everything", "no shape is visible through the fog"},
+    {"fog-not-visible", "the fog changes no pixel"},
     {"picture-black", "the whole picture is black"},
     {"picture-one-color", "the whole picture has one colour"},
     {"picture-clamped", "much of the picture is brighter than 1"},
@@ -82,7 +84,7 @@ Result<std::vector<Finding>> run_checks(const Scene& scene, const World& world, 
     std::optional<VisibleHits> visible;
     steps.run([&] { visible.emplace(context); });
     bool sees = false;
-    steps.run([&] { sees = check_camera(context, *visible); });
+    steps.run([&] { sees = check_camera(context, *visible) && check_fog(context); });
     const auto run_if_seen = [&](const auto& step) {
         steps.run([&] {
             if (sees) step();

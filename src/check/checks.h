@@ -26,6 +26,9 @@ void check_normals(CheckContext& context, const VisibleHits& visible);
 void check_vectors(CheckContext& context);
 /// Unused materials, and unusual values of materials.
 void check_materials(CheckContext& context);
+/// Fog that hides everything, and fog that is not visible. False if it hides everything: the other findings
+/// about the picture would then be useless.
+bool check_fog(CheckContext& context);
 /// Findings from a small picture: black, one colour, clamped, epsilon, reflections.
 void check_picture(CheckContext& context, const VisibleHits& visible);
 

@@ -277,6 +277,15 @@ void report_weak(CheckContext& context, Effects& effects, std::span<const std::u
         attenuated ? "raise the intensity, or reduce the attenuation" : "raise the intensity");
 }
 
+// Whether a finding says that a light adds nothing.
+bool is_dark(const CheckContext& context, std::uint32_t index) {
+    constexpr std::string_view k_ids[] = {
+        "light-inside-shape",    "light-behind-everything", "light-behind-plane", "light-blocked",
+        "area-light-faces-away", "light-adds-nothing",      "light-too-weak"};
+    return std::any_of(std::begin(k_ids), std::end(k_ids),
+                       [&](std::string_view id) { return context.is_reported(id, SceneItem::light, index); });
+}
+
 // Area lights whose picture is the same with a quarter of the samples.
 void check_samples(CheckContext& context) {
     const Scene& scene = context.scene();
@@ -285,6 +294,7 @@ void check_samples(CheckContext& context) {
         const Light& light = scene.lights[i];
         if (!light.is_area() || light.samples_u * light.samples_v < k_many_samples) continue;
         if (is_black(light.color) && is_black(light.specular_color)) continue;
+        if (is_dark(context, i)) continue;
         ++looks;
         std::vector<Light> fewer = scene.lights;
         fewer[i].samples_u = (light.samples_u + 1) / 2;

@@ -18,6 +18,7 @@ struct FittedCause {
     std::function<void(FaultyScene&, std::span<const double>)> put;
     /// The explanation. `about`: the numbers do not explain all of the difference.
     std::function<std::string(std::span<const double>, bool about)> text;
+    double least = 0.85;  ///< CauseCandidate::least
 };
 
 }  // namespace glint

@@ -19,6 +19,8 @@ using Values = std::span<const double>;
 
 constexpr std::size_t k_max_shapes = 6, k_max_lights = 8;
 constexpr double k_light_unit = 0.02, k_camera_unit = 0.01, k_sphere_unit = 0.05;  // of distance or radius
+// Of the unit axis; lights of another form than a sphere leave more than others.
+constexpr double k_axis_unit = 0.02, k_min_soft = 0.6;
 constexpr double k_view_unit = 0.01, k_color_unit = 0.05;
 constexpr double k_said = 0.05;  // a part of a way that is worth a word
 
@@ -73,6 +75,56 @@ void add_lights(const Scene& scene, std::vector<FittedCause>& causes) {
                                     text_of(was + vec_of(v)), text_of(was), way_text(scene, vec_of(v)));
              }});
     }
+}
+
+void add_spots(const Scene& scene, std::vector<FittedCause>& causes) {
+    if (!is_lit(scene)) return;
+    std::size_t count = 0;
+    for (std::uint32_t i = 0; i < scene.lights.size() && count < k_max_lights; ++i) {
+        if (!scene.lights[i].is_spot()) continue;
+        ++count;
+        const Vec3 was = normalize(scene.lights[i].axis);
+        causes.push_back(
+            {"spot-turned",
+             {k_axis_unit, k_axis_unit, k_axis_unit},
+             [i, was](FaultyScene& s, Values v) { s.shading.lights[i].axis = was + vec_of(v); },
+             [was, name = capitalized(item_text(scene, "light", i, scene.light_texts))](Values v, bool) {
+                 return fmt::format("{} has the axis {}, and in the reference {}.", name,
+                                    text_of(normalize(was + vec_of(v))), text_of(was));
+             }});
+    }
+}
+
+double distance_of(const Light& light, const Scene& scene) {
+    return std::max(length(light.position - scene.camera.look_at), 1e-3);
+}
+
+// Spheres in place of all point lights, with radii in proportion to the distance, so that the edges of all
+// shadows are about equally soft.
+void add_soft_shadows(const Scene& scene, std::vector<FittedCause>& causes) {
+    const auto is_point = [](const Light& l) {
+        return l.has_position() && !l.is_spot() && !l.is_area() && l.casts_shadows;
+    };
+    if (!has_shadows(scene) || !any_light(scene, is_point)) return;
+    const auto first = static_cast<std::uint32_t>(
+        std::find_if(scene.lights.begin(), scene.lights.end(), is_point) - scene.lights.begin());
+    const std::string name = item_text(scene, "light", first, scene.light_texts);
+    causes.push_back({"shadows-soft",
+                      {k_light_unit},
+                      [&scene, is_point](FaultyScene& s, Values v) {
+                          for (Light& light : s.shading.lights) {
+                              if (!is_point(light) || v[0] == 0) continue;
+                              light.radius = std::fabs(v[0]) * distance_of(light, scene);
+                              light.kind = LightKind::sphere;
+                          }
+                      },
+                      [name, far = distance_of(scene.lights[first], scene)](Values v, bool) {
+                          return fmt::format(
+                              "Shadows have soft edges, as of a light with a radius of about {:.2g} in place "
+                              "of {}: a point light has one shadow ray.",
+                              std::fabs(v[0]) * far, name);
+                      },
+                      k_min_soft});
 }
 
 void add_camera(const Scene& scene, std::vector<FittedCause>& causes) {
@@ -199,6 +251,17 @@ void add_material(const Scene& scene, std::uint32_t index, std::vector<FittedCau
 }
 
 void add_background(const Scene& scene, std::vector<FittedCause>& causes) {
+    if (scene.fog) {
+        causes.push_back({"fog-color",
+                          {k_color_unit, k_color_unit, k_color_unit},
+                          [](FaultyScene& s, Values v) {
+                              s.shading.fog->color = s.shading.fog->color + Color{v[0], v[1], v[2]};
+                          },
+                          [was = scene.fog->color](Values v, bool) {
+                              return fmt::format("The fog has the colour {}, and in the reference {}.",
+                                                 text_of(was + Color{v[0], v[1], v[2]}), text_of(was));
+                          }});
+    }
     causes.push_back({"background",
                       {k_color_unit, k_color_unit, k_color_unit},
                       [](FaultyScene& s, Values v) {
@@ -217,6 +280,8 @@ std::vector<FittedCause> geometry_causes(const SceneRenderer& renderer,
     const Scene& scene = renderer.scene().shading;
     std::vector<FittedCause> causes;
     add_lights(scene, causes);
+    add_spots(scene, causes);
+    add_soft_shadows(scene, causes);
     add_view(scene, causes);
     add_camera(scene, causes);
     add_background(scene, causes);

@@ -10,8 +10,7 @@ namespace {
 
 // Numbers are fitted if a small change of them removes this fraction of the squared difference.
 constexpr double k_promise = 0.1;
-constexpr double k_min_fit = 0.85;  // to be named, a fit of several numbers explains this
-constexpr double k_found = 0.02;    // nothing more is fitted once so little of the difference remains
+constexpr double k_found = 0.02;  // nothing more is fitted once so little of the difference remains
 
 }  // namespace
 
@@ -41,7 +40,7 @@ void fit_geometry(const std::vector<FittedCause>& causes, const PixelGrid& grid,
         const std::optional<Fit> fit = fitter.fit(problem_of(causes[i]), FitStart::far);
         if (!fit) continue;
         CauseCandidate candidate =
-            fitted_candidate(std::make_shared<FittedCause>(causes[i]), fit->values, false, k_min_fit);
+            fitted_candidate(std::make_shared<FittedCause>(causes[i]), fit->values, false, causes[i].least);
         FaultyScene faulty = base;
         candidate.edit(faulty);
         const std::optional<RenderedScene> made = render(faulty);

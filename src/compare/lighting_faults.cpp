@@ -9,7 +9,10 @@ namespace glint {
 namespace {
 
 void scale_exponents(Scene& s, double factor) {
-    for_each_material(s, [=](Material& m) { m.shininess = m.shininess * factor; });
+    for_each_material(s, [=](Material& m) {
+        m.shininess *= factor;
+        m.phong_shininess *= factor;
+    });
 }
 void swap_model(Scene& s) {
     s.settings.shading = s.settings.shading == Shading::phong ? Shading::blinn_phong : Shading::phong;
@@ -47,7 +50,10 @@ void scale_diffuse(Scene& s, double factor) {
     for_each_material(s, [=](Material& m) { m.diffuse = m.diffuse * factor; });
 }
 void scale_specular(Scene& s, double factor) {
-    for_each_material(s, [=](Material& m) { m.specular = m.specular * factor; });
+    for_each_material(s, [=](Material& m) {
+        m.specular = m.specular * factor;
+        m.phong = m.phong * factor;
+    });
 }
 
 constexpr SceneFault k_lighting[] = {
@@ -67,13 +73,25 @@ constexpr SceneFault k_lighting[] = {
      "the diffuse term", "diffuse-scaled", scale_diffuse},
     {"specular-missing", has_highlights,
      [](Scene& s) { for_each_material(s, [](Material& m) {
-                        m.specular = {0, 0, 0};
+                        m.specular = m.phong = {0, 0, 0};
                     }); },
      "The specular term is missing: add k_s I (R.V)^n, or (N.H)^n, for every light that reaches the point.",
      "the specular term", "specular-scaled", scale_specular},
     {"unlit", is_lit, [](Scene& s) { std::for_each(s.lights.begin(), s.lights.end(), switch_off); },
      "There is no light at all: surfaces that are hit are black.", "the light of all lights together",
      "light-intensity", scale_all_lights},
+    {"emission-missing",
+     [](const Scene& s) {
+         return is_lit(s) && any_material(s, [](const Material& m) { return !is_zero(m.emission); });
+     },
+     [](Scene& s) { for_each_material(s, [](Material& m) {
+                        m.emission = {0, 0, 0};
+                    }); },
+     "The emission of surfaces is missing: add it once, without any light.", "the emission",
+     "emission-scaled",
+     [](Scene& s, double factor) {
+         for_each_material(s, [=](Material& m) { m.emission = m.emission * factor; });
+     }},
     {"normals-reversed", [](const Scene& s) { return is_lit(s) && any_light(s, is_ambient); },
      [](Scene& s) { for_each_light(s, switch_off); },
      "There is only the ambient term. N or L is reversed, so that N.L is below 0 where the surface is lit (a "
@@ -84,7 +102,8 @@ constexpr SceneFault k_lighting[] = {
     {"shadows-added", [](const Scene& s) { return is_lit(s) && !s.settings.shadows; },
      [](Scene& s) { s.settings.shadows = true; }, "There are shadows, and the reference has none."},
     {.name = "exponent", .applies = has_highlights, .scale = scale_exponents, .scale_text = exponent_text},
-    {"exponent", has_highlights, [](Scene& s) { for_each_material(s, [](Material& m) { m.shininess = 1; }); },
+    {"exponent", has_highlights,
+     [](Scene& s) { for_each_material(s, [](Material& m) { m.shininess = m.phong_shininess = 1; }); },
      "The specular exponent is 1: the highlight is not raised to the power n."},
     {"shading-model", has_highlights, swap_model,
      "The other model of the highlight: Phong uses (R.V)^n, Blinn-Phong (N.H)^n, which is about as wide as "

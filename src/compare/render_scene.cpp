@@ -16,6 +16,7 @@ Result<World> with_shading(const World& world, const Scene& scene) {
     Result<World> changed = with_lights(world, scene.lights);
     if (changed) changed = with_materials(*changed, scene.materials);
     if (changed) changed = with_background(*changed, scene.background);
+    if (changed) changed = with_fog(*changed, scene.fog);
     if (changed) changed = with_gradient(*changed, scene.gradient);
     if (changed) changed = with_occlusion(*changed, scene.occlusion);
     if (changed) changed = with_camera(*changed, scene.camera);

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <tuple>
 
 #include "compare/edges.h"
 #include "compare/picture_causes.h"
@@ -133,10 +134,13 @@ void add_raw_diffuse(const Scene& scene, std::vector<SceneCause>& causes) {
     cause.compose = [](const Scene& s, const RenderScene& render) -> std::optional<Image> {
         Scene others = s, diffuse = s;
         for_each_material(others, [](Material& m) { m.diffuse = {0, 0, 0}; });
-        for_each_material(diffuse, [](Material& m) { m.specular = {0, 0, 0}; });
+        for_each_material(diffuse, [](Material& m) { m.specular = m.phong = {0, 0, 0}; });
         for (Light& light : diffuse.lights) {
             if (is_ambient(light)) switch_off(light);
         }
+        // What does not depend on normals is in the other picture.
+        for_each_material(diffuse, [](Material& m) { m.emission = {0, 0, 0}; });
+        if (diffuse.fog) diffuse.fog->color = {0, 0, 0};
         diffuse.background = {0, 0, 0};
         diffuse.gradient.reset();
         diffuse.conventions.normalize = false;
@@ -158,6 +162,28 @@ void add_reflection_levels(const Scene& scene, std::vector<SceneCause>& causes) 
         causes.push_back({"reflections-fewer",
                           fmt::format("The recursion stops after {} of {} levels of reflection.", n, asked),
                           [n](Scene& s) { s.settings.reflections = n; }});
+    }
+}
+
+// Numbers of samples that are usual, and those near the scene's own.
+void add_area_samples(const Scene& scene, std::vector<SceneCause>& causes) {
+    if (!has_area_lights(scene)) return;
+    const Light& first =
+        *std::find_if(scene.lights.begin(), scene.lights.end(), [](const Light& l) { return l.is_area(); });
+    const std::int32_t u = first.samples_u, v = first.samples_v;
+    std::vector<std::pair<std::int32_t, std::int32_t>> tried = {{u, v}};
+    for (const auto& [columns, rows] :
+         {std::pair{1, 1}, {2, 2}, {3, 3}, {4, 4}, {5, 5}, {6, 6}, {8, 8}, {u / 2, v / 2}, {v, u}}) {
+        const std::pair samples{std::max(columns, 1), std::max(rows, 1)};
+        if (std::find(tried.begin(), tried.end(), samples) != tried.end()) continue;
+        tried.push_back(samples);
+        causes.push_back({"area-light-samples",
+                          fmt::format("Area lights have {} x {} samples, and in the scene {} x {}.",
+                                      samples.first, samples.second, u, v),
+                          [samples](Scene& s) {
+                              for_each_area_light(
+                                  s, [&](Light& l) { std::tie(l.samples_u, l.samples_v) = samples; });
+                          }});
     }
 }
 
@@ -192,7 +218,10 @@ std::vector<SceneCause> scene_causes(const Scene& scene) {
     add(lighting_faults());
     add_turned_cosines(scene, causes);
     add_raw_diffuse(scene, causes);
+    add(light_faults());
+    add_area_samples(scene, causes);
     add(tracing_faults());
+    add(medium_faults());
     add_reflection_levels(scene, causes);
     add_shifts("shifted-half-pixel", k_half_shift_text, 0.5, false, causes);
     // Alone it is found in the pictures.

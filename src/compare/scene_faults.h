@@ -21,9 +21,11 @@ struct SceneFault {
     std::string (*scale_text)(double, bool) = nullptr;
 };
 
-/// Of the lighting equation; of rays.
+/// Of the lighting equation; of spots and area lights; of rays; of fog, transparency and occlusion.
 std::span<const SceneFault> lighting_faults();
+std::span<const SceneFault> light_faults();
 std::span<const SceneFault> tracing_faults();
+std::span<const SceneFault> medium_faults();
 
 // ---- What rows ask of a scene, and do to it ----
 
@@ -45,7 +47,7 @@ inline bool is_lit(const Scene& s) {
 }
 inline bool has_highlights(const Scene& s) {
     return is_lit(s) && s.settings.shading != Shading::diffuse &&
-           any_material(s, [](const Material& m) { return !is_zero(m.specular); });
+           any_material(s, [](const Material& m) { return !is_zero(m.specular) || !is_zero(m.phong); });
 }
 inline bool has_mirrors(const Scene& s) {
     return s.settings.reflections > 0 && any_material(s, [](const Material& m) { return m.mirror > 0; });
@@ -53,6 +55,9 @@ inline bool has_mirrors(const Scene& s) {
 inline bool has_glass(const Scene& s) {
     return s.settings.reflections > 0 &&
            any_material(s, [](const Material& m) { return m.transmission > 0; });
+}
+inline bool has_area_lights(const Scene& s) {
+    return is_lit(s) && any_light(s, [](const Light& l) { return l.is_area(); });
 }
 inline bool has_shadows(const Scene& s) { return is_lit(s) && s.settings.shadows; }
 
@@ -65,6 +70,11 @@ template <class Change> void for_each_light(Scene& s, Change&& change) {
     for (Light& light : s.lights) {
         if (!is_ambient(light) && !is_off(light)) change(light);
     }
+}
+template <class Change> void for_each_area_light(Scene& s, Change&& change) {
+    for_each_light(s, [&](Light& light) {
+        if (light.is_area()) change(light);
+    });
 }
 template <class Change> void for_each_material(Scene& s, Change&& change) {
     for (Material& material : s.materials) change(material);

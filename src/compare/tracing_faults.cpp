@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <limits>
 
 #include "compare/factor_search.h"
 #include "compare/scene_faults.h"
@@ -101,13 +100,6 @@ constexpr SceneFault k_tracing[] = {
      "The background is black: a ray that hits nothing returns the scene's background colour."},
     {"gradient-missing", [](const Scene& s) { return s.gradient.has_value(); },
      [](Scene& s) { s.gradient.reset(); }, "The background has one colour: its gradient is missing."},
-    {"occlusion-missing", [](const Scene& s) { return is_lit(s) && s.occlusion.has_value(); },
-     [](Scene& s) { s.occlusion.reset(); },
-     "The light from all directions is missing: k_d times its colour, times the part that no shape blocks."},
-    {"occlusion-unblocked", [](const Scene& s) { return is_lit(s) && s.occlusion && s.settings.shadows; },
-     [](Scene& s) { s.occlusion->reach = std::numeric_limits<double>::denorm_min(); },
-     "Nothing blocks the light from all directions: trace a ray for each of its samples, and leave out those "
-     "that hit a shape."},
     {"field-of-view",
      [](const Scene& s) {
          return !s.camera.frame && s.camera.projection == Projection::perspective &&

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// PNG files with the bytes that `glint render` writes (src/image/encode_png.cpp): RGB of 8 bits, rows filtered with Sub,
-// and strips that are compressed separately, each to complete bytes of one deflate stream.
+// PNG files with the bytes that `glint render` writes (src/image/encode_png.cpp): RGB or RGBA of 8 bits, rows filtered with
+// Sub, and strips that are compressed separately, each to complete bytes of one deflate stream.
 import {Deflate, constants} from './pako.mjs';
 
 /** Rows of a strip: k_strip_rows of src/image/strip_encoder.h. */
@@ -53,12 +53,12 @@ function bytesOf32(...numbers) {
 }
 
 /** Rows of pixels as the PNG stores them: the filter's number, then each byte minus that of the pixel to its left. */
-function filterRows(pixels, width, first, rows) {
-    const filtered = new Uint8Array(rows * (3 * width + 1));
+function filterRows(pixels, width, first, rows, alpha) {
+    const filtered = new Uint8Array(rows * ((alpha ? 4 : 3) * width + 1));
     let to = 0;
     for (let y = first; y < first + rows; ++y) {
         filtered[to++] = 1;
-        let r = 0, g = 0, b = 0;
+        let r = 0, g = 0, b = 0, a = 0;
         for (let from = 4 * y * width; from < 4 * (y + 1) * width; from += 4) {
             filtered[to++] = pixels[from] - r;
             filtered[to++] = pixels[from + 1] - g;
@@ -66,6 +66,9 @@ function filterRows(pixels, width, first, rows) {
             r = pixels[from];
             g = pixels[from + 1];
             b = pixels[from + 2];
+            if (!alpha) continue;
+            filtered[to++] = pixels[from + 3] - a;
+            a = pixels[from + 3];
         }
     }
     return filtered;
@@ -79,7 +82,7 @@ function compress(strip, isLast) {
 }
 
 /** Encodes a picture; png.d.mts describes the parameters. */
-export function encodePng(pixels, width, height) {
+export function encodePng(pixels, width, height, {alpha = false, srgb = false} = {}) {
     for (const [name, value] of Object.entries({width, height})) {
         if (!(Number.isInteger(value) && value > 0 && value <= 65536))
             throw new TypeError(`${name}: expected a whole number from 1 to 65536, found ${String(value)}`);
@@ -87,11 +90,12 @@ export function encodePng(pixels, width, height) {
     if (pixels.length !== 4 * width * height)
         throw new TypeError(`pixels: expected ${4 * width * height} bytes, found ${pixels.length}`);
     const parts = [Uint8Array.of(0x89, 0x50, 0x4e, 0x47, 13, 10, 26, 10),
-                   chunk('IHDR', bytesOf32(width, height), Uint8Array.of(8, 2, 0, 0, 0))];
+                   chunk('IHDR', bytesOf32(width, height), Uint8Array.of(8, alpha ? 6 : 2, 0, 0, 0)),
+                   ...(srgb ? [chunk('sRGB', Uint8Array.of(0))] : [])];
     let adler = 1;
     for (let y = 0; y < height; y += stripRows) {
         const isLast = y + stripRows >= height;
-        const strip = filterRows(pixels, width, y, Math.min(stripRows, height - y));
+        const strip = filterRows(pixels, width, y, Math.min(stripRows, height - y), alpha);
         adler = adler32(adler, strip);
         parts.push(chunk('IDAT', ...(y === 0 ? [Uint8Array.of(0x78, 0x01)] : []), ...compress(strip, isLast),
                          ...(isLast ? [bytesOf32(adler)] : [])));

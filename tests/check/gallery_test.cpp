@@ -41,6 +41,12 @@ TEST(CheckGallery, SoAreScenesOfSeveralFilesAndSeveralInOne) {
     EXPECT_EQ(ids_of_files({folder + "epfl/two_scenes.js"}, pipes), "");
 }
 
+TEST(CheckGallery, TheDarkStage) {
+    EXPECT_EQ(ids_of_files({GLINT_SOURCE_DIR "/scenes/faults/stage.glint"}),
+              "spot-aimed-elsewhere@7 area-light-faces-away@8 light-inside-shape@9 "
+              "area-light-too-many-samples@10");
+}
+
 TEST(CheckGallery, AsTheSourcesDrawIt) {
     // The gallery's scenes by the conventions of other sources: their epsilons are no mistake either.
     const std::string scene = GLINT_SOURCE_DIR "/scenes/glint/still_life.glint";

@@ -5,6 +5,30 @@
 namespace glint::test {
 namespace {
 
+TEST(CheckPicture, FogThatHidesEverything) {
+    const std::string dense = k_clean + "fog { type = exp  density = 40 }\n";
+    EXPECT_EQ(ids_of(dense), "fog-hides-everything@7");
+    EXPECT_TRUE(has(only_message(dense), "remedy: lower the density")) << only_message(dense);
+    const std::string near =
+        k_clean + "background = (0.2, 0.3, 0.4)\nfog { type = linear  start = 0  end = 1 }\n";
+    EXPECT_EQ(ids_of(near + "conventions { fog_background = false }\n"), "fog-hides-everything@8");
+    EXPECT_TRUE(has(only_message(near), "remedy: raise `end`")) << only_message(near);
+    EXPECT_EQ(ids_of(k_clean + "fog { type = exp  density = 0.1 }\n"), "");
+}
+
+TEST(CheckPicture, FogThatIsNotVisible) {
+    const std::string thin =
+        "fog { type = exp  density = 0.0000001 }\nconventions { fog_background = false }\n";
+    EXPECT_EQ(ids_of(k_clean + thin), "fog-not-visible@7");
+    // All that is there is a ball, and the fog begins behind it.
+    const std::string ball =
+        "camera { position = (0, 0, 8)  look_at = (0, 0, 0) }\nlight { position = (4, 5, 6) }\n"
+        "conventions { fog_background = false }\nsphere { center = (0, 0, 0)  radius = 1 }\n";
+    EXPECT_EQ(ids_of(ball + "fog { type = linear  start = 20  end = 30 }\n"), "fog-not-visible@5");
+    EXPECT_EQ(ids_of(ball + "fog { type = linear  start = 6  end = 30 }\n"), "");
+    EXPECT_EQ(ids_of(ball + "render { shading = color }\nfog { type = linear  start = 20  end = 30 }\n"), "");
+}
+
 TEST(CheckPicture, Black) {
     EXPECT_TRUE(has(ids_of(R"(camera { position = (0, 0, 8)  look_at = (0, 0, 0) }
 light { position = (0, 4, 8) }

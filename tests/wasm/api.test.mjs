@@ -75,7 +75,19 @@ for (const [paths, size] of [[['cgfs/three_mirrors.cgfs'], '64x32'], [['epfl/cas
         const {scene, report: {width, height}} = open(paths, {size, aa: '1'});
         const here = encodePng(scene.renderPixels(0, 0, width, height).pixels, width, height);
         scene.close();
-        assert.ok(Buffer.from(here).equals(native(request(paths, {size, aa: '1'}), 'png', width, height)));
+        assert.ok(Buffer.from(here).equals(native(request(paths, {size, aa: '1'}), 'png')));
+    });
+}
+
+for (const settings of [{transfer: 'none'}, {transfer: 'srgb'}, {transfer: 'none', gamma: '2.2'}, {transfer: 'srgb', rounding: 'down'}, {alpha: 'true'},
+                        {alpha: 'true', transfer: 'srgb', aa: '2'}, {alpha: 'true', gamma: '1.8', aa: '2'}]) {
+    test(`a PNG has the bytes of the native file: ${JSON.stringify(settings)}`, () => {
+        const all = {size: '70x50', ...settings};
+        const {scene, report: {width, height}} = open(['glint/still_life.glint'], all);
+        const here = encodePng(scene.renderPixels(0, 0, width, height).pixels, width, height,
+                               {alpha: settings.alpha === 'true', srgb: settings.transfer === 'srgb'});
+        scene.close();
+        assert.ok(Buffer.from(here).equals(native(request(['glint/still_life.glint'], all), 'png')));
     });
 }
 
@@ -89,7 +101,7 @@ test('a PNG of noise has the bytes of the native file', () => {
     const scene = glint.open(body);
     const here = encodePng(scene.renderPixels(0, 0, 700, 70).pixels, 700, 70);
     scene.close();
-    assert.ok(Buffer.from(here).equals(native(body, 'png', 700, 70)));
+    assert.ok(Buffer.from(here).equals(native(body, 'png')));
 });
 
 test('a picture that is none is not encoded', () => {

@@ -2,7 +2,7 @@
 // The browser's API, compiled natively for comparison. A request comes from standard
 // input:
 //   native_api render X Y WIDTH HEIGHT    writes the rectangle's floats to standard output
-//   native_api png WIDTH HEIGHT           the file of the picture, which has this size, by encode()
+//   native_api png                        the file of the picture, by encode()
 //   native_api explain X Y                the pixel's explanation
 //   native_api info, convert, check       the results of glint_info, glint_convert and glint_check
 #include <cstdio>
@@ -11,8 +11,8 @@
 #include <iterator>
 #include <string>
 
-#include "glint/image.h"
 #include "wasm/api.h"
+#include "wasm/request.h"
 
 namespace {
 
@@ -26,12 +26,22 @@ bool render(GlintScene* scene, int x, int y, int width, int height) {
            write(rgb, 3 * sizeof(float) * static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
 }
 
-bool write_png(GlintScene* scene, int width, int height) {
-    const float* const rgb = glint_render(scene, 0, 0, width, height);
-    if (rgb == nullptr) return false;
-    const std::size_t count = 3 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
-    const auto png = glint::encode({width, height, {rgb, rgb + count}});
-    return png && std::fwrite(png->data(), 1, png->size(), stdout) == png->size();
+bool write_png(const std::string& request) {
+    const nlohmann::json parsed = nlohmann::json::parse(request);
+    const glint::wasm::RequestTexts texts = glint::wasm::read_texts(parsed);
+    std::vector<std::string> missing;
+    const auto scene = glint::wasm::load(texts, parsed, missing);
+    const auto world = scene ? glint::prepare(*scene) : glint::Result<glint::World>(glint::Status(scene));
+    if (!world) return false;
+    glint::RenderOptions options;
+    if (scene->settings.alpha) options.layers = {glint::Layer::alpha};
+    const auto made = glint::render(*world, options);
+    if (!made) return false;
+    glint::EncodeOptions file;
+    file.set_rule(made->rule);
+    const auto png = made->has_alpha ? glint::encode(made->image, made->layers[0].values, file)
+                                     : glint::encode(made->image, file);
+    return png && write(png->data(), png->size());
 }
 
 }  // namespace
@@ -43,7 +53,7 @@ int main(int argc, char** argv) {
     GlintScene* const scene = glint_open(request.data(), static_cast<std::uint32_t>(request.size()));
     bool done = false;
     if (what == "render") done = render(scene, number(2), number(3), number(4), number(5));
-    if (what == "png") done = write_png(scene, number(2), number(3));
+    if (what == "png") done = write_png(request);
     if (what == "explain") done = write(glint_explain(scene, number(2), number(3)));
     if (what == "info") done = write(glint_info(scene));
     if (what == "check") done = write(glint_check(scene));

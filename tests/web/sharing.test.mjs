@@ -77,6 +77,26 @@ test('picture and scene are saved by button, the picture by key, too, under the 
     assert.match(await page.locator('.cm-content').innerText(), /s/);
 }));
 
+test('pictures with a transfer curve and with transparent parts are saved as the command saves them', () => withPage(async (page, context) => {
+    await context.grantPermissions(['clipboard-read', 'clipboard-write']);
+    const scene = (settings) => `render { size = 90 x 70  aa = 2 }\n${settings}
+camera { position = (0, 1, 6)  look_at = (0, 0, 0) }\nlight { position = (3, 4, 5)  intensity = 0.9 }
+sphere { center = (-0.5, 0, 0)  radius = 1.2  color = (0.9, 0.4, 0.2) }\n`;
+    let count = 0;
+    for (const settings of ['conventions { transfer = srgb }', 'conventions { gamma = 2.2 }', 'render { alpha = true }',
+                            'render { alpha = true }\nconventions { transfer = srgb  rounding = down }', 'background = (0, 0, 1)']) {
+        const name = `curve${++count}.glint`, text = scene(settings);
+        await drop(page, {name, text});
+        await page.waitForFunction((now) => document.querySelector('.file-name').textContent === now, name);
+        await settled(page);
+        await page.getByRole('button', {name: 'Copy as command'}).click();
+        await page.waitForSelector('.notice');
+        const line = await page.evaluate(() => navigator.clipboard.readText());
+        const {bytes} = await saved(page, () => page.getByRole('button', {name: 'Save PNG'}).click());
+        assert.ok(bytes.equals(byCommand(line, name, text)), settings);
+    }
+}));
+
 test('dropped files are opened: the first scene, and what it includes', () => withPage(async (page) => {
     const text = '# two files\ninclude "other.cgfs"\nrender { size = 60 x 50 }\ncamera { position = (0, 0, -2)  look_at = (0, 0, 3) }\n';
     const other = 'sphere { center = (0, 0, 3) radius = 1 color = (200, 10, 10) }\nlight { type = ambient intensity = 1 }\n';

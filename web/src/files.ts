@@ -3,6 +3,7 @@
 import {encodePng} from 'glint-wasm/png';
 
 import {comparison, fileName, isPictureOfScene, notice, settingOf} from './store/state';
+import {pixelsOf} from './ui/pictures';
 
 function save(blob: Blob, name: string) {
     const anchor = document.createElement('a');
@@ -15,10 +16,12 @@ function save(blob: Blob, name: string) {
 /** "castle" of "epfl/castle.json". */
 export const baseName = () => fileName.value.split('/').at(-1)!.replace(/\.\w+$/, '') || 'picture';
 
+/** A setting of the first picture. */
+const shownSetting = (key: string) => (comparison.value?.key === key ? comparison.value.a : (settingOf(key)?.value ?? ''));
+
 /** castle_BlinnPhong.png, the naming scheme of the course's page. */
 export function pictureName(): string {
-    const shading = comparison.value?.key === 'shading' ? comparison.value.a : (settingOf('shading')?.value ?? '');
-    const words = shading.split('-').map((word) => word.charAt(0).toUpperCase() + word.slice(1));
+    const words = shownSetting('shading').split('-').map((word) => word.charAt(0).toUpperCase() + word.slice(1));
     return `${baseName()}_${words.join('')}.png`;
 }
 
@@ -27,8 +30,9 @@ export function savePicture(canvas: HTMLCanvasElement) {
         notice.value = 'There is no picture of this scene yet.';
         return;
     }
-    const {data, width, height} = canvas.getContext('2d')!.getImageData(0, 0, canvas.width, canvas.height);
-    save(new Blob([encodePng(data, width, height)], {type: 'image/png'}), pictureName());
+    const {data, width, height} = pixelsOf(canvas);
+    const file = encodePng(data, width, height, {alpha: shownSetting('alpha') === 'true', srgb: shownSetting('transfer') === 'srgb'});
+    save(new Blob([file], {type: 'image/png'}), pictureName());
 }
 
 export function saveScene(text: string) {

@@ -11,6 +11,7 @@ const {ready, width = 0, height = 0, diagnostics, missing = []} = scene.report;
 const {pixels, rays} = scene.renderPixels(0, 0, width, height);
 const floats: number = scene.render(0, 0, 1, 1)[0] ?? 0;
 const file = encodePng(pixels, width, height);
+encodePng(pixels, width, height, {alpha: true, srgb: false});
 const bytes: number = file.length + pixels.length + rays;
 const info: SceneInfo | null = scene.info;
 const camera: CameraInfo | undefined = info?.camera;
@@ -25,4 +26,6 @@ scene.close();
 other.open({texts: [], settings: {size: 5}});
 // @ts-expect-error a picture has a height
 encodePng(pixels, width);
+// @ts-expect-error
+encodePng(pixels, width, height, {srgb: 1});
 export {ready, floats, bytes, camera, blocker, causes, texts};

@@ -2,7 +2,7 @@
 // The sizes at which a picture is rendered, coarse to fine, and its division into tiles.
 import type {PrepareRequest, SceneInfo} from 'glint-wasm';
 
-import type {Rect, Tile} from './protocol';
+import type {Rect} from './protocol';
 
 /** Pixels of the largest picture that the page renders; larger ones are rendered at a smaller size. */
 const maxPixels = 4096 * 4096;
@@ -69,9 +69,9 @@ export function isSameLevel(a: Level, b: Level): boolean {
 }
 
 /** Copies a tile's pixels into a picture. */
-export function place(tile: Tile, rect: Rect, picture: ImageData) {
+export function place(pixels: Uint8ClampedArray, rect: Rect, picture: ImageData) {
     for (let row = 0; row < rect.height; ++row) {
-        picture.data.set(tile.pixels.subarray(4 * row * rect.width, 4 * (row + 1) * rect.width),
+        picture.data.set(pixels.subarray(4 * row * rect.width, 4 * (row + 1) * rect.width),
                          4 * ((rect.y + row) * picture.width + rect.x));
     }
 }

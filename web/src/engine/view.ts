@@ -169,7 +169,7 @@ export class View {
         await Promise.all(tiles(level.width, level.height, 32).map(async (rect) => {
             const job = {view: this.name, key, request: content.request, prepare: level.prepare};
             const tile = await this.pool.run({...job, task: {what: 'tile', rect}});
-            place(tile, rect, picture);
+            place(tile.pixels, rect, picture);
             spent += tile.milliseconds;
         }));
         this.#sampleTime = Math.max(1e-6, spent / (level.width * level.height));
@@ -198,7 +198,7 @@ export class View {
         if (tiles.includes(null)) return {opened, picture: null};
         const picture = new ImageData(level.width, level.height);
         tiles.forEach((tile, i) => {
-            place(tile!, rects[i]!, picture);
+            place(tile!.pixels, rects[i]!, picture);
             this.#measure(tile!, rects[i]!, level.samples);
         });
         return {opened, picture};
@@ -227,7 +227,7 @@ export class View {
             rays += tile.rays;
             this.#measure(tile, rect, level.samples);
             if (whole) {
-                place(tile, rect, whole);
+                place(tile.pixels, rect, whole);
             } else {
                 this.events.painted(new ImageData(tile.pixels, rect.width, rect.height), rect, false, content);
             }

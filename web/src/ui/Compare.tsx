@@ -6,7 +6,7 @@ import {setComparison} from '../store/scene';
 import {comparison, comparisonFailure, difference, info, settingOf, split} from '../store/state';
 import {wordsOf} from './Controls';
 import {Choice, Switch, TextField} from './fields';
-import {canvases, firstDone, secondDone} from './pictures';
+import {canvases, firstDone, pixelsOf, secondDone} from './pictures';
 
 const presets = [
     {label: 'Phong | Blinn-Phong', key: 'shading', a: 'phong', b: 'blinn-phong'},
@@ -39,8 +39,8 @@ export function Difference() {
     useEffect(() => {
         const {first, second} = canvases;
         if (!canvas.current || first.width !== second.width || first.height !== second.height) return;
-        const read = (one: HTMLCanvasElement) => one.getContext('2d')!.getImageData(0, 0, one.width, one.height);
-        const a = read(first), b = read(second);
+        const {data, width, height} = pixelsOf(first);
+        const a = new ImageData(data.slice(), width, height), b = pixelsOf(second);
         let most = 0, differing = 0;
         for (let i = 0; i < a.data.length; i += 4) {
             let here = 0;
@@ -49,6 +49,7 @@ export function Difference() {
                 here = Math.max(here, d);
                 a.data[c] = Math.min(255, d * 4);
             }
+            a.data[i + 3] = 255;
             most = Math.max(most, here);
             differing += here > 0 ? 1 : 0;
         }

@@ -4,6 +4,7 @@ import {batch, signal} from '@preact/signals';
 
 import type {Pool} from '../engine/pool';
 import type {Opened, Rect} from '../engine/protocol';
+import {place} from '../engine/levels';
 import {type ViewContent, View, type ViewEvents} from '../engine/view';
 import {explainAgain} from '../store/pixels';
 import {wasOpened} from '../store/viewpoint';
@@ -14,9 +15,32 @@ export const canvases = {first: document.createElement('canvas'), second: docume
 export const secondDone = signal(0);
 export const firstDone = signal(0);
 
+/** The pixels of pictures with transparent parts; a canvas holds the colors multiplied by alpha, which are not exact. */
+const straight = new WeakMap<HTMLCanvasElement, ImageData>();
+
+export function pixelsOf(canvas: HTMLCanvasElement): ImageData {
+    return straight.get(canvas) ?? canvas.getContext('2d')!.getImageData(0, 0, canvas.width, canvas.height);
+}
+
+function isOpaque({data}: ImageData): boolean {
+    for (let i = 3; i < data.length; i += 4) {
+        if (data[i] !== 255) return false;
+    }
+    return true;
+}
+
+/** Keeps the pixels of a tile if the picture has transparent parts. */
+function keep(canvas: HTMLCanvasElement, tile: ImageData, to: Rect) {
+    if (!straight.has(canvas)) {
+        if (isOpaque(tile)) return;
+        straight.set(canvas, pixelsOf(canvas));
+    }
+    place(tile.data, to, straight.get(canvas)!);
+}
+
 /** Draws tiles and coarse pictures on a canvas. */
 export function painter(canvas: HTMLCanvasElement, resized?: (width: number, height: number) => void, isPainted?: (content: ViewContent) => void) {
-    const context = canvas.getContext('2d', {alpha: false})!;
+    const context = canvas.getContext('2d')!;
     let next: {width: number; height: number} | null = null;
     const coarse = document.createElement('canvas');
     return {
@@ -29,16 +53,19 @@ export function painter(canvas: HTMLCanvasElement, resized?: (width: number, hei
             if (next) {
                 canvas.width = next.width;
                 canvas.height = next.height;
+                straight.delete(canvas);
                 resized?.(next.width, next.height);
                 next = null;
             }
             if (!stretched) {
+                keep(canvas, tile, to);
                 context.putImageData(tile, to.x, to.y);
                 return;
             }
             coarse.width = tile.width;
             coarse.height = tile.height;
-            coarse.getContext('2d', {alpha: false})!.putImageData(tile, 0, 0);
+            coarse.getContext('2d')!.putImageData(tile, 0, 0);
+            context.clearRect(to.x, to.y, to.width, to.height);
             context.drawImage(coarse, to.x, to.y, to.width, to.height);
         },
     };
