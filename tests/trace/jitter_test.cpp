@@ -61,24 +61,7 @@ TEST(Jitter, CropsThreadsAndInstructionSets) {
     for (const std::optional<double> threshold : {std::optional<double>(), std::optional<double>(0.05)}) {
         Scene scene = balls();
         scene.settings.aa_threshold = threshold;
-        const std::optional<World> world = make_world(scene);
-        const Image whole = render_world(*world);
-        Random random(3);
-        for (int i = 0; i < 20; ++i) {
-            RenderOptions options;
-            Crop crop{1 + below(random, 50), 1 + below(random, 40), 0, 0};
-            crop.x = below(random, whole.width - crop.width + 1);
-            crop.y = below(random, whole.height - crop.height + 1);
-            options.crop = crop;
-            const auto isas = isa_names();
-            options.isa = isas[static_cast<std::size_t>(i) % isas.size()];
-            options.threads = 1 + below(random, 3);
-            const Image part = render_world(*world, options);
-            for (int y = 0; y < crop.height; ++y)
-                for (int x = 0; x < crop.width; ++x)
-                    ASSERT_EQ(part.pixel(x, y), whole.pixel(crop.x + x, crop.y + y))
-                        << i << ' ' << x << ' ' << y;
-        }
+        expect_same_crops(*make_world(scene), 20);
     }
 }
 

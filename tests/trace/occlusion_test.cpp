@@ -96,23 +96,11 @@ TEST(Occlusion, DirectIsAFactorOfTheLights) {
 }
 
 Scene occlusion_mixture(OcclusionMethod method, bool transparent = false) {
-    Random random(43);
-    Scene scene = random_scene(random, 60, 6);
-    set_size(scene, 70, 50);
-    scene.settings.samples = 2;
-    scene.background = {0.2, 0.3, 0.9};
-    scene.camera.position = {0, 2, 18};
-    scene.camera.look_at = {0, 0, 0};
-    for (int i = 0; i < 4; ++i) {
-        Material m;
-        m.mirror = i % 2 == 0 ? 0.4 : 0;
-        m.transmission = i >= 2 ? 0.7 : 0;
-        m.ior = i == 3 ? 1.4 : 1;
-        if (transparent && i == 1) m.filter = 0.5, m.transmit = 0.4, m.color = {0.9, 0.6, 0.3};
-        add_material(scene, m);
+    Scene scene = mirrors_and_glass(43);
+    if (transparent) {
+        Material& m = scene.materials[1];
+        m.filter = 0.5, m.transmit = 0.4, m.color = {0.9, 0.6, 0.3};
     }
-    for (std::size_t i = 0; i < scene.shapes.size(); ++i)
-        scene.shapes[i].material = static_cast<std::uint32_t>(i % 4);
     scene.lights = {ambient_light({0.1, 0.1, 0.1}), point_light({5, 9, 19})};
     scene.occlusion = Occlusion{};
     scene.occlusion->method = method;
@@ -132,24 +120,7 @@ TEST(Occlusion, CropsThreadsAndInstructionSets) {
         for (const bool adaptive : {false, true}) {
             Scene scene = occlusion_mixture(method, !adaptive);
             if (adaptive) scene.settings.aa_threshold = 0.1;
-            const std::optional<World> world = make_world(scene);
-            const Image whole = render_world(*world);
-            Random random(3);
-            for (int i = 0; i < 12; ++i) {
-                RenderOptions options;
-                Crop crop{1 + below(random, 50), 1 + below(random, 40), 0, 0};
-                crop.x = below(random, whole.width - crop.width + 1);
-                crop.y = below(random, whole.height - crop.height + 1);
-                options.crop = crop;
-                const auto isas = isa_names();
-                options.isa = isas[static_cast<std::size_t>(i) % isas.size()];
-                options.threads = 1 + below(random, 3);
-                const Image part = render_world(*world, options);
-                for (int y = 0; y < crop.height; ++y)
-                    for (int x = 0; x < crop.width; ++x)
-                        ASSERT_EQ(part.pixel(x, y), whole.pixel(crop.x + x, crop.y + y))
-                            << i << ' ' << x << ' ' << y;
-            }
+            expect_same_crops(*make_world(scene), 12);
         }
     }
 }

@@ -22,6 +22,28 @@ inline Image render_scene(const Scene& scene) {
     return world ? render_world(*world) : Image{};
 }
 
+/// Random crops are the same pixels as in the whole picture, with every instruction set in turn and 1 to 3
+/// threads.
+inline void expect_same_crops(const World& world, int crops, std::uint32_t seed = 3) {
+    const Image whole = render_world(world);
+    const auto isas = isa_names();
+    Random random(seed);
+    for (int i = 0; i < crops; ++i) {
+        RenderOptions options;
+        Crop crop{1 + below(random, whole.width * 5 / 7), 1 + below(random, whole.height * 4 / 5), 0, 0};
+        crop.x = below(random, whole.width - crop.width + 1);
+        crop.y = below(random, whole.height - crop.height + 1);
+        options.crop = crop;
+        options.isa = isas[static_cast<std::size_t>(i) % isas.size()];
+        options.threads = 1 + below(random, 3);
+        const Image part = render_world(world, options);
+        for (int y = 0; y < crop.height; ++y)
+            for (int x = 0; x < crop.width; ++x)
+                ASSERT_EQ(part.pixel(x, y), whole.pixel(crop.x + x, crop.y + y))
+                    << options.isa << ", crop " << i << ", pixel " << x << ' ' << y;
+    }
+}
+
 inline Color pixel(const Image& image, int x, int y) { return image.pixel(x, y); }
 
 /// The distance of two floats in ulp; large if one is NaN.
@@ -74,16 +96,6 @@ inline void expect_same_picture(const Image& a, const Image& b) {
     EXPECT_EQ(wrong, 0u) << "of " << a.rgb.size() << " channels; first in pixel "
                          << first / 3 % static_cast<std::size_t>(a.width) << ", "
                          << first / 3 / static_cast<std::size_t>(a.width);
-}
-
-inline void set_size(Scene& scene, int width, int height) {
-    scene.settings.width = width;
-    scene.settings.height = height;
-}
-
-inline std::uint32_t add_material(Scene& scene, const Material& material) {
-    scene.materials.push_back(material);
-    return static_cast<std::uint32_t>(scene.materials.size() - 1);
 }
 
 inline Light point_light(Vec3 position, Color color = {1, 1, 1}) {

@@ -3,6 +3,7 @@
 // every convention, and pictures known in closed form.
 #include <gtest/gtest.h>
 
+#include "explain/added_up.h"
 #include "glint/explain.h"
 #include "trace/hit_rule.h"
 #include "trace/pictures.h"
@@ -218,42 +219,12 @@ TEST(Transparency, CropsThreadsAndInstructionSets) {
     for (const int surfaces : {4096, 2}) {
         Scene scene = transparent_mixture();
         scene.conventions.transparent_surfaces = surfaces;
-        const std::optional<World> world = make_world(scene);
-        const Image whole = render_world(*world);
-        Random random(3);
-        for (int i = 0; i < 20; ++i) {
-            RenderOptions options;
-            Crop crop{1 + below(random, 50), 1 + below(random, 40), 0, 0};
-            crop.x = below(random, whole.width - crop.width + 1);
-            crop.y = below(random, whole.height - crop.height + 1);
-            options.crop = crop;
-            const auto isas = isa_names();
-            options.isa = isas[static_cast<std::size_t>(i) % isas.size()];
-            options.threads = 1 + below(random, 3);
-            const Image part = render_world(*world, options);
-            for (int y = 0; y < crop.height; ++y)
-                for (int x = 0; x < crop.width; ++x)
-                    ASSERT_EQ(part.pixel(x, y), whole.pixel(crop.x + x, crop.y + y))
-                        << i << ' ' << x << ' ' << y;
-        }
+        expect_same_crops(*make_world(scene), 20);
     }
 }
 
-void expect_added_up(const Explanation& e, int x, int y) {
-    double sums[k_light_layers] = {};
-    for (std::size_t i = 0; i < e.rays.size(); ++i) {
-        const ExplainedRay& ray = e.rays[i];
-        const auto layer = layer_of(e, i);
-        const auto add = [&](Layer own, Color c) {
-            sums[static_cast<std::size_t>(layer.value_or(own))] += c.g;
-        };
-        add(Layer::background, ray.hit ? Color{} : ray.background);
-        if (ray.hit) {
-            add(Layer::ambient, ray.hit->parts[0]);
-            add(Layer::diffuse, ray.hit->parts[1]);
-            add(Layer::specular, ray.hit->parts[2]);
-        }
-        add(Layer::fog, ray.fog);
+void expect_filters_in_order(const Explanation& e) {
+    for (const ExplainedRay& ray : e.rays) {
         if (!ray.hit) continue;
         Color diffuse;
         for (const LightTerms& terms : ray.hit->lights) {
@@ -269,12 +240,19 @@ void expect_added_up(const Explanation& e, int x, int y) {
         }
         ASSERT_EQ(diffuse, ray.hit->diffuse);
     }
-    float value = 0;
-    for (int l = 0; l < k_light_layers; ++l) {
-        ASSERT_EQ(static_cast<float>(sums[l] / 4), e.layers[l][1]) << x << ',' << y << ' ' << l;
-        value += e.layers[l][1];
+}
+
+void expect_added_up(const Explanation& e, int x, int y) {
+    float layers[k_light_layers][3];
+    add_up(e, layers);
+    for (int c = 0; c < 3; ++c) {
+        float value = 0;
+        for (int l = 0; l < k_light_layers; ++l) {
+            ASSERT_EQ(layers[l][c], e.layers[l][c]) << x << ',' << y << ' ' << l;
+            value += e.layers[l][c];
+        }
+        ASSERT_EQ(value, e.value[c]);
     }
-    ASSERT_EQ(value, e.value[1]);
 }
 
 TEST(Transparency, ExplainedAsDrawn) {
@@ -291,6 +269,7 @@ TEST(Transparency, ExplainedAsDrawn) {
                 const Explanation e = explain(scene, *world, x, y).value();
                 ASSERT_EQ((Color{e.value[0], e.value[1], e.value[2]}), whole.pixel(x, y));
                 expect_added_up(e, x, y);
+                expect_filters_in_order(e);
                 if (HasFatalFailure()) return;
                 for (const ExplainedRay& ray : e.rays) {
                     straight += ray.straight;

@@ -105,4 +105,35 @@ inline void add_flake(Scene& scene, Vec3 center, double radius, Vec3 from, int d
     }
 }
 
+inline void set_size(Scene& scene, int width, int height) {
+    scene.settings.width = width;
+    scene.settings.height = height;
+}
+
+inline std::uint32_t add_material(Scene& scene, const Material& material) {
+    scene.materials.push_back(material);
+    return static_cast<std::uint32_t>(scene.materials.size() - 1);
+}
+
+/// Shapes of all kinds, without lights: matte, mirrors, glass, and glass that is a mirror.
+inline Scene mirrors_and_glass(std::uint32_t seed) {
+    Random random(seed);
+    Scene scene = random_scene(random, 60, 6);
+    set_size(scene, 70, 50);
+    scene.settings.samples = 2;
+    scene.background = {0.2, 0.3, 0.9};
+    scene.camera.position = {0, 2, 18};
+    scene.camera.look_at = {0, 0, 0};
+    for (int i = 0; i < 4; ++i) {
+        Material m;
+        m.mirror = i % 2 == 0 ? 0.4 : 0;
+        m.transmission = i >= 2 ? 0.7 : 0;
+        m.ior = i == 3 ? 1.4 : 1;
+        add_material(scene, m);
+    }
+    for (std::size_t i = 0; i < scene.shapes.size(); ++i)
+        scene.shapes[i].material = static_cast<std::uint32_t>(i % 4);
+    return scene;
+}
+
 }  // namespace glint::test
