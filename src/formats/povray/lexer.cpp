@@ -1,17 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "formats/povray/lexer.h"
 
-#include <fast_float/fast_float.h>
 #include <fmt/format.h>
 
 #include <cstring>
 
 #include "base/text.h"
+#include "formats/number_text.h"
 
 namespace glint::povray {
 namespace {
 
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
 bool is_letter(char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_' ||
            static_cast<unsigned char>(c) >= 0x80;
@@ -94,7 +93,7 @@ class Lexer {
 
     void read_token() {
         const char c = *at_;
-        if (is_digit(c) || (c == '.' && is_digit(after(1)))) return read_number();
+        if (is_decimal_digit(c) || (c == '.' && is_decimal_digit(after(1)))) return read_number();
         if (is_letter(c)) {
             const char* from = at_;
             add(TokenKind::word, from).name = read_name();
@@ -117,19 +116,15 @@ class Lexer {
 
     std::uint32_t read_name() {
         const char* from = at_;
-        while (at_ != end_ && (is_letter(*at_) || is_digit(*at_))) ++at_;
+        while (at_ != end_ && (is_letter(*at_) || is_decimal_digit(*at_))) ++at_;
         return names_.number_of({from, static_cast<std::size_t>(at_ - from)});
     }
 
     void read_number() {
         const char* from = at_;
         double value = 0;
-        const auto [end, error] = fast_float::from_chars(from, end_, value);
-        // Versions of fast_float differ in whether a number out of range is an error.
-        if (error != std::errc() && error != std::errc::result_out_of_range) {
-            return fail(from, 1, "expected a number");
-        }
-        if (error == std::errc::result_out_of_range && value != 0) value = 1e300;
+        const char* const end = read_any_number(from, end_, value);
+        if (end == from) return fail(from, 1, "expected a number");
         if (!(value <= 1e300)) value = 1e300;
         add(TokenKind::number, from).number = value;
         at_ = end;

@@ -8,6 +8,25 @@
 #include "formats/povray/reader.h"
 
 namespace glint::povray {
+namespace {
+
+// Whether an `#end` belongs to the directive.
+bool begins_block(Word directive) {
+    switch (directive) {
+        case Word::k_if:
+        case Word::k_ifdef:
+        case Word::k_ifndef:
+        case Word::k_while:
+        case Word::k_for:
+        case Word::k_switch:
+        case Word::k_macro:
+            return true;
+        default:
+            return false;
+    }
+}
+
+}  // namespace
 
 void Reader::set_end() {
     const Frame& frame = frames_.back();
@@ -177,16 +196,8 @@ void Reader::skip_to_branch(bool to_end_only) {
     std::size_t open = 0;
     for (; frame.at < frame.end; ++frame.at) {
         const Word word = tokens[frame.at].directive();
+        open += begins_block(word) ? 1 : 0;
         switch (word) {
-            case Word::k_if:
-            case Word::k_ifdef:
-            case Word::k_ifndef:
-            case Word::k_while:
-            case Word::k_for:
-            case Word::k_switch:
-            case Word::k_macro:
-                ++open;
-                break;
             case Word::k_end:
                 if (open == 0) {
                     spend(frame.at - from);
@@ -216,23 +227,9 @@ std::uint32_t Reader::find_end(std::uint32_t at, std::uint32_t end) const {
     const std::vector<Token>& tokens = tokens_[frames_.back().text];
     std::size_t open = 0;
     for (; at < end; ++at) {
-        switch (tokens[at].directive()) {
-            case Word::k_if:
-            case Word::k_ifdef:
-            case Word::k_ifndef:
-            case Word::k_while:
-            case Word::k_for:
-            case Word::k_switch:
-            case Word::k_macro:
-                ++open;
-                break;
-            case Word::k_end:
-                if (open == 0) return at;
-                --open;
-                break;
-            default:
-                break;
-        }
+        const Word word = tokens[at].directive();
+        open += begins_block(word) ? 1 : 0;
+        if (word == Word::k_end && open-- == 0) return at;
     }
     return end;
 }

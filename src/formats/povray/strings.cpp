@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Strings: names of includes, messages, and what is computed from them.
-#include <fast_float/fast_float.h>
 #include <fmt/format.h>
 
 #include <algorithm>
 
 #include "base/text.h"
+#include "formats/number_text.h"
 #include "formats/povray/reader.h"
 
 namespace glint::povray {
@@ -127,8 +127,9 @@ std::string Reader::format_number(double value, double length, double decimals) 
 double Reader::value_of(const Token& at, std::string_view text) {
     while (!text.empty() && (text.front() == ' ' || text.front() == '+')) text.remove_prefix(1);
     double value = 0;
-    const auto [end, wrong] = fast_float::from_chars(text.data(), text.data() + text.size(), value);
-    if (wrong != std::errc() || !(value <= 1e300 && value >= -1e300)) {
+    const bool is_number =
+        !text.empty() && read_any_number(text.data(), text.data() + text.size(), value) != text.data();
+    if (!is_number || !(value <= 1e300 && value >= -1e300)) {
         error(at, fmt::format("expected a string that is a number, found {}", quoted(text)));
     }
     return value;
