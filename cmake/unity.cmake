@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-# With GLINT_FILES_TOGETHER, the files of the command, and those of each test program, are compiled together, up to eight at a
-# time: their headers are read once, and the whole takes a third of the time. Without it each file is compiled by itself, so that a missing include is found.
+# With GLINT_FILES_TOGETHER, the files of each folder of the library, the command and each test program are compiled together, up
+# to eight at a time: their headers are read once, and the whole takes a third of the time. Without it each file is compiled by
+# itself, so that a missing include is found.
 #
 # So a name in an unnamed namespace must be the only one in its folder. Files that define macros are compiled by themselves: the
 # kernels, for example. So are those with the property SKIP_UNITY_BUILD_INCLUSION.

@@ -19,10 +19,10 @@ constexpr std::size_t k_max_groups =
 constexpr std::size_t k_full_looks = 8;      // more groups get smaller pictures
 constexpr std::int32_t k_many_samples = 16;  // fewer cost little
 constexpr std::size_t k_max_dark = 256;      // whose reasons are looked for
-constexpr std::size_t k_max_named = 5;
-constexpr double k_half_byte = 0.5 / 255;
+constexpr std::size_t k_max_weak_named = 5;
+constexpr double k_half_level = 0.5 / 255;
 constexpr double k_max_leak = 0.01;  // of the picture, and of the points that face the light
-constexpr std::size_t k_max_points = 4096;
+constexpr std::size_t k_max_lit_points = 4096;
 constexpr double k_max_intensity = 10;  // without attenuation; 255 is a byte's
 
 bool is_black(Color c) { return c.r == 0 && c.g == 0 && c.b == 0; }
@@ -42,7 +42,7 @@ Effect effect_of(const Image& a, const Image& b) {
             here =
                 number::max(here, number::abs(static_cast<double>(a.rgb[c]) - static_cast<double>(b.rgb[c])));
         effect.most = number::max(effect.most, here);
-        visible += here >= k_half_byte ? 1 : 0;
+        visible += here >= k_half_level ? 1 : 0;
     }
     if (!a.rgb.empty()) effect.share = 3 * static_cast<double>(visible) / static_cast<double>(a.rgb.size());
     return effect;
@@ -93,7 +93,7 @@ Blockage find_blockage(const CheckContext& context, const VisibleHits& visible, 
         std::size_t all = 0, beyond = 0;
     };
     const WorldParts& world = context.world();
-    const ShadowRays shadows = shadow_rays(world, visible, light, k_max_points);
+    const ShadowRays shadows = shadow_rays(world, visible, light, k_max_lit_points);
     Blockage found;
     found.points = shadows.points;
     found.facing = shadows.rays.size();
@@ -214,7 +214,7 @@ void report_dark(CheckContext& context, const VisibleHits& visible, std::uint32_
 }
 
 // Colours and intensities that are probably mistakes. True if the light is black.
-bool check_color(CheckContext& context, std::uint32_t index) {
+bool check_light_color(CheckContext& context, std::uint32_t index) {
     const Light& light = context.scene().lights[index];
     const FindingPlace place = context.at_light(index);
     if (is_black(light.color) && (!light.has_specular_color() || is_black(light.specular_color))) {
@@ -260,16 +260,16 @@ void check_ambient(CheckContext& context, std::uint32_t index) {
 void report_weak(CheckContext& context, Effects& effects, std::span<const std::uint32_t> weak) {
     if (weak.empty()) return;
     const double effect = effects.of(weak, weak.size() == 1 ? k_second_look : k_first_look).most;
-    if (effect >= k_half_byte) return;
+    if (effect >= k_half_level) return;
     const Scene& scene = context.scene();
     bool attenuated = true;
     for (const std::uint32_t index : weak) attenuated = attenuated && scene.lights[index].falls_off();
     std::string what = context.light(weak[0]) + " adds";
     if (weak.size() > 1) {
         what = fmt::format("{} lights (", weak.size());
-        for (std::size_t i = 0; i < weak.size() && i < k_max_named; ++i)
+        for (std::size_t i = 0; i < weak.size() && i < k_max_weak_named; ++i)
             what += (i == 0 ? "" : ", ") + context.light(weak[i]);
-        what += weak.size() > k_max_named ? "...) add together" : ") add together";
+        what += weak.size() > k_max_weak_named ? "...) add together" : ") add together";
     }
     context.report(
         "light-too-weak", context.at_light(weak[0]),
@@ -301,7 +301,7 @@ void check_samples(CheckContext& context) {
         fewer[i].samples_v = (light.samples_v + 1) / 2;
         const Image few = context.render_small(with_lights(context.prepared(), fewer), k_second_look);
         const double most = effect_of(context.render_small(k_second_look), few).most;
-        if (!(most < k_half_byte)) continue;
+        if (!(most < k_half_level)) continue;
         context.report(
             "area-light-too-many-samples", context.at_light(i),
             fmt::format(
@@ -321,7 +321,7 @@ void check_lights(CheckContext& context, const VisibleHits& visible) {
     if (shading == Shading::color || shading == Shading::normals) return;
     std::vector<std::uint32_t> lights, weak;
     for (std::uint32_t i = 0; i < scene.lights.size(); ++i) {
-        if (check_color(context, i)) continue;
+        if (check_light_color(context, i)) continue;
         if (!scene.lights[i].is_ambient())
             lights.push_back(i);
         else if (shading != Shading::diffuse)
@@ -336,7 +336,7 @@ void check_lights(CheckContext& context, const VisibleHits& visible) {
         const std::size_t first = g * lights.size() / groups, end = (g + 1) * lights.size() / groups;
         const auto group = std::span<const std::uint32_t>(lights).subspan(first, end - first);
         const Effect first_look = effects.of(group, longest);
-        if (first_look.most >= k_half_byte) {
+        if (first_look.most >= k_half_level) {
             if (group.size() == 1 && first_look.share < k_max_leak && is_shut_off(context, visible, group[0]))
                 report_dark(context, visible, group[0]);
             continue;
@@ -344,7 +344,7 @@ void check_lights(CheckContext& context, const VisibleHits& visible) {
         // A highlight may lie between the pixels of a small picture.
         const double effect =
             effects.of(group, looked_twice++ < k_full_looks ? k_second_look : k_first_look).most;
-        if (effect >= k_half_byte) continue;
+        if (effect >= k_half_level) continue;
         for (const std::uint32_t index : group) {
             const bool is_dark = effect == 0 || (group.size() == 1 && is_shut_off(context, visible, index));
             if (is_dark && dark++ < k_max_dark)

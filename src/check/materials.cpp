@@ -10,7 +10,7 @@ namespace {
 constexpr double k_max_color = 20;  // 1 is the maximum; a surface that glows may have several times as much
 constexpr double k_min_color = 1.5 / 255;  // a colour from 0 to 1 where the format uses 0 to 255
 
-void check_color(CheckContext& context, std::uint32_t index) {
+void check_material_color(CheckContext& context, std::uint32_t index) {
     const Material& m = context.scene().materials[index];
     const FindingPlace place = context.at_material(index);
     const double most =
@@ -88,7 +88,7 @@ void check_materials(CheckContext& context) {
                     context.material(i)),
                 "give it a shininess from 1 (wide) to 1000 (small), or no specular coefficient");
         }
-        check_color(context, i);
+        check_material_color(context, i);
         check_finish(context, i);
     }
 }

@@ -13,7 +13,7 @@
 namespace glint {
 namespace {
 
-constexpr std::int32_t k_longest = 160;
+constexpr std::int32_t k_small_picture = 160;
 constexpr double k_half_byte = 0.5 / 255, k_over = 1 + k_half_byte;
 constexpr double k_visible = 8.0 / 255;  // differences in a channel that count
 // Shares of the picture. In the gallery's scenes up to 0.1 is clamped, the sources' epsilons change up to
@@ -219,7 +219,8 @@ void check_epsilon(CheckContext& context, const VisibleHits& visible, const Imag
     const auto render_with = [&](double by) {
         Conventions conventions = scene.conventions;
         conventions.epsilon = by;
-        return context.render_small(with_rules(context.prepared(), conventions, scene.settings), k_longest);
+        return context.render_small(with_rules(context.prepared(), conventions, scene.settings),
+                                    k_small_picture);
     };
     const Image other = render_with(trusted);
     const double differs = share_that_differs(picture, other, k_visible);
@@ -256,7 +257,8 @@ void check_reflections(CheckContext& context, const Image& picture) {
     const auto render_with = [&](std::int32_t reflections) {
         RenderSettings settings = scene.settings;
         settings.reflections = reflections;
-        return context.render_small(with_rules(context.prepared(), scene.conventions, settings), k_longest);
+        return context.render_small(with_rules(context.prepared(), scene.conventions, settings),
+                                    k_small_picture);
     };
     if (now >= k_max_reflections) return;
     const double changed = share_that_differs(picture, render_with(now + 1), k_visible);
@@ -278,7 +280,7 @@ void check_reflections(CheckContext& context, const Image& picture) {
 }  // namespace
 
 void check_picture(CheckContext& context, const VisibleHits& visible) {
-    const Image picture = context.render_small(k_longest);
+    const Image picture = context.render_small(k_small_picture);
     if (picture.rgb.empty() || check_one_color(context, picture)) return;
     check_clamped(context, visible, picture);
     check_epsilon(context, visible, picture);

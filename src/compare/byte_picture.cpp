@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <numeric>
 
+#include "glint/compare.h"
 #include "image/levels.h"
 #include "image/quantize.h"
 
@@ -24,6 +25,13 @@ Image to_floats(const BytePicture& picture) {
     image.rgb.reserve(picture.rgb.size());
     for (const std::uint8_t v : picture.rgb) image.rgb.push_back(static_cast<float>(v) / 255);
     return image;
+}
+
+bool is_step(const std::uint8_t* a, const std::uint8_t* b) {
+    for (int c = 0; c < 3; ++c) {
+        if (std::abs(int{a[c]} - int{b[c]}) > static_cast<int>(k_edge_step)) return true;
+    }
+    return false;
 }
 
 std::vector<std::uint8_t> edges_of(const BytePicture& picture, int threads) {

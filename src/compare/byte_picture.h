@@ -27,6 +27,9 @@ BytePicture to_bytes(const Image& image, int threads, const ByteRule& rule = {})
 /// The same, as an image. Throws bad_alloc.
 Image to_floats(const BytePicture& picture);
 
+/// Whether a channel of two pixels differs by more than k_edge_step.
+bool is_step(const std::uint8_t* a, const std::uint8_t* b);
+
 /// One number per pixel: whether it is on an edge (k_edge_step of glint/compare.h). Throws bad_alloc.
 std::vector<std::uint8_t> edges_of(const BytePicture& picture, int threads);
 

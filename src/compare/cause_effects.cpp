@@ -6,6 +6,7 @@
 #include <set>
 
 #include "compare/cause_pair.h"
+#include "compare/parameter_fit.h"
 
 namespace glint {
 namespace {
@@ -39,12 +40,6 @@ struct Change {
     std::vector<float> part;
     double square = 0, wanted = 0;  // of the part, and of the part and what is wanted
 };
-
-double product(const std::vector<float>& a, const std::vector<float>& b) {
-    double sum = 0;
-    for (std::size_t i = 0; i < a.size(); ++i) sum += static_cast<double>(a[i]) * static_cast<double>(b[i]);
-    return sum;
-}
 
 // The multiples of two changes whose sum is nearest to what is wanted, and the squares that remain, of
 // `whole`. A change that is no multiple of a part stays as it is.

@@ -69,13 +69,6 @@ bool is_off(const std::uint8_t* a, const std::uint8_t* b) {
     return false;
 }
 
-bool is_step(const std::uint8_t* a, const std::uint8_t* b) {
-    for (int c = 0; c < 3; ++c) {
-        if (std::abs(int{a[c]} - int{b[c]}) > static_cast<int>(k_edge_step)) return true;
-    }
-    return false;
-}
-
 // Is the pixel one of a group that differs, and not on an edge of `made`?
 bool is_structured(const BytePicture& made, const BytePicture& target, std::int32_t x, std::int32_t y) {
     int off = 0;

@@ -9,31 +9,23 @@
 namespace glint {
 namespace {
 
-// A speck is darker by more than k_dark; k_calm of its neighbours differ by at most k_same. In 255ths.
-constexpr int k_dark = 8, k_same = 2, k_calm = 2;
+// A speck is darker by more than k_darker; k_calm of its neighbours differ by at most k_same. In 255ths.
+constexpr int k_darker = 8, k_same = 2, k_calm = 2;
 // What is mixed of two colours differs by more than this, or a tenth of their difference, from both.
 constexpr int k_mixed = 4;
-constexpr int k_step = static_cast<int>(k_edge_step);
 
 // Differences of a pixel: the smallest and the largest channel of faulty - reference.
-struct Change {
+struct Extremes {
     int least = 0, most = 0;
 };
-Change change_at(const BytePicture& reference, const BytePicture& faulty, std::int32_t x, std::int32_t y) {
+Extremes change_at(const BytePicture& reference, const BytePicture& faulty, std::int32_t x, std::int32_t y) {
     const std::uint8_t *was = reference.pixel(x, y), *is = faulty.pixel(x, y);
-    Change change{255, -255};
+    Extremes change{255, -255};
     for (int c = 0; c < 3; ++c) {
         change.least = std::min(change.least, int{is[c]} - int{was[c]});
         change.most = std::max(change.most, int{is[c]} - int{was[c]});
     }
     return change;
-}
-
-bool is_step(const std::uint8_t* a, const std::uint8_t* b) {
-    for (int c = 0; c < 3; ++c) {
-        if (std::abs(int{a[c]} - int{b[c]}) > k_step) return true;
-    }
-    return false;
 }
 
 // Is the channel that varies most around a pixel clearly between its extremes there?
@@ -57,13 +49,13 @@ bool is_mixed(const BytePicture& picture, std::int32_t x, std::int32_t y) {
 }
 
 bool is_speck(const BytePicture& reference, const BytePicture& faulty, std::int32_t x, std::int32_t y) {
-    const Change here = change_at(reference, faulty, x, y);
-    if (here.least >= -k_dark || here.most > k_same) return false;
+    const Extremes here = change_at(reference, faulty, x, y);
+    if (here.least >= -k_darker || here.most > k_same) return false;
     int calm = 0;
     for (std::int32_t v = std::max(y - 1, 0); v <= std::min(y + 1, reference.height - 1); ++v) {
         for (std::int32_t u = std::max(x - 1, 0); u <= std::min(x + 1, reference.width - 1); ++u) {
             if (is_step(reference.pixel(u, v), reference.pixel(x, y))) return false;
-            const Change near = change_at(reference, faulty, u, v);
+            const Extremes near = change_at(reference, faulty, u, v);
             calm += near.least >= -k_same && near.most <= k_same;
         }
     }

@@ -21,7 +21,7 @@ constexpr std::size_t k_firsts_with_all = 4;
 // that leaves more than this fraction is not searched further.
 constexpr double k_rounding = 0.15, k_hopeless = 0.5;
 // Pairs whose numbers are fitted together, and half of those that are judged by all pixels.
-constexpr std::size_t k_fitted = 14, k_confirmed = 3;
+constexpr std::size_t k_fitted_pairs = 14, k_confirmed_pairs = 3;
 // A pair that is not exact leaves at most this fraction of what the best single cause leaves, and explains
 // this much.
 constexpr double k_gain = 0.4, k_explains = 0.9;
@@ -146,7 +146,7 @@ void PairSearch::fit_best(Trial& trial) const {
     std::erase_if(pairs, [&](const PairCandidate& p) {
         return !known.insert({row_key(p.before), row_key(p.after)}).second;
     });
-    pairs.resize(std::min(pairs.size(), k_fitted));
+    pairs.resize(std::min(pairs.size(), k_fitted_pairs));
     for (PairCandidate& pair : pairs) {
         if (!pair.is_fitted && !renderer_.is_cancelled())
             fit_pair(renderer_, causes_, coarse_, trial.coarse, pair);
@@ -202,8 +202,9 @@ std::optional<CausePair> PairSearch::find(const Search& search) {
     fit_best(trial);
     std::vector<PairCandidate>& pairs = trial.pairs;  // the best by rating, and then by what they leave
     const auto by_left = [](const PairCandidate& a, const PairCandidate& b) { return a.left < b.left; };
-    if (pairs.size() > k_confirmed) std::stable_sort(pairs.begin() + k_confirmed, pairs.end(), by_left);
-    pairs.resize(std::min(pairs.size(), 2 * k_confirmed));
+    if (pairs.size() > k_confirmed_pairs)
+        std::stable_sort(pairs.begin() + k_confirmed_pairs, pairs.end(), by_left);
+    pairs.resize(std::min(pairs.size(), 2 * k_confirmed_pairs));
     return best_by_all_pixels(search, pairs);
 }
 

@@ -61,12 +61,6 @@ void blur_line(float* line, std::ptrdiff_t count, std::ptrdiff_t step, int radiu
     }
 }
 
-double product(const std::vector<float>& a, const std::vector<float>& b) {
-    double sum = 0;
-    for (std::size_t i = 0; i < a.size(); ++i) sum += static_cast<double>(a[i]) * static_cast<double>(b[i]);
-    return sum;
-}
-
 // Solves a x = b by Gaussian elimination; zeros where a is singular.
 std::vector<double> solved(std::vector<std::vector<double>> a, std::vector<double> b) {
     const std::size_t n = b.size();
@@ -92,6 +86,12 @@ std::vector<double> solved(std::vector<std::vector<double>> a, std::vector<doubl
 }
 
 }  // namespace
+
+double product(const std::vector<float>& a, const std::vector<float>& b) {
+    double sum = 0;
+    for (std::size_t i = 0; i < a.size(); ++i) sum += static_cast<double>(a[i]) * static_cast<double>(b[i]);
+    return sum;
+}
 
 // The normal equations of one step.
 struct ParameterFit::Step {

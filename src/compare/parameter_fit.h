@@ -10,6 +10,9 @@
 
 namespace glint {
 
+/// The scalar product of two lists of the same length.
+double product(const std::vector<float>& a, const std::vector<float>& b);
+
 /// Numbers to fit, and how a picture is rendered with them.
 struct FitProblem {
     std::vector<double> start, units;  ///< FittedCause::units

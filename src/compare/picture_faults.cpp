@@ -19,7 +19,7 @@ using Detail = std::optional<std::string>;
 
 // Of a fit: after the first, weights make it one of absolute values, which another fault of a few pixels
 // hardly changes.
-constexpr int k_rounds = 5;
+constexpr int k_factor_rounds = 5;
 
 // Every channel value of the reference by change(value), as bytes.
 template <class Change> void change_values(const PictureSource& s, BytePicture& made, Change&& change) {
@@ -253,7 +253,7 @@ std::optional<double> fit_factor(const std::vector<float>& rest, const std::vect
         }
     }
     double factor = 0;
-    for (int round = 0; round < k_rounds; ++round) {
+    for (int round = 0; round < k_factor_rounds; ++round) {
         double products = 0, squares = 0;
         for (const auto& [wanted, p] : values) {
             const double weight = round == 0 ? 1 : 1 / std::max(std::fabs(wanted - factor * p), 0.5 / 255);

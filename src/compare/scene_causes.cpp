@@ -49,14 +49,14 @@ std::string light_text(const Scene& scene, std::uint32_t index) {
                         : fmt::format("light {} (\"{}\")", index + 1, name);
 }
 
-constexpr int k_max_lights = 8;  // tried one by one
+constexpr int k_max_single_lights = 8;  // tried one by one
 
 void add_single_lights(const Scene& scene, std::vector<SceneCause>& causes) {
     std::vector<std::uint32_t> lights;
     for (std::uint32_t i = 0; i < scene.lights.size(); ++i) {
         if (!is_ambient(scene.lights[i]) && !is_off(scene.lights[i])) lights.push_back(i);
     }
-    if (!is_lit(scene) || lights.size() < 2 || lights.size() > k_max_lights) return;
+    if (!is_lit(scene) || lights.size() < 2 || lights.size() > k_max_single_lights) return;
     for (std::size_t k = 0; k < lights.size(); ++k) {
         const std::string text = light_text(scene, lights[k]);
         causes.push_back({"light-missing",

@@ -8,7 +8,7 @@
 namespace glint {
 namespace {
 
-constexpr std::size_t k_max_shapes = 1000;  // of a scene whose spheres are moved
+constexpr std::size_t k_max_moved_shapes = 1000;  // of a scene whose spheres are moved
 
 // Shapes without a material get one of the scene's, so that faults of materials reach them.
 void name_default_material(Scene& scene) {
@@ -41,7 +41,7 @@ SceneRenderer::SceneRenderer(const Scene& scene, std::int32_t width, std::int32_
     named.settings.height = height;
     name_default_material(named);
     if (Result<World> prepared = prepare(named, {.threads = options_.threads})) world_ = *std::move(prepared);
-    if (named.shapes.size() <= k_max_shapes) with_shapes_ = named;
+    if (named.shapes.size() <= k_max_moved_shapes) with_shapes_ = named;
     drop_shapes(named);
 }
 

@@ -13,10 +13,10 @@ namespace glint {
 namespace {
 
 // What is fitted to the picture has to explain more.
-constexpr double k_min_fitted = 0.85, k_min_factor = 0.5;
+constexpr double k_min_light_multiple = 0.85, k_min_factor = 0.5;
 // A factor is looked for from 1 to these, and no further where no more than this part of the difference
 // stays.
-constexpr double k_max_factor = 16, k_enough = 0.001;
+constexpr double k_max_factor = 16, k_exact_part = 0.001;
 
 FaultEdit edit_of(const SceneCause& cause) {
     return [put = cause.put](FaultyScene& s) { put(s.shading); };
@@ -103,7 +103,7 @@ CauseCandidate SceneSearch::candidate(std::size_t i) const {
 
 CauseCandidate SceneSearch::scaled_candidate(std::size_t i, double factor, bool about) const {
     const SceneCause& cause = causes_[i];
-    const double least = cause.scale ? k_min_factor : k_min_fitted;
+    const double least = cause.scale ? k_min_factor : k_min_light_multiple;
     CauseCandidate candidate = fitted_candidate(
         cause.scale ? factor_of(cause, factor) : multiple_of(cause, factor), {factor}, about, least);
     candidate.row = i;
@@ -145,7 +145,7 @@ void SceneSearch::try_factors(const std::vector<Search*>& searches, std::size_t 
     for (const double step : {2.0, 0.5}) walk(searches, cause, one->bytes, step, walks);
     for (std::size_t i = 0; i < searches.size() && !renderer_.is_cancelled(); ++i) {
         Search& search = *searches[i];
-        const double enough = k_enough * search.whole.all;
+        const double enough = k_exact_part * search.whole.all;
         const bool is_explained =
             std::any_of(search.found.begin(), search.found.end(),
                         [&](const CauseCandidate& c) { return c.freedom == 0 && c.left.all <= enough; });

@@ -12,9 +12,9 @@ namespace glint {
 namespace {
 
 // Candidates that are judged by all pixels, and causes whose numbers are fitted.
-constexpr std::size_t k_confirmed = 6, k_fitted = 4;
+constexpr std::size_t k_confirmed_trials = 6, k_fitted_trials = 4;
 // Nothing more is fitted once a cause leaves so little of the difference.
-constexpr double k_found = 0.02;
+constexpr double k_little_left = 0.02;
 // If the grid's difference and that of all pixels are further apart than this factor, all pixels are used.
 constexpr double k_fair_grid = 2.5;
 constexpr std::size_t k_named_shapes = 3;
@@ -86,12 +86,12 @@ void SceneTrials::run_on(const PixelGrid& grid, std::vector<GridSearch>& searche
     }
     for (GridSearch& s : searches) {
         if (is_cancelled()) return;
-        const bool is_found =
-            std::any_of(s.search.found.begin(), s.search.found.end(),
-                        [&](const CauseCandidate& c) { return c.left.all <= k_found * s.search.whole.all; });
+        const bool is_found = std::any_of(
+            s.search.found.begin(), s.search.found.end(),
+            [&](const CauseCandidate& c) { return c.left.all <= k_little_left * s.search.whole.all; });
         const bool is_seen =
             std::any_of(s.whole->found.begin(), s.whole->found.end(), [&](const CauseCandidate& c) {
-                return c.freedom == 0 && c.left.all <= k_found * s.whole->whole.all;
+                return c.freedom == 0 && c.left.all <= k_little_left * s.whole->whole.all;
             });
         if (!is_found && !is_seen && s.whole->has_content) try_geometry(grid, *search.rendered(), s);
         confirm(s);
@@ -103,14 +103,14 @@ void SceneTrials::try_geometry(const PixelGrid& grid, const RenderedScene& rende
     const auto shares =
         shares_of_shapes(shapes_of_pixels(renderer_, grid), rendered.bytes, search.search.faulty);
     const auto render = [&](const FaultyScene& scene) { return renderer_.render(scene, grid); };
-    fit_geometry(geometry_causes(renderer_, shares), grid, renderer_.scene(), render, k_fitted,
+    fit_geometry(geometry_causes(renderer_, shares), grid, renderer_.scene(), render, k_fitted_trials,
                  search.search);
 }
 
 void SceneTrials::confirm(GridSearch& small) const {
     Search& whole = *small.whole;
     const int tried = whole.report.tried + small.search.report.tried;
-    std::vector<CauseCandidate> best = best_of(small.search, k_confirmed);
+    std::vector<CauseCandidate> best = best_of(small.search, k_confirmed_trials);
     // Of candidates that leave nearly the same, the first in the table is named.
     std::stable_sort(best.begin(), best.end(),
                      [](const CauseCandidate& a, const CauseCandidate& b) { return a.row < b.row; });

@@ -2,9 +2,6 @@
 #include "compare/step_agreement.h"
 
 #include <algorithm>
-#include <cstdlib>
-
-#include "glint/compare.h"
 
 namespace glint {
 namespace {
@@ -15,11 +12,7 @@ constexpr double k_min_steps = 0.002;
 // One mark per pixel of a row: whether there is a step to the next.
 void mark_steps(const BytePicture& picture, std::int32_t y, std::vector<std::uint8_t>& marks) {
     for (std::int32_t x = 0; x + 1 < picture.width; ++x) {
-        const std::uint8_t *here = picture.pixel(x, y), *next = picture.pixel(x + 1, y);
-        bool is_step = false;
-        for (int c = 0; c < 3; ++c)
-            is_step = is_step || std::abs(int{here[c]} - int{next[c]}) > static_cast<int>(k_edge_step);
-        marks[x] = is_step;
+        marks[x] = is_step(picture.pixel(x, y), picture.pixel(x + 1, y));
     }
 }
 

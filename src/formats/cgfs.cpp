@@ -10,7 +10,7 @@
 namespace glint {
 namespace {
 
-constexpr Range k_byte_channel{-1e6, 1e6, false, false, "a number from 0 to 255"};
+constexpr Range k_cgfs_channel{-1e6, 1e6, false, false, "a number from 0 to 255"};
 constexpr Range k_book_specular{-1, 1e9, false, false, "-1 (matte) or a number from 0 to 1e9"};
 
 constexpr std::string_view k_words[] = {"sphere",     "light",         "camera",
@@ -82,7 +82,7 @@ class CgfsReader {
     bool read_color(Color& color) {
         const Token at = p_.token();
         double v[3] = {};
-        if (!p_.triple(v, k_byte_channel, '(', ')')) return false;
+        if (!p_.triple(v, k_cgfs_channel, '(', ')')) return false;
         for (double& x : v) {
             if (!(x >= 0 && x <= 255)) {
                 p_.warn(at, "a color's numbers go from 0 to 255; this one is used unchanged");
@@ -162,7 +162,7 @@ class CgfsReader {
                 case k_type:
                     return read_light_type(light.kind);
                 case k_intensity:
-                    return p_.number(intensity, k_channel);
+                    return p_.number(intensity, k_cgfs_channel);
                 case k_position:
                     position_key = key;
                     return p_.point(light.position, k_coordinate, '(', ')');

@@ -18,23 +18,24 @@ const FieldKeys<Camera>& camera_keys() {
 
 constexpr std::string_view k_fov =
     "`fov_x` (across the picture's width) or `fov_y` (across its height), in degrees";
-constexpr SpellingHint k_hints[] = {{"fov", k_fov},
-                                    {"fov_degrees", k_fov},
-                                    {"angle", k_fov},
-                                    {"field_of_view", k_fov},
-                                    {"target", "`look_at`"},
-                                    {"lookat", "`look_at`"},
-                                    {"look", "`look_at`"},
-                                    {"at", "`look_at`"},
-                                    {"to", "`look_at`"},
-                                    {"direction", "`look_at`, a point; or `right`, `up` and `forward`"},
-                                    {"rotation", "`right`, `up` and `forward`"},
-                                    {"eye", "`position`"},
-                                    {"from", "`position`"},
-                                    {"location", "`position`"},
-                                    {"type", "`projection`"},
-                                    {"viewer", "`lighting_eye`"},
-                                    {"observer", "`lighting_eye`"}};
+constexpr SpellingHint k_camera_hints[] = {
+    {"fov", k_fov},
+    {"fov_degrees", k_fov},
+    {"angle", k_fov},
+    {"field_of_view", k_fov},
+    {"target", "`look_at`"},
+    {"lookat", "`look_at`"},
+    {"look", "`look_at`"},
+    {"at", "`look_at`"},
+    {"to", "`look_at`"},
+    {"direction", "`look_at`, a point; or `right`, `up` and `forward`"},
+    {"rotation", "`right`, `up` and `forward`"},
+    {"eye", "`position`"},
+    {"from", "`position`"},
+    {"location", "`position`"},
+    {"type", "`projection`"},
+    {"viewer", "`lighting_eye`"},
+    {"observer", "`lighting_eye`"}};
 
 // Reports keys that exclude each other, at the block.
 void check(GlintText& t, const FieldSet& set, const Token& word, const Camera& camera) {
@@ -70,7 +71,7 @@ std::span<const Field> glint_camera_keys() { return camera_keys().all(); }
 void read_glint_camera(GlintText& t, const Token& word) {
     const FieldKeys<Camera>& keys = camera_keys();
     const int fov_x = keys.key_of(&Camera::fov_degrees), fov_y = fov_x + 1;
-    FieldSet set("camera", keys.all(), k_hints);
+    FieldSet set("camera", keys.all(), k_camera_hints);
     Camera camera;
     CameraFrame frame;
     const bool whole = t.blocks.fields(set, word, [&](int key, const Token&) {

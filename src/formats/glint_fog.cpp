@@ -9,15 +9,16 @@
 namespace glint {
 namespace {
 
-enum { k_type };
+enum { k_fog_type };
 const FieldKeys<Fog>& fog_keys() {
     static const FieldKeys<Fog> keys({{"type"}}, k_fog_fields);
     return keys;
 }
 
-constexpr SpellingHint k_hints[] = {{"colour", "`color`"}, {"distance", "`density`, which is 1 / distance"},
-                                    {"kind", "`type`"},    {"mode", "`type`"},
-                                    {"near", "`start`"},   {"far", "`end`"}};
+constexpr SpellingHint k_fog_hints[] = {
+    {"colour", "`color`"}, {"distance", "`density`, which is 1 / distance"},
+    {"kind", "`type`"},    {"mode", "`type`"},
+    {"near", "`start`"},   {"far", "`end`"}};
 
 bool read_kind(GlintText& t, FogKind& kind) {
     constexpr FogKind kinds[] = {FogKind::linear, FogKind::exp, FogKind::exp2};
@@ -35,13 +36,13 @@ std::span<const Field> glint_fog_keys() { return fog_keys().all(); }
 
 void read_glint_fog(GlintText& t, const Token& word) {
     const FieldKeys<Fog>& keys = fog_keys();
-    FieldSet set("fog", keys.all(), k_hints);
+    FieldSet set("fog", keys.all(), k_fog_hints);
     Fog fog;
     Token key_tokens[k_max_keys];
     const auto errors = t.reading.diagnostics.error_count();
     const bool whole = t.blocks.fields(set, word, [&](int key, const Token& token) {
         key_tokens[key] = token;
-        return key == k_type ? read_kind(t, fog.kind) : read_field(t, *keys.field(key), fog);
+        return key == k_fog_type ? read_kind(t, fog.kind) : read_field(t, *keys.field(key), fog);
     });
     if (!whole || errors != t.reading.diagnostics.error_count()) return;
     for (int key = 0; key < static_cast<int>(keys.all().size()); ++key) {

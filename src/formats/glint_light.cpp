@@ -10,28 +10,28 @@ namespace glint {
 namespace {
 
 // The keys: three that are not fields, then the fields.
-enum { k_type, k_intensity, k_target };
+enum { k_light_type, k_intensity, k_target };
 const FieldKeys<Light>& light_keys() {
     static const FieldKeys<Light> keys({{"type"}, {"intensity"}, {"target"}}, k_light_fields);
     return keys;
 }
 
-constexpr SpellingHint k_hints[] = {{"pos", "`position`"},
-                                    {"location", "`position`"},
-                                    {"center", "`position`"},
-                                    {"colour", "`color`"},
-                                    {"rgb", "`color`"},
-                                    {"diffuse", "`color`"},
-                                    {"diffuse_color", "`color`"},
-                                    {"specular", "`specular_color`"},
-                                    {"ambient", "a light of its own: `light { type = ambient }`"},
-                                    {"power", "`intensity`"},
-                                    {"brightness", "`intensity`"},
-                                    {"strength", "`intensity`"},
-                                    {"falloff", "`attenuation = (c0, c1, c2)`"},
-                                    {"samples", "`samples_u` and `samples_v`"},
-                                    {"normal", "`axis`"},
-                                    {"kind", "`type`"}};
+constexpr SpellingHint k_light_hints[] = {{"pos", "`position`"},
+                                          {"location", "`position`"},
+                                          {"center", "`position`"},
+                                          {"colour", "`color`"},
+                                          {"rgb", "`color`"},
+                                          {"diffuse", "`color`"},
+                                          {"diffuse_color", "`color`"},
+                                          {"specular", "`specular_color`"},
+                                          {"ambient", "a light of its own: `light { type = ambient }`"},
+                                          {"power", "`intensity`"},
+                                          {"brightness", "`intensity`"},
+                                          {"strength", "`intensity`"},
+                                          {"falloff", "`attenuation = (c0, c1, c2)`"},
+                                          {"samples", "`samples_u` and `samples_v`"},
+                                          {"normal", "`axis`"},
+                                          {"kind", "`type`"}};
 
 bool read_kind(GlintText& t, LightKind& kind) {
     std::string_view words[k_light_kinds];
@@ -57,7 +57,7 @@ std::span<const Field> glint_light_keys() { return light_keys().all(); }
 
 void read_glint_light(GlintText& t, const Token& word) {
     const FieldKeys<Light>& keys = light_keys();
-    FieldSet set("light", keys.all(), k_hints);
+    FieldSet set("light", keys.all(), k_light_hints);
     std::string name = block_name(t);
     Light light;
     double intensity = 1;
@@ -67,7 +67,7 @@ void read_glint_light(GlintText& t, const Token& word) {
     const bool whole = t.blocks.fields(set, word, [&](int key, const Token& token) {
         key_tokens[key] = token;
         switch (key) {
-            case k_type:
+            case k_light_type:
                 return read_kind(t, light.kind);
             case k_intensity:
                 return t.p.number(intensity, k_channel);
@@ -84,7 +84,7 @@ void read_glint_light(GlintText& t, const Token& word) {
     if (set.has(to_light) && set.has(direction))
         t.p.error(key_tokens[direction],
                   "expected `to_light` or `direction`, which mean the same, found both");
-    if (has_direction && !set.has(k_type) && !set.has(position))
+    if (has_direction && !set.has(k_light_type) && !set.has(position))
         return t.p.error(word,
                          "expected `type = directional` in a light that has a direction and no position");
     const int axis = keys.key_of(&Light::axis);

@@ -8,25 +8,25 @@
 namespace glint {
 namespace {
 
-constexpr SpellingHint k_hints[] = {{"reflective", "`mirror`"},
-                                    {"reflection", "`mirror`"},
-                                    {"reflectivity", "`mirror`"},
-                                    {"reflect", "`mirror`"},
-                                    {"phong", "`specular`"},
-                                    {"phong_size", "`shininess`"},
-                                    {"exponent", "`shininess`"},
-                                    {"specular_exponent", "`shininess`"},
-                                    {"shine", "`shininess`"},
-                                    {"roughness", "`shininess`, the exponent: 2/roughness^2 - 2"},
-                                    {"refraction", "`transmission`, and `ior`"},
-                                    {"transparency", "`transmission`"},
-                                    {"opacity", "`transmit`, which is 1 - opacity"},
-                                    {"refractive_index", "`ior`"},
-                                    {"index", "`ior`"},
-                                    {"colour", "`color`"},
-                                    {"pigment", "`color`"},
-                                    {"albedo", "`color`"},
-                                    {"rgb", "`color`"}};
+constexpr SpellingHint k_material_hints[] = {{"reflective", "`mirror`"},
+                                             {"reflection", "`mirror`"},
+                                             {"reflectivity", "`mirror`"},
+                                             {"reflect", "`mirror`"},
+                                             {"phong", "`specular`"},
+                                             {"phong_size", "`shininess`"},
+                                             {"exponent", "`shininess`"},
+                                             {"specular_exponent", "`shininess`"},
+                                             {"shine", "`shininess`"},
+                                             {"roughness", "`shininess`, the exponent: 2/roughness^2 - 2"},
+                                             {"refraction", "`transmission`, and `ior`"},
+                                             {"transparency", "`transmission`"},
+                                             {"opacity", "`transmit`, which is 1 - opacity"},
+                                             {"refractive_index", "`ior`"},
+                                             {"index", "`ior`"},
+                                             {"colour", "`color`"},
+                                             {"pigment", "`color`"},
+                                             {"albedo", "`color`"},
+                                             {"rgb", "`color`"}};
 
 bool read_specular(GlintText& t, double& value) {
     const Token at = t.p.token();
@@ -85,7 +85,7 @@ MaterialKeys changed_keys(MaterialKeys k, const MaterialKeys& over) {
 
 }  // namespace
 
-std::span<const SpellingHint> material_hints() { return k_hints; }
+std::span<const SpellingHint> material_hints() { return k_material_hints; }
 
 bool read_material_key(GlintText& t, int key, MaterialKeys& keys) {
     keys.given |= std::uint64_t{1} << key;

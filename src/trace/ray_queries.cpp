@@ -11,11 +11,11 @@
 namespace glint {
 namespace {
 
-constexpr std::size_t k_chunk = 256;  // rays per task; the columns are on the stack
+constexpr std::size_t k_rays_at_once = 256;  // rays per task; the columns are on the stack
 
 // Rays as columns, with the padding that the kernels require.
 struct RayColumns {
-    double columns[8][k_chunk + k_ray_padding] = {};
+    double columns[8][k_rays_at_once + k_ray_padding] = {};
 
     explicit RayColumns(std::span<const Ray> rays) {
         for (std::size_t i = 0; i < rays.size(); ++i) {
@@ -33,9 +33,9 @@ struct RayColumns {
 
 // Calls visit(first, rays) for each chunk of the list. first: the index of the chunk's first ray.
 template <class Visit> void for_chunks(std::span<const Ray> rays, int threads, const Visit& visit) {
-    parallel_for((rays.size() + k_chunk - 1) / k_chunk, threads, [&](std::size_t chunk) {
-        const std::size_t first = chunk * k_chunk;
-        visit(first, rays.subspan(first, std::min(k_chunk, rays.size() - first)));
+    parallel_for((rays.size() + k_rays_at_once - 1) / k_rays_at_once, threads, [&](std::size_t chunk) {
+        const std::size_t first = chunk * k_rays_at_once;
+        visit(first, rays.subspan(first, std::min(k_rays_at_once, rays.size() - first)));
     });
 }
 
@@ -49,8 +49,8 @@ Result<std::vector<RayHit>> nearest_hits(const World& world, std::span<const Ray
         std::vector<RayHit> hits(rays.size());
         for_chunks(rays, threads, [&](std::size_t first, std::span<const Ray> some) {
             const RayColumns columns(some);
-            double t[k_chunk + k_ray_padding];
-            std::uint32_t slot[k_chunk + k_ray_padding];
+            double t[k_rays_at_once + k_ray_padding];
+            std::uint32_t slot[k_rays_at_once + k_ray_padding];
             kernels.nearest_hit(parts, columns.span(), static_cast<int>(some.size()), k_packet_size, t, slot);
             for (std::size_t i = 0; i < some.size(); ++i) {
                 RayHit& hit = hits[first + i];
@@ -70,7 +70,7 @@ Result<std::vector<std::uint8_t>> occluded(const World& world, std::span<const R
         std::vector<std::uint8_t> occlusions(rays.size());
         for_chunks(rays, threads, [&](std::size_t first, std::span<const Ray> some) {
             const RayColumns columns(some);
-            std::uint8_t flags[k_chunk + k_ray_padding];
+            std::uint8_t flags[k_rays_at_once + k_ray_padding];
             kernels.any_hit(world.parts(), columns.span(), static_cast<int>(some.size()), k_packet_size,
                             flags);
             std::copy_n(flags, some.size(), occlusions.begin() + static_cast<std::ptrdiff_t>(first));
