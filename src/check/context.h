@@ -12,6 +12,9 @@
 
 namespace glint {
 
+/// Changes of a pixel value below this change no byte.
+inline constexpr double k_half_byte = 0.5 / 255;
+
 /// As findings write it: "(1, 2.5, -3)".
 std::string vector_text(Vec3 v);
 

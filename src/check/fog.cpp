@@ -7,8 +7,7 @@
 namespace glint {
 namespace {
 
-constexpr std::int32_t k_longest = 160;
-constexpr double k_half_byte = 0.5 / 255;
+constexpr std::int32_t k_fog_picture = 160;
 
 double brightest(const Image& image) {
     double most = 0;
@@ -29,7 +28,7 @@ Image shapes_alone(CheckContext& context, std::optional<Fog> fog) {
     Result<World> world = with_fog(context.prepared(), fog);
     if (world) world = with_background(*world, {0, 0, 0});
     if (world) world = with_gradient(*world, std::nullopt);
-    return context.render_small(world, k_longest);
+    return context.render_small(world, k_fog_picture);
 }
 
 }  // namespace
@@ -49,8 +48,8 @@ bool check_fog(CheckContext& context) {
         return false;
     }
     const double change =
-        greatest_difference(context.render_small(k_longest),
-                            context.render_small(with_fog(context.prepared(), std::nullopt), k_longest));
+        greatest_difference(context.render_small(k_fog_picture),
+                            context.render_small(with_fog(context.prepared(), std::nullopt), k_fog_picture));
     if (change >= k_half_byte) return true;
     context.report("fog-not-visible", place,
                    fmt::format("the fog changes no pixel by more than {:.2g} of 255", 255 * change),

@@ -20,7 +20,6 @@ constexpr std::size_t k_full_looks = 8;      // more groups get smaller pictures
 constexpr std::int32_t k_many_samples = 16;  // fewer cost little
 constexpr std::size_t k_max_dark = 256;      // whose reasons are looked for
 constexpr std::size_t k_max_weak_named = 5;
-constexpr double k_half_level = 0.5 / 255;
 constexpr double k_max_leak = 0.01;  // of the picture, and of the points that face the light
 constexpr std::size_t k_max_lit_points = 4096;
 constexpr double k_max_intensity = 10;  // without attenuation; 255 is a byte's
@@ -42,7 +41,7 @@ Effect effect_of(const Image& a, const Image& b) {
             here =
                 number::max(here, number::abs(static_cast<double>(a.rgb[c]) - static_cast<double>(b.rgb[c])));
         effect.most = number::max(effect.most, here);
-        visible += here >= k_half_level ? 1 : 0;
+        visible += here >= k_half_byte ? 1 : 0;
     }
     if (!a.rgb.empty()) effect.share = 3 * static_cast<double>(visible) / static_cast<double>(a.rgb.size());
     return effect;
@@ -260,7 +259,7 @@ void check_ambient(CheckContext& context, std::uint32_t index) {
 void report_weak(CheckContext& context, Effects& effects, std::span<const std::uint32_t> weak) {
     if (weak.empty()) return;
     const double effect = effects.of(weak, weak.size() == 1 ? k_second_look : k_first_look).most;
-    if (effect >= k_half_level) return;
+    if (effect >= k_half_byte) return;
     const Scene& scene = context.scene();
     bool attenuated = true;
     for (const std::uint32_t index : weak) attenuated = attenuated && scene.lights[index].falls_off();
@@ -301,7 +300,7 @@ void check_samples(CheckContext& context) {
         fewer[i].samples_v = (light.samples_v + 1) / 2;
         const Image few = context.render_small(with_lights(context.prepared(), fewer), k_second_look);
         const double most = effect_of(context.render_small(k_second_look), few).most;
-        if (!(most < k_half_level)) continue;
+        if (!(most < k_half_byte)) continue;
         context.report(
             "area-light-too-many-samples", context.at_light(i),
             fmt::format(
@@ -336,7 +335,7 @@ void check_lights(CheckContext& context, const VisibleHits& visible) {
         const std::size_t first = g * lights.size() / groups, end = (g + 1) * lights.size() / groups;
         const auto group = std::span<const std::uint32_t>(lights).subspan(first, end - first);
         const Effect first_look = effects.of(group, longest);
-        if (first_look.most >= k_half_level) {
+        if (first_look.most >= k_half_byte) {
             if (group.size() == 1 && first_look.share < k_max_leak && is_shut_off(context, visible, group[0]))
                 report_dark(context, visible, group[0]);
             continue;
@@ -344,7 +343,7 @@ void check_lights(CheckContext& context, const VisibleHits& visible) {
         // A highlight may lie between the pixels of a small picture.
         const double effect =
             effects.of(group, looked_twice++ < k_full_looks ? k_second_look : k_first_look).most;
-        if (effect >= k_half_level) continue;
+        if (effect >= k_half_byte) continue;
         for (const std::uint32_t index : group) {
             const bool is_dark = effect == 0 || (group.size() == 1 && is_shut_off(context, visible, index));
             if (is_dark && dark++ < k_max_dark)

@@ -14,7 +14,7 @@ namespace glint {
 namespace {
 
 constexpr std::int32_t k_small_picture = 160;
-constexpr double k_half_byte = 0.5 / 255, k_over = 1 + k_half_byte;
+constexpr double k_over = 1 + k_half_byte;
 constexpr double k_visible = 8.0 / 255;  // differences in a channel that count
 // Shares of the picture. In the gallery's scenes up to 0.1 is clamped, the sources' epsilons change up to
 // 0.0006, and another reflection changes up to 0.005.
