@@ -26,7 +26,9 @@ constexpr double k_parallel = 1e-10, k_grazing = 0.02;  // 1 - cosine; cosine
 void append(std::vector<double>& to, Vec3 v) { to.insert(to.end(), {v.x, v.y, v.z}); }
 
 std::vector<double> values_of(const Scene& scene, const Shape& shape) {
-    std::vector<double> v{static_cast<double>(shape.kind)};
+    std::vector<double> v;
+    v.reserve(16);  // of most shapes
+    v.push_back(static_cast<double>(shape.kind));
     switch (shape.kind) {
         case ShapeKind::sphere: {
             const Sphere& s = scene.get<Sphere>()[shape.index];

@@ -9,7 +9,7 @@
 namespace glint::povray {
 namespace {
 
-constexpr std::uint64_t k_max_tests = 100'000'000;
+constexpr std::uint64_t k_max_light_tests = 100'000'000;
 
 }  // namespace
 
@@ -18,7 +18,7 @@ void Reader::check_parallel_lights() {
     // The first of them is named; texts of very many shapes and lights are not searched to the end.
     std::uint64_t tests = 0;
     for (const ParallelLight& light : parallel_lights_) {
-        if ((tests += scene_.shapes.size()) > k_max_tests) return;
+        if ((tests += scene_.shapes.size()) > k_max_light_tests) return;
         const auto is_beyond = [&](const Shape& shape) {
             if (shape.material < scene_.materials.size() && !scene_.materials[shape.material].casts_shadow) {
                 return false;

@@ -12,10 +12,9 @@ namespace glint::povray {
 namespace {
 
 constexpr std::size_t k_max_map = 256;  // entries of a color_map; POV-Ray's limit
-constexpr double k_near = 1e-9, k_far = 1e6;
+constexpr double k_same_place = 1e-9, k_far = 1e6;
 
 bool is_opaque_color(const std::array<double, 5>& c) { return c[3] == 0 && c[4] == 0; }
-Color rgb_of(const std::array<double, 5>& c) { return {c[0], c[1], c[2]}; }
 
 // The direction d of a ray is at x = size (d · up / |up|) + start of the pattern.
 struct Along {
@@ -54,8 +53,8 @@ std::optional<BackgroundGradient> background_of(const Pigment& pigment, const st
         return std::nullopt;
     }
     const double least = line->start - line->size, most = line->start + line->size;
-    const bool is_one_period = least >= -k_near && most <= 1 + k_near;
-    const bool is_whole = number::abs(low.at) <= k_near && number::abs(high.at - 1) <= k_near;
+    const bool is_one_period = least >= -k_same_place && most <= 1 + k_same_place;
+    const bool is_whole = number::abs(low.at) <= k_same_place && number::abs(high.at - 1) <= k_same_place;
     if (!is_one_period && !is_whole) return std::nullopt;
     out.up = line->up;
     out.bottom = (low.at - line->start) / line->size;

@@ -12,7 +12,7 @@ namespace glint::povray {
 namespace {
 
 constexpr double k_angle = 0.0005;  // radians: the greatest error of a normal that is not seen
-constexpr int k_max_parts = 16;
+constexpr int k_max_smooth_parts = 16;
 
 // The sine of the angle between the mean of the normals as given and that of their unit vectors.
 double apart(const Vec3 (&n)[3], const CornerWeights& w) {
@@ -29,7 +29,7 @@ int part_count(const Vec3 (&n)[3]) {
     if (std::max({a, b, c}) <= 1.001 * std::min({a, b, c})) return 1;
     const double most = std::max({apart(n, {1.0 / 3, 1.0 / 3, 1.0 / 3}), apart(n, {0.5, 0.5, 0}),
                                   apart(n, {0.5, 0, 0.5}), apart(n, {0, 0.5, 0.5})});
-    return std::clamp(static_cast<int>(number::sqrt(most / k_angle)) + 1, 1, k_max_parts);
+    return std::clamp(static_cast<int>(number::sqrt(most / k_angle)) + 1, 1, k_max_smooth_parts);
 }
 
 }  // namespace

@@ -7,11 +7,6 @@
 #include "formats/povray_keywords.h"
 
 namespace glint::povray {
-namespace {
-
-Color rgb_of(const std::array<double, 5>& c) { return {c[0], c[1], c[2]}; }
-
-}  // namespace
 
 Missing Reader::missing(const Token& at, std::string_view name) {
     return {name, povray_meaning(name), call_place(at)};

@@ -14,6 +14,9 @@
 
 namespace glint::povray {
 
+/// A colour without its filter and transmit.
+inline Color rgb_of(const std::array<double, 5>& c) { return {c[0], c[1], c[2]}; }
+
 /// A number (1 term), a vector (2 to 4), or a colour (5: red, green, blue, filter, transmit).
 struct Numbers {
     std::array<double, 5> v{};
