@@ -10,7 +10,7 @@ namespace glint {
 namespace {
 
 // A cause without a free parameter needs to explain less than one that is fitted to the picture.
-constexpr double k_moved = k_min_explained, k_curved = 0.7, k_least_fitted = 0.85, k_specks = 0.4;
+constexpr double k_moved = k_min_explained, k_curved = 0.7, k_min_fit = 0.85, k_specks = 0.4;
 
 PictureFault power(double exponent) {
     return curved([=](double v) { return pow(v, exponent); });
@@ -122,22 +122,22 @@ const std::vector<PictureCause>& picture_causes() {
         {"not-clamped", "Colours above 1 wrap around to black: clamp to 1 before converting to a byte.",
          k_moved, whole_part(255, true)},
         {"light-intensity",
-         "Everything is {} times as bright: a light's intensity, or a factor of all lights.", k_least_fitted,
+         "Everything is {} times as bright: a light's intensity, or a factor of all lights.", k_min_fit,
          scaled()},
         {"constant-added",
          "{} of 255 was added to every channel: a constant light was added, or a term was added twice.",
-         k_least_fitted, raised()},
+         k_min_fit, raised()},
         {"background",
          "One colour was replaced by another and nothing else differs: {}. Usually it is the background.",
-         k_least_fitted, recolored()},
-        {"shifted-half-pixel", k_half_shift_text, k_least_fitted, half_shifted(), 1, false, false, {}, true},
+         k_min_fit, recolored()},
+        {"shifted-half-pixel", k_half_shift_text, k_min_fit, half_shifted(), 1, false, false, {}, true},
         {"acne",
          "Dark specks on lit surfaces (acne): a shadow ray hits the surface that it starts from. Move its "
          "origin off the surface, or ignore hits with t below a small epsilon.",
          k_specks, dark_specks(), 1},
         {"anti-aliasing",
          "Only edges differ: the number or the positions of the samples in a pixel, not the lighting.",
-         k_least_fitted, anti_aliased(), 2},
+         k_min_fit, anti_aliased(), 2},
         {"rim",
          "Only the outermost pixels differ ({}): a loop over the pixels begins or ends one pixel too early "
          "or "

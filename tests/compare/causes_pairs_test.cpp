@@ -30,7 +30,7 @@ TEST(CausesPairs, OfTheSceneAndOfThePicture) {
     }
 }
 
-struct Planted {
+struct PlantedPair {
     const char *first, *first_with, *second, *second_with;  // patterns in the scene's text
     std::set<std::string> names;
 };
@@ -43,7 +43,7 @@ std::set<std::string> names_of(const CauseReport& report) {
 
 // The numbers of both are fitted together: each alone fits the other's change, too.
 TEST(CausesPairs, WithFittedNumbers) {
-    const Planted planted[] = {
+    const PlantedPair planted[] = {
         {"ambient  intensity = 0.9",
          "ambient  intensity = 1.35",
          "intensity = 0.6",
@@ -62,7 +62,7 @@ TEST(CausesPairs, WithFittedNumbers) {
     };
     const Scene scene = read_scene(k_scene);
     const Image right = draw_text(k_scene);
-    for (const Planted& p : planted) {
+    for (const PlantedPair& p : planted) {
         const std::string text = replaced(replaced(k_scene, p.first, p.first_with), p.second, p.second_with);
         const CauseReport report = *find_causes(draw_text(text), right, &scene);
         EXPECT_EQ(names_of(report), p.names) << all_causes(report);

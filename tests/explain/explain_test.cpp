@@ -83,7 +83,7 @@ void check_pixel(const Scene& scene, const World& world, const Image& picture, i
             specular = specular + terms.specular;
             check_light(scene, world, *ray.hit, terms);
         }
-        ASSERT_EQ(diffuse, ray.hit->diffuse);
+        ASSERT_EQ(diffuse * ray.hit->outline, ray.hit->diffuse);
         ASSERT_EQ(specular, ray.hit->specular);
         for (const ExplainedSecondaryRay* secondary : {&ray.hit->reflected, &ray.hit->transmitted}) {
             ASSERT_EQ(secondary->state == SecondaryRayState::traced, secondary->ray >= 0);
