@@ -48,5 +48,6 @@ foreach(target hwy::hwy fmt::fmt)
   add_library(${target} INTERFACE IMPORTED)
   target_include_directories(${target} SYSTEM INTERFACE ${headers})
 endforeach()
-target_compile_definitions(fmt::fmt INTERFACE FMT_HEADER_ONLY)
+# FMT_STATIC_THOUSANDS_SEPARATOR: without <locale>, which glint does not use and the page would have to download.
+target_compile_definitions(fmt::fmt INTERFACE FMT_HEADER_ONLY "FMT_STATIC_THOUSANDS_SEPARATOR=','")
 set(GLINT_LIBRARIES hwy::hwy fmt::fmt)  # a worker of the browser has one thread: no oneTBB
