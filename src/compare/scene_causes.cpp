@@ -218,7 +218,7 @@ std::vector<SceneCause> scene_causes(const Scene& scene) {
     add(lighting_faults());
     add_turned_cosines(scene, causes);
     add_raw_diffuse(scene, causes);
-    add(light_faults());
+    add(light_kind_faults());
     add_area_samples(scene, causes);
     add(tracing_faults());
     add(medium_faults());

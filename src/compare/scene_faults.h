@@ -23,7 +23,7 @@ struct SceneFault {
 
 /// Of the lighting equation; of spots and area lights; of rays; of fog, transparency and occlusion.
 std::span<const SceneFault> lighting_faults();
-std::span<const SceneFault> light_faults();
+std::span<const SceneFault> light_kind_faults();
 std::span<const SceneFault> tracing_faults();
 std::span<const SceneFault> medium_faults();
 

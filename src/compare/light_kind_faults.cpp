@@ -62,15 +62,13 @@ void reduce_to_center(Light& light) {
 
 constexpr const char* k_hard_text =
     "Shadows have hard edges: an area light is a point at its centre. Take the mean over points of the "
-    "light, "
-    "with a shadow ray to each.";
+    "light, with a shadow ray to each.";
 
 constexpr SceneFault k_lights[] = {
     {"spot-missing", has_spots,
      [](Scene& s) { for_each_spot(s, [](Light& l) { l.kind = LightKind::point; }); },
      "Spots shine in all directions, as point lights do: multiply their light by a factor that decreases "
-     "with "
-     "the angle off the axis."},
+     "with the angle off the axis."},
     {"spot-edge-hard", has_spots,
      [](Scene& s) {
          for_each_spot(s, [](Light& l) {
@@ -85,8 +83,7 @@ constexpr SceneFault k_lights[] = {
          rule = rule == SpotFalloff::cubic ? SpotFalloff::linear : SpotFalloff::cubic;
      },
      "The light of spots decreases linearly with the angle, and in the reference by the cubic function of "
-     "its "
-     "cosine, or the reverse."},
+     "its cosine, or the reverse."},
     {"spot-tightness-missing",
      [](const Scene& s) {
          return has_spots(s) && any_light(s, [](const Light& l) { return l.tightness > 0; });
@@ -108,8 +105,7 @@ constexpr SceneFault k_lights[] = {
      },
      [](Scene& s) { for_each_area_light(s, [](Light& l) { l.one_sided = false; }); },
      "An area light is as bright in all directions: multiply its light by the cosine off its normal, and by "
-     "0 "
-     "behind it."},
+     "0 behind it."},
     {"area-light-one-sided",
      [](const Scene& s) {
          return has_area_lights(s) &&
@@ -133,6 +129,6 @@ constexpr SceneFault k_lights[] = {
 
 }  // namespace
 
-std::span<const SceneFault> light_faults() { return k_lights; }
+std::span<const SceneFault> light_kind_faults() { return k_lights; }
 
 }  // namespace glint
