@@ -91,15 +91,7 @@ Scene mixture() {
     scene.background = {0.2, 0.3, 0.9};
     scene.camera.position = {0, 2, 22};
     scene.camera.look_at = {0, 0, 0};
-    for (int i = 0; i < 4; ++i) {
-        Material m;
-        m.mirror = i % 2 == 0 ? 0.4 : 0;
-        m.transmission = i >= 2 ? 0.7 : 0;
-        m.ior = i == 3 ? 1.4 : 1;
-        add_material(scene, m);
-    }
-    for (std::size_t i = 0; i < scene.shapes.size(); ++i)
-        scene.shapes[i].material = static_cast<std::uint32_t>(i % 4);
+    mix_mirrors_and_glass(scene);
     scene.lights = {ambient_light({0.3, 0.3, 0.3}), point_light({5, 9, 19})};
     return scene;
 }

@@ -115,15 +115,8 @@ inline std::uint32_t add_material(Scene& scene, const Material& material) {
     return static_cast<std::uint32_t>(scene.materials.size() - 1);
 }
 
-/// Shapes of all kinds, without lights: matte, mirrors, glass, and glass that is a mirror.
-inline Scene mirrors_and_glass(std::uint32_t seed) {
-    Random random(seed);
-    Scene scene = random_scene(random, 60, 6);
-    set_size(scene, 70, 50);
-    scene.settings.samples = 2;
-    scene.background = {0.2, 0.3, 0.9};
-    scene.camera.position = {0, 2, 18};
-    scene.camera.look_at = {0, 0, 0};
+/// Gives the shapes in turn four materials: a mirror, matte, glass that is a mirror, and glass that refracts.
+inline void mix_mirrors_and_glass(Scene& scene) {
     for (int i = 0; i < 4; ++i) {
         Material m;
         m.mirror = i % 2 == 0 ? 0.4 : 0;
@@ -133,6 +126,18 @@ inline Scene mirrors_and_glass(std::uint32_t seed) {
     }
     for (std::size_t i = 0; i < scene.shapes.size(); ++i)
         scene.shapes[i].material = static_cast<std::uint32_t>(i % 4);
+}
+
+/// Shapes of all kinds with these materials, without lights.
+inline Scene mirrors_and_glass(std::uint32_t seed) {
+    Random random(seed);
+    Scene scene = random_scene(random, 60, 6);
+    set_size(scene, 70, 50);
+    scene.settings.samples = 2;
+    scene.background = {0.2, 0.3, 0.9};
+    scene.camera.position = {0, 2, 18};
+    scene.camera.look_at = {0, 0, 0};
+    mix_mirrors_and_glass(scene);
     return scene;
 }
 
