@@ -66,8 +66,7 @@ bool check_one_color(CheckContext& context, const Image& picture) {
                         "it",
                         most[0], most[1], most[2]),
             "check that the shapes differ from the background, and that the light is not so strong that all "
-            "of "
-            "the picture is white");
+            "of the picture is white");
     }
     return true;
 }

@@ -29,8 +29,7 @@ constexpr DropInOption k_tachyon_options[] = {
     {"-nosave", "Render, and write nothing"},
     {"-clamp, -nobounding, -boundthresh N, +V, -V", "Accepted; they have no effect on the picture"},
     {"-normalize, -gamma N, -cropoutput W H X Y, -cropoutputauto, -crop X Y W H, -camfile FILE, -normalfixup "
-     "MODE, "
-     "-spaceball, -spaceballport PORT",
+     "MODE, -spaceball, -spaceballport PORT",
      "Accepted with a warning, and not done"},
     {"-help", "Print this help"},
     {"-version", "Print the version"},

@@ -162,8 +162,7 @@ Run add_render(CLI::App& app, const RenderHooks& hooks) {
         .add_option(
             "-o,--output", a.output,
             "The picture: .png, .ppm, .tga or .exr; - is standard output (PNG). Default: SCENE's name with "
-            ".png, in the "
-            "current folder")
+            ".png, in the current folder")
         ->option_text("OUT");
     add_picture_arguments(command, a.picture);
     add_alpha_argument(command, a.picture);

@@ -118,8 +118,7 @@ constexpr SceneFault k_lighting[] = {
                         l.specular_color = {1, 1, 1};
                     }); },
      "The specular term is not multiplied by the light's colour and intensity: highlights are white for "
-     "every "
-     "light. Multiply the whole sum k_d (N.L) + k_s (R.V)^n by it."},
+     "every light. Multiply the whole sum k_d (N.L) + k_s (R.V)^n by it."},
     {"highlight-surface-color", has_highlights,
      [](Scene& s) { for_each_material(s, [](Material& m) { m.specular = m.specular * m.color; }); },
      "Highlights have the surface's colour: the specular term is also multiplied by the diffuse colour."},
@@ -145,8 +144,7 @@ constexpr SceneFault k_lighting[] = {
      [](const Scene& s) { return any_light(s, [](const Light& l) { return l.has_direction(); }); },
      [](Scene& s) { for_each_light(s, [](Light& l) { l.to_light = -l.to_light; }); },
      "A directional light shines in the opposite direction: the direction in the file points to the light, "
-     "and "
-     "L is that direction, not its opposite (or the reverse, if the file's format says so)."},
+     "and L is that direction, not its opposite (or the reverse, if the file's format says so)."},
     {"attenuation-missing",
      [](const Scene& s) {
          return any_light(s, [](const Light& l) { return !(l.attenuation == Attenuation{}); });
@@ -180,8 +178,7 @@ constexpr SceneFault k_lighting[] = {
     {"normals-turned", [](const Scene& s) { return s.conventions.facing != Facing::open; },
      [](Scene& s) { s.conventions.facing = Facing::open; },
      "Only the normals of open surfaces (planes, open cylinders) are turned to the ray that hits them, "
-     "unlike "
-     "in the reference."},
+     "unlike in the reference."},
 };
 
 }  // namespace

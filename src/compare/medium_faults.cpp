@@ -74,8 +74,7 @@ constexpr SceneFault k_media[] = {
          rule = rule == FogDistance::ray ? FogDistance::depth : FogDistance::ray;
      },
      "The fog depends on the distance along the ray, and in the reference on the depth along the view, or "
-     "the "
-     "reverse."},
+     "the reverse."},
     {"fog-start-missing", [](const Scene& s) { return has_fog(s) && s.fog->start != 0; },
      [](Scene& s) { s.fog->start = 0; }, "The fog begins at the camera: subtract `start` from the distance."},
     {.name = "fog-scaled", .applies = has_fog, .scale = scale_fog, .scale_text = fog_text},
@@ -135,8 +134,7 @@ constexpr SceneFault k_media[] = {
     {"transparency-highlights", has_other_transparency<Transparency::highlights>,
      set_transparency<Transparency::highlights>,
      "Of a transparent surface's own light, all but the highlights is multiplied by its opacity, unlike in "
-     "the "
-     "reference."},
+     "the reference."},
     {"transparency-blended", has_other_transparency<Transparency::blend>,
      set_transparency<Transparency::blend>,
      "All of a transparent surface's own light is multiplied by its opacity, unlike in the reference."},

@@ -22,8 +22,7 @@ const std::vector<PictureCause>& picture_causes() {
     static const std::vector<PictureCause> table = {
         {"upside-down",
          "The picture is upside down: rows are counted from the bottom and the file counts from the top (or "
-         "y "
-         "points the other way). Write row H - 1 - y.",
+         "y points the other way). Write row H - 1 - y.",
          k_moved, upside_down(), 0, true, true},
         {"mirrored",
          "The picture is mirrored left to right: the camera's x axis points the other way (handedness). Swap "
@@ -35,8 +34,7 @@ const std::vector<PictureCause>& picture_causes() {
          transposed(), 0, true, true},
         {"transposed",
          "Rows and columns are swapped and both count in the wrong direction: the pixel (x, y) was written "
-         "to "
-         "(H - 1 - y, W - 1 - x).",
+         "to (H - 1 - y, W - 1 - x).",
          k_moved, transposed_back(), 0, true, true},
         {"turned-left",
          "The picture is rotated by 90 degrees to the left (counterclockwise): the pixel (x, y) was written "
@@ -92,8 +90,7 @@ const std::vector<PictureCause>& picture_causes() {
          k_curved, curved(srgb_encode), 0, false, false, curved(srgb_decoded)},
         {"gamma-applied",
          "A gamma of 1/2.2 was applied once more than in the reference: omit it (or, if the reference has "
-         "it, "
-         "apply it only once, at the end).",
+         "it, apply it only once, at the end).",
          k_curved, power(1 / 2.2), 0, false, false, power(2.2)},
         {"gamma-missing",
          "The reference has the sRGB curve and the picture does not (or its colours were decoded once too "
@@ -110,8 +107,7 @@ const std::vector<PictureCause>& picture_causes() {
          curved([](double v) { return srgb_decoded(srgb_decoded(v)); })},
         {"gamma-twice",
          "A gamma of 1/2.2 was applied two times more than in the reference: omit it (or, if the reference "
-         "has "
-         "it, apply it only once, at the end).",
+         "has it, apply it only once, at the end).",
          k_curved, power(1 / (2.2 * 2.2)), 0, false, false, power(2.2 * 2.2)},
         {"rounded-down",
          "Values are truncated and not rounded to bytes: write floor(255 v + 0.5). The difference is 1/255 "
@@ -140,8 +136,7 @@ const std::vector<PictureCause>& picture_causes() {
          k_min_fit, anti_aliased(), 2},
         {"rim",
          "Only the outermost pixels differ ({}): a loop over the pixels begins or ends one pixel too early "
-         "or "
-         "too late, or pixels outside the picture are taken as 0.",
+         "or too late, or pixels outside the picture are taken as 0.",
          k_moved, rim_differs(), 2},
     };
     return table;

@@ -33,12 +33,10 @@ constexpr SceneFault k_tracing[] = {
      "off the surface, or ignore hits with t below a small epsilon."},
     {"shadow-past-light", has_shadows, [](Scene& s) { s.conventions.shadow_stops_at_light = false; },
      "Objects behind a light cast a shadow, too: a shadow ray to a point light ends at the light, so only "
-     "hits "
-     "before it (t < distance) count."},
+     "hits before it (t < distance) count."},
     {"reflections-missing", has_mirrors, [](Scene& s) { s.settings.reflections = 0; },
      "Mirrors are missing: trace the ray reflected at N, and mix the colour that it returns with the "
-     "surface's "
-     "own colour."},
+     "surface's own colour."},
     {"reflections-added",
      [](const Scene& s) {
          return s.settings.reflections == 0 &&

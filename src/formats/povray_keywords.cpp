@@ -22,8 +22,7 @@ constexpr Meaning k_meanings[] = {
     {"a part of a shape",
      " bounded_by clipped_by component cutaway_textures face_indices hollow inside_vector inverse "
      "no_image no_radiosity no_reflection no_shadow normal_indices normal_vectors open smooth sturm "
-     "threshold "
-     "tightness double_illuminate uv_indices uv_mapping uv_vectors vertex_vectors "},
+     "threshold tightness double_illuminate uv_indices uv_mapping uv_vectors vertex_vectors "},
     {"a setting of a whole scene",
      " background default fog global_settings photons radiosity rainbow sky_sphere subsurface ambient_light "
      "assumed_gamma max_trace_level "},

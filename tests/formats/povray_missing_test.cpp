@@ -110,8 +110,7 @@ TEST(PovRayMissing, NormalsOfAMeshAreMixedBeforeItsTransform) {
 TEST(PovRayMissing, FacesOfVeryDifferentColorsAreFine) {
     const auto mesh = [](const std::string& last) {
         return "mesh2 { vertex_vectors { 3, 0, x, y } texture_list { 3, texture { pigment { rgb 0 } }, "
-               "texture { "
-               "pigment { rgb 0 } }, texture { " +
+               "texture { pigment { rgb 0 } }, texture { " +
                last + " } } face_indices { 1, <0, 1, 2>, 0, 1, 2 } }";
     };
     const Scene scene = povray_scene(mesh("pigment { rgb 1 }"));

@@ -471,8 +471,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadText{"fisheye",
                 DAT_BEGIN
                 "Camera Projection $Fisheye Zoom 1 Aspectratio 1 Antialiasing 0 Raydepth 5 Center 0 0 "
-                "0 Viewdir 0 "
-                "0 1 Updir 0 2 0 End_Camera " DAT_LIGHT DAT_SPHERE,
+                "0 Viewdir 0 0 1 Updir 0 2 0 End_Camera " DAT_LIGHT DAT_SPHERE,
                 {"glint does not render the projection `Fisheye`"}},
         BadText{"depth_of_field",
                 DAT_BEGIN
