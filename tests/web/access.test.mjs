@@ -120,11 +120,12 @@ for (const scheme of ['light', 'dark']) {
 }
 
 test('at 360 pixels nothing is cut off, and every panel can be reached', () => withPage(async (page) => {
-    const overflow = () => page.evaluate(() => {
+    const isIn = ({width, wide}) => width === 360 && wide.length === 0;
+    const overflow = () => until(() => page.evaluate(() => {
         const wide = [...document.querySelectorAll('body *')].filter((e) => e.checkVisibility() && e.getBoundingClientRect().right > 361 &&
-            !e.closest('.frame, .for-readers, .pixel-line')).map((e) => e.className || e.tagName);
+            !e.closest('.frame, .for-readers, .pixel-line')).map((e) => `${e.tagName} ${e.getAttribute('class')}`);
         return {width: document.documentElement.scrollWidth, wide};
-    });
+    }), isIn);
     for (const tab of ['Controls', 'Compare', 'Text']) {
         await page.getByRole('tab', {name: tab}).click();
         assert.deepEqual(await overflow(), {width: 360, wide: []}, tab);

@@ -20,7 +20,7 @@ export const scenes = join(project, 'scenes');
 const server = await serve(join(project, 'web/dist'), 0);
 export const address = `http://127.0.0.1:${server.address().port}/`;
 const browser = await chromium.launch({
-    executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium',
+    executablePath: process.env.CHROMIUM ?? ['/usr/bin/chromium-headless-shell', '/usr/bin/chromium'].find(existsSync),
     args: process.getuid?.() === 0 ? ['--no-sandbox'] : [],
 });
 const folder = mkdtempSync(join(tmpdir(), 'glint-web-'));
