@@ -21,8 +21,20 @@ struct DropIn {
 /// Tachyon's command line (`tachyon -help`). Throws a usage Failure that names an unknown flag.
 DropIn tachyon_drop_in(const std::vector<std::string>& arguments);
 
+/// POV-Ray's .ini files: those of the machine, or others in tests.
+class IniFiles {
+  public:
+    virtual ~IniFiles() = default;
+    /// Whether there is such a file.
+    virtual bool exists(const std::string& path);
+    /// Its text. Throws a Failure of input if it cannot be read.
+    virtual std::string read(const std::string& path);
+};
+
 /// POV-Ray's command line: switches (+W640), `Key=Value` and .ini files, which are read. Throws a usage
 /// Failure that names an unknown switch or key, with its line in the file; of input if a file cannot be read.
+DropIn povray_drop_in(const std::vector<std::string>& arguments, IniFiles& files);
+/// The same with the machine's files.
 DropIn povray_drop_in(const std::vector<std::string>& arguments);
 
 /// A line of the help: "-o FILE" or "-trans_vmd, -trans_orig", and what it does. Switches before a value

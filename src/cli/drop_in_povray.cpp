@@ -18,7 +18,7 @@
 namespace glint::cli {
 namespace {
 
-constexpr int k_max_ini_depth = 10;
+constexpr int k_max_ini_depth = 10, k_max_ini_files = 1000;
 
 std::string trimmed(std::string_view text) {
     while (!text.empty() && (text.front() == ' ' || text.front() == '\t')) text.remove_prefix(1);
@@ -30,6 +30,7 @@ std::string trimmed(std::string_view text) {
 
 class PovrayArguments {
   public:
+    explicit PovrayArguments(IniFiles& files) : files_(files) {}
     DropIn parse(const std::vector<std::string>& words) {
         read_own_ini();
         for (const std::string& word : words) {
@@ -61,9 +62,8 @@ class PovrayArguments {
         if (const char* home = std::getenv("HOME"))
             candidates.push_back(std::string(home) + "/.povray/3.7/povray.ini");
         candidates.emplace_back("/etc/povray/3.7/povray.ini");
-        std::error_code ignored;
         for (const std::string& path : candidates) {
-            if (!std::filesystem::is_regular_file(path, ignored)) continue;
+            if (!files_.exists(path)) continue;
             is_own_ini_ = true;
             read_ini(path);
             is_own_ini_ = false;
@@ -77,18 +77,20 @@ class PovrayArguments {
         const std::string path = word.substr(0, bracket);
         const std::string wanted =
             bracket == std::string::npos ? "" : word.substr(bracket + 1, word.size() - bracket - 2);
-        std::string why;
-        const auto file = InputFile::open(path, why);
-        if (!file) throw Failure(k_bad_input, fmt::format("{}: {}", path, why));
         if (++depth_ > k_max_ini_depth) fail(fmt::format("{}: .ini files are nested too deeply", path));
+        // Ten files of a hundred lines, each of which names the next file, would be read 100^9 times.
+        if (++ini_files_ > k_max_ini_files) fail(fmt::format("more than {} .ini files", k_max_ini_files));
+        const std::string file = files_.read(path);
         const std::string outer = place_;
-        std::string_view rest = file->text();
+        std::string_view rest = file;
         bool is_wanted = true;
         for (int line = 1; !rest.empty(); ++line) {
             const std::size_t end = std::min(rest.find('\n'), rest.size());
             const std::string text = trimmed(rest.substr(0, std::min(end, rest.find(';'))));
             rest.remove_prefix(std::min(end + 1, rest.size()));
             place_ = fmt::format("{}:{}", path, line);
+            // In a name it would end the message.
+            if (text.find('\0') != std::string::npos) fail("expected text, found a NUL byte");
             if (text.starts_with('[') && text.ends_with(']')) {
                 is_wanted = text.substr(1, text.size() - 2) == wanted;
             } else if (is_wanted && !text.empty()) {
@@ -293,10 +295,11 @@ class PovrayArguments {
         return extension(output_).empty() ? output_ + ending : output_;
     }
 
+    IniFiles& files_;
     DropIn parsed_;
     std::string place_;  // in an .ini file
     bool is_own_ini_ = false;
-    int depth_ = 0;
+    int depth_ = 0, ini_files_ = 0;
     std::string input_, output_;
     std::vector<std::string> folders_;
     int width_ = 320, height_ = 240;
@@ -307,8 +310,25 @@ class PovrayArguments {
 
 }  // namespace
 
+bool IniFiles::exists(const std::string& path) {
+    std::error_code ignored;
+    return std::filesystem::is_regular_file(path, ignored);
+}
+
+std::string IniFiles::read(const std::string& path) {
+    std::string why;
+    const auto file = InputFile::open(path, why);
+    if (!file) throw Failure(k_bad_input, fmt::format("{}: {}", path, why));
+    return std::string(file->text());
+}
+
+DropIn povray_drop_in(const std::vector<std::string>& arguments, IniFiles& files) {
+    return PovrayArguments(files).parse(arguments);
+}
+
 DropIn povray_drop_in(const std::vector<std::string>& arguments) {
-    return PovrayArguments().parse(arguments);
+    IniFiles files;
+    return povray_drop_in(arguments, files);
 }
 
 }  // namespace glint::cli

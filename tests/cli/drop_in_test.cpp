@@ -225,6 +225,40 @@ TEST_F(Povray, NamesWhatItDoesNotKnow) {
     EXPECT_EQ(failure_of(cli::povray_drop_in, {folder_.path("bad.ini")}),
               folder_.path("bad.ini") + ":2: unknown key 'Widht'");
     EXPECT_NE(failure_of(cli::povray_drop_in, {"nosuch.ini"}), "");
+    folder_.write("nul.ini", std::string("Width=40\n\0a.ini\n", 16));
+    EXPECT_EQ(failure_of(cli::povray_drop_in, {folder_.path("nul.ini")}),
+              folder_.path("nul.ini") + ":2: expected text, found a NUL byte");
+}
+
+// 0.ini has a hundred lines, each of which names 1.ini, and so on up to the last one.
+class ManyIniFiles : public cli::IniFiles {
+  public:
+    explicit ManyIniFiles(int last) : last_(last) {}
+    bool exists(const std::string&) override { return false; }
+    std::string read(const std::string& path) override {
+        const int number = std::stoi(path);
+        std::string text;
+        for (int i = 0; i < 100 && number < last_; ++i) text += std::to_string(number + 1) + ".ini\n";
+        return text;
+    }
+
+  private:
+    int last_;
+};
+
+TEST_F(Povray, ReadsABoundedNumberOfIniFiles) {
+    const auto failure = [](int last) {
+        ManyIniFiles files(last);
+        try {
+            cli::povray_drop_in({"+Ia.pov", "0.ini"}, files);
+        } catch (const Failure& e) {
+            return std::string(e.what());
+        }
+        return std::string();
+    };
+    EXPECT_EQ(failure(1), "");
+    EXPECT_EQ(failure(9), "8.ini:83: more than 1000 .ini files");
+    EXPECT_EQ(failure(99), "9.ini:1: 10.ini: .ini files are nested too deeply");
 }
 
 }  // namespace

@@ -2,10 +2,7 @@
 // Runs the functions of the fuzzers on every text of the corpora, in the normal build.
 #include <gtest/gtest.h>
 
-#include <filesystem>
-#include <fstream>
-#include <sstream>
-
+#include "fuzz/corpus.h"
 #include "fuzz/fuzz_journal.h"
 #include "fuzz/fuzz_load.h"
 #include "fuzz/fuzz_picture.h"
@@ -13,20 +10,8 @@
 
 namespace {
 
-std::string corpus_folder(const std::string& name) { return GLINT_SOURCE_DIR "/tests/fuzz/corpus/" + name; }
-
-// Calls body(text, path) for every file of a corpus; returns how many there are.
-template <class Body> int for_each_text(const std::string& corpus, Body&& body) {
-    int files = 0;
-    for (const auto& entry : std::filesystem::directory_iterator(corpus_folder(corpus))) {
-        std::ifstream file(entry.path(), std::ios::binary);
-        std::stringstream text;
-        text << file.rdbuf();
-        body(text.str(), entry.path().string());
-        ++files;
-    }
-    return files;
-}
+using glint::test::corpus_folder;
+using glint::test::for_each_text;
 
 class Corpus : public testing::TestWithParam<std::string> {};
 
