@@ -113,6 +113,11 @@ struct Conventions {
     /// are passed as if they were absent (Tachyon's Trans_Max_Surfaces).
     std::int32_t transparent_surfaces = 4096;
     double min_weight = 0;  ///< a ray whose weight is below this is not traced
+    /// Surfaces within this distance behind a transparent surface are not met by a ray that goes straight
+    /// through it (POV-Ray: 0.0001).
+    double transparent_epsilon = 0;
+    /// The same for shadow rays whose light transparent surfaces color (POV-Ray: 0.001).
+    double transparent_shadow_epsilon = 0;
     Facing facing = Facing::all;
     bool cones = true;  ///< false: cones are ignored, as in CSC 473's own program
     SpotFalloff spot_falloff = SpotFalloff::cubic;

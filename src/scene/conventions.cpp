@@ -282,6 +282,11 @@ constexpr Row k_rows[] = {
     whole_row<&C::transparent_surfaces, 0, k_max_sample_rays>(
         "transparent_surfaces", "a whole number from 0 to 4096",
         "the transparent surfaces that are shaded along a path; further ones are passed as if absent", true),
+    number_row<&C::transparent_epsilon, k_not_negative>(
+        "transparent_epsilon",
+        "surfaces within this distance behind a transparent one are not met by a ray straight through it"),
+    number_row<&C::transparent_shadow_epsilon, k_not_negative>(
+        "transparent_shadow_epsilon", "the same for shadow rays that transparent surfaces color"),
     number_row<&C::min_weight, k_fraction>("min_weight", "a ray with a smaller weight is not traced"),
     word_row<&C::facing, k_facings>(
         "facing",

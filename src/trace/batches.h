@@ -262,14 +262,19 @@ struct SteppedRays {
         number[k] = i;
         ++count;
     }
-    /// Lets entry `from` go on behind its hit, as entry `to` <= from.
-    void go_on(int from, int to) {
+    Vec3 direction_of(int i) const {  // of any length
+        const auto k = static_cast<std::size_t>(i);
+        return {direction[0][k], direction[1][k], direction[2][k]};
+    }
+    /// Lets entry `from` go on behind its hit, at t's that are greater by more than `gap`, as entry `to` <=
+    /// from.
+    void go_on(int from, int to, double gap = 0) {
         const auto f = static_cast<std::size_t>(from), k = static_cast<std::size_t>(to);
         for (std::size_t c = 0; c < 3; ++c) {
             origin[c][k] = origin[c][f];
             direction[c][k] = direction[c][f];
         }
-        t_min[k] = t[f];
+        t_min[k] = t[f] + gap;
         t_max[k] = t_max[f];
         number[k] = number[f];
     }

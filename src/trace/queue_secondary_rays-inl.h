@@ -92,9 +92,11 @@ HWY_INLINE Doubles material_numbers(const std::uint32_t* material) {
 HWY_INLINE void go_straight(const WorldParts& world, const SurfaceBatch& surfaces, int h,
                             LaneMask<double> through, LaneMask<double> at_limit, SecondaryRays& rays) {
     const Doubles t = load(surfaces.t.data() + h), one(1), zero(0);
+    const Vector3<Doubles> incoming = load_vector3(surfaces.incoming, h);
+    const double gap = world.conventions.transparent_epsilon;
     rays.origin = select_vector3(through, load_vector3(surfaces.origin, h), rays.origin);
-    rays.direction = select_vector3(through, load_vector3(surfaces.incoming, h), rays.direction);
-    rays.t_min = select(through && !at_limit, t, rays.t_min);
+    rays.direction = select_vector3(through, incoming, rays.direction);
+    rays.t_min = select(through && !at_limit, gap > 0 ? t + Doubles(gap) / length(incoming) : t, rays.t_min);
     rays.start = select(through, t, zero);
     if (!world.conventions.transparency_counts) rays.level = rays.level - select(through, one, zero);
     rays.passed = rays.passed + select(through, one, zero);

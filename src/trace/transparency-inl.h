@@ -26,7 +26,8 @@ inline void intersect_steps(const WorldParts& world, SteppedRays& steps) {
 }
 
 /// Computes the factors of the light of shadow rays that are not occluded: the product over the transparent
-/// surfaces on the way, in the order of t. Surfaces at equal t count once, the first in the scene.
+/// surfaces on the way, in the order of t. Surfaces at equal t count once, the first in the scene; those
+/// within Conventions::transparent_shadow_epsilon behind it do not count.
 inline void filter_light(const WorldParts& world, ShadowRayBatch& rays, SteppedRays& steps,
                          TileRecord* record) {
     for (auto& column : rays.filter) std::fill_n(column.begin(), rays.count, 1.0);
@@ -57,7 +58,8 @@ inline void filter_light(const WorldParts& world, ShadowRayBatch& rays, SteppedR
                     continue;
                 }
             }
-            steps.go_on(k, left++);
+            const double gap = world.conventions.transparent_shadow_epsilon;
+            steps.go_on(k, left++, gap > 0 ? gap / glint::length(steps.direction_of(k)) : 0);
         }
         steps.count = left;
     }

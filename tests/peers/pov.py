@@ -9,6 +9,7 @@ MAP = "color_map { [0 color rgb <1, 1, 0.6>] [1 rgb <0.1, 0.3, 0.9>] }"
 NORMALS = "<-2, -1, -1>", "<3, -3, -3>", "<0, 0.5, -0.5>"
 CORNERS = "<-1.5, 0, 0>", "<1.5, 0, 0>", "<0, 2, 0>"
 SHINE = "pigment { rgb <0.9, 0.6, 0.3> } finish { phong 0.5 phong_size 30 }"
+GLAZE = "pigment { rgb <0.2, 0.4, 0.9> filter 0.8 } finish { ambient 0.2 diffuse 0.4 }"
 
 
 def rule(name, objects, head="#version 3.6;\n" + CAMERA + LIGHT):
@@ -49,4 +50,10 @@ RULES = [
          head="#version 3.6;\n" + CAMERA),
     rule("glass", FLOOR + "sphere { <-1, 0.5, 0>, 0.9 pigment { rgbf 1 } finish { phong 0.8 } interior { ior 1.5 } }\n"
          "cylinder { <-3, 0, 1.6>, <3, 0.5, 1.6>, 0.3 pigment { rgb <1, 0, 0> } }\n"),
+    # Transparent faces that coincide, and some that are near each other, for what is seen and for shadows.
+    rule("coinciding", FLOOR + f"box {{ <-1.2, 0, -0.5>, <0.2, 0.7, 0.9> {GLAZE} }}\n"
+         f"mesh {{ triangle {{ <-1.2, 0.7, -0.5>, <0.2, 0.7, -0.5>, <0.2, 0.7, 0.9> }} {GLAZE} rotate 0 }}\n"
+         f"cylinder {{ <-0.5, 0.7, 0.2>, <-0.5, 1, 0.2>, 0.4 {GLAZE} }}\n" +
+         "".join(f"disc {{ <{x}, 0.8, 0.3>, <0.3, 0.5, -1>, 0.4 {GLAZE} }}\ndisc {{ <{x}, {0.8 + gap}, 0.3>, <0.3, 0.5, -1>, 0.4 {GLAZE} }}\n"
+                 for x, gap in ((0.7, 0.00004), (1.5, 0.0006), (2.3, 0.006)))),
 ]

@@ -137,6 +137,8 @@ TEST(Profiles, AgreeWithTheSources) {
           {"reflections", "6"}}},
         {"povray",
          {{"mirror", "add"},
+          {"transparent_epsilon", "0.0001"},
+          {"transparent_shadow_epsilon", "0.001"},
           {"limit", "drop"},
           {"offset", "direction"},
           {"epsilon", "0.001"},

@@ -15,7 +15,7 @@ std::string set(Scene& scene, std::string_view key, std::string_view value) {
 
 TEST(Settings, KeysAreFoundByName) {
     const auto keys = setting_keys();
-    ASSERT_EQ(keys.size(), 40u);
+    ASSERT_EQ(keys.size(), 42u);
     for (std::size_t i = 0; i < keys.size(); ++i) {
         EXPECT_EQ(find_setting(keys[i].name), i);
         EXPECT_FALSE(keys[i].values.empty());
@@ -56,6 +56,8 @@ TEST(Settings, EveryFieldHasAKey) {
                                                           {"transparent_shadow", "none"},
                                                           {"transparency_counts", "true"},
                                                           {"transparent_surfaces", "12"},
+                                                          {"transparent_epsilon", "0.002"},
+                                                          {"transparent_shadow_epsilon", "0.003"},
                                                           {"min_weight", "0.01"},
                                                           {"facing", "open"},
                                                           {"cones", "false"},
@@ -102,6 +104,8 @@ TEST(Settings, EveryFieldHasAKey) {
                                TransparentShadow::none,
                                true,
                                12,
+                               0.002,
+                               0.003,
                                0.01,
                                Facing::open,
                                false,

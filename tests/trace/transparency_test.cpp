@@ -157,6 +157,53 @@ TEST(Transparency, ManySurfacesEndAtTheLimitOfRays) {
     EXPECT_EQ(all->image.pixel(0, 0), (Color{0, 0, 0}));
 }
 
+// Two sheets at a small distance: they count as one within the conventions' epsilons.
+TEST(Transparency, SheetsThatCoincideCountOnce) {
+    for (const double gap : {0.0005, 0.002}) {
+        Scene scene;
+        set_size(scene, 1, 1);
+        scene.background = {1, 1, 1};
+        const std::uint32_t material = add_material(scene, sheet({0, 0, 0}, 0, 0.5));
+        scene.add(Plane{{0, 0, -1}, {0, 0, 1}}, material);
+        scene.add(Plane{{0, 0, -1 - gap}, {0, 0, 1}}, material);
+        const auto seen = [&] { return static_cast<float>(render_scene(scene).pixel(0, 0).r); };
+        EXPECT_FLOAT_EQ(seen(), 0.25f);
+        scene.conventions.transparent_shadow_epsilon = 0.001;
+        EXPECT_FLOAT_EQ(seen(), 0.25f) << "of shadows only";
+        scene.conventions.transparent_epsilon = 0.001;
+        EXPECT_FLOAT_EQ(seen(), gap < 0.001 ? 0.5f : 0.25f);
+        scene.conventions.ray_direction = RayDirection::viewport;
+        EXPECT_FLOAT_EQ(seen(), gap < 0.001 ? 0.5f : 0.25f) << "directions that are not unit vectors";
+    }
+}
+
+TEST(Transparency, SheetsThatCoincideColorLightOnce) {
+    for (const double gap : {0.0005, 0.002}) {
+        for (const bool is_point : {false, true}) {
+            Scene scene;
+            set_size(scene, 1, 1);
+            const std::uint32_t material = add_material(scene, sheet({0, 0, 0}, 0, 0.5));
+            scene.add(Plane{{0, 0, 1}, {0, 0, 1}}, material);
+            scene.add(Plane{{0, 0, 1 + gap}, {0, 0, 1}}, material);
+            Material wall;
+            wall.ambient = wall.specular = {0, 0, 0};
+            wall.diffuse = {1, 1, 1};
+            scene.add(Plane{{0, 0, -1}, {0, 0, 1}}, add_material(scene, wall));
+            scene.lights = {is_point ? point_light({0, 0, 9}, {1, 1, 1})
+                                     : directional_light({0, 0, 2}, {1, 1, 1})};
+            const auto seen = [&] { return static_cast<float>(render_scene(scene).pixel(0, 0).r); };
+            EXPECT_FLOAT_EQ(seen(), 0.25f);
+            scene.conventions.transparent_epsilon = 0.001;
+            EXPECT_FLOAT_EQ(seen(), 0.25f) << "of what is seen only";
+            scene.conventions.transparent_shadow_epsilon = 0.001;
+            EXPECT_FLOAT_EQ(seen(), gap < 0.001 ? 0.5f : 0.25f);
+            const std::optional<World> world = make_world(scene);
+            const Explanation e = explain(scene, *world, 0, 0).value();
+            EXPECT_EQ(e.rays.back().hit->lights[0].filters.size(), gap < 0.001 ? 1u : 2u);
+        }
+    }
+}
+
 TEST(Transparency, AlphaFollowsStraightRays) {
     Scene scene;
     set_size(scene, 1, 1);
