@@ -64,8 +64,9 @@ enum class OpacityRule : std::uint8_t { whole, brightest };
 enum class TransparentShadow : std::uint8_t { opaque, none, colored };
 
 /// Which normals are flipped towards the incoming ray. open: those of planes, discs, triangles, uncapped
-/// cylinders and cones.
-enum class Facing : std::uint8_t { none, open, all };
+/// cylinders and cones. winding: all, but the normal of a smooth triangle is flipped where the ray sees its
+/// vertices clockwise, whatever the side of the normal (Tachyon).
+enum class Facing : std::uint8_t { none, open, all, winding };
 
 /// How the light of a spot decreases with the angle off its axis. cubic: by s^2 (3 - 2 s), s the position of
 /// the angle's cosine between those of the outer and inner angle, times the cosine to the power `tightness`
@@ -112,12 +113,12 @@ struct Conventions {
     /// Along one path, only this many transparent surfaces are shaded (0 to k_max_sample_rays); further ones
     /// are passed as if they were absent (Tachyon's Trans_Max_Surfaces).
     std::int32_t transparent_surfaces = 4096;
-    double min_weight = 0;  ///< a ray whose weight is below this is not traced
     /// Surfaces within this distance behind a transparent surface are not met by a ray that goes straight
     /// through it (POV-Ray: 0.0001).
     double transparent_epsilon = 0;
     /// The same for shadow rays whose light transparent surfaces color (POV-Ray: 0.001).
     double transparent_shadow_epsilon = 0;
+    double min_weight = 0;  ///< a ray whose weight is below this is not traced
     Facing facing = Facing::all;
     bool cones = true;  ///< false: cones are ignored, as in CSC 473's own program
     SpotFalloff spot_falloff = SpotFalloff::cubic;

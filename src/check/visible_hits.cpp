@@ -63,7 +63,7 @@ SurfaceHit surface_hit(const WorldParts& world, const RayList& rays, const HitLi
     h.incoming = rays.direction(ray);
     h.point = rays.origin(ray) + h.incoming * hits.t[ray];
     h.normal = primitive_normal(*world.geometry, h.slot, h.point);
-    h.behind = dot(h.normal, h.incoming) > 0;
+    h.behind = world.hits_from_behind(h.slot, h.normal, h.incoming);
     if (h.behind && h.turned) h.normal = -h.normal;
     h.magnitude = largest(rays.origin(ray)) + largest(h.point);
     if (h.slot < world.geometry->bounded) {

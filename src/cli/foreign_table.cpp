@@ -52,7 +52,7 @@ constexpr ForeignFlag k_tachyon[] = {
     {"-fog_normal", 0, "--convention fog_distance=ray", Value::none,
      "Fog_Radial"},  // Tachyon's help says radial
     {"-fog_vmd", 0, "--convention fog_distance=depth", Value::none, "Fog_VMD"},
-    {"-normalfixup", 1, "glint turns normals to the viewer"},
+    {"-normalfixup", 1, "with --convention facing=all glint turns all normals to the viewer"},
 };
 
 // pbrt, Mitsuba, Yocto/GL, Blender and programs of courses

@@ -45,7 +45,6 @@ enum class TachyonShader : std::uint8_t { full, medium, low, lowest };
 enum class TachyonLimit : std::uint8_t {
     raster3d,
     fogged_light,
-    winding,
     vertex_colors,
     endless_cylinder,
     box_normals,
@@ -70,7 +69,7 @@ struct TachyonState {
     bool has_header = false;            ///< Begin_Scene
     double light_scale = 1;             ///< Rescale_Direct
     std::vector<std::uint32_t> lights;  ///< in Scene::lights, those that light_scale applies to
-    std::uint32_t smooth_triangles = 0, bent_triangles = 0;  ///< bent: a normal is far from the face's
+    std::uint32_t smooth_triangles = 0, bent_triangles = 0;  ///< bent: normals are on both sides of the face
 
     /// Where each limit was met first.
     struct Place {

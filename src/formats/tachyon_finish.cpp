@@ -23,15 +23,13 @@ constexpr std::uint32_t k_mesh = 8;
 constexpr std::string_view k_limit_texts[] = {
     "glint does not render opacity that depends on the angle (Raster3D): it is constant here",
     "the spheres of lights are in the fog here; in Tachyon they are not",
-    "the normals of this triangle are on the other side of its winding: Tachyon lights it from behind, glint "
-    "from the viewer's side",
     "glint does not mix the colors of vertices: each triangle has the mean of its three",
     "the endless cylinder ends a million radii from its Center",
     "near the edges of a box that is no cube Tachyon takes the normal of a neighbouring face; glint does not",
     "the normals of this triangle have different lengths: glint interpolates unit normals, Tachyon the "
     "normals as they are",
-    "many triangles, this one first, have normals more than 45 degrees off their faces: at outlines, Tachyon "
-    "lights some of their pixels from behind, glint from the viewer's side",
+    "many triangles, this one first, have normals on both sides of their faces: in glint they are partly in "
+    "their own shadow, in Tachyon they are not",
 };
 static_assert(std::size(k_limit_texts) == static_cast<std::size_t>(TachyonLimit::count));
 
@@ -122,11 +120,10 @@ void finish_tachyon(LoadState& reading) {
     const auto drop = [&](TachyonLimit which, bool matters) {
         if (!matters) state.limit(which).reset();
     };
-    drop(TachyonLimit::winding, is_shaded);
     drop(TachyonLimit::box_normals, is_shaded);
     drop(TachyonLimit::normal_lengths, is_shaded);
     drop(TachyonLimit::bent_normals,
-         is_shaded && !state.limit(TachyonLimit::winding) && state.smooth_triangles >= k_mesh &&
+         is_shaded && state.smooth_triangles >= k_mesh &&
              state.bent_triangles > k_bent_share * static_cast<double>(state.smooth_triangles));
     drop(TachyonLimit::fogged_light, scene.fog.has_value());
     for (std::size_t i = 0; i < state.limits.size(); ++i) {

@@ -15,8 +15,6 @@ namespace {
 constexpr Range k_count{0, 4e9, false, false, "a whole number from 0 to 4e9"};
 // With a radius of 0 nothing is seen; programs write such shapes.
 constexpr Range k_radius{0, k_length.max, false, false, k_length.text};
-// The square of the cosine between a triangle's normal and a vertex's, below which it is bent.
-constexpr double k_bent = 0.49;
 // Half the length of an endless cylinder, in its radii.
 constexpr double k_endless = 1e6;
 // The height of the cone that stands for a ring with a hole, in its widths: its normals are off by this
@@ -48,15 +46,10 @@ void TachyonReader::add_smooth(const SmoothTriangle& t, std::uint32_t material) 
             "a vertex has the normal 0 0 0: triangles with such a vertex are drawn flat");
         return add(Triangle{{t.vertices[0], t.vertices[1], t.vertices[2]}}, material);
     }
-    const double cosines[] = {dot(face, n[0]), dot(face, n[1]), dot(face, n[2])};  // times the lengths
     const double squares[] = {dot(n[0], n[0]), dot(n[1], n[1]), dot(n[2], n[2])};
-    if (cosines[0] + cosines[1] + cosines[2] < 0) note_limit(TachyonLimit::winding, object_);
-    const double least = k_bent * dot(face, face);
-    bool is_bent = false;
-    for (int i = 0; i < 3; ++i)
-        is_bent = is_bent || cosines[i] < 0 || cosines[i] * cosines[i] < least * squares[i];
     ++state_.smooth_triangles;
-    if (is_bent) {
+    const bool is_front = dot(face, n[0]) > 0;
+    if (is_front != (dot(face, n[1]) > 0) || is_front != (dot(face, n[2]) > 0)) {
         ++state_.bent_triangles;
         note_limit(TachyonLimit::bent_normals, object_);
     }

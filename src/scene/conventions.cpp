@@ -27,7 +27,7 @@ constexpr std::string_view k_glass_shadows[] = {"opaque", "none"};
 constexpr std::string_view k_transparencies[] = {"highlights", "blend", "add"};
 constexpr std::string_view k_opacities[] = {"whole", "brightest"};
 constexpr std::string_view k_transparent_shadows[] = {"opaque", "none", "colored"};
-constexpr std::string_view k_facings[] = {"none", "open", "all"};
+constexpr std::string_view k_facings[] = {"none", "open", "all", "winding"};
 constexpr std::string_view k_spot_falloffs[] = {"cubic", "linear"};
 constexpr std::string_view k_fog_distances[] = {"ray", "depth"};
 constexpr std::string_view k_area_shadings[] = {"samples", "center"};
@@ -290,7 +290,9 @@ constexpr Row k_rows[] = {
     number_row<&C::min_weight, k_fraction>("min_weight", "a ray with a smaller weight is not traced"),
     word_row<&C::facing, k_facings>(
         "facing",
-        "which normals are turned to the incoming ray; open: those of surfaces that enclose no volume", true),
+        "which normals are turned to the incoming ray; open: those of surfaces that enclose no volume; "
+        "winding: all, those of smooth triangles by the order of their vertices",
+        true),
     bool_row<&C::cones>(
         "cones", "cones are rendered; CSC 473's own program reads them and does not render them", true),
     word_row<&C::spot_falloff, k_spot_falloffs>("spot_falloff",

@@ -56,6 +56,7 @@ constexpr Profile k_profiles[] = {
       .limit = LimitRule::background,
       .transparency = Transparency::add,
       .transparency_counts = true,
+      .facing = Facing::winding,
       .spot_falloff = SpotFalloff::linear,
       .clamp_attenuation = false,
       .attenuate_highlights = false,

@@ -140,6 +140,24 @@ HWY_INLINE Vector3<Doubles> normals_at(const PackedGeometry& geometry, const std
     return normal;
 }
 
+/// facing = winding: which rays hit from behind, by the faces of smooth triangles, and of other shapes by
+/// `behind`.
+inline LaneMask<double> behind_faces(const PackedGeometry& geometry, const std::uint32_t* slots,
+                                     const Vector3<Doubles>& d, LaneMask<double> behind) {
+    alignas(k_ray_alignment) double x[lane_count<double>()] = {}, y[lane_count<double>()] = {},
+                                    z[lane_count<double>()] = {};
+    std::uint32_t smooth = 0;
+    for (int k = 0; k < lane_count<double>(); ++k) {
+        if (!geometry.is_smooth_triangle(slots[k])) continue;
+        const Vec3 n = geometry.face_normal(slots[k]);
+        x[k] = n.x, y[k] = n.y, z[k] = n.z;
+        smooth |= 1u << k;
+    }
+    const auto by_face = from_bits<double>(smooth);
+    const auto clockwise = dot(Vector3<Doubles>{load(x), load(y), load(z)}, d) > Doubles(0);
+    return (by_face && clockwise) || (behind && !by_face);
+}
+
 /// The largest coordinate of a bounded shape, 0 for unbounded ones. The rounding error of the shape's formula
 /// is relative to it too, even if the ray is near the world's origin.
 HWY_INLINE double max_coordinate(const PackedGeometry& geometry, std::uint32_t slot) {
@@ -178,6 +196,7 @@ inline void compute_surfaces(const WorldParts& world, SurfaceBatch& surfaces) {
     const auto last = static_cast<std::size_t>(count - 1);
     std::fill_n(surfaces.slot.begin() + count, k_ray_padding, surfaces.slot[last]);
     const bool has_lighting_eye = world.camera.has_lighting_eye && surfaces.generation == 0;
+    const bool by_winding = world.conventions.facing == Facing::winding;
     for (int h = 0; h < count; h += lane_count<double>()) {
         const std::uint32_t* slots = surfaces.slot.data() + h;
         std::uint32_t* materials = surfaces.material.data() + h;
@@ -196,7 +215,8 @@ inline void compute_surfaces(const WorldParts& world, SurfaceBatch& surfaces) {
         const Vector3<Doubles> point = load_vector3(surfaces.point, h),
                                d = load_vector3(surfaces.incoming, h);
         const Vector3<Doubles> normal = normals_at(*world.geometry, slots, same, point);
-        const auto behind = dot(normal, d) > Doubles(0);
+        auto behind = dot(normal, d) > Doubles(0);
+        if (by_winding) behind = behind_faces(*world.geometry, slots, d, behind);
         const auto flipped = behind && from_bits<double>(flips);
         store_vector3(select_vector3(flipped, -normal, normal), surfaces.normal, h);
         store(select(behind, Doubles(1), Doubles(0)), surfaces.behind.data() + h);

@@ -49,6 +49,19 @@ struct PackedGeometry {
     /// Whether the shape encloses no space: `facing = open` applies to it.
     bool is_open(std::uint32_t slot) const { return (piece[slot] & k_open_shape) != 0; }
 
+    bool is_smooth_triangle(std::uint32_t slot) const {
+        return class_of(slot).kind == ShapeKind::smooth_triangle;
+    }
+    /// Of a smooth triangle a, b, c: (b - a) x (c - a), of any length.
+    Vec3 face_normal(std::uint32_t slot) const {
+        const ShapeClass& shapes = class_of(slot);
+        const std::uint32_t item = slot - shapes.first;
+        const auto vertex = [&](int k) {
+            return Vec3{shapes.column(k)[item], shapes.column(k + 1)[item], shapes.column(k + 2)[item]};
+        };
+        return cross(vertex(3) - vertex(0), vertex(6) - vertex(0));
+    }
+
     /// The class of a slot.
     const ShapeClass& class_of(std::uint32_t slot) const { return classes[class_index(slot)]; }
     ShapeClass& class_of(std::uint32_t slot) { return classes[class_index(slot)]; }

@@ -144,8 +144,13 @@ struct WorldParts {
     }
     /// Whether the conventions flip the normal of a slot's shape towards the incoming ray.
     bool flips_normal(std::uint32_t slot) const {
-        return conventions.facing == Facing::all ||
+        return conventions.facing == Facing::all || conventions.facing == Facing::winding ||
                (conventions.facing == Facing::open && geometry->is_open(slot));
+    }
+    /// Whether a ray of this direction hits a slot's shape from behind. normal: at the hit, not flipped.
+    bool hits_from_behind(std::uint32_t slot, Vec3 normal, Vec3 incoming) const {
+        const bool by_winding = conventions.facing == Facing::winding && geometry->is_smooth_triangle(slot);
+        return dot(by_winding ? geometry->face_normal(slot) : normal, incoming) > 0;
     }
     /// Whether the conventions and the material let a slot's shape block light.
     bool casts_shadow(std::uint32_t slot) const {

@@ -81,7 +81,7 @@ INSTANTIATE_TEST_SUITE_P(Rules, VisibleHitsTest,
                          testing::Values("offset=scale", "offset=ray epsilon=0.001",
                                          "offset=normal epsilon=0.001", "offset=facing epsilon=0.001",
                                          "offset=direction epsilon=0.001", "shadow_stops_at_light=false",
-                                         "fresnel=schlick offset=normal epsilon=0.001"));
+                                         "facing=winding", "fresnel=schlick offset=normal epsilon=0.001"));
 
 }  // namespace
 }  // namespace glint::test

@@ -112,7 +112,7 @@ TEST(Load, MistakesOfAProfileFileHaveTheirPlace) {
     EXPECT_EQ(result.diagnostics[0].file, "mine");
     EXPECT_EQ(result.diagnostics[0].line, 2u);
     EXPECT_EQ(result.diagnostics[0].column, 2u);
-    EXPECT_EQ(result.diagnostics[1].message, "facing: expected none | open | all, found 'most'");
+    EXPECT_EQ(result.diagnostics[1].message, "facing: expected none | open | all | winding, found 'most'");
     EXPECT_EQ(result.diagnostics[2].message, "expected `key = value`, found 'nonsense'");
     EXPECT_EQ(result.diagnostics[3].line, 5u);
 }

@@ -29,6 +29,22 @@ GLASS = ("Sphere Center 0 1 -2 Rad 0.7 " + texture("0.3 0.8 0.5", opacity=0.4) +
 ARRAY = ("VertexArray Numverts 4 Coords -2 0.5 0  0 0.3 -1  -2 2 0.5  0 2 0\n"
          "Normals -0.19518 0.09759 -0.9759  0.287348 0 -0.957826  -0.268328 0.357771 -0.894427  0.0953463 0.286039 -0.953463\n" + texture("0.4 0.7 0.9") +
          "TriStrip 4 0 2 1 3 End_VertexArray\n")
+# Patches of each winding, with normals to the viewer and away from him, and a bent one whose normals are partly away from him.
+# The normals have one length: glint mixes unit vectors.
+FACES = [("-2.2 0.2 0 V1 -1.2 0.2 0 V2 -1.7 1.2 0.3", (-0.4, 0, -1), (0.4, 0, -1), (0, 0.6, -1)),
+         ("-1 0.2 0 V1 -0.5 1.2 0.3 V2 0 0.2 0", (-0.4, 0, -1), (0, 0.6, -1), (0.4, 0, -1)),
+         ("0.2 0.2 0 V1 1.2 0.2 0 V2 0.7 1.2 0.3", (-0.4, 0, 1), (0.4, 0, 1), (0, 0.6, 1)),
+         ("1.4 0.2 0 V1 1.9 1.2 0.3 V2 2.4 0.2 0", (-0.4, 0, 1), (0, 0.6, 1), (0.4, 0, 1)),
+         ("-1 1.4 0 V1 0 2.4 0.3 V2 1 1.4 0", (-1, 0, -0.3), (0, 1, 0.2), (0.95, 0.3, 0.07))]
+
+
+def unit(v):
+    size = sum(x * x for x in v) ** 0.5
+    return " ".join(f"{x / size:.9g}" for x in v)
+
+
+WINDING = "".join(f"STri V0 {v} N0 {unit(n)} N1 {unit(m)} N2 {unit(k)} " + texture("0.9 0.5 0.2")
+                  for v, n, m, k in FACES)
 RULES = [
     rule("sphere", BALL),
     rule("orthographic", BALL, projection="Orthographic", zoom=0.2),
@@ -42,6 +58,7 @@ RULES = [
     rule("box", "Box Min -0.7 0.2 -1 Max 0.5 1.4 0.2 " + texture("0.9 0.5 0.2")),
     rule("triangles", "Tri V0 -2 0.2 0 V1 0 2 0.5 V2 -0.5 0.2 -1 " + texture("0.9 0.5 0.2") +
          "STri V0 0.2 0.2 0 V1 0.5 2 0.5 V2 2 0.2 -1 N0 -0.5 0 -1 N1 0 0.5 -1 N2 0.5 0 -1 " + texture("0.2 0.5 0.9")),
+    rule("winding", WINDING),
     rule("vertex_array", ARRAY),
     rule("mirrors", BALL + "Sphere Center 0.8 0.9 -0.6 Rad 0.9 " + texture("0.3 0.6 0.9", specular=0.6)),
     rule("trans_orig", BALL + GLASS, mode="Shader_Mode Medium End_Shader_Mode"),

@@ -168,7 +168,7 @@ TEST(Profiles, AgreeWithTheSources) {
           {"attenuate_highlights", "false"},
           {"light_threshold", "0.001959"},
           {"rounding", "down"},
-          {"facing", "all"},
+          {"facing", "winding"},
           {"specular_gate", "true"},
           {"shading", "blinn-phong"}}}};
     for (const auto& [profile, values] : expected) {

@@ -254,5 +254,37 @@ TEST(ClosedForm, AMirroringMapKeepsTheFrontOfFlatShapes) {
     }
 }
 
+// Side by side: smooth triangles whose normals and windings are to either side, and other shapes, of which
+// only the normal counts.
+TEST(ClosedForm, TheWindingTurnsTheNormalsOfSmoothTriangles) {
+    constexpr int k_columns = 24;
+    Scene scene;
+    set_size(scene, k_columns, 1);
+    scene.settings.shading = Shading::normals;
+    scene.camera.projection = Projection::orthographic;
+    scene.camera.position = {0, 0, 10};
+    scene.camera.look_at = {0, 0, 0};
+    scene.camera.width = k_columns;
+    for (int i = 0; i < k_columns; ++i) {
+        const Vec3 center{i + 0.5 - k_columns / 2.0, 0, 0}, n{0, 0, i % 2 == 0 ? 1.0 : -1.0};
+        const Vec3 a = center + Vec3{-0.4, -0.4, 0}, b = center + Vec3{0.4, -0.4, 0},
+                   c = center + Vec3{0, 0.6, 0};
+        const bool is_clockwise = i % 4 >= 2;
+        if (i % 5 == 4) {
+            scene.add(Disc{center, n, 0.4});
+        } else {
+            scene.add(SmoothTriangle{{a, is_clockwise ? c : b, is_clockwise ? b : c}, {n, n, n}});
+        }
+    }
+    for (const Facing facing : {Facing::all, Facing::winding}) {
+        scene.conventions.facing = facing;
+        const Image image = render_scene(scene);
+        for (int i = 0; i < k_columns; ++i) {
+            const bool away = facing == Facing::winding && i % 5 != 4 && (i % 2 != 0) != (i % 4 >= 2);
+            EXPECT_EQ(pixel(image, i, 0), (Color{0.5, 0.5, away ? 0.0 : 1.0})) << i;
+        }
+    }
+}
+
 }  // namespace
 }  // namespace glint::test

@@ -88,6 +88,7 @@ const Change k_changes[] = {
     {"facing none", [](Scene& s) { s.conventions.facing = Facing::none; }, apply_rules},
     {"facing open", [](Scene& s) { s.conventions.facing = Facing::open; }, apply_rules},
     {"facing all", [](Scene& s) { s.conventions.facing = Facing::all; }, apply_rules},
+    {"facing winding", [](Scene& s) { s.conventions.facing = Facing::winding; }, apply_rules},
     {"glass without shadow", [](Scene& s) { s.conventions.glass_shadow = GlassShadow::none; }, apply_rules},
     {"glass with shadow", [](Scene& s) { s.conventions.glass_shadow = GlassShadow::opaque; }, apply_rules},
     {"other rules",

@@ -142,6 +142,7 @@ TEST(Prepare, FlippedNormals) {
     }
     EXPECT_EQ(turned(Facing::none), std::vector<bool>(18, false));
     EXPECT_EQ(turned(Facing::all), std::vector<bool>(18, true));
+    EXPECT_EQ(turned(Facing::winding), std::vector<bool>(18, true));
     std::vector<bool> open{false, true, true, false, true, false, true, false, true};
     open.insert(open.end(), open.begin(), open.end());
     EXPECT_EQ(turned(Facing::open), open);

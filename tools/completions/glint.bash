@@ -15,7 +15,7 @@ _glint() {
                 --include-path) return ;;
                 --format) words='cgfs epfl csc473 povray nff tachyon glint' ;;
                 --profile) words='cgfs epfl lecture5 light csc473 povray nff tachyon glint' kind=file ;;
-                --convention) words='pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= transparency= opacity= transparent_shadow= transparency_counts= transparent_surfaces= min_weight= facing= cones= spot_falloff= clamp_attenuation= attenuate_highlights= light_threshold= area_shading= fog_distance= fog_background= transfer= gamma= rounding= size= shading= shadows= reflections= aa= alpha= seed='; compopt -o nospace 2>/dev/null ;;
+                --convention) words='pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= transparency= opacity= transparent_shadow= transparency_counts= transparent_surfaces= transparent_epsilon= transparent_shadow_epsilon= min_weight= facing= cones= spot_falloff= clamp_attenuation= attenuate_highlights= light_threshold= area_shading= fog_distance= fog_background= transfer= gamma= rounding= size= shading= shadows= reflections= aa= alpha= seed='; compopt -o nospace 2>/dev/null ;;
                 -o|--output) kind=file ;;
                 -s|--size) return ;;
                 --shading) words='phong blinn-phong diffuse color normals' ;;
@@ -39,7 +39,7 @@ _glint() {
                 --include-path) return ;;
                 --format) words='cgfs epfl csc473 povray nff tachyon glint' ;;
                 --profile) words='cgfs epfl lecture5 light csc473 povray nff tachyon glint' kind=file ;;
-                --convention) words='pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= transparency= opacity= transparent_shadow= transparency_counts= transparent_surfaces= min_weight= facing= cones= spot_falloff= clamp_attenuation= attenuate_highlights= light_threshold= area_shading= fog_distance= fog_background= transfer= gamma= rounding= size= shading= shadows= reflections= aa= alpha= seed='; compopt -o nospace 2>/dev/null ;;
+                --convention) words='pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= transparency= opacity= transparent_shadow= transparency_counts= transparent_surfaces= transparent_epsilon= transparent_shadow_epsilon= min_weight= facing= cones= spot_falloff= clamp_attenuation= attenuate_highlights= light_threshold= area_shading= fog_distance= fog_background= transfer= gamma= rounding= size= shading= shadows= reflections= aa= alpha= seed='; compopt -o nospace 2>/dev/null ;;
                 *) kind=scene ;;
             esac ;;
         convert)
@@ -49,7 +49,7 @@ _glint() {
                 --include-path) return ;;
                 --format) words='cgfs epfl csc473 povray nff tachyon glint' ;;
                 --profile) words='cgfs epfl lecture5 light csc473 povray nff tachyon glint' kind=file ;;
-                --convention) words='pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= transparency= opacity= transparent_shadow= transparency_counts= transparent_surfaces= min_weight= facing= cones= spot_falloff= clamp_attenuation= attenuate_highlights= light_threshold= area_shading= fog_distance= fog_background= transfer= gamma= rounding= size= shading= shadows= reflections= aa= alpha= seed='; compopt -o nospace 2>/dev/null ;;
+                --convention) words='pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= transparency= opacity= transparent_shadow= transparency_counts= transparent_surfaces= transparent_epsilon= transparent_shadow_epsilon= min_weight= facing= cones= spot_falloff= clamp_attenuation= attenuate_highlights= light_threshold= area_shading= fog_distance= fog_background= transfer= gamma= rounding= size= shading= shadows= reflections= aa= alpha= seed='; compopt -o nospace 2>/dev/null ;;
                 -o|--output) kind=file ;;
                 *) kind=scene ;;
             esac ;;
@@ -60,7 +60,7 @@ _glint() {
                 --include-path) return ;;
                 --format) words='cgfs epfl csc473 povray nff tachyon glint' ;;
                 --profile) words='cgfs epfl lecture5 light csc473 povray nff tachyon glint' kind=file ;;
-                --convention) words='pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= transparency= opacity= transparent_shadow= transparency_counts= transparent_surfaces= min_weight= facing= cones= spot_falloff= clamp_attenuation= attenuate_highlights= light_threshold= area_shading= fog_distance= fog_background= transfer= gamma= rounding= size= shading= shadows= reflections= aa= alpha= seed='; compopt -o nospace 2>/dev/null ;;
+                --convention) words='pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= transparency= opacity= transparent_shadow= transparency_counts= transparent_surfaces= transparent_epsilon= transparent_shadow_epsilon= min_weight= facing= cones= spot_falloff= clamp_attenuation= attenuate_highlights= light_threshold= area_shading= fog_distance= fog_background= transfer= gamma= rounding= size= shading= shadows= reflections= aa= alpha= seed='; compopt -o nospace 2>/dev/null ;;
                 -s|--size) return ;;
                 --shading) words='phong blinn-phong diffuse color normals' ;;
                 --reflections) return ;;
@@ -76,7 +76,7 @@ _glint() {
                 --include-path) return ;;
                 --format) words='cgfs epfl csc473 povray nff tachyon glint' ;;
                 --profile) words='cgfs epfl lecture5 light csc473 povray nff tachyon glint' kind=file ;;
-                --convention) words='pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= transparency= opacity= transparent_shadow= transparency_counts= transparent_surfaces= min_weight= facing= cones= spot_falloff= clamp_attenuation= attenuate_highlights= light_threshold= area_shading= fog_distance= fog_background= transfer= gamma= rounding= size= shading= shadows= reflections= aa= alpha= seed='; compopt -o nospace 2>/dev/null ;;
+                --convention) words='pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= transparency= opacity= transparent_shadow= transparency_counts= transparent_surfaces= transparent_epsilon= transparent_shadow_epsilon= min_weight= facing= cones= spot_falloff= clamp_attenuation= attenuate_highlights= light_threshold= area_shading= fog_distance= fog_background= transfer= gamma= rounding= size= shading= shadows= reflections= aa= alpha= seed='; compopt -o nospace 2>/dev/null ;;
                 -p|--pixel) return ;;
                 --sample) return ;;
                 --as) words='text json printrays' ;;
@@ -100,12 +100,12 @@ _glint() {
                 --fail-percent) return ;;
                 --hard-fail) return ;;
                 --diff) kind=file ;;
-                --vary) words='pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= transparency= opacity= transparent_shadow= transparency_counts= transparent_surfaces= min_weight= facing= cones= spot_falloff= clamp_attenuation= attenuate_highlights= light_threshold= area_shading= fog_distance= fog_background= transfer= gamma= rounding= size= shading= shadows= reflections= aa= alpha= seed='; compopt -o nospace 2>/dev/null ;;
+                --vary) words='pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= transparency= opacity= transparent_shadow= transparency_counts= transparent_surfaces= transparent_epsilon= transparent_shadow_epsilon= min_weight= facing= cones= spot_falloff= clamp_attenuation= attenuate_highlights= light_threshold= area_shading= fog_distance= fog_background= transfer= gamma= rounding= size= shading= shadows= reflections= aa= alpha= seed='; compopt -o nospace 2>/dev/null ;;
                 --scene) kind=scene ;;
                 --scene-name) return ;;
                 --format) words='cgfs epfl csc473 povray nff tachyon glint' ;;
                 --profile) words='cgfs epfl lecture5 light csc473 povray nff tachyon glint' kind=file ;;
-                --convention) words='pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= transparency= opacity= transparent_shadow= transparency_counts= transparent_surfaces= min_weight= facing= cones= spot_falloff= clamp_attenuation= attenuate_highlights= light_threshold= area_shading= fog_distance= fog_background= transfer= gamma= rounding= size= shading= shadows= reflections= aa= alpha= seed='; compopt -o nospace 2>/dev/null ;;
+                --convention) words='pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= transparency= opacity= transparent_shadow= transparency_counts= transparent_surfaces= transparent_epsilon= transparent_shadow_epsilon= min_weight= facing= cones= spot_falloff= clamp_attenuation= attenuate_highlights= light_threshold= area_shading= fog_distance= fog_background= transfer= gamma= rounding= size= shading= shadows= reflections= aa= alpha= seed='; compopt -o nospace 2>/dev/null ;;
                 -s|--size) return ;;
                 --shading) words='phong blinn-phong diffuse color normals' ;;
                 --reflections) return ;;
@@ -121,9 +121,9 @@ _glint() {
                 --include-path) return ;;
                 --format) words='cgfs epfl csc473 povray nff tachyon glint' ;;
                 --profile) words='cgfs epfl lecture5 light csc473 povray nff tachyon glint' kind=file ;;
-                --convention) words='pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= transparency= opacity= transparent_shadow= transparency_counts= transparent_surfaces= min_weight= facing= cones= spot_falloff= clamp_attenuation= attenuate_highlights= light_threshold= area_shading= fog_distance= fog_background= transfer= gamma= rounding= size= shading= shadows= reflections= aa= alpha= seed='; compopt -o nospace 2>/dev/null ;;
-                --a) words='pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= transparency= opacity= transparent_shadow= transparency_counts= transparent_surfaces= min_weight= facing= cones= spot_falloff= clamp_attenuation= attenuate_highlights= light_threshold= area_shading= fog_distance= fog_background= transfer= gamma= rounding= size= shading= shadows= reflections= aa= alpha= seed= profile='; compopt -o nospace 2>/dev/null ;;
-                --b) words='pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= transparency= opacity= transparent_shadow= transparency_counts= transparent_surfaces= min_weight= facing= cones= spot_falloff= clamp_attenuation= attenuate_highlights= light_threshold= area_shading= fog_distance= fog_background= transfer= gamma= rounding= size= shading= shadows= reflections= aa= alpha= seed= profile='; compopt -o nospace 2>/dev/null ;;
+                --convention) words='pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= transparency= opacity= transparent_shadow= transparency_counts= transparent_surfaces= transparent_epsilon= transparent_shadow_epsilon= min_weight= facing= cones= spot_falloff= clamp_attenuation= attenuate_highlights= light_threshold= area_shading= fog_distance= fog_background= transfer= gamma= rounding= size= shading= shadows= reflections= aa= alpha= seed='; compopt -o nospace 2>/dev/null ;;
+                --a) words='pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= transparency= opacity= transparent_shadow= transparency_counts= transparent_surfaces= transparent_epsilon= transparent_shadow_epsilon= min_weight= facing= cones= spot_falloff= clamp_attenuation= attenuate_highlights= light_threshold= area_shading= fog_distance= fog_background= transfer= gamma= rounding= size= shading= shadows= reflections= aa= alpha= seed= profile='; compopt -o nospace 2>/dev/null ;;
+                --b) words='pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= transparency= opacity= transparent_shadow= transparency_counts= transparent_surfaces= transparent_epsilon= transparent_shadow_epsilon= min_weight= facing= cones= spot_falloff= clamp_attenuation= attenuate_highlights= light_threshold= area_shading= fog_distance= fog_background= transfer= gamma= rounding= size= shading= shadows= reflections= aa= alpha= seed= profile='; compopt -o nospace 2>/dev/null ;;
                 -o|--output) kind=file ;;
                 -s|--size) return ;;
                 --shading) words='phong blinn-phong diffuse color normals' ;;
@@ -140,7 +140,7 @@ _glint() {
                 --scene-name) return ;;
                 --format) words='cgfs epfl csc473 povray nff tachyon glint' ;;
                 --profile) words='cgfs epfl lecture5 light csc473 povray nff tachyon glint' kind=file ;;
-                --convention) words='pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= transparency= opacity= transparent_shadow= transparency_counts= transparent_surfaces= min_weight= facing= cones= spot_falloff= clamp_attenuation= attenuate_highlights= light_threshold= area_shading= fog_distance= fog_background= transfer= gamma= rounding= size= shading= shadows= reflections= aa= alpha= seed='; compopt -o nospace 2>/dev/null ;;
+                --convention) words='pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= transparency= opacity= transparent_shadow= transparency_counts= transparent_surfaces= transparent_epsilon= transparent_shadow_epsilon= min_weight= facing= cones= spot_falloff= clamp_attenuation= attenuate_highlights= light_threshold= area_shading= fog_distance= fog_background= transfer= gamma= rounding= size= shading= shadows= reflections= aa= alpha= seed='; compopt -o nospace 2>/dev/null ;;
                 -s|--size) return ;;
                 --shading) words='phong blinn-phong diffuse color normals' ;;
                 --reflections) return ;;
