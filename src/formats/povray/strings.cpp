@@ -69,8 +69,11 @@ std::string Reader::string_function(Word word) {
             }
             return text;
         }
-        case Word::k_chr:
-            return std::string(1, static_cast<char>(std::clamp(number(), 0.0, 255.0)));
+        case Word::k_chr: {
+            const double code = number();
+            const double byte = code > 0 ? std::min(code, 255.0) : 0;  // not a number: 0
+            return std::string(1, static_cast<char>(static_cast<unsigned char>(byte)));
+        }
         case Word::k_substr: {
             const std::string text = string();
             accept(',');
