@@ -77,6 +77,11 @@ enum class SpotFalloff : std::uint8_t { cubic, linear };
 /// view; of others, along the ray (Tachyon's Fog_VMD).
 enum class FogDistance : std::uint8_t { ray, depth };
 
+/// Where the fog is. outside_objects: not along rays that are inside an object. A ray knows the objects that
+/// it is inside: one through a surface enters or leaves the surface's object (POV-Ray). An object is a shape,
+/// or the shapes whose materials have the same Material::interior; those with Material::hollow do not count.
+enum class FogExtent : std::uint8_t { everywhere, outside_objects };
+
 /// How an area light is represented by its samples. samples: each is a light of its own, with an equal part
 /// of the color, at the centre of its cell. center: the light shines from its centre, and only its shadow is
 /// sampled, at points that include the edges, whose weights come from repeated division into quarters
@@ -132,6 +137,7 @@ struct Conventions {
     AreaShading area_shading = AreaShading::samples;
     FogDistance fog_distance = FogDistance::ray;
     bool fog_background = true;  ///< the background is in the fog, at an infinite distance
+    FogExtent fog_extent = FogExtent::everywhere;
     // How the picture's numbers become those of a PNG or PPM file (ByteRule); OpenEXR is always linear.
     Transfer transfer = Transfer::none;
     double gamma = 1;  ///< > 0, at most 100

@@ -157,6 +157,9 @@ struct ExplainedRay {
     /// subtracted from alpha. With RenderSettings::alpha, `background` is then black.
     bool transparent = false;
     double visibility = 1;  ///< in fog: f, of the hit or of the background; included in the hit's weight
+    /// With FogExtent::outside_objects: the ray is inside an object that is not hollow, so that it has no
+    /// fog.
+    bool inside_object = false;
     Color fog;  ///< the light that the fog adds to the pixel, after that of the hit or the background
 };
 

@@ -178,8 +178,9 @@ enum class FogKind : std::uint8_t { linear, exp, exp2 };
 
 /// Fog, and depth cueing: of the light that comes from distance d, the part f is seen, and 1 - f of the fog's
 /// colour is added. linear: f = (end - d) / (end - start); exp: exp(-density (d - start)); exp2:
-/// exp(-(density (d - start))^2); at least `transmit` and 0, at most 1. The conventions fog_distance and
-/// fog_background say what d is, and whether the background is in the fog. (POV-Ray, Tachyon; measured)
+/// exp(-(density (d - start))^2); at least `transmit` and 0, at most 1. The conventions fog_distance,
+/// fog_background and fog_extent say what d is, whether the background is in the fog, and whether the insides
+/// of objects are. (POV-Ray, Tachyon; measured)
 struct Fog {
     FogKind kind = FogKind::exp;
     Color color{0.5, 0.5, 0.5};
@@ -232,6 +233,9 @@ struct BackgroundGradient {
     friend bool operator==(const BackgroundGradient&, const BackgroundGradient&) = default;
 };
 
+/// The greatest Material::interior.
+inline constexpr std::int32_t k_max_interior = 1'000'000'000;
+
 struct Material {
     Color color{0.8, 0.8, 0.8};       ///< the colour in shading mode `color`
     Color ambient{0.08, 0.08, 0.08};  ///< k_a
@@ -270,6 +274,12 @@ struct Material {
     // 1 - outline + outline (1 - (1 - c^2)^(32 (1 - outline_width))), with the cosine c of ray and normal.
     double outline = 0;        ///< 0 to 1: how dark it is
     double outline_width = 0;  ///< 0 to 1: all of the surface; only if outline > 0
+
+    // Which objects rays are inside, for FogExtent::outside_objects.
+    bool hollow = false;  ///< rays inside are in the fog (POV-Ray)
+    /// 0: each shape is an object. Else the shapes of all materials with this number are one object, as the
+    /// triangles of a mesh; at most k_max_interior.
+    std::int32_t interior = 0;
 
     constexpr bool is_transparent() const { return filter > 0 || transmit > 0; }
 };

@@ -140,6 +140,8 @@ class Material:
         transmit: float = ...,
         outline: float = ...,
         outline_width: float = ...,
+        hollow: bool = ...,
+        interior: int = ...,
     ) -> None: ...
     name: str
     color: _ColorField
@@ -166,6 +168,8 @@ class Material:
     transmit: float
     outline: float
     outline_width: float
+    hollow: bool
+    interior: int
     def __eq__(self, other: object) -> bool: ...
     def __copy__(self) -> Material: ...
     def __deepcopy__(self, memo: Dict[Any, Any]) -> Material: ...

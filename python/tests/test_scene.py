@@ -44,6 +44,8 @@ def test_attributes_are_those_of_the_tables():
     assert glint.Material(ior=1.5, transmission=0.9).ior == 1.5
     pane = glint.Material(color=(1, 0, 0), filter=0.7, transmit=0.1)
     assert pane.filter == 0.7 and pane.transmit == 0.1
+    mesh = glint.Material(transmit=0.5, hollow=True, interior=3)
+    assert mesh.hollow is True and mesh.interior == 3 and isinstance(mesh.interior, int)
 
 
 @pytest.mark.parametrize(

@@ -14,6 +14,7 @@ namespace glint::cli {
 namespace {
 
 std::string value_text(double x) { return number(x); }
+std::string value_text(std::int32_t n) { return fmt::format("{}", n); }
 std::string value_text(bool b) { return b ? "true" : "false"; }
 std::string value_text(Color c) { return color(c); }
 
@@ -175,6 +176,7 @@ class Tree {
     }
 
     void add_fog(const ExplainedRay& r, int depth) {
+        if (r.inside_object) text_.line(depth, "no fog: the ray is inside an object");
         if (r.visibility == 1) return;
         text_.line(depth, fmt::format("fog: {} of the light is seen, and the fog adds {}{}",
                                       number(r.visibility), color(r.fog), swatch(style_, r.fog)));

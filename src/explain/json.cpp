@@ -213,6 +213,7 @@ Json ray_json(const Explanation& e, const Scene& scene, std::size_t number) {
     if (ray.straight) json["straight"] = true;
     if (ray.beyond_limit) json["beyond_limit"] = true;
     if (scene.fog) json["fog"] = {{"visibility", ray.visibility}, {"added", to_json(ray.fog)}};
+    if (ray.inside_object) json["inside_object"] = true;
     if (ray.hit) {
         json["hit"] = hit_json(scene, *ray.hit);
     } else {

@@ -30,6 +30,7 @@ constexpr std::string_view k_transparent_shadows[] = {"opaque", "none", "colored
 constexpr std::string_view k_facings[] = {"none", "open", "all", "winding"};
 constexpr std::string_view k_spot_falloffs[] = {"cubic", "linear"};
 constexpr std::string_view k_fog_distances[] = {"ray", "depth"};
+constexpr std::string_view k_fog_extents[] = {"everywhere", "outside_objects"};
 constexpr std::string_view k_area_shadings[] = {"samples", "center"};
 constexpr std::string_view k_transfers[] = {"none", "srgb"};
 constexpr std::string_view k_roundings[] = {"half_even", "half_up", "down"};
@@ -316,6 +317,10 @@ constexpr Row k_rows[] = {
         "what fog depends on: the distance along the ray, or of camera rays the depth along the view", true),
     bool_row<&C::fog_background>("fog_background", "the background is in the fog, at an infinite distance",
                                  true),
+    word_row<&C::fog_extent, k_fog_extents>(
+        "fog_extent",
+        "where the fog is; outside_objects: not along rays that are inside an object that is not hollow",
+        true),
     word_row<&C::transfer, k_transfers>(
         "transfer", "the curve from numbers to bytes: none, or sRGB's; OpenEXR is always linear", true),
     number_row<&C::gamma, k_gamma>(

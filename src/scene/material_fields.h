@@ -8,8 +8,9 @@
 namespace glint {
 
 template <> struct FieldMembers<Material> {
-    using Any = std::variant<FieldMember<Material, double, NumberType>, FieldMember<Material, bool, BoolType>,
-                             FieldMember<Material, Color, ColorType>>;
+    using Any =
+        std::variant<FieldMember<Material, double, NumberType>, FieldMember<Material, bool, BoolType>,
+                     FieldMember<Material, std::int32_t, WholeType>, FieldMember<Material, Color, ColorType>>;
 };
 
 /// In the order in which they are written.
@@ -84,6 +85,10 @@ inline constexpr ItemField<Material> k_material_fields[] = {
      "how dark diffuse light is where the surface turns away from the ray"},
     {"outline_width", "outline_width", "width of the outline",
      number_field(&Material::outline_width, k_fraction), "from 0, a thin outline, to 1, the whole surface"},
+    {"hollow", "hollow", "hollow", bool_field(&Material::hollow),
+     "fog_extent = outside_objects: rays inside are in the fog"},
+    {"interior", "interior", "interior", whole_field(&Material::interior, k_interior),
+     "above 0: the shapes of materials with the same number are one object for fog_extent"},
 };
 
 /// A key of .glint that gives a field as a factor of the color.

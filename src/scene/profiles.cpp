@@ -46,6 +46,7 @@ constexpr Profile k_profiles[] = {
       .transparent_shadow_epsilon = 0.001,
       .min_weight = 1.0 / 255,
       .area_shading = AreaShading::center,
+      .fog_extent = FogExtent::outside_objects,
       .rounding = Rounding::half_up},
      {.width = 320, .height = 240}},
     {"nff",

@@ -43,6 +43,8 @@ template <class Column> struct RayFields {
     Column start, level, passed;
     Column medium;  // for Beer's law: the index of the material inside which the ray travels; k_none: air
     Column path;    // for sampled numbers: the path of math/sample_hash.h
+    // Of all rays, if tracked: the objects that the ray is inside (FogInteriors), a 32-bit word.
+    Column interiors;
 };
 
 /// Calls visit(column...) for each column, with the same column of all arguments. Inlined, so that the
@@ -61,6 +63,7 @@ template <class Visit, class... Columns>
     visit(of.passed...);
     visit(of.medium...);
     visit(of.path...);
+    visit(of.interiors...);
 }
 
 /// The rays of one generation, in groups. A pixel has at most one ray in each group. The order of the groups
@@ -72,6 +75,7 @@ class RayBatch : public RayFields<GrowingColumn> {
     bool alpha = false;        // alpha is wanted
     bool transparent = false;  // the scene has transparent surfaces
     bool hashed = false;       // hashes are wanted (trace/ray_hash-inl.h)
+    bool tracked = false;      // rays know the objects that they are inside (FogInteriors)
 
     void clear() {
         count = 0;
@@ -142,7 +146,7 @@ struct RayRange {
 struct SurfaceBatch {
     int generation = 0;  // of the rays
     int count = 0;
-    bool alpha = false, transparent = false, hashed = false;  // as in RayBatch
+    bool alpha = false, transparent = false, hashed = false, tracked = false;  // as in RayBatch
 
     // The end of a group of rays (RayBatch): the index after its last entry in the HitBatch, and here.
     struct GroupEnd {
@@ -164,6 +168,7 @@ struct SurfaceBatch {
     BatchColumn<double> straight;            // the ray's, if alpha is wanted
     // If the scene has transparent surfaces: the ray's origin, its t here, and RayFields.
     BatchColumn<double> origin[3], t, level, passed;
+    BatchColumn<double> interiors;                  // the ray's, if tracked
     BatchColumn<double> path, hash;                 // the ray's, if hashes are wanted: 32-bit words
     BatchColumn<double> weight[3], target, medium;  // the ray's (RayFields)
     BatchColumn<double> point[3], normal[3], incoming[3], to_eye[3], magnitude;

@@ -99,15 +99,15 @@ HWY_INLINE void for_each_miss(const HitBatch& hits, RayRange range, const Visit&
 inline void add_misses(const WorldParts& world, const RayBatch& rays, const HitBatch& hits, RayRange range,
                        Film& film) {
     if (rays.generation > 0 && world.conventions.mirror_miss == MissRule::black) return;
-    const FoggedBackground seen = fogged_background(world, miss_color(world));
+    const FoggedBackground outside = fogged_background(world, miss_color(world), false);
     const bool gradient = has_gradient(world);
-    if (!rays.alpha && !gradient && !(seen.visibility < 1)) {
-        const Vector3<Doubles> color = lanes_of(seen.background);
+    if (!rays.alpha && !gradient && !(outside.visibility < 1)) {
+        const Vector3<Doubles> color = lanes_of(outside.background);
         return for_each_miss(hits, range, [&](int ray, LaneMask<double> missed) HWY_ATTR {
             add_seen(rays, ray, missed, Layer::background, color, film);
         });
     }
-    for_each_miss(hits, range, [&](int ray, LaneMask<double> missed) HWY_ATTR {
+    const auto add = [&](int ray, LaneMask<double> missed, const FoggedBackground& seen) HWY_ATTR {
         auto opaque = missed;
         if (rays.alpha) {
             const auto transparent = see_through(rays, ray, missed);
@@ -119,6 +119,17 @@ inline void add_misses(const WorldParts& world, const RayBatch& rays, const HitB
                      : lanes_of(seen.background);
         add_seen(rays, ray, opaque, Layer::background, background, film);
         if (seen.visibility < 1) add_seen(rays, ray, missed, Layer::fog, lanes_of(seen.fog), film);
+    };
+    if (!rays.tracked) {
+        return for_each_miss(hits, range,
+                             [&](int ray, LaneMask<double> missed) HWY_ATTR { add(ray, missed, outside); });
+    }
+    const FoggedBackground inside = fogged_background(world, miss_color(world), true);
+    for_each_miss(hits, range, [&](int ray, LaneMask<double> missed) HWY_ATTR {
+        const auto in = missed && load(rays.interiors.data() + ray) > Doubles(0);
+        const auto out = and_not(missed, in);
+        if (any(in)) add(ray, in, inside);
+        if (any(out)) add(ray, out, outside);
     });
 }
 
@@ -296,7 +307,7 @@ inline void resolve(const TileJob& job, const Film& film, int n) {
 /// Fills a tile whose rays all hit nothing. The pixels are the same as those of resolve().
 inline void fill_background(const WorldParts& world, const TileJob& job, int n) {
     const int samples = n * n;
-    const FoggedBackground seen = fogged_background(world, miss_color(world));
+    const FoggedBackground seen = fogged_background(world, miss_color(world), world.interiors.camera != 0);
     NarrowFloats r, g, b;
     const auto add = [&](Color layer) HWY_ATTR {
         const Vector3<Doubles> color = lanes_of(layer);

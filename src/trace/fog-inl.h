@@ -31,15 +31,16 @@ template <class T> HWY_INLINE T fog_visibility(const Fog& fog, T distance) {
     return min(max(f, T(fog.transmit)), T(1));
 }
 
-/// The background and the fog before it, as a ray with weight 1 sees them.
+/// The background and the fog before it, as a ray with weight 1 sees them. inside: the ray is inside an
+/// object (FogInteriors).
 struct FoggedBackground {
     double visibility = 1;
     Color background, fog;
 };
-inline FoggedBackground fogged_background(const WorldParts& world, Color color) {
+inline FoggedBackground fogged_background(const WorldParts& world, Color color, bool inside) {
     const Shading shading = world.settings.shading;
     const bool lit = shading != Shading::color && shading != Shading::normals;
-    if (!world.fog || !world.conventions.fog_background || !lit) return {1, color, {}};
+    if (!world.fog || !world.conventions.fog_background || !lit || inside) return {1, color, {}};
     const double f = world.fog->transmit;
     return {f, color * f, world.fog->color * (1 - f)};
 }
@@ -52,7 +53,8 @@ inline void apply_fog(const WorldParts& world, SurfaceBatch& surfaces) {
     for (int h = 0; h < surfaces.count; h += lane_count<double>()) {
         const Vector3<Doubles> d = load_vector3(surfaces.incoming, h);
         const Doubles scale = by_depth ? dot(d, forward) : length(d);
-        const Doubles f = fog_visibility(*world.fog, load(surfaces.hit_t.data() + h) * scale);
+        Doubles f = fog_visibility(*world.fog, load(surfaces.hit_t.data() + h) * scale);
+        if (surfaces.tracked) f = select(load(surfaces.interiors.data() + h) > Doubles(0), Doubles(1), f);
         const Vector3<Doubles> weight = load_vector3(surfaces.weight, h);
         store(f, surfaces.visibility.data() + h);
         store_vector3(weight * lanes_of(world.fog->color) * (Doubles(1) - f), surfaces.fog, h);

@@ -22,7 +22,7 @@ namespace HWY_NAMESPACE {
 /// because it is the usual one.
 HWY_INLINE bool are_plain(const WorldParts& world, const SurfaceBatch& surfaces) {
     return world.extended_uses == 0 && world.conventions.limit != LimitRule::background && !surfaces.alpha &&
-           !surfaces.hashed;
+           !surfaces.hashed && !surfaces.tracked;
 }
 
 /// The secondary rays of a vector of surfaces, to be stored by push().
@@ -30,6 +30,7 @@ struct SecondaryRays {
     Vector3<Doubles> origin, direction, weight;
     Doubles target, straight, medium, path, t_min;
     Doubles start, level, passed;
+    Doubles interiors;
 };
 template <bool plain>
 HWY_INLINE void push(RayBatch& batch, const SecondaryRays& rays, LaneMask<double> set,
@@ -46,6 +47,7 @@ HWY_INLINE void push(RayBatch& batch, const SecondaryRays& rays, LaneMask<double
         compress_store(rays.t_min, set, to.t_min);
         if (surfaces.alpha) compress_store(rays.straight, set, to.straight);
         if (surfaces.hashed) compress_store(rays.path, set, to.path);
+        if (surfaces.tracked) compress_store(rays.interiors, set, to.interiors);
         if (surfaces.transparent) {
             compress_store(rays.start, set, to.start);
             compress_store(rays.level, set, to.level);
@@ -88,6 +90,14 @@ HWY_INLINE Doubles material_numbers(const std::uint32_t* material) {
     return load(lanes);
 }
 
+/// The objects that rays are inside after they have passed a vector of surfaces (FogInteriors).
+HWY_INLINE Doubles passed_interiors(const WorldParts& world, const SurfaceBatch& surfaces, int h) {
+    alignas(k_ray_alignment) double words[lane_count<double>()];
+    for (int k = 0; k < lane_count<double>(); ++k)
+        words[k] = world.interior_word(surfaces.slot[static_cast<std::size_t>(h + k)]);
+    return to_doubles(to_words(load(surfaces.interiors.data() + h)) ^ to_words(load(words)));
+}
+
 /// Sets the rays straight through the transparent surfaces `through`: they go on along the same line.
 HWY_INLINE void go_straight(const WorldParts& world, const SurfaceBatch& surfaces, int h,
                             LaneMask<double> through, LaneMask<double> at_limit, SecondaryRays& rays) {
@@ -109,7 +119,8 @@ HWY_INLINE void queue_vector(const WorldParts& world, const SurfaceBatch& surfac
                              RayCounts& counts, TileRecord* record) {
     const Conventions& rules = world.conventions;
     const Doubles zero(0);
-    const bool transparent = !plain && surfaces.transparent, hashed = !plain && surfaces.hashed;
+    const bool transparent = !plain && surfaces.transparent, hashed = !plain && surfaces.hashed,
+               tracked = !plain && surfaces.tracked;
     const MaterialLanes material(surfaces, h);
     const auto refracts = hit && material.value(k_transmission) > zero;
     auto through = first_lanes<double>(0);
@@ -142,11 +153,12 @@ HWY_INLINE void queue_vector(const WorldParts& world, const SurfaceBatch& surfac
                        zero,          zero,
                        zero,          t_min,
                        zero,          zero,
-                       zero};
+                       zero,          zero};
     if (transparent) {
         rays.level = load(surfaces.level.data() + h) + Doubles(1);
         rays.passed = load(surfaces.passed.data() + h);
     }
+    if (tracked) rays.interiors = load(surfaces.interiors.data() + h);
     const Doubles own = beer ? material_numbers(surfaces.material.data() + h) : zero,
                   none(static_cast<double>(k_none));
 
@@ -177,6 +189,7 @@ HWY_INLINE void queue_vector(const WorldParts& world, const SurfaceBatch& surfac
         if (transparent) rays.medium = select(through, load(surfaces.medium.data() + h), rays.medium);
     }
     if (transparent && any(through)) go_straight(world, surfaces, h, through, at_limit, rays);
+    if (tracked) rays.interiors = passed_interiors(world, surfaces, h);
     if (hashed) rays.path = child_paths(surfaces, h, true);
     push<plain>(secondary.transmitted, rays, transmitted, surfaces, beer);
     counts.transmitted += static_cast<std::uint64_t>(count(transmitted));

@@ -90,6 +90,8 @@ inline void record_rays(const WorldParts& world, const RayBatch& rays, const Hit
         ray.beyond_limit = ray.t_min >= k_blind_t_min;
         ray.t = hits.t[static_cast<std::size_t>(i)];
         ray.weight = camera ? Color{1, 1, 1} : color_at(rays.weight, number);
+        ray.inside_object =
+            rays.tracked && is_lit(world) && rays.interiors[static_cast<std::size_t>(number)] > 0;
         if (ray.t < k_infinity) {
             if (world.fog && is_lit(world)) {
                 const auto h = static_cast<int>(record.batch.size());
@@ -100,7 +102,7 @@ inline void record_rays(const WorldParts& world, const RayBatch& rays, const Hit
             record.batch.push_back(record.rays.size());
         } else if (camera || world.conventions.mirror_miss != MissRule::black) {
             ray.transparent = rays.alpha && (camera || rays.straight[static_cast<std::size_t>(number)] > 0);
-            FoggedBackground seen = fogged_background(world, miss_color(world));
+            FoggedBackground seen = fogged_background(world, miss_color(world), ray.inside_object);
             if (has_gradient(world))
                 seen.background =
                     Vector3Elements(gradient_color(*world.gradient, rays, number) * Doubles(seen.visibility))

@@ -65,6 +65,8 @@ HWY_INLINE void append_hits(const WorldParts& world, const RayBatch& rays, const
         const Doubles straight = camera ? Doubles(1) : load(rays.straight.data() + ray);
         compress_store(straight, hit, surfaces.straight.data() + h);
     }
+    if (!plain && rays.tracked)
+        compress_store(load(rays.interiors.data() + ray), hit, surfaces.interiors.data() + h);
     if (transparent) append_transparent_hits(rays, ray, t, hit, origin, surfaces);
     if (beer || (!plain && world.fog)) {
         const Doubles start = transparent && !camera ? load(rays.start.data() + ray) : Doubles(0);
@@ -84,6 +86,7 @@ inline void collect_hits(const WorldParts& world, const RayBatch& rays, const Hi
     surfaces.alpha = rays.alpha;
     surfaces.transparent = rays.transparent;
     surfaces.hashed = rays.hashed;
+    surfaces.tracked = rays.tracked;
     surfaces.count = surfaces.groups = 0;
     const bool plain = !rays.alpha && !rays.transparent && !rays.hashed && !world.fog;
     std::size_t group = rays.group_of(hits.first + range.begin);

@@ -178,6 +178,7 @@ inline bool trace_samples(const WorldParts& world, const TileJob& job, const Pix
     }
     const bool hashed = needs_hashes(world);
     s.rays.hashed = s.secondary.rays.hashed = hashed;
+    s.rays.tracked = s.secondary.rays.tracked = world.interiors.tracked;
     SampleIndex sample{0, 0, n};
     for (sample.j = 0; sample.j < n; ++sample.j) {
         for (sample.i = 0; sample.i < n; ++sample.i) {
@@ -190,6 +191,9 @@ inline bool trace_samples(const WorldParts& world, const TileJob& job, const Pix
             } else {
                 make_camera_rays(world, job, sample, s.rays);
             }
+            if (s.rays.tracked)
+                std::fill_n(s.rays.interiors.begin(), s.rays.count + k_ray_padding,
+                            static_cast<double>(world.interiors.camera));
             if (hashed) hash_pixels(world, job, list, sample, s.pixel_hash);
             s.counts.camera += static_cast<std::uint64_t>(s.rays.count);
             if (is_limited(world)) s.secondary.of_pixel.fill(0);

@@ -285,6 +285,8 @@ export interface ExplainedHit {
         transmit: number;
         outline: number;
         outline_width: number;
+        hollow: boolean;
+        interior: number;
     };
     point: Vec3;
     normal: Vec3;
@@ -330,6 +332,8 @@ export interface ExplainedRay {
     straight?: boolean;
     /** It starts at the limit of reflections, and sees the background. */
     beyond_limit?: boolean;
+    /** There is no fog, because the ray is inside an object (`fog_extent = outside_objects`). */
+    inside_object?: boolean;
     hit?: ExplainedHit;
     background?: Vec3;
     /** Of a ray that hits nothing: it shows the background directly or through glass, which makes the pixel transparent. */

@@ -6,6 +6,7 @@
 #include "base/status.h"
 #include "scene/mistakes.h"
 #include "world/edit_index.h"
+#include "world/interiors.h"
 #include "world/prepare_camera.h"
 #include "world/prepare_sky.h"
 #include "world/shading.h"
@@ -19,7 +20,9 @@ template <class Change>
 Result<World> changed(const World& world, std::vector<Mistake> mistakes, const Change& change) {
     if (!mistakes.empty()) return invalid_scene(to_diagnostics(std::move(mistakes), {}));
     World copy = world;
-    change(WorldAccess::own(copy));
+    WorldParts& parts = WorldAccess::own(copy);
+    change(parts);
+    set_interiors(parts);
     return copy;
 }
 
@@ -220,10 +223,11 @@ Status assign_material(World& world, std::span<const std::uint32_t> shapes, std:
         if (const auto& index = geometry.edit_index) {
             for (const std::uint32_t shape : shapes)
                 for (const std::uint32_t slot : index->slots_of(shape)) rows[slot] = row;
-            return {};
+        } else {
+            for (std::uint32_t slot = 0; slot < geometry.count; ++slot)
+                if (wanted[geometry.shape_index[slot]]) rows[slot] = row;
         }
-        for (std::uint32_t slot = 0; slot < geometry.count; ++slot)
-            if (wanted[geometry.shape_index[slot]]) rows[slot] = row;
+        set_interiors(parts);
         return {};
     };
     return result_of(body, " while assigning a material");

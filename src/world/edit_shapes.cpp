@@ -8,6 +8,7 @@
 #include "base/status.h"
 #include "scene/mistakes.h"
 #include "world/edit_index.h"
+#include "world/interiors.h"
 #include "world/pack_shapes.h"
 #include "world/primitive_bounds-inl.h"
 #include "world/shading.h"
@@ -257,6 +258,7 @@ Result<ShapeEdit> edit_shapes(World& world, const Scene& scene, std::span<const 
     Status status = result_of(body, " while editing shapes");
     // If only the rebuild has failed, the refitted hierarchy gives the same pictures.
     if (!status.ok() && edit == ShapeEdit::none) return status;
+    if (edit != ShapeEdit::none) set_interiors(WorldAccess::own(world));
     return edit;
 }
 

@@ -3,6 +3,7 @@
 #include "base/fp_environment.h"
 #include "base/status.h"
 #include "scene/mistakes.h"
+#include "world/interiors.h"
 #include "world/pack_shapes.h"
 #include "world/prepare_camera.h"
 #include "world/prepare_sky.h"
@@ -36,6 +37,7 @@ Result<World> prepare(const Scene& scene, const PrepareOptions& options) {
         parts.camera = prepare_camera(scene.camera, scene.settings);
         parts.conventions = scene.conventions;
         parts.settings = scene.settings;
+        set_interiors(parts);
         Result<World> result(WorldAccess::make(std::move(parts)), std::move(diagnostics));
         if (options.progress) options.progress(1);
         return result;

@@ -9,6 +9,7 @@
 #include "base/copy_on_write.h"
 #include "glint/world.h"
 #include "lighting/light.h"
+#include "math/sample_hash.h"
 #include "scene/material_color.h"
 #include "world/extended_materials.h"
 #include "world/packed_geometry.h"
@@ -53,6 +54,14 @@ struct AmbientLight {
     Color color;
 };
 
+/// The objects that rays are inside, for FogExtent::outside_objects. A set of objects is the exclusive or of
+/// their words (WorldParts::interior_word): 0 is the empty set, and a surface that is passed adds its object
+/// or removes it. Two objects never have the same word; more have the word 0 in one of 2^32 cases.
+struct FogInteriors {
+    bool tracked = false;      // rays know theirs: a surface lets light through, or the camera is inside
+    std::uint32_t camera = 0;  // the objects that contain the camera
+};
+
 struct WorldParts {
     CopyOnWrite<PackedGeometry> geometry;
     CopyOnWrite<std::vector<std::uint32_t>> slot_material;  // by slot, padded: the row in `materials`
@@ -78,6 +87,7 @@ struct WorldParts {
     PreparedCamera camera;
     Conventions conventions;
     RenderSettings settings;
+    FogInteriors interiors;
     bool last_of_equals = false;  // for check: of shapes hit at the same t, the last one is the hit
 
     /// A row of the table of materials.
@@ -141,6 +151,17 @@ struct WorldParts {
     /// Whether transparent surfaces color the light that passes them.
     bool colors_shadows() const {
         return has_transparency() && conventions.transparent_shadow == TransparentShadow::colored;
+    }
+    /// The word of the object to which a slot's shape belongs (FogInteriors); 0: it is hollow.
+    std::uint32_t interior_word(std::uint32_t slot) const {
+        std::uint32_t number = geometry->shape_index[slot];
+        if (!extended->empty()) {
+            const double* const values = extended_row((*slot_material)[slot]);
+            if (values[k_extended_value<&Material::hollow>] > 0) return 0;
+            const double interior = values[k_extended_value<&Material::interior>];
+            if (interior > 0) number = 0x80000000u | static_cast<std::uint32_t>(interior);
+        }
+        return lowbias32(number + 1);
     }
     /// Whether the conventions flip the normal of a slot's shape towards the incoming ray.
     bool flips_normal(std::uint32_t slot) const {

@@ -15,7 +15,7 @@ std::string set(Scene& scene, std::string_view key, std::string_view value) {
 
 TEST(Settings, KeysAreFoundByName) {
     const auto keys = setting_keys();
-    ASSERT_EQ(keys.size(), 42u);
+    ASSERT_EQ(keys.size(), 43u);
     for (std::size_t i = 0; i < keys.size(); ++i) {
         EXPECT_EQ(find_setting(keys[i].name), i);
         EXPECT_FALSE(keys[i].values.empty());
@@ -68,6 +68,7 @@ TEST(Settings, EveryFieldHasAKey) {
                                                           {"area_shading", "center"},
                                                           {"fog_distance", "depth"},
                                                           {"fog_background", "false"},
+                                                          {"fog_extent", "outside_objects"},
                                                           {"transfer", "srgb"},
                                                           {"gamma", "2.2"},
                                                           {"rounding", "down"},
@@ -116,6 +117,7 @@ TEST(Settings, EveryFieldHasAKey) {
                                AreaShading::center,
                                FogDistance::depth,
                                false,
+                               FogExtent::outside_objects,
                                Transfer::srgb,
                                2.2,
                                Rounding::down};

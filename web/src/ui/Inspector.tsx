@@ -171,6 +171,7 @@ function Ray({explanation, number, depth}: {explanation: Explanation; number: nu
                 <b>{rayNames[ray.kind]}</b> {hit ? <>hits {itemName(hit.shape)}</> : ray.beyond_limit ? 'is beyond the limit of reflections' : 'leaves the scene'}
                 <span class="swatch" style={{background: css(added)}} aria-hidden="true" />
             </summary>
+            {ray.inside_object && <Term name="fog" formula="the ray is inside an object" value="none" />}
             {ray.fog && ray.fog.visibility !== 1 && <Term name="fog" formula={`${short(ray.fog.visibility)} of the light is seen; the fog adds`} value={shortColor(ray.fog.added)} />}
             {hit ? (
                 <>

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: Apache-2.0
+// The objects that contain the camera, for fog that is outside of objects.
+#include "world/interiors.h"
+
+#include <array>
+#include <span>
+
+#include "geometry/kinds-inl.h"
+
+namespace glint {
+namespace {
+
+using namespace HWY_NAMESPACE;
+
+// Whether a closed shape or a half-space contains a point: a ray from inside meets it from behind. A closed
+// shape is convex, so that any direction does; the boundary of a half-space is met by one of two opposite
+// ones.
+class Contains {
+  public:
+    Contains(const ShapeClass& shapes, std::uint32_t item, Vec3 point)
+        : shapes_(shapes), item_(item), point_(point) {}
+    bool result() const { return result_; }
+    template <class Geometry> void visit() {
+        if constexpr (!k_is_triangle<Geometry>) test<Geometry>();
+    }
+
+  private:
+    template <class Geometry> void test() {
+        double p[Geometry::k_values];
+        for (int k = 0; k < Geometry::k_values; ++k) p[k] = shapes_.column(k)[item_];
+        const Vector3<double> origin{point_.x, point_.y, point_.z};
+        for (const double side : {1.0, -1.0}) {
+            const Vector3<double> d{0.36 * side, 0.48 * side, 0.8 * side};
+            const auto hit = Geometry::hit(p, HWY_NAMESPACE::Ray<double>{origin, d}, 0.0);
+            if (!hit.valid) continue;
+            result_ = dot(Geometry::normal(p, origin + d * hit.t), d) > 0;
+            return;
+        }
+    }
+
+    const ShapeClass& shapes_;
+    std::uint32_t item_;
+    Vec3 point_;
+    bool result_ = false;
+};
+
+// What the camera rays start from: a point, or the corners of a rectangle.
+struct CameraOrigins {
+    std::array<Vec3, 4> points;
+    std::size_t count = 1;
+    explicit CameraOrigins(const PreparedCamera& camera) : points{camera.position} {
+        if (camera.projection != Projection::orthographic) return;
+        const Vec3 x = camera.right * 0.5, y = camera.up * 0.5, at = camera.position;
+        points = {at - x - y, at - x + y, at + x - y, at + x + y};
+        count = 4;
+    }
+    std::span<const Vec3> all() const { return {points.data(), count}; }
+};
+
+bool is_within_box(const PackedGeometry& geometry, std::uint32_t slot, Vec3 point) {
+    const double p[] = {point.x, point.y, point.z};
+    for (int a = 0; a < 3; ++a) {
+        if (!(geometry.box_lo[a][slot] <= p[a] && p[a] <= geometry.box_hi[a][slot])) return false;
+    }
+    return true;
+}
+
+std::uint32_t find_camera_interiors(const WorldParts& parts) {
+    const PackedGeometry& geometry = *parts.geometry;
+    const CameraOrigins origins(parts.camera);
+    std::uint32_t interiors = 0;
+    for (const ShapeClass& shapes : geometry.classes) {
+        const bool is_space = shapes.kind == ShapeKind::plane;
+        for (std::uint32_t item = 0; item < shapes.count; ++item) {
+            const std::uint32_t slot = shapes.first + item;
+            if (slot < geometry.boxed && !is_within_box(geometry, slot, origins.points[0])) continue;
+            if (geometry.is_open(slot) && !is_space) continue;
+            bool contains = true;
+            for (const Vec3 point : origins.all()) {
+                Contains test(shapes, item, point);
+                if (contains) visit_geometry(shapes.kind, shapes.transformed, test);
+                contains = contains && test.result();
+            }
+            if (contains) interiors ^= parts.interior_word(slot);
+        }
+    }
+    return interiors;
+}
+
+bool has_glass(const WorldParts& parts) {
+    for (std::size_t at = k_transmission; at < parts.materials->size(); at += k_material_values) {
+        if ((*parts.materials)[at] > 0) return true;
+    }
+    return false;
+}
+
+}  // namespace
+
+void set_interiors(WorldParts& parts) {
+    parts.interiors = {};
+    if (!parts.fog || parts.conventions.fog_extent != FogExtent::outside_objects) return;
+    parts.interiors.camera = find_camera_interiors(parts);
+    parts.interiors.tracked = parts.interiors.camera != 0 || parts.has_transparency() || has_glass(parts);
+}
+
+}  // namespace glint
