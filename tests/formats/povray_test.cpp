@@ -264,6 +264,51 @@ TEST(PovRay, LightsFogAndBackground) {
     EXPECT_EQ(scene.profile, "povray");
 }
 
+// The interior of each shape in fog: its number, or -1 if it is hollow.
+std::vector<std::int32_t> interiors_of(const std::string& text) {
+    const Result<Scene> scene =
+        read_povray("fog { distance 4 rgb .5 } #default { pigment { rgbt <1, 0, 0, .5> } }\n" + text);
+    EXPECT_TRUE(scene) << messages(scene);
+    EXPECT_EQ(messages(scene).find("fog"), std::string::npos) << messages(scene);
+    std::vector<std::int32_t> list;
+    if (!scene) return list;
+    EXPECT_EQ(scene->conventions.fog_extent, FogExtent::outside_objects);
+    for (const Shape& shape : scene->shapes) {
+        const Material& m = scene->materials.at(shape.material);
+        list.push_back(m.hollow ? -1 : m.interior);
+    }
+    return list;
+}
+
+TEST(PovRay, ObjectsHaveInteriors) {
+    using List = std::vector<std::int32_t>;
+    const std::string two = "sphere { x, 1 } sphere { 2*x, 1 } ",
+                      mesh = "mesh { triangle { x, y, z } triangle { x, y, 0 } } ";
+    EXPECT_EQ(interiors_of(two), (List{0, 0}));
+    EXPECT_EQ(interiors_of("sphere { x, 1 hollow } sphere { x, 1 hollow off }"), (List{-1, 0}));
+    EXPECT_EQ(interiors_of(mesh + mesh), (List{1, 1, 2, 2}));
+    EXPECT_EQ(interiors_of("triangle { x, y, z } " + mesh + "triangle { x, y, z }"), (List{0, 1, 1, 0}));
+    EXPECT_EQ(interiors_of("union { " + two + "} union { " + two + "hollow }"), (List{1, 1, -1, -1}));
+    EXPECT_EQ(interiors_of("union { union { " + two + "} " + mesh + "}"), (List{1, 1, 1, 1}));
+    EXPECT_EQ(interiors_of("union { union { " + two + "} " + mesh + " interior { ior 1 } }"),
+              (List{1, 1, 1, 1}));
+    EXPECT_EQ(interiors_of("union { sphere { x, 1 interior { ior 1 } } " + two + "}"), (List{0, 1, 1}));
+    EXPECT_EQ(interiors_of("union { union { " + two + "interior { ior 1 } } " + two + "}"),
+              (List{2, 2, 1, 1}));
+    EXPECT_EQ(interiors_of("union { sphere { x, 1 hollow } sphere { x, 1 hollow interior { ior 1 } } }"),
+              (List{1, -1}));
+    EXPECT_EQ(interiors_of("#declare O = sphere { x, 1 hollow } object { O } object { O hollow off }"),
+              (List{-1, 0}));
+    // Of opaque surfaces, only `hollow` counts.
+    EXPECT_EQ(interiors_of("union { " + two + "pigment { rgb 1 } } sphere { 0, 9 pigment { rgb 1 } hollow }"),
+              (List{0, 0, -1}));
+    // Materials are shared as before where there is no fog.
+    const Scene clear =
+        povray_scene("#default { pigment { rgbt .5 } }\nunion { " + two + "} union { " + two + "hollow }");
+    EXPECT_EQ(clear.materials.size(), 1u);
+    EXPECT_EQ(clear.materials[0].interior, 0);
+}
+
 TEST(PovRay, AreaLightsShineFromTheirCentre) {
     const Scene scene = povray_scene(
         "light_source { 0, rgb 1 area_light <2, 0, 0>, <0, 3, 0>, 5, 4 adaptive 1 jitter rotate 90*z }\n"

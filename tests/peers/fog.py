@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """The rules of fog and depth cueing: one scene each, as in lights.py. The upper part of each picture shows the background."""
-from lights import Rule, own_for_tachyon, paren, pov_light, plain, tachyon_scene, vec
+from lights import EYE, FORWARD, Rule, own_for_tachyon, paren, pov_light, plain, tachyon_scene, vec
 
 COLOR = (0.6, 0.7, 0.9)
 LIGHT = ((-2, 5, -3), (1, 0.9, 0.8))
@@ -28,7 +28,66 @@ def tachyon_fog(name, peer, own, conventions="", mode="", specular=0):
     return Rule(name, "tachyon", scene, text)
 
 
+def pov_in_fog(name, objects, location=EYE, forward=FORWARD, camera=""):
+    """Fog outside of objects; glint reads the file. Glow: the texture of opaque objects; Clear, Amber: of transparent ones."""
+    return Rule(name, "povray", f"""#version 3.6;
+camera {{ {camera} location {vec(location)} direction {vec(forward)} right <4/3, 0, 0> up <0, 1, 0> }}
+light_source {{ <-2, 6, -3> rgb 1 }}
+background {{ rgb <0.7, 0.2, 0.1> }}
+fog {{ fog_type 1 distance 9 color rgbt <0.6, 0.7, 0.9, 0.1> }}
+#declare Clear = texture {{ pigment {{ rgb <0.3, 0.8, 0.4> filter 0.3 transmit 0.5 }} finish {{ ambient 0.2 diffuse 0.5 }} }}
+#declare Amber = texture {{ pigment {{ rgb <0.9, 0.7, 0.2> transmit 0.7 }} finish {{ ambient 0.2 diffuse 0.5 }} }}
+#declare Glow = texture {{ pigment {{ rgb <0.8, 0.3, 0.2> }} finish {{ ambient 0.8 diffuse 0.2 }} }}
+#declare Mirror = texture {{ pigment {{ rgb 0.1 }} finish {{ ambient 0.1 diffuse 0.1 reflection 0.8 }} }}
+plane {{ y, -1 pigment {{ rgb <0.8, 0.8, 0.7> }} finish {{ ambient 0.2 diffuse 0.7 }} }}
+sphere {{ <0.4, 0.6, 6>, 1.5 texture {{ Glow }} }}
+{objects}
+""", "")
+
+
+# A tetrahedron, one of its sides, and two sheets: corners and faces.
+TETRAHEDRON = "mesh2 {{ vertex_vectors {{ 4, <-2, -0.5, -2>, <2, -0.5, -2>, <0, -0.3, 2>, <0, 2.4, -0.5> }} face_indices {{ {} }} {} }}"
+CLOSED, OPEN = "4, <0, 1, 2>, <0, 1, 3>, <1, 2, 3>, <2, 0, 3>", "1, <0, 1, 3>"
+TRIANGLE = "triangle {{ <-2, -0.5, {z}>, <2, -0.2, {z}>, <0.5, 2.6, {z}> texture {{ {texture} }} }}\n"
+BALL = "sphere {{ <{x}, 0.7, {z}>, 1.3 {more} }}\n"
+
+
+def balls(more="texture { Clear }", other="texture { Amber }"):
+    return BALL.format(x=-0.7, z=-1, more=more) + BALL.format(x=0.6, z=0, more=other)
+
+
 RULES = [
+    pov_in_fog("pov_fog_sphere", BALL.format(x=0, z=0, more="texture { Clear }")),
+    pov_in_fog("pov_fog_sphere_hollow", BALL.format(x=0, z=0, more="texture { Clear } hollow")),
+    pov_in_fog("pov_fog_spheres", balls()),
+    pov_in_fog("pov_fog_nested", balls() + "sphere { <-0.5, 0.7, -0.8>, 0.6 texture { Clear } }"),
+    pov_in_fog("pov_fog_union", "union { " + balls() + "}"),
+    pov_in_fog("pov_fog_union_interiors",
+               "union { " + balls("texture { Clear } interior { ior 1 }") + "}"),
+    pov_in_fog("pov_fog_union_hollow", "union { " + balls("texture { Clear } interior { ior 1 }") + "hollow }"),
+    pov_in_fog("pov_fog_union_hollow_part", "union { " + balls("texture { Clear } hollow") + "}"),
+    pov_in_fog("pov_fog_groups", "union { union { " + balls() + "} union { sphere { <0, 0.5, -3>, 0.5 texture { Clear } } } }"),
+    pov_in_fog("pov_fog_triangle", TRIANGLE.format(z=-1, texture="Clear")),
+    pov_in_fog("pov_fog_triangles", TRIANGLE.format(z=-1, texture="Clear") + TRIANGLE.format(z=1, texture="Amber")),
+    pov_in_fog("pov_fog_mesh", TETRAHEDRON.format(CLOSED, "texture { Clear }")),
+    pov_in_fog("pov_fog_mesh_open", TETRAHEDRON.format(OPEN, "texture { Clear }")),
+    pov_in_fog("pov_fog_meshes", TETRAHEDRON.format(CLOSED, "texture { Clear }")
+               + TETRAHEDRON.format(CLOSED, "texture { Clear } translate <0.5, 0.2, 1>")),
+    pov_in_fog("pov_fog_solids", "cylinder { <-2, 0, -1>, <0, 1, 0>, 0.8 texture { Clear } }\n"
+               "box { <0.4, -0.5, -1>, <1.8, 1, 1> texture { Amber } rotate 20*y }\n"
+               "cone { <-0.5, -0.5, -3>, 0.6, <-0.5, 0.8, -3>, 0.1 texture { Clear } }"),
+    pov_in_fog("pov_fog_open_cylinder", "cylinder { <-2, 0.5, -1>, <1, 1, 0>, 0.9 open texture { Clear } }"),
+    pov_in_fog("pov_fog_disc", "disc { <0, 0.8, -1>, <0.2, 0.1, -1>, 1.4 texture { Amber } }"),
+    pov_in_fog("pov_fog_mirrors", balls() + "disc { <0, 1, 4>, <-0.1, 0.1, -1>, 3 texture { Mirror } }"),
+    pov_in_fog("pov_fog_mirror_in_sphere", "sphere { <0, 0.7, 0>, 1.5 texture { Clear } } sphere { <0, 0.7, 0>, 0.7 texture { Mirror } }"),
+    pov_in_fog("pov_fog_glass", BALL.format(x=0, z=0, more="pigment { rgbt 1 } finish { ambient 0 diffuse 0 } interior { ior 1.4 }")),
+    pov_in_fog("pov_fog_camera_inside", balls() + "sphere { <0, 3, -8>, 3 texture { Amber } }"),
+    pov_in_fog("pov_fog_camera_in_two", balls() + "sphere { <0, 3, -8>, 3 texture { Amber } } box { <-3, 0, -9>, <3, 5.5, -3.5> texture { Clear } }"),
+    pov_in_fog("pov_fog_sky", balls() + "sphere { 0, 60 texture { Glow } }"),
+    pov_in_fog("pov_fog_sky_hollow", balls() + "sphere { 0, 60 texture { Glow } hollow }"),
+    pov_in_fog("pov_fog_water", balls() + "plane { y, 0.4 texture { Amber } }"),
+    pov_in_fog("pov_fog_ceiling", balls() + "plane { y, 8 texture { Glow } }"),
+    pov_in_fog("pov_fog_under_water", balls() + "plane { y, 5 texture { Amber } }"),
     pov_fog("pov_fog", f"distance 8 color rgb {vec(COLOR)}", f"density = 0.125  color = {paren(COLOR)}"),
     pov_fog("pov_fog_thick", f"distance 2.5 color rgb {vec(COLOR)}", f"density = 0.4  color = {paren(COLOR)}"),
     pov_fog("pov_fog_transmit", f"distance 8 color rgbt {vec((*COLOR, 0.3))}",

@@ -104,7 +104,6 @@ std::uint32_t Reader::material_of(const Inherited& own, const Token& at) {
     }
     m.filter = std::clamp(p[3], 0.0, 1.0);
     m.transmit = std::clamp(p[4], 0.0, 1.0 - m.filter);
-    if (m.is_transparent()) is_transparent_ = true;
     m.casts_shadow = !own.is_no_shadow;
     if (glass > 0) {
         m.filter = m.transmit = 0;

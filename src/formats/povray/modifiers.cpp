@@ -86,8 +86,11 @@ bool Reader::read_modifier(Object& object) {
             take();
             if (flag()) object.missing.add(missing(item, to_string(item.word())));
             return true;
-        // Without effect on surfaces that cut nothing.
         case Word::k_hollow:
+            take();
+            object.hollow = flag();
+            return true;
+        // Without effect on surfaces that cut nothing.
         case Word::k_inverse:
         case Word::k_sturm:
         case Word::k_hierarchy:

@@ -111,6 +111,7 @@ void Reader::place(const Object& object, const Inherited& from) {
     if (object.texture) own.texture = object.texture.get();
     own.is_no_shadow = from.is_no_shadow || object.is_no_shadow;
     if (object.interior) own.interior = &*object.interior;
+    if (object.kind != ObjectKind::light) inherit_interior(object, own);
     report(object.missing);
     if (object.clip) {
         const bool is_as_read = !from.map && object.map == object.clip_map && own.is_no_shadow;
@@ -136,8 +137,13 @@ void Reader::place(const Object& object, const Inherited& from) {
         if (!default_shared_) default_shared_ = std::make_shared<const Texture>(default_texture_);
         own.texture = default_shared_.get();
     }
-    if (object.kind == ObjectKind::mesh) return place_mesh(object, own);
-    place_shape(object, own);
+    const std::size_t first = scene_.shapes.size();
+    if (object.kind == ObjectKind::mesh) {
+        place_mesh(object, own);
+    } else {
+        place_shape(object, own);
+    }
+    note_interior(first, own);
 }
 
 void Reader::place_shape(const Object& o, const Inherited& from) {

@@ -4,7 +4,7 @@
 // objects and settings are parsed. One class, in several files: stream.cpp (texts, macros, loops),
 // directives.cpp, conditions.cpp, expressions.cpp, functions.cpp, strings.cpp, values.cpp, textures.cpp,
 // blocks.cpp, objects.cpp, modifiers.cpp, meshes.cpp, lights.cpp, camera.cpp, sky.cpp, settings.cpp;
-// place.cpp, materials.cpp, smooth.cpp, glass.cpp and parallel.cpp (to the Scene).
+// place.cpp, materials.cpp, smooth.cpp, interiors.cpp, glass.cpp and parallel.cpp (to the Scene).
 #include <functional>
 #include <map>
 #include <optional>
@@ -295,11 +295,25 @@ class Reader {
         const Opaque* interior = nullptr;
         bool is_no_shadow = false, is_merge = false;
         bool is_solid = false;  // a shape whose inside is known
+        // Of the interior: that of the whole object, or of a part that has its own.
+        std::optional<bool> hollow;  // the outermost `hollow`
+        bool has_interior = false, is_hollow = false;
+        std::int32_t body = 0;  // the number of an interior with several shapes
     };
     void place(const Object& object, const Inherited& from);
     void place_shape(const Object& object, const Inherited& from);
     void place_mesh(const Object& object, const Inherited& own);
     SourcePlace shape_place(const Token& at);
+
+    // interiors.cpp
+    struct ShapeInteriors {
+        std::size_t first = 0, end = 0;
+        std::int32_t body = 0;
+        bool is_hollow = false;
+    };
+    void inherit_interior(const Object& object, Inherited& own);
+    void note_interior(std::size_t first, const Inherited& own);
+    void use_interiors();
 
     // smooth.cpp
     void add_smooth(const SmoothTriangle& whole, std::uint32_t material, const Token& at);
@@ -356,12 +370,14 @@ class Reader {
     Texture default_texture_;
     std::shared_ptr<const Texture> default_shared_;
     std::optional<double> version_, gamma_;
-    bool is_gamma_srgb_ = false, is_transparent_ = false;
+    bool is_gamma_srgb_ = false;
     Token gamma_place_, version_place_;
     std::array<double, 5> background_{};
     Color ambient_light_{1, 1, 1};
     std::vector<ParallelLight> parallel_lights_;
     std::vector<std::shared_ptr<const Clip>> clips_;
+    std::vector<ShapeInteriors> interiors_;  // in the order of the shapes
+    std::int32_t bodies_ = 0;
     std::vector<std::uint32_t> glass_;  // shapes that refract
     Token glass_at_;                    // the last of them
     std::optional<CameraItems> camera_, camera_default_;

@@ -202,13 +202,11 @@ void Reader::finish_settings() {
     check_parallel_lights();
     check_glass();
     check_clips();
+    use_interiors();
     use_gamma();
     const bool is_new = version_.value_or(0) >= 3.7;
     if (!is_new) set("opacity", version_place_, "brightest");
     set("rounding", version_place_, "half_up");
-    if (is_transparent_ && scene_.fog) {
-        report({"fog", "behind transparent surfaces", tokens_[text_.file].back()});
-    }
     const double transmit = is_new ? std::clamp(background_[4], 0.0, 1.0) : 0;
     scene_.background = Color{background_[0], background_[1], background_[2]} * (1 - transmit);
 }

@@ -160,6 +160,7 @@ struct Object {
     std::shared_ptr<const Clip> clip;
     std::optional<Affine> clip_map;  ///< `map` where the clip was read
     std::optional<Opaque> interior;
+    std::optional<bool> hollow;
     MissingList missing;      ///< what is not rendered of it
     std::uint64_t count = 1;  ///< of shapes in it
     int depth = 1;            ///< of groups

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+// Which shapes are one object, and which are hollow: fog is only outside of objects.
+#include <map>
+#include <tuple>
+
+#include "formats/povray/reader.h"
+
+namespace glint::povray {
+
+// An object without an interior of its own has that of the group around it, with its `hollow`. The outermost
+// `hollow` counts. (Measured)
+void Reader::inherit_interior(const Object& object, Inherited& own) {
+    if (!own.hollow) own.hollow = object.hollow;
+    if (own.has_interior && !object.interior) return;
+    own.has_interior = true;
+    own.is_hollow = own.hollow.value_or(false);
+    const bool has_parts = object.kind == ObjectKind::group || object.kind == ObjectKind::mesh;
+    own.body = has_parts ? ++bodies_ : 0;
+}
+
+// The shapes from `first` on have been added.
+void Reader::note_interior(std::size_t first, const Inherited& own) {
+    const std::size_t end = scene_.shapes.size();
+    if (first == end || (own.body == 0 && !own.is_hollow)) return;
+    if (!interiors_.empty()) {
+        ShapeInteriors& last = interiors_.back();
+        if (last.end == first && last.body == own.body && last.is_hollow == own.is_hollow) {
+            last.end = end;
+            return;
+        }
+    }
+    interiors_.push_back({first, end, own.body, own.is_hollow});
+}
+
+// Gives the shapes materials with their interiors, if the scene has fog.
+void Reader::use_interiors() {
+    if (!scene_.fog || interiors_.empty()) return;
+    using Kind = std::tuple<std::uint32_t, std::int32_t, bool>;  // material, body, hollow
+    std::map<Kind, std::uint32_t> materials;
+    const std::size_t given = scene_.materials.size();
+    std::vector<bool> used(given);
+    auto range = interiors_.begin();
+    for (std::size_t i = 0; i < scene_.shapes.size(); ++i) {
+        std::uint32_t& material = scene_.shapes[i].material;
+        if (material >= given) continue;
+        while (range != interiors_.end() && range->end <= i) ++range;
+        const bool has = range != interiors_.end() && range->first <= i;
+        const Material& m = scene_.materials[material];
+        const bool lets_through = m.is_transparent() || m.transmission > 0;
+        const Kind kind{material, has && lets_through ? range->body : 0, has && range->is_hollow};
+        const auto [known, is_new] = materials.try_emplace(kind, material);
+        if (is_new) {
+            // The first kind keeps the material's number.
+            if (used[material]) {
+                known->second = static_cast<std::uint32_t>(scene_.materials.size());
+                Material copy = m;
+                note(scene_.material_texts, known->second, scene_.material_texts.place(material));
+                scene_.materials.push_back(copy);
+            }
+            used[material] = true;
+            Material& own = scene_.materials[known->second];
+            own.interior = std::get<1>(kind);
+            own.hollow = std::get<2>(kind);
+        }
+        material = known->second;
+    }
+}
+
+}  // namespace glint::povray
