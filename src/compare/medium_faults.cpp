@@ -2,6 +2,7 @@
 // Faults of fog, of transparency without refraction, and of light from all directions.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <limits>
 
 #include "compare/factor_search.h"
@@ -15,6 +16,13 @@ bool is_shaded(const Scene& s) {
 }
 bool has_fog(const Scene& s) { return s.fog && is_shaded(s); }
 template <FogKind kind> bool has_other_fog(const Scene& s) { return has_fog(s) && s.fog->kind != kind; }
+
+// Rays pass surfaces.
+bool has_fog_behind_surfaces(const Scene& s) {
+    return has_fog(s) && std::any_of(s.materials.begin(), s.materials.end(), [](const Material& m) {
+               return m.is_transparent() || m.transmission > 0;
+           });
+}
 
 void scale_fog(Scene& s, double factor) {
     Fog& fog = *s.fog;
@@ -75,6 +83,12 @@ constexpr SceneFault k_media[] = {
      },
      "The fog depends on the distance along the ray, and in the reference on the depth along the view, or "
      "the reverse."},
+    {"fog-extent", has_fog_behind_surfaces,
+     [](Scene& s) {
+         FogExtent& rule = s.conventions.fog_extent;
+         rule = rule == FogExtent::everywhere ? FogExtent::outside_objects : FogExtent::everywhere;
+     },
+     "Inside transparent objects there is fog, and in the reference there is none, or the reverse."},
     {"fog-start-missing", [](const Scene& s) { return has_fog(s) && s.fog->start != 0; },
      [](Scene& s) { s.fog->start = 0; }, "The fog begins at the camera: subtract `start` from the distance."},
     {.name = "fog-scaled", .applies = has_fog, .scale = scale_fog, .scale_text = fog_text},

@@ -163,6 +163,12 @@ const Planted k_of_fog[] = {
     {"not-normalized", [](Scene& s) { s.conventions.normalize = false; }},
 };
 const Planted k_of_glass[] = {
+    {"fog-extent", [](Scene& s) { s.conventions.fog_extent = FogExtent::everywhere; },
+     "Inside transparent objects there is fog",
+     [](Scene& s) {
+         s.fog = Fog{FogKind::exp, {0.9, 0.2, 0.1}, 0.1, 0, 0, 0};
+         s.conventions.fog_extent = FogExtent::outside_objects;
+     }},
     {"transparency-missing",
      [](Scene& s) { change_materials(s, [](Material& m) { m.filter = m.transmit = 0; }); }},
     {"transparent-shadow-opaque",
