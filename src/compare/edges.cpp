@@ -62,6 +62,28 @@ bool is_speck(const BytePicture& reference, const BytePicture& faulty, std::int3
     return calm >= k_calm;
 }
 
+bool is_changed(const BytePicture& reference, const BytePicture& faulty, std::int32_t x, std::int32_t y) {
+    const Extremes change = change_at(reference, faulty, x, y);
+    return change.least < -k_noise || change.most > k_noise;
+}
+
+struct Counts {
+    std::size_t steps = 0, counted = 0;
+};
+
+// The share of the steps that `count` counts in rows that are not outermost ones.
+template <class Count>
+std::optional<double> share_of_steps(std::int32_t height, const Rows& rows, int threads, Count&& count) {
+    std::vector<Counts> counts(static_cast<std::size_t>(height));
+    for_each_row(rows, threads, [&](std::int32_t y) {
+        if (y >= 1 && y < height - 1) count(y, counts[static_cast<std::size_t>(y)]);
+    });
+    Counts all;
+    for (const Counts& row : counts) all = {all.steps + row.steps, all.counted + row.counted};
+    if (all.steps == 0) return std::nullopt;
+    return static_cast<double>(all.counted) / static_cast<double>(all.steps);
+}
+
 }  // namespace
 
 std::string direction_text(int dx, int dy) {
@@ -97,23 +119,26 @@ void nearest_between(const BytePicture& reference, const BytePicture& faulty, in
 
 std::optional<double> mixed_share(const BytePicture& reference, const BytePicture& faulty, const Rows& rows,
                                   int threads) {
-    struct Counts {
-        std::size_t steps = 0, mixed = 0;
-    };
-    std::vector<Counts> counts(static_cast<std::size_t>(reference.height));
-    for_each_row(rows, threads, [&](std::int32_t y) {
-        if (y < 1 || y >= reference.height - 1) return;
-        Counts& row = counts[static_cast<std::size_t>(y)];
+    return share_of_steps(reference.height, rows, threads, [&](std::int32_t y, Counts& row) {
         for (std::int32_t x = 1; x < reference.width - 1; ++x) {
             if (!is_step(reference.pixel(x, y), faulty.pixel(x, y))) continue;
             ++row.steps;
-            row.mixed += is_mixed(reference, x, y) || is_mixed(faulty, x, y);
+            row.counted += is_mixed(reference, x, y) || is_mixed(faulty, x, y);
         }
     });
-    Counts all;
-    for (const Counts& row : counts) all = {all.steps + row.steps, all.mixed + row.mixed};
-    if (all.steps == 0) return std::nullopt;
-    return static_cast<double>(all.mixed) / static_cast<double>(all.steps);
+}
+
+std::optional<double> changed_edges_share(const BytePicture& reference, const BytePicture& faulty,
+                                          const Rows& rows, int threads) {
+    return share_of_steps(reference.height, rows, threads, [&](std::int32_t y, Counts& row) {
+        for (std::int32_t x = 1; x < reference.width - 2; ++x) {
+            if (!is_step(reference.pixel(x, y), reference.pixel(x + 1, y)) &&
+                !is_step(faulty.pixel(x, y), faulty.pixel(x + 1, y)))
+                continue;
+            ++row.steps;
+            row.counted += is_changed(reference, faulty, x, y) || is_changed(reference, faulty, x + 1, y);
+        }
+    });
 }
 
 void put_dark_specks(const BytePicture& reference, const BytePicture& faulty, const Rows& rows, int threads,

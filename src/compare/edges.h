@@ -24,6 +24,12 @@ void nearest_between(const BytePicture& reference, const BytePicture& faulty, in
 std::optional<double> mixed_share(const BytePicture& reference, const BytePicture& faulty, const Rows& rows,
                                   int threads);
 
+/// Of the neighbours in a row that are a step apart (is_step) in one of the pictures, the fraction of those
+/// of which one differs between the pictures by more than k_noise. Other samples change most edges; what
+/// changes only the edges of shadows leaves those of shapes. Nothing if there are no such neighbours.
+std::optional<double> changed_edges_share(const BytePicture& reference, const BytePicture& faulty,
+                                          const Rows& rows, int threads);
+
 /// The reference with those pixels of `faulty` that are specks: clearly darker, away from edges, and with
 /// neighbours equal to the reference. Fills these rows of `out`.
 void put_dark_specks(const BytePicture& reference, const BytePicture& faulty, const Rows& rows, int threads,

@@ -18,7 +18,11 @@ struct FittedCause {
     std::function<void(FaultyScene&, std::span<const double>)> put;
     /// The explanation. `about`: the numbers do not explain all of the difference.
     std::function<std::string(std::span<const double>, bool about)> text;
-    double least = 0.85;  ///< CauseCandidate::least
+    double least = 0.85;             ///< CauseCandidate::least
+    std::vector<double> start = {};  ///< of the numbers; zeros if it is empty
+    /// If the cause has more forms than its numbers say: those that begin where these numbers are fitted. The
+    /// nearest of them is fitted next.
+    std::function<std::vector<FittedCause>(std::span<const double>)> refined = {};
 };
 
 }  // namespace glint

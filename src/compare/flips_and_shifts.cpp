@@ -80,6 +80,8 @@ constexpr double k_diagonal_leaves = 0.3, k_opposite_leaves = 3;
 
 // Of anti-aliasing nearly all pixels are mixed, of edges that have moved about a quarter.
 constexpr double k_min_mixed = 0.6;
+// Other samples change at least this share of the edges.
+constexpr double k_min_changed = 0.4;
 
 std::optional<Direction> half_direction(const PictureSource& s, BytePicture& made) {
     const auto left = left_by_direction(s, made, half_shift_pixels);
@@ -142,6 +144,8 @@ PictureFault anti_aliased() {
     return [](const PictureSource& s, BytePicture& made) -> Detail {
         const auto mixed = mixed_share(s.bytes, s.faulty, s.fit.rows, s.fit.threads);
         if (mixed && *mixed < k_min_mixed) return std::nullopt;  // edges have moved
+        const auto changed = changed_edges_share(s.bytes, s.faulty, s.fit.rows, s.fit.threads);
+        if (changed && *changed < k_min_changed) return std::nullopt;  // only those of shadows, perhaps
         nearest_between(s.bytes, s.faulty, -1, 1, -1, 1, s.rows, s.fit.threads, made);
         return "";
     };

@@ -8,6 +8,7 @@
 
 #include "compare/item_texts.h"
 #include "compare/scene_faults.h"
+#include "compare/soft_shadow_causes.h"
 #include "math/elementary.h"
 #include "math/transform.h"
 #include "world/prepare_camera.h"
@@ -19,8 +20,7 @@ using Values = std::span<const double>;
 
 constexpr std::size_t k_max_shapes = 6, k_max_lights = 8;
 constexpr double k_light_unit = 0.02, k_camera_unit = 0.01, k_sphere_unit = 0.05;  // of distance or radius
-// Of the unit axis; lights of another form than a sphere leave more than others.
-constexpr double k_axis_unit = 0.02, k_min_soft = 0.6;
+constexpr double k_axis_unit = 0.02;                                               // of the unit axis
 constexpr double k_view_unit = 0.01, k_color_unit = 0.05;
 constexpr double k_said = 0.05;  // a part of a way that is worth a word
 
@@ -93,38 +93,6 @@ void add_spots(const Scene& scene, std::vector<FittedCause>& causes) {
                                     text_of(normalize(was + vec_of(v))), text_of(was));
              }});
     }
-}
-
-double distance_of(const Light& light, const Scene& scene) {
-    return std::max(length(light.position - scene.camera.look_at), 1e-3);
-}
-
-// Spheres in place of all point lights, with radii in proportion to the distance, so that the edges of all
-// shadows are about equally soft.
-void add_soft_shadows(const Scene& scene, std::vector<FittedCause>& causes) {
-    const auto is_point = [](const Light& l) {
-        return l.has_position() && !l.is_spot() && !l.is_area() && l.casts_shadows;
-    };
-    if (!has_shadows(scene) || !any_light(scene, is_point)) return;
-    const auto first = static_cast<std::uint32_t>(
-        std::find_if(scene.lights.begin(), scene.lights.end(), is_point) - scene.lights.begin());
-    const std::string name = item_text(scene, "light", first, scene.light_texts);
-    causes.push_back({"shadows-soft",
-                      {k_light_unit},
-                      [&scene, is_point](FaultyScene& s, Values v) {
-                          for (Light& light : s.shading.lights) {
-                              if (!is_point(light) || v[0] == 0) continue;
-                              light.radius = std::fabs(v[0]) * distance_of(light, scene);
-                              light.kind = LightKind::sphere;
-                          }
-                      },
-                      [name, far = distance_of(scene.lights[first], scene)](Values v, bool) {
-                          return fmt::format(
-                              "Shadows have soft edges, as of a light with a radius of about {:.2g} in place "
-                              "of {}: a point light has one shadow ray.",
-                              std::fabs(v[0]) * far, name);
-                      },
-                      k_min_soft});
 }
 
 void add_camera(const Scene& scene, std::vector<FittedCause>& causes) {

@@ -2,6 +2,7 @@
 #include "compare/geometry_search.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "compare/parameter_fit.h"
 
@@ -12,41 +13,109 @@ namespace {
 constexpr double k_promise = 0.1;
 constexpr double k_found = 0.02;  // nothing more is fitted once so little of the difference remains
 
+// Fits numbers of `base` to one picture.
+class GeometryFit {
+  public:
+    GeometryFit(const PixelGrid& grid, const FaultyScene& base, const RenderScenePicture& render,
+                Search& search)
+        : base_(base), render_(render), search_(search), fitter_(grid, *search.target) {}
+
+    // ParameterFit::promise.
+    double promise(const FittedCause& cause, const RenderedScene& at_start) const {
+        return fitter_.promise(problem_of(cause), at_start.image.rgb);
+    }
+
+    // Fits and judges a cause.
+    std::optional<Fit> fit(const FittedCause& cause, FitStart start) {
+        const std::optional<Fit> fit = fitter_.fit(problem_of(cause), start);
+        return fit && judge(cause, fit->values) ? fit : std::nullopt;
+    }
+
+    // The form that leaves least at its start.
+    std::optional<FittedCause> nearest(std::vector<FittedCause> forms) const {
+        std::optional<FittedCause> best;
+        double least = HUGE_VAL;
+        for (FittedCause& form : forms) {
+            const std::optional<RenderedScene> made = render_with(form, start_of(form));
+            if (!made) return std::nullopt;
+            const double left = distance(made->bytes, *search_.target, search_.area).all;
+            if (left >= least) continue;
+            least = left;
+            best = std::move(form);
+        }
+        return best;
+    }
+
+    // Whether the last one that was judged explains nearly all.
+    bool is_found() const { return left() <= k_found * search_.whole.all; }
+
+  private:
+    double left() const { return search_.found.empty() ? HUGE_VAL : search_.found.back().left.all; }
+
+    static std::vector<double> start_of(const FittedCause& cause) {
+        return cause.start.empty() ? std::vector<double>(cause.units.size()) : cause.start;
+    }
+
+    std::optional<RenderedScene> render_with(const FittedCause& cause, std::span<const double> values) const {
+        FaultyScene scene = base_;
+        cause.put(scene, values);
+        return render_(scene);
+    }
+
+    FitProblem problem_of(const FittedCause& cause) const {
+        return {start_of(cause), cause.units,
+                [&](std::span<const double> values) -> std::optional<std::vector<float>> {
+                    std::optional<RenderedScene> made = render_with(cause, values);
+                    if (!made) return std::nullopt;
+                    return std::move(made->image.rgb);
+                }};
+    }
+
+    bool judge(const FittedCause& cause, const std::vector<double>& values) {
+        const std::optional<RenderedScene> made = render_with(cause, values);
+        if (!made) return false;
+        search_.judge(made->bytes,
+                      fitted_candidate(std::make_shared<FittedCause>(cause), values, false, cause.least));
+        return true;
+    }
+
+    const FaultyScene& base_;
+    const RenderScenePicture& render_;
+    Search& search_;
+    const ParameterFit fitter_;
+};
+
 }  // namespace
 
 void fit_geometry(const std::vector<FittedCause>& causes, const PixelGrid& grid, const FaultyScene& base,
                   const RenderScenePicture& render, std::size_t most, Search& search) {
     const std::optional<RenderedScene> at_start = render(base);
     if (!at_start) return;
-    const ParameterFit fitter(grid, *search.target);
-    const auto problem_of = [&](const FittedCause& cause) {
-        return FitProblem{std::vector<double>(cause.units.size()), cause.units,
-                          [&](std::span<const double> values) -> std::optional<std::vector<float>> {
-                              FaultyScene scene = base;
-                              cause.put(scene, values);
-                              std::optional<RenderedScene> made = render(scene);
-                              if (!made) return std::nullopt;
-                              return std::move(made->image.rgb);
-                          }};
-    };
+    GeometryFit fit(grid, base, render, search);
     std::vector<std::pair<double, std::size_t>> order;
     for (std::size_t i = 0; i < causes.size(); ++i) {
-        const double promise = fitter.promise(problem_of(causes[i]), at_start->image.rgb);
+        const double promise = fit.promise(causes[i], *at_start);
         if (promise >= k_promise) order.emplace_back(-promise, i);
     }
     std::sort(order.begin(), order.end());
     order.resize(std::min(order.size(), most));
     for (const auto& [promise, i] : order) {
-        const std::optional<Fit> fit = fitter.fit(problem_of(causes[i]), FitStart::far);
-        if (!fit) continue;
-        CauseCandidate candidate =
-            fitted_candidate(std::make_shared<FittedCause>(causes[i]), fit->values, false, causes[i].least);
-        FaultyScene faulty = base;
-        candidate.edit(faulty);
-        const std::optional<RenderedScene> made = render(faulty);
-        if (!made) continue;
-        search.judge(made->bytes, std::move(candidate));
-        if (search.found.back().left.all <= k_found * search.whole.all) return;
+        if (fit.fit(causes[i], FitStart::far) && fit.is_found()) return;
+    }
+}
+
+void fit_forms(const FittedCause& cause, std::span<const double> values, const PixelGrid& grid,
+               const FaultyScene& base, const RenderScenePicture& render, Search& search) {
+    GeometryFit fit(grid, base, render, search);
+    FittedCause last = cause;
+    std::vector<double> at(values.begin(), values.end());
+    while (last.refined) {
+        std::optional<FittedCause> next = fit.nearest(last.refined(at));
+        if (!next) return;
+        const std::optional<Fit> fitted = fit.fit(*next, FitStart::near);
+        if (!fitted || fit.is_found()) return;
+        last = *std::move(next);
+        at = fitted->values;
     }
 }
 

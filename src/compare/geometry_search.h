@@ -2,6 +2,7 @@
 #pragma once
 // Fits positions, sizes and colours to a picture.
 #include <functional>
+#include <span>
 #include <vector>
 
 #include "compare/cause_ranking.h"
@@ -17,5 +18,10 @@ using RenderScenePicture = std::function<std::optional<RenderedScene>(const Faul
 /// nearly all.
 void fit_geometry(const std::vector<FittedCause>& causes, const PixelGrid& grid, const FaultyScene& base,
                   const RenderScenePicture& render, std::size_t most, Search& search);
+
+/// Fits the other forms of a cause whose numbers are fitted (FittedCause::refined), and judges them: always
+/// the nearest form, from its first numbers.
+void fit_forms(const FittedCause& cause, std::span<const double> values, const PixelGrid& grid,
+               const FaultyScene& base, const RenderScenePicture& render, Search& search);
 
 }  // namespace glint

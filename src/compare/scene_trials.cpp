@@ -17,6 +17,8 @@ constexpr std::size_t k_confirmed_trials = 6, k_fitted_trials = 4;
 constexpr double k_little_left = 0.02;
 // If the grid's difference and that of all pixels are further apart than this factor, all pixels are used.
 constexpr double k_fair_grid = 2.5;
+// Other forms of a cause are fitted if it leaves at most this fraction of the difference.
+constexpr double k_has_forms = 0.6;
 constexpr std::size_t k_named_shapes = 3;
 constexpr double k_said_share = 0.1;
 
@@ -105,6 +107,32 @@ void SceneTrials::try_geometry(const PixelGrid& grid, const RenderedScene& rende
     const auto render = [&](const FaultyScene& scene) { return renderer_.render(scene, grid); };
     fit_geometry(geometry_causes(renderer_, shares), grid, renderer_.scene(), render, k_fitted_trials,
                  search.search);
+    try_forms(grid, search);
+}
+
+// Other forms of the best cause, on fewer pixels: they are many.
+void SceneTrials::try_forms(const PixelGrid& grid, GridSearch& search) const {
+    const std::vector<CauseCandidate> best = best_of(search.search, 1);
+    if (best.empty() || !best[0].fitted || !best[0].fitted->refined || is_cancelled()) return;
+    const double left = best[0].left.all, whole = search.search.whole.all;
+    if (left <= k_little_left * whole || left > k_has_forms * whole) return;
+    const PixelGrid few = coarse_grid_of(renderer_.scene().shading, reference_.width, reference_.height);
+    const std::vector<std::uint8_t> edges = on_grid(edges_, few);
+    Search coarse;
+    coarse.faulty = on_grid(*search.whole->target, few);
+    coarse.target = &coarse.faulty;
+    coarse.area = {&edges, all_rows(few.rows()), search.whole->area.rim, 1};
+    coarse.sample = coarse.area;
+    const auto at_first = renderer_.render(renderer_.scene(), few);
+    if (!at_first) return;
+    coarse.whole = distance(at_first->bytes, coarse.faulty, coarse.area);
+    fit_forms(
+        *best[0].fitted, best[0].values, few, renderer_.scene(),
+        [&](const FaultyScene& scene) { return renderer_.render(scene, few); }, coarse);
+    for (CauseCandidate& candidate : best_of(coarse, 1)) {
+        const auto made = render_candidate(renderer_, candidate, renderer_.scene(), grid);
+        if (made) search.search.judge(made->bytes, std::move(candidate));
+    }
 }
 
 void SceneTrials::confirm(GridSearch& small) const {

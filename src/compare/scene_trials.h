@@ -39,6 +39,7 @@ class SceneTrials {
     GridSearch grid_search(Search& whole, const PixelGrid& grid) const;
     void run_on(const PixelGrid& grid, std::vector<GridSearch>& searches, const std::function<void()>& step);
     void try_geometry(const PixelGrid& grid, const RenderedScene& rendered, GridSearch& search) const;
+    void try_forms(const PixelGrid& grid, GridSearch& search) const;
     void confirm(GridSearch& search) const;
 
     const BytePicture& reference_;
