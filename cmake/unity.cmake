@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 # With GLINT_FILES_TOGETHER, the files of each folder of the library, the command and each test program are compiled together, up
-# to eight at a time: their headers are read once, and the whole takes a third of the time. Without it each file is compiled by
+# to sixteen at a time: their headers are read once, and the whole takes a third of the time. Without it each file is compiled by
 # itself, so that a missing include is found.
 #
 # So a name in an unnamed namespace must be the only one in its folder. Files that define macros are compiled by themselves: the
@@ -36,7 +36,7 @@ function(glint_group_sources target)
   list(REMOVE_DUPLICATES folders)
   foreach(folder ${folders})
     list(LENGTH files_${folder} count)
-    math(EXPR groups "(${count} + 7) / 8")
+    math(EXPR groups "(${count} + 15) / 16")
     set(i 0)
     foreach(source ${files_${folder}})
       math(EXPR group "${i} * ${groups} / ${count}")

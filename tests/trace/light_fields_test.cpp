@@ -8,7 +8,7 @@ namespace glint::test {
 namespace {
 
 constexpr int k_size = 121;
-constexpr double k_width = 12;
+constexpr double k_view_width = 12;
 
 // The plane y = 0, seen from above by parallel rays: x to the right, z downwards.
 Scene floor_under(const Light& light) {
@@ -19,7 +19,7 @@ Scene floor_under(const Light& light) {
     scene.camera.position = {0, 50, 0};
     scene.camera.look_at = {0, 0, 0};
     scene.camera.up = {0, 0, -1};
-    scene.camera.width = k_width;
+    scene.camera.width = k_view_width;
     scene.lights = {light};
     Material white;
     white.diffuse = {1, 1, 1};
@@ -28,7 +28,8 @@ Scene floor_under(const Light& light) {
 }
 
 Vec3 floor_point(int i, int j) {
-    return {(i + 0.5 - k_size * 0.5) * k_width / k_size, 0, (j + 0.5 - k_size * 0.5) * k_width / k_size};
+    return {(i + 0.5 - k_size * 0.5) * k_view_width / k_size, 0,
+            (j + 0.5 - k_size * 0.5) * k_view_width / k_size};
 }
 
 // Compares the diffuse light with factor(distance, degrees off the axis) * N·L.
