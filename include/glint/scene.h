@@ -269,16 +269,15 @@ struct Material {
     // Transparency without refraction: what is behind is seen times transmit + filter * color (POV-Ray).
     double filter = 0;    ///< 0 to 1; with `transmit` at most 1; only if `transmission` is 0
     double transmit = 0;  ///< 0 to 1: not tinted; Tachyon's 1 - opacity
+    bool hollow = false;  ///< for FogExtent::outside_objects: rays inside are in the fog (POV-Ray)
 
     // An outline, as in drawings (Tachyon): diffuse light and that from all directions are multiplied by
     // 1 - outline + outline (1 - (1 - c^2)^(32 (1 - outline_width))), with the cosine c of ray and normal.
     double outline = 0;        ///< 0 to 1: how dark it is
     double outline_width = 0;  ///< 0 to 1: all of the surface; only if outline > 0
 
-    // Which objects rays are inside, for FogExtent::outside_objects.
-    bool hollow = false;  ///< rays inside are in the fog (POV-Ray)
-    /// 0: each shape is an object. Else the shapes of all materials with this number are one object, as the
-    /// triangles of a mesh; at most k_max_interior.
+    /// For FogExtent::outside_objects. 0: each shape is an object. Else the shapes of all materials with this
+    /// number are one object, as the triangles of a mesh; at most k_max_interior.
     std::int32_t interior = 0;
 
     constexpr bool is_transparent() const { return filter > 0 || transmit > 0; }
