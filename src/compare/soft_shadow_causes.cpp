@@ -62,13 +62,16 @@ HardLight hard_light(const Scene& scene, std::uint32_t index) {
 
 // A kind of area light, of any size. Panels have two sizes, along u and v, others a radius.
 struct Form {
-    LightKind kind = LightKind::sphere;
+    bool is_panel = false, is_disc = false;  // neither: a sphere
     bool is_facing = false;  // what the camera looks at: then axis, u and v depend on the light
     Vec3 axis{0, -1, 0}, u{1, 0, 0}, v{0, 0, 1};
     std::int32_t columns = k_first_rings, rows = k_first_around;
     bool jitter = false;
 
-    std::size_t sizes() const { return kind == LightKind::parallelogram ? 2 : 1; }
+    std::size_t sizes() const { return is_panel ? 2 : 1; }
+    LightKind kind() const {
+        return is_panel ? LightKind::parallelogram : is_disc ? LightKind::disc : LightKind::sphere;
+    }
 };
 
 void soften(const HardLight& hard, const Form& form, Values sizes, Light& light) {
@@ -78,11 +81,11 @@ void soften(const HardLight& hard, const Form& form, Values sizes, Light& light)
     };
     if (light.has_direction()) light.attenuation = {};
     light.position = hard.position;
-    light.kind = form.kind;
+    light.kind = form.kind();
     light.samples_u = form.columns;
     light.samples_v = form.rows;
     light.jitter = form.jitter;
-    if (form.kind != LightKind::parallelogram) {
+    if (!form.is_panel) {
         light.radius = size(0);
         light.axis = form.is_facing ? hard.axis : form.axis;
         return;
@@ -104,10 +107,9 @@ std::string light_text(const Scene& scene, const HardLight& hard, const Form& fo
                              : fmt::format("{:.2g}", std::fabs(size));
     };
     const std::string what =
-        form.kind == LightKind::parallelogram
+        form.is_panel
             ? fmt::format("a panel of about {} x {}", text(sizes[0]), text(sizes[1]))
-            : fmt::format("a {} with a radius of about {}", form.kind == LightKind::disc ? "disc" : "light",
-                          text(sizes[0]));
+            : fmt::format("a {} with a radius of about {}", form.is_disc ? "disc" : "light", text(sizes[0]));
     std::string text_of_light =
         fmt::format("{} in place of {}", what, item_text(scene, "light", hard.index, scene.light_texts));
     if (with_samples) text_of_light += fmt::format(", with {} x {} samples", form.columns, form.rows);
@@ -132,22 +134,21 @@ FittedCause soft_cause(const SoftLights& soft, const Form& form, std::vector<dou
 // The same lights in each form, with sizes near those that a sphere's radius suggests.
 std::vector<FittedCause> other_forms(const SoftLights& soft, Values radii) {
     constexpr Vec3 x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1};
-    constexpr LightKind panel = LightKind::parallelogram, disc = LightKind::disc;
     const Form forms[] = {{},
-                          {.kind = panel, .is_facing = true},
-                          {.kind = panel, .u = x, .v = z},
-                          {.kind = panel, .u = x, .v = y},
-                          {.kind = panel, .u = z, .v = y},
-                          {.kind = disc, .is_facing = true},
-                          {.kind = disc, .axis = {0, -1, 0}},
-                          {.kind = disc, .axis = {0, 0, -1}}};
+                          {.is_panel = true, .is_facing = true},
+                          {.is_panel = true, .u = x, .v = z},
+                          {.is_panel = true, .u = x, .v = y},
+                          {.is_panel = true, .u = z, .v = y},
+                          {.is_disc = true, .is_facing = true},
+                          {.is_disc = true, .axis = {0, -1, 0}},
+                          {.is_disc = true, .axis = {0, 0, -1}}};
     SoftLights own = soft;
     own.same_sizes = soft.same_sizes && 2 * soft.lights.size() > k_max_sizes;
     const std::size_t lights = own.same_sizes ? 1 : own.lights.size();
     std::vector<FittedCause> causes;
     for (Form form : forms) {
         form.columns = form.rows = k_many_samples;
-        const double by = form.kind == panel ? k_side : form.kind == disc ? k_disc_radius : 1;
+        const double by = form.is_panel ? k_side : form.is_disc ? k_disc_radius : 1;
         for (const double scale : {1.0, 0.8, 1.25}) {
             std::vector<double> start;
             for (std::size_t i = 0; i < lights; ++i)
