@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import {test} from 'node:test';
 
-import {bothSettled, choose, clickPicture, native, picture, saved, scenes, settled, shoot, withPage} from './browser.mjs';
+import {bothSettled, choose, clickPicture, native, picture, saved, scenes, settled, shoot, until, withPage} from './browser.mjs';
 
 /** Presses Tab until an element has the focus. */
 async function tabTo(page, selector) {
