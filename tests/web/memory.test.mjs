@@ -29,6 +29,7 @@ test('a reload comes back as it was', () => withPage(async (page, context) => {
         assert.equal(await where.locator('.welcome').count(), 0);
     };
     await page.reload();
+    await page.reload();  // before the picture is complete
     await isBack(page);
     const other = await context.newPage();
     await other.goto(address);

@@ -5,6 +5,7 @@ import {effect, signal} from '@preact/signals';
 
 import {gallery, parts} from '../gallery';
 import type {StoredScene} from '../share';
+import {pixelToKeep} from './pixels';
 import {
     type Tab, comparison, fileName, includes, overrides, pinned, sceneName, tab, text,
 } from './state';
@@ -77,7 +78,7 @@ export function keepPage() {
     const keep = () => {
         clearTimeout(timer);
         timer = 0;
-        const page: KeptPage = {...presentScene(), tab: tab.value, pixel: pinned.value?.pixel, hash: location.hash};
+        const page: KeptPage = {...presentScene(), tab: tab.value, pixel: pixelToKeep(), hash: location.hash};
         write('sessionStorage', pageKey, page);
         write('localStorage', pageKey, page);
     };

@@ -51,11 +51,17 @@ const isPhong = (side: Side) => settingIn(services[side]?.current?.info, 'shadin
 /** A pixel to be pinned in the next picture; `opens`: the user has clicked it, which opens the inspector. */
 let pinNext: {at: [number, number]; opens: boolean} | null = null;
 let pins = 0;
+/** The pixel whose explanation is awaited, to be pinned. */
+let awaited: [number, number] | null = null;
+
+/** The pinned pixel, or the one that will be. */
+export const pixelToKeep = () => pinned.value?.pixel ?? awaited ?? pinNext?.at;
 
 /** Explains a pixel and keeps its explanation. While the picture is replaced, this waits for the next one. */
 export async function pin(at: [number, number] | null, opens = true) {
     const number = ++pins;
     pinNext = null;
+    awaited = at;
     if (!at) {
         pinned.value = null;
         return;
@@ -63,6 +69,7 @@ export async function pin(at: [number, number] | null, opens = true) {
     const side = sideAt(at);
     const explanation = await ask(at, side);
     if (number !== pins) return;  // another pixel was pinned meanwhile
+    awaited = null;
     if (!explanation) {
         pinNext = {at, opens};
         return;
