@@ -19,6 +19,7 @@ Soften panel(Vec3 side_u, Vec3 side_v, std::int32_t samples) {
         l.samples_u = l.samples_v = samples;
     };
 }
+#if !defined(GLINT_SANITIZED)
 Soften disc(Vec3 axis, double radius, std::int32_t rings, std::int32_t around) {
     return [=](Light& l) {
         l.kind = LightKind::disc;
@@ -35,6 +36,7 @@ Soften ball(double radius, std::int32_t samples) {
         l.samples_u = l.samples_v = samples;
     };
 }
+#endif
 
 // With one sample per pixel, at a size at which a test takes little time. The lights are points.
 Scene hard_scene(const std::string& name, std::int32_t width, std::int32_t height) {
