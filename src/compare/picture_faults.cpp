@@ -6,10 +6,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <iterator>
 
+#include "compare/byte_curve.h"
 #include "compare/edges.h"
-#include "image/quantize.h"
 #include "math/elementary.h"
 
 namespace glint {
@@ -21,12 +20,12 @@ using Detail = std::optional<std::string>;
 // hardly changes.
 constexpr int k_factor_rounds = 5;
 
-// Every channel value of the reference by change(value), as bytes.
+// Every channel value of the reference as the byte change(value).
 template <class Change> void change_values(const PictureSource& s, BytePicture& made, Change&& change) {
     for_each_row(s.rows, s.fit.threads, [&](std::int32_t y) {
         const std::size_t first = 3 * static_cast<std::size_t>(y) * made.width;
         for (std::size_t i = first; i < first + 3 * static_cast<std::size_t>(made.width); ++i)
-            made.rgb[i] = static_cast<std::uint8_t>(quantize(change(s.reference.rgb[i]), 255));
+            made.rgb[i] = change(s.reference.rgb[i]);
     });
 }
 
@@ -156,9 +155,8 @@ PictureFault permuted(int red, int green, int blue) {
 }
 
 PictureFault curved(std::function<double(double)> curve) {
-    return [curve = std::move(curve)](const PictureSource& s, BytePicture& made) -> Detail {
-        change_values(s, made,
-                      [&](float value) { return curve(std::clamp(static_cast<double>(value), 0.0, 1.0)); });
+    return [bytes = ByteCurve(std::move(curve))](const PictureSource& s, BytePicture& made) -> Detail {
+        change_values(s, made, [&](float value) { return bytes(static_cast<double>(value)); });
         return "";
     };
 }
@@ -170,7 +168,7 @@ PictureFault scaled() {
         const std::optional<double> factor = fit_factor({}, s.reference.rgb, s.bytes, s.faulty, s.fit.rows);
         if (!factor) return std::nullopt;
         change_values(s, made, [by = static_cast<float>(*factor)](float value) {
-            return static_cast<double>(value * by);
+            return to_byte(static_cast<double>(value * by));
         });
         if (s.unclamped) return fmt::format("{:.3g}", *factor);
         for_each_row(

@@ -54,7 +54,7 @@ PictureFault permuted(int red, int green, int blue);
 PictureFault grey(double red, double green, double blue);
 /// The other channels are 0.
 PictureFault channels_left(bool red, bool green, bool blue);
-/// Each channel value, clamped to 0 to 1, through a curve.
+/// Each channel value, clamped to 0 to 1, through a monotonic curve.
 PictureFault curved(std::function<double(double)> curve);
 double srgb_decoded(double v);
 /// All values times a fitted factor.
