@@ -27,13 +27,6 @@ Image to_floats(const BytePicture& picture) {
     return image;
 }
 
-bool is_step(const std::uint8_t* a, const std::uint8_t* b) {
-    for (int c = 0; c < 3; ++c) {
-        if (std::abs(int{a[c]} - int{b[c]}) > static_cast<int>(k_edge_step)) return true;
-    }
-    return false;
-}
-
 std::vector<std::uint8_t> edges_of(const BytePicture& picture, int threads) {
     const Levels levels{{picture.rgb.begin(), picture.rgb.end()}, 1, picture.width, picture.height};
     return find_edges(levels, threads);

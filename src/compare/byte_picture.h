@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Pictures as the bytes of a file; causes are judged by these.
+#include <algorithm>
 #include <cstdint>
+#include <cstdlib>
 #include <vector>
 
 #include "base/parallel_for.h"
+#include "glint/compare.h"
 #include "glint/image.h"
 
 namespace glint {
@@ -28,7 +31,11 @@ BytePicture to_bytes(const Image& image, int threads, const ByteRule& rule = {})
 Image to_floats(const BytePicture& picture);
 
 /// Whether a channel of two pixels differs by more than k_edge_step.
-bool is_step(const std::uint8_t* a, const std::uint8_t* b);
+inline bool is_step(const std::uint8_t* a, const std::uint8_t* b) {
+    int most = 0;
+    for (int c = 0; c < 3; ++c) most = std::max(most, std::abs(int{a[c]} - int{b[c]}));
+    return most > static_cast<int>(k_edge_step);
+}
 
 /// One number per pixel: whether it is on an edge (k_edge_step of glint/compare.h). Throws bad_alloc.
 std::vector<std::uint8_t> edges_of(const BytePicture& picture, int threads);

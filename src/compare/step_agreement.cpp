@@ -11,30 +11,35 @@ constexpr double k_min_steps = 0.002;
 
 // One mark per pixel of a row: whether there is a step to the next.
 void mark_steps(const BytePicture& picture, std::int32_t y, std::vector<std::uint8_t>& marks) {
-    for (std::int32_t x = 0; x + 1 < picture.width; ++x) {
-        marks[x] = is_step(picture.pixel(x, y), picture.pixel(x + 1, y));
-    }
+    const std::uint8_t* pixels = picture.pixel(0, y);
+    for (std::int32_t x = 0; x + 1 < picture.width; ++x)
+        marks[x] = is_step(pixels + 3 * x, pixels + 3 * x + 3);
 }
 
 struct Counts {
-    double steps = 0, near = 0, met = 0;  // steps, pixels near a step, the other's steps among them
+    std::uint32_t steps = 0, near = 0, met = 0;  // steps, pixels near a step, the other's steps among them
 };
 
 void count_steps(const std::vector<std::uint8_t>& mine, const std::vector<std::uint8_t>& others,
                  Counts& counts) {
-    for (std::size_t x = 0; x < mine.size(); ++x) {
-        const bool is_near =
-            mine[x] != 0 || (x > 0 && mine[x - 1] != 0) || (x + 1 < mine.size() && mine[x + 1] != 0);
-        counts.steps += mine[x];
-        counts.near += is_near;
-        counts.met += is_near && others[x] != 0;
-    }
+    const std::size_t last = mine.size() - 1;
+    Counts row;
+    const auto count = [&](std::size_t x, std::uint8_t left, std::uint8_t right) {
+        const std::uint32_t near = left | mine[x] | right;
+        row.steps += mine[x];
+        row.near += near;
+        row.met += near & others[x];
+    };
+    count(0, 0, mine[std::min<std::size_t>(1, last)]);
+    for (std::size_t x = 1; x < last; ++x) count(x, mine[x - 1], mine[x + 1]);
+    if (last > 0) count(last, mine[last - 1], 0);
+    counts = {counts.steps + row.steps, counts.near + row.near, counts.met + row.met};
 }
 
 // The fraction of the other's steps that are near this picture's, beyond chance.
 double agreement(const Counts& mine, const Counts& others, double pixels) {
     const double chance = mine.near / pixels;
-    return chance < 1 ? (mine.met / others.steps - chance) / (1 - chance) : 0;
+    return chance < 1 ? (static_cast<double>(mine.met) / others.steps - chance) / (1 - chance) : 0;
 }
 
 }  // namespace
