@@ -22,7 +22,8 @@ std::vector<PairSearch::Undone> PairSearch::undone_faults(const Trial& trial) co
     std::vector<Undone> undone;
     const BytePicture& target = *trial.whole.target;
     const Image floats = to_floats(target);
-    const PictureSource source{floats, target, reference_, trial.whole.area, trial.whole.area.rows, false};
+    const Rows rows = rows_of(coarse_);
+    const PictureSource source{floats, target, reference_, trial.whole.area, rows, false};
     for (std::size_t i = 0; i < picture_causes().size(); ++i) {
         const PictureCause& cause = picture_causes()[i];
         BytePicture made = target;

@@ -30,6 +30,12 @@ PixelGrid coarse_grid_of(const Scene& scene, std::int32_t width, std::int32_t he
     return grid;
 }
 
+Rows rows_of(const PixelGrid& grid) {
+    Rows rows;
+    for (std::int32_t y = 0; y < grid.rows(); ++y) rows.push_back(y * grid.step + grid.step / 2);
+    return rows;
+}
+
 BytePicture on_grid(const BytePicture& picture, const PixelGrid& grid) {
     if (grid.step == 1) return picture;
     BytePicture small{grid.columns(), grid.rows(), {}};

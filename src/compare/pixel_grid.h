@@ -24,6 +24,9 @@ PixelGrid grid_of(const Scene& scene, std::int32_t width, std::int32_t height);
 inline constexpr std::int64_t k_coarse_pixels = 2000;
 PixelGrid coarse_grid_of(const Scene& scene, std::int32_t width, std::int32_t height);
 
+/// The picture's rows that have pixels of the grid.
+Rows rows_of(const PixelGrid& grid);
+
 /// Those pixels of a picture, or of a list with one number per pixel.
 BytePicture on_grid(const BytePicture& picture, const PixelGrid& grid);
 std::vector<std::uint8_t> on_grid(const std::vector<std::uint8_t>& marks, const PixelGrid& grid);
