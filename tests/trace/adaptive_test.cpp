@@ -12,13 +12,11 @@ namespace {
 
 // Larger than a tile in both directions, with mirrors, glass and shadows.
 Scene edges() {
-    Random random(17);
-    Scene scene = random_scene(random, 40, 6);
+    Scene scene = mixture(17, 40);
     set_size(scene, 77, 45);
     scene.settings.reflections = 2;
     scene.background = {0.2, 0.3, 0.4};
     scene.camera.position = {0, 2, 16};
-    scene.camera.look_at = {0, 0, 0};
     Material m;
     m.specular = {0.5, 0.4, 0.3};
     m.mirror = 0.3;

@@ -236,14 +236,8 @@ TEST(Transparency, FogDependsOnTheWayBetweenSurfaces) {
 
 // Everything at once.
 Scene transparent_mixture() {
-    Random random(11);
-    Scene scene = random_scene(random, 60, 6);
-    set_size(scene, 70, 50);
+    Scene scene = mixture(11);
     scene.settings.samples = 2;
-    scene.background = {0.2, 0.3, 0.9};
-    scene.camera.position = {0, 2, 18};
-    scene.camera.look_at = {0, 0, 0};
-    scene.materials.clear();
     for (int i = 0; i < 6; ++i) {
         Material m;
         m.color = {0.9, 0.2 * i, 1 - 0.2 * i};

@@ -128,15 +128,21 @@ inline void mix_mirrors_and_glass(Scene& scene) {
         scene.shapes[i].material = static_cast<std::uint32_t>(i % 4);
 }
 
-/// Shapes of all kinds with these materials, without lights.
-inline Scene mirrors_and_glass(std::uint32_t seed) {
+/// Shapes of all kinds around the origin, without lights and materials.
+inline Scene mixture(std::uint32_t seed, int count = 60) {
     Random random(seed);
-    Scene scene = random_scene(random, 60, 6);
+    Scene scene = random_scene(random, count, 6);
     set_size(scene, 70, 50);
-    scene.settings.samples = 2;
     scene.background = {0.2, 0.3, 0.9};
     scene.camera.position = {0, 2, 18};
     scene.camera.look_at = {0, 0, 0};
+    return scene;
+}
+
+/// The same with mirrors and glass, and 2 x 2 samples.
+inline Scene mirrors_and_glass(std::uint32_t seed) {
+    Scene scene = mixture(seed);
+    scene.settings.samples = 2;
     mix_mirrors_and_glass(scene);
     return scene;
 }
