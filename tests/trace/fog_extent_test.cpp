@@ -35,7 +35,8 @@ class FogRecursion {
         const double f = inside.empty() ? std::max(std::exp(-fog.density * way), fog.transmit) : 1;
         Color sum = m.ambient * (1 - m.filter - m.transmit);
         if (m.mirror > 0 && level < scene_.settings.reflections) {
-            const Vec3 p = o + d * hit.t, n = normal(shape, p), away = d - n * (2 * dot(n, d));
+            const Vec3 p = o + d * hit.t, n = plane_or_sphere_normal(scene_, shape, p),
+                       away = d - n * (2 * dot(n, d));
             sum = sum + seen(p + away * 1e-7, away, 0, 0, level + 1, inside) * m.mirror;
         }
         if (m.is_transparent() && level < scene_.settings.reflections) {
@@ -77,10 +78,6 @@ class FogRecursion {
         }
         return inside;
     }
-    Vec3 normal(const Shape& shape, Vec3 p) const {
-        if (shape.kind == ShapeKind::plane) return normalize(scene_.get<Plane>()[shape.index].normal);
-        return normalize(p - scene_.get<Sphere>()[shape.index].center);
-    }
     const Scene& scene_;
     const World& world_;
 };
@@ -88,12 +85,7 @@ class FogRecursion {
 // Spheres, separate triangles, and tetrahedra whose triangles are one object, in front of a wall.
 Scene objects_in_fog() {
     Random random(23);
-    Scene scene;
-    set_size(scene, 48, 36);
-    scene.background = {0.9, 0.3, 0.2};
-    scene.camera.position = {0, 0, 12};
-    scene.camera.look_at = {0, 0, 0};
-    scene.lights = {ambient_light({1, 1, 1})};
+    Scene scene = ambient_view({0.9, 0.3, 0.2});
     scene.settings.reflections = 5;
     scene.conventions.mirror = MirrorRule::add;
     scene.conventions.limit = LimitRule::drop;

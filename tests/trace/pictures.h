@@ -117,4 +117,15 @@ inline Light ambient_light(Color color) {
     return light;
 }
 
+/// 48 x 36 pixels that look along -z at the origin, with ambient light alone and no shapes.
+inline Scene ambient_view(Color background) {
+    Scene scene;
+    set_size(scene, 48, 36);
+    scene.background = background;
+    scene.camera.position = {0, 0, 12};
+    scene.camera.look_at = {0, 0, 0};
+    scene.lights = {ambient_light({1, 1, 1})};
+    return scene;
+}
+
 }  // namespace glint::test

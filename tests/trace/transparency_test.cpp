@@ -46,7 +46,7 @@ class StraightRecursion {
         if (whole || (at_limit && rules.limit == LimitRule::drop)) return sum;
         const Vec3 p = o + d * hit.t;
         if (m.mirror > 0) {
-            const Vec3 n = normal(shape, p);
+            const Vec3 n = plane_or_sphere_normal(scene_, shape, p);
             const Vec3 away = d - n * (2 * dot(n, d));
             const double by = rules.transparency == Transparency::blend && m.is_transparent() ? opacity : 1;
             sum = sum + (at_limit ? scene_.background * by
@@ -59,10 +59,6 @@ class StraightRecursion {
     }
 
   private:
-    Vec3 normal(const Shape& shape, Vec3 p) const {
-        if (shape.kind == ShapeKind::plane) return normalize(scene_.get<Plane>()[shape.index].normal);
-        return normalize(p - scene_.get<Sphere>()[shape.index].center);
-    }
     const Scene& scene_;
     const World& world_;
 };
@@ -70,12 +66,7 @@ class StraightRecursion {
 // Spheres, opaque, mirrors and transparent, in front of a wall.
 Scene bubbles() {
     Random random(7);
-    Scene scene;
-    set_size(scene, 48, 36);
-    scene.background = {0.2, 0.3, 0.9};
-    scene.camera.position = {0, 0, 12};
-    scene.camera.look_at = {0, 0, 0};
-    scene.lights = {ambient_light({1, 1, 1})};
+    Scene scene = ambient_view({0.2, 0.3, 0.9});
     const Color colors[] = {{1, 0.5, 0.25}, {0.25, 1, 0.5}, {0.5, 0.25, 1}, {0.9, 0.9, 0.3}};
     const double filters[] = {0.6, 0, 0.3, 0}, transmits[] = {0, 0.5, 0.4, 0.9};
     for (std::size_t i = 0; i < 4; ++i) {

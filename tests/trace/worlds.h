@@ -115,6 +115,12 @@ inline std::uint32_t add_material(Scene& scene, const Material& material) {
     return static_cast<std::uint32_t>(scene.materials.size() - 1);
 }
 
+/// The unit normal at p of a plane or a sphere without a transform.
+inline Vec3 plane_or_sphere_normal(const Scene& scene, const Shape& shape, Vec3 p) {
+    if (shape.kind == ShapeKind::plane) return normalize(scene.get<Plane>()[shape.index].normal);
+    return normalize(p - scene.get<Sphere>()[shape.index].center);
+}
+
 /// Gives the shapes in turn four materials: a mirror, matte, glass that is a mirror, and glass that refracts.
 inline void mix_mirrors_and_glass(Scene& scene) {
     for (int i = 0; i < 4; ++i) {
