@@ -290,25 +290,19 @@ TEST(AreaLights, CropsThreadsAndInstructionSets) {
 
 TEST(AreaLights, ExplainedAsDrawn) {
     for (const Scene& scene : scenes()) {
-        const std::optional<World> world = make_world(scene);
-        const Image whole = render_world(*world);
-        for (int y = 1; y < 61; y += 3) {
-            for (int x = 0; x < 83; x += 4) {
-                const Explanation e = explain(scene, *world, x, y).value();
-                ASSERT_EQ((Color{e.value[0], e.value[1], e.value[2]}), whole.pixel(x, y));
-                for (const ExplainedRay& ray : e.rays) {
-                    if (!ray.hit) continue;
-                    Color diffuse, specular;
-                    for (const LightTerms& terms : ray.hit->lights) {
-                        diffuse = diffuse + terms.diffuse;
-                        specular = specular + terms.specular;
-                        ASSERT_EQ(terms.blocked, terms.blocker.has_value());
-                    }
-                    ASSERT_EQ(diffuse, ray.hit->diffuse);
-                    ASSERT_EQ(specular, ray.hit->specular);
+        expect_explained_as_drawn(scene, 4, 3, [](const Explanation& e, int, int) {
+            for (const ExplainedRay& ray : e.rays) {
+                if (!ray.hit) continue;
+                Color diffuse, specular;
+                for (const LightTerms& terms : ray.hit->lights) {
+                    diffuse = diffuse + terms.diffuse;
+                    specular = specular + terms.specular;
+                    ASSERT_EQ(terms.blocked, terms.blocker.has_value());
                 }
+                ASSERT_EQ(diffuse, ray.hit->diffuse);
+                ASSERT_EQ(specular, ray.hit->specular);
             }
-        }
+        });
     }
 }
 

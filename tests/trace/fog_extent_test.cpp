@@ -252,22 +252,16 @@ TEST(FogExtent, ExplainedAsDrawn) {
     for (const bool alpha : {false, true}) {
         Scene scene = mixture_in_fog();
         scene.settings.alpha = alpha;
-        const std::optional<World> world = make_world(scene);
-        const Image whole = render_world(*world);
-        for (int y = 0; y < 50; y += 2) {
-            for (int x = 0; x < 70; x += 3) {
-                const Explanation e = explain(scene, *world, x, y).value();
-                ASSERT_EQ((Color{e.value[0], e.value[1], e.value[2]}), whole.pixel(x, y));
-                float layers[k_light_layers][3];
-                add_up(e, layers);
-                for (int l = 0; l < k_light_layers; ++l)
-                    for (int c = 0; c < 3; ++c) ASSERT_EQ(layers[l][c], e.layers[l][c]) << x << ',' << y;
-                for (const ExplainedRay& ray : e.rays) {
-                    (ray.inside_object ? inside : outside) += 1;
-                    ASSERT_TRUE(!ray.inside_object || ray.visibility == 1);
-                }
+        expect_explained_as_drawn(scene, 3, 2, [&](const Explanation& e, int x, int y) {
+            float layers[k_light_layers][3];
+            add_up(e, layers);
+            for (int l = 0; l < k_light_layers; ++l)
+                for (int c = 0; c < 3; ++c) ASSERT_EQ(layers[l][c], e.layers[l][c]) << x << ',' << y;
+            for (const ExplainedRay& ray : e.rays) {
+                (ray.inside_object ? inside : outside) += 1;
+                ASSERT_TRUE(!ray.inside_object || ray.visibility == 1);
             }
-        }
+        });
     }
     EXPECT_GT(inside, 1000u);
     EXPECT_GT(outside, 1000u);

@@ -131,36 +131,30 @@ TEST(Fog, ExplainedAsDrawn) {
     for (const bool alpha : {false, true}) {
         Scene scene = foggy_mixture();
         scene.settings.alpha = alpha;
-        const std::optional<World> world = make_world(scene);
-        const Image whole = render_world(*world);
-        for (int y = 0; y < 50; y += 2) {
-            for (int x = 0; x < 70; x += 3) {
-                const Explanation e = explain(scene, *world, x, y).value();
-                ASSERT_EQ((Color{e.value[0], e.value[1], e.value[2]}), whole.pixel(x, y));
-                double sums[k_light_layers] = {};
-                for (std::size_t i = 0; i < e.rays.size(); ++i) {
-                    const ExplainedRay& ray = e.rays[i];
-                    const auto layer = layer_of(e, i);
-                    const auto add = [&](Layer own, Color c) {
-                        sums[static_cast<std::size_t>(layer.value_or(own))] += c.g;
-                    };
-                    if (ray.hit) {
-                        add(Layer::ambient, ray.hit->parts[0]);
-                        add(Layer::diffuse, ray.hit->parts[1]);
-                        add(Layer::specular, ray.hit->parts[2]);
-                    } else {
-                        add(Layer::background, ray.background);
-                    }
-                    add(Layer::fog, ray.fog);
+        expect_explained_as_drawn(scene, 3, 2, [&](const Explanation& e, int x, int y) {
+            double sums[k_light_layers] = {};
+            for (std::size_t i = 0; i < e.rays.size(); ++i) {
+                const ExplainedRay& ray = e.rays[i];
+                const auto layer = layer_of(e, i);
+                const auto add = [&](Layer own, Color c) {
+                    sums[static_cast<std::size_t>(layer.value_or(own))] += c.g;
+                };
+                if (ray.hit) {
+                    add(Layer::ambient, ray.hit->parts[0]);
+                    add(Layer::diffuse, ray.hit->parts[1]);
+                    add(Layer::specular, ray.hit->parts[2]);
+                } else {
+                    add(Layer::background, ray.background);
                 }
-                float value = 0;
-                for (int l = 0; l < k_light_layers; ++l) {
-                    ASSERT_EQ(static_cast<float>(sums[l] / 4), e.layers[l][1]) << x << ',' << y << ' ' << l;
-                    value += e.layers[l][1];
-                }
-                ASSERT_EQ(value, e.value[1]);
+                add(Layer::fog, ray.fog);
             }
-        }
+            float value = 0;
+            for (int l = 0; l < k_light_layers; ++l) {
+                ASSERT_EQ(static_cast<float>(sums[l] / 4), e.layers[l][1]) << x << ',' << y << ' ' << l;
+                value += e.layers[l][1];
+            }
+            ASSERT_EQ(value, e.value[1]);
+        });
     }
 }
 

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <functional>
 
+#include "glint/explain.h"
 #include "trace/worlds.h"
 
 namespace glint::test {
@@ -115,6 +116,22 @@ inline Light ambient_light(Color color) {
     light.kind = LightKind::ambient;
     light.color = color;
     return light;
+}
+
+/// Of some pixels, in steps, the explanation's value is that of the picture. Calls check(explanation, x, y)
+/// for each.
+template <class Check>
+void expect_explained_as_drawn(const Scene& scene, int step_x, int step_y, Check&& check) {
+    const std::optional<World> world = make_world(scene);
+    const Image whole = render_world(*world);
+    for (int y = 0; y < whole.height; y += step_y) {
+        for (int x = 0; x < whole.width; x += step_x) {
+            const Explanation e = explain(scene, *world, x, y).value();
+            ASSERT_EQ((Color{e.value[0], e.value[1], e.value[2]}), whole.pixel(x, y)) << x << ',' << y;
+            check(e, x, y);
+            if (testing::Test::HasFatalFailure()) return;
+        }
+    }
 }
 
 /// 48 x 36 pixels that look along -z at the origin, with ambient light alone and no shapes.

@@ -294,23 +294,17 @@ TEST(Transparency, ExplainedAsDrawn) {
         scene.conventions.limit = limit;
         scene.conventions.transparency_counts = limit == LimitRule::background;
         scene.settings.reflections = 2;
-        const std::optional<World> world = make_world(scene);
-        const Image whole = render_world(*world);
-        for (int y = 0; y < 50; y += 2) {
-            for (int x = 0; x < 70; x += 3) {
-                const Explanation e = explain(scene, *world, x, y).value();
-                ASSERT_EQ((Color{e.value[0], e.value[1], e.value[2]}), whole.pixel(x, y));
-                expect_added_up(e, x, y);
-                expect_filters_in_order(e);
-                if (HasFatalFailure()) return;
-                for (const ExplainedRay& ray : e.rays) {
-                    straight += ray.straight;
-                    beyond += ray.beyond_limit;
-                    if (!ray.hit) continue;
-                    for (const LightTerms& terms : ray.hit->lights) filters += terms.filters.size();
-                }
+        expect_explained_as_drawn(scene, 3, 2, [&](const Explanation& e, int x, int y) {
+            expect_added_up(e, x, y);
+            expect_filters_in_order(e);
+            if (HasFatalFailure()) return;
+            for (const ExplainedRay& ray : e.rays) {
+                straight += ray.straight;
+                beyond += ray.beyond_limit;
+                if (!ray.hit) continue;
+                for (const LightTerms& terms : ray.hit->lights) filters += terms.filters.size();
             }
-        }
+        });
     }
     EXPECT_GT(filters, 1000u);
     EXPECT_GT(straight, 1000u);
