@@ -8,6 +8,7 @@
 
 #include "bvh/refit.h"
 #include "glint/shapes.h"
+#include "glint/vec.h"
 
 namespace glint {
 
