@@ -53,9 +53,8 @@ void Reader::use_interiors() {
             // The first kind keeps the material's number.
             if (used[material]) {
                 known->second = static_cast<std::uint32_t>(scene_.materials.size());
-                Material copy = m;
                 note(scene_.material_texts, known->second, scene_.material_texts.place(material));
-                scene_.materials.push_back(copy);
+                scene_.materials.push_back(Material(m));
             }
             used[material] = true;
             Material& own = scene_.materials[known->second];
