@@ -5,6 +5,7 @@
 #include <limits>
 #include <string_view>
 
+#include "glint/scene.h"
 #include "glint/vec.h"
 
 namespace glint {
@@ -44,7 +45,8 @@ inline constexpr Range k_reach{0, std::numeric_limits<double>::infinity(), true,
 inline constexpr Range k_occlusion_samples{1, 4096, false, false, "a whole number from 1 to 4096"};
 
 inline constexpr Range k_light_samples{1, 64, false, false, "a whole number from 1 to 64"};
-inline constexpr Range k_interior{0, 1e9, false, false, "a whole number from 0 to 1000000000"};
+inline constexpr Range k_interior{0, k_max_interior, false, false, "a whole number from 0 to 1000000000"};
+static_assert(k_interior.max == 1000000000, "its text names k_max_interior");
 inline constexpr Range k_level{0, 16, false, false, "a whole number from 0 to 16"};
 
 inline bool is_coordinate(Vec3 p) {
