@@ -83,6 +83,18 @@ bool is_structured(const BytePicture& made, const BytePicture& target, std::int3
 
 }  // namespace
 
+Search search_on(const PixelGrid& grid, const BytePicture& target, const std::vector<std::uint8_t>& edges,
+                 const BytePicture& from, const Search& search) {
+    Search small;
+    small.faulty = on_grid(target, grid);
+    small.area = {&edges, all_rows(grid.rows()), search.area.rim, 1};
+    small.sample = small.area;
+    small.report.difference = 1;
+    small.has_content = search.has_content;
+    small.whole = distance(small.faulty, from, small.area);
+    return small;
+}
+
 std::size_t structured_pixels(const BytePicture& made, const BytePicture& target, const Area& area) {
     std::vector<std::size_t> counts(static_cast<std::size_t>(made.height));
     for_each_row(area.rows, area.threads, [&](std::int32_t y) {

@@ -88,6 +88,12 @@ struct Search {
     void confirm(const BytePicture& made, CauseCandidate& candidate) const;
 };
 
+/// The search for causes of the same picture on a grid of pixels. `target` has all pixels; the others are the
+/// grid's: the edges, which must outlive it, and the picture that becomes `target`. What is to be explained
+/// becomes Search::faulty.
+Search search_on(const PixelGrid& grid, const BytePicture& target, const std::vector<std::uint8_t>& edges,
+                 const BytePicture& from, const Search& search);
+
 /// The pixels in which the pictures differ by more than k_noise, away from edges of either, and most of their
 /// neighbours, too.
 std::size_t structured_pixels(const BytePicture& made, const BytePicture& target, const Area& area);

@@ -50,14 +50,7 @@ PairSearch::PairSearch(const SceneRenderer& renderer, const BytePicture& referen
 
 // `target` has all pixels.
 Search PairSearch::coarse_search(const BytePicture& target, const Search& whole) const {
-    Search search;
-    search.faulty = on_grid(target, coarse_);
-    search.area = {&coarse_edges_, all_rows(coarse_.rows()), whole.area.rim, 1};
-    search.sample = search.area;
-    search.report.difference = 1;
-    search.has_content = whole.has_content;
-    search.whole = distance(search.faulty, coarse_reference_, search.area);
-    return search;
+    return search_on(coarse_, target, coarse_edges_, coarse_reference_, whole);
 }
 
 void PairSearch::add(Trial& trial, CauseCandidate before, CauseCandidate after) {
@@ -253,11 +246,8 @@ bool PairSearch::confirm(const Search& search, PairCandidate& pair) const {
 // Fits numbers by more pixels.
 void PairSearch::refine(const Search& search, PairCandidate& pair) const {
     const std::vector<std::uint8_t> edges = on_grid(edges_, fine_);
-    Search fine;
-    fine.faulty = on_grid(*search.target, fine_);
+    Search fine = search_on(fine_, *search.target, edges, on_grid(reference_, fine_), search);
     fine.target = &fine.faulty;
-    fine.area = {&edges, all_rows(fine_.rows()), search.area.rim, 1};
-    fine.sample = fine.area;
     fit_pair(renderer_, causes_, fine_, fine, pair);
 }
 

@@ -39,17 +39,9 @@ SceneTrials::SceneTrials(const Scene& scene, const BytePicture& reference,
 }
 
 SceneTrials::GridSearch SceneTrials::grid_search(Search& whole, const PixelGrid& grid) const {
-    GridSearch small;
-    small.whole = &whole;
-    Search& s = small.search;
-    s.faulty = on_grid(*whole.target, grid);
-    s.area = {grid.step == 1 ? &edges_ : &grid_edges_, all_rows(grid.rows()), whole.area.rim, 1};
-    s.sample = s.area;
-    s.report.difference = 1;
-    s.has_content = whole.has_content;
-    const BytePicture a = on_grid(whole.faulty, grid), b = on_grid(reference_, grid);
-    s.whole = distance(a, b, s.area);
-    return small;
+    const std::vector<std::uint8_t>& edges = grid.step == 1 ? edges_ : grid_edges_;
+    const BytePicture& from = whole.target == &reference_ ? whole.faulty : reference_;
+    return {search_on(grid, *whole.target, edges, on_grid(from, grid), whole), &whole};
 }
 
 void SceneTrials::run(std::vector<Search>& searches, const std::function<void()>& step) {
@@ -118,14 +110,10 @@ void SceneTrials::try_forms(const PixelGrid& grid, GridSearch& search) const {
     if (left <= k_little_left * whole || left > k_has_forms * whole) return;
     const PixelGrid few = coarse_grid_of(renderer_.scene().shading, reference_.width, reference_.height);
     const std::vector<std::uint8_t> edges = on_grid(edges_, few);
-    Search coarse;
-    coarse.faulty = on_grid(*search.whole->target, few);
-    coarse.target = &coarse.faulty;
-    coarse.area = {&edges, all_rows(few.rows()), search.whole->area.rim, 1};
-    coarse.sample = coarse.area;
     const auto at_first = renderer_.render(renderer_.scene(), few);
     if (!at_first) return;
-    coarse.whole = distance(at_first->bytes, coarse.faulty, coarse.area);
+    Search coarse = search_on(few, *search.whole->target, edges, at_first->bytes, *search.whole);
+    coarse.target = &coarse.faulty;
     fit_forms(
         *best[0].fitted, best[0].values, few, renderer_.scene(),
         [&](const FaultyScene& scene) { return renderer_.render(scene, few); }, coarse);
