@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "compare/geometry_search.h"
 #include "compare/item_texts.h"
@@ -19,8 +20,21 @@ constexpr double k_little_left = 0.02;
 constexpr double k_fair_grid = 2.5;
 // Other forms of a cause are fitted if it leaves at most this fraction of the difference.
 constexpr double k_has_forms = 0.6;
+// A candidate that explains less of the grid's difference than this part of what it must is judged by all
+// pixels only if it may be the nearest, whose share is said.
+constexpr double k_worth_judging = 0.5;
 constexpr std::size_t k_named_shapes = 3;
 constexpr double k_said_share = 0.1;
+
+bool is_worth_judging(const CauseCandidate& c, const Distance& whole) {
+    const double most = 1 - k_worth_judging * c.least;
+    return c.left.all <= most * whole.all || c.left.calm < most * whole.calm;
+}
+
+// What remains of all pixels' difference if it is the same fraction as of the grid's.
+double estimate(double left, double whole_of_grid, double whole) {
+    return whole_of_grid > 0 ? left / whole_of_grid * whole : whole;
+}
 
 }  // namespace
 
@@ -130,8 +144,20 @@ void SceneTrials::confirm(GridSearch& small) const {
     // Of candidates that leave nearly the same, the first in the table is named.
     std::stable_sort(best.begin(), best.end(),
                      [](const CauseCandidate& a, const CauseCandidate& b) { return a.row < b.row; });
+    double least = HUGE_VAL;
+    for (const CauseCandidate& c : best) {
+        if (c.parameters <= 1) least = std::min(least, c.left.all);
+    }
     for (CauseCandidate& candidate : best) {
         if (is_cancelled()) return;
+        const Distance &left = candidate.left, &of_grid = small.search.whole;
+        const bool is_nearest = candidate.parameters <= 1 && left.all == least;
+        if (!is_nearest && !is_worth_judging(candidate, of_grid)) {
+            candidate.left = {estimate(left.all, of_grid.all, whole.whole.all),
+                              estimate(left.calm, of_grid.calm, whole.whole.calm)};
+            whole.found.push_back(std::move(candidate));
+            continue;
+        }
         const auto made =
             render_candidate(renderer_, candidate, renderer_.scene(), {grid_.width, grid_.height, 1});
         if (!made) continue;
