@@ -17,9 +17,10 @@ namespace {
 constexpr std::size_t k_firsts = 16, k_firsts_with_parts = 6, k_geometry_firsts = 2;
 // Those with which all others are rendered if nothing else explains the picture.
 constexpr std::size_t k_firsts_with_all = 4;
-// A pair is found if it leaves less than this mean, in 255ths. Of a picture that shows another scene, one
-// that leaves more than this fraction is not searched further.
-constexpr double k_rounding = 0.15, k_hopeless = 0.5;
+// A pair is found if it leaves less than this mean, in 255ths. One that leaves more than this fraction is not
+// judged by all pixels; of a picture that shows another scene, it is not searched further, either. The grid's
+// difference counts if that of all pixels is at most so many times as large.
+constexpr double k_rounding = 0.15, k_hopeless = 0.5, k_fair = 2.5;
 // Pairs whose numbers are fitted together, and half of those that are judged by all pixels.
 constexpr std::size_t k_fitted_pairs = 14, k_confirmed_pairs = 3;
 // A pair that is not exact leaves at most this fraction of what the best single cause leaves, and explains
@@ -193,7 +194,13 @@ std::optional<CausePair> PairSearch::find(const Search& search) {
     for (std::size_t i = 0; i < std::min(firsts.size(), k_geometry_firsts) && goes_on(); ++i)
         try_geometry(firsts[i], trial);
     fit_best(trial);
-    std::vector<PairCandidate>& pairs = trial.pairs;  // the best by rating, and then by what they leave
+    std::vector<PairCandidate>& pairs = trial.pairs;
+    const double calm = trial.coarse.whole.calm;
+    if (k_fair * whole >= search.whole.all)
+        std::erase_if(pairs, [&](const PairCandidate& p) {
+            return p.left > k_hopeless * whole && p.after.left.calm >= k_hopeless * calm;
+        });
+    // The best by rating, and then by what they leave.
     const auto by_left = [](const PairCandidate& a, const PairCandidate& b) { return a.left < b.left; };
     if (pairs.size() > k_confirmed_pairs)
         std::stable_sort(pairs.begin() + k_confirmed_pairs, pairs.end(), by_left);
