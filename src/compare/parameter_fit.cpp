@@ -14,6 +14,9 @@ constexpr double k_enough = 0.01;         // mean difference in 255ths that is r
 constexpr double k_rounding_costs = 0.1;  // rounding a number may add this fraction of what remains
 constexpr double k_near_step = 6;         // units of one step without a blur
 constexpr double k_fine = 0.6;            // slopes are refined if this fraction is left, or less
+// The numbers of a cause remove most of the difference that is blurred most. If more than this fraction of
+// its square is left, no other blur is tried.
+constexpr double k_hopeless_fit = 0.7;
 constexpr std::size_t k_max_values = 6;
 
 // A stage of a fit: the radius of the blur, and the units by which slopes are measured. What moves edges by
@@ -183,14 +186,18 @@ std::optional<Fit> ParameterFit::fit(const FitProblem& problem, FitStart start) 
     Fit best{values, left_of(*rendered)};
     double damping = k_first_damping;
     const double at_start = best.left;
-    for (const auto& [radius, by] : stages_of(grid_.columns(), start)) {
+    const std::vector<Stage> stages = stages_of(grid_.columns(), start);
+    for (const auto& [radius, by] : stages) {
         if (by < 1 && best.left > k_fine * at_start) break;
         const double most =
             (start == FitStart::near ? k_near_step : 4 * std::max(radius, 1)) * std::min(by, 1.0);
+        double at_first = 0, last = 0;  // squared, blurred
         const int iterations = start == FitStart::near && by >= 1 ? k_near_iterations : k_iterations;
         for (int iteration = 0; iteration < iterations && best.left > k_enough; ++iteration) {
             const auto step = step_from(problem, values, *rendered, radius, by);
             if (!step) return std::nullopt;
+            if (iteration == 0) at_first = step->error;
+            last = step->error;
             double gain = 0;
             for (int i = 0; i < k_dampings && gain <= 0; ++i) {
                 std::vector<double> change = step->change(damping), next = values;
@@ -202,6 +209,7 @@ std::optional<Fit> ParameterFit::fit(const FitProblem& problem, FitStart start) 
                 gain = 1 - product(error, error) / step->error;
                 damping = gain > 0 ? damping / k_damping_factor : damping * k_damping_factor;
                 if (gain <= 0) continue;
+                last = (1 - gain) * step->error;
                 values = std::move(next);
                 rendered = std::move(made);
                 const double left = left_of(*rendered);
@@ -210,6 +218,8 @@ std::optional<Fit> ParameterFit::fit(const FitProblem& problem, FitStart start) 
             if (gain < k_min_gain) break;
         }
         damping = std::clamp(damping, 1e-6, k_first_damping);
+        const bool is_first = start == FitStart::far && radius == stages.front().radius;
+        if (is_first && last > k_hopeless_fit * at_first) break;
     }
     return rounded(problem, best);
 }
