@@ -69,6 +69,16 @@ struct RayPacket : Intervals {
         update_t_max();
     }
 
+    /// The rays that are not finished.
+    HWY_INLINE std::uint64_t unfinished() const {
+        std::uint64_t bits = 0;
+        for (int r = 0; r < count; r += lane_count<float>()) {
+            const int i = first + r;
+            bits |= std::uint64_t{to_bits(load(rays.t_max + i) >= load(rays.t_min + i))} << r;
+        }
+        return bits & all();
+    }
+
     /// Must be called after a ray's t_max has been reduced.
     HWY_INLINE void update_t_max() { max_t_max = range(rays.t_max).most; }
 

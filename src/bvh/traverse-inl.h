@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Traversal of the hierarchy by a packet or by one ray.
+// Traversal of the hierarchy for the nearest hits, by a packet or by one ray.
 #if defined(GLINT_BVH_TRAVERSE_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLINT_BVH_TRAVERSE_INL_H_
 #undef GLINT_BVH_TRAVERSE_INL_H_
@@ -76,8 +76,8 @@ HWY_INLINE BvhChild push_all_but_nearest(const BvhNode& node, std::uint32_t met,
 }
 
 /// Traverses the subtree of a child with the prepared ray i: calls leaf.visit(i, first, count) for every leaf
-/// whose box the ray intersects before its t_max, nearest first if `ordered`. visit may reduce t_max.
-template <bool ordered, class Leaf>
+/// whose box the ray intersects before its t_max, nearest first. visit may reduce t_max.
+template <class Leaf>
 HWY_INLINE void traverse_ray(const Bvh& bvh, const SlabRays& rays, int i, BvhChild next, Leaf& leaf) {
     // The positions of the near and far planes in a node.
     int near_at[3], far_at[3];
@@ -106,10 +106,7 @@ HWY_INLINE void traverse_ray(const Bvh& bvh, const SlabRays& rays, int i, BvhChi
                 const float* far[3] = {planes + far_at[0] + c, planes + far_at[1] + c,
                                        planes + far_at[2] + c};
                 const Slab slab = ray.meet(near, far);
-                if constexpr (ordered)
-                    store_ordered_bits(slab.entry, entries + c);
-                else
-                    store_ordered_bits(max(slab.entry, t_min) - min(slab.exit, Floats(t_max)), entries + c);
+                store_ordered_bits(slab.entry, entries + c);
                 met |= to_bits(meets(slab, t_min, Floats(t_max))) << c;
             }
             if (met != 0) {
@@ -122,7 +119,7 @@ HWY_INLINE void traverse_ray(const Bvh& bvh, const SlabRays& rays, int i, BvhChi
             if (visits.empty()) return;
             const KeyedChild top = visits.pop();
             next = top.child();
-            if (!ordered || !(top.entry() > limit)) break;
+            if (!(top.entry() > limit)) break;
         } while (true);
     }
 }
@@ -131,10 +128,9 @@ HWY_INLINE void traverse_ray(const Bvh& bvh, const SlabRays& rays, int i, BvhChi
 inline constexpr int k_min_packet_size = 8;
 
 /// Calls leaf.visit(packet, active, first, count) for every leaf whose box some rays of the packet intersect
-/// before their t_max: those set in `active`; nearest first if `ordered`. If few rays are active, they
-/// continue one by one. visit may reduce t_max of rays (and then updates the packet's).
-template <bool ordered, class Leaf>
-HWY_INLINE void traverse_packet(const Bvh& bvh, RayPacket& packet, Leaf& leaf) {
+/// before their t_max: those set in `active`; nearest first. If few rays are active, they continue one by
+/// one. visit may reduce t_max of rays (and then updates the packet's).
+template <class Leaf> HWY_INLINE void traverse_packet(const Bvh& bvh, RayPacket& packet, Leaf& leaf) {
     struct StackEntry {
         BvhChild child;
         float entry;
@@ -151,7 +147,7 @@ HWY_INLINE void traverse_packet(const Bvh& bvh, RayPacket& packet, Leaf& leaf) {
             for (std::uint64_t bits = next.active; bits != 0; bits &= bits - 1) {
                 const int i = packet.first + __builtin_ctzll(bits);
                 if (next.entry > packet.rays.t_max[i]) continue;
-                traverse_ray<ordered>(bvh, packet.rays, i, next.child, leaf);
+                traverse_ray(bvh, packet.rays, i, next.child, leaf);
             }
             packet.update_t_max();
             continue;
@@ -170,11 +166,7 @@ HWY_INLINE void traverse_packet(const Bvh& bvh, RayPacket& packet, Leaf& leaf) {
             const float hi[3] = {node.hi[0][c], node.hi[1][c], node.hi[2][c]};
             const std::uint64_t active = rays_that_meet(packet, next.active, lo, hi);
             if (active == 0) continue;
-            if constexpr (ordered) {
-                visits.push_ordered({node.child[c], entries[c], active}, base);
-            } else {
-                visits.push({node.child[c], entries[c], active});
-            }
+            visits.push_ordered({node.child[c], entries[c], active}, base);
         }
     }
 }

@@ -35,6 +35,9 @@ inline constexpr bool k_is_triangle =
 template <class Geometry>
 inline constexpr bool k_is_cheap = k_is_triangle<Geometry> || std::is_same_v<Geometry, SphereGeometry>;
 
+/// Kinds with a test in double that is cheaper than their formula: may_hit().
+template <class Geometry> inline constexpr bool k_has_quick_test = std::is_same_v<Geometry, SphereGeometry>;
+
 /// Calls visitor.visit<Geometry>() for the geometry of a kind, with or without a transform. Kinds that apply
 /// the transform to their own parameters (k_bakes_transform) are never packed with one.
 template <class Geometry, class Visitor> HWY_INLINE void visit_kind(bool transformed, Visitor&& visitor) {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Lanes<T>: a vector of as many T as fit a register, with the operators and the names of math/number.h.
-// The only file that includes highway.h; compress-inl.h and elementary-inl.h include this one. Compiled once
-// per target by foreach_target.h (trace/kernels.cpp, trace/hit_kernels.cpp). Of Highway, only operations that
-// IEEE 754 defines exactly: no MulAdd family, no Approximate*, no SumOfLanes; Min and Max only if they equal
-// a comparison and a select.
+// The only file that includes highway.h; its neighbours include this one. Compiled once per target by
+// foreach_target.h (trace/kernels.cpp, trace/hit_kernels.cpp). Of Highway, only operations that IEEE 754
+// defines exactly: no MulAdd family, no Approximate*, no SumOfLanes; Min and Max only if they equal a
+// comparison and a select.
 #if defined(GLINT_SIMD_LANES_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLINT_SIMD_LANES_INL_H_
 #undef GLINT_SIMD_LANES_INL_H_
@@ -214,14 +214,15 @@ template <class T> HWY_INLINE int count(LaneMask<T> m) {
 
 /// Bit i of the result is lane i.
 template <class T> HWY_INLINE std::uint32_t to_bits(LaneMask<T> m) {
-    std::uint32_t bits = 0;
     if constexpr (lane_count<T>() == 1) {
-        bits = hn::AllTrue(Tag<T>(), m.m) ? 1 : 0;
+        return hn::AllTrue(Tag<T>(), m.m) ? 1 : 0;
     } else {
         static_assert(std::endian::native == std::endian::little);
+        // Of the size that is written: reading more bytes would wait for the write to the cache.
+        std::conditional_t<(lane_count<T>() <= 8), std::uint8_t, std::uint16_t> bits = 0;
         hn::StoreMaskBits(Tag<T>(), m.m, reinterpret_cast<std::uint8_t*>(&bits));
+        return bits & ((1u << lane_count<T>()) - 1);
     }
-    return bits & ((1u << lane_count<T>()) - 1);
 }
 /// The first n lanes, n >= 0 (all lanes if n is larger than their number).
 template <class T> HWY_INLINE LaneMask<T> first_lanes(int n) {

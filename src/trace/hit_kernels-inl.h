@@ -9,6 +9,7 @@
 #endif
 
 #include "bvh/traverse-inl.h"
+#include "bvh/traverse_any-inl.h"
 #include "trace/hit_rule-inl.h"
 #include "trace/intersect-inl.h"
 
@@ -22,17 +23,16 @@ HWY_INLINE RaySpan from(const RaySpan& r, int first) {
             r.dy + first, r.dz + first, r.t_min + first, r.t_max + first};
 }
 
-/// The maximum difference of directions within a packet, relative to their size. Measured: for nearest hits,
-/// values from 0.05 to 1 differ in speed by 10%, and 0.5 is fastest; for any-hit queries, 0.05 is 15% faster
-/// than 0.5.
-inline constexpr double k_nearest_spread = 0.5, k_any_spread = 0.05;
+/// The maximum difference of directions within a packet, relative to their size, for nearest hits. Measured:
+/// values from 0.05 to 1 differ in speed by 10%, and 0.5 is fastest.
+inline constexpr double k_nearest_spread = 0.5;
 
 /// The number of coherent rays from `first` on, at most `most`: those with nearly the direction of the first.
 /// They form a packet. A packet with more different directions would intersect all boxes between them.
-HWY_INLINE int count_coherent(const SlabRays& rays, int first, int most, double spread) {
+HWY_INLINE int count_coherent(const SlabRays& rays, int first, int most) {
     const auto& d = rays.direction;
     const Floats x(d[0][first]), y(d[1][first]), z(d[2][first]);
-    const Floats near = Floats(static_cast<float>(spread)) * (abs(x) + abs(y) + abs(z));
+    const Floats near = Floats(static_cast<float>(k_nearest_spread)) * (abs(x) + abs(y) + abs(z));
     for (int n = 0; n < most; n += lane_count<float>()) {
         const int i = first + n;
         const auto far = abs(load(d[0] + i) - x) + abs(load(d[1] + i) - y) + abs(load(d[2] + i) - z) > near;
@@ -41,15 +41,41 @@ HWY_INLINE int count_coherent(const SlabRays& rays, int first, int most, double 
     return most;
 }
 
+/// Traces packets of coherent rays, and the others one by one.
+HWY_INLINE void trace_nearest(const Bvh& bvh, SlabRays& slab_rays, int count, int max_packet,
+                              ShapeTests& tests) {
+    for (int first = 0, n = 0; first < count; first += n) {
+        n = count_coherent(slab_rays, first, number::min(max_packet, count - first));
+        if (n >= k_min_packet_size) {
+            RayPacket packet(slab_rays, first, n);
+            traverse_packet(bvh, packet, tests);
+            continue;
+        }
+        for (int i = first; i < first + n; ++i) {
+            if (slab_rays.t_max[i] >= slab_rays.t_min[i])
+                traverse_ray(bvh, slab_rays, i, BvhChild::node(0), tests);
+        }
+    }
+}
+
+/// Traces packets. They need not be coherent.
+HWY_INLINE void trace_any(const Bvh& bvh, SlabRays& slab_rays, int count, int max_packet, ShapeTests& tests) {
+    for (int first = 0; first < count; first += max_packet) {
+        RayPacket packet(slab_rays, first, number::min(max_packet, count - first));
+        // Neighbouring rays often have the same occluder.
+        if (*tests.result.occluder != k_none) tests.visit_shape(packet, *tests.result.occluder);
+        traverse_any(bvh, packet, tests);
+    }
+}
+
 /// Traces rays [0, count) of the span, count <= SlabRays::k_max_rays.
-template <bool ordered>
+template <bool any>
 HWY_INLINE void trace_chunk(const WorldParts& world, const RaySpan& rays, int count, int max_packet,
-                            double spread, double* t, std::uint32_t* slot, std::uint8_t* occluded) {
+                            double* t, std::uint32_t* slot, std::uint8_t* occluded) {
     const PackedGeometry& geometry = *world.geometry;
     SlabRays slab_rays;
     prepare_rays(rays, count, slab_rays);
     std::uint32_t occluder = k_none;
-    const bool shares_occluders = !ordered && world.occlusion;  // neighbouring rays often have the same
     const HitResult result{world, slab_rays, t, slot, occluded, &occluder};
     ShearedRays sheared_rays(rays);
     ShapeTests tests{geometry, rays, slab_rays, result, sheared_rays};
@@ -57,26 +83,10 @@ HWY_INLINE void trace_chunk(const WorldParts& world, const RaySpan& rays, int co
         if (shapes.first >= geometry.bounded) tests.visit_unbounded(shapes, count);
     }
     if (geometry.bvh.nodes.empty()) return;
-    for (int first = 0, n = 0; first < count; first += n) {
-        n = count_coherent(slab_rays, first, number::min(max_packet, count - first), spread);
-        if (n >= k_min_packet_size) {
-            RayPacket packet(slab_rays, first, n);
-            if (!ordered && occluder != k_none) {
-                tests.visit_shape(packet, occluder);
-                packet.update_t_max();
-            }
-            traverse_packet<ordered>(geometry.bvh, packet, tests);
-        } else {
-            for (int i = first; i < first + n; ++i) {
-                if (!(slab_rays.t_max[i] >= slab_rays.t_min[i])) continue;
-                if (shares_occluders && occluder != k_none) {
-                    tests.visit(i, occluder, 1);
-                    if (!(slab_rays.t_max[i] >= slab_rays.t_min[i])) continue;
-                }
-                traverse_ray<ordered>(geometry.bvh, slab_rays, i, BvhChild::node(0), tests);
-            }
-        }
-    }
+    if constexpr (any)
+        trace_any(geometry.bvh, slab_rays, count, max_packet, tests);
+    else
+        trace_nearest(geometry.bvh, slab_rays, count, max_packet, tests);
 }
 
 void nearest_hit(const WorldParts& world, const RaySpan& rays, int count, int packet, double* t,
@@ -86,17 +96,12 @@ void nearest_hit(const WorldParts& world, const RaySpan& rays, int count, int pa
         slot[i] = k_none;
     }
     for (int first = 0; first < count; first += SlabRays::k_max_rays) {
-        trace_chunk<true>(world, from(rays, first), number::min(SlabRays::k_max_rays, count - first), packet,
-                          k_nearest_spread, t + first, slot + first, nullptr);
+        trace_chunk<false>(world, from(rays, first), number::min(SlabRays::k_max_rays, count - first), packet,
+                           t + first, slot + first, nullptr);
     }
 }
 
 void any_hit(const WorldParts& world, const RaySpan& rays, int count, int packet, std::uint8_t* occluded) {
-    any_hit(world, rays, count, packet, k_any_spread, occluded);
-}
-
-void any_hit(const WorldParts& world, const RaySpan& rays, int count, int packet, double spread,
-             std::uint8_t* occluded) {
     double t[SlabRays::k_size];
     for (int first = 0; first < count; first += SlabRays::k_max_rays) {
         const int n = number::min(SlabRays::k_max_rays, count - first);
@@ -104,7 +109,7 @@ void any_hit(const WorldParts& world, const RaySpan& rays, int count, int packet
             t[i] = rays.t_max[first + i];
             occluded[first + i] = 0;
         }
-        trace_chunk<false>(world, from(rays, first), n, packet, spread, t, nullptr, occluded + first);
+        trace_chunk<true>(world, from(rays, first), n, packet, t, nullptr, occluded + first);
     }
 }
 

@@ -46,6 +46,13 @@ struct ShapeTests {
         visit_geometry(shapes.kind, shapes.transformed, visitor);
         packet.update_t_max();
     }
+    /// The same for few rays of the packet, of which each tests a vector of shapes at a time; any_hit only.
+    HWY_INLINE void visit_rays(const RayPacket& packet, std::uint64_t active, std::uint32_t first,
+                               std::uint32_t count) {
+        const ShapeClass& shapes = geometry.class_of(first);
+        RaysLeaf visitor{*this, shapes, packet.first, active, first, count};
+        visit_geometry(shapes.kind, shapes.transformed, visitor);
+    }
     HWY_INLINE void visit(int ray, std::uint32_t first, std::uint32_t count) {
         const ShapeClass& shapes = geometry.class_of(first);
         RayLeaf visitor{*this, shapes, ray, first, count};
@@ -82,6 +89,17 @@ struct ShapeTests {
         template <class Geometry> HWY_INLINE void visit() {
             if constexpr (Geometry::k_bounded)
                 tests.packet_leaf<Geometry>(shapes, packet, active, first, count);
+        }
+    };
+    struct RaysLeaf {
+        ShapeTests& tests;
+        const ShapeClass& shapes;
+        int first_ray;
+        std::uint64_t active;
+        std::uint32_t first, count;
+        template <class Geometry> HWY_INLINE void visit() {
+            if constexpr (Geometry::k_bounded)
+                tests.rays_leaf<Geometry>(shapes, first, count, first_ray, active);
         }
     };
     struct RayLeaf {
@@ -263,40 +281,84 @@ struct ShapeTests {
         store(slab.exit, to.exit);
     }
 
+    /// Up to a vector of a leaf's shapes, the first in `slot`: their values, and a bit for each.
+    template <class Geometry> struct ShapeLanes {
+        Doubles p[Geometry::k_values];
+        std::uint32_t slot, bits;
+        HWY_INLINE ShapeLanes(const ShapeClass& shapes, std::uint32_t first, std::uint32_t count)
+            : slot(first), bits(first_bits(number::min(static_cast<int>(count), lane_count<double>()))) {
+            for (int k = 0; k < Geometry::k_values; ++k)
+                p[k] = load(shapes.column(k) + (slot - shapes.first));
+        }
+    };
+
     /// Tests one ray with a vector of shapes at a time.
     template <class Geometry>
     HWY_NOINLINE void ray_leaf(const ShapeClass& shapes, std::uint32_t first, std::uint32_t count, int i) {
-        const Doubles t_min(rays.t_min[i]);
         for (std::uint32_t s = 0; s < count; s += lane_count<double>()) {
-            const std::uint32_t slot = first + s;
-            std::uint32_t bits = first_bits(number::min(static_cast<int>(count - s), lane_count<double>()));
-            RaySlab boxes;
-            if constexpr (!k_is_cheap<Geometry>) {
-                meet_boxes<Geometry>(shapes, slot, i, boxes);
-                bits &= boxes.meets;
-                if (bits == 0) continue;
+            const ShapeLanes<Geometry> some(shapes, first + s, count - s);
+            test_shapes(shapes, some, some.bits, i);
+        }
+    }
+
+    /// The same for rays first_ray + r, for the bits r of active, until they hit.
+    template <class Geometry>
+    HWY_NOINLINE void rays_leaf(const ShapeClass& shapes, std::uint32_t first, std::uint32_t count,
+                                int first_ray, std::uint64_t active) {
+        for (std::uint32_t s = 0; s < count; s += lane_count<double>()) {
+            const ShapeLanes<Geometry> some(shapes, first + s, count - s);
+            std::uint8_t candidates[64];  // by ray: bits of shapes
+            std::uint64_t passed = active;
+            if constexpr (k_has_quick_test<Geometry>) {
+                // In a loop of its own, whose iterations the processor can overlap.
+                passed = 0;
+                for (std::uint64_t rest = active; rest != 0; rest &= rest - 1) {
+                    const int r = __builtin_ctzll(rest), i = first_ray + r;
+                    const auto may = Geometry::may_hit(some.p, one_ray(i), Doubles(rays.t_min[i]));
+                    candidates[r] = static_cast<std::uint8_t>(to_bits(may) & some.bits);
+                    passed |= std::uint64_t{candidates[r] != 0} << r;
+                }
             }
-            Doubles p[Geometry::k_values];
-            for (int k = 0; k < Geometry::k_values; ++k)
-                p[k] = load(shapes.column(k) + (slot - shapes.first));
-            const auto hit = formula_of_ray<Geometry>(p, i, t_min);
-            bits &= to_bits(hit.valid);
-            if (bits == 0) continue;
-            if constexpr (k_is_cheap<Geometry>) {
-                meet_boxes<Geometry>(shapes, slot, i, boxes);
-                bits &= boxes.meets;
+            for (std::uint64_t rest = passed; rest != 0; rest &= rest - 1) {
+                const int r = __builtin_ctzll(rest), i = first_ray + r;
+                if constexpr (k_has_quick_test<Geometry>)
+                    test_shapes(shapes, some, candidates[r], i);
+                else
+                    test_shapes(shapes, some, some.bits, i);
+                const bool finished = !(slab_rays.t_max[i] >= slab_rays.t_min[i]);
+                active &= ~(std::uint64_t{finished} << r);
             }
-            const Doubles t = min(max(hit.t, widen(boxes.entry)), widen(boxes.exit));
-            bits &= to_bits(t > t_min && t <= Doubles(result.t[i]));
-            if (bits == 0) continue;
-            alignas(64) double lanes[lane_count<double>()];
-            store(t, lanes);
-            for (; bits != 0; bits &= bits - 1) {
-                const int lane = __builtin_ctz(bits);
-                // An earlier lane may have reduced the limit.
-                if (lanes[lane] <= result.t[i])
-                    result.accept(i, lanes[lane], slot + static_cast<std::uint32_t>(lane));
-            }
+        }
+    }
+
+    /// Tests one ray with the shapes `bits`.
+    template <class Geometry>
+    HWY_INLINE void test_shapes(const ShapeClass& shapes, const ShapeLanes<Geometry>& some,
+                                std::uint32_t bits, int i) {
+        const Doubles t_min(rays.t_min[i]);
+        RaySlab boxes;
+        if constexpr (!k_is_cheap<Geometry>) {
+            meet_boxes<Geometry>(shapes, some.slot, i, boxes);
+            bits &= boxes.meets;
+            if (bits == 0) return;
+        }
+        const auto hit = formula_of_ray<Geometry>(some.p, i, t_min);
+        bits &= to_bits(hit.valid);
+        if (bits == 0) return;
+        if constexpr (k_is_cheap<Geometry>) {
+            meet_boxes<Geometry>(shapes, some.slot, i, boxes);
+            bits &= boxes.meets;
+        }
+        const Doubles t = min(max(hit.t, widen(boxes.entry)), widen(boxes.exit));
+        bits &= to_bits(t > t_min && t <= Doubles(result.t[i]));
+        if (bits == 0) return;
+        alignas(64) double lanes[lane_count<double>()];
+        store(t, lanes);
+        for (; bits != 0; bits &= bits - 1) {
+            const int lane = __builtin_ctz(bits);
+            // An earlier lane may have reduced the limit.
+            if (lanes[lane] <= result.t[i])
+                result.accept(i, lanes[lane], some.slot + static_cast<std::uint32_t>(lane));
         }
     }
 };

@@ -20,13 +20,6 @@ namespace HWY_NAMESPACE {
 void nearest_hit(const WorldParts& world, const RaySpan& rays, int count, int packet, double* t,
                  std::uint32_t* slot);
 void any_hit(const WorldParts& world, const RaySpan& rays, int count, int packet, std::uint8_t* occluded);
-/// any_hit with another greatest difference of directions within a packet, relative to their size. It cannot
-/// change the result.
-void any_hit(const WorldParts& world, const RaySpan& rays, int count, int packet, double spread,
-             std::uint8_t* occluded);
-
-/// The difference for the rays of the light from all directions, which are sorted by direction.
-inline constexpr double k_sky_spread = 0.4;
 
 /// Finds the nearest hits of a stream: of the rays from index `first`, at most k_stream_size.
 inline void intersect(const WorldParts& world, const RayBatch& rays, int first, HitBatch& hits) {

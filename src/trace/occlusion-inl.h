@@ -45,7 +45,7 @@ inline bool colors_sky(const WorldParts& world) { return world.colors_shadows() 
 
 /// Determines which rays are occluded, and with colored shadows the factor of the light of the others.
 inline void find_sky_visibility(const WorldParts& world, ShadowRayBatch& rays, SteppedRays& steps) {
-    any_hit(world, rays.span(), rays.count, k_packet_size, k_sky_spread, rays.occluded.data());
+    intersect_shadow(world, rays);
     if (world.colors_shadows()) filter_light(world, rays, steps, nullptr);
 }
 

@@ -300,6 +300,46 @@ TEST(TriangleFilter, RejectsMostMisses) {
     EXPECT_GT(rejected, cases * 9 / 10);
 }
 
+// A ray from near the surface, at r (1 + 2^-k) or r (1 - 2^-k), in any direction.
+Case<Sphere> ray_from_sphere(Random& random) {
+    Case<Sphere> c = random_sphere(random);
+    const double side = chance(random, 0.7) ? 1 : -1;
+    const double distance = c.shape.radius * (1 + std::ldexp(side, -3 - below(random, 50)));
+    c.origin = c.shape.center + unit_direction(random) * distance;
+    return c;
+}
+
+// Half of the rays start at t 0. The others start before or behind one of their hits, by down to 2^-50.
+TEST(SphereQuickTest, NeverRejectsAHit) {
+    using Geometry = plain::SphereGeometry;
+    Random random(46);
+    int hits = 0, rejected = 0, own = 0, own_rejected = 0;
+    constexpr int cases = k_blocks * 200;
+    for (int i = 0; i < cases; ++i) {
+        const bool from_surface = chance(random, 0.5);
+        const auto c = from_surface ? ray_from_sphere(random) : random_sphere(random);
+        double p[4];
+        Geometry::pack(c.shape, p);
+        const Vec3 o = c.origin, d = c.direction;
+        const plain::Ray<double> ray{{o.x, o.y, o.z}, {d.x, d.y, d.z}};
+        double t_min = 0;
+        if (chance(random, 0.5)) {
+            const auto first = Geometry::hit(p, ray, chance(random, 0.5) ? -1e300 : 0.0);
+            const double side = chance(random, 0.5) ? 1 : -1;
+            if (first.valid) t_min = first.t * (1 + std::ldexp(side, -3 - below(random, 50)));
+        }
+        const bool hit = Geometry::hit(p, ray, t_min).valid, may = Geometry::may_hit(p, ray, t_min);
+        ASSERT_TRUE(may || !hit) << "case " << i << ": the quick test rejected a hit";
+        hits += hit;
+        rejected += !may;
+        own += from_surface && !hit;
+        own_rejected += from_surface && !may;
+    }
+    EXPECT_GT(hits, cases / 5);
+    EXPECT_GT(rejected, cases / 6);
+    EXPECT_GT(own_rejected, own / 2);  // most rays that leave the sphere on which they start
+}
+
 TEST(SphereFilter, RejectsMostMisses) {
     // Rays past a unit sphere at twice its radius, from within 100 of it: the typical use.
     Random random(42);

@@ -11,6 +11,7 @@
 #define HWY_TARGET_INCLUDE "simd/lanes_test.cpp"
 #include <hwy/foreach_target.h>
 
+#include "simd/bit_matrix-inl.h"
 #include "simd/compress-inl.h"
 #include "simd/targets.h"
 
@@ -48,6 +49,12 @@ Moved move_lanes(const double* values, const std::uint32_t* numbers, std::uint32
     c.add(iota());
     store_interleaved(a, b, c, m.interleaved.data());
     return m;
+}
+
+std::uint64_t matrix_column(const std::uint16_t* rows, int c) {
+    BitMatrix matrix;
+    std::copy_n(rows, 64, matrix.row);
+    return matrix.column(c);
 }
 
 }  // namespace HWY_NAMESPACE
@@ -98,6 +105,32 @@ TEST(Lanes, AreMovedAsInPlainCode) {
 #endif
 #if HWY_TARGETS & HWY_SCALAR
     check<N_SCALAR::Moved>(N_SCALAR::move_lanes);
+#endif
+}
+
+template <class Column> void check_columns(const Column& column) {
+    std::uint16_t rows[64];
+    for (std::uint32_t r = 0; r < 64; ++r) rows[r] = static_cast<std::uint16_t>((r + 1) * 40503u >> 3);
+    for (int c = 0; c < 16; ++c) {
+        std::uint64_t expected = 0;
+        for (int r = 0; r < 64; ++r) expected |= std::uint64_t{rows[r] >> c & 1u} << r;
+        EXPECT_EQ(column(rows, c), expected) << c;
+    }
+}
+
+TEST(BitMatrix, ColumnsAreThoseOfPlainCode) {
+    [[maybe_unused]] const auto supported = supported_targets();
+#if HWY_TARGETS & HWY_AVX3
+    if (supported & HWY_AVX3) check_columns(N_AVX3::matrix_column);
+#endif
+#if HWY_TARGETS & HWY_AVX2
+    if (supported & HWY_AVX2) check_columns(N_AVX2::matrix_column);
+#endif
+#if HWY_TARGETS & HWY_SSE4
+    if (supported & HWY_SSE4) check_columns(N_SSE4::matrix_column);
+#endif
+#if HWY_TARGETS & HWY_SCALAR
+    check_columns(N_SCALAR::matrix_column);
 #endif
 }
 
