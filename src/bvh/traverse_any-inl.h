@@ -22,18 +22,19 @@ namespace HWY_NAMESPACE {
 /// The children that ray i intersects before its t_max.
 HWY_INLINE std::uint32_t children_met_by_ray(const SlabRays& rays, int i, const BvhNode& node) {
     const SlabRay ray(rays, i);
+    const float(*const sides[2])[k_bvh_width] = {node.lo, node.hi};
     const float *near[3], *far[3];
     for (int a = 0; a < 3; ++a) {
         // By the sign bit, without a branch, which would often be mispredicted.
         const auto backward = std::bit_cast<std::uint32_t>(rays.near_inverse[a][i]) >> 31;
-        const int offset = static_cast<int>(backward) * 3 * k_bvh_width;
-        near[a] = node.lo[a] + offset, far[a] = node.hi[a] - offset;
+        near[a] = sides[backward][a], far[a] = sides[1 - backward][a];
     }
     std::uint32_t met = 0;
     for (int c = 0; c < k_bvh_width; c += lane_count<float>()) {
-        const Slab slab = ray.meet(near, far);
+        const float* const near_here[3] = {near[0] + c, near[1] + c, near[2] + c};
+        const float* const far_here[3] = {far[0] + c, far[1] + c, far[2] + c};
+        const Slab slab = ray.meet(near_here, far_here);
         met |= to_bits(meets(slab, Floats(rays.t_min[i]), Floats(rays.t_max[i]))) << c;
-        for (int a = 0; a < 3; ++a) near[a] += lane_count<float>(), far[a] += lane_count<float>();
     }
     return met;
 }
