@@ -180,20 +180,26 @@ struct RadianceBatch {
     BatchColumn<double> sky[3];  // k_d color f; if the scene has occlusion
 };
 
-/// The light from all directions that arrives at the surfaces, by samples. Its entries are the surfaces in
-/// the order of their slots, so that rays that are traced together start near each other.
+/// The light from all directions that arrives at the surfaces of a stream, by samples. Its entries are the
+/// surfaces in the order of their slots, so that rays that are traced together start near each other. Blocks
+/// of k_batch_size entries are traced together.
 struct SkyBatch {
     int count = 0;
-    BatchColumn<std::uint32_t> order;  // the surface of each entry
+    int first = 0;                      // the number in the stream of the first surface of the SurfaceBatch
+    StreamColumn<std::uint32_t> order;  // the surface of each entry, by its number in the stream
+    StreamColumn<std::uint32_t> place;  // the entry of each surface
     // Those of the surface: point, normal, incoming and magnitude; and the hash.
     static constexpr int k_normal = 3, k_incoming = 6, k_magnitude = 9;
-    BatchColumn<double> surface[10], hash;
+    StreamColumn<double> surface[10], hash;
     // The sum over the samples that are not blocked: 1, or N·D. With colored shadows: times the factor of the
     // light, by channel; else the first column alone.
-    BatchColumn<double> arrived[3];
-    BatchColumn<double> blocked;  // the number of the others
+    StreamColumn<double> arrived[3];
+    StreamColumn<double> blocked;  // the number of the others
     // Of each ray in the ShadowRayBatch: its entry, and what it adds if it is not blocked.
     BatchColumn<double> entry, cosine;
+
+    /// Of surface h of the SurfaceBatch.
+    double blocked_of(std::size_t h) const { return blocked[place[static_cast<std::size_t>(first) + h]]; }
 };
 
 /// The hashed directions of some samples of the light from all directions are sorted together: at most so
@@ -202,7 +208,7 @@ inline constexpr int k_sky_group_samples = 64;
 /// Directions are sorted by the cell of a grid of so many rows and columns.
 inline constexpr int k_sky_cell_rows = 16, k_sky_cells = k_sky_cell_rows * k_sky_cell_rows;
 
-/// Hashed directions of the entries of a SkyBatch: entry i of sample s at s * k_batch_size + i.
+/// Hashed directions of a block of a SkyBatch: the block's entry i of sample s at s * k_batch_size + i.
 struct SkyGroup {
     int count = 0;
     GrowingColumn direction[3];

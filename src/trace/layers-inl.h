@@ -83,7 +83,7 @@ inline void count_sky(const WorldParts& world, const SurfaceBatch& surfaces, con
     for (std::size_t h = 0; h < static_cast<std::size_t>(surfaces.count); ++h) {
         const auto p = static_cast<std::size_t>(surfaces.target[h]);
         first_hits.sky_tested[p] += world.occlusion->samples;
-        first_hits.sky_blocked[p] += sky.blocked[h];
+        first_hits.sky_blocked[p] += sky.blocked_of(h);
     }
 }
 

@@ -18,26 +18,41 @@ HWY_BEFORE_NAMESPACE();
 namespace glint {
 namespace HWY_NAMESPACE {
 
-/// Starts the sums of the surfaces, and puts them into the order of their slots.
-inline void sort_surfaces(const SurfaceBatch& surfaces, SkyBatch& to) {
-    to.count = surfaces.count;
-    const auto count = static_cast<std::size_t>(surfaces.count);
-    for (std::size_t h = 0; h < count; ++h) to.order[h] = static_cast<std::uint32_t>(h);
-    std::sort(to.order.begin(), to.order.begin() + surfaces.count, [&](std::uint32_t a, std::uint32_t b) {
-        return surfaces.slot[a] != surfaces.slot[b] ? surfaces.slot[a] < surfaces.slot[b] : a < b;
+/// Sorts the hits of a stream by their slots: the entry of each surface. Starts the sums.
+inline void sort_hits(const HitBatch& hits, SkyBatch& to) {
+    to.count = to.first = 0;
+    std::array<std::uint32_t, k_stream_size> slot;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(hits.count); ++i) {
+        if (hits.slot[i] == k_none) continue;
+        const auto surface = static_cast<std::size_t>(to.count++);
+        slot[surface] = hits.slot[i];
+        to.order[surface] = static_cast<std::uint32_t>(surface);
+    }
+    std::sort(to.order.begin(), to.order.begin() + to.count, [&](std::uint32_t a, std::uint32_t b) {
+        return slot[a] != slot[b] ? slot[a] < slot[b] : a < b;
     });
-    const auto copy = [&](const BatchColumn<double>& from, BatchColumn<double>& column) {
-        for (std::size_t i = 0; i < count; ++i) column[i] = from[to.order[i]];
+    const auto count = static_cast<std::size_t>(to.count);
+    for (std::size_t e = 0; e < count; ++e) to.place[to.order[e]] = static_cast<std::uint32_t>(e);
+    // Vectors of surfaces gather from the entries; lanes after the last surface from the first entry.
+    std::fill_n(to.place.begin() + to.count, lane_count<double>(), 0u);
+    for (StreamColumn<double>* sum : {&to.arrived[0], &to.arrived[1], &to.arrived[2], &to.blocked})
+        std::fill_n(sum->begin(), count, 0.0);
+}
+
+/// Copies surfaces to their entries. The first of them has number to.first in the stream.
+inline void place_surfaces(const SurfaceBatch& surfaces, SkyBatch& to) {
+    const std::uint32_t* const place = to.place.data() + to.first;
+    const auto copy = [&](const BatchColumn<double>& from, StreamColumn<double>& column) {
+        for (std::size_t i = 0; i < static_cast<std::size_t>(surfaces.count); ++i) column[place[i]] = from[i];
     };
     for (int c = 0; c < 3; ++c) {
         copy(surfaces.point[c], to.surface[c]);
         copy(surfaces.normal[c], to.surface[SkyBatch::k_normal + c]);
         copy(surfaces.incoming[c], to.surface[SkyBatch::k_incoming + c]);
-        std::fill_n(to.arrived[c].begin(), count, 0.0);
     }
     copy(surfaces.magnitude, to.surface[SkyBatch::k_magnitude]);
     if (surfaces.hashed) copy(surfaces.hash, to.hash);
-    std::fill_n(to.blocked.begin(), count, 0.0);
+    to.first += surfaces.count;
 }
 
 /// Whether transparent surfaces color the light from all directions.
@@ -65,21 +80,14 @@ inline void add_sky_rays(const WorldParts& world, const ShadowRayBatch& rays, Sk
     }
 }
 
-/// Puts the sums into the order of the surfaces.
-inline void unsort_sky(SkyBatch& sky) {
-    const auto count = static_cast<std::size_t>(sky.count);
-    for (BatchColumn<double>* sums : {&sky.arrived[0], &sky.arrived[1], &sky.arrived[2], &sky.blocked}) {
-        std::copy_n(sums->begin(), count, sky.cosine.begin());
-        for (std::size_t i = 0; i < count; ++i) (*sums)[sky.order[i]] = sky.cosine[i];
-    }
-}
-
 /// f of a vector of surfaces, by channel.
 HWY_INLINE Vector3<Doubles> sky_factor(const WorldParts& world, const SkyBatch& sky, int h) {
     const Occlusion& occlusion = *world.occlusion;
     const Doubles scale((occlusion.method == OcclusionMethod::fixed ? 2.0 : 1.0) / occlusion.samples);
-    if (colors_sky(world)) return load_vector3(sky.arrived, h) * scale;
-    const Doubles f = load(sky.arrived[0].data() + h) * scale;
+    const GatherIndices places(sky.place.data() + sky.first + h);
+    const auto arrived = [&](int c) HWY_ATTR { return gather(sky.arrived[c].data(), places) * scale; };
+    if (colors_sky(world)) return {arrived(0), arrived(1), arrived(2)};
+    const Doubles f = arrived(0);
     return {f, f, f};
 }
 

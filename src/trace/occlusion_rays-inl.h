@@ -62,9 +62,10 @@ HWY_INLINE Vector3<Doubles> sky_ray_origin(const WorldParts& world, const Column
     return offset_ray_origin(surface, direction, world.conventions.offset, world.conventions.epsilon);
 }
 
-/// The block of fixed directions of a batch. In Tachyon, each further surface of a pixel takes the next ones.
-inline const Vec3* fixed_block(const WorldParts& world, const SurfaceBatch& surfaces, int pixel_sample) {
-    const int block = (pixel_sample + surfaces.generation) % k_occlusion_blocks;
+/// The block of fixed directions of a generation. In Tachyon, each further surface of a pixel takes the next
+/// ones.
+inline const Vec3* fixed_block(const WorldParts& world, int generation, int pixel_sample) {
+    const int block = (pixel_sample + generation) % k_occlusion_blocks;
     return world.occlusion_directions->data() +
            static_cast<std::size_t>(block) * static_cast<std::size_t>(world.occlusion->samples);
 }
@@ -76,17 +77,18 @@ inline void set_sky_limits(const WorldParts& world, ShadowRayBatch& rays) {
     std::fill_n(rays.t_max.begin(), rays.count, world.occlusion->reach);
 }
 
-/// Makes the rays of one fixed direction: first those with the direction itself, then those with its
-/// opposite, so that the packets are coherent.
-inline void make_fixed_rays(const WorldParts& world, Vec3 fixed, SkyBatch& sky, ShadowRayBatch& rays) {
+/// Makes the rays of one fixed direction for entries [begin, end): first those with the direction itself,
+/// then those with its opposite, so that the packets are coherent.
+inline void make_fixed_rays(const WorldParts& world, Vec3 fixed, int begin, int end, SkyBatch& sky,
+                            ShadowRayBatch& rays) {
     rays.count = 0;
     const Vector3<Doubles> ahead = lanes_of(fixed);
     for (int side = 0; side < 2; ++side) {
         const Vector3<Doubles> direction = side == 0 ? ahead : -ahead;
-        for (int i = 0; i < sky.count; i += lane_count<double>()) {
+        for (int i = begin; i < end; i += lane_count<double>()) {
             const Doubles n_d = dot(load_vector3(sky.surface + SkyBatch::k_normal, i), ahead);
             const auto below = n_d < Doubles(0);
-            const auto set = first_lanes<double>(sky.count - i) && (side == 0 ? !below : below);
+            const auto set = first_lanes<double>(end - i) && (side == 0 ? !below : below);
             if (!any(set)) continue;
             const int at = rays.count;
             const auto column = [&](std::size_t c) HWY_ATTR { return load(sky.surface[c].data() + i); };
@@ -132,24 +134,25 @@ struct CellOrder {
 };
 inline constexpr CellOrder k_cell_order;
 
-/// Makes the directions of hashed samples [first, end) of all entries, at most k_sky_group_samples, and
-/// sorts them by direction; those of a cell by entry.
-inline void make_hashed_rays(SampleGrid grid, int first, int end, const SkyBatch& sky, SkyGroup& group) {
+/// Makes the directions of hashed samples [first, end), at most k_sky_group_samples, of the block of `block`
+/// entries from `begin` on, and sorts them by direction; those of a cell by entry.
+inline void make_hashed_rays(SampleGrid grid, int first, int end, int begin, int block, const SkyBatch& sky,
+                             SkyGroup& group) {
     group.start();
-    const auto entries = static_cast<std::size_t>(sky.count);
+    const auto entries = static_cast<std::size_t>(block);
     for (int sample = first; sample < end; ++sample) {
         const std::size_t row = static_cast<std::size_t>(sample - first) * k_batch_size;
-        for (int i = 0; i < sky.count; i += lane_count<double>()) {
+        for (int i = 0; i < block; i += lane_count<double>()) {
             const Vector3<Doubles> direction =
-                normalize(hashed_direction(to_words(load(sky.hash.data() + i)), grid, sample,
-                                           load_vector3(sky.surface + SkyBatch::k_normal, i)));
+                normalize(hashed_direction(to_words(load(sky.hash.data() + begin + i)), grid, sample,
+                                           load_vector3(sky.surface + SkyBatch::k_normal, begin + i)));
             alignas(64) double cells[lane_count<double>()];
             store(direction_cell(direction), cells);
             const std::size_t at = row + static_cast<std::size_t>(i);
             store(direction.x, group.direction[0].data() + at);
             store(direction.y, group.direction[1].data() + at);
             store(direction.z, group.direction[2].data() + at);
-            const auto lanes = static_cast<std::size_t>(number::min(lane_count<double>(), sky.count - i));
+            const auto lanes = static_cast<std::size_t>(number::min(lane_count<double>(), block - i));
             for (std::size_t k = 0; k < lanes; ++k)
                 group.cell[at + k] = k_cell_order.position[static_cast<std::size_t>(cells[k])];
         }
@@ -166,15 +169,15 @@ inline void make_hashed_rays(SampleGrid grid, int first, int end, const SkyBatch
     }
 }
 
-/// Copies the rays of a group from place `first` on, at most k_batch_size.
-inline void take_hashed_rays(const WorldParts& world, const SkyGroup& group, int first, SkyBatch& sky,
-                             ShadowRayBatch& rays) {
+/// Copies the rays of a group from place `first` on, at most k_batch_size. begin: the block's first entry.
+inline void take_hashed_rays(const WorldParts& world, const SkyGroup& group, int first, int begin,
+                             SkyBatch& sky, ShadowRayBatch& rays) {
     rays.count = number::min(k_batch_size, group.count - first);
     for (int r = 0; r < rays.count; r += lane_count<double>()) {
         const std::uint32_t* const sorted = group.sorted.data() + first + r;
         std::uint32_t entries[lane_count<double>()];
         for (int k = 0; k < lane_count<double>(); ++k) {
-            entries[k] = sorted[k] % k_batch_size;
+            entries[k] = static_cast<std::uint32_t>(begin) + sorted[k] % k_batch_size;
             sky.entry[static_cast<std::size_t>(r + k)] = static_cast<double>(entries[k]);
         }
         const GatherIndices from_group(sorted), from_sky(entries);

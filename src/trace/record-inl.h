@@ -260,9 +260,8 @@ inline void record_sky_rays(const ShadowRayBatch& rays, const SkyBatch& sky, Til
     for (std::size_t r = 0; r < static_cast<std::size_t>(rays.count); ++r) {
         if (rays.occluded[r] == 0) continue;
         const auto i = static_cast<int>(r);
-        record.blocked_sky.push_back({record.batch[sky.order[static_cast<std::size_t>(sky.entry[r])]],
-                                      vec3_at(rays.origin, i), vec3_at(rays.direction, i), rays.t_min[r],
-                                      rays.t_max[r]});
+        record.sky_rays.push_back({sky.order[static_cast<std::size_t>(sky.entry[r])], vec3_at(rays.origin, i),
+                                   vec3_at(rays.direction, i), rays.t_min[r], rays.t_max[r]});
     }
 }
 
@@ -274,12 +273,18 @@ inline void record_sky(const WorldParts& world, const SurfaceBatch& surfaces, co
         for (int k = 0; k < lanes; ++k) {
             ExplainedOcclusion& to = record.hit(h + k).occlusion.emplace();
             to.samples = world.occlusion->samples;
-            to.blocked = static_cast<int>(sky.blocked[static_cast<std::size_t>(h + k)]);
+            to.blocked = static_cast<int>(sky.blocked_of(static_cast<std::size_t>(h + k)));
             to.factors = factors.color(k);
             to.factor = colors_sky(world) ? (to.factors.r + to.factors.g + to.factors.b) / 3 : to.factors.r;
             to.light = color_at(radiance.sky, h + k);
         }
     });
+    const auto first = static_cast<std::size_t>(sky.first), count = static_cast<std::size_t>(surfaces.count);
+    for (TileRecord::SkyRay ray : record.sky_rays) {
+        if (ray.ray < first || ray.ray >= first + count) continue;
+        ray.ray = record.batch[ray.ray - first];
+        record.blocked_sky.push_back(ray);
+    }
 }
 
 /// The hits of a vector that have secondary rays, that are glass or transparent, that are transparent, whose

@@ -51,11 +51,12 @@ struct TileRecord {
     };
     std::vector<SampleStep> sample_steps;  // likewise, of a light that shines from its centre
     struct SkyRay {
-        std::size_t ray;  // whose hit it starts from
+        std::size_t ray;  // whose hit it starts from; of sky_rays: the surface's number in the stream
         Vec3 origin, direction;
         double t_min, t_max;
     };
-    std::vector<SkyRay> blocked_sky;  // the occlusion samples that are blocked
+    std::vector<SkyRay> sky_rays;     // the occlusion samples of the current stream that are blocked
+    std::vector<SkyRay> blocked_sky;  // those of the recorded hits
 
     std::vector<std::size_t> batch;  // the rays of the hits in the current batch
     ExplainedHit& hit(int h) { return *rays[batch[static_cast<std::size_t>(h)]].hit; }

@@ -74,42 +74,73 @@ inline void trace_sky_rays(const WorldParts& world, TileScratch& s) {
     if (s.record != nullptr) record_sky_rays(s.shadow_rays, s.sky, *s.record);
 }
 
-/// Runs the stages of the light from all directions.
-inline void light_from_sky(const WorldParts& world, TileScratch& s) {
+/// Traces the rays of all samples for entries [begin, end) of the SkyBatch, at most k_batch_size.
+inline void trace_sky_block(const WorldParts& world, int begin, int end, TileScratch& s) {
     const int samples = world.occlusion->samples;
-    sort_surfaces(s.surfaces, s.sky);
     if (world.occlusion->method == OcclusionMethod::fixed) {
-        const Vec3* const fixed = fixed_block(world, s.surfaces, s.pixel_sample);
+        const Vec3* const fixed = fixed_block(world, s.rays.generation, s.pixel_sample);
         for (int sample = 0; sample < samples; ++sample) {
-            make_fixed_rays(world, fixed[sample], s.sky, s.shadow_rays);
+            make_fixed_rays(world, fixed[sample], begin, end, s.sky, s.shadow_rays);
             trace_sky_rays(world, s);
         }
-    } else {
-        const SampleGrid grid(samples);
-        for (int first = 0; first < samples; first += k_sky_group_samples) {
-            make_hashed_rays(grid, first, number::min(first + k_sky_group_samples, samples), s.sky,
-                             s.sky_group);
-            for (int at = 0; at < s.sky_group.count; at += k_batch_size) {
-                take_hashed_rays(world, s.sky_group, at, s.sky, s.shadow_rays);
-                trace_sky_rays(world, s);
-            }
+        return;
+    }
+    const SampleGrid grid(samples);
+    for (int first = 0; first < samples; first += k_sky_group_samples) {
+        make_hashed_rays(grid, first, number::min(first + k_sky_group_samples, samples), begin, end - begin,
+                         s.sky, s.sky_group);
+        for (int at = 0; at < s.sky_group.count; at += k_batch_size) {
+            take_hashed_rays(world, s.sky_group, at, begin, s.sky, s.shadow_rays);
+            trace_sky_rays(world, s);
         }
     }
-    unsort_sky(s.sky);
+}
+
+/// Calls visit for the ranges of hits that are shaded together.
+template <class Visit> inline void for_each_range(const HitBatch& hits, const Visit& visit) {
+    for (int i = 0; i < hits.count; i += k_batch_size)
+        visit(RayRange{i, number::min(i + k_batch_size, hits.count)});
+}
+
+/// Collects the hits of a range and computes their surfaces.
+inline void find_surfaces(const WorldParts& world, RayRange range, TileScratch& s) {
+    collect_hits(world, s.rays, s.hits, range, s.surfaces);
+    compute_surfaces(world, s.surfaces);
+}
+
+/// Traces the light from all directions for the surfaces of a whole stream: more of their rays start near
+/// each other than in a range.
+inline void trace_sky(const WorldParts& world, TileScratch& s) {
+    sort_hits(s.hits, s.sky);
+    for_each_range(s.hits, [&](RayRange range) {
+        find_surfaces(world, range, s);
+        if (s.rays.hashed) hash_rays(s.pixel_hash, s.surfaces);
+        place_surfaces(s.surfaces, s.sky);
+    });
+    s.sky.first = 0;
+    if (s.record != nullptr) s.record->sky_rays.clear();
+    for (int begin = 0; begin < s.sky.count; begin += k_batch_size)
+        trace_sky_block(world, begin, number::min(begin + k_batch_size, s.sky.count), s);
+}
+
+/// Adds the light from all directions to that of the surfaces.
+inline void light_from_sky(const WorldParts& world, TileScratch& s) {
     if (s.surfaces.generation == 0 && s.first_hits.wanted) count_sky(world, s.surfaces, s.sky, s.first_hits);
     add_sky(world, s.surfaces, s.sky, s.radiance);
     if (s.record != nullptr) record_sky(world, s.surfaces, s.sky, s.radiance, *s.record);
+    s.sky.first += s.surfaces.count;
 }
+
+/// Whether this shading adds the light of the lights.
+inline bool is_lit(Shading shading) { return shading != Shading::color && shading != Shading::normals; }
 
 /// Runs the stages that follow intersect() for a range of rays. Adds their light to the film, and the mirror
 /// and glass rays of their surfaces to the next generation.
 inline void shade(const WorldParts& world, RayRange range, TileScratch& s) {
-    const Shading shading = world.settings.shading;
-    collect_hits(world, s.rays, s.hits, range, s.surfaces);
-    compute_surfaces(world, s.surfaces);
+    find_surfaces(world, range, s);
     if (s.rays.generation == 0 && s.first_hits.wanted)
         store_first_hits(world, s.rays, s.hits, range, s.surfaces, s.first_hits);
-    if (shading == Shading::color || shading == Shading::normals) {
+    if (!is_lit(world.settings.shading)) {
         add_misses(world, s.rays, s.hits, range, s.film);
         add_unlit(world, s.surfaces, s.film);
         if (s.record != nullptr) {
@@ -140,8 +171,8 @@ inline bool trace_sample(const WorldParts& world, TileScratch& s) {
             intersect(world, s.rays, first, s.hits);
             if (s.rays.transparent) skip_transparent(world, s.rays, s.hits, s.stepped_rays);
             if (s.rays.generation == 0 && !s.needs_every_stage() && all_missed(s.hits)) return false;
-            for (int i = 0; i < s.hits.count; i += k_batch_size)
-                shade(world, {i, number::min(i + k_batch_size, s.hits.count)}, s);
+            if (world.occlusion && is_lit(world.settings.shading)) trace_sky(world, s);
+            for_each_range(s.hits, [&](RayRange range) { shade(world, range, s); });
         }
         std::swap(s.rays, s.secondary.rays);
     }
