@@ -75,7 +75,7 @@ template <class Leaf> HWY_INLINE void traverse_any(const Bvh& bvh, RayPacket& pa
             continue;
         }
         const BvhNode& node = bvh.nodes[next.child.index()];
-        const int vectors_by_ray = rays * number::max(1, k_bvh_width / lanes);
+        const int vectors_by_ray = rays * (k_bvh_width / lanes);
         if (vectors_by_ray > vectors) {
             alignas(64) float entries[k_bvh_width];
             std::uint32_t met = children_met(packet, node, entries);

@@ -35,7 +35,7 @@ inline constexpr bool k_is_triangle =
 template <class Geometry>
 inline constexpr bool k_is_cheap = k_is_triangle<Geometry> || std::is_same_v<Geometry, SphereGeometry>;
 
-/// Kinds with a test in double that is cheaper than their formula: may_hit().
+/// Kinds with tests that are cheaper than their formula: quick_test() and ParallelTest.
 template <class Geometry> inline constexpr bool k_has_quick_test = std::is_same_v<Geometry, SphereGeometry>;
 
 /// Calls visitor.visit<Geometry>() for the geometry of a kind, with or without a transform. Kinds that apply

@@ -7,6 +7,7 @@
 #define GLINT_GEOMETRY_RAY_INL_H_
 #endif
 
+#include "math/frame.h"
 #include "simd/vec3-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -15,6 +16,25 @@ namespace HWY_NAMESPACE {
 
 /// Points origin + t direction; the direction has any length except 0.
 template <class T> struct Ray { Vector3<T> origin, direction; };
+
+/// A frame for parallel rays, whose z axis is their direction.
+struct ParallelFrame {
+    Vec3 x, y, z;
+    double magnitude = 0;  // at least |x| + |y| + |z| of the rays' origins
+
+    ParallelFrame() = default;
+    HWY_INLINE ParallelFrame(Vec3 direction, double magnitude_of_origins)
+        : z(normalize(direction)), magnitude(magnitude_of_origins) {
+        const AcrossAxes across(z);
+        x = across.x, y = across.y;
+    }
+    template <class T> HWY_INLINE Vector3<T> coordinates(const Vector3<T>& point) const {
+        const auto on = [&](Vec3 axis) HWY_ATTR {
+            return point.x * T(axis.x) + point.y * T(axis.y) + point.z * T(axis.z);
+        };
+        return {on(x), on(y), on(z)};
+    }
+};
 
 /// The result of a formula: the smallest t > t_min at which the ray intersects the shape, if `valid`.
 template <class T> struct Hit {

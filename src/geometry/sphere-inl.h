@@ -36,18 +36,51 @@ struct SphereGeometry {
         return {roots.real && (t > t_min), t};
     }
 
-    /// False only if `hit` is false; needs neither a division nor a square root. False if the line passes
-    /// beside the sphere, or if the ray is outside of it at t_min and moves away. The margins are more than a
-    /// thousand times the rounding errors of both formulas, which are some 2^-53 |q|.
-    template <class T> static HWY_INLINE auto may_hit(const T* p, const Ray<T>& ray, T t_min) {
+    /// What is known of a ray without its intersections, which need a division and a square root.
+    template <class T> struct QuickResult {
+        decltype(T() < T()) may_hit;  // false only if `hit` is false
+        decltype(T() < T()) is_hit;   // true only if `hit` is true; for rays without a limit
+    };
+
+    /// may_hit is false if the line passes beside the sphere, or if the ray is outside of it at t = 0 and
+    /// moves away; away: 0, or infinite if t_min may be negative. is_hit is true if the line intersects the
+    /// sphere, and the center is ahead of the point at t_min. d_2: d·d. start: at least t_min d·d; infinite
+    /// for rays with a limit. The margins are hundreds of times the rounding errors of both formulas, which
+    /// are some 2^-53 |q|. The ray then also intersects the bounds: they are padded, and sizes and distances
+    /// of a scene are at most 1e12, so that t does not overflow.
+    template <class T>
+    static HWY_INLINE QuickResult<T> quick_test(const T* p, const Ray<T>& ray, T d_2, T start, T away) {
         const Vector3<T>& d = ray.direction;
-        const Vector3<T> q = ray.origin - vector3(p), at = q + d * t_min;
-        const Vector3<T> moment = cross(q, d);
-        const T radius_2 = p[3] * p[3], q_2 = dot(q, q), at_2 = dot(at, at);
-        const auto beside = dot(moment, moment) > (radius_2 * T(1 + 1e-6) + q_2 * T(1e-20)) * dot(d, d);
-        const auto leaves = dot(at, d) > T(0) && at_2 - radius_2 > (at_2 + q_2) * T(1e-12);
-        return !(beside || leaves);
+        const Vector3<T> q = ray.origin - vector3(p), moment = cross(q, d);
+        const T radius_2 = p[3] * p[3], q_2 = dot(q, q), b = dot(q, d);
+        const T moment_2 = dot(moment, moment), margin = q_2 * T(1e-20) + T(1e-200);
+        const auto beside = moment_2 > (radius_2 * T(1 + 1e-6) + margin) * d_2;
+        const auto leaves = b > away && q_2 * T(1 - 1e-12) > radius_2 + T(1e-200);
+        const auto crosses = moment_2 < (radius_2 * T(1 - 1e-6) - margin) * d_2;
+        return {!(beside || leaves), crosses && b < -start};
     }
+
+    /// The same for parallel rays with t_min >= 0. slack: the rounding errors of the formulas and of the
+    /// coordinates, relative to the numbers: some 2^-50, or 2^-22 in single precision.
+    template <class T> struct ParallelTest {
+        static constexpr double k_double_slack = 1e-12, k_single_slack = 0x1p-20, k_tiny = 1e-37;
+        Vector3<T> center;
+        T reach_2, inner_2, ahead;
+        /// start: at least the distance t_min |d|.
+        static HWY_INLINE ParallelTest of(const T* p, const ParallelFrame& frame, double slack, T start) {
+            const T magnitude = abs(p[0]) + abs(p[1]) + abs(p[2]) + T(frame.magnitude);
+            const T margin = (p[3] + magnitude) * T(slack);
+            const T reach = p[3] + margin, inner = max(p[3] - margin, T(0));
+            return {frame.coordinates(vector3(p)), reach * reach + T(k_tiny), inner * inner - T(k_tiny),
+                    -(start * T(1 + slack) + margin)};
+        }
+        HWY_INLINE QuickResult<T> test(const Vector3<T>& origin) const {
+            const Vector3<T> q = origin - center;
+            const T beyond = max(q.z, T(0)), across_2 = q.x * q.x + q.y * q.y;
+            return {!(across_2 + beyond * beyond > reach_2),  // a NaN may hit
+                    across_2 < inner_2 && q.z < ahead};
+        }
+    };
 
     /// In single precision: false only if `hit` in double is false. With u = 2^-24, the error from converting
     /// the coordinates, q, b and f is below 16 u (|o| + |c|) in each coordinate; the test allows for twice

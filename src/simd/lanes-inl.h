@@ -162,7 +162,9 @@ HWY_INLINE void store_interleaved(NarrowFloats a, NarrowFloats b, NarrowFloats c
 
 /// The minimum of the lanes; no lane is NaN.
 HWY_INLINE float min_of_lanes(Floats x) { return hn::GetLane(hn::MinOfLanes(Tag<float>(), x.v)); }
-HWY_INLINE float max_of_lanes(Floats x) { return hn::GetLane(hn::MaxOfLanes(Tag<float>(), x.v)); }
+template <class T> HWY_INLINE T max_of_lanes(Lanes<T> x) {
+    return hn::GetLane(hn::MaxOfLanes(Tag<T>(), x.v));
+}
 
 /// The tag for lane_count<double>() numbers from 32-bit arrays.
 using IndexTag = hn::Rebind<std::uint32_t, Tag<double>>;

@@ -68,17 +68,19 @@ HWY_INLINE void trace_any(const Bvh& bvh, SlabRays& slab_rays, int count, int ma
     }
 }
 
-/// Traces rays [0, count) of the span, count <= SlabRays::k_max_rays.
+/// Traces rays [0, count) of the span, count <= SlabRays::k_max_rays. parallel: all rays have one direction
+/// (any_hit only).
 template <bool any>
 HWY_INLINE void trace_chunk(const WorldParts& world, const RaySpan& rays, int count, int max_packet,
-                            double* t, std::uint32_t* slot, std::uint8_t* occluded) {
+                            double* t, std::uint32_t* slot, std::uint8_t* occluded, bool parallel) {
     const PackedGeometry& geometry = *world.geometry;
     SlabRays slab_rays;
     prepare_rays(rays, count, slab_rays);
     std::uint32_t occluder = k_none;
     const HitResult result{world, slab_rays, t, slot, occluded, &occluder};
     ShearedRays sheared_rays(rays);
-    ShapeTests tests{geometry, rays, slab_rays, result, sheared_rays};
+    QuickRays quick_rays(rays, count, parallel);
+    ShapeTests tests{geometry, rays, slab_rays, result, sheared_rays, quick_rays};
     for (const ShapeClass& shapes : geometry.classes) {
         if (shapes.first >= geometry.bounded) tests.visit_unbounded(shapes, count);
     }
@@ -97,19 +99,35 @@ void nearest_hit(const WorldParts& world, const RaySpan& rays, int count, int pa
     }
     for (int first = 0; first < count; first += SlabRays::k_max_rays) {
         trace_chunk<false>(world, from(rays, first), number::min(SlabRays::k_max_rays, count - first), packet,
-                           t + first, slot + first, nullptr);
+                           t + first, slot + first, nullptr, false);
     }
+}
+
+/// The number of rays from `first` on, at most `most`, with its direction.
+HWY_INLINE int count_parallel(const RaySpan& rays, int first, int most) {
+    const Doubles x(rays.dx[first]), y(rays.dy[first]), z(rays.dz[first]);
+    for (int n = 0; n < most; n += lane_count<double>()) {
+        const int i = first + n;
+        const auto same = load(rays.dx + i) == x && load(rays.dy + i) == y && load(rays.dz + i) == z;
+        const auto other = and_not(first_lanes<double>(most - n), same);
+        if (any(other)) return n + __builtin_ctz(to_bits(other));
+    }
+    return most;
 }
 
 void any_hit(const WorldParts& world, const RaySpan& rays, int count, int packet, std::uint8_t* occluded) {
     double t[SlabRays::k_size];
-    for (int first = 0; first < count; first += SlabRays::k_max_rays) {
-        const int n = number::min(SlabRays::k_max_rays, count - first);
+    for (int first = 0, n = 0; first < count; first += n) {
+        const int most = number::min(SlabRays::k_max_rays, count - first);
+        // Parallel rays become a chunk of their own, unless they are few.
+        n = count_parallel(rays, first, most);
+        const bool parallel = n >= k_min_packet_size;
+        if (!parallel) n = most;
         for (int i = 0; i < n; ++i) {
             t[i] = rays.t_max[first + i];
             occluded[first + i] = 0;
         }
-        trace_chunk<true>(world, from(rays, first), n, packet, t, nullptr, occluded + first);
+        trace_chunk<true>(world, from(rays, first), n, packet, t, nullptr, occluded + first, parallel);
     }
 }
 

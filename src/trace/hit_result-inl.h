@@ -35,16 +35,20 @@ struct HitResult {
     /// Stores a hit at new_t <= t[ray]. t[ray] may still be t_max.
     HWY_INLINE void accept(int ray, double new_t, std::uint32_t new_slot) const {
         if (occluded != nullptr) {
-            if (new_t == t[ray] || !world.casts_shadow(new_slot)) return;
-            occluded[ray] = 1;
-            *occluder = new_slot;
-            slab_rays.t_max[ray] = -std::numeric_limits<float>::infinity();
+            if (new_t != t[ray]) occlude(ray, new_slot);
             return;
         }
         if (new_t == t[ray] && (slot[ray] == k_none || precedes(slot[ray], new_slot))) return;
         t[ray] = new_t;
         slot[ray] = new_slot;
         slab_rays.t_max[ray] = float_above(new_t);
+    }
+    /// any_hit: stores a hit at a t below t_max.
+    HWY_INLINE void occlude(int ray, std::uint32_t new_slot) const {
+        if (!world.casts_shadow(new_slot)) return;
+        occluded[ray] = 1;
+        *occluder = new_slot;
+        slab_rays.t_max[ray] = -std::numeric_limits<float>::infinity();
     }
 };
 

@@ -27,6 +27,7 @@ struct ShapeTests {
     SlabRays& slab_rays;
     const HitResult& result;
     ShearedRays& sheared_rays;
+    QuickRays& quick_rays;
 
     HWY_INLINE Ray<Doubles> ray_lanes(int i) const {
         return {{load(rays.ox + i), load(rays.oy + i), load(rays.oz + i)},
@@ -41,87 +42,53 @@ struct ShapeTests {
 
     /// Tests a leaf: slots [first, first + count), of one class.
     HWY_INLINE void visit(RayPacket& packet, std::uint64_t active, std::uint32_t first, std::uint32_t count) {
-        const ShapeClass& shapes = geometry.class_of(first);
-        PacketLeaf visitor{*this, shapes, packet, active, first, count};
-        visit_geometry(shapes.kind, shapes.transformed, visitor);
+        with_bounded(first, [&]<class Geometry>(Kind<Geometry>, const ShapeClass& shapes)
+                                HWY_ATTR { packet_leaf<Geometry>(shapes, packet, active, first, count); });
         packet.update_t_max();
     }
     /// The same for few rays of the packet, of which each tests a vector of shapes at a time; any_hit only.
     HWY_INLINE void visit_rays(const RayPacket& packet, std::uint64_t active, std::uint32_t first,
                                std::uint32_t count) {
-        const ShapeClass& shapes = geometry.class_of(first);
-        RaysLeaf visitor{*this, shapes, packet.first, active, first, count};
-        visit_geometry(shapes.kind, shapes.transformed, visitor);
+        with_bounded(first, [&]<class Geometry>(Kind<Geometry>, const ShapeClass& shapes) HWY_ATTR {
+            rays_leaf<Geometry>(shapes, first, count, packet.first, active);
+        });
     }
     HWY_INLINE void visit(int ray, std::uint32_t first, std::uint32_t count) {
-        const ShapeClass& shapes = geometry.class_of(first);
-        RayLeaf visitor{*this, shapes, ray, first, count};
-        visit_geometry(shapes.kind, shapes.transformed, visitor);
+        with_bounded(first, [&]<class Geometry>(Kind<Geometry>, const ShapeClass& shapes)
+                                HWY_ATTR { ray_leaf<Geometry>(shapes, first, count, ray); });
+    }
+    /// Tests one shape with the packet.
+    HWY_INLINE void visit_shape(const RayPacket& packet, std::uint32_t slot) {
+        with_bounded(slot, [&]<class Geometry>(Kind<Geometry>, const ShapeClass& shapes)
+                               HWY_ATTR { single_shape<Geometry>(shapes, packet, slot); });
     }
     /// Tests all shapes of an unbounded class with rays [0, count) of the chunk. These shapes have no bounds.
     HWY_INLINE void visit_unbounded(const ShapeClass& shapes, int count) {
-        Unbounded visitor{*this, shapes, count};
-        visit_geometry(shapes.kind, shapes.transformed, visitor);
-    }
-
-    /// Tests one shape with the packet.
-    HWY_INLINE void visit_shape(RayPacket& packet, std::uint32_t slot) {
-        const ShapeClass& shapes = geometry.class_of(slot);
-        PacketShape visitor{*this, shapes, packet, slot};
-        visit_geometry(shapes.kind, shapes.transformed, visitor);
-    }
-
-    struct PacketShape {
-        ShapeTests& tests;
-        const ShapeClass& shapes;
-        const RayPacket& packet;
-        std::uint32_t slot;
-        template <class Geometry> HWY_INLINE void visit() {
-            if constexpr (Geometry::k_bounded) tests.single_shape<Geometry>(shapes, packet, slot);
-        }
-    };
-    struct PacketLeaf {
-        ShapeTests& tests;
-        const ShapeClass& shapes;
-        const RayPacket& packet;
-        std::uint64_t active;
-        std::uint32_t first, count;
-        template <class Geometry> HWY_INLINE void visit() {
-            if constexpr (Geometry::k_bounded)
-                tests.packet_leaf<Geometry>(shapes, packet, active, first, count);
-        }
-    };
-    struct RaysLeaf {
-        ShapeTests& tests;
-        const ShapeClass& shapes;
-        int first_ray;
-        std::uint64_t active;
-        std::uint32_t first, count;
-        template <class Geometry> HWY_INLINE void visit() {
-            if constexpr (Geometry::k_bounded)
-                tests.rays_leaf<Geometry>(shapes, first, count, first_ray, active);
-        }
-    };
-    struct RayLeaf {
-        ShapeTests& tests;
-        const ShapeClass& shapes;
-        int ray;
-        std::uint32_t first, count;
-        template <class Geometry> HWY_INLINE void visit() {
-            if constexpr (Geometry::k_bounded) tests.ray_leaf<Geometry>(shapes, first, count, ray);
-        }
-    };
-    struct Unbounded {
-        ShapeTests& tests;
-        const ShapeClass& shapes;
-        int count;
-        template <class Geometry> HWY_INLINE void visit() {
+        with_kind(shapes, [&]<class Geometry>(Kind<Geometry>) HWY_ATTR {
             if constexpr (!Geometry::k_bounded) {
                 for (std::uint32_t s = shapes.first; s < shapes.first + shapes.count; ++s)
-                    tests.many_rays_unbounded<Geometry>(shapes, s, count);
+                    many_rays_unbounded<Geometry>(shapes, s, count);
             }
-        }
+        });
+    }
+
+    template <class Geometry> struct Kind {};
+    template <class Function> struct KindVisitor {
+        const Function& function;
+        template <class Geometry> HWY_INLINE void visit() { function(Kind<Geometry>()); }
     };
+    /// Calls function(Kind<Geometry>()) for the geometry of a class.
+    template <class Function>
+    static HWY_INLINE void with_kind(const ShapeClass& shapes, const Function& function) {
+        visit_geometry(shapes.kind, shapes.transformed, KindVisitor<Function>{function});
+    }
+    /// Calls function(Kind<Geometry>(), shapes) for the class of a slot, which has bounds.
+    template <class Function> HWY_INLINE void with_bounded(std::uint32_t slot, const Function& function) {
+        const ShapeClass& shapes = geometry.class_of(slot);
+        with_kind(shapes, [&]<class Geometry>(Kind<Geometry> kind) HWY_ATTR {
+            if constexpr (Geometry::k_bounded) function(kind, shapes);
+        });
+    }
 
     template <class Geometry, class T>
     HWY_INLINE void broadcast_values(const ShapeClass& shapes, std::uint32_t slot, T* p) const {
@@ -199,6 +166,9 @@ struct ShapeTests {
                 if (packet.common_origin)
                     bits &= filters.prepare(shapes, packet, origin(packet), first + s, n);
             }
+            if constexpr (k_has_quick_test<Geometry>) {
+                if (quick_rays.parallel()) filters.prepare(shapes, quick_rays, first + s, n);
+            }
             for (; bits != 0; bits &= bits - 1)
                 packet_shape<Geometry>(shapes, packet, active, boxes, filters, first + s,
                                        __builtin_ctz(bits));
@@ -211,7 +181,10 @@ struct ShapeTests {
         if constexpr (k_is_triangle<Geometry>) {
             if (packet.common_origin && filters.prepare(shapes, packet, origin(packet), slot, 1) == 0) return;
         }
-        packet_shape<Geometry>(shapes, packet, packet.all(),
+        if constexpr (k_has_quick_test<Geometry>) {
+            if (quick_rays.parallel()) filters.prepare(shapes, quick_rays, slot, 1);
+        }
+        packet_shape<Geometry>(shapes, packet, packet.unfinished(),
                                PrimitiveBounds<Geometry>(geometry, shapes, slot, 1), filters, slot, 0);
     }
 
@@ -225,7 +198,11 @@ struct ShapeTests {
         const float hi[3] = {boxes.hi[0][lane], boxes.hi[1][lane], boxes.hi[2][lane]};
         constexpr int lanes = lane_count<float>();
         if constexpr (Geometry::k_filtered) {
-            active = filter_rays(shapes, packet, active, filters, slot, lane);
+            const FilteredRays filtered =
+                filter_rays(shapes, packet, quick_rays, active, filters, slot, lane);
+            for (std::uint64_t hit = filtered.hit; hit != 0; hit &= hit - 1)
+                result.occlude(packet.first + __builtin_ctzll(hit), slot);
+            active = filtered.may_hit;
             if (active == 0) return;
         }
         Doubles p[Geometry::k_values];
@@ -308,27 +285,60 @@ struct ShapeTests {
         for (std::uint32_t s = 0; s < count; s += lane_count<double>()) {
             const ShapeLanes<Geometry> some(shapes, first + s, count - s);
             std::uint8_t candidates[64];  // by ray: bits of shapes
-            std::uint64_t passed = active;
+            std::uint64_t tested = active;
+            bool quick = false;
             if constexpr (k_has_quick_test<Geometry>) {
-                // In a loop of its own, whose iterations the processor can overlap.
-                passed = 0;
-                for (std::uint64_t rest = active; rest != 0; rest &= rest - 1) {
-                    const int r = __builtin_ctzll(rest), i = first_ray + r;
-                    const auto may = Geometry::may_hit(some.p, one_ray(i), Doubles(rays.t_min[i]));
-                    candidates[r] = static_cast<std::uint8_t>(to_bits(may) & some.bits);
-                    passed |= std::uint64_t{candidates[r] != 0} << r;
-                }
+                quick = quick_rays.usable();
+                if (quick) tested = test_quickly(some, first_ray, active, candidates);
             }
-            for (std::uint64_t rest = passed; rest != 0; rest &= rest - 1) {
-                const int r = __builtin_ctzll(rest), i = first_ray + r;
-                if constexpr (k_has_quick_test<Geometry>)
-                    test_shapes(shapes, some, candidates[r], i);
-                else
-                    test_shapes(shapes, some, some.bits, i);
-                const bool finished = !(slab_rays.t_max[i] >= slab_rays.t_min[i]);
-                active &= ~(std::uint64_t{finished} << r);
+            for (; tested != 0; tested &= tested - 1) {
+                const int r = __builtin_ctzll(tested);
+                test_shapes(shapes, some, quick ? candidates[r] : some.bits, first_ray + r);
+                active &= ~finished_bit(first_ray, r);
             }
         }
+    }
+    HWY_INLINE std::uint64_t finished_bit(int first_ray, int r) const {
+        const int i = first_ray + r;
+        return std::uint64_t{!(slab_rays.t_max[i] >= slab_rays.t_min[i])} << r;
+    }
+
+    /// Finishes the rays that certainly hit, and removes them from active. Returns the others that may hit,
+    /// and sets their candidates.
+    template <class Geometry>
+    HWY_INLINE std::uint64_t test_quickly(const ShapeLanes<Geometry>& some, int first_ray,
+                                          std::uint64_t& active, std::uint8_t* candidates) {
+        std::uint8_t hits[64];  // by ray: bits of shapes
+        std::uint64_t hit = 0, may_hit = 0;
+        // In a loop of its own, whose iterations the processor can overlap.
+        const auto test_all = [&](const auto& test) HWY_ATTR {
+            for (std::uint64_t rest = active; rest != 0; rest &= rest - 1) {
+                const int r = __builtin_ctzll(rest);
+                const auto quick = test(first_ray + r);
+                hits[r] = static_cast<std::uint8_t>(to_bits(quick.is_hit) & some.bits);
+                candidates[r] = static_cast<std::uint8_t>(to_bits(quick.may_hit) & some.bits);
+                hit |= std::uint64_t{hits[r] != 0} << r;
+                may_hit |= std::uint64_t{candidates[r] != 0} << r;
+            }
+        };
+        if (quick_rays.parallel()) {
+            using Test = typename Geometry::template ParallelTest<Doubles>;
+            const auto test =
+                Test::of(some.p, quick_rays.frame(), Test::k_double_slack, Doubles(quick_rays.start_along()));
+            test_all([&](int i) HWY_ATTR { return test.test(quick_rays.one(i)); });
+        } else {
+            const Doubles start(quick_rays.start()), away(quick_rays.away());
+            test_all([&](int i) HWY_ATTR {
+                return Geometry::quick_test(some.p, one_ray(i), quick_rays.length_2(i), start, away);
+            });
+        }
+        for (; hit != 0; hit &= hit - 1) {
+            const int r = __builtin_ctzll(hit);
+            for (std::uint32_t bits = hits[r]; bits != 0; bits &= bits - 1)
+                result.occlude(first_ray + r, some.slot + static_cast<std::uint32_t>(__builtin_ctz(bits)));
+            active &= ~finished_bit(first_ray, r);
+        }
+        return may_hit & active;
     }
 
     /// Tests one ray with the shapes `bits`.

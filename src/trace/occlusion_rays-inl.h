@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The rays of the light from all directions: their directions, and the order in which they are traced. With
-// fixed directions, all surfaces of a batch trace the rays of one sample together. Hashed directions differ
+// fixed directions, all surfaces of a block trace the rays of one sample together. Hashed directions differ
 // from surface to surface, so the rays of many samples are sorted by direction first.
 #if defined(GLINT_TRACE_OCCLUSION_RAYS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLINT_TRACE_OCCLUSION_RAYS_INL_H_

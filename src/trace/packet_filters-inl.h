@@ -9,6 +9,7 @@
 
 #include "bvh/ray_packet-inl.h"
 #include "geometry/kinds-inl.h"
+#include "trace/quick_rays-inl.h"
 #include "world/world.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -16,7 +17,7 @@ namespace glint {
 namespace HWY_NAMESPACE {
 
 /// The filters of a vector of triangles for a packet whose rays have a common origin. They are computed once
-/// per leaf instead of once per ray. Empty for other shapes.
+/// per leaf instead of once per ray. Empty for other shapes than these and spheres.
 template <class Geometry> class SharedFilters {
   public:
     /// Computes the filters of slots [first, first + count), count <= lanes. Returns a bit for each shape
@@ -53,27 +54,72 @@ template <class Geometry> class SharedFilters {
     alignas(64) float value_[10][k_is_triangle<Geometry> ? lane_count<float>() : 1];
 };
 
-/// The rays among `active` that may hit the shape in a slot. lane: the shape's index in `shared`.
+/// The filters of a vector of spheres for parallel rays.
+template <> class SharedFilters<SphereGeometry> {
+  public:
+    using Test = SphereGeometry::ParallelTest<Floats>;
+
+    /// Computes the filters of slots [first, first + count), count <= lanes.
+    HWY_INLINE void prepare(const ShapeClass& shapes, const QuickRays& rays, std::uint32_t first, int count) {
+        for (int i = 0; i < count; i += lane_count<double>()) {
+            Doubles p[4];
+            for (int k = 0; k < 4; ++k)
+                p[k] = load(shapes.column(k) + (first - shapes.first) + static_cast<std::uint32_t>(i));
+            const auto f = SphereGeometry::ParallelTest<Doubles>::of(p, rays.frame(), Test::k_single_slack,
+                                                                     Doubles(rays.start_along()));
+            const Doubles values[6] = {f.center.x, f.center.y, f.center.z, f.reach_2, f.inner_2, f.ahead};
+            for (int k = 0; k < 6; ++k) store_narrow(values[k], value_[k] + i);
+        }
+    }
+    /// The filter of one sphere, in all lanes.
+    HWY_INLINE Test one(int lane) const {
+        const auto at = [&](int k) HWY_ATTR { return Floats(value_[k][lane]); };
+        return {{at(0), at(1), at(2)}, at(3), at(4), at(5)};
+    }
+
+  private:
+    // Initialised only because the compiler does not see that prepare() was called.
+    alignas(64) float value_[6][lane_count<float>()] = {};
+};
+
+/// Sets of rays.
+struct FilteredRays {
+    std::uint64_t may_hit = 0, hit = 0;
+};
+
+/// The rays among `active` that may hit the shape in a slot, or that certainly do. lane: the shape's index in
+/// `shared`.
 template <class Geometry>
-HWY_INLINE std::uint64_t filter_rays(const ShapeClass& shapes, const RayPacket& packet, std::uint64_t active,
-                                     [[maybe_unused]] const SharedFilters<Geometry>& shared,
-                                     std::uint32_t slot, [[maybe_unused]] int lane) {
+HWY_INLINE FilteredRays filter_rays(const ShapeClass& shapes, const RayPacket& packet,
+                                    [[maybe_unused]] QuickRays& quick, std::uint64_t active,
+                                    [[maybe_unused]] const SharedFilters<Geometry>& shared,
+                                    std::uint32_t slot, [[maybe_unused]] int lane) {
     constexpr int lanes = lane_count<float>();
     using Filter = typename Geometry::template Filter<Floats>;
     const auto columns = [&](const float(*c)[SlabRays::k_size], int i) HWY_ATTR {
         return Vector3<Floats>{load(c[0] + i), load(c[1] + i), load(c[2] + i)};
     };
-    std::uint64_t passed = 0;
-    const auto pass = [&](const Filter& filter, int r) HWY_ATTR {
-        const std::uint32_t here = static_cast<std::uint32_t>(active >> r) & first_bits(lanes);
-        if (here == 0) return;
-        const auto may = filter.may_hit(columns(packet.rays.direction, packet.first + r));
-        passed |= std::uint64_t{to_bits(may) & here} << r;
+    FilteredRays passed;
+    const auto pass = [&](const Filter& filter, const Vector3<Floats>& direction, int r) HWY_ATTR {
+        passed.may_hit |= active & std::uint64_t{to_bits(filter.may_hit(direction))} << r;
     };
+    const auto direction = [&](int r) HWY_ATTR { return columns(packet.rays.direction, packet.first + r); };
     if constexpr (k_is_triangle<Geometry>) {
         if (packet.common_origin) {
             const Filter filter = shared.one(lane);
-            for (int r = 0; r < packet.count; r += lanes) pass(filter, r);
+            for (int r = 0; r < packet.count; r += lanes) pass(filter, direction(r), r);
+            return passed;
+        }
+    }
+    if constexpr (k_has_quick_test<Geometry>) {
+        if (quick.parallel()) {
+            const auto filter = shared.one(lane);
+            for (int r = 0; r < packet.count; r += lanes) {
+                const auto result = filter.test(quick.narrow(packet.first + r));
+                passed.hit |= active & std::uint64_t{to_bits(result.is_hit)} << r;
+                passed.may_hit |= active & std::uint64_t{to_bits(result.may_hit)} << r;
+            }
+            passed.may_hit &= ~passed.hit;
             return passed;
         }
     }
@@ -85,10 +131,10 @@ HWY_INLINE std::uint64_t filter_rays(const ShapeClass& shapes, const RayPacket& 
         const int i = packet.first;
         const Filter filter =
             Filter::of(q, {Floats(origin[0][i]), Floats(origin[1][i]), Floats(origin[2][i])});
-        for (int r = 0; r < packet.count; r += lanes) pass(filter, r);
+        for (int r = 0; r < packet.count; r += lanes) pass(filter, direction(r), r);
     } else {
         for (int r = 0; r < packet.count; r += lanes)
-            pass(Filter::of(q, columns(origin, packet.first + r)), r);
+            pass(Filter::of(q, columns(origin, packet.first + r)), direction(r), r);
     }
     return passed;
 }

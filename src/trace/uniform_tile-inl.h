@@ -123,7 +123,7 @@ inline void trace_sky(const WorldParts& world, TileScratch& s) {
         trace_sky_block(world, begin, number::min(begin + k_batch_size, s.sky.count), s);
 }
 
-/// Adds the light from all directions to that of the surfaces.
+/// Adds the light from all directions to that of the surfaces, and goes on to the surfaces of the next range.
 inline void light_from_sky(const WorldParts& world, TileScratch& s) {
     if (s.surfaces.generation == 0 && s.first_hits.wanted) count_sky(world, s.surfaces, s.sky, s.first_hits);
     add_sky(world, s.surfaces, s.sky, s.radiance);
@@ -131,16 +131,13 @@ inline void light_from_sky(const WorldParts& world, TileScratch& s) {
     s.sky.first += s.surfaces.count;
 }
 
-/// Whether this shading adds the light of the lights.
-inline bool is_lit(Shading shading) { return shading != Shading::color && shading != Shading::normals; }
-
 /// Runs the stages that follow intersect() for a range of rays. Adds their light to the film, and the mirror
 /// and glass rays of their surfaces to the next generation.
 inline void shade(const WorldParts& world, RayRange range, TileScratch& s) {
     find_surfaces(world, range, s);
     if (s.rays.generation == 0 && s.first_hits.wanted)
         store_first_hits(world, s.rays, s.hits, range, s.surfaces, s.first_hits);
-    if (!is_lit(world.settings.shading)) {
+    if (!is_lit(world)) {
         add_misses(world, s.rays, s.hits, range, s.film);
         add_unlit(world, s.surfaces, s.film);
         if (s.record != nullptr) {
@@ -171,7 +168,7 @@ inline bool trace_sample(const WorldParts& world, TileScratch& s) {
             intersect(world, s.rays, first, s.hits);
             if (s.rays.transparent) skip_transparent(world, s.rays, s.hits, s.stepped_rays);
             if (s.rays.generation == 0 && !s.needs_every_stage() && all_missed(s.hits)) return false;
-            if (world.occlusion && is_lit(world.settings.shading)) trace_sky(world, s);
+            if (world.occlusion && is_lit(world)) trace_sky(world, s);
             for_each_range(s.hits, [&](RayRange range) { shade(world, range, s); });
         }
         std::swap(s.rays, s.secondary.rays);

@@ -8,6 +8,7 @@
 #include "base/parallel_chunks.h"
 #include "bvh/rays.h"
 #include "math/elementary.h"
+#include "math/frame.h"
 #include "math/number.h"
 #include "math/transform.h"
 #include "scene/material_color.h"
@@ -26,14 +27,6 @@ void prepare_spot(PreparedLight& light) {
                   light.outer_angle * k_radians, light.tightness};
 }
 
-// Two vectors of this length at right angles to the unit vector and to each other.
-void set_across(Vec3 unit, double length, Vec3& x, Vec3& y) {
-    const Vec3 other = number::abs(unit.x) < 0.5 ? Vec3{1, 0, 0} : Vec3{0, 1, 0};
-    const Vec3 across = normalize(cross(unit, other));
-    x = across * length;
-    y = cross(unit, across) * length;
-}
-
 void prepare_area(PreparedLight& light) {
     AreaGrid& area = light.area;
     area.is_parallelogram = light.is_parallelogram();
@@ -49,7 +42,8 @@ void prepare_area(PreparedLight& light) {
                       : light.is_disc() ? normalize(light.axis)
                                         : Vec3{0, 0, 1};
     if (!light.has_radius()) return;
-    set_across(light.unit_axis, light.radius, area.x, area.y);
+    const AcrossAxes across(light.unit_axis);
+    area.x = across.x * light.radius, area.y = across.y * light.radius;
     area.z = light.unit_axis * light.radius;
 }
 

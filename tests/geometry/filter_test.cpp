@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "geometry/random_values.h"
+#include "geometry/ray_cases.h"
 #include "glint/shapes.h"
 
 #undef HWY_TARGET_INCLUDE
@@ -70,34 +70,9 @@ constexpr int k_blocks = 500;
 #endif
 constexpr std::size_t k_block = 1024;  // 10 million cases in all
 
-template <class Shape> struct Case {
-    Shape shape;
-    Vec3 origin, direction;
-};
-
 // The largest component is 1, like that of the directions that filters receive.
 Vec3 scaled_to_1(Vec3 d) {
     return d / number::max(number::max(number::abs(d.x), number::abs(d.y)), number::abs(d.z));
-}
-
-// Half of the rays pass the sphere at r (1 +- 2^-k); half of the others start at its surface.
-Case<Sphere> random_sphere(Random& random) {
-    Case<Sphere> c;
-    c.shape.radius = log_uniform(random, 1e-6, 1e6);
-    const double reach = chance(random, 0.5) ? c.shape.radius : log_uniform(random, 1e-3, 1e6);
-    c.shape.center = point_in_cube(random, reach);
-    const Vec3 d = chance(random, 0.2) ? axis_direction(random) : unit_direction(random);
-    const Vec3 aside = perpendicular(random, d);
-    double closest = c.shape.radius;
-    if (chance(random, 0.5)) {
-        closest *= 1 + std::ldexp(chance(random, 0.7) ? -1.0 : 1.0, -3 - below(random, 50));
-    } else {
-        closest *= random.uniform(0, 1.1);
-    }
-    const double along = chance(random, 0.2) ? 0 : log_uniform(random, 1e-3 * c.shape.radius, 1e6);
-    c.origin = c.shape.center + aside * closest - d * along;
-    c.direction = d * log_uniform(random, 1e-3, 1e3);
-    return c;
 }
 
 // Rays to points of the triangle and of its plane; half of them within 2^-k of an edge. Some start in it.
@@ -298,46 +273,6 @@ TEST(TriangleFilter, RejectsMostMisses) {
         rejected += !filter.may_hit({f(d.x), f(d.y), f(d.z)});
     }
     EXPECT_GT(rejected, cases * 9 / 10);
-}
-
-// A ray from near the surface, at r (1 + 2^-k) or r (1 - 2^-k), in any direction.
-Case<Sphere> ray_from_sphere(Random& random) {
-    Case<Sphere> c = random_sphere(random);
-    const double side = chance(random, 0.7) ? 1 : -1;
-    const double distance = c.shape.radius * (1 + std::ldexp(side, -3 - below(random, 50)));
-    c.origin = c.shape.center + unit_direction(random) * distance;
-    return c;
-}
-
-// Half of the rays start at t 0. The others start before or behind one of their hits, by down to 2^-50.
-TEST(SphereQuickTest, NeverRejectsAHit) {
-    using Geometry = plain::SphereGeometry;
-    Random random(46);
-    int hits = 0, rejected = 0, own = 0, own_rejected = 0;
-    constexpr int cases = k_blocks * 200;
-    for (int i = 0; i < cases; ++i) {
-        const bool from_surface = chance(random, 0.5);
-        const auto c = from_surface ? ray_from_sphere(random) : random_sphere(random);
-        double p[4];
-        Geometry::pack(c.shape, p);
-        const Vec3 o = c.origin, d = c.direction;
-        const plain::Ray<double> ray{{o.x, o.y, o.z}, {d.x, d.y, d.z}};
-        double t_min = 0;
-        if (chance(random, 0.5)) {
-            const auto first = Geometry::hit(p, ray, chance(random, 0.5) ? -1e300 : 0.0);
-            const double side = chance(random, 0.5) ? 1 : -1;
-            if (first.valid) t_min = first.t * (1 + std::ldexp(side, -3 - below(random, 50)));
-        }
-        const bool hit = Geometry::hit(p, ray, t_min).valid, may = Geometry::may_hit(p, ray, t_min);
-        ASSERT_TRUE(may || !hit) << "case " << i << ": the quick test rejected a hit";
-        hits += hit;
-        rejected += !may;
-        own += from_surface && !hit;
-        own_rejected += from_surface && !may;
-    }
-    EXPECT_GT(hits, cases / 5);
-    EXPECT_GT(rejected, cases / 6);
-    EXPECT_GT(own_rejected, own / 2);  // most rays that leave the sphere on which they start
 }
 
 TEST(SphereFilter, RejectsMostMisses) {

@@ -35,13 +35,14 @@ int expect_brute_force(const World& world, const Rays& rays) {
 }
 
 /// Spheres, cylinders, cones and triangles, and bundles of rays at their outlines, edges and vertices, all
-/// times `scale`.
+/// times `scale`. The rays of a bundle are parallel, or not.
 struct Grazing {
     Scene scene;
     Rays rays;
+    std::vector<Vec3> at;  // on outlines, edges and vertices, without `scale`
 
-    Grazing(Random& random, int shapes, int bundles, double scale, double distance, double length) {
-        std::vector<Vec3> at;
+    Grazing(Random& random, int shapes, int bundles, double scale, double distance, double length,
+            bool parallel) {
         for (int i = 0; i < shapes; ++i) {
             const Vec3 c = point_in_cube(random, 10);
             if (i % 2 == 0) {
@@ -74,26 +75,55 @@ struct Grazing {
                 at.push_back(v[k] + (v[(k + 1) % 3] - v[k]) * random.uniform(0, 1));
             }
         }
-        for (int b = 0; b < bundles; ++b) {
-            const bool one_origin = chance(random, 0.5);
-            Vec3 o = unit_direction(random) * distance;
-            const Vec3 middle = at[static_cast<std::size_t>(below(random, static_cast<int>(at.size())))];
-            for (int i = 0; i < 24; ++i) {
-                Vec3 to = at[static_cast<std::size_t>(below(random, static_cast<int>(at.size())))];
-                if (i % 3 == 0) to = middle + unit_direction(random) * log_uniform(random, 1e-9, 1e-1);
-                if (!one_origin) o = o + point_in_cube(random, 1e-3 * distance);
-                const Vec3 d = to - o;
-                rays.push(o * scale, d * (length / std::sqrt(dot(d, d))));
-            }
+        for (int b = 0; b < bundles; ++b)
+            parallel ? add_parallel(random, scale, distance, length)
+                     : add_bundle(random, scale, distance, length);
+    }
+
+  private:
+    Vec3 target(Random& random) const {
+        return at[static_cast<std::size_t>(below(random, static_cast<int>(at.size())))];
+    }
+    void add_bundle(Random& random, double scale, double distance, double length) {
+        const bool one_origin = chance(random, 0.5), starts = chance(random, 0.3);
+        Vec3 o = unit_direction(random) * distance;
+        const Vec3 middle = target(random);
+        for (int i = 0; i < 24; ++i) {
+            Vec3 to = target(random);
+            if (i % 3 == 0) to = middle + unit_direction(random) * log_uniform(random, 1e-9, 1e-1);
+            if (!one_origin) o = o + point_in_cube(random, 1e-3 * distance);
+            const Vec3 d = to - o;
+            const double far = std::sqrt(dot(d, d));
+            // t at the target, times nearly 1 or less
+            const double t_min = starts ? far * random.uniform(0, 1.01) * scale / length : 0;
+            rays.push(o * scale, d * (length / far), t_min);
+        }
+    }
+    /// Parallel rays, some of which start near the shapes or behind them. In some bundles t_min differs, or
+    /// is negative for some rays, or some rays end near a target.
+    void add_parallel(Random& random, double scale, double distance, double length) {
+        const Vec3 d = chance(random, 0.2) ? axis_direction(random) : unit_direction(random);
+        const double unit = scale / length;  // of t
+        const bool starts = chance(random, 0.5), negative = chance(random, 0.2), ends = chance(random, 0.2);
+        const int count = 8 + below(random, 90);
+        for (int i = 0; i < count; ++i) {
+            const double before = chance(random, 0.5) ? distance : log_uniform(random, 1e-9, 1);
+            const Vec3 o = target(random) - d * (chance(random, 0.8) ? before : -before);
+            const Vec3 aside = unit_direction(random) * log_uniform(random, 1e-12, 1e-1);
+            double t_min = 0, t_max = std::numeric_limits<double>::infinity();
+            if (starts) t_min = log_uniform(random, 1e-9, 30) * unit;
+            if (negative && chance(random, 0.2)) t_min = -log_uniform(random, 1e-9, 30) * unit;
+            if (ends && chance(random, 0.2)) t_max = (before + random.uniform(-1, 1)) * unit;
+            rays.push((o + aside) * scale, d * length, t_min, t_max);
         }
     }
 };
 
-void expect_grazing(std::uint64_t seed, double scale, double distance, double length) {
+void expect_grazing(std::uint64_t seed, double scale, double distance, double length, bool parallel = false) {
     SCOPED_TRACE(::testing::Message()
                  << "scale " << scale << ", from " << distance << ", directions of " << length);
     Random random(seed);
-    const Grazing g(random, 60, 60, scale, distance, length);
+    const Grazing g(random, 60, 60, scale, distance, length, parallel);
     const std::optional<World> world = make_world(g.scene);
     ASSERT_TRUE(world);
     const int hit = expect_brute_force(*world, g.rays);
@@ -120,6 +150,14 @@ TEST(HitExtremes, ShortAndLongDirections) {
     std::uint64_t seed = 300;
     for (const double length : {1e-33, 1e-30, 1e-29, 1e-28, 1e-25, 1e-20, 1e20, 1e30, 1e36})
         expect_grazing(seed++, 1, 30, length);
+}
+
+TEST(HitExtremes, ParallelRays) {
+    std::uint64_t seed = 350;
+    for (const double scale : {1e-22, 1e-20, 1e-19, 1e-15, 1e-5, 1.0, 1e5}) {
+        for (const double distance : {1.0, 1e3, 1e7}) expect_grazing(seed++, scale, distance, 1, true);
+    }
+    for (const double length : {1e-20, 1e-5, 1e5, 1e20}) expect_grazing(seed++, 1, 20, length, true);
 }
 
 TEST(HitExtremes, DirectionsWithVeryDifferentComponents) {
@@ -155,14 +193,16 @@ TEST(HitExtremes, NegativeEmptyAndUndefinedRanges) {
     const Scene scene = random_scene(random, 300);
     const std::optional<World> world = make_world(scene);
     Rays rays;
-    const double infinity = std::numeric_limits<double>::infinity();
+    const double infinity = std::numeric_limits<double>::infinity(),
+                 nan = std::numeric_limits<double>::quiet_NaN();
     const double ends[] = {-infinity, -1e300, -1e38, -20, -1,   -1e-300, -0.0,    0,
                            1e-300,    1,      5,     20,  1e38, 1e300,   infinity};
     for (int b = 0; b < 200; ++b) {
         const Vec3 o = point_in_cube(random, 12), d = unit_direction(random);
         for (int i = 0; i < 20; ++i) {
-            rays.push(o + point_in_cube(random, 0.1), d + point_in_cube(random, 0.02),
-                      ends[below(random, 14)], ends[below(random, 15)]);
+            const double from = chance(random, 0.1) ? nan : ends[below(random, 14)];
+            rays.push(o + point_in_cube(random, 0.1), d + point_in_cube(random, 0.02), from,
+                      ends[below(random, 15)]);
         }
     }
     EXPECT_GT(expect_brute_force(*world, rays), 100);

@@ -296,7 +296,10 @@ TEST(HitRule, InvalidRaysMissAndDoNotAffectOthers) {
     Random random(16);
     const Scene scene = random_scene(random, 300);
     const std::optional<World> world = make_world(scene);
-    const Rays good = all_sorts(random, scene, *world, 400, 10);
+    Rays good = all_sorts(random, scene, *world, 400, 10);
+    const int parallel_from = good.size();
+    const Vec3 along = unit_direction(random);
+    for (int i = 0; i < 100; ++i) good.push(point_in_cube(random, 12), along);
     const Hits expected = brute_hits(*world, good);
     const double nan = std::numeric_limits<double>::quiet_NaN(),
                  infinity = std::numeric_limits<double>::infinity();
@@ -309,8 +312,10 @@ TEST(HitRule, InvalidRaysMissAndDoNotAffectOthers) {
     for (int i = 0; i < good.size(); ++i) {
         if (chance(random, 0.3)) {
             const Vec3 v = bad_values[below(random, 9)];
-            const bool as_direction = chance(random, 0.5);
-            mixed.push(as_direction ? Vec3{0, 0, 0} : v, as_direction ? v : unit_direction(random));
+            const bool parallel = i >= parallel_from, as_direction = !parallel && chance(random, 0.5);
+            mixed.push(as_direction ? Vec3{0, 0, 0} : v, as_direction ? v
+                                                         : parallel   ? along
+                                                                      : unit_direction(random));
             where.push_back(-1);
         }
         mixed.push(good.origin(i), good.direction(i), good.t_min(i), good.t_max(i));
@@ -320,13 +325,18 @@ TEST(HitRule, InvalidRaysMissAndDoNotAffectOthers) {
         for (const int packet : k_packet_sizes) {
             SCOPED_TRACE(std::string(kernels.isa) + ", packets of " + std::to_string(packet));
             const Hits all = nearest_hits(kernels, *world, mixed, packet);
+            const auto occluded = any_hits(kernels, *world, mixed, packet);
             Hits got;
+            int wrong = 0;
             for (std::size_t i = 0; i < where.size(); ++i) {
                 EXPECT_FALSE(std::isnan(all.t[i])) << "ray " << i;
                 if (where[i] < 0) continue;
                 got.t.push_back(all.t[i]);
                 got.slot.push_back(all.slot[i]);
+                const std::uint32_t slot = expected.slot[static_cast<std::size_t>(where[i])];
+                wrong += (occluded[i] != 0) != (slot != k_none);
             }
+            EXPECT_EQ(wrong, 0) << "any_hit";
             expect_same(expected, got, *world, good);
             if (HasFailure()) return;
         }
