@@ -18,16 +18,12 @@ namespace HWY_NAMESPACE {
 template <class T> struct Ray { Vector3<T> origin, direction; };
 
 /// A frame for parallel rays, whose z axis is their direction.
-struct ParallelFrame {
-    Vec3 x, y, z;
+struct ParallelFrame : Frame {
     double magnitude = 0;  // at least |x| + |y| + |z| of the rays' origins
 
     ParallelFrame() = default;
     HWY_INLINE ParallelFrame(Vec3 direction, double magnitude_of_origins)
-        : z(normalize(direction)), magnitude(magnitude_of_origins) {
-        const AcrossAxes across(z);
-        x = across.x, y = across.y;
-    }
+        : Frame(normalize(direction)), magnitude(magnitude_of_origins) {}
     template <class T> HWY_INLINE Vector3<T> coordinates(const Vector3<T>& point) const {
         const auto on = [&](Vec3 axis) HWY_ATTR {
             return point.x * T(axis.x) + point.y * T(axis.y) + point.z * T(axis.z);

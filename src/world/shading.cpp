@@ -42,9 +42,8 @@ void prepare_area(PreparedLight& light) {
                       : light.is_disc() ? normalize(light.axis)
                                         : Vec3{0, 0, 1};
     if (!light.has_radius()) return;
-    const AcrossAxes across(light.unit_axis);
-    area.x = across.x * light.radius, area.y = across.y * light.radius;
-    area.z = light.unit_axis * light.radius;
+    const Frame frame(light.unit_axis);
+    area.x = frame.x * light.radius, area.y = frame.y * light.radius, area.z = frame.z * light.radius;
 }
 
 }  // namespace

@@ -63,11 +63,7 @@ namespace {
 
 namespace plain = HWY_NAMESPACE;
 
-#if defined(__OPTIMIZE__) && !defined(GLINT_SANITIZED)
-constexpr int k_blocks = 10000;
-#else
-constexpr int k_blocks = 500;
-#endif
+constexpr int k_blocks = 500 * k_more_cases;
 constexpr std::size_t k_block = 1024;  // 10 million cases in all
 
 // The largest component is 1, like that of the directions that filters receive.

@@ -8,6 +8,13 @@
 
 namespace glint::test {
 
+/// How many more random cases an optimised build tests.
+#if defined(__OPTIMIZE__) && !defined(GLINT_SANITIZED)
+inline constexpr int k_more_cases = 20;
+#else
+inline constexpr int k_more_cases = 1;
+#endif
+
 template <class Shape> struct Case {
     Shape shape;
     Vec3 origin, direction;
