@@ -2,14 +2,11 @@
 #include "cli/drop_in.h"
 
 #include <algorithm>
-#include <cstdio>
-#include <exception>
-#include <new>
 
 #include "cli/commands.h"
 #include "cli/failure.h"
-#include "cli/interrupt.h"
 #include "cli/print_error.h"
+#include "cli/program.h"
 
 namespace glint::cli {
 namespace {
@@ -35,20 +32,9 @@ int run(const DropInProgram& program, const std::vector<std::string>& arguments)
 }  // namespace
 
 int run_drop_in(const DropInProgram& program, int count, char** values) {
-    handle_signals();
-    int code = program.failure;
-    try {
-        code = run(program, {values + std::min(count, 1), values + count});
-    } catch (const std::bad_alloc&) {
-        std::fputs("glint: out of memory\n", stderr);
-    } catch (const std::exception& e) {
-        print_error("{}: {}\n", program.name, e.what());
-    }
-    if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
-        print_error("{}: cannot write to standard output\n", program.name);
-        if (code == k_done) code = program.failure;
-    }
-    return code;
+    return run_program(program.name, program.failure, [&] {
+        return run(program, {values + std::min(count, 1), values + count});
+    });
 }
 
 }  // namespace glint::cli

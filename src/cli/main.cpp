@@ -3,8 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdio>
-#include <exception>
 #include <span>
 #include <string>
 #include <vector>
@@ -12,8 +10,8 @@
 #include "cli/commands.h"
 #include "cli/failure.h"
 #include "cli/foreign_flags.h"
-#include "cli/interrupt.h"
 #include "cli/print_error.h"
+#include "cli/program.h"
 #include "cli/usage.h"
 
 namespace glint::cli {
@@ -116,18 +114,8 @@ int run(const std::vector<std::string>& arguments) {
 }  // namespace glint::cli
 
 int main(int count, char** values) {
-    glint::cli::handle_signals();
-    int code = glint::cli::k_bad_input;
-    try {
-        code = glint::cli::run({values + std::min(count, 1), values + count});
-    } catch (const std::bad_alloc&) {
-        std::fputs("glint: out of memory\n", stderr);
-    } catch (const std::exception& e) {
-        glint::cli::print_error("glint: {}\n", e.what());
-    }
-    if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {  // CLI11 flushes only its own output
-        std::fputs("glint: cannot write to standard output\n", stderr);
-        if (code == 0) code = glint::cli::k_bad_input;
-    }
-    return code;
+    using namespace glint::cli;
+    return run_program("glint", k_bad_input, [&] {
+        return run({values + std::min(count, 1), values + count});
+    });
 }

@@ -15,6 +15,7 @@
 #include "cli/failure.h"
 #include "cli/interrupt.h"
 #include "cli/overwriting.h"
+#include "cli/program.h"
 #include "image/memory_file.h"
 
 namespace glint::cli {
@@ -181,6 +182,7 @@ void OutputFile::write_directly(std::span<const std::uint8_t> bytes) const {
     if (descriptor < 0) fail(path_, errno);
     int error = write_all(descriptor, bytes);
     if (!standard_output_ && ::close(descriptor) != 0 && error == 0) error = errno;
+    if (error == EPIPE && standard_output_) end_by_broken_pipe();
     if (error != 0) fail(path_, error);
 }
 

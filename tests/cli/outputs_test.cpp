@@ -113,5 +113,22 @@ TEST(Outputs, ANamedPipeIsWrittenDirectly) {
     EXPECT_TRUE(std::filesystem::is_fifo(folder.path("pipe")));
 }
 
+// `glint ... | head`: a filter whose reader has gone ends by SIGPIPE, without a message.
+TEST(Outputs, EndsWithItsReader) {
+    const Folder folder;
+    folder.write("a.cgfs", k_scene);
+    RunOptions options;
+    options.reader_is_gone = true;
+    for (const std::vector<std::string>& arguments :
+         {std::vector<std::string>{"render", "a.cgfs", "-s", "64x64", "-o", "-"},
+          {"info", "a.cgfs", "--json"},
+          {"render", "--help"},
+          {"man"}}) {
+        const Finished r = run(folder, arguments, options);
+        EXPECT_EQ(r.code, 1000 + SIGPIPE) << arguments.front();
+        EXPECT_FALSE(contains(r.err, "Broken pipe") || contains(r.err, "cannot write")) << r.err;
+    }
+}
+
 }  // namespace
 }  // namespace glint::test

@@ -27,10 +27,11 @@ struct Finished {
 };
 
 struct RunOptions {
-    std::string input;         ///< standard input
-    long largest_file = -1;    ///< bytes that a file may grow to: a full disk
-    std::string output_path;   ///< standard output goes to this file instead
-    std::string error_path{};  ///< standard error goes to this file instead
+    std::string input;            ///< standard input
+    long largest_file = -1;       ///< bytes that a file may grow to: a full disk
+    std::string output_path;      ///< standard output goes to this file instead
+    std::string error_path{};     ///< standard error goes to this file instead
+    bool reader_is_gone = false;  ///< nobody reads the pipe that is standard output
 };
 
 /// A temporary folder; the destructor removes it.
@@ -72,6 +73,7 @@ class Process {
         std::vector<char*> argv{const_cast<char*>(GLINT_COMMAND)};
         for (const std::string& a : arguments) argv.push_back(const_cast<char*>(a.c_str()));
         argv.push_back(nullptr);
+        if (options.reader_is_gone) ::close(out[0]);
         id_ = ::fork();
         if (id_ == 0) {
             if (!options.output_path.empty()) {
@@ -95,7 +97,7 @@ class Process {
         ::close(out[1]);
         ::close(err[1]);
         in_ = in[1];
-        out_ = out[0];
+        out_ = options.reader_is_gone ? -1 : out[0];
         err_ = err[0];
         input_ = options.input;
     }
@@ -108,7 +110,7 @@ class Process {
         ::signal(SIGPIPE, SIG_IGN);
         std::size_t fed = 0;
         if (input_.empty()) close_input();
-        bool open[2] = {true, true};
+        bool open[2] = {out_ >= 0, true};
         while (open[0] || open[1]) {
             pollfd files[3] = {
                 {open[0] ? out_ : -1, POLLIN, 0}, {open[1] ? err_ : -1, POLLIN, 0}, {in_, POLLOUT, 0}};
@@ -134,7 +136,7 @@ class Process {
         int status = 0;
         ::waitpid(id_, &status, 0);
         result.code = WIFEXITED(status) ? WEXITSTATUS(status) : 1000 + WTERMSIG(status);
-        ::close(out_);
+        if (out_ >= 0) ::close(out_);
         ::close(err_);
         return result;
     }
