@@ -205,8 +205,13 @@ std::optional<std::string> answer_foreign_flags(std::span<const std::string> arg
     }
     if (!any) return std::nullopt;
     if (!answer.size_flags.empty()) {
-        const std::string size = "--size " + or_else(answer.width, "W") + "x" + or_else(answer.height, "H");
-        answer.lines.insert(0, fmt::format("{}: use {}\n", answer.size_flags, size));
+        // glint's own pictures are square; the missing side is an example that the user may change.
+        const std::string width = or_else(answer.width, or_else(answer.height, "640")),
+                          height = or_else(answer.height, width);
+        const std::string size = fmt::format("--size {}x{}", width, height);
+        const bool is_whole = !answer.width.empty() && !answer.height.empty();
+        answer.lines.insert(0, fmt::format("{}: use {}{}\n", answer.size_flags, size,
+                                           is_whole ? "" : ", which has both width and height"));
         answer.command.push_back(size);
     }
     if (answer.command.empty()) answer.command.emplace_back("SCENE");

@@ -109,7 +109,9 @@ TEST(Texts, ForeignFlags) {
     EXPECT_EQ(answer({"render", "--", "+a.cgfs"}), "");
     EXPECT_EQ(answer({"render", "+W64", "+H48"}),
               "+W64 +H48: use --size 64x48\ncommand: glint render --size 64x48");
-    EXPECT_EQ(answer({"+w64"}), "+w64: use --size 64xH\ncommand: glint render --size 64xH");
+    EXPECT_EQ(answer({"+w64"}),
+              "+w64: use --size 64x64, which has both width and height\n"
+              "command: glint render --size 64x64");
     EXPECT_EQ(answer({"render", "a.json", "--width", "64", "--height=48", "-i", "b.json"}),
               "--width 64 --height 48: use --size 64x48\n-i b.json: use b.json\n"
               "command: glint render a.json b.json --size 64x48");

@@ -26,7 +26,7 @@ TEST(Usage, NamesWhatWasMeant) {
         {{"render", "a.cgfs", "--isa", "skalar"}, "did you mean `scalar`?"},
         {{"render", "a.cgfs", "out.png"}, "-o names the output: glint render a.cgfs -o out.png"},
         {{"render", "out.exr"}, "glint render SCENE -o out.exr"},
-        {{"render", "a.cgfs", "--width", "64"}, "command: glint render a.cgfs --size 64xH"},
+        {{"render", "a.cgfs", "--width", "64"}, "command: glint render a.cgfs --size 64x64"},
         {{"render", "-i", "a.cgfs", "--spp", "9"}, "command: glint render a.cgfs --aa 3"},
         {{"check", "a.cgfs", "--jobs", "2"}, "command: glint check a.cgfs --threads 2"},
         {{"render", "a.cgfs", "-j4"}, "command: glint render a.cgfs --threads 4"},
