@@ -67,8 +67,10 @@ Completed completed(const CLI::App& app, const CLI::Option& option) {
 std::vector<std::string> scene_extensions() {
     std::vector<std::string> all;
     for (const FormatInfo& format : formats()) {
-        for (std::string& extension : split(std::string(format.extensions), ' '))
-            all.push_back(std::move(extension));
+        for (std::string& extension : split(std::string(format.extensions), ' ')) {
+            if (std::find(all.begin(), all.end(), extension) == all.end())
+                all.push_back(std::move(extension));
+        }
     }
     return all;
 }

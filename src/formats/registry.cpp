@@ -3,7 +3,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
+#include <string>
+#include <vector>
 
 #include "base/text.h"
 #include "formats/csc473.h"
@@ -64,13 +67,14 @@ bool has_extension(std::string_view name, std::string_view extensions) {
     return false;
 }
 
+// The different entries of a column.
 std::string known(std::string_view FormatInfo::*column) {
-    std::string all;
-    for (const Format& f : k_formats) {
-        all += all.empty() ? "" : ", ";
-        all += f.info.*column;
+    std::vector<std::string_view> entries;
+    for (const FormatInfo& info : k_infos) {
+        if (std::find(entries.begin(), entries.end(), info.*column) == entries.end())
+            entries.push_back(info.*column);
     }
-    return all;
+    return fmt::format("{}", fmt::join(entries, ", "));
 }
 
 }  // namespace

@@ -191,7 +191,7 @@ _glint() {
         if [[ -d $file || $kind == file ]]; then
             COMPREPLY+=("$file")
         elif [[ $kind == scene ]]; then
-            for ending in .cgfs .json .js .pov .pov .nff .dat .glint; do
+            for ending in .cgfs .json .js .pov .nff .dat .glint; do
                 [[ $file == *"$ending" ]] && COMPREPLY+=("$file")
             done
         fi

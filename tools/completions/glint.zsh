@@ -27,7 +27,7 @@ _glint() {
         render)
             _arguments \
                 '(-h --help)'{-h,--help}'[Print this help message and exit]' \
-                '*:SCENE:_files -g "*.(cgfs|json|js|pov|pov|nff|dat|glint)"' \
+                '*:SCENE:_files -g "*.(cgfs|json|js|pov|nff|dat|glint)"' \
                 '--scene[The scene to use, if the file has several]:NAME: ' \
                 '*--include-path[A folder with files that the scene includes and that are not beside it]:DIR: ' \
                 '--format[The scene'\''s format]:cgfs|epfl|csc473|povray|nff|tachyon|glint:(cgfs epfl csc473 povray nff tachyon glint)' \
@@ -56,7 +56,7 @@ _glint() {
         info)
             _arguments \
                 '(-h --help)'{-h,--help}'[Print this help message and exit]' \
-                '*:SCENE:_files -g "*.(cgfs|json|js|pov|pov|nff|dat|glint)"' \
+                '*:SCENE:_files -g "*.(cgfs|json|js|pov|nff|dat|glint)"' \
                 '--scene[The scene to use, if the file has several]:NAME: ' \
                 '*--include-path[A folder with files that the scene includes and that are not beside it]:DIR: ' \
                 '--format[The scene'\''s format]:cgfs|epfl|csc473|povray|nff|tachyon|glint:(cgfs epfl csc473 povray nff tachyon glint)' \
@@ -67,7 +67,7 @@ _glint() {
         convert)
             _arguments \
                 '(-h --help)'{-h,--help}'[Print this help message and exit]' \
-                '*:SCENE:_files -g "*.(cgfs|json|js|pov|pov|nff|dat|glint)"' \
+                '*:SCENE:_files -g "*.(cgfs|json|js|pov|nff|dat|glint)"' \
                 '--scene[The scene to use, if the file has several]:NAME: ' \
                 '*--include-path[A folder with files that the scene includes and that are not beside it]:DIR: ' \
                 '--format[The scene'\''s format]:cgfs|epfl|csc473|povray|nff|tachyon|glint:(cgfs epfl csc473 povray nff tachyon glint)' \
@@ -78,7 +78,7 @@ _glint() {
         check)
             _arguments \
                 '(-h --help)'{-h,--help}'[Print this help message and exit]' \
-                '*:SCENE:_files -g "*.(cgfs|json|js|pov|pov|nff|dat|glint)"' \
+                '*:SCENE:_files -g "*.(cgfs|json|js|pov|nff|dat|glint)"' \
                 '--scene[The scene to use, if the file has several]:NAME: ' \
                 '*--include-path[A folder with files that the scene includes and that are not beside it]:DIR: ' \
                 '--format[The scene'\''s format]:cgfs|epfl|csc473|povray|nff|tachyon|glint:(cgfs epfl csc473 povray nff tachyon glint)' \
@@ -97,7 +97,7 @@ _glint() {
         explain)
             _arguments \
                 '(-h --help)'{-h,--help}'[Print this help message and exit]' \
-                '*:SCENE:_files -g "*.(cgfs|json|js|pov|pov|nff|dat|glint)"' \
+                '*:SCENE:_files -g "*.(cgfs|json|js|pov|nff|dat|glint)"' \
                 '--scene[The scene to use, if the file has several]:NAME: ' \
                 '*--include-path[A folder with files that the scene includes and that are not beside it]:DIR: ' \
                 '--format[The scene'\''s format]:cgfs|epfl|csc473|povray|nff|tachyon|glint:(cgfs epfl csc473 povray nff tachyon glint)' \
@@ -128,7 +128,7 @@ _glint() {
                 '--hard-fail[No pixel may differ by more than N 255ths]:N: ' \
                 '--diff[Write |A - B| as a PNG, amplified so that the largest difference is white]:OUT.png:_files' \
                 '--vary[Render a scene with each value of a setting]:KEY=VALUES:{compadd -S "" -- pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= transparency= opacity= transparent_shadow= transparency_counts= transparent_surfaces= transparent_epsilon= transparent_shadow_epsilon= min_weight= facing= cones= spot_falloff= clamp_attenuation= attenuate_highlights= light_threshold= area_shading= fog_distance= fog_background= fog_extent= transfer= gamma= rounding= size= shading= shadows= reflections= aa= alpha= seed=}' \
-                '*--scene[The scene of B: causes are tested by rendering it]:FILE:_files -g "*.(cgfs|json|js|pov|pov|nff|dat|glint)"' \
+                '*--scene[The scene of B: causes are tested by rendering it]:FILE:_files -g "*.(cgfs|json|js|pov|nff|dat|glint)"' \
                 '--scene-name[The scene to use, if the file has several]:NAME: ' \
                 '--format[The scene'\''s format]:cgfs|epfl|csc473|povray|nff|tachyon|glint:(cgfs epfl csc473 povray nff tachyon glint)' \
                 '--profile[Conventions to start from instead of the format'\''s: cgfs, epfl, lecture5, light, csc473, povray, nff, tachyon and glint]:NAME|FILE:{compadd -- cgfs epfl lecture5 light csc473 povray nff tachyon glint; _files}' \
@@ -146,7 +146,7 @@ _glint() {
         versus)
             _arguments \
                 '(-h --help)'{-h,--help}'[Print this help message and exit]' \
-                '*:SCENE:_files -g "*.(cgfs|json|js|pov|pov|nff|dat|glint)"' \
+                '*:SCENE:_files -g "*.(cgfs|json|js|pov|nff|dat|glint)"' \
                 '--scene[The scene to use, if the file has several]:NAME: ' \
                 '*--include-path[A folder with files that the scene includes and that are not beside it]:DIR: ' \
                 '--format[The scene'\''s format]:cgfs|epfl|csc473|povray|nff|tachyon|glint:(cgfs epfl csc473 povray nff tachyon glint)' \
@@ -168,7 +168,7 @@ _glint() {
                 '(-h --help)'{-h,--help}'[Print this help message and exit]' \
                 ':DIR:_files -/' \
                 '--reference[The right picture]:PICTURE:_files' \
-                '*--scene[The scene of the task: for the causes and for a rubric'\''s parts]:FILE:_files -g "*.(cgfs|json|js|pov|pov|nff|dat|glint)"' \
+                '*--scene[The scene of the task: for the causes and for a rubric'\''s parts]:FILE:_files -g "*.(cgfs|json|js|pov|nff|dat|glint)"' \
                 '--scene-name[The scene to use, if the file has several]:NAME: ' \
                 '--format[The scene'\''s format]:cgfs|epfl|csc473|povray|nff|tachyon|glint:(cgfs epfl csc473 povray nff tachyon glint)' \
                 '--profile[Conventions to start from instead of the format'\''s: cgfs, epfl, lecture5, light, csc473, povray, nff, tachyon and glint]:NAME|FILE:{compadd -- cgfs epfl lecture5 light csc473 povray nff tachyon glint; _files}' \
