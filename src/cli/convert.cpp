@@ -38,6 +38,32 @@ void take_output(ConvertArguments& arguments) {
     }
 }
 
+// A scene may depend on the picture's size: the camera of Tachyon does, and what a scene of POV-Ray makes of
+// image_width. A .glint file has no such rules, so it holds what they give for one size.
+void warn_of_size(const ConvertArguments& arguments, const LoadedScene& loaded) {
+    const Scene& scene = loaded.scene;
+    SceneArguments again = arguments.scene;
+    again.files.clear();
+    again.further_texts.clear();
+    for (const SceneText& text : loaded.texts)
+        again.further_texts.emplace_back(text.name, std::string(text.text));
+    const std::int32_t height = scene.settings.height > 1 ? scene.settings.height / 2 : 2;
+    again.settings.emplace_back("size", fmt::format("{}x{}", scene.settings.width, height));
+    Scene other;
+    try {
+        other = load_scene(again).scene;
+    } catch (const Failure&) {
+        return;  // the message of the scene for that size is printed
+    }
+    other.settings.height = scene.settings.height;
+    const Result<std::string> one = write_glint(scene), two = write_glint(other);
+    if (!one || !two || *one == *two) return;
+    print_error(
+        "{}: warning: the scene depends on the picture's shape: the output is that for {}x{}. Render it at "
+        "this size, or at one of the same shape\n",
+        arguments.scene.files.front(), scene.settings.width, scene.settings.height);
+}
+
 int convert_command(ConvertArguments& arguments) {
     take_output(arguments);
     const std::string& path = arguments.output;
@@ -54,6 +80,7 @@ int convert_command(ConvertArguments& arguments) {
     const std::string& text = *written;
     output.write({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
     if (!arguments.quiet) {
+        warn_of_size(arguments, loaded);
         print_error("{}  {}  {}, {}, {}  ({})\n", path, bytes_text(static_cast<double>(text.size())),
                     counted(scene.shapes.size(), "shape"), counted(scene.materials.size(), "material"),
                     counted(scene.lights.size(), "light"),

@@ -107,5 +107,39 @@ TEST(Convert, WhatItCannotDo) {
     EXPECT_EQ(folder.count(), 3);
 }
 
+// .glint has no image_width, and no camera of Tachyon's, whose frame follows from the size of the picture.
+TEST(Convert, SaysWhatDependsOnThePicturesShape) {
+    const Folder folder;
+    const std::string sphere = "sphere { z*4, 1 texture { pigment { color rgb 1 } } }\n";
+    folder.write("fixed.pov", "camera { right x*4/3 look_at z }\n" + sphere);
+    folder.write("shape.pov", "camera { right x*image_width/image_height look_at z }\n" + sphere);
+    folder.write("a.dat", R"(BEGIN_SCENE
+RESOLUTION 64 48
+CAMERA
+ZOOM 1
+ASPECTRATIO 1
+ANTIALIASING 0
+RAYDEPTH 1
+CENTER 0 0 -4
+VIEWDIR 0 0 1
+UPDIR 0 1 0
+END_CAMERA
+SPHERE CENTER 0 0 0 RAD 1 TEXTURE AMBIENT 0.1 DIFFUSE 0.9 SPECULAR 0 OPACITY 1 COLOR 1 0 0 TEXFUNC 0
+END_SCENE
+)");
+    const char* const said = "warning: the scene depends on the picture's shape";
+    for (const auto& [file, expected] :
+         {std::pair{"fixed.pov", false}, std::pair{"shape.pov", true}, std::pair{"a.dat", true}}) {
+        const Finished r =
+            run(folder, {"convert", file, "--format", file[0] == 'a' ? "tachyon" : "povray", "out.glint"});
+        EXPECT_EQ(r.code, 0) << r.err;
+        EXPECT_EQ(contains(r.err, said), expected) << file << ": " << r.err;
+        EXPECT_FALSE(contains(run(folder, {"convert", "-q", file, "q.glint"}).err, said));
+    }
+    const Finished r = run(folder, {"convert", "--format", "povray", "-", "-o", "in.glint"},
+                           with_input("camera { right x*image_width/image_height look_at z }\n" + sphere));
+    EXPECT_TRUE(contains(r.err, said)) << r.err;
+}
+
 }  // namespace
 }  // namespace glint::test
