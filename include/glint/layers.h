@@ -63,9 +63,12 @@ GLINT_API std::optional<Layer> find_layer(std::string_view name, const Scene& sc
 /// The picture with light number `light` of Scene::lights alone: all other lights, the background, the
 /// emission, the light from all directions and the fog's color are black. The layers of all lights and
 /// no_light add up to the picture, but for rounding: within 1e-5 of it, times the largest value of a layer
-/// where that is above 1. light < k_max_light_layers.
-constexpr Layer light_layer(std::uint32_t light) { return static_cast<Layer>(0x10000 + light); }
+/// where that is above 1. A light that is not below k_max_light_layers has no layer.
 inline constexpr std::uint32_t k_max_light_layers = 0x7fff0000;
+constexpr Layer light_layer(std::uint32_t light) {
+    // The last number stands for every light beyond the limit: no layer has it, so that rendering refuses it.
+    return static_cast<Layer>(0x10000 + (light < k_max_light_layers ? light : k_max_light_layers));
+}
 /// Whether the layer is one of light_layer(), or no_light.
 constexpr bool is_light_layer(Layer layer) {
     const auto number = static_cast<std::uint32_t>(layer);

@@ -77,8 +77,9 @@ TEST(Misuse, OfFindLayer) {
 }
 
 TEST(Misuse, OfTheLayersOfLights) {
-    for (const Layer layer : {beyond<Layer>(), static_cast<Layer>(k_layers), static_cast<Layer>(0xfffe),
-                              light_layer(k_max_light_layers), static_cast<Layer>(0xffffffff)}) {
+    for (const Layer layer :
+         {beyond<Layer>(), static_cast<Layer>(k_layers), static_cast<Layer>(0xfffe),
+          light_layer(k_max_light_layers), light_layer(0xffffffff), static_cast<Layer>(0xffffffff)}) {
         EXPECT_FALSE(is_light_layer(layer));
         EXPECT_FALSE(light_of(layer));
         EXPECT_EQ(layer_name(layer), "");
