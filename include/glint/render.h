@@ -48,7 +48,7 @@ struct FinishedTile {
 };
 
 struct RenderOptions {
-    int threads = 0;                 ///< 0: one per processor
+    int threads = 0;                 ///< 0: one per processor (docs/library.md, Threads)
     std::string isa = {};            ///< one of isa_names(); empty: the best
     std::optional<Crop> crop = {};   ///< only this part of the picture; the Image has the crop's size
     std::vector<Layer> layers = {};  ///< what else is wanted, each once

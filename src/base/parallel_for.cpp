@@ -115,7 +115,9 @@ template <class Body> void run_as_task(TsanOrdering& ordering, const Body& body)
 }  // namespace
 
 int thread_count(int requested) {
-    return requested > 0 ? std::min(requested, 1024) : std::max(1, oneapi::tbb::info::default_concurrency());
+    // In a task_arena of the caller, its number; elsewhere the number of processors.
+    return requested > 0 ? std::min(requested, 1024)
+                         : std::max(1, oneapi::tbb::this_task_arena::max_concurrency());
 }
 
 void parallel_for(std::size_t count, int threads, const std::function<void(std::size_t)>& body) {

@@ -7,7 +7,8 @@
 
 namespace glint {
 
-/// The number of threads for `requested` (0: one per processor); at least 1, at most 1024.
+/// The number of threads for `requested` (0: one per processor, or in a task_arena of the caller as many as
+/// it has); at least 1, at most 1024.
 int thread_count(int requested);
 
 /// Calls body(i) once for each i < count, on up to `threads` threads; returns when all calls are done. Each

@@ -2,6 +2,7 @@
 // The same bits for any threads, instruction set, crop and floating-point state of the caller; and what
 // render() reports.
 #include <gtest/gtest.h>
+#include <oneapi/tbb/task_arena.h>
 
 #include <atomic>
 #include <chrono>
@@ -119,6 +120,17 @@ TEST(Invariance, PictureAssembledFromCrops) {
     }
     expect_same_picture(whole, built);
     EXPECT_EQ(rays.camera, unsigned{k_samples * k_samples} * 101u * 75u);
+}
+
+// Threads of an application that works in a task_arena.
+TEST(Invariance, ArenaOfTheCaller) {
+    for (const int threads : {1, 2}) {
+        oneapi::tbb::task_arena arena(threads);
+        const Result<Rendering> result = arena.execute([] { return render(everything_world()); });
+        ASSERT_TRUE(result);
+        EXPECT_EQ(result->threads, threads);
+        expect_same_picture(everything_image(), result->image);
+    }
 }
 
 TEST(Invariance, TileCulling) {
