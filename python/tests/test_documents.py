@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """The code of docs/python.md runs, and its types are right; so do the notebooks."""
 
+import json
 import os
 import re
 import subprocess
@@ -86,3 +87,20 @@ def test_the_printed_line_is_the_one_that_is_tested():
     run = (ROOT / "python" / "tests" / "run").read_text(encoding="utf-8")
     assert "/usr/bin/python3 -m venv --system-site-packages" in run
     assert "pip\" install --no-build-isolation" in run
+
+
+def test_jupyter_finds_the_environment(tmp_path):
+    """The kernel that docs/python.md installs runs the Python that has the package, without help by variables."""
+    pytest.importorskip("ipykernel")
+    arguments = ["-m", "ipykernel", "install", "--user", "--name", "glint"]
+    guide = (ROOT / "docs" / "python.md").read_text(encoding="utf-8")
+    assert f"    v/bin/python {' '.join(arguments)}\n" in guide
+    environment = {key: value for key, value in os.environ.items() if key != "PYTHONPATH"}
+    environment.update(JUPYTER_DATA_DIR=str(tmp_path), JUPYTER_PLATFORM_DIRS="1")
+    subprocess.run([sys.executable, *arguments], env=environment, check=True, capture_output=True)
+    kernel = json.loads((tmp_path / "kernels" / "glint" / "kernel.json").read_text(encoding="utf-8"))
+    imported = subprocess.run(
+        [kernel["argv"][0], "-c", "import glint, ipykernel; print(glint.__file__)"],
+        env=environment, cwd=tmp_path, capture_output=True, text=True, check=True,
+    )
+    assert "glint" in imported.stdout
