@@ -29,6 +29,9 @@ struct CompareOptions {
     bool as_floats = false;
     double within = 2;  ///< in 255ths, 0 to 255
     int threads = 0;
+    /// Bytes that compare() may take beyond the pictures; it uses fewer threads to keep to it. 0: 64 MiB, and
+    /// 1 byte for each pixel.
+    std::uint64_t max_memory = 0;
 };
 
 /// Numbers of pixels by the largest difference of their channels.
@@ -59,7 +62,8 @@ struct PictureDifference {
     LargestDifference largest;
 };
 
-/// Compares picture a with the reference b. An error if their sizes differ. Never throws.
+/// Compares picture a with the reference b. An error if their sizes differ, or if max_memory is exceeded.
+/// Never throws.
 GLINT_API Result<PictureDifference> compare(const Image& a, const Image& b,
                                             const CompareOptions& options = {});
 
@@ -114,13 +118,17 @@ struct CauseOptions {
     /// Called on the calling thread, at intervals, with the fraction done (0 to 1). Must not throw.
     std::function<void(double)> progress = {};
     const std::atomic<bool>* cancel = nullptr;  ///< checked between causes
+    /// Bytes that find_causes() may take beyond the pictures and the prepared scene. It needs 7 for each
+    /// pixel of the reference and 3 for each pixel of a picture, and with a scene 30 more for each of the
+    /// reference; if too few pixels differ for a sample, another 100. 0: all that, and 256 MiB.
+    std::uint64_t max_memory = 0;
 };
 
 /// Finds the causes that best explain how picture `a` differs from the reference `b`. Without a scene, only
 /// causes that are visible in the pictures are tried (flipped, shifted, channels, gamma, scale). With the
 /// scene of b, faults of lighting and tracing are tried too, by rendering the scene with each.
-/// docs/compare.md lists the causes and their ranking. An error if the sizes differ or the scene cannot be
-/// rendered. Never throws.
+/// docs/compare.md lists the causes and their ranking. An error if the sizes differ, the scene cannot be
+/// rendered, or max_memory is exceeded. Never throws.
 GLINT_API Result<CauseReport> find_causes(const Image& a, const Image& b, const Scene* scene = nullptr,
                                           const CauseOptions& options = {});
 

@@ -114,7 +114,7 @@ def grade(
 
 
 def _compare_plainly(a: Image, b: Image) -> str:
-    return _glint.compare(a._rendering, b._rendering, "a", "b", None, False, False, 2.0, None)[0]
+    return _glint.compare(a._rendering, b._rendering, "a", "b", None, False, False, 2.0, 0, None)[0]
 
 
 def _open(picture: Any) -> Tuple[Optional[Image], str]:

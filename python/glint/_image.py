@@ -51,10 +51,13 @@ class Image:
         return image
 
     @classmethod
-    def open(cls, path: PathLike) -> Image:
-        """The picture of a file. Integers v are v / maximum; gamma is not decoded."""
+    def open(cls, path: PathLike, *, max_memory: int = 0) -> Image:
+        """The picture of a file. Integers v are v / maximum; gamma is not decoded.
+
+        max_memory: bytes that decoding may take; 0: 64 MiB, and 24 for each pixel.
+        """
         with open(path, "rb") as file:
-            return cls._of(_glint.Rendering.decode(file.read()))
+            return cls._of(_glint.Rendering.decode(file.read(), max_memory))
 
     @property
     def array(self) -> FloatArray:

@@ -164,12 +164,14 @@ def compare(
     causes: bool = True,
     as_floats: bool = False,
     within: float = 2.0,
+    max_memory: int = 0,
     progress: Progress = None,
 ) -> Comparison:
     """How picture a differs from the reference b, and why: Images, paths, PIL images or arrays.
 
     scene: which renders b; with it, more causes are tried. as_floats: compares floats, not bytes. within: in
-    255ths, for the figures.
+    255ths, for the figures. max_memory: bytes that the comparison may take beyond the pictures, for the figures
+    and again for the causes; 0: what they usually need. MemoryError is raised if they need more.
     """
     first, second = to_image(a), to_image(b)
     names = [str(p) if isinstance(p, (str, os.PathLike)) else n for p, n in ((a, "a"), (b, "b"))]
@@ -183,6 +185,7 @@ def compare(
             causes,
             as_floats,
             within,
+            max_memory,
             report,
         )
     comparison = Comparison(json.loads(data), text)

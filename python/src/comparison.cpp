@@ -18,18 +18,19 @@ namespace {
 using StatePointer = std::shared_ptr<SceneState>;
 using RenderingPointer = std::shared_ptr<Rendering>;
 
-CauseOptions cause_options(Running& running, bool as_floats) {
+CauseOptions cause_options(Running& running, bool as_floats, std::uint64_t max_memory = 0) {
     CauseOptions options;
     options.as_floats = as_floats;
     options.progress = running.report();
     options.cancel = &running.cancel;
+    options.max_memory = max_memory;
     return options;
 }
 
 // JSON and text, as `glint compare` prints them.
 py::tuple compare_pictures(const Rendering& a, const Rendering& b, const std::string& name_a,
                            const std::string& name_b, const StatePointer& scene, bool causes, bool as_floats,
-                           double within, const py::object& progress) {
+                           double within, std::uint64_t max_memory, const py::object& progress) {
     const auto shared = scene ? scene->shared_scene() : nullptr;
     cli::CompareReport report;
     report.a = name_a;
@@ -44,13 +45,13 @@ py::tuple compare_pictures(const Rendering& a, const Rendering& b, const std::st
     };
     const Image picture = given(a), reference = given(b);
     report.difference = value_or_raise(run(progress, [&](Running&) {
-        return compare(picture, reference, {as_floats, within, 0});
+        return compare(picture, reference, {as_floats, within, 0, max_memory});
     }));
     const PictureDifference& d = report.difference;
     report.passes = d.all.equal == d.all.pixels;
     if (causes && !report.passes && d.not_finite == 0) {
         report.causes = run(progress, [&](Running& running) {
-            return find_causes(picture, reference, shared.get(), cause_options(running, as_floats));
+            return find_causes(picture, reference, shared.get(), cause_options(running, as_floats, max_memory));
         });
     }
     return py::make_tuple(cli::json_report(report), cli::text_report(report));

@@ -14,7 +14,10 @@ std::string without_newline(std::string text) {
 }  // namespace
 
 void raise(const Status& status) {
-    if (status.code == ErrorCode::out_of_memory) throw std::bad_alloc();
+    if (status.code == ErrorCode::out_of_memory) {
+        PyErr_SetString(PyExc_MemoryError, status.message.c_str());
+        throw py::error_already_set();
+    }
     py::list diagnostics;
     for (const Diagnostic& d : status.diagnostics) diagnostics.append(py::cast(d));
     std::string text = without_newline(to_string(status));

@@ -80,10 +80,12 @@ const LayerImage& layer_named(const Rendering& r, const std::string& name) {
     throw py::key_error("the picture was rendered without the layer '" + name + "'");
 }
 
-RenderingPointer decoded(const py::bytes& bytes) {
+RenderingPointer decoded(const py::bytes& bytes, std::uint64_t max_memory) {
     const std::string_view text = bytes;
+    DecodeOptions options;
+    options.max_memory = max_memory;
     DecodedImage image =
-        value_or_raise(decode({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()}));
+        value_or_raise(decode({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()}, options));
     auto rendering = std::make_shared<Rendering>();
     rendering->image = std::move(image.image);
     return rendering;

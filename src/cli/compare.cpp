@@ -2,20 +2,29 @@
 // glint compare: compares a picture with a reference, and says why they differ.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <exception>
+#include <initializer_list>
 #include <memory>
+#include <mutex>
 
+#include "base/parallel_scratch.h"
 #include "cli/commands.h"
 #include "cli/compare_report.h"
 #include "cli/failure.h"
+#include "cli/memory_size.h"
 #include "cli/output_file.h"
 #include "cli/picture_file.h"
 #include "cli/print_error.h"
 #include "cli/progress.h"
 #include "cli/render_or_fail.h"
 #include "cli/scene_option.h"
+#include "cli/strip_file.h"
 #include "cli/text.h"
 #include "cli/validators.h"
 #include "cli/vary.h"
+#include "compare/find_stored.h"
+#include "image/levels.h"
 
 namespace glint::cli {
 namespace {
@@ -34,7 +43,15 @@ struct CompareArguments {
     std::string diff, vary;
     bool no_causes = false, json = false, quiet = false;
     int threads = 0;
+    std::uint64_t max_memory = 0;
 };
+
+// What is left of --max-memory, and at least a byte; 0 without the option.
+std::uint64_t memory_beside(std::uint64_t max_memory, std::initializer_list<const StoredPicture*> pictures) {
+    std::uint64_t left = max_memory;
+    for (const StoredPicture* picture : pictures) left -= std::min<std::uint64_t>(left, picture->bytes());
+    return max_memory > 0 ? std::max<std::uint64_t>(left, 1) : 0;
+}
 
 // What is infinite or NaN never passes. Without limits only identical pictures do. --within and
 // --fail-percent go together; --hard-fail may stand alone.
@@ -48,15 +65,41 @@ bool passes(const CompareArguments& arguments, const PictureDifference& d) {
     return failing <= arguments.fail_percent.value_or(0);
 }
 
-void write_difference(const OutputFile& file, const CompareArguments& arguments, const Image& a,
-                      const Image& b, double largest) {
-    write_png(difference_image(a, b).value(), file, {.threads = arguments.threads});
+// As difference_image(), strip by strip.
+void write_difference(const OutputFile& output, const CompareArguments& arguments, const PictureView& a,
+                      const PictureView& b, double largest) {
+    const DifferenceRows rows(a, b, 0);
+    StripFile file(output, {.threads = 1}, b.width, b.height);
+    const std::size_t count = std::size_t{3} * b.width;
+    const auto strips = static_cast<std::size_t>(count_strips(b.height));
+    struct Memory {
+        std::vector<float> strip, row;
+    };
+    std::vector<Memory> scratch(scratch_count(strips, arguments.threads),
+                                {std::vector<float>(count * k_strip_rows), std::vector<float>(count)});
+    std::mutex mutex;
+    std::exception_ptr failure;
+    parallel_scratch(strips, scratch, [&](std::size_t strip, Memory& memory) {
+        try {
+            const auto first = static_cast<std::int32_t>(strip) * k_strip_rows,
+                       height = std::min(k_strip_rows, b.height - first);
+            for (std::int32_t y = 0; y < height; ++y)
+                rows.read(first + y, &memory.strip[count * static_cast<std::size_t>(y)], memory.row.data());
+            file.put(static_cast<std::int32_t>(strip),
+                     std::span(memory.strip).first(count * static_cast<std::size_t>(height)));
+        } catch (...) {
+            const std::scoped_lock lock(mutex);
+            failure = std::current_exception();
+        }
+    });
+    if (failure) std::rethrow_exception(failure);
+    file.finish(false);
     if (arguments.quiet) return;
     print_error("{}  |A - B|{}\n", arguments.diff,
                 largest > 0 ? fmt::format(" times {:.4g}", 255 / largest) : ", all black");
 }
 
-std::string note_text(const std::string& file, const DecodedImage& picture) {
+std::string note_text(const std::string& file, const DecodedPicture& picture) {
     return picture.note.empty() ? "" : fmt::format("{}: {}\n", file, picture.note);
 }
 
@@ -81,25 +124,29 @@ int compare_command(CompareArguments& arguments) {
             throw Failure(k_usage, "--diff - needs --quiet: the report goes to standard output, too");
     }
     const std::optional<LoadedScene> scene = load_scene_option(arguments.scene, arguments.quiet);
-    const DecodedImage a = read_picture(arguments.files[0]), b = read_picture(arguments.files[1]);
+    DecodedPicture a = read_stored_picture(arguments.files[0], arguments.max_memory);
+    DecodedPicture b =
+        read_stored_picture(arguments.files[1], memory_beside(arguments.max_memory, {&a.picture}));
     if (!arguments.quiet)
         print_error("{}{}", note_text(arguments.files[0], a), note_text(arguments.files[1], b));
 
     CompareReport report;
     report.a = arguments.files[0];
     report.b = arguments.files[1];
-    report.width = b.image.width;
-    report.height = b.image.height;
+    report.width = b.picture.width;
+    report.height = b.picture.height;
     CompareOptions options;
     options.threads = arguments.threads;
     options.within = arguments.within.value_or(options.within);
     options.as_floats = report.as_floats = a.bits > 8 && a.bits == b.bits;
     report.within = options.within;
-    const Result<PictureDifference> compared = compare(a.image, b.image, options);
+    options.max_memory = memory_beside(arguments.max_memory, {&a.picture, &b.picture});
+    const Result<PictureDifference> compared =
+        compare(PictureView(a.picture), PictureView(b.picture), options);
     if (!compared) throw_failure(compared);
     report.difference = *compared;
     report.passes = passes(arguments, report.difference);
-    if (diff) write_difference(*diff, arguments, a.image, b.image, report.difference.largest.value);
+    if (diff) write_difference(*diff, arguments, a.picture, b.picture, report.difference.largest.value);
     if (arguments.quiet) return report.passes ? k_done : k_bad_input;
 
     if (report.difference.not_finite > 0) {
@@ -113,7 +160,9 @@ int compare_command(CompareArguments& arguments) {
         cause_options.threads = arguments.threads;
         cause_options.progress = [&](double fraction) { bar.update(fraction); };
         report.with_scene = scene.has_value();
-        report.causes = find_causes(a.image, b.image, scene ? &scene->scene : nullptr, cause_options);
+        cause_options.max_memory = arguments.max_memory;
+        report.causes = find_causes(std::move(a.picture), std::move(b.picture),
+                                    scene ? &scene->scene : nullptr, cause_options);
     }
     fmt::print("{}", arguments.json ? json_report(report) : text_report(report));
     return report.passes ? k_done : k_bad_input;
@@ -155,6 +204,10 @@ Run add_compare(CLI::App& app) {
         ->option_text("KEY=VALUES");
     add_scene_option(command, a.scene, "The scene of B: causes are tested by rendering it; may be repeated");
     add_threads_argument(command, a.threads);
+    add_memory_argument(
+        command, a.max_memory,
+        "Use at most this memory for the pictures and the comparison: 500M, 4G (default: what "
+        "they need)");
     command.add_flag("--no-causes", a.no_causes, "Print only the figures; do not search for causes");
     command.add_flag("--json", a.json, "Print JSON");
     command.add_flag("-q,--quiet", a.quiet, "Print only errors; the exit code is the result");

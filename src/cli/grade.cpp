@@ -25,7 +25,8 @@ constexpr auto k_grade_examples = R"(Examples:
   glint grade handed_in --scene castle.json --csv grades.csv --sheet sheet.png
   glint grade handed_in --scene castle.json --rubric rt2.rubric --csv grades.csv
   glint grade ada --scene castle.json --rubric rt2.rubric --gradescope results.json)";
-constexpr std::size_t k_pictures_at_a_time = 32;  // in memory
+// In memory: of large pictures fewer.
+constexpr std::size_t k_pictures_at_a_time = 32, k_pixels_at_a_time = std::size_t{1} << 26;
 
 struct GradeArguments {
     std::string folder, reference, rubric;
@@ -65,8 +66,10 @@ int grade_pictures(const GradeArguments& arguments, const Scene* scene, const Im
     sheet.set_label(0, "0 reference");
     sheet.put(0, reference);
     auto bar = std::make_unique<ProgressBar>(!arguments.quiet);
-    for (std::size_t first = 0; first < count; first += k_pictures_at_a_time) {
-        const std::size_t last = std::min(first + k_pictures_at_a_time, count);
+    const std::size_t at_a_time =
+        std::clamp<std::size_t>(k_pixels_at_a_time / (reference.rgb.size() / 3), 1, k_pictures_at_a_time);
+    for (std::size_t first = 0; first < count; first += at_a_time) {
+        const std::size_t last = std::min(first + at_a_time, count);
         std::vector<Image> pictures;
         std::vector<std::size_t> whose;
         for (std::size_t i = first; i < last; ++i) {

@@ -3,14 +3,18 @@
 // Reading picture files.
 #include <string>
 
-#include "glint/image.h"
+#include "image/decoders.h"
 
 namespace glint::cli {
 
-/// The picture of a file and what decode() says about it. Throws Failure: of input, if there is none.
-DecodedImage read_picture(const std::string& path);
+/// The picture of a file and what decode() says about it. max_memory: DecodeOptions::max_memory. Throws
+/// Failure: of input, if there is none.
+DecodedImage read_picture(const std::string& path, std::uint64_t max_memory = 0);
 
 /// The same, without a Failure: "no such file".
-Result<DecodedImage> try_picture(const std::string& path);
+Result<DecodedImage> try_picture(const std::string& path, std::uint64_t max_memory = 0);
+
+/// As read_picture(), with the numbers of the file.
+DecodedPicture read_stored_picture(const std::string& path, std::uint64_t max_memory = 0);
 
 }  // namespace glint::cli

@@ -5,31 +5,41 @@
 #include <cstdlib>
 #include <numeric>
 
+#include "base/parallel_scratch.h"
 #include "glint/compare.h"
 #include "image/levels.h"
 #include "image/quantize.h"
 
 namespace glint {
 
-BytePicture to_bytes(const Image& image, int threads, const ByteRule& rule) {
-    BytePicture picture{image.width, image.height, std::vector<std::uint8_t>(image.rgb.size())};
-    const std::size_t row = std::size_t{3} * image.width;
-    parallel_for(static_cast<std::size_t>(image.height), threads, [&](std::size_t y) {
-        quantize_row(&image.rgb[y * row], row, 8, rule, &picture.rgb[y * row]);
+BytePicture to_bytes(const PictureView& picture, int threads, const ByteRule& rule) {
+    if (const auto bytes = picture.bytes(); rule == ByteRule{} && !bytes.empty())
+        return {picture.width, picture.height, {bytes.begin(), bytes.end()}};
+    BytePicture made{picture.width, picture.height, std::vector<std::uint8_t>(picture.size())};
+    const std::size_t row = std::size_t{3} * picture.width;
+    parallel_for(static_cast<std::size_t>(picture.height), threads, [&](std::size_t y) {
+        float buffer[k_values_at_a_time];
+        for (std::size_t first = y * row, end = first + row; first < end; first += k_values_at_a_time) {
+            const std::size_t count = std::min(k_values_at_a_time, end - first);
+            quantize_row(picture.values(first, count, buffer), count, 8, rule, &made.rgb[first]);
+        }
     });
-    return picture;
-}
-
-Image to_floats(const BytePicture& picture) {
-    Image image{picture.width, picture.height, {}};
-    image.rgb.reserve(picture.rgb.size());
-    for (const std::uint8_t v : picture.rgb) image.rgb.push_back(static_cast<float>(v) / 255);
-    return image;
+    return made;
 }
 
 std::vector<std::uint8_t> edges_of(const BytePicture& picture, int threads) {
-    const Levels levels{{picture.rgb.begin(), picture.rgb.end()}, 1, picture.width, picture.height};
-    return find_edges(levels, threads);
+    const std::int32_t width = picture.width, last = picture.height - 1;
+    std::vector<std::uint8_t> edges(picture.rgb.size() / 3);
+    const auto rows = static_cast<std::size_t>(picture.height);
+    std::vector<std::vector<std::uint8_t>> scratch(scratch_count(rows, threads),
+                                                   std::vector<std::uint8_t>(std::size_t{6} * width));
+    parallel_scratch(rows, scratch, [&](std::size_t row, std::vector<std::uint8_t>& extremes) {
+        const auto y = static_cast<std::int32_t>(row);
+        mark_edges<std::uint8_t>({picture.pixel(0, std::max(y - 1, 0)), picture.pixel(0, y),
+                                  picture.pixel(0, std::min(y + 1, last))},
+                                 width, 1, extremes.data(), &edges[row * width]);
+    });
+    return edges;
 }
 
 Rows all_rows(std::int32_t height) {

@@ -9,6 +9,7 @@
 #include "base/parallel_for.h"
 #include "glint/compare.h"
 #include "glint/image.h"
+#include "image/stored_picture.h"
 
 namespace glint {
 
@@ -24,11 +25,16 @@ struct BytePicture {
     }
 };
 
-/// The bytes that encode() writes. Throws bad_alloc.
-BytePicture to_bytes(const Image& image, int threads, const ByteRule& rule = {});
+/// Numbers that are converted at a time, in a buffer on the stack.
+inline constexpr std::size_t k_values_at_a_time = 1024;
 
-/// The same, as an image. Throws bad_alloc.
-Image to_floats(const BytePicture& picture);
+/// The bytes that encode() writes. Throws bad_alloc.
+BytePicture to_bytes(const PictureView& picture, int threads, const ByteRule& rule = {});
+
+/// The bytes as channels n / 255.
+inline PictureView view_of(const BytePicture& picture) {
+    return {picture.width, picture.height, picture.rgb};
+}
 
 /// Whether a channel of two pixels differs by more than k_edge_step.
 inline bool is_step(const std::uint8_t* a, const std::uint8_t* b) {

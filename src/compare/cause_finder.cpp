@@ -36,24 +36,33 @@ constexpr std::int64_t k_min_for_threads = 1 << 18;
 
 }  // namespace
 
-CauseFinder::CauseFinder(const Image& reference, const Scene* scene, const CauseOptions& options)
-    : reference_(reference),
-      bytes_(to_bytes(reference, options.threads)),
+CauseFinder::CauseFinder(const PictureView& reference, BytePicture bytes, const Scene* scene,
+                         const CauseOptions& options)
+    : bytes_(std::move(bytes)),
+      reference_(reference),
       edges_(edges_of(bytes_, options.threads)),
       scene_(scene),
       options_(options) {}
 
-Search CauseFinder::start(const Image& picture) const {
+CauseFinder::CauseFinder(BytePicture bytes, const Scene* scene, const CauseOptions& options)
+    : bytes_(std::move(bytes)),
+      reference_(view_of(bytes_)),
+      edges_(edges_of(bytes_, options.threads)),
+      scene_(scene),
+      options_(options) {}
+
+Search CauseFinder::start(BytePicture bytes) const {
+    const PictureView view = view_of(bytes);  // of the elements, which stay where they are
+    return start(view, std::move(bytes));
+}
+
+Search CauseFinder::start(const PictureView& picture, BytePicture bytes) const {
     Search search;
-    if (std::string wrong = pair_fault(picture, reference_); !wrong.empty()) {
-        search.status = invalid_argument(std::move(wrong));
-        return search;
-    }
     const bool is_small = std::int64_t{reference_.width} * reference_.height < k_min_for_threads;
     search.area = {&edges_, all_rows(reference_.height), 1, is_small ? 1 : options_.threads};
     if (std::min(reference_.width, reference_.height) < 3) search.area.rim = 0;
     search.sample = search.area;
-    search.faulty = to_bytes(picture, options_.threads);
+    search.faulty = std::move(bytes);
     search.whole = distance(search.faulty, bytes_, search.area);
     if (search.whole.all == 0) {
         search.area.rim = search.sample.rim = 0;
@@ -139,7 +148,7 @@ PictureSource CauseFinder::source(const Search& search, const Rows& rows) const 
     const CauseReport& report = search.report;
     const bool by_scene = trials_ && trials_->rendered() &&
                           (report.swapped || *report.scene_from_b < k_same_part * report.difference);
-    return {by_scene ? trials_->rendered()->image : reference_,
+    return {by_scene ? PictureView(trials_->rendered()->image) : reference_,
             by_scene ? trials_->rendered()->bytes : bytes_,
             *search.target,
             search.sample,

@@ -16,10 +16,16 @@ namespace glint {
 class CauseFinder {
   public:
     /// All must outlive it; `scene` may be null. Throws bad_alloc.
-    CauseFinder(const Image& reference, const Scene* scene, const CauseOptions& options);
+    /// `bytes` are those of the reference.
+    CauseFinder(const PictureView& reference, BytePicture bytes, const Scene* scene,
+                const CauseOptions& options);
+    /// The same of a reference that has only bytes.
+    CauseFinder(BytePicture bytes, const Scene* scene, const CauseOptions& options);
 
-    /// A search for this picture. Search::status says why there will be none.
-    Search start(const Image& picture) const;
+    /// A search for this picture, of the reference's size, and its bytes. `picture` is not needed afterwards.
+    Search start(const PictureView& picture, BytePicture bytes) const;
+    /// The same of a picture that has only bytes.
+    Search start(BytePicture bytes) const;
     /// Fills in the reports.
     void find(std::vector<Search>& searches);
 
@@ -38,8 +44,8 @@ class CauseFinder {
     void name(Search& search);
     static void name_pair(Search& search, CausePair& pair);
 
-    const Image& reference_;
     const BytePicture bytes_;
+    const PictureView reference_;
     const std::vector<std::uint8_t> edges_;
     const Scene* const scene_;
     const CauseOptions& options_;

@@ -22,16 +22,21 @@ struct Sums {
     std::size_t count = 0;
 };
 
-template <class Each> void for_each_finite(const Image& a, const Image& b, Each&& each) {
-    for (std::size_t i = 0; i < b.rgb.size(); ++i) {
-        if (is_finite(a.rgb[i]) && is_finite(b.rgb[i]))
-            each(static_cast<double>(a.rgb[i]), static_cast<double>(b.rgb[i]));
+template <class Each> void for_each_finite(const PictureView& a, const PictureView& b, Each&& each) {
+    const std::size_t count = std::size_t{3} * b.width;
+    std::vector<float> buffer_a(count), buffer_b(count);
+    for (std::int32_t y = 0; y < b.height; ++y) {
+        const float *of_a = a.row(y, buffer_a.data()), *of_b = b.row(y, buffer_b.data());
+        for (std::size_t i = 0; i < count; ++i) {
+            if (is_finite(of_a[i]) && is_finite(of_b[i]))
+                each(static_cast<double>(of_a[i]), static_cast<double>(of_b[i]));
+        }
     }
 }
 
 }  // namespace
 
-bool is_beyond_bytes(const Image& a, const Image& b, bool same_bytes, CauseReport& report) {
+bool is_beyond_bytes(const PictureView& a, const PictureView& b, bool same_bytes, CauseReport& report) {
     Sums sums;
     for_each_finite(a, b, [&](double x, double y) {
         sums.whole += std::fabs(x - y);

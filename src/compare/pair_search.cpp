@@ -82,7 +82,8 @@ void PairSearch::try_scene(const CauseCandidate& first, std::size_t most, bool w
         if (!made || made->bytes.rgb == alone->bytes.rgb) continue;
         std::vector<float> part = alone->image.rgb, &sum = made->image.rgb;
         for (std::size_t k = 0; k < part.size(); ++k) part[k] -= sum[k];
-        const auto factor = fit_factor(sum, part, alone->bytes, coarse.faulty, coarse.area.rows);
+        const auto factor = fit_factor(sum, {coarse_.columns(), coarse_.rows(), part}, alone->bytes,
+                                       coarse.faulty, coarse.area.rows);
         if (!factor || *factor < k_min_multiple) continue;
         for (std::size_t k = 0; k < part.size(); ++k) sum[k] += static_cast<float>(*factor) * part[k];
         (first.edit ? pair.after : pair.before) = causes_.scaled_candidate(i, *factor, true);

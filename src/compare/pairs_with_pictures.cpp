@@ -21,7 +21,7 @@ constexpr std::string_view k_shift = "shifted-one-pixel";  // is a fault of the 
 std::vector<PairSearch::Undone> PairSearch::undone_faults(const Trial& trial) const {
     std::vector<Undone> undone;
     const BytePicture& target = *trial.whole.target;
-    const Image floats = to_floats(target);
+    const PictureView floats = view_of(target);
     const Rows rows = rows_of(coarse_);
     const PictureSource source{floats, target, reference_, trial.whole.area, rows, false};
     for (std::size_t i = 0; i < picture_causes().size(); ++i) {

@@ -22,10 +22,24 @@ constexpr int k_factor_rounds = 5;
 
 // Every channel value of the reference as the byte change(value).
 template <class Change> void change_values(const PictureSource& s, BytePicture& made, Change&& change) {
+    const std::size_t row = 3 * static_cast<std::size_t>(made.width);
+    if (const auto bytes = s.reference.bytes(); !bytes.empty()) {
+        std::array<std::uint8_t, 256> table{};
+        for (std::size_t i = 0; i < table.size(); ++i) table[i] = change(static_cast<float>(i) / 255.0f);
+        for_each_row(s.rows, s.fit.threads, [&](std::int32_t y) {
+            const std::size_t first = row * static_cast<std::size_t>(y);
+            for (std::size_t i = first; i < first + row; ++i) made.rgb[i] = table[bytes[i]];
+        });
+        return;
+    }
     for_each_row(s.rows, s.fit.threads, [&](std::int32_t y) {
-        const std::size_t first = 3 * static_cast<std::size_t>(y) * made.width;
-        for (std::size_t i = first; i < first + 3 * static_cast<std::size_t>(made.width); ++i)
-            made.rgb[i] = change(s.reference.rgb[i]);
+        float buffer[k_values_at_a_time];
+        for (std::size_t first = row * static_cast<std::size_t>(y), end = first + row; first < end;
+             first += k_values_at_a_time) {
+            const std::size_t count = std::min(k_values_at_a_time, end - first);
+            const float* values = s.reference.values(first, count, buffer);
+            for (std::size_t i = 0; i < count; ++i) made.rgb[first + i] = change(values[i]);
+        }
     });
 }
 
@@ -177,7 +191,7 @@ double srgb_decoded(double v) { return v <= 0.04045 ? v / 12.92 : pow((v + 0.055
 
 PictureFault scaled() {
     return [](const PictureSource& s, BytePicture& made) -> Detail {
-        const std::optional<double> factor = fit_factor({}, s.reference.rgb, s.bytes, s.faulty, s.fit.rows);
+        const std::optional<double> factor = fit_factor({}, s.reference, s.bytes, s.faulty, s.fit.rows);
         if (!factor) return std::nullopt;
         change_values(s, made, [by = static_cast<float>(*factor)](float value) {
             return to_byte(static_cast<double>(value * by));
@@ -221,13 +235,10 @@ PictureFault raised() {
 PictureFault whole_part(double scale, bool wraps) {
     return [=](const PictureSource& s, BytePicture& made) -> Detail {
         if (!s.unclamped) return std::nullopt;
-        for_each_row(s.rows, s.fit.threads, [&](std::int32_t y) {
-            const std::size_t first = 3 * static_cast<std::size_t>(y) * made.width;
-            for (std::size_t i = first; i < first + 3 * static_cast<std::size_t>(made.width); ++i) {
-                const double level = std::clamp(static_cast<double>(s.reference.rgb[i]) * scale, 0.0, 1e9);
-                const auto whole = static_cast<std::uint32_t>(level);
-                made.rgb[i] = static_cast<std::uint8_t>(wraps ? whole & 255u : std::min(whole, 255u));
-            }
+        change_values(s, made, [=](float value) {
+            const double level = std::clamp(static_cast<double>(value) * scale, 0.0, 1e9);
+            const auto whole = static_cast<std::uint32_t>(level);
+            return static_cast<std::uint8_t>(wraps ? whole & 255u : std::min(whole, 255u));
         });
         return "";
     };
@@ -250,16 +261,28 @@ PictureFault recolored() {
     };
 }
 
-std::optional<double> fit_factor(const std::vector<float>& rest, const std::vector<float>& part,
+std::optional<double> fit_factor(const std::vector<float>& rest, const PictureView& part,
                                  const BytePicture& bytes, const BytePicture& faulty, const Rows& rows) {
-    std::vector<std::pair<double, double>> values;  // what is wanted, and what a factor of 1 gives
+    const std::size_t row = 3 * static_cast<std::size_t>(bytes.width);
+    const auto counts = [&](std::size_t i) {
+        const int was = bytes.rgb[i], is = faulty.rgb[i];
+        return is != was && is != 0 && is != 255 && was != 0 && was != 255;
+    };
+    std::size_t count = 0;
     for (const std::int32_t y : rows) {
-        const std::size_t first = 3 * static_cast<std::size_t>(y) * bytes.width;
-        for (std::size_t i = first; i < first + 3 * static_cast<std::size_t>(bytes.width); ++i) {
-            const int was = bytes.rgb[i], is = faulty.rgb[i];
-            if (is == was || is == 0 || is == 255 || was == 0 || was == 255) continue;
-            values.emplace_back(is / 255.0 - (rest.empty() ? 0 : static_cast<double>(rest[i])),
-                                static_cast<double>(part[i]));
+        const std::size_t first = row * static_cast<std::size_t>(y);
+        for (std::size_t i = first; i < first + row; ++i) count += counts(i);
+    }
+    std::vector<std::pair<double, double>> values;  // what is wanted, and what a factor of 1 gives
+    values.reserve(count);
+    std::vector<float> buffer(row);
+    for (const std::int32_t y : rows) {
+        const std::size_t first = row * static_cast<std::size_t>(y);
+        const float* parts = part.row(y, buffer.data());
+        for (std::size_t i = first; i < first + row; ++i) {
+            if (!counts(i)) continue;
+            values.emplace_back(faulty.rgb[i] / 255.0 - (rest.empty() ? 0 : static_cast<double>(rest[i])),
+                                static_cast<double>(parts[i - first]));
         }
     }
     double factor = 0;

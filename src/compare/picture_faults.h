@@ -13,12 +13,12 @@ namespace glint {
 
 /// What a fault is applied to, and which rows of it.
 struct PictureSource {
-    const Image& reference;     ///< floats: unclamped if the scene was rendered, else those of the file
-    const BytePicture& bytes;   ///< the same as bytes
-    const BytePicture& faulty;  ///< the picture to explain
-    const Area& fit;            ///< where what is fitted to `faulty` is fitted
-    const Rows& rows;           ///< to make
-    bool unclamped = false;     ///< the reference comes from the scene
+    const PictureView reference;  ///< unclamped if the scene was rendered, else the numbers of the file
+    const BytePicture& bytes;     ///< the same as bytes
+    const BytePicture& faulty;    ///< the picture to explain
+    const Area& fit;              ///< where what is fitted to `faulty` is fitted
+    const Rows& rows;             ///< to make
+    bool unclamped = false;       ///< the reference comes from the scene
 };
 
 /// Makes these rows of `made`, a picture of the reference's size, as they would be with the fault. Nothing if
@@ -68,9 +68,9 @@ PictureFault recolored();
 
 /// The factor k by which `part` must be multiplied for rest + k part to be `faulty`, by least
 /// absolute differences over the channels of these rows that differ from `bytes` and are clamped in neither;
-/// nothing if that is 1 or not above 0, or there are too few. `rest` may be empty: 0. The vectors are as
+/// nothing if that is 1 or not above 0, or there are too few. `rest` may be empty: 0. It is as
 /// Image::rgb.
-std::optional<double> fit_factor(const std::vector<float>& rest, const std::vector<float>& part,
+std::optional<double> fit_factor(const std::vector<float>& rest, const PictureView& part,
                                  const BytePicture& bytes, const BytePicture& faulty, const Rows& rows);
 
 }  // namespace glint

@@ -197,8 +197,8 @@ void SceneSearch::try_multiples(const std::vector<Search*>& searches, std::size_
     std::vector<float> part = rendered_->image.rgb;
     for (std::size_t i = 0; i < part.size(); ++i) part[i] -= without.image.rgb[i];
     for (Search* search : searches) {
-        const auto factor =
-            fit_factor(without.image.rgb, part, rendered_->bytes, *search->target, search->area.rows);
+        const auto factor = fit_factor(without.image.rgb, {grid_.columns(), grid_.rows(), part},
+                                       rendered_->bytes, *search->target, search->area.rows);
         if (!factor) continue;
         Image image = without.image;
         for (std::size_t i = 0; i < part.size(); ++i) image.rgb[i] += static_cast<float>(*factor) * part[i];

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/memory_limit.h"
 #include "compare/geometry_search.h"
 #include "compare/item_texts.h"
 
@@ -23,6 +24,8 @@ constexpr double k_has_forms = 0.6;
 // A candidate that explains less of the grid's difference than this part of what it must is judged by all
 // pixels only if it may be the nearest, whose share is said.
 constexpr double k_worth_judging = 0.5;
+// Bytes of each pixel before causes are tried on all of them, at least.
+constexpr std::size_t k_before_trials = 40;
 constexpr std::size_t k_named_shapes = 3;
 constexpr double k_said_share = 0.1;
 
@@ -43,7 +46,8 @@ SceneTrials::SceneTrials(const Scene& scene, const BytePicture& reference,
     : reference_(reference),
       edges_(edges),
       renderer_(scene, reference.width, reference.height, options),
-      grid_(grid_of(scene, reference.width, reference.height)) {
+      grid_(grid_of(scene, reference.width, reference.height)),
+      max_memory_(options.max_memory) {
     if (!renderer_.is_prepared()) return;
     rendered_ = renderer_.render(renderer_.scene(), {reference.width, reference.height, 1});
     if (!rendered_) return;
@@ -67,14 +71,20 @@ void SceneTrials::run(std::vector<Search>& searches, const std::function<void()>
         const bool is_fair = small.search.whole.all * k_fair_grid >= search.whole.all &&
                              small.search.whole.all <= search.whole.all * k_fair_grid;
         const PixelGrid all{grid_.width, grid_.height, 1};
-        if (is_fair || grid_.step == 1)
+        if (is_fair || grid_.step == 1) {
             fair.push_back(std::move(small));
-        else
+        } else if (search.status = memory_for_all(); search.status.ok()) {
             others.push_back(grid_search(search, all));
+        }
     }
     if (!fair.empty()) run_on(grid_, fair, step);
     if (!others.empty())
         run_on({grid_.width, grid_.height, 1}, others, fair.empty() ? step : std::function<void()>([] {}));
+}
+
+Status SceneTrials::memory_for_all() const {
+    return memory_fault((k_before_trials + k_trial_bytes) * (reference_.rgb.size() / 3), max_memory_,
+                        "the difference is of few pixels: trying the scene's causes on all pixels");
 }
 
 void SceneTrials::run_on(const PixelGrid& grid, std::vector<GridSearch>& searches,

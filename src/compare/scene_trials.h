@@ -12,6 +12,9 @@ namespace glint {
 
 enum class PairKind : std::uint8_t { any, with_shift };
 
+/// Bytes that each pixel takes if causes are tried on all pixels of a picture.
+inline constexpr std::size_t k_trial_bytes = 100;
+
 class SceneTrials {
   public:
     /// At the reference's size. Throws bad_alloc.
@@ -36,6 +39,7 @@ class SceneTrials {
         Search* whole = nullptr;
     };
 
+    Status memory_for_all() const;
     GridSearch grid_search(Search& whole, const PixelGrid& grid) const;
     void run_on(const PixelGrid& grid, std::vector<GridSearch>& searches, const std::function<void()>& step);
     void try_geometry(const PixelGrid& grid, const RenderedScene& rendered, GridSearch& search) const;
@@ -46,6 +50,7 @@ class SceneTrials {
     const std::vector<std::uint8_t>& edges_;
     const SceneRenderer renderer_;
     const PixelGrid grid_;
+    const std::uint64_t max_memory_;
     std::optional<RenderedScene> rendered_;
     std::vector<std::uint8_t> grid_edges_;
     std::unique_ptr<SceneSearch> search_;

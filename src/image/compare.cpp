@@ -7,7 +7,8 @@
 #include <limits>
 
 #include "base/fp_environment.h"
-#include "base/parallel_for.h"
+#include "base/memory_limit.h"
+#include "base/parallel_scratch.h"
 #include "base/status.h"
 #include "glint/compare.h"
 #include "image/levels.h"
@@ -62,63 +63,194 @@ void add(PixelCounts& to, const PixelCounts& more) {
     to.within += more.within;
 }
 
-std::vector<std::uint8_t> finite_pixels(const Image& a, const Image& b, int threads) {
-    std::vector<std::uint8_t> marks(a.rgb.size() / 3);
-    parallel_for(static_cast<std::size_t>(a.height), threads, [&](std::size_t y) {
-        for (std::size_t i = y * a.width; i < (y + 1) * a.width; ++i)
-            marks[i] = is_finite_pixel(&a.rgb[3 * i]) && is_finite_pixel(&b.rgb[3 * i]);
-    });
-    return marks;
+// The rows that are compared at a time, and what memory that takes: few enough for the cache of a processor.
+constexpr std::size_t k_most_rows = 32, k_least_rows = 4, k_strip_bytes = std::size_t{1} << 24;
+// By default: beyond the pictures.
+constexpr std::uint64_t k_comparing = std::uint64_t{1} << 26, k_comparing_each = 1;
+
+// The memory of one thread.
+struct Strip {
+    explicit Strip(std::size_t width, std::size_t rows)
+        : a(3 * width),
+          b(3 * width * (rows + 2)),
+          luminance_a(width * rows_with_windows(rows)),
+          luminance_b(luminance_a.size()),
+          extremes(6 * width),
+          columns(width),
+          edges(width),
+          finite(width) {}
+
+    static std::size_t rows_with_windows(std::size_t rows) { return rows + k_ssim_window - 1; }
+    static std::size_t bytes(std::size_t width, std::size_t rows) {
+        return width * (3 * sizeof(float) * (rows + 5) + 2 * sizeof(double) * rows_with_windows(rows) +
+                        sizeof(SsimMoments) + 2);
+    }
+
+    std::vector<float> a, b;  // levels: of a row, and of the strip's rows and those above and below
+    std::vector<double> luminance_a, luminance_b;
+    std::vector<float> extremes;
+    std::vector<SsimMoments> columns;
+    std::vector<std::uint8_t> edges, finite;
+};
+
+double luminance(const float* rgb) {
+    return 0.299 * static_cast<double>(rgb[0]) + 0.587 * static_cast<double>(rgb[1]) +
+           0.114 * static_cast<double>(rgb[2]);
 }
 
-PictureDifference measure(const Image& a, const Image& b, const CompareOptions& options) {
-    const std::int32_t width = b.width, height = b.height;
-    const Levels of_a = levels_of(a, options.as_floats, options.threads),
-                 of_b = levels_of(b, options.as_floats, options.threads);
-    const auto edges = find_edges(of_b, options.threads);
-    const auto finite = finite_pixels(a, b, options.threads);
-    std::vector<RowSums> rows(static_cast<std::size_t>(height));
-    parallel_for(rows.size(), options.threads, [&](std::size_t y) {
-        const std::size_t start = y * width;
-        rows[y] = sum_row(&of_a.values[3 * start], &of_b.values[3 * start], &edges[start], &finite[start],
-                          width, of_a.unit, options.within);
-    });
-    PictureDifference result;
-    double sum = 0, squares = 0;
-    for (std::size_t y = 0; y < rows.size(); ++y) {
-        const RowSums& row = rows[y];
-        add(result.edges, row.edges);
-        add(result.interiors, row.interiors);
-        result.not_finite += row.not_finite;
-        sum += row.sum;
-        squares += row.squares;
-        if (row.largest > result.largest.value) {
-            result.largest.value = row.largest;
-            result.largest.x = row.x;
-            result.largest.y = static_cast<std::int32_t>(y);
+// Two pictures and their rows in the form in which they are compared: bytes (unit 1), or unchanged floats
+// (unit 255); 0 for values that are not finite.
+class Measure {
+  public:
+    Measure(const PictureView& a, const PictureView& b, const CompareOptions& options)
+        : a_(a),
+          b_(b),
+          options_(options),
+          width_(static_cast<std::size_t>(b.width)),
+          height_(static_cast<std::size_t>(b.height)),
+          unit_(options.as_floats ? 255 : 1),
+          has_windows_(std::min(b.width, b.height) >= k_ssim_window) {}
+
+    Result<PictureDifference> run() {
+        std::size_t rows = k_most_rows;
+        while (rows > k_least_rows && Strip::bytes(width_, rows) > k_strip_bytes) rows /= 2;
+        const std::uint64_t each = Strip::bytes(width_, rows),
+                            whole = height_ * (sizeof(RowSums) + sizeof(double)),
+                            allowed = options_.max_memory > 0
+                                          ? options_.max_memory
+                                          : k_comparing + k_comparing_each * width_ * height_;
+        if (Status fault = memory_fault(whole + each, allowed, "comparing the pictures"); !fault.ok())
+            return fault;
+        const std::size_t strips = (height_ + rows - 1) / rows;
+        const std::uint64_t threads =
+            std::min<std::uint64_t>(scratch_count(strips, options_.threads), (allowed - whole) / each);
+        std::vector<Strip> scratch;
+        scratch.reserve(threads);
+        while (scratch.size() < threads) scratch.emplace_back(width_, rows);
+        rows_.resize(height_);
+        similarities_.resize(has_windows_ ? height_ - k_ssim_window + 1 : 0);
+        parallel_scratch(strips, scratch, [&](std::size_t i, Strip& strip) {
+            measure(i * rows, std::min((i + 1) * rows, height_), strip);
+        });
+        return sum();
+    }
+
+  private:
+    void read(const PictureView& picture, std::size_t y, float* out) const {
+        const std::size_t count = 3 * width_, first = count * y;
+        if (const auto bytes = picture.bytes(); !options_.as_floats && !bytes.empty()) {
+            for (std::size_t i = 0; i < count; ++i) out[i] = bytes[first + i];
+            return;
+        }
+        const float* values = picture.values(first, count, out);
+        for (std::size_t i = 0; i < count; ++i) {
+            const float value = is_finite(values[i]) ? values[i] : 0;
+            out[i] =
+                options_.as_floats ? value : static_cast<float>(quantize(static_cast<double>(value), 255));
         }
     }
-    result.all = result.edges;
-    add(result.all, result.interiors);
-    const double channels = 3 * static_cast<double>(result.all.pixels);
-    result.mean = sum / channels;
-    result.rms = std::sqrt(squares / channels);
-    if (squares > 0) result.psnr = decibels(squares / channels);
-    const std::size_t at = 3 * (static_cast<std::size_t>(result.largest.y) * width + result.largest.x);
-    for (int c = 0; c < 3; ++c) {
-        result.largest.a[c] = of_a.values[at + c] * static_cast<float>(of_a.unit / 255);
-        result.largest.b[c] = of_b.values[at + c] * static_cast<float>(of_b.unit / 255);
+
+    // `buffer` has 3 width numbers.
+    void mark_finite(std::size_t y, float* buffer, std::vector<std::uint8_t>& marks) const {
+        std::fill(marks.begin(), marks.end(), std::uint8_t{1});
+        for (const PictureView* picture : {&a_, &b_}) {
+            if (!picture->has_floats()) continue;
+            const float* values = picture->row(static_cast<std::int32_t>(y), buffer);
+            for (std::size_t x = 0; x < width_; ++x)
+                marks[x] = marks[x] != 0 && is_finite_pixel(values + 3 * x);
+        }
     }
-    result.ssim = ssim(of_a, of_b, options.threads);
-    return result;
-}
+
+    void measure(std::size_t first, std::size_t last, Strip& strip) {
+        const std::size_t top = first > 0 ? first - 1 : 0, bottom = std::min(last + 1, height_),
+                          end = has_windows_ ? std::min(last + k_ssim_window - 1, height_) : bottom;
+        const auto of_b = [&](std::size_t y) { return strip.b.data() + 3 * width_ * (y - top); };
+        for (std::size_t y = top; y < bottom; ++y) read(b_, y, of_b(y));
+        for (std::size_t y = first; y < std::max(end, last); ++y) {
+            float* a = strip.a.data();
+            read(a_, y, a);
+            if (y < last) {
+                mark_edges<float>({of_b(y > 0 ? y - 1 : 0), of_b(y), of_b(std::min(y + 1, height_ - 1))},
+                                  b_.width, unit_, strip.extremes.data(), strip.edges.data());
+                mark_finite(y, strip.extremes.data(), strip.finite);
+                rows_[y] = sum_row(a, of_b(y), strip.edges.data(), strip.finite.data(), b_.width, unit_,
+                                   options_.within);
+            }
+            if (!has_windows_) continue;
+            const float* b = of_b(y);
+            if (y >= bottom) {
+                read(b_, y, strip.extremes.data());
+                b = strip.extremes.data();
+            }
+            const std::size_t to = width_ * (y - first);
+            for (std::size_t x = 0; x < width_; ++x) {
+                strip.luminance_a[to + x] = unit_ * luminance(a + 3 * x);
+                strip.luminance_b[to + x] = unit_ * luminance(b + 3 * x);
+            }
+        }
+        for (std::size_t y = first; y < std::min(last, similarities_.size()); ++y) {
+            const std::size_t from = width_ * (y - first);
+            similarities_[y] = ssim_.sum_row(&strip.luminance_a[from], &strip.luminance_b[from], b_.width,
+                                             strip.columns.data());
+        }
+    }
+
+    PictureDifference sum() const {
+        PictureDifference result;
+        double sum = 0, squares = 0;
+        for (std::size_t y = 0; y < rows_.size(); ++y) {
+            const RowSums& row = rows_[y];
+            add(result.edges, row.edges);
+            add(result.interiors, row.interiors);
+            result.not_finite += row.not_finite;
+            sum += row.sum;
+            squares += row.squares;
+            if (row.largest > result.largest.value) {
+                result.largest.value = row.largest;
+                result.largest.x = row.x;
+                result.largest.y = static_cast<std::int32_t>(y);
+            }
+        }
+        result.all = result.edges;
+        add(result.all, result.interiors);
+        const double channels = 3 * static_cast<double>(result.all.pixels);
+        result.mean = sum / channels;
+        result.rms = std::sqrt(squares / channels);
+        if (squares > 0) result.psnr = decibels(squares / channels);
+        set_colors(a_, result.largest, result.largest.a);
+        set_colors(b_, result.largest, result.largest.b);
+        if (has_windows_) {
+            double whole = 0;
+            for (const double row : similarities_) whole += row;
+            result.ssim = whole / (static_cast<double>(b_.width - k_ssim_window + 1) *
+                                   static_cast<double>(similarities_.size()));
+        }
+        return result;
+    }
+
+    void set_colors(const PictureView& picture, const LargestDifference& at, float (&colors)[3]) const {
+        std::vector<float> row(3 * width_);
+        read(picture, static_cast<std::size_t>(at.y), row.data());
+        for (std::size_t c = 0; c < 3; ++c)
+            colors[c] = row[3 * static_cast<std::size_t>(at.x) + c] * static_cast<float>(unit_ / 255);
+    }
+
+    const PictureView &a_, &b_;
+    const CompareOptions& options_;
+    const std::size_t width_, height_;
+    const double unit_;  // 255ths per unit of the values
+    const bool has_windows_;
+    const Ssim ssim_;
+    std::vector<RowSums> rows_;
+    std::vector<double> similarities_;  // of the windows that begin in a row
+};
 
 }  // namespace
 
-std::string pair_fault(const Image& a, const Image& b) {
-    for (const Image* image : {&a, &b}) {
+std::string pair_fault(const PictureView& a, const PictureView& b) {
+    for (const PictureView* image : {&a, &b}) {
         if (image->width < 1 || image->height < 1 ||
-            image->rgb.size() != std::size_t{3} * image->width * image->height) {
+            image->size() != std::size_t{3} * image->width * image->height) {
             return "a picture without pixels, or whose numbers do not fit its size";
         }
     }
@@ -130,54 +262,49 @@ std::string pair_fault(const Image& a, const Image& b) {
                            : "");
 }
 
-Levels levels_of(const Image& image, bool as_floats, int threads) {
-    Levels levels{std::vector<float>(image.rgb.size()), as_floats ? 255.0 : 1.0, image.width, image.height};
-    const std::size_t row = std::size_t{3} * image.width;
-    parallel_for(static_cast<std::size_t>(image.height), threads, [&](std::size_t y) {
-        for (std::size_t i = y * row; i < (y + 1) * row; ++i) {
-            const float value = is_finite(image.rgb[i]) ? image.rgb[i] : 0;
-            levels.values[i] =
-                as_floats ? value : static_cast<float>(quantize(static_cast<double>(value), 255));
-        }
-    });
-    return levels;
-}
-
-std::vector<std::uint8_t> find_edges(const Levels& levels, int threads) {
-    const std::int32_t width = levels.width, height = levels.height;
-    std::vector<std::uint8_t> edges(static_cast<std::size_t>(width) * height);
-    parallel_for(static_cast<std::size_t>(height), threads, [&](std::size_t row) {
-        const auto y = static_cast<std::int32_t>(row);
-        const std::int32_t top = std::max(y - 1, 0), bottom = std::min(y + 1, height - 1);
-        for (std::int32_t x = 0; x < width; ++x) {
-            const std::int32_t left = std::max(x - 1, 0), right = std::min(x + 1, width - 1);
-            const float* here = &levels.values[3 * (row * width + x)];
-            float least[3] = {here[0], here[1], here[2]}, most[3] = {here[0], here[1], here[2]};
-            for (std::int32_t v = top; v <= bottom; ++v) {
-                for (std::int32_t u = left; u <= right; ++u) {
-                    const float* near = &levels.values[3 * (static_cast<std::size_t>(v) * width + u)];
-                    for (int c = 0; c < 3; ++c) {
-                        least[c] = std::min(least[c], near[c]);
-                        most[c] = std::max(most[c], near[c]);
-                    }
-                }
-            }
-            bool is_edge = false;
-            for (int c = 0; c < 3; ++c)
-                is_edge = is_edge || levels.unit * static_cast<double>(most[c] - least[c]) > k_edge_step;
-            edges[row * width + x] = is_edge;
-        }
-    });
-    return edges;
-}
-
-Result<PictureDifference> compare(const Image& a, const Image& b, const CompareOptions& options) {
+Result<PictureDifference> compare(const PictureView& a, const PictureView& b, const CompareOptions& options) {
     return result_of([&]() -> Result<PictureDifference> {
         const DefaultFpEnvironment environment;
         std::string wrong = pair_fault(a, b);
         if (!wrong.empty()) return invalid_argument(std::move(wrong));
-        return measure(a, b, options);
+        return Measure(a, b, options).run();
     });
+}
+
+Result<PictureDifference> compare(const Image& a, const Image& b, const CompareOptions& options) {
+    return compare(PictureView(a), PictureView(b), options);
+}
+
+// ---- The picture of the difference ----
+
+DifferenceRows::DifferenceRows(const PictureView& a, const PictureView& b, double gain) : a_(a), b_(b) {
+    const auto most = static_cast<double>(std::numeric_limits<float>::max());  // infinity times 0 is NaN
+    if (gain > 0) {
+        factor_ = static_cast<float>(std::min(gain, most));
+        return;
+    }
+    const std::size_t count = std::size_t{3} * b.width;
+    std::vector<float> row(count), buffer(count);
+    float largest = 0;
+    for (std::int32_t y = 0; y < b.height; ++y) {
+        subtract(y, row.data(), buffer.data());
+        for (const float value : row) {
+            if (is_finite(value)) largest = std::max(largest, value);
+        }
+    }
+    if (largest > 0) factor_ = std::min(1 / largest, std::numeric_limits<float>::max());
+}
+
+void DifferenceRows::subtract(std::int32_t y, float* out, float* buffer) const {
+    const std::size_t count = std::size_t{3} * b_.width;
+    const float *a = a_.row(y, out), *b = b_.row(y, buffer);
+    for (std::size_t i = 0; i < count; ++i) out[i] = std::fabs(a[i] - b[i]);
+}
+
+void DifferenceRows::read(std::int32_t y, float* out, float* buffer) const {
+    const std::size_t count = std::size_t{3} * b_.width;
+    subtract(y, out, buffer);
+    for (std::size_t i = 0; i < count; ++i) out[i] = is_finite(out[i]) ? std::min(out[i] * factor_, 1.0f) : 1;
 }
 
 Result<Image> difference_image(const Image& a, const Image& b, double gain) {
@@ -186,16 +313,10 @@ Result<Image> difference_image(const Image& a, const Image& b, double gain) {
         std::string wrong = pair_fault(a, b);
         if (!wrong.empty()) return invalid_argument(std::move(wrong));
         Image image{b.width, b.height, std::vector<float>(b.rgb.size())};
-        float largest = 0;
-        for (std::size_t i = 0; i < b.rgb.size(); ++i) {
-            image.rgb[i] = std::fabs(a.rgb[i] - b.rgb[i]);
-            if (is_finite(image.rgb[i])) largest = std::max(largest, image.rgb[i]);
-        }
-        const auto most = static_cast<double>(std::numeric_limits<float>::max());  // infinity times 0 is NaN
-        const float factor = gain > 0      ? static_cast<float>(std::min(gain, most))
-                             : largest > 0 ? std::min(1 / largest, std::numeric_limits<float>::max())
-                                           : 1;
-        for (float& value : image.rgb) value = is_finite(value) ? std::min(value * factor, 1.0f) : 1;
+        const DifferenceRows rows(a, b, gain);
+        std::vector<float> buffer(std::size_t{3} * b.width);
+        for (std::int32_t y = 0; y < b.height; ++y)
+            rows.read(y, &image.rgb[buffer.size() * static_cast<std::size_t>(y)], buffer.data());
         return image;
     });
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // OpenEXR from memory: the channels R, G and B, or only Y, as floats, inside the display window.
 #include <ImfChannelList.h>
+#include <ImfCompositeDeepScanLine.h>
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
 #include <ImfIO.h>
@@ -16,6 +17,8 @@
 
 namespace glint {
 namespace {
+
+constexpr std::int64_t k_rows_read = 256;  // read at a time: as many as are compressed together, at most
 
 class MemoryStream : public Imf::IStream {
   public:
@@ -60,8 +63,14 @@ std::array<const char*, 3> channels_of(const Imf::ChannelList& list) {
 
 }  // namespace
 
-DecodedImage decode_exr(ByteSpan bytes, const DecodeOptions& options) {
-    check_exr_header(bytes, options);
+DecodedPicture decode_exr(ByteSpan bytes, const DecoderOptions& options) {
+    const ExrMemory memory = check_exr_header(bytes, options);
+    check_memory(memory.bytes, memory.pixels, options);
+    if (memory.sample_bytes > 0) {
+        const std::uint64_t left = memory_limit(memory.pixels, options) - memory.bytes;
+        Imf::CompositeDeepScanLine::setMaximumSampleCount(
+            static_cast<std::int64_t>(std::max<std::uint64_t>(left / memory.sample_bytes, 1)));
+    }
     MemoryStream stream(bytes);
     Imf::InputFile file(stream, 0);
     const ChannelWindow data = window_of(file.header().dataWindow()),
@@ -70,36 +79,47 @@ DecodedImage decode_exr(ByteSpan bytes, const DecodeOptions& options) {
     check_size(shown.width, shown.height, options);
     const auto names = channels_of(file.header().channels());
 
-    std::vector<float> read(3 * static_cast<std::size_t>(data.width * data.height));
-    Imf::FrameBuffer buffer;
+    const std::int64_t strip = std::min(k_rows_read, data.height);
+    const auto row_size = 3 * static_cast<std::size_t>(data.width),
+               shown_size = 3 * static_cast<std::size_t>(shown.width);
+    DecodedPicture result{
+        make_picture(static_cast<std::size_t>(shown.width), static_cast<std::size_t>(shown.height), 0,
+                     memory.bytes + sizeof(float) * (static_cast<std::size_t>(strip) * row_size + shown_size),
+                     options),
+        32,
+        {}};
+    std::vector<float> read(static_cast<std::size_t>(strip) * row_size), row(shown_size);
     const bool is_grey = names[0] == names[1];
-    for (std::size_t c = 0; c < (is_grey ? 1u : 3u); ++c) {
-        buffer.insert(names[c], Imf::Slice::Make(Imf::FLOAT, read.data() + c, file.header().dataWindow(),
-                                                 3 * sizeof(float), 3 * sizeof(float) * data.width));
-    }
-    file.setFrameBuffer(buffer);
-    file.readPixels(file.header().dataWindow().min.y, file.header().dataWindow().max.y);
-
-    Image image{static_cast<std::int32_t>(shown.width), static_cast<std::int32_t>(shown.height), {}};
-    image.rgb.resize(3 * static_cast<std::size_t>(shown.width * shown.height));
     bool all_finite = true;
     const std::int64_t first = std::max(data.x, shown.x),
-                       last = std::min(data.x + data.width, shown.x + shown.width);
-    for (std::int64_t y = std::max(data.y, shown.y);
-         y < std::min(data.y + data.height, shown.y + shown.height); ++y) {
-        for (std::int64_t x = first; x < last; ++x) {
-            const float* from = &read[3 * ((y - data.y) * data.width + x - data.x)];
-            float* to = &image.rgb[3 * ((y - shown.y) * shown.width + x - shown.x)];
-            for (int c = 0; c < 3; ++c) {
-                const float value = from[is_grey ? 0 : c];
-                to[c] = value;
-                all_finite = all_finite && is_finite(value);
+                       last = std::min(data.x + data.width, shown.x + shown.width),
+                       end = data.y + data.height;
+    for (std::int64_t top = data.y; top < end; top += strip) {
+        const std::int64_t bottom = std::min(top + strip, end);
+        const Imath::Box2i window(Imath::V2i(file.header().dataWindow().min.x, static_cast<int>(top)),
+                                  Imath::V2i(file.header().dataWindow().max.x, static_cast<int>(bottom - 1)));
+        Imf::FrameBuffer buffer;
+        for (std::size_t c = 0; c < (is_grey ? 1u : 3u); ++c) {
+            buffer.insert(names[c], Imf::Slice::Make(Imf::FLOAT, read.data() + c, window, 3 * sizeof(float),
+                                                     sizeof(float) * row_size));
+        }
+        file.setFrameBuffer(buffer);
+        file.readPixels(window.min.y, window.max.y);
+        for (std::int64_t y = std::max(top, shown.y); y < std::min(bottom, shown.y + shown.height); ++y) {
+            std::fill(row.begin(), row.end(), 0.0f);
+            for (std::int64_t x = first; x < last; ++x) {
+                const float* from = &read[static_cast<std::size_t>(y - top) * row_size +
+                                          3 * static_cast<std::size_t>(x - data.x)];
+                float* to = &row[3 * static_cast<std::size_t>(x - shown.x)];
+                for (int c = 0; c < 3; ++c) {
+                    const float value = from[is_grey ? 0 : c];
+                    to[c] = value;
+                    all_finite = all_finite && is_finite(value);
+                }
             }
+            result.picture.put_row(static_cast<std::int32_t>(y - shown.y), row.data());
         }
     }
-    DecodedImage result;
-    result.bits = 32;
-    result.image = std::move(image);
     if (!all_finite) result.note = "some of its numbers are infinite or NaN";
     return result;
 }

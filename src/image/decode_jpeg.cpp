@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // JPEG by libjpeg(-turbo), grey or colour, 8 bits.
+#include <algorithm>
 #include <csetjmp>
 #include <cstdio>  // jpeglib.h needs it
 #include <vector>
 
 #include "image/decoders.h"
 // (the empty line keeps the headers from being sorted into one block)
+#include <jerror.h>
 #include <jpeglib.h>
 
 namespace glint {
@@ -48,15 +50,35 @@ struct Jpeg {
     ~Jpeg() { jpeg_destroy_decompress(&info); }  // also if it was never created: all bytes are zero
 };
 
+// An upper bound. A file of several passes has the coefficients of all its blocks in memory.
+std::uint64_t memory_of_libjpeg(jpeg_decompress_struct& info) {
+    constexpr std::uint64_t rows = 64;  // of samples, with which it works
+    const std::uint64_t mcu_width = 8 * std::uint64_t(std::max(info.max_h_samp_factor, 1)),
+                        mcu_height = 8 * std::uint64_t(std::max(info.max_v_samp_factor, 1)),
+                        across = (info.image_width + mcu_width - 1) / mcu_width,
+                        down = (info.image_height + mcu_height - 1) / mcu_height;
+    std::uint64_t coefficients = 0;
+    for (int i = 0; i < info.num_components; ++i) {
+        const jpeg_component_info& component = info.comp_info[i];
+        coefficients += across * down * DCTSIZE2 * std::uint64_t(component.h_samp_factor) *
+                        std::uint64_t(component.v_samp_factor);
+    }
+    return rows * across * mcu_width * std::uint64_t(info.num_components) +
+           (jpeg_has_multiple_scans(&info) != 0 ? sizeof(JCOEF) * coefficients : 0);
+}
+
 // Runs body(), from which libjpeg may jump out: no destructor may be pending inside it.
 template <class Body> void guard_jumps(Jpeg& file, Body&& body) {
-    if (setjmp(file.errors.jump) != 0) throw Undecodable(std::string("JPEG: ") + file.errors.message);
+    if (setjmp(file.errors.jump) != 0) {
+        if (file.errors.manager.msg_code == JERR_OUT_OF_MEMORY) throw std::bad_alloc();
+        throw Undecodable(std::string("JPEG: ") + file.errors.message);
+    }
     body();
 }
 
 }  // namespace
 
-DecodedImage decode_jpeg(ByteSpan bytes, const DecodeOptions& options) {
+DecodedPicture decode_jpeg(ByteSpan bytes, const DecoderOptions& options) {
     Jpeg file;
     file.info.err = jpeg_std_error(&file.errors.manager);
     file.errors.manager.error_exit = on_error;
@@ -77,9 +99,8 @@ DecodedImage decode_jpeg(ByteSpan bytes, const DecodeOptions& options) {
         throw Undecodable("JPEG: neither grey nor RGB");
 
     const std::size_t width = file.info.image_width, height = file.info.image_height;
-    Image image{static_cast<std::int32_t>(width), static_cast<std::int32_t>(height), {}};
+    DecodedPicture result{make_picture(width, height, 255, memory_of_libjpeg(file.info), options), 8, {}};
     std::vector<std::uint8_t> row(3 * width);
-    image.rgb.resize(3 * width * height);
     guard_jumps(file, [&] {
         file.info.out_color_space = JCS_RGB;
         file.info.dct_method = JDCT_ISLOW;
@@ -87,14 +108,11 @@ DecodedImage decode_jpeg(ByteSpan bytes, const DecodeOptions& options) {
         for (std::size_t y = 0; y < height; ++y) {
             JSAMPROW rows[] = {row.data()};
             jpeg_read_scanlines(&file.info, rows, 1);
-            for (std::size_t i = 0; i < row.size(); ++i)
-                image.rgb[3 * width * y + i] = static_cast<float>(row[i]) / 255.0f;
+            result.picture.put_row(static_cast<std::int32_t>(y), row.data());
         }
         jpeg_finish_decompress(&file.info);
     });
-    DecodedImage result;
     result.note = "JPEG changes colours a little";
-    result.image = std::move(image);
     return result;
 }
 

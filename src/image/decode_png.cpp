@@ -3,6 +3,7 @@
 #include <png.h>
 
 #include <csetjmp>
+#include <cstdlib>
 #include <cstring>
 #include <vector>
 
@@ -15,12 +16,16 @@ namespace {
 // truncated.
 constexpr std::size_t k_max_inflated = 1032;
 
+// Rows with which libpng works, besides ours.
+constexpr std::size_t k_rows_of_libpng = 4;
+
 // State that survives a longjmp; libpng's callbacks use it.
 struct Reading {
     ByteSpan bytes;
     std::size_t at = 0;
     std::string error;
     bool has_holes = false;  // a pixel that is not opaque
+    bool out_of_memory = false;
 };
 
 void read_bytes(png_structp png, png_bytep out, std::size_t count) {
@@ -29,6 +34,14 @@ void read_bytes(png_structp png, png_bytep out, std::size_t count) {
     std::memcpy(out, reading.bytes.data() + reading.at, count);
     reading.at += count;
 }
+
+png_voidp allocate(png_structp png, png_alloc_size_t size) {
+    void* memory = std::malloc(size);
+    if (memory == nullptr) static_cast<Reading*>(png_get_mem_ptr(png))->out_of_memory = true;
+    return memory;
+}
+
+void release(png_structp, png_voidp memory) { std::free(memory); }
 
 [[noreturn]] void on_error(png_structp png, png_const_charp message) {
     auto& reading = *static_cast<Reading*>(png_get_error_ptr(png));
@@ -50,6 +63,7 @@ struct Png {
 // Runs body(), from which libpng may jump out: no destructor may be pending inside it.
 template <class Body> void guard_jumps(Png& file, Reading& reading, Body&& body) {
     if (setjmp(png_jmpbuf(file.png)) != 0) {
+        if (reading.out_of_memory) throw std::bad_alloc();
         throw Undecodable("PNG: " + (reading.error.empty() ? std::string("unreadable") : reading.error));
     }
     body();
@@ -62,33 +76,40 @@ void ask_for_rgba(const Png& file, int bits) {
     png_set_add_alpha(file.png, bits == 16 ? 0xffff : 0xff, PNG_FILLER_AFTER);
 }
 
-// Converts a row of RGBA to RGB floats; true if a pixel is not opaque.
-bool take_row(const std::uint8_t* row, std::int32_t width, int bits, float* rgb) {
-    bool has_holes = false;
-    const auto channel = [&](std::int32_t i) -> std::uint32_t {
-        return bits == 16 ? std::uint32_t{row[2 * i]} << 8 | row[2 * i + 1] : row[i];
-    };
-    const std::uint32_t most = bits == 16 ? 65535 : 255;
-    for (std::int32_t x = 0; x < width; ++x) {
-        for (int c = 0; c < 3; ++c)
-            rgb[3 * x + c] = static_cast<float>(channel(4 * x + c)) / static_cast<float>(most);
-        has_holes = has_holes || channel(4 * x + 3) != most;
+std::uint32_t channel_at(const std::uint8_t* row, std::size_t i, std::uint8_t) { return row[i]; }
+std::uint32_t channel_at(const std::uint8_t* row, std::size_t i, std::uint16_t) {
+    return std::uint32_t{row[2 * i]} << 8 | row[2 * i + 1];
+}
+
+// Stores the RGB of a row of RGBA, which `rgb` has room for; true if a pixel is not opaque.
+template <class Number>
+bool take_row(const std::uint8_t* row, std::int32_t y, std::vector<Number>& rgb, StoredPicture& picture) {
+    std::uint32_t opaque = picture.most;
+    for (std::size_t x = 0; 3 * x < rgb.size(); ++x) {
+        for (std::size_t c = 0; c < 3; ++c)
+            rgb[3 * x + c] = static_cast<Number>(channel_at(row, 4 * x + c, Number{}));
+        opaque &= channel_at(row, 4 * x + 3, Number{});
     }
-    return has_holes;
+    picture.put_row(y, rgb.data());
+    return opaque != picture.most;
 }
 
 }  // namespace
 
-DecodedImage decode_png(ByteSpan bytes, const DecodeOptions& options) {
-    Reading reading{bytes, 0, {}, false};
+DecodedPicture decode_png(ByteSpan bytes, const DecoderOptions& options) {
+    Reading reading;
+    reading.bytes = bytes;
     Png file;
-    file.png = png_create_read_struct(PNG_LIBPNG_VER_STRING, &reading, on_error, on_warning);
+    file.png = png_create_read_struct_2(PNG_LIBPNG_VER_STRING, &reading, on_error, on_warning, &reading,
+                                        allocate, release);
     if (file.png == nullptr) throw std::bad_alloc();
     file.info = png_create_info_struct(file.png);
     if (file.info == nullptr) throw std::bad_alloc();
     png_set_read_fn(file.png, &reading, read_bytes);
     png_set_user_limits(file.png, k_max_size, k_max_size);
-    png_set_chunk_malloc_max(file.png, 1 << 23);  // texts and profiles, which are not used
+    // Texts and profiles are not used; a thousand of them would take eight megabytes each.
+    png_set_keep_unknown_chunks(file.png, PNG_HANDLE_CHUNK_NEVER, nullptr, -1);
+    png_set_chunk_malloc_max(file.png, 1 << 23);
     png_set_crc_action(file.png, PNG_CRC_ERROR_QUIT, PNG_CRC_WARN_DISCARD);
     guard_jumps(file, reading, [&] { png_read_info(file.png, file.info); });
 
@@ -99,11 +120,17 @@ DecodedImage decode_png(ByteSpan bytes, const DecodeOptions& options) {
     if (packed_row * height / k_max_inflated > bytes.size()) throw Undecodable("PNG: the file is cut off");
     const int file_bits = png_get_bit_depth(file.png, file.info), bits = file_bits == 16 ? 16 : 8;
 
-    Image image{static_cast<std::int32_t>(width), static_cast<std::int32_t>(height), {}};
-    image.rgb.resize(3 * width * height);
     const std::size_t row_bytes = 4 * width * (bits / 8);
     const bool interlaced = png_get_interlace_type(file.png, file.info) != PNG_INTERLACE_NONE;
-    std::vector<std::uint8_t> rows(interlaced ? row_bytes * height : row_bytes);
+    const std::size_t rows_bytes = interlaced ? row_bytes * height : row_bytes;
+    DecodedPicture result{
+        make_picture(width, height, bits == 16 ? 65535 : 255,
+                     rows_bytes + k_rows_of_libpng * row_bytes + sizeof(png_bytep) * height, options),
+        file_bits,
+        {}};
+    StoredPicture& picture = result.picture;
+    std::vector<std::uint8_t> rows(rows_bytes), rgb(bits == 8 ? 3 * width : 0);
+    std::vector<std::uint16_t> wide_rgb(bits == 16 ? 3 * width : 0);
     std::vector<png_bytep> pointers;
     for (std::size_t y = 0; interlaced && y < height; ++y) pointers.push_back(&rows[y * row_bytes]);
     guard_jumps(file, reading, [&] {
@@ -114,14 +141,13 @@ DecodedImage decode_png(ByteSpan bytes, const DecodeOptions& options) {
         for (std::size_t y = 0; y < height; ++y) {
             if (!interlaced) png_read_row(file.png, rows.data(), nullptr);
             const std::uint8_t* row = interlaced ? pointers[y] : rows.data();
-            reading.has_holes |= take_row(row, image.width, bits, &image.rgb[3 * width * y]);
+            const auto at = static_cast<std::int32_t>(y);
+            reading.has_holes |=
+                bits == 16 ? take_row(row, at, wide_rgb, picture) : take_row(row, at, rgb, picture);
         }
         png_read_end(file.png, nullptr);
     });
 
-    DecodedImage result;
-    result.bits = file_bits;
-    result.image = std::move(image);
     if (reading.has_holes) result.note = "its transparency is left out";
     return result;
 }

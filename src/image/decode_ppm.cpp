@@ -55,7 +55,7 @@ class Reader {
 
 }  // namespace
 
-DecodedImage decode_ppm(ByteSpan bytes, const DecodeOptions& options) {
+DecodedPicture decode_ppm(ByteSpan bytes, const DecoderOptions& options) {
     const bool is_grey = bytes[1] == '2' || bytes[1] == '5', is_raw = bytes[1] >= '5';
     Reader in(bytes, 2);
     // The limits are larger than the allowed size, so that check_size() reports the error.
@@ -71,10 +71,8 @@ DecodedImage decode_ppm(ByteSpan bytes, const DecodeOptions& options) {
     if (in.left() < (is_raw ? samples * bytes_each : 2 * samples - 1))
         throw Undecodable("the PPM file is cut off");
 
-    DecodedImage result;
-    result.bits = most < 256 ? 8 : 16;
-    Image image{static_cast<std::int32_t>(width), static_cast<std::int32_t>(height), {}};
-    image.rgb.resize(3 * pixels);
+    const std::uint64_t row_bytes = 3 * bytes_each * width;
+    DecodedPicture result{make_picture(width, height, most, row_bytes, options), most < 256 ? 8 : 16, {}};
     const auto sample = [&] {
         std::uint32_t value = 0;
         if (!is_raw) {
@@ -83,15 +81,23 @@ DecodedImage decode_ppm(ByteSpan bytes, const DecodeOptions& options) {
             value = in.byte();
             if (bytes_each == 2) value = value << 8 | in.byte();
         }
-        return static_cast<float>(std::min(value, most)) / static_cast<float>(most);
+        return std::min(value, most);
     };
-    for (std::size_t i = 0; i < pixels; ++i) {
-        float* rgb = &image.rgb[3 * i];
-        rgb[0] = sample();
-        rgb[1] = is_grey ? rgb[0] : sample();
-        rgb[2] = is_grey ? rgb[0] : sample();
-    }
-    result.image = std::move(image);
+    const auto read = [&](auto row) {
+        using Number = typename decltype(row)::value_type;
+        for (std::int32_t y = 0; y < result.picture.height; ++y) {
+            for (std::size_t i = 0; i < row.size(); i += 3) {
+                row[i] = static_cast<Number>(sample());
+                for (std::size_t c = i + 1; c < i + 3; ++c)
+                    row[c] = is_grey ? row[i] : static_cast<Number>(sample());
+            }
+            result.picture.put_row(y, row.data());
+        }
+    };
+    if (bytes_each == 1)
+        read(std::vector<std::uint8_t>(std::size_t{3} * width));
+    else
+        read(std::vector<std::uint16_t>(std::size_t{3} * width));
     return result;
 }
 

@@ -9,6 +9,7 @@
 
 #include "glint/conventions.h"
 #include "glint/image.h"
+#include "image/stored_picture.h"
 
 namespace glint {
 
@@ -20,12 +21,35 @@ class Undecodable : public std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
+/// As DecodedImage.
+struct DecodedPicture {
+    StoredPicture picture;
+    int bits = 8;
+    std::string note;
+};
+
+struct DecoderOptions : DecodeOptions {
+    bool as_floats = false;  ///< whole numbers become floats
+};
+
+/// As decode(), with the numbers of the file. Never throws.
+Result<DecodedPicture> decode_stored(ByteSpan bytes, const DecoderOptions& options);
+
 /// Throws Undecodable if the picture's size is invalid or too large.
 void check_size(std::int64_t width, std::int64_t height, const DecodeOptions& options);
 
-DecodedImage decode_png(ByteSpan bytes, const DecodeOptions& options);
-DecodedImage decode_ppm(ByteSpan bytes, const DecodeOptions& options);
-DecodedImage decode_exr(ByteSpan bytes, const DecodeOptions& options);
-DecodedImage decode_jpeg(ByteSpan bytes, const DecodeOptions& options);
+/// The limit of options.max_memory for a picture of this size, and a StatusError if more bytes are needed.
+std::uint64_t memory_limit(std::uint64_t pixels, const DecodeOptions& options);
+void check_memory(std::uint64_t needed, std::uint64_t pixels, const DecodeOptions& options);
+
+/// Black; most: the largest whole number of a channel, 0 for floats. Throws StatusError if it and `extra`
+/// bytes, those that the decoder needs, are more than options.max_memory.
+StoredPicture make_picture(std::size_t width, std::size_t height, std::uint32_t most, std::uint64_t extra,
+                           const DecoderOptions& options);
+
+DecodedPicture decode_png(ByteSpan bytes, const DecoderOptions& options);
+DecodedPicture decode_ppm(ByteSpan bytes, const DecoderOptions& options);
+DecodedPicture decode_exr(ByteSpan bytes, const DecoderOptions& options);
+DecodedPicture decode_jpeg(ByteSpan bytes, const DecoderOptions& options);
 
 }  // namespace glint

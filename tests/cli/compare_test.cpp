@@ -35,6 +35,48 @@ class Compare : public ::testing::Test {
     const Folder folder;
 };
 
+TEST_F(Compare, KeepsToMaxMemory) {
+    const Finished free = compare({"dark.png", "right.png"}),
+                   within = compare({"dark.png", "right.png", "--max-memory", "1M"});
+    EXPECT_EQ(within.code, 1);
+    EXPECT_EQ(within.out, free.out);
+    for (const char* size : {"1K", "20K", "50000"}) {
+        const Finished refused = compare({"dark.png", "right.png", "--max-memory", size});
+        EXPECT_EQ(refused.code, 1);
+        EXPECT_EQ(refused.out, "");
+        EXPECT_NE(refused.err.find("(--max-memory) allows more"), std::string::npos) << refused.err;
+    }
+    for (const char* size : {"0", "5X", "M", "-1", "99999999999999G"}) {
+        const Finished wrong = compare({"dark.png", "right.png", "--max-memory", size});
+        EXPECT_EQ(wrong.code, 2);
+        EXPECT_NE(wrong.err.find("expected a size"), std::string::npos) << wrong.err;
+    }
+}
+
+#if defined(__linux__) && !defined(GLINT_SANITIZED)
+
+TEST_F(Compare, EndsWithAnErrorWhenMemoryRunsOut) {
+    run(folder, {"render", "a.cgfs", "-s", "1200x1000", "-o", "large.png"});
+    run(folder, {"render", "a.cgfs", "-s", "1200x1000", "-o", "large_dark.png", "--no-shadows"});
+    const std::vector<std::string> arguments = {"compare", "large_dark.png", "large.png", "--threads", "2"};
+    const Finished free = run(folder, arguments);
+    ASSERT_EQ(free.code, 1);
+    bool fails = false;
+    for (long most = 30'000'000; most <= 400'000'000; most += most / 4) {
+        RunOptions options;
+        options.most_memory = most;
+        const Finished limited = run(folder, arguments, options);
+        if (limited.out == free.out) continue;
+        fails = true;
+        // The loader, too, needs memory; its code is 127.
+        EXPECT_TRUE(limited.code == 1 || limited.code == 127) << most << ": " << limited.code;
+        EXPECT_TRUE(!limited.err.empty() || limited.out.find("out of memory") != std::string::npos) << most;
+    }
+    EXPECT_TRUE(fails);
+}
+
+#endif
+
 TEST_F(Compare, OnlyIdenticalPicturesPassWithoutLimits) {
     const Finished same = compare({"right.png", "right.png"});
     EXPECT_EQ(same.code, 0) << same.err;

@@ -32,6 +32,7 @@ struct RunOptions {
     std::string output_path;      ///< standard output goes to this file instead
     std::string error_path{};     ///< standard error goes to this file instead
     bool reader_is_gone = false;  ///< nobody reads the pipe that is standard output
+    long most_memory = -1;        ///< bytes of address space
 };
 
 /// A temporary folder; the destructor removes it.
@@ -89,6 +90,11 @@ class Process {
                 const auto most = static_cast<rlim_t>(options.largest_file);
                 const rlimit limit{most, most};
                 ::setrlimit(RLIMIT_FSIZE, &limit);
+            }
+            if (options.most_memory >= 0) {
+                const auto most = static_cast<rlim_t>(options.most_memory);
+                const rlimit limit{most, most};
+                ::setrlimit(RLIMIT_AS, &limit);
             }
             ::execv(GLINT_COMMAND, argv.data());
             ::_exit(99);

@@ -3,15 +3,14 @@
 #include <ImfChannelList.h>
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
-#include <ImfIO.h>
 #include <ImfOutputFile.h>
 #include <gtest/gtest.h>
 #include <half.h>
 
-#include <cstring>
 #include <limits>
 
 #include "image/foreign_files.h"
+#include "image/memory_output.h"
 #include "image/pictures.h"
 
 namespace glint::test {
@@ -142,20 +141,6 @@ TEST(Decode, Jpeg) {
     cut.resize(cut.size() / 2);
     EXPECT_NE(error_of(cut).find("JPEG: "), std::string::npos);
 }
-
-class MemoryOutput : public Imf::OStream {
-  public:
-    MemoryOutput() : Imf::OStream("memory") {}
-    void write(const char data[], int count) override {
-        bytes.resize(std::max(bytes.size(), at + static_cast<std::size_t>(count)));
-        std::memcpy(bytes.data() + at, data, static_cast<std::size_t>(count));
-        at += static_cast<std::size_t>(count);
-    }
-    uint64_t tellp() override { return at; }
-    void seekp(uint64_t position) override { at = position; }
-    Bytes bytes;
-    std::size_t at = 0;
-};
 
 // A data window of 2 x 1 pixels at (1, 1) of a display window of 4 x 3.
 template <class T> Bytes make_exr(const std::vector<const char*>& names, const std::vector<T>& values) {
