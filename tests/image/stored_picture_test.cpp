@@ -133,5 +133,20 @@ TEST(MaxMemory, IsALimitOfComparing) {
     EXPECT_EQ(text_of(*with_few), text_of(*compare(a, b)));
 }
 
+TEST(MaxMemory, IsALimitOfCauses) {
+    const Image a = make_picture(300, 200);
+    Image b = a;
+    for (float& value : b.rgb) value *= 0.5f;
+    CauseOptions options;
+    options.max_memory = 10 * 300 * 200 - 1;
+    const Result<CauseReport> refused = find_causes(a, b, nullptr, options);
+    EXPECT_EQ(refused.code, ErrorCode::out_of_memory);
+    EXPECT_NE(refused.message.find("max_memory"), std::string::npos) << refused.message;
+    ++options.max_memory;
+    EXPECT_TRUE(find_causes(a, b, nullptr, options));
+    const Scene scene;
+    EXPECT_EQ(find_causes(a, b, &scene, options).code, ErrorCode::out_of_memory);
+}
+
 }  // namespace
 }  // namespace glint::test

@@ -94,7 +94,7 @@ _glint() {
                 *) kind=scene ;;
             esac ;;
         compare)
-            options='-h --help --within --fail-percent --hard-fail --diff --vary --scene --scene-name --format --profile --convention -s --size --shading --no-shadows --reflections --aa --seed -t --threads --no-causes --json -q --quiet'
+            options='-h --help --within --fail-percent --hard-fail --diff --vary --scene --scene-name --format --profile --convention -s --size --shading --no-shadows --reflections --aa --seed -t --threads --max-memory --no-causes --json -q --quiet'
             [[ $word == -* ]] || case $before in
                 --within) return ;;
                 --fail-percent) return ;;
@@ -112,6 +112,7 @@ _glint() {
                 --aa) words='N adaptive:N[:T]' ;;
                 --seed) return ;;
                 -t|--threads) return ;;
+                --max-memory) return ;;
                 *) kind=file ;;
             esac ;;
         versus)

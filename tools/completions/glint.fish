@@ -118,6 +118,7 @@ complete -c glint -n '__fish_seen_subcommand_from compare' -l reflections -x -d 
 complete -c glint -n '__fish_seen_subcommand_from compare' -l aa -x -a 'N adaptive:N[:T]' -d 'N x N samples per pixel'
 complete -c glint -n '__fish_seen_subcommand_from compare' -l seed -x -d 'Number of another picture of everything that is sampled'
 complete -c glint -n '__fish_seen_subcommand_from compare' -s t -l threads -x -d 'Number of threads'
+complete -c glint -n '__fish_seen_subcommand_from compare' -l max-memory -x -d 'Use at most this memory for the pictures and the comparison: 500M, 4G (default: what they need)'
 complete -c glint -n '__fish_seen_subcommand_from compare' -l no-causes -d 'Print only the figures'
 complete -c glint -n '__fish_seen_subcommand_from compare' -l json -d 'Print JSON'
 complete -c glint -n '__fish_seen_subcommand_from compare' -s q -l quiet -d 'Print only errors'

@@ -140,6 +140,7 @@ _glint() {
                 '--aa[N x N samples per pixel]:N|adaptive\:N[\:T]:(N adaptive:N[:T])' \
                 '--seed[Number of another picture of everything that is sampled]:N: ' \
                 '(-t --threads)'{-t,--threads}'[Number of threads]:N: ' \
+                '--max-memory[Use at most this memory for the pictures and the comparison: 500M, 4G (default: what they need)]:SIZE: ' \
                 '--no-causes[Print only the figures]' \
                 '--json[Print JSON]' \
                 '(-q --quiet)'{-q,--quiet}'[Print only errors]' ;;
