@@ -56,13 +56,13 @@ TEST_F(Compare, KeepsToMaxMemory) {
 #if defined(__linux__) && !defined(GLINT_SANITIZED)
 
 TEST_F(Compare, EndsWithAnErrorWhenMemoryRunsOut) {
-    run(folder, {"render", "a.cgfs", "-s", "1200x1000", "-o", "large.png"});
-    run(folder, {"render", "a.cgfs", "-s", "1200x1000", "-o", "large_dark.png", "--no-shadows"});
+    run(folder, {"render", "a.cgfs", "-s", "800x700", "-o", "large.png"});
+    run(folder, {"render", "a.cgfs", "-s", "800x700", "-o", "large_dark.png", "--no-shadows"});
     const std::vector<std::string> arguments = {"compare", "large_dark.png", "large.png", "--threads", "2"};
     const Finished free = run(folder, arguments);
     ASSERT_EQ(free.code, 1);
     bool fails = false;
-    for (long most = 30'000'000; most <= 400'000'000; most += most / 4) {
+    for (long most = 20'000'000; most <= 40'000'000; most += 4'000'000) {
         RunOptions options;
         options.most_memory = most;
         const Finished limited = run(folder, arguments, options);
