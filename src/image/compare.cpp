@@ -64,7 +64,7 @@ void add(PixelCounts& to, const PixelCounts& more) {
 }
 
 // The rows that are compared at a time, and what memory that takes: few enough for the cache of a processor.
-constexpr std::size_t k_most_rows = 32, k_least_rows = 4, k_strip_bytes = std::size_t{1} << 24;
+constexpr std::size_t k_max_rows = 32, k_min_rows = 4, k_strip_bytes = std::size_t{1} << 24;
 // By default: beyond the pictures.
 constexpr std::uint64_t k_comparing = std::uint64_t{1} << 26, k_comparing_each = 1;
 
@@ -112,8 +112,8 @@ class Measure {
           has_windows_(std::min(b.width, b.height) >= k_ssim_window) {}
 
     Result<PictureDifference> run() {
-        std::size_t rows = k_most_rows;
-        while (rows > k_least_rows && Strip::bytes(width_, rows) > k_strip_bytes) rows /= 2;
+        std::size_t rows = k_max_rows;
+        while (rows > k_min_rows && Strip::bytes(width_, rows) > k_strip_bytes) rows /= 2;
         const std::uint64_t each = Strip::bytes(width_, rows),
                             whole = height_ * (sizeof(RowSums) + sizeof(double)),
                             allowed = options_.max_memory > 0

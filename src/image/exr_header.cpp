@@ -49,7 +49,7 @@ constexpr std::uint32_t k_block_lines[] = {1, 1, 1, 16, 32, 16, 32, 32, 32, 256}
 // channels.
 constexpr std::uint64_t k_copies = 3, k_copies_of_block = 6, k_name_bytes = 1024, k_sample_bytes = 64;
 // Of a block; the product of larger numbers would overflow.
-constexpr std::uint64_t k_most_pixels = std::uint64_t{1} << 40, k_most_bytes = std::uint64_t{1} << 20;
+constexpr std::uint64_t k_max_pixels = std::uint64_t{1} << 40, k_max_bytes = std::uint64_t{1} << 20;
 
 [[noreturn]] void fail() { throw Undecodable("the OpenEXR file is cut off, or its header is not one"); }
 
@@ -118,7 +118,7 @@ class HeaderScan {
         const auto width = static_cast<std::uint64_t>(width_), height = static_cast<std::uint64_t>(height_);
         const std::uint64_t pixels = tile_width_ == 0 ? width * std::min<std::uint64_t>(block_lines_, height)
                                                       : std::uint64_t{tile_width_} * tile_height_;
-        const std::uint64_t block = std::min(pixels, k_most_pixels) * std::min(pixel_bytes_, k_most_bytes);
+        const std::uint64_t block = std::min(pixels, k_max_pixels) * std::min(pixel_bytes_, k_max_bytes);
         const std::uint64_t row = width * tile_height_ * 3 * sizeof(float),
                             tables = 4 * sizeof(std::uint64_t) * height;
         pixels_ = std::max(pixels_, width * height);
