@@ -2,13 +2,12 @@
 #pragma once
 // A scene's likely mistakes: what can be rendered, but is probably not intended. docs/checks.md explains
 // each.
-#include <atomic>
-#include <functional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "glint/callback.h"
 #include "glint/diagnostic.h"
 #include "glint/export.h"
 #include "glint/load.h"
@@ -23,8 +22,8 @@ struct CheckOptions {
     /// the findings. Texts may be missing.
     std::span<const SceneText> texts = {};
     /// Called on the calling thread, at intervals, with the fraction done (0 to 1). Must not throw.
-    std::function<void(double)> progress = {};
-    const std::atomic<bool>* cancel = nullptr;  ///< checked at intervals
+    Function<void(double)> progress = {};
+    CancelFlag cancel = {};  ///< checked at intervals
 };
 
 /// One likely mistake.

@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The comparison of two pictures, and the classic causes of a difference.
-#include <atomic>
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "glint/callback.h"
 #include "glint/export.h"
 #include "glint/image.h"
 #include "glint/result.h"
@@ -116,8 +115,8 @@ struct CauseOptions {
     bool as_floats = false;
     int threads = 0;
     /// Called on the calling thread, at intervals, with the fraction done (0 to 1). Must not throw.
-    std::function<void(double)> progress = {};
-    const std::atomic<bool>* cancel = nullptr;  ///< checked between causes
+    Function<void(double)> progress = {};
+    CancelFlag cancel = {};  ///< checked between causes
     /// Bytes that find_causes() may take beyond the pictures and the prepared scene. It needs 7 for each
     /// pixel of the reference and 3 for each pixel of a picture, and with a scene 30 more for each of the
     /// reference; if too few pixels differ for a sample, another 100. 0: all that, and 256 MiB.

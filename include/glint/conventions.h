@@ -2,7 +2,6 @@
 #pragma once
 // The rules on which this renderer's sources disagree, as data. docs/conventions.md lists the rules of each
 // source.
-#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>

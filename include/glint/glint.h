@@ -2,6 +2,7 @@
 #pragma once
 // The whole public API.
 #include "glint/bytes.h"
+#include "glint/callback.h"
 #include "glint/check.h"
 #include "glint/compare.h"
 #include "glint/conventions.h"
@@ -9,6 +10,7 @@
 #include "glint/explain.h"
 #include "glint/export.h"
 #include "glint/image.h"
+#include "glint/item_names.h"
 #include "glint/layers.h"
 #include "glint/load.h"
 #include "glint/render.h"

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Text to Scene. The library opens no files: texts come from the caller or from the caller's Sources.
-#include <atomic>
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -11,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "glint/callback.h"
 #include "glint/export.h"
 #include "glint/result.h"
 #include "glint/scene.h"
@@ -43,8 +42,8 @@ struct LoadOptions {
     std::uint32_t max_errors = 20;  ///< reading stops after this many
     /// Called on the calling thread, at intervals, with the fraction of the texts that is read (0 to 1). Must
     /// not throw.
-    std::function<void(double)> progress = {};
-    const std::atomic<bool>* cancel = nullptr;  ///< checked at intervals
+    Function<void(double)> progress = {};
+    CancelFlag cancel = {};  ///< checked at intervals
 };
 
 /// Reads the texts as one scene, in their order, and validates it. The diagnostics (errors, warnings, notes)

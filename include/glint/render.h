@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 // World to Image.
-#include <atomic>
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "glint/callback.h"
 #include "glint/export.h"
 #include "glint/image.h"
 #include "glint/layers.h"
@@ -55,7 +54,7 @@ struct RenderOptions {
     /// Where the threads get the numbers of tiles to render (glint/tiles.h), each number once, until it
     /// returns nothing; the other pixels are not written to. Threads call it at the same time, and it may
     /// wait. Must not throw. None: all tiles.
-    std::function<std::optional<std::uint32_t>()> next_tile = {};
+    Function<std::optional<std::uint32_t>()> next_tile = {};
     /// false: the pixels go to on_tile only. The Rendering's image and layers have sizes and no numbers, and
     /// the memory does not depend on the picture's size.
     bool keep_image = true;
@@ -63,11 +62,11 @@ struct RenderOptions {
     /// it has another size. It is written to until render() returns; after a failure some tiles are drawn.
     std::optional<std::span<float>> pixels = {};
     /// Called with the fraction done (0 to 1), which grows from call to call. Must not throw.
-    std::function<void(double)> progress = {};
+    Function<void(double)> progress = {};
     /// Called with each tile as soon as it is rendered, in any order. Each pixel is in one tile. Must not
     /// throw.
-    std::function<void(const FinishedTile&)> on_tile = {};
-    const std::atomic<bool>* cancel = nullptr;  ///< checked between tiles, and between samples of a tile
+    Function<void(const FinishedTile&)> on_tile = {};
+    CancelFlag cancel = {};  ///< checked between tiles, and between samples of a tile
 };
 // progress and on_tile are called on the rendering threads, one call at a time. During a call the other
 // threads continue, and wait only to make a call themselves.

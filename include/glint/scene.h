@@ -3,17 +3,16 @@
 // The Scene: shapes, materials, lights, camera, settings. Plain data; make it in code or load it from text.
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <tuple>
-#include <unordered_map>
 #include <vector>
 
 #include "glint/conventions.h"
 #include "glint/diagnostic.h"
 #include "glint/export.h"
+#include "glint/item_names.h"
 #include "glint/shapes.h"
 #include "glint/vec.h"
 
@@ -210,7 +209,7 @@ struct Occlusion {
     std::int32_t samples = 64;  ///< for each surface point, 1 to k_max_occlusion_samples
     Color color{1, 1, 1};       ///< of the light
     /// Shapes farther away do not block; in world units, above 0.
-    double reach = std::numeric_limits<double>::infinity();
+    double reach = __builtin_huge_val();
     double direct = 1;  ///< factor of the light of all lights but the ambient ones, 0 to 1e6
 
     friend bool operator==(const Occlusion&, const Occlusion&) = default;
@@ -285,7 +284,7 @@ struct Material {
 
 /// A shape's own colour, in single precision; NaN: none. See Scene::shape_colors.
 struct ShapeColor {
-    static constexpr float k_unset = std::numeric_limits<float>::quiet_NaN();
+    static constexpr float k_unset = __builtin_nanf("");
     float r = k_unset, g = k_unset, b = k_unset;
 
     constexpr bool is_set() const { return r == r || g == g || b == b; }
@@ -302,7 +301,7 @@ struct Shape {
 
 /// Names and places of a list of items, by index. Empty for scenes made in code; names are sparse.
 struct ItemTexts {
-    std::unordered_map<std::uint32_t, std::string> names;
+    ItemNames names;
     std::vector<SourcePlace> places;
 
     /// The item's name, or an empty string.

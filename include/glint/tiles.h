@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The tiles in which pictures are rendered, for callers who render a picture in parts.
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 
@@ -27,8 +26,8 @@ inline Crop tile_area(const Crop& picture, std::size_t tile) {
     const auto across = static_cast<std::size_t>((picture.width - 1) / k_tile_side + 1);
     const auto x = static_cast<std::int32_t>(tile % across) * k_tile_side;
     const auto y = static_cast<std::int32_t>(tile / across) * k_tile_side;
-    return {std::min(k_tile_side, picture.width - x), std::min(k_tile_side, picture.height - y),
-            picture.x + x, picture.y + y};
+    const auto side = [](std::int32_t left) { return left < k_tile_side ? left : k_tile_side; };
+    return {side(picture.width - x), side(picture.height - y), picture.x + x, picture.y + y};
 }
 
 }  // namespace glint

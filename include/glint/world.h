@@ -2,15 +2,13 @@
 #pragma once
 // Scene to World: geometry, which takes time to build and is shared, and shading, which can be replaced in
 // microseconds.
-#include <atomic>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
-#include <limits>
-#include <memory>
 #include <span>
+#include <utility>
 #include <vector>
 
+#include "glint/callback.h"
 #include "glint/export.h"
 #include "glint/result.h"
 #include "glint/scene.h"
@@ -28,20 +26,28 @@ class World {
   public:
     /// A World without shapes and lights, with default settings; also the state after a move.
     World() = default;
+    GLINT_API World(const World& other) noexcept;
+    World(World&& other) noexcept : parts_(std::exchange(other.parts_, nullptr)) {}
+    World& operator=(World other) noexcept {
+        std::swap(parts_, other.parts_);
+        return *this;
+    }
+    GLINT_API ~World();
 
     /// For use in the library; WorldParts is defined in a header that is not installed.
     GLINT_API const WorldParts& parts() const;
 
   private:
     friend class WorldAccess;
-    std::shared_ptr<WorldParts> parts_;
+    struct Shared;
+    Shared* parts_ = nullptr;  // counts the Worlds that refer to it
 };
 
 struct PrepareOptions {
     int threads = 0;  ///< 0: one per processor
     /// Called on the calling thread, at intervals, with the fraction done (0 to 1). Must not throw.
-    std::function<void(double)> progress = {};
-    const std::atomic<bool>* cancel = nullptr;  ///< checked at intervals
+    Function<void(double)> progress = {};
+    CancelFlag cancel = {};  ///< checked at intervals
 };
 
 /// Validates and prepares the scene. The diagnostics are those of validate(). Never throws.
@@ -99,8 +105,8 @@ inline constexpr double k_max_refit_cost = 1.5;
 
 /// Points origin + t direction for t_min < t < t_max.
 struct Ray {
-    Vec3 origin, direction;  ///< any length except 0; it scales t
-    double t_min = 0, t_max = std::numeric_limits<double>::infinity();
+    Vec3 origin, direction;                          ///< any length except 0; it scales t
+    double t_min = 0, t_max = __builtin_huge_val();  // infinity, without <limits>
 };
 
 struct RayHit {

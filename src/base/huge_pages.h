@@ -11,6 +11,7 @@
 #endif
 
 #include "base/parallel_for.h"
+#include "glint/callback.h"
 
 namespace glint {
 
@@ -42,8 +43,7 @@ inline void advise_huge_pages([[maybe_unused]] void* memory, [[maybe_unused]] st
 /// Touches new memory on all threads: filling large pages with zeros is most of the cost of a picture's
 /// memory. Also a hint. Ends early if `cancel` becomes true; it may be null.
 inline void prefault_pages([[maybe_unused]] void* memory, [[maybe_unused]] std::size_t size,
-                           [[maybe_unused]] int threads,
-                           [[maybe_unused]] const std::atomic<bool>* cancel = nullptr) {
+                           [[maybe_unused]] int threads, [[maybe_unused]] CancelFlag cancel = {}) {
 #if defined(__linux__) && defined(MADV_POPULATE_WRITE)
     const WholePages pages(memory, size);
     // First up to the first boundary of a large page, then one page at a time.
@@ -51,7 +51,7 @@ inline void prefault_pages([[maybe_unused]] void* memory, [[maybe_unused]] std::
         (k_huge_page - reinterpret_cast<std::uintptr_t>(pages.begin) % k_huge_page) % k_huge_page;
     if (pages.bytes <= before) return;
     parallel_for((pages.bytes - before + k_huge_page - 1) / k_huge_page + 1, threads, [&](std::size_t i) {
-        if (cancel != nullptr && cancel->load(std::memory_order_relaxed)) return;
+        if (cancel.is_set()) return;
         const std::size_t from = i == 0 ? 0 : before + (i - 1) * k_huge_page;
         const std::size_t to = std::min(pages.bytes, before + i * k_huge_page);
         madvise(pages.begin + from, to - from, MADV_POPULATE_WRITE);

@@ -8,6 +8,7 @@
 
 #include "bvh/bvh.h"
 #include "bvh/float4.h"
+#include "glint/callback.h"
 
 namespace glint {
 
@@ -37,7 +38,7 @@ using BinaryTree = std::vector<BinaryNode>;
 
 /// The first tree is the top; its links stand for the other trees. Empty if the build was cancelled.
 std::vector<BinaryTree> build_binary(std::span<BvhItem> items, std::span<const LeafCost> costs, int threads,
-                                     const std::atomic<bool>* cancel);
+                                     CancelFlag cancel);
 
 /// Chooses the optimal cut of the node's subtree from its children's costs. `area`: of the node's box.
 void choose_cut(BinaryNode& node, float area, const CutCosts& left, const CutCosts& right,

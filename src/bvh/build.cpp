@@ -4,8 +4,7 @@
 
 namespace glint {
 
-Bvh build_bvh(std::vector<BvhItem>& items, std::span<const LeafCost> costs, int threads,
-              const std::atomic<bool>* cancel) {
+Bvh build_bvh(std::vector<BvhItem>& items, std::span<const LeafCost> costs, int threads, CancelFlag cancel) {
     Bvh bvh;
     if (items.empty()) return bvh;
     const std::vector<BinaryTree> trees = build_binary(items, costs, threads, cancel);

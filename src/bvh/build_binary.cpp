@@ -30,8 +30,7 @@ float area_scale(const Box4& whole) {
 
 class Builder {
   public:
-    Builder(std::span<BvhItem> items, std::span<const LeafCost> costs, int threads,
-            const std::atomic<bool>* cancel)
+    Builder(std::span<BvhItem> items, std::span<const LeafCost> costs, int threads, CancelFlag cancel)
         : items_(items), costs_(costs), threads_(threads), cancel_(cancel) {}
 
     std::vector<BinaryTree> run() {
@@ -61,7 +60,7 @@ class Builder {
 
     // Once true, it stays true, because part of the tree is then missing.
     bool is_cancelled() {
-        if (cancel_ != nullptr && cancel_->load(std::memory_order_relaxed)) is_cancelled_ = true;
+        if (cancel_.is_set()) is_cancelled_ = true;
         return is_cancelled_;
     }
 
@@ -243,7 +242,7 @@ class Builder {
     std::span<BvhItem> items_;
     std::span<const LeafCost> costs_;
     int threads_;
-    const std::atomic<bool>* cancel_;
+    CancelFlag cancel_;
     std::atomic<bool> is_cancelled_{false};
     float area_scale_ = 1;
     std::uint32_t task_items_ = 0;
@@ -255,7 +254,7 @@ class Builder {
 }  // namespace
 
 std::vector<BinaryTree> build_binary(std::span<BvhItem> items, std::span<const LeafCost> costs, int threads,
-                                     const std::atomic<bool>* cancel) {
+                                     CancelFlag cancel) {
     return Builder(items, costs, threads, cancel).run();
 }
 

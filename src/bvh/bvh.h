@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "glint/callback.h"
 #include "math/aabb.h"
 
 namespace glint {
@@ -67,6 +68,6 @@ struct LeafCost {
 /// costs[c] is the cost of class c. The result does not depend on threads. At most k_bvh_max_items items.
 /// cancel: checked at intervals; the result of a cancelled build is unusable. Throws std::bad_alloc.
 Bvh build_bvh(std::vector<BvhItem>& items, std::span<const LeafCost> costs, int threads,
-              const std::atomic<bool>* cancel = nullptr);
+              CancelFlag cancel = {});
 
 }  // namespace glint

@@ -68,9 +68,7 @@ class Steps {
         if (options_.progress && !is_cancelled())
             options_.progress(k_prepared + (1 - k_prepared) * done_ / count_);
     }
-    bool is_cancelled() const {
-        return options_.cancel != nullptr && options_.cancel->load(std::memory_order_relaxed);
-    }
+    bool is_cancelled() const { return options_.cancel.is_set(); }
 
   private:
     const CheckOptions& options_;

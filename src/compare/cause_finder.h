@@ -30,9 +30,7 @@ class CauseFinder {
     void find(std::vector<Search>& searches);
 
   private:
-    bool is_cancelled() const {
-        return options_.cancel != nullptr && options_.cancel->load(std::memory_order_relaxed);
-    }
+    bool is_cancelled() const { return options_.cancel.is_set(); }
     void look_at(Search& search) const;
     void step();
     void render_scene(std::vector<Search>& searches);

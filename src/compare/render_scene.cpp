@@ -4,7 +4,7 @@
 namespace glint {
 namespace {
 
-Result<Rendering> render(const Result<World>& world, int threads, const std::atomic<bool>* cancel) {
+Result<Rendering> render(const Result<World>& world, int threads, CancelFlag cancel) {
     if (!world) return Status(world);
     RenderOptions options;
     options.threads = threads;
@@ -26,12 +26,11 @@ Result<World> with_shading(const World& world, const Scene& scene) {
 
 }  // namespace
 
-Result<Rendering> render_scene(const Scene& scene, int threads, const std::atomic<bool>* cancel) {
+Result<Rendering> render_scene(const Scene& scene, int threads, CancelFlag cancel) {
     return render(prepare(scene, {.threads = threads, .cancel = cancel}), threads, cancel);
 }
 
-Result<Rendering> render_scene(const World& world, const Scene& shading, int threads,
-                               const std::atomic<bool>* cancel) {
+Result<Rendering> render_scene(const World& world, const Scene& shading, int threads, CancelFlag cancel) {
     return render(with_shading(world, shading), threads, cancel);
 }
 

@@ -8,11 +8,10 @@
 namespace glint {
 
 /// prepare() and render().
-Result<Rendering> render_scene(const Scene& scene, int threads, const std::atomic<bool>* cancel = nullptr);
+Result<Rendering> render_scene(const Scene& scene, int threads, CancelFlag cancel = {});
 
 /// The same of a World with the scene's lights, materials, background, camera, conventions and settings in
 /// place of its own; the scene's shapes are not looked at.
-Result<Rendering> render_scene(const World& world, const Scene& shading, int threads,
-                               const std::atomic<bool>* cancel = nullptr);
+Result<Rendering> render_scene(const World& world, const Scene& shading, int threads, CancelFlag cancel = {});
 
 }  // namespace glint

@@ -49,9 +49,7 @@ ByteRule SceneRenderer::rule(const Scene& scene) const {
     return options_.as_floats ? ByteRule{} : scene.conventions.byte_rule();
 }
 
-bool SceneRenderer::is_cancelled() const {
-    return options_.cancel != nullptr && options_.cancel->load(std::memory_order_relaxed);
-}
+bool SceneRenderer::is_cancelled() const { return options_.cancel.is_set(); }
 
 std::optional<RenderedScene> SceneRenderer::render(const FaultyScene& faulty, const PixelGrid& grid) const {
     World world = *world_;

@@ -68,9 +68,7 @@ class Loader {
     }
 
   private:
-    bool is_cancelled() const {
-        return options_.cancel != nullptr && options_.cancel->load(std::memory_order_relaxed);
-    }
+    bool is_cancelled() const { return options_.cancel.is_set(); }
 
     // Included texts count as part of the including text.
     bool go_on(InputText where, std::size_t offset) {

@@ -54,7 +54,7 @@ class RubricGrader {
     }
 
   private:
-    bool is_cancelled() const { return options_.cancel != nullptr && options_.cancel->load(); }
+    bool is_cancelled() const { return options_.cancel.is_set(); }
 
     // The first row with the same pictures.
     std::size_t first_like(std::size_t k) const {

@@ -61,7 +61,7 @@ struct GradedSubmission {
 struct RubricOptions {
     int threads = 0;
     std::function<void(double)> progress = {};  ///< with the fraction done; called on the calling thread
-    const std::atomic<bool>* cancel = nullptr;
+    CancelFlag cancel = {};
 };
 
 /// Grades all parts of all submissions. `rubric` is the rubric's name, for messages. Fails if a part cannot

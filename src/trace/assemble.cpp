@@ -24,14 +24,13 @@ std::size_t count_numbers(const Crop& picture) {
     return 3 * static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height);
 }
 
-std::vector<float> claim_floats(std::size_t count, int threads, const std::atomic<bool>* cancel) {
+std::vector<float> claim_floats(std::size_t count, int threads, CancelFlag cancel) {
     constexpr std::size_t step = std::size_t{1} << 22;  // floats between two looks at `cancel`
     std::vector<float> values;
     values.reserve(count);
     advise_huge_pages(values.data(), count * sizeof(float));
     prefault_pages(values.data(), count * sizeof(float), threads, cancel);
-    while (values.size() < count && (cancel == nullptr || !cancel->load(std::memory_order_relaxed)))
-        values.resize(std::min(count, values.size() + step));
+    while (values.size() < count && !cancel.is_set()) values.resize(std::min(count, values.size() + step));
     return values;
 }
 
@@ -44,7 +43,7 @@ std::vector<LayerImage> empty_layers(const std::vector<Layer>& wanted, const Cro
     return layers;
 }
 
-void claim_values(std::vector<LayerImage>& layers, int threads, const std::atomic<bool>* cancel) {
+void claim_values(std::vector<LayerImage>& layers, int threads, CancelFlag cancel) {
     for (LayerImage& layer : layers) {
         layer.values =
             claim_floats(static_cast<std::size_t>(layer.channels) * static_cast<std::size_t>(layer.width) *

@@ -13,12 +13,12 @@ std::size_t count_numbers(const Crop& picture);
 
 /// So many floats, all 0. Many are in large pages, which `threads` threads fill. Fewer if `cancel`, which may
 /// be null, becomes true: gigabytes take seconds.
-std::vector<float> claim_floats(std::size_t count, int threads, const std::atomic<bool>* cancel);
+std::vector<float> claim_floats(std::size_t count, int threads, CancelFlag cancel);
 
 /// Layers of this size without values.
 std::vector<LayerImage> empty_layers(const std::vector<Layer>& wanted, const Crop& picture);
 /// Gives them their values, as claim_floats() does.
-void claim_values(std::vector<LayerImage>& layers, int threads, const std::atomic<bool>* cancel);
+void claim_values(std::vector<LayerImage>& layers, int threads, CancelFlag cancel);
 
 /// A black picture, and its layers, all 0.
 Rendering empty_rendering(const std::vector<Layer>& layers, const Crop& picture, int threads);

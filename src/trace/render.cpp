@@ -144,7 +144,7 @@ Result<Rendering> render_picture(const WorldParts& world, const RenderOptions& o
     std::atomic<std::int64_t> no_tile{-1};  // a number that next_tile gave and no tile has
     Reporter reporter(options, tiles);
     const auto cancelled = [&] {
-        if (options.cancel != nullptr && options.cancel->load(std::memory_order_relaxed)) stopped = true;
+        if (options.cancel.is_set()) stopped = true;
         return stopped.load(std::memory_order_relaxed);
     };
     if (cancelled()) return glint::cancelled();

@@ -49,8 +49,8 @@ struct TileJob {
     int x = 0, y = 0, width = 0, height = 0;  // pixels of the picture
     float* rgb = nullptr;  // a pixel of the tile is written to rgb[3 (row * row_pixels + column)]
     int row_pixels = 0;
-    const LayerTargets* layers = nullptr;       // null: no layers requested
-    const std::atomic<bool>* cancel = nullptr;  // checked between samples; null: never cancelled
+    const LayerTargets* layers = nullptr;  // null: no layers requested
+    CancelFlag cancel = {};                // checked between samples; null: never cancelled
     bool same_refinement = false;  // adaptive sampling: refines TileScratch::refined instead of choosing
 };
 

@@ -176,9 +176,7 @@ inline bool trace_sample(const WorldParts& world, TileScratch& s) {
     return true;
 }
 
-inline bool is_cancelled(const TileJob& job) {
-    return job.cancel != nullptr && job.cancel->load(std::memory_order_relaxed);
-}
+inline bool is_cancelled(const TileJob& job) { return job.cancel.is_set(); }
 
 /// Lists the pixels of a tile, in the order of their numbers.
 inline void list_tile(const TileJob& job, PixelList& pixels) {

@@ -63,7 +63,7 @@ class Packer {
 
     bool goes_on(double done) const {
         if (options_.progress) options_.progress(done);
-        return options_.cancel == nullptr || !options_.cancel->load(std::memory_order_relaxed);
+        return !options_.cancel.is_set();
     }
 
     void find_boxes() {

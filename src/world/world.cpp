@@ -2,6 +2,9 @@
 // Functions of Worlds: access to the parts, memory usage, bounds.
 #include "world/world.h"
 
+#include <atomic>
+#include <utility>
+
 #include "world/edit_index.h"
 #include "world/prepare_camera.h"
 #include "world/shading.h"
@@ -22,20 +25,36 @@ template <class T> std::size_t bytes(const std::vector<T>& values) { return valu
 
 }  // namespace
 
+struct World::Shared {
+    explicit Shared(WorldParts&& all) : parts(std::move(all)) {}
+    std::atomic<std::size_t> owners{1};
+    WorldParts parts;
+};
+
+World::World(const World& other) noexcept : parts_(other.parts_) {
+    if (parts_ != nullptr) parts_->owners.fetch_add(1, std::memory_order_relaxed);
+}
+
+World::~World() {
+    if (parts_ != nullptr && parts_->owners.fetch_sub(1, std::memory_order_acq_rel) == 1) delete parts_;
+}
+
 const WorldParts& World::parts() const {
     static const WorldParts empty = empty_parts();
-    return parts_ ? *parts_ : empty;
+    return parts_ != nullptr ? parts_->parts : empty;
 }
 
 World WorldAccess::make(WorldParts parts) {
     World world;
-    world.parts_ = std::make_shared<WorldParts>(std::move(parts));
+    world.parts_ = new World::Shared(std::move(parts));
     return world;
 }
 
 WorldParts& WorldAccess::own(World& world) {
-    if (!world.parts_ || !is_sole_owner(world.parts_)) world = make(world.parts());
-    return *world.parts_;
+    // Acquires what the destructors of other owners released, so that their reads come before the changes.
+    if (world.parts_ == nullptr || world.parts_->owners.load(std::memory_order_acquire) != 1)
+        world = make(world.parts());
+    return world.parts_->parts;
 }
 
 WorldMemory memory_usage(const World& world) {

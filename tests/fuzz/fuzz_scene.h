@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The fuzzing of scenes: write them as .glint and read that again; render them.
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <string>
