@@ -196,6 +196,7 @@ class PovrayArguments {
             case PovrayKey::verbose:
                 return void(render.quiet = !on);
             case PovrayKey::library:
+                if (value.empty()) fail(fmt::format("{}: expected a folder", glint::quoted(word)));
                 return void(folders_.push_back(value));
             case PovrayKey::clock:
                 if (!value.empty() && number(value, word, 1e12) == 0) return;

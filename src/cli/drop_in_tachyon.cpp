@@ -27,7 +27,8 @@ class TachyonArguments {
         render.numbers.format = FileFormat::tga;
         for (next_ = 0; next_ < words_.size();) read(words_[next_++]);
         if (parsed_.wants_help || parsed_.wants_version) return std::move(parsed_);
-        if (render.scene.files.empty()) throw Failure(k_usage, "expected the name of a model file");
+        if (render.scene.files.empty() || render.scene.files[0].empty())
+            throw Failure(k_usage, "expected the name of a model file");
         if (render.output.empty()) {
             const FileFormat format = *render.numbers.format;
             render.output = format == FileFormat::png   ? "outfile.png"
@@ -59,7 +60,8 @@ class TachyonArguments {
     [[noreturn]] static void fail(const std::string& message) { throw Failure(k_usage, message); }
 
     std::string value_of(std::string_view flag) {
-        if (next_ == words_.size()) fail(fmt::format("{}: expected a value", flag));
+        if (next_ == words_.size() || words_[next_].empty())
+            fail(fmt::format("{}: expected a value, found nothing", flag));
         return words_[next_++];
     }
     static double number_in(std::string_view flag, const std::string& text) {
@@ -117,10 +119,11 @@ class TachyonArguments {
     void apply(const ForeignFlag& flag, const std::string& word, const std::vector<std::string>& values) {
         RenderArguments& render = parsed_.render;
         switch (flag.value) {
-            case Value::size:
-                render.picture.size = fmt::format("{}x{}", whole_in(word, values[0], k_max_size),
-                                                  whole_in(word, values[1], k_max_size));
+            case Value::size: {
+                const int width = whole_in(word, values[0], k_max_size);
+                render.picture.size = fmt::format("{}x{}", width, whole_in(word, values[1], k_max_size));
                 return;
+            }
             case Value::samples_besides: {
                 const int wanted = whole_in(word, values[0], 1000000) + 1;
                 int side = 1;

@@ -210,6 +210,7 @@ const PovraySwitch* find_povray_switch(std::string_view letters) {
 }
 
 const PovraySwitch* find_povray_key(std::string_view key) {
+    if (key.empty()) return nullptr;  // switches without a key
     const auto* at = std::find_if(std::begin(k_povray), std::end(k_povray),
                                   [&](const PovraySwitch& s) { return equal_without_case(s.key, key); });
     return at == std::end(k_povray) ? nullptr : at;

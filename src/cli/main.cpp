@@ -7,12 +7,12 @@
 #include <string>
 #include <vector>
 
+#include "cli/command_line.h"
 #include "cli/commands.h"
 #include "cli/failure.h"
 #include "cli/foreign_flags.h"
 #include "cli/print_error.h"
 #include "cli/program.h"
-#include "cli/usage.h"
 
 namespace glint::cli {
 namespace {
@@ -32,8 +32,7 @@ Example: glint render castle.json -o castle.png
 )";
 
 int print_usage_error(const std::string& command, const std::string& message) {
-    print_error("glint{}{}: {}\nsee 'glint{}{} --help'\n", command.empty() ? "" : " ", command, message,
-                command.empty() ? "" : " ", command);
+    print_error("{}", usage_error_text("glint", command, message));
     return k_usage;
 }
 
@@ -75,36 +74,31 @@ int run(const std::vector<std::string>& arguments) {
         return k_done;
     }
     const std::string& word = arguments.front();
-    const auto* command = std::find_if(std::begin(commands), std::end(commands),
-                                       [&](const Command& c) { return c.name == word; });
-    const std::string name = command == std::end(commands) ? "" : command->name;
-    const CLI::App& parsed = name.empty() ? app : *find_command(app, name);
-    if (!name.empty() || word != "-V") {  // POV-Ray's -V is --quiet
-        const std::string renderer = name.empty() ? "render" : name;
+    const CLI::App* named = find_command(app, word);
+    if (named != nullptr || word != "-V") {  // POV-Ray's -V is --quiet
+        const std::string renderer = named == nullptr ? "render" : named->get_name();
         const CLI::App& asked = *find_command(app, renderer);
         const auto answer = answer_foreign_flags(
-            std::span(arguments).subspan(name.empty() ? 0 : 1), renderer,
+            std::span(arguments).subspan(named == nullptr ? 0 : 1), renderer,
             [&](const std::string& option) { return asked.get_option_no_throw(option) != nullptr; });
         if (answer) {
             print_error("{}\n", *answer);
             return k_usage;
         }
     }
-    if (name.empty()) {
-        const std::string message = command_message(app, arguments);
-        if (!message.empty()) return print_usage_error("", message);
+    const CommandLine line = parse_command_line(app, arguments);
+    if (!line.error.empty()) return print_usage_error(line.command, line.error);
+    if (!line.answer.empty()) {
+        fmt::print("{}", line.answer);
+        return k_done;
     }
     try {
-        app.parse(std::vector<std::string>(arguments.rbegin(),
-                                           arguments.rend()));  // the parser takes them from the end
-        return name.empty() ? print_usage_error("", "expected a command") : command->run();
-    } catch (const CLI::Success& e) {  // --help and --version
-        return app.exit(e);
-    } catch (const CLI::ParseError& e) {
-        return print_usage_error(name, usage_message(parsed, e));
+        const auto* command = std::find_if(std::begin(commands), std::end(commands),
+                                           [&](const Command& c) { return c.name == line.command; });
+        return command->run();
     } catch (const Failure& e) {
         const std::string message = e.what();
-        if (e.code() == k_usage) return print_usage_error(name, message);
+        if (e.code() == k_usage) return print_usage_error(line.command, message);
         if (!message.empty()) print_error("glint: {}\n", message);
         return e.code();
     }

@@ -84,7 +84,8 @@ std::string option_message(const CLI::App& app, std::span<const std::string> arg
     }
     const auto proposal = [&](const CLI::App& command, const std::string& option) {
         rest.insert(rest.begin(), option + first.substr(word.size()));
-        return fmt::format("did you mean 'glint {} {}'?", command.get_name(), fmt::join(rest, " "));
+        return fmt::format("did you mean '{} {} {}'?", app.get_name(), command.get_name(),
+                           fmt::join(rest, " "));
     };
     for (const CLI::App* command : commands) {
         if (command->get_option_no_throw(word) != nullptr)
@@ -101,15 +102,17 @@ std::string option_message(const CLI::App& app, std::span<const std::string> arg
 }  // namespace
 
 std::string usage_message(const CLI::App& command, const CLI::ParseError& error) {
-    if (const auto unknown = command.remaining(); !unknown.empty())
-        return unknown_arguments(command, unknown);
+    std::vector<std::string> unknown = command.remaining();
+    std::erase(unknown, "--");  // ends the options
+    if (!unknown.empty()) return unknown_arguments(command, unknown);
     const Options options = command.get_options();
     if (dynamic_cast<const CLI::RequiredError*>(&error) != nullptr) {
         std::vector<std::string> missing;
         for (const CLI::Option* option : options) {
             if (option->get_required() && option->count() == 0) missing.push_back(with_value(*option));
         }
-        return fmt::format("expected {}", fmt::join(missing, " and "));
+        return missing.empty() ? "expected a command"
+                               : fmt::format("expected {}", fmt::join(missing, " and "));
     }
     const CLI::Option* option = option_of(options, error.what());
     if (option == nullptr) return error.what();
@@ -123,6 +126,18 @@ std::string usage_message(const CLI::App& command, const CLI::ParseError& error)
     return error.what();
 }
 
+std::string empty_value_message(const CLI::App& command) {
+    for (const CLI::Option* option : command.get_options()) {
+        const auto& values = option->results();
+        if (option->get_items_expected_max() == 0 ||
+            std::find(values.begin(), values.end(), "") == values.end())
+            continue;
+        return fmt::format("{}: expected {}, found nothing", option->get_name(),
+                           option->get_positional() ? "a name" : option->get_option_text());
+    }
+    return {};
+}
+
 std::string command_message(const CLI::App& app, std::span<const std::string> arguments) {
     const std::string& word = arguments.front();
     if (word != "-" && word.starts_with('-')) return option_message(app, arguments);
@@ -134,7 +149,7 @@ std::string command_message(const CLI::App& app, std::span<const std::string> ar
                     fmt::format(" {} ", format.extensions).find(" " + ending + " ") != std::string::npos);
     }
     if (is_scene)
-        return fmt::format("'{}' is not a command; did you mean 'glint render {}'?", word,
+        return fmt::format("'{}' is not a command; did you mean '{} render {}'?", word, app.get_name(),
                            fmt::join(arguments, " "));
     std::vector<std::string_view> names;
     for (const CLI::App* command : shown_commands(app)) names.push_back(command->get_name());

@@ -11,8 +11,12 @@ namespace glint::cli {
 /// arguments are reported first, because a missing one may be misspelt.
 std::string usage_message(const CLI::App& command, const CLI::ParseError& error);
 
+/// What is wrong if an option of a command that was parsed has an empty value, as of a variable of the shell
+/// that is not set; else empty.
+std::string empty_value_message(const CLI::App& command);
+
 /// What is wrong with `glint WORD ...` where WORD is no command of `app`; empty if WORD is an option of
-/// `glint` itself, or a word with a dash that resembles no option.
+/// `glint` itself, or a word with a dash that resembles no option. There is at least one argument.
 std::string command_message(const CLI::App& app, std::span<const std::string> arguments);
 
 }  // namespace glint::cli

@@ -3,28 +3,21 @@
 #include <fmt/format.h>
 #include <mpi.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
 
-#include "cli/commands.h"
+#include "cli/command_line.h"
 #include "cli/failure.h"
 #include "cli/interrupt.h"
 #include "cli/print_error.h"
 #include "cli/render_hooks.h"
-#include "cli/usage.h"
+#include "mpi/command_line.h"
 #include "mpi/distribute.h"
 #include "mpi/messages.h"
 #include "mpi/shared_texts.h"
 
 namespace glint::mpi {
 namespace {
-
-constexpr auto k_description =
-    "glint-mpi renders a picture on all processes that mpirun starts, with the options of `glint render`.";
-constexpr auto k_examples = R"(Examples:
-  mpirun -n 8 glint-mpi render castle.json -s 1920x1080 --aa 4
-  mpirun -n 8 glint-mpi render castle.json --resume      goes on after a process has died)";
 
 // As rank 0. Says what the distribution cost if GLINT_MPI_COSTS is set.
 int run_leader(RecordingReader& reader, cli::RenderHooks& hooks, const cli::Run& run) {
@@ -46,8 +39,7 @@ int run_leader(RecordingReader& reader, cli::RenderHooks& hooks, const cli::Run&
     return code;
 }
 
-int run_follower(cli::RenderHooks& hooks, const cli::Run& run) {
-    GivenReader reader;
+int run_follower(GivenReader& reader, cli::RenderHooks& hooks, const cli::Run& run) {
     hooks.reader = &reader;
     hooks.is_writer = false;
     hooks.render = [](const World& world, const RenderOptions& options, const JournalHeader& header,
@@ -62,42 +54,35 @@ int agree(int code) {
     return largest;
 }
 
-int run(std::vector<std::string> arguments) {
-    CLI::App app(k_description, "glint-mpi");
-    app.set_version_flag("-V,--version", cli::k_version, "Print the version and end");
-    app.footer(k_examples);
-    app.require_subcommand(1);
+int run(const std::vector<std::string>& arguments) {
+    CLI::App app("", k_program);
     cli::RenderHooks hooks;
-    const cli::Run render = cli::add_render(app, hooks);
+    const cli::Run render = add_command_line(app, hooks);
+    const cli::CommandLine line = cli::parse_command_line(app, arguments);
     const bool leads = rank() == 0;
-    int code = cli::k_done;
-    bool answered = false;
-    try {
-        std::reverse(arguments.begin(), arguments.end());  // CLI11 takes them from the end
-        app.parse(arguments);
-    } catch (const CLI::Success& e) {
-        answered = true;
-        if (leads) app.exit(e);
-    } catch (const CLI::ParseError& e) {
-        code = cli::k_usage;
-        if (leads)
-            cli::print_error("glint-mpi: {}\nsee 'glint-mpi --help'\n",
-                             cli::usage_message(*app.get_subcommands().front(), e));
-    }
-    code = agree(code);
+    if (leads && !line.error.empty())
+        cli::print_error("{}", cli::usage_error_text(k_program, line.command, line.error));
+    if (leads) fmt::print("{}", line.answer);
+    const int code = agree(line.error.empty() ? cli::k_done : cli::k_usage);
+    const bool answered = !line.answer.empty();
     if (code != cli::k_done || answered) return code;
-    RecordingReader reader;
+    RecordingReader texts;
+    GivenReader given;
     try {
-        return leads ? run_leader(reader, hooks, render) : run_follower(hooks, render);
+        return leads ? run_leader(texts, hooks, render) : run_follower(given, hooks, render);
     } catch (const GivenUp&) {
         return cli::k_done;  // rank 0 has the exit code
     } catch (const cli::Failure& e) {
+        // What is wrong for all, rank 0 says.
+        if (!leads && given.is_given_up()) return cli::k_done;
         const std::string message = e.what();
-        if (!message.empty()) {
-            cli::print_error("glint-mpi{}: {}\n", leads ? std::string() : fmt::format(" (rank {})", rank()),
-                             message);
+        const std::string program = leads ? k_program : fmt::format("{} (rank {})", k_program, rank());
+        if (leads && e.code() == cli::k_usage) {
+            cli::print_error("{}", cli::usage_error_text(program, line.command, message));
+        } else if (!message.empty()) {
+            cli::print_error("{}: {}\n", program, message);
         }
-        if (leads && reader.give_up()) return e.code();
+        if (leads && texts.give_up()) return e.code();
         MPI_Abort(MPI_COMM_WORLD, e.code());
         return e.code();
     }

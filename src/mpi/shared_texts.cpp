@@ -49,19 +49,29 @@ bool RecordingReader::give_up() {
     return true;
 }
 
-std::optional<cli::InputFile> GivenReader::open(const std::string& path, bool, std::string& why) {
-    if (!taken_) {
-        taken_ = true;
-        std::string bytes;
-        broadcast(bytes);
-        if (bytes == "-") throw GivenUp();
-        std::string_view rest = bytes;
-        rest.remove_prefix(1);
-        while (!rest.empty()) {
-            std::string name = take_text(rest);
-            texts_[std::move(name)] = take_text(rest);
-        }
+void GivenReader::take() {
+    if (taken_) return;
+    taken_ = true;
+    std::string bytes;
+    broadcast(bytes);
+    given_up_ = bytes == "-";
+    if (given_up_) return;
+    std::string_view rest = bytes;
+    rest.remove_prefix(1);
+    while (!rest.empty()) {
+        std::string name = take_text(rest);
+        texts_[std::move(name)] = take_text(rest);
     }
+}
+
+bool GivenReader::is_given_up() {
+    take();
+    return given_up_;
+}
+
+std::optional<cli::InputFile> GivenReader::open(const std::string& path, bool, std::string& why) {
+    take();
+    if (given_up_) throw GivenUp();
     const auto text = texts_.find(path);
     if (text != texts_.end()) return cli::InputFile::of_text(text->second);
     why = "rank 0 has not read it";

@@ -33,10 +33,13 @@ class GivenUp : public std::exception {};
 class GivenReader : public cli::TextReader {
   public:
     std::optional<cli::InputFile> open(const std::string& path, bool included, std::string& why) override;
+    /// For a process that ends before it has opened a text: whether rank 0 gives up, too. Waits for it.
+    bool is_given_up();
 
   private:
+    void take();
     std::map<std::string, std::string> texts_;
-    bool taken_ = false;
+    bool taken_ = false, given_up_ = false;
 };
 
 }  // namespace glint::mpi

@@ -33,6 +33,7 @@ struct RunOptions {
     std::string error_path{};     ///< standard error goes to this file instead
     bool reader_is_gone = false;  ///< nobody reads the pipe that is standard output
     long most_memory = -1;        ///< bytes of address space
+    std::string program = GLINT_COMMAND;
 };
 
 /// A temporary folder; the destructor removes it.
@@ -71,7 +72,7 @@ class Process {
     Process(const Folder& folder, const std::vector<std::string>& arguments, const RunOptions& options = {}) {
         int in[2], out[2], err[2];
         if (::pipe(in) != 0 || ::pipe(out) != 0 || ::pipe(err) != 0) std::abort();
-        std::vector<char*> argv{const_cast<char*>(GLINT_COMMAND)};
+        std::vector<char*> argv{const_cast<char*>(options.program.c_str())};
         for (const std::string& a : arguments) argv.push_back(const_cast<char*>(a.c_str()));
         argv.push_back(nullptr);
         if (options.reader_is_gone) ::close(out[0]);
@@ -96,7 +97,7 @@ class Process {
                 const rlimit limit{most, most};
                 ::setrlimit(RLIMIT_AS, &limit);
             }
-            ::execv(GLINT_COMMAND, argv.data());
+            ::execv(options.program.c_str(), argv.data());
             ::_exit(99);
         }
         ::close(in[0]);
