@@ -2,6 +2,7 @@
 // Reading, rendering and questioning a scene.
 #include <pybind11/stl.h>
 
+#include "base/text.h"
 #include "cli/explain_text.h"
 #include "errors.h"
 #include "rendering.h"
@@ -133,7 +134,7 @@ py::tuple explain_pixel(SceneState& state, std::int32_t x, std::int32_t y, const
     std::string text =
         cli::explanation_text(all.samples > 1 ? explain_sample(style.sample) : all, scene, style);
     if (is_listed) text += cli::samples_text(all, scene, style);
-    return py::make_tuple(value_or_raise(explanation_json(all, scene, style.file)), text);
+    return py::make_tuple(value_or_raise(explanation_json(all, scene, style.file)), printable_lines(text));
 }
 
 py::list check_scene(SceneState& state, const py::object& progress) {

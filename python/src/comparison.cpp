@@ -2,6 +2,7 @@
 // Comparing pictures, and points by a rubric.
 #include <pybind11/stl.h>
 
+#include "base/text.h"
 #include "cli/compare_report.h"
 #include "cli/failure.h"
 #include "cli/submissions.h"
@@ -54,7 +55,7 @@ py::tuple compare_pictures(const Rendering& a, const Rendering& b, const std::st
             return find_causes(picture, reference, shared.get(), cause_options(running, as_floats, max_memory));
         });
     }
-    return py::make_tuple(cli::json_report(report), cli::text_report(report));
+    return py::make_tuple(cli::json_report(report), printable_lines(cli::text_report(report)));
 }
 
 RenderingPointer difference(const Rendering& a, const Rendering& b, double gain) {

@@ -55,12 +55,11 @@ Diagnostic make_diagnostic(Severity severity, InputText where, std::size_t offse
     for (auto rest = where.text.substr(shown, shown_end - shown); !rest.empty();) {
         // Control characters would move the caret or change the terminal's state; invalid UTF-8 would make
         // invalid JSON.
-        const std::size_t n = utf8_length(rest);
-        const auto c = static_cast<unsigned char>(rest.front());
-        const bool control =
-            c < 0x20 || c == 0x7f || (n == 2 && c == 0xc2 && static_cast<unsigned char>(rest[1]) < 0xa0);
-        const std::size_t taken = n == 0 ? 1 : n;
-        d.source_line += control ? std::string(taken, ' ') : n == 0 ? "?" : std::string(rest.substr(0, n));
+        const auto [is_printable, taken] = first_character(rest);
+        const bool is_utf8 = utf8_length(rest) != 0;
+        d.source_line += is_printable ? std::string(rest.substr(0, taken))
+                         : is_utf8    ? std::string(taken, ' ')
+                                      : "?";
         rest.remove_prefix(taken);
     }
     d.caret = static_cast<std::uint32_t>(offset - shown);
@@ -141,19 +140,20 @@ std::string place_text(const Diagnostic& d) {
 }
 
 std::string to_string(const Diagnostic& d) {
-    std::string out = place_text(d);
+    // Names and messages have words of texts and files that may be anybody's.
+    std::string out = printable(place_text(d));
     if (!out.empty()) out += ": ";
     out += d.severity == Severity::error     ? "error: "
            : d.severity == Severity::warning ? "warning: "
                                              : "note: ";
-    out += d.message;
+    out += printable(d.message);
     out += '\n';
     if (!d.source_line.empty()) {
         // Diagnostics may come from the caller: keep the caret within the line.
         const std::size_t caret = std::min<std::size_t>(d.caret, d.source_line.size());
         const std::size_t most = std::max<std::size_t>(1, d.source_line.size() - caret);
         const std::size_t length = std::clamp<std::size_t>(d.length, 1, most);
-        out += fmt::format("  {}\n  {}{}\n", d.source_line, std::string(caret, ' '),
+        out += fmt::format("  {}\n  {}{}\n", printable(d.source_line), std::string(caret, ' '),
                            '^' + std::string(length - 1, '~'));
     }
     return out;

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "base/diagnostics.h"
+#include "base/text.h"
 
 namespace glint {
 
@@ -34,7 +35,8 @@ std::string_view to_string(ErrorCode code) {
 std::string to_string(const Status& status) {
     std::string text;
     for (const Diagnostic& d : status.diagnostics) text += to_string(d);
-    if (!status.ok() && !has_errors(status.diagnostics)) text += fmt::format("error: {}\n", status.message);
+    if (!status.ok() && !has_errors(status.diagnostics))
+        text += fmt::format("error: {}\n", printable(status.message));
     return text;
 }
 

@@ -41,6 +41,27 @@ std::size_t distance(std::string_view a, std::string_view b) {
     return above[b.size()];
 }
 
+// U+202A to U+202E and U+2066 to U+2069 change the direction of what follows.
+bool is_direction(std::string_view character) {
+    return (character >= "\xe2\x80\xaa" && character <= "\xe2\x80\xae") ||
+           (character >= "\xe2\x81\xa6" && character <= "\xe2\x81\xa9");
+}
+
+std::string escape(std::string_view text, std::string_view kept) {
+    std::string out;
+    while (!text.empty()) {
+        const Character c = first_character(text);
+        const std::string_view bytes = text.substr(0, c.length);
+        text.remove_prefix(c.length);
+        if (c.is_printable || kept.find(bytes) != std::string_view::npos) {
+            out += bytes;
+        } else {
+            for (const char byte : bytes) out += fmt::format("\\x{:02x}", static_cast<unsigned char>(byte));
+        }
+    }
+    return out;
+}
+
 bool is_continuation(char c) { return (static_cast<unsigned char>(c) & 0xc0) == 0x80; }
 
 }  // namespace
@@ -64,21 +85,27 @@ std::size_t utf8_length(std::string_view text) {
     return length;
 }
 
+Character first_character(std::string_view text) {
+    const std::size_t length = utf8_length(text);
+    if (length == 0) return {false, 1};
+    const std::string_view bytes = text.substr(0, length);
+    const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(bytes[i]); };
+    // U+0080 to U+009F are control characters too.
+    const bool is_control =
+        byte(0) < 0x20 || byte(0) == 0x7f || (length == 2 && byte(0) == 0xc2 && byte(1) < 0xa0);
+    return {!is_control && !is_direction(bytes), length};
+}
+
+std::string printable(std::string_view text) { return escape(text, {}); }
+
+std::string printable_lines(std::string_view text) { return escape(text, "\n\t"); }
+
 std::string quoted(std::string_view text) {
     std::string out = "'";
     while (!text.empty() && out.size() <= k_max_quoted) {
-        const std::size_t n = utf8_length(text);
-        const auto c = static_cast<unsigned char>(text.front());
-        // U+0080 to U+009F are control characters too.
-        const bool control =
-            c < 0x20 || c == 0x7f || (n == 2 && c == 0xc2 && static_cast<unsigned char>(text[1]) < 0xa0);
-        if (n == 0 || control) {
-            out += fmt::format("\\x{:02x}", c);
-            text.remove_prefix(1);
-        } else {
-            out += text.substr(0, n);
-            text.remove_prefix(n);
-        }
+        const std::size_t length = first_character(text).length;
+        out += printable(text.substr(0, length));
+        text.remove_prefix(length);
     }
     return out + (text.empty() ? "'" : "...'");
 }

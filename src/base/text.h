@@ -10,6 +10,21 @@ namespace glint {
 /// 'text' for a message: at most about 40 bytes, without control characters and invalid UTF-8.
 std::string quoted(std::string_view text);
 
+/// The text in one line, without what would control a terminal: control characters (also U+0080 to U+009F),
+/// bytes that are not UTF-8 and the characters that change the direction of text are written as \x1b. The
+/// result is unchanged by a second call.
+std::string printable(std::string_view text);
+
+/// The same for a text of several lines: newlines and tabs remain.
+std::string printable_lines(std::string_view text);
+
+/// Whether printable() keeps the character that `text` begins with, and its length in bytes, at least 1.
+struct Character {
+    bool is_printable = true;
+    std::size_t length = 1;
+};
+Character first_character(std::string_view text);
+
 /// The candidate that `word` is most likely a misspelling of, or an empty view: at most a third of the
 /// letters differ (a swap of neighbours counts as one, and so does f for ph); else the only candidate that
 /// begins with `word`, of at least three letters. Looks at the first 1000 candidates.

@@ -6,6 +6,7 @@
 
 #include "base/fp_environment.h"
 #include "base/status.h"
+#include "base/text.h"
 #include "check/checks.h"
 
 namespace glint {
@@ -119,7 +120,7 @@ Result<std::vector<Finding>> check(const Scene& scene, const CheckOptions& optio
 std::string to_string(const Finding& finding) {
     Diagnostic d = finding.diagnostic;
     d.message += fmt::format(" [{}]", finding.id);
-    return to_string(d) + "  remedy: " + finding.remedy + '\n';
+    return to_string(d) + "  remedy: " + printable(finding.remedy) + '\n';
 }
 
 }  // namespace glint

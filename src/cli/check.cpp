@@ -9,6 +9,7 @@
 #include "cli/commands.h"
 #include "cli/failure.h"
 #include "cli/picture_arguments.h"
+#include "cli/print_text.h"
 #include "cli/progress.h"
 #include "cli/scene_arguments.h"
 #include "cli/text.h"
@@ -69,13 +70,14 @@ int check_command(CheckArguments& arguments) {
     const std::vector<Finding>& findings = *result;
     const std::size_t warnings = count_warnings(loaded.warnings);
     if (arguments.json) {
-        fmt::print("{}", json_text(loaded.warnings, findings));
+        print_json(json_text(loaded.warnings, findings));
     } else {
-        for (const Finding& finding : findings) fmt::print("{}", to_string(finding));
+        for (const Finding& finding : findings) print_text(to_string(finding));
         const std::size_t mistakes = findings.size();
-        fmt::print("{}: {}{}\n", fmt::join(arguments.scene.files, " "),
-                   mistakes == 0 ? "no likely mistakes found" : counted(mistakes, "likely mistake"),
-                   warnings == 0 ? "" : ", " + counted(warnings, "warning"));
+        print_text(
+            fmt::format("{}: {}{}\n", fmt::join(arguments.scene.files, " "),
+                        mistakes == 0 ? "no likely mistakes found" : counted(mistakes, "likely mistake"),
+                        warnings == 0 ? "" : ", " + counted(warnings, "warning")));
     }
     const bool clean = findings.empty() && warnings == 0;
     return arguments.strict && !clean ? k_bad_input : k_done;

@@ -16,6 +16,7 @@
 #include "cli/output_file.h"
 #include "cli/picture_file.h"
 #include "cli/print_error.h"
+#include "cli/print_text.h"
 #include "cli/progress.h"
 #include "cli/render_or_fail.h"
 #include "cli/scene_option.h"
@@ -164,7 +165,7 @@ int compare_command(CompareArguments& arguments) {
         report.causes = find_causes(std::move(a.picture), std::move(b.picture),
                                     scene ? &scene->scene : nullptr, cause_options);
     }
-    fmt::print("{}", arguments.json ? json_report(report) : text_report(report));
+    arguments.json ? print_json(json_report(report)) : print_text(text_report(report));
     return report.passes ? k_done : k_bad_input;
 }
 

@@ -14,6 +14,7 @@
 #include "cli/light_argument.h"
 #include "cli/output_file.h"
 #include "cli/picture_arguments.h"
+#include "cli/print_text.h"
 #include "cli/render_or_fail.h"
 #include "cli/scene_arguments.h"
 #include "cli/terminal.h"
@@ -109,19 +110,19 @@ int explain_command(ExplainArguments& arguments) {
     const Explanation& explanation = *explained;
 
     if (light) {
-        fmt::print("{}", why_not_text(explanation, scene, *light, style));
+        print_text(why_not_text(explanation, scene, *light, style));
     } else if (arguments.form == "json") {
-        fmt::print("{}\n", explanation_json(explanation, scene, style.file).value());
+        print_json(explanation_json(explanation, scene, style.file).value() + "\n");
     } else if (arguments.form == "printrays") {
         const int row = arguments.origin == "bottom-left" ? scene.settings.height - 1 - pixel.y : pixel.y;
-        fmt::print("{}", print_rays(explanation, scene, row, style));
+        print_text(print_rays(explanation, scene, row, style));
     } else {
-        fmt::print("{}", explanation_text(explanation, scene, style));
+        print_text(explanation_text(explanation, scene, style));
         const int samples = explanation.samples;
         if (samples > 1 && samples <= k_max_listed_samples) {
             options.sample = -1;
             const Result<Explanation> all = explain(scene, *prepared, pixel.x, pixel.y, options);
-            if (all) fmt::print("{}", samples_text(*all, scene, style));
+            if (all) print_text(samples_text(*all, scene, style));
         }
     }
     if (overlay) {

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "base/text.h"
 #include "cli/explain_lights.h"
 #include "cli/explain_numbers.h"
 #include "cli/explain_sum.h"
@@ -20,10 +21,10 @@ std::string value_text(Color c) { return color(c); }
 
 std::string item_text(const Scene& scene, const ItemTexts& texts, std::uint32_t index, std::string kind) {
     const auto name = texts.name(index);
-    kind += name.empty() ? fmt::format(" {}", index + 1) : fmt::format(" '{}'", name);
+    kind += name.empty() ? fmt::format(" {}", index + 1) : fmt::format(" '{}'", printable(name));
     const SourcePlace place = texts.place(index);
     if (place.line != 0 && place.file < scene.files.size())
-        kind += fmt::format(" ({}:{}:{})", scene.files[place.file], place.line, place.column);
+        kind += fmt::format(" ({}:{}:{})", printable(scene.files[place.file]), place.line, place.column);
     return kind;
 }
 

@@ -12,6 +12,7 @@
 #include "cli/grade_sheet.h"
 #include "cli/graded_folders.h"
 #include "cli/picture_file.h"
+#include "cli/print_text.h"
 #include "cli/progress.h"
 #include "cli/scene_option.h"
 #include "cli/submissions.h"
@@ -109,7 +110,7 @@ int grade_pictures(const GradeArguments& arguments, const Scene* scene, const Im
         }
     }
     bar.reset();  // its line is free again
-    if (outputs.table) fmt::print("{}", text_table(graded));
+    if (outputs.table) print_text(text_table(graded));
     write_text(outputs.csv, csv_table(graded));
     write_text(outputs.json, json_table(graded));
     sheet.write(arguments.threads);
@@ -144,7 +145,7 @@ int grade_rubric(const GradeArguments& arguments, const Scene& scene, const std:
     bar.reset();  // its line is free again
     if (!result) throw_failure(result);
     const std::vector<GradedSubmission>& graded = *result;
-    if (outputs.table) fmt::print("{}", text_table(rows, graded));
+    if (outputs.table) print_text(text_table(rows, graded));
     write_text(outputs.csv, csv_table(rows, graded));
     write_text(outputs.json, json_table(rows, graded));
     if (outputs.gradescope) write_text(outputs.gradescope, gradescope_results(rows, graded.front()));

@@ -64,8 +64,7 @@ std::string text_table(const std::vector<GradedPicture>& pictures) {
     for (std::size_t i = 0; i < pictures.size(); ++i) {
         const GradedPicture& p = pictures[i];
         const PictureDifference& d = p.difference;
-        std::vector<std::string> row = {std::to_string(i + 1), printable(p.name), "-", "-", "-", "-",
-                                        printable(verdict(p))};
+        std::vector<std::string> row = {std::to_string(i + 1), p.name, "-", "-", "-", "-", verdict(p)};
         if (p.error.empty()) {
             row[2] = percent_text(d.all.equal, d.all.pixels);
             row[3] = percent_text(d.interiors.within, d.interiors.pixels);

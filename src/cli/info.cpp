@@ -7,6 +7,7 @@
 
 #include "cli/commands.h"
 #include "cli/failure.h"
+#include "cli/print_text.h"
 #include "cli/scene_arguments.h"
 #include "cli/scene_report.h"
 
@@ -32,7 +33,7 @@ int info_command(const InfoArguments& arguments) {
         throw_failure(prepared);
     }
     const SceneReport report{loaded.scene, *prepared, loaded.warnings, loaded.texts};
-    fmt::print("{}", arguments.json ? json_report(report) : text_report(report));
+    arguments.json ? print_json(json_report(report)) : print_text(text_report(report));
     return k_done;
 }
 

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "base/text.h"
 #include "cli/failure.h"
 #include "cli/input_file.h"
 
@@ -20,7 +21,7 @@ auto decode_file(const std::string& path, Decode&& decode) -> decltype(decode(By
 }
 
 template <class Picture> Picture value_or_fail(const std::string& path, Result<Picture> result) {
-    if (!result) throw Failure(k_bad_input, fmt::format("{}: {}", path, result.message));
+    if (!result) throw Failure(k_bad_input, fmt::format("{}: {}", path, printable(result.message)));
     return *std::move(result);
 }
 

@@ -7,12 +7,14 @@
 #include <string>
 #include <utility>
 
+#include "base/text.h"
+
 namespace glint::cli {
 
-/// Writes to standard error. A failure to write there is ignored: the work continues, and the exit code
-/// depends only on the work.
+/// Writes to standard error, escaped (base/text.h). A failure to write there is ignored: the work continues,
+/// and the exit code depends only on the work.
 template <class... Args> void print_error(fmt::format_string<Args...> format, Args&&... args) {
-    const std::string text = fmt::format(format, std::forward<Args>(args)...);
+    const std::string text = printable_lines(fmt::format(format, std::forward<Args>(args)...));
     std::fwrite(text.data(), 1, text.size(), stderr);
 }
 

@@ -37,7 +37,7 @@ ProgressBar::ProgressBar(bool wanted, Clock::time_point (*now)())
       next_(start_ + (redraws_ ? Clock::duration(k_first_bar) : Clock::duration(k_next_line))) {}
 
 ProgressBar::~ProgressBar() {
-    if (shown_) print_error("\r\x1b[K");
+    if (shown_) std::fputs("\r\x1b[K", stderr);
     set_progress_shown(false);
 }
 
@@ -54,7 +54,8 @@ void ProgressBar::update(double fraction) {
         shown_ = true;
         set_progress_shown(true);
         // Some terminals wrap the line when the last column is used.
-        print_error("\r{}\x1b[K", progress_text(fraction, seconds, terminal_columns(STDERR_FILENO) - 1));
+        fmt::print(stderr, "\r{}\x1b[K",
+                   progress_text(fraction, seconds, terminal_columns(STDERR_FILENO) - 1));
     } else {
         next_ = now + k_next_line;
         print_error("glint: {:.0f}%{}\n", 100 * fraction, time_left(fraction, seconds));

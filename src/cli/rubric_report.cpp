@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "base/text.h"
 #include "cli/compare_report.h"
 #include "cli/grade_json.h"
 #include "cli/grade_report.h"
@@ -91,7 +92,7 @@ std::string text_table(const std::vector<RubricRow>& rubric,
                        const std::vector<GradedSubmission>& submissions) {
     std::vector<std::vector<std::string>> rows = {{"#", "submission"}, {"", "of"}};
     for (const RubricRow& row : rubric) {
-        rows[0].push_back(printable(row.part));
+        rows[0].push_back(row.part);
         rows[1].push_back(points_text(row.points));
     }
     rows[0].insert(rows[0].end(), {"total", "costs most"});
@@ -99,7 +100,7 @@ std::string text_table(const std::vector<RubricRow>& rubric,
     std::string notes;
     for (std::size_t i = 0; i < submissions.size(); ++i) {
         const GradedSubmission& s = submissions[i];
-        rows.push_back({std::to_string(i + 1), printable(s.name)});
+        rows.push_back({std::to_string(i + 1), s.name});
         for (std::size_t k = 0; k < rubric.size(); ++k) {
             rows.back().push_back(points_text(s.parts[k].score.points));
             const std::string note = part_note(rubric[k], s.parts[k]);

@@ -8,6 +8,7 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
+#include "base/text.h"
 #include "cli/text.h"
 #include "scene/fog_fields.h"
 #include "scene/light_fields.h"
@@ -191,7 +192,7 @@ std::string text_report(const SceneReport& report) {
         std::string line = fmt::format("  {:11} {:10} {}", to_string(light.kind), rounded(light.color),
                                        light_details(light));
         if (!scene.light_texts.name(index).empty())
-            line += fmt::format("  \"{}\"", scene.light_texts.name(index));
+            line += fmt::format("  \"{}\"", printable(scene.light_texts.name(index)));
         const std::string place = place_text(scene, scene.light_texts.place(index));
         if (!place.empty()) line += "  " + place;
         fmt::format_to(out, "{}\n", line);
@@ -204,7 +205,7 @@ std::string text_report(const SceneReport& report) {
     std::size_t named = 0;
     for (std::uint32_t i = 0; i < scene.materials.size() && named < k_max_listed; ++i) {
         const std::string_view name = scene.material_texts.name(i);
-        if (!name.empty()) fmt::format_to(out, "{}{}", named++ == 0 ? ": " : ", ", name);
+        if (!name.empty()) fmt::format_to(out, "{}{}", named++ == 0 ? ": " : ", ", printable(name));
     }
     if (const std::size_t colored = count_colored(scene); colored != 0)
         fmt::format_to(out, "; {} with a color of its own", counted(colored, "shape"));

@@ -12,8 +12,8 @@ namespace {
 
 // RFC 4180. Spreadsheets would interpret a leading = + - @ as a formula.
 std::string csv_cell(const std::string& text) {
-    std::string safe = text;
-    if (!safe.empty() && std::string_view("=+-@\t").find(safe[0]) != std::string_view::npos)
+    std::string safe = printable(text);
+    if (!safe.empty() && std::string_view("=+-@").find(safe[0]) != std::string_view::npos)
         safe.insert(0, "'");
     if (safe.find_first_of(",\"\r\n") == std::string::npos) return safe;
     std::string quoted = "\"";
@@ -23,7 +23,10 @@ std::string csv_cell(const std::string& text) {
 
 }  // namespace
 
-std::string aligned(const std::vector<std::vector<std::string>>& rows, std::size_t left_columns) {
+std::string aligned(std::vector<std::vector<std::string>> rows, std::size_t left_columns) {
+    for (auto& row : rows) {
+        for (std::string& cell : row) cell = printable(cell);  // their widths are those of what is printed
+    }
     std::vector<std::size_t> widths;
     for (const auto& row : rows) {
         widths.resize(std::max(widths.size(), row.size()));
@@ -41,20 +44,6 @@ std::string aligned(const std::vector<std::vector<std::string>>& rows, std::size
         text += line + "\n";
     }
     return text;
-}
-
-std::string printable(std::string_view text) {
-    std::string safe;
-    while (!text.empty()) {
-        const std::size_t length = utf8_length(text);
-        const auto c = static_cast<unsigned char>(text.front());
-        const bool is_control =
-            c < 0x20 || c == 0x7f || (length == 2 && c == 0xc2 && static_cast<unsigned char>(text[1]) < 0xa0);
-        const std::size_t taken = std::max<std::size_t>(length, 1);
-        safe += length == 0 || is_control ? "?" : text.substr(0, taken);
-        text.remove_prefix(taken);
-    }
-    return safe;
 }
 
 std::string csv_line(const std::vector<std::string>& cells) {

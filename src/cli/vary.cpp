@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/vary.h"
+#include "cli/print_text.h"
 
 #include <fmt/format.h>
 
@@ -148,7 +149,7 @@ int vary_command(SceneOption& scene, const Variation& variation, int threads, bo
             bar.update(static_cast<double>(steps.size()) / static_cast<double>(variation.values.size()));
         }
     }
-    fmt::print("{}", json ? json_of(steps, variation) : text_of(steps, variation));
+    json ? print_json(json_of(steps, variation)) : print_text(text_of(steps, variation));
     return k_done;
 }
 

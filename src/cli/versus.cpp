@@ -14,6 +14,7 @@
 #include "cli/explain_text.h"
 #include "cli/failure.h"
 #include "cli/picture_arguments.h"
+#include "cli/print_text.h"
 #include "cli/render_or_fail.h"
 #include "cli/repeated_option.h"
 #include "cli/scene_arguments.h"
@@ -207,14 +208,14 @@ int versus_command(VersusArguments& arguments) {
     report.reference = "B";
     if (arguments.json) {
         if (!same) report.explanations = {explained_json(a, inside), explained_json(b, inside)};
-        fmt::print("{}", json_report(report));
+        print_json(json_report(report));
     } else {
-        fmt::print("{}", text_report(report));
+        print_text(text_report(report));
         ExplainStyle style;
         style.colors = is_terminal(STDOUT_FILENO) && std::getenv("NO_COLOR") == nullptr;
         if (!same)
-            fmt::print("\nA: {}\n{}\nB: {}\n{}", a.name, explained(a, inside, style), b.name,
-                       explained(b, inside, style));
+            print_text(fmt::format("\nA: {}\n{}\nB: {}\n{}", a.name, explained(a, inside, style), b.name,
+                                   explained(b, inside, style)));
     }
     if (output)
         write_png(side_by_side(a.image, b.image, difference_image(a.image, b.image).value()), *output);

@@ -5,6 +5,8 @@
 
 #include <vector>
 
+#include "base/text.h"
+
 namespace glint {
 
 std::string line_text(const Scene& scene, SourcePlace place) {
@@ -17,7 +19,7 @@ std::string line_text(const Scene& scene, SourcePlace place) {
 std::string item_text(const Scene& scene, std::string_view kind, std::uint32_t index,
                       const ItemTexts& texts) {
     std::vector<std::string> parts;
-    if (!texts.name(index).empty()) parts.push_back(fmt::format("\"{}\"", texts.name(index)));
+    if (!texts.name(index).empty()) parts.push_back(fmt::format("\"{}\"", printable(texts.name(index))));
     if (std::string line = line_text(scene, texts.place(index)); !line.empty()) parts.push_back(line);
     const std::string text = fmt::format("{} {}", kind, index + 1);
     return parts.empty() ? text : fmt::format("{} ({})", text, fmt::join(parts, ", "));
