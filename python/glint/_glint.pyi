@@ -495,7 +495,8 @@ class SceneState:
         profile: str,
         profile_text: Optional[Tuple[str, bytes]],
         settings: _Settings,
-        read: Callable[[str, str], bytes],
+        folders: Sequence[str],
+        includes: str,
         progress: _Report,
     ) -> None: ...
     def render(

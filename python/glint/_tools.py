@@ -7,7 +7,7 @@ import dataclasses
 import json
 import os
 import pathlib
-from typing import Any, Callable, List, Mapping, Optional, Sequence, Tuple, Union
+from typing import Any, List, Mapping, Optional, Sequence, Tuple, Union
 
 from . import _glint
 from ._image import Image, PathLike, to_image
@@ -19,23 +19,6 @@ from ._settings import profiles, to_list
 SceneLike = Union[Scene, PathLike]
 
 
-def _reader(folders: List[str]) -> Callable[[str, str], bytes]:
-    """Reads a file that a scene includes, beside the one that includes it, else in one of the folders."""
-
-    def read(name: str, origin: str) -> bytes:
-        beside = os.path.join(os.path.dirname(origin), name)
-        paths = [beside, *(os.path.join(folder, name) for folder in folders)]
-        path = next(filter(os.path.isfile, paths), beside)
-        if not os.path.exists(path):
-            raise OSError("no such file")
-        if not os.path.isfile(path):
-            raise OSError("not a regular file")
-        with open(path, "rb") as file:
-            return file.read()
-
-    return read
-
-
 def _load(
     texts: List[Tuple[str, bytes, str]],
     scene_name: str,
@@ -43,6 +26,7 @@ def _load(
     settings: Mapping[str, object],
     convention: Optional[Mapping[str, object]],
     folders: List[str],
+    includes: str,
     progress: Progress,
 ) -> Scene:
     profile_text = None
@@ -57,7 +41,8 @@ def _load(
             profile,
             profile_text,
             to_list(convention or {}) + to_list(settings),
-            _reader(folders),
+            folders,
+            includes,
             report,
         )
     return scene
@@ -92,16 +77,32 @@ def load(
     settings = dict(
         size=size, aa=aa, shading=shading, reflections=reflections, shadows=shadows, alpha=alpha, seed=seed
     )
-    folders = [include_path] if isinstance(include_path, (str, os.PathLike)) else include_path
-    return _load(texts, scene_name, profile, settings, convention, [os.fspath(f) for f in folders], progress)
+    return _load(texts, scene_name, profile, settings, convention, _folders(include_path), "any", progress)
 
 
-def loads(text: str, format: str = "glint", *, name: str = "text", scene_name: str = "", profile: str = "") -> Scene:
+def _folders(include_path: Union[PathLike, Sequence[PathLike]]) -> List[str]:
+    paths = [include_path] if isinstance(include_path, (str, os.PathLike)) else include_path
+    return [os.fspath(path) for path in paths]
+
+
+def loads(
+    text: str,
+    format: str = "glint",
+    *,
+    name: str = "text",
+    scene_name: str = "",
+    profile: str = "",
+    includes: bool = True,
+    include_path: Union[PathLike, Sequence[PathLike]] = (),
+) -> Scene:
     """The scene of a text: 'cgfs', 'epfl', 'csc473', 'povray', 'nff', 'tachyon' or 'glint'.
 
-    name: for messages; a file that the text includes is looked for beside a file of this name.
+    name: for messages; a file that the text includes is looked for beside a file of this name, then in
+    include_path, a folder or several, and never outside of these folders. includes: False: no file is read.
     """
-    return _load([(name, text.encode(), format)], scene_name, profile, {}, None, [], None)
+    texts = [(name, text.encode(), format)]
+    reach = "folder" if includes else "none"
+    return _load(texts, scene_name, profile, {}, None, _folders(include_path), reach, None)
 
 
 def to_scene(scene: SceneLike) -> Scene:

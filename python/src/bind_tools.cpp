@@ -4,6 +4,7 @@
 
 #include "base/text.h"
 #include "cli/explain_text.h"
+#include "cli/file_policy.h"
 #include "errors.h"
 #include "rendering.h"
 #include "scene_state.h"
@@ -12,24 +13,24 @@
 namespace glint::python {
 namespace {
 
-// Texts that scenes include, from a Python function (name, from) -> bytes.
-class PythonSources : public Sources {
+// Files that scenes include, found and permitted as by the command.
+class IncludedFiles : public Sources {
   public:
-    explicit PythonSources(py::object read) : read_(std::move(read)) {}
+    IncludedFiles(std::vector<std::string> folders, cli::FileReach reach)
+        : folders_(std::move(folders)), reach_(std::move(reach)) {}
     Result<std::string> read(std::string_view name, std::string_view from) override {
-        const py::gil_scoped_acquire acquire;
-        try {
-            return read_(std::string(name), std::string(from)).cast<std::string>();
-        } catch (const std::exception& e) {
-            // An OSError says it in its last argument; anything else in whole.
-            std::string why = e.what();
-            why = why.substr(0, why.find('\n'));
-            return Status{ErrorCode::io, std::move(why), {}};
+        std::string first_why;
+        for (const std::string& path : cli::included_paths(name, from, folders_)) {
+            std::string why;
+            if (auto text = cli::read_named_file(path, reach_, why)) return *std::move(text);
+            if (first_why.empty()) first_why = std::move(why);
         }
+        return Status{ErrorCode::io, first_why.empty() ? "no such file" : std::move(first_why), {}};
     }
 
   private:
-    py::object read_;
+    std::vector<std::string> folders_;
+    cli::FileReach reach_;
 };
 
 // [(name, text, format)] as one scene.
@@ -37,24 +38,24 @@ void load_texts(SceneState& state,
                 const std::vector<std::tuple<std::string, std::string, std::string>>& texts,
                 const std::string& scene_name, const std::string& profile,
                 const std::optional<std::pair<std::string, std::string>>& profile_text,
-                const SettingList& settings, const py::object& read, const py::object& progress) {
+                const SettingList& settings, const std::vector<std::string>& folders,
+                const std::string& includes, const py::object& progress) {
     std::vector<SceneText> views;
+    cli::FileReach reach{.is_confined = includes != "any", .folders = folders};
+    for (const auto& text : texts) reach.folders.push_back(cli::folder_of(std::get<0>(text)));
     for (const auto& [name, text, format] : texts) views.push_back({name, text, format});
     LoadOptions options;
     options.scene_name = scene_name;
     options.profile = profile;
     options.settings = settings;
     if (profile_text) options.profile_text = SceneText{profile_text->first, profile_text->second, {}};
-    Result<Scene> result;
-    {
-        PythonSources sources(read);
-        result = run(progress, [&](Running& running) {
-            LoadOptions with = options;
-            with.progress = running.report();
-            with.cancel = &running.cancel;
-            return load(views, with, &sources);
-        });
-    }
+    IncludedFiles sources(folders, std::move(reach));
+    Result<Scene> result = run(progress, [&](Running& running) {
+        LoadOptions with = options;
+        with.progress = running.report();
+        with.cancel = &running.cancel;
+        return load(views, with, includes == "none" ? nullptr : &sources);
+    });
     const std::vector<Diagnostic> warnings = result.diagnostics;
     state.reset(value_or_raise(std::move(result)));
     state.warn_once(warnings);

@@ -265,3 +265,24 @@ def test_points_are_the_commands(tmp_path):
     assert graded[0].parts[1].points == 15 and graded[0].parts[0].points == 0
     files = {s.name: {p.name: p for p in (class_ / s.name).iterdir()} for s in graded}
     assert glint.grade(files, scene, rubric=rubric) == graded
+
+
+def test_a_text_includes_only_files_of_its_folders(tmp_path):
+    (tmp_path / "scene").mkdir()
+    (tmp_path / "parts").mkdir()
+    for name in ("scene/a.glint", "parts/b.glint"):
+        (tmp_path / name).write_text("sphere { center = (0, 0, 4) radius = 1 }")
+    name = str(tmp_path / "scene" / "s.glint")
+    assert len(glint.loads('include "a.glint"', name=name).shapes) == 1
+    for outside in ("../parts/b.glint", str(tmp_path / "parts" / "b.glint"), "../none.glint"):
+        with pytest.raises(glint.GlintError, match="is outside the folders"):
+            glint.loads(f'include "{outside}"', name=name)
+    assert len(glint.loads('include "b.glint"', name=name, include_path=tmp_path / "parts").shapes) == 1
+    with pytest.raises(glint.GlintError, match="no files are read here"):
+        glint.loads('include "a.glint"', name=name, includes=False)
+
+
+def test_messages_and_texts_do_not_control_a_terminal(tmp_path):
+    with pytest.raises(glint.GlintError) as caught:
+        glint.loads("sphere { }", name="a\x1b[31m.glint")
+    assert "\x1b" not in str(caught.value)

@@ -27,8 +27,9 @@ class IniFiles {
     virtual ~IniFiles() = default;
     /// Whether there is such a file.
     virtual bool exists(const std::string& path);
-    /// Its text. Throws a Failure of input if it cannot be read.
-    virtual std::string read(const std::string& path);
+    /// Its text; it must be a regular file unless the user names it. Throws a Failure of input if it cannot
+    /// be read.
+    virtual std::string read(const std::string& path, bool is_users);
 };
 
 /// POV-Ray's command line: switches (+W640), `Key=Value` and .ini files, which are read. Throws a usage

@@ -6,10 +6,12 @@
 #include <cstdlib>
 #include <filesystem>
 #include <optional>
+#include <utility>
 
 #include "base/text.h"
 #include "cli/drop_in.h"
 #include "cli/failure.h"
+#include "cli/file_policy.h"
 #include "cli/foreign_table.h"
 #include "cli/input_file.h"
 #include "cli/text.h"
@@ -65,8 +67,9 @@ class PovrayArguments {
         for (const std::string& path : candidates) {
             if (!files_.exists(path)) continue;
             is_own_ini_ = true;
+            is_trusted_ini_ = path != "povray.ini";  // which comes with a folder
             read_ini(path);
-            is_own_ini_ = false;
+            is_own_ini_ = is_trusted_ini_ = false;
             return;
         }
     }
@@ -80,7 +83,8 @@ class PovrayArguments {
         if (++depth_ > k_max_ini_depth) fail(fmt::format("{}: .ini files are nested too deeply", path));
         // Ten files of a hundred lines, each of which names the next file, would be read 100^9 times.
         if (++ini_files_ > k_max_ini_files) fail(fmt::format("more than {} .ini files", k_max_ini_files));
-        const std::string file = files_.read(path);
+        const std::string outer_ini = std::exchange(ini_, path);
+        const std::string file = files_.read(path, depth_ == 1 && !is_own_ini_);
         const std::string outer = place_;
         std::string_view rest = file;
         bool is_wanted = true;
@@ -98,6 +102,7 @@ class PovrayArguments {
             }
         }
         place_ = outer;
+        ini_ = outer_ini;
         --depth_;
     }
 
@@ -126,7 +131,12 @@ class PovrayArguments {
         }
         const std::string ending = extension(word.substr(0, word.find('[')));
         if (ending == ".ini") return read_ini(word);
-        input_ = word;
+        set_input(word);
+    }
+
+    void set_input(const std::string& name) {
+        input_ = name;
+        parsed_.render.scene.is_named_by_file = !place_.empty();
     }
 
     // The system's own defaults may have keys of other versions.
@@ -171,9 +181,12 @@ class PovrayArguments {
             case PovrayKey::height:
                 return void(height_ = static_cast<int>(number(value, word, k_max_size)));
             case PovrayKey::input:
-                return void(input_ = value);
+                return set_input(value);
             case PovrayKey::output:
-                return void(output_ = value);
+                output_ = value;
+                output_place_ = is_trusted_ini_ ? std::string() : place_;
+                ini_folder_ = folder_of(ini_);
+                return;
             case PovrayKey::file_type:
                 writes_ = on;
                 return set_file_type(value, word);
@@ -278,7 +291,19 @@ class PovrayArguments {
         if (!numbers.format) numbers.format = FileFormat::png;
         if (*numbers.format != FileFormat::png && *numbers.format != FileFormat::ppm) numbers.bits = 8;
         render.output = writes_ ? output_path() : "/dev/null";
+        if (writes_) check_output();
         render.scene.include_paths = folders_;
+    }
+
+    // Somebody else's .ini must not write to any place: on the command line the user sees where.
+    void check_output() const {
+        const std::string& path = parsed_.render.output;
+        if (output_place_.empty() || path == "-" || is_inside(path, ".") || is_inside(path, ini_folder_))
+            return;
+        throw Failure(k_usage,
+                      fmt::format("{}: expected an output in this folder or the .ini file's, found {}; for "
+                                  "another folder, give +O on the command line",
+                                  output_place_, glint::quoted(output_)));
     }
 
     std::string output_path() const {
@@ -298,8 +323,9 @@ class PovrayArguments {
 
     IniFiles& files_;
     DropIn parsed_;
-    std::string place_;  // in an .ini file
-    bool is_own_ini_ = false;
+    std::string ini_, place_;                // the .ini file that is being read, and the place in it
+    std::string output_place_, ini_folder_;  // of the output, if an .ini file names it
+    bool is_own_ini_ = false, is_trusted_ini_ = false;
     int depth_ = 0, ini_files_ = 0;
     std::string input_, output_;
     std::vector<std::string> folders_;
@@ -316,9 +342,10 @@ bool IniFiles::exists(const std::string& path) {
     return std::filesystem::is_regular_file(path, ignored);
 }
 
-std::string IniFiles::read(const std::string& path) {
+std::string IniFiles::read(const std::string& path, bool is_users) {
     std::string why;
-    const auto file = InputFile::open(path, why);
+    TextReader reader;
+    const auto file = reader.open(path, {.is_users = is_users}, why);
     if (!file) throw Failure(k_bad_input, fmt::format("{}: {}", path, why));
     return std::string(file->text());
 }

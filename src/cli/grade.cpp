@@ -80,7 +80,7 @@ int grade_pictures(const GradeArguments& arguments, const Scene* scene, const Im
             entry.error = submissions[i].error;
             Result<DecodedImage> read;
             if (entry.error.empty()) {
-                read = try_picture(entry.path);
+                read = try_handed_in(entry.path);
                 entry.error = read ? size_fault(read->image, reference) : read.message;
             }
             sheet.set_label(i + 1, fmt::format("{} {}", i + 1, entry.name));
@@ -163,6 +163,7 @@ int grade_command(GradeArguments& arguments) {
     const GradeOutputs outputs(arguments.outputs, arguments.folder);
     std::vector<RubricRow> rows;
     if (!arguments.rubric.empty()) rows = load_rubric(arguments.rubric);
+    arguments.scene.scene.is_confined = true;  // it may be a submission
     std::optional<LoadedScene> loaded = load_scene_option(arguments.scene, arguments.quiet);
     Image reference;
     if (!arguments.reference.empty()) reference = read_picture(arguments.reference).image;

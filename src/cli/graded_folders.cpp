@@ -45,7 +45,7 @@ void GradedFolders::show_same(std::size_t from, std::size_t to) {
 HandedIn read_handed_in(FoundFile file) {
     HandedIn found{std::move(file.path), std::move(file.error), {}};
     if (!found.error.empty()) return found;
-    Result<DecodedImage> read = try_picture(found.path);
+    Result<DecodedImage> read = try_handed_in(found.path);
     if (read) {
         found.image = std::move(read->image);
     } else {

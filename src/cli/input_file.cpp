@@ -7,7 +7,6 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <cstring>
 #include <utility>
 
 #include "cli/failure.h"
@@ -33,8 +32,6 @@ class Descriptor {
     int number_;
 };
 
-std::string reason(int error) { return error == ENOENT ? "no such file" : std::strerror(error); }
-
 // Reads to the end; returns an error message, or an empty string.
 std::string read_all(int descriptor, bool binary, std::string& text) {
     constexpr std::size_t step = 1 << 16;
@@ -45,7 +42,7 @@ std::string read_all(int descriptor, bool binary, std::string& text) {
         const ssize_t count = ::read(descriptor, text.data() + size, step);
         text.resize(size + static_cast<std::size_t>(count > 0 ? count : 0));
         if (count < 0 && errno == EINTR) continue;
-        if (count < 0) return reason(errno);
+        if (count < 0) return reason_of(errno);
         // The readers report text that contains NUL, with its place. More input is not needed.
         if (count == 0 || (!binary && text.find('\0', size) != std::string::npos)) return {};
     }
@@ -61,12 +58,34 @@ std::optional<InputFile> InputFile::open_own(const std::string& path, std::strin
     return open(path, why, true, true);
 }
 
+std::optional<InputFile> InputFile::open_named(const std::string& path, const FileReach& reach,
+                                               std::string& why) {
+    const NamedFile named = open_named_file(path, reach, why);
+    if (named.descriptor < 0) return std::nullopt;
+    const Descriptor file(named.descriptor);
+    note_input(file.number());
+    InputFile input;
+    if (input.map(file.number(), named.size)) return input;
+    auto text = read_named_file(named, why);
+    if (!text) return std::nullopt;
+    return of_text(std::move(*text));
+}
+
+bool InputFile::map(int descriptor, std::size_t size) {
+    if (size == 0) return false;
+    void* mapped = ::mmap(nullptr, size, PROT_READ, MAP_PRIVATE, descriptor, 0);
+    if (mapped == MAP_FAILED) return false;
+    mapped_ = mapped;
+    mapped_size_ = size;
+    return true;
+}
+
 std::optional<InputFile> InputFile::open(const std::string& path, std::string& why, bool binary,
                                          bool is_own) {
     const Descriptor file(path == "-" ? STDIN_FILENO : ::open(path.c_str(), O_RDONLY | O_CLOEXEC));
     struct stat about {};
     if (file.number() < 0 || ::fstat(file.number(), &about) != 0) {
-        why = reason(errno);
+        why = reason_of(errno);
         return std::nullopt;
     }
     if (S_ISDIR(about.st_mode)) {
@@ -75,15 +94,9 @@ std::optional<InputFile> InputFile::open(const std::string& path, std::string& w
     }
     if (!is_own) note_input(file.number());
     InputFile input;
-    if (path != "-" && S_ISREG(about.st_mode) && about.st_size > 0) {
-        const auto size = static_cast<std::size_t>(about.st_size);
-        void* mapped = ::mmap(nullptr, size, PROT_READ, MAP_PRIVATE, file.number(), 0);
-        if (mapped != MAP_FAILED) {
-            input.mapped_ = mapped;
-            input.mapped_size_ = size;
-            return input;
-        }
-    }
+    if (path != "-" && S_ISREG(about.st_mode) &&
+        input.map(file.number(), static_cast<std::size_t>(about.st_size)))
+        return input;
     why = read_all(file.number(), binary, input.read_);
     if (!why.empty()) return std::nullopt;
     return input;
@@ -119,34 +132,24 @@ void InputFile::release() const {
     if (mapped_ != nullptr) ::madvise(mapped_, mapped_size_, MADV_DONTNEED);
 }
 
-std::optional<InputFile> TextReader::open(const std::string& path, bool included, std::string& why) {
-    // A pipe would wait for a writer.
-    struct stat about {};
-    if (included && ::stat(path.c_str(), &about) == 0 && !S_ISREG(about.st_mode)) {
-        why = "not a regular file";
-        return std::nullopt;
-    }
-    return InputFile::open(path, why);
+std::optional<InputFile> TextReader::open(const std::string& path, const FileReach& reach, std::string& why) {
+    return reach.is_users ? InputFile::open(path, why) : InputFile::open_named(path, reach, why);
 }
 
 Result<std::string> FileSources::read(std::string_view name, std::string_view from) {
     const auto unreadable = [](std::string why) { return Status{ErrorCode::io, std::move(why), {}}; };
-    std::vector<std::string> paths{std::string(name)};
-    if (!name.starts_with('/')) {
-        paths.front().insert(0, from.substr(0, from.rfind('/') + 1));
-        for (const std::string& folder : folders_) paths.push_back(folder + "/" + std::string(name));
-    }
-    std::string first_why;
-    for (const std::string& path : paths) {
-        if (path.find('\0') != std::string::npos || path == "-") return unreadable("no such file");
+    std::string first_why = "no such file";
+    bool is_first = true;
+    for (const std::string& path : included_paths(name, from, folders_)) {
         try {
             std::string why;
-            const std::optional<InputFile> file = reader_.open(path, true, why);
+            const std::optional<InputFile> file = reader_.open(path, reach_, why);
             if (file) {
                 hashes_.emplace_back(path, hash_of(file->text()));
                 return std::string(file->text());
             }
-            if (first_why.empty()) first_why = std::move(why);
+            if (is_first) first_why = std::move(why);
+            is_first = false;
         } catch (const Failure& e) {
             failure_ = std::current_exception();
             return unreadable(e.what());

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "cli/file_policy.h"
 #include "glint/load.h"
 
 namespace glint::cli {
@@ -24,6 +25,10 @@ class InputFile {
     /// The same for a file that the command itself wrote, and may write over.
     static std::optional<InputFile> open_own(const std::string& path, std::string& why);
 
+    /// The same for a file that another file names (file_policy.h).
+    static std::optional<InputFile> open_named(const std::string& path, const FileReach& reach,
+                                               std::string& why);
+
     /// A text that is no file of this machine.
     static InputFile of_text(std::string text);
 
@@ -38,6 +43,7 @@ class InputFile {
   private:
     InputFile() = default;
     static std::optional<InputFile> open(const std::string& path, std::string& why, bool binary, bool is_own);
+    bool map(int descriptor, std::size_t size);
     void* mapped_ = nullptr;
     std::size_t mapped_size_ = 0;
     std::string read_;  // if not mapped
@@ -50,16 +56,19 @@ class TextReader {
     virtual ~TextReader() = default;
     TextReader(const TextReader&) = delete;
     TextReader& operator=(const TextReader&) = delete;
-    /// As InputFile::open. included: another text names it, and it must be a regular file.
-    virtual std::optional<InputFile> open(const std::string& path, bool included, std::string& why);
+    /// As InputFile::open, or open_named if the user does not name it.
+    virtual std::optional<InputFile> open(const std::string& path, const FileReach& reach, std::string& why);
+    std::optional<InputFile> open(const std::string& path, std::string& why) {
+        return open(path, {.is_users = true}, why);
+    }
 };
 
 /// Files that scenes include, relative to the file that includes them, else in one of the folders.
 class FileSources : public Sources {
   public:
     /// The reader must outlive this.
-    explicit FileSources(TextReader& reader, std::vector<std::string> folders = {})
-        : reader_(reader), folders_(std::move(folders)) {}
+    explicit FileSources(TextReader& reader, std::vector<std::string> folders, FileReach reach)
+        : reader_(reader), folders_(std::move(folders)), reach_(std::move(reach)) {}
     Result<std::string> read(std::string_view name, std::string_view from) override;
 
     /// Name and hash (journal/hash.h) of each text that was read, in the order of reading.
@@ -71,6 +80,7 @@ class FileSources : public Sources {
   private:
     TextReader& reader_;
     std::vector<std::string> folders_;
+    FileReach reach_;
     std::exception_ptr failure_;
     std::vector<std::pair<std::string, std::string>> hashes_;
 };

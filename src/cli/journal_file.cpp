@@ -14,6 +14,7 @@
 
 #include "base/text.h"
 #include "cli/failure.h"
+#include "cli/file_policy.h"
 #include "cli/output_file.h"
 #include "trace/assemble.h"
 

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "cli/failure.h"
+#include "cli/file_policy.h"
 #include "cli/interrupt.h"
 #include "cli/overwriting.h"
 #include "cli/program.h"
@@ -37,11 +38,6 @@ int write_all(int descriptor, std::span<const std::uint8_t> bytes) {
 }
 
 }  // namespace
-
-std::string folder_of(const std::string& path) {
-    const std::size_t slash = path.rfind('/');
-    return slash == std::string::npos ? "." : slash == 0 ? "/" : path.substr(0, slash);
-}
 
 std::string temporary_beside(const std::string& target) {
     std::random_device random;  // process numbers are not unique if machines share a folder

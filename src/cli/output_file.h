@@ -52,9 +52,6 @@ class OutputFile {
     bool standard_output_ = false, direct_ = false;
 };
 
-/// The folder of a path: "." if it has none.
-std::string folder_of(const std::string& path);
-
 /// A name for a temporary file in the folder of `target`, which no other process uses.
 std::string temporary_beside(const std::string& target);
 

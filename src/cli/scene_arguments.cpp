@@ -13,6 +13,7 @@
 #include "cli/repeated_option.h"
 #include "cli/text.h"
 #include "cli/validators.h"
+#include "formats/registry.h"
 
 namespace glint::cli {
 namespace {
@@ -54,7 +55,7 @@ void add_profile(const std::string& profile, LoadOptions& options, TextReader& r
         return;
     }
     std::string why;
-    file = reader.open(profile, false, why);
+    file = reader.open(profile, why);
     if (!file) {
         fail_usage(fmt::format("--profile: {} is neither a profile nor a readable file ({}){}",
                                glint::quoted(profile), why, suggestion(profile, names)));
@@ -78,12 +79,16 @@ void add_scene_arguments(CLI::App& command, SceneArguments& arguments) {
         ->required();
     command.add_option("--scene", arguments.scene_name, "The scene to use, if the file has several")
         ->option_text("NAME");
+    add_include_path_argument(command, arguments);
+    add_convention_arguments(command, arguments);
+}
+
+void add_include_path_argument(CLI::App& command, SceneArguments& arguments) {
     repeated(
         command.add_option("--include-path", arguments.include_paths,
                            "A folder with files that the scene includes and that are not beside it; may be "
                            "repeated"))
         ->option_text("DIR");
-    add_convention_arguments(command, arguments);
 }
 
 void add_convention_arguments(CLI::App& command, SceneArguments& arguments) {
@@ -107,6 +112,12 @@ void add_convention_arguments(CLI::App& command, SceneArguments& arguments) {
         ->option_text("KEY=VALUE");
 }
 
+FileReach reach_of_includes(const SceneArguments& arguments) {
+    FileReach reach{.is_confined = arguments.is_confined, .folders = arguments.include_paths};
+    for (const std::string& file : arguments.files) reach.folders.push_back(folder_of(file));
+    return reach;
+}
+
 LoadedScene load_scene(const SceneArguments& arguments, TextReader& reader) {
     LoadOptions options;
     options.scene_name = arguments.scene_name;
@@ -122,7 +133,7 @@ LoadedScene load_scene(const SceneArguments& arguments, TextReader& reader) {
     std::string problems;
     for (const std::string& name : arguments.files) {
         std::string why;
-        std::optional<InputFile> file = reader.open(name, false, why);
+        std::optional<InputFile> file = reader.open(name, {.is_users = !arguments.is_named_by_file}, why);
         if (!file) {
             problems += fmt::format("{}{}: {}", problems.empty() ? "" : "\n", name, why);
             continue;
@@ -138,7 +149,7 @@ LoadedScene load_scene(const SceneArguments& arguments, TextReader& reader) {
         files.push_back(InputFile::of_text(text));
         texts.push_back({name, files.back().text(), arguments.format});
     }
-    FileSources sources(reader, arguments.include_paths);
+    FileSources sources(reader, arguments.include_paths, reach_of_includes(arguments));
     Result<Scene> result = load(texts, options, &sources);
     sources.rethrow();
     if (!result) {
@@ -146,7 +157,7 @@ LoadedScene load_scene(const SceneArguments& arguments, TextReader& reader) {
         throw_failure(result);
     }
     return {std::move(*result), std::move(result.diagnostics), std::move(files), std::move(texts),
-            sources.hashes()};
+            sources.hashes(),   reach_of_includes(arguments)};
 }
 
 LoadedScene load_scene(const SceneArguments& arguments) {
@@ -159,7 +170,8 @@ std::vector<InputFile> open_included(const LoadedScene& loaded, std::vector<Scen
     std::vector<std::string> names;
     for (std::size_t i = loaded.texts.size(); i < loaded.scene.files.size(); ++i) {
         std::string why;
-        if (auto file = InputFile::open(loaded.scene.files[i], why)) {
+        if (!is_scene_name(loaded.scene.files[i])) continue;
+        if (auto file = InputFile::open_named(loaded.scene.files[i], loaded.reach, why)) {
             files.push_back(std::move(*file));
             names.push_back(loaded.scene.files[i]);
         }

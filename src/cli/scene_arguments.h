@@ -16,6 +16,9 @@ struct SceneArguments {
     std::string format, scene_name, profile;
     std::vector<std::string> conventions;    // KEY=VALUE
     std::vector<std::string> include_paths;  // folders
+    /// Includes only from the folders of the files and the include paths.
+    bool is_confined = false;
+    bool is_named_by_file = false;  ///< another file names the files, not the user
     /// Set by the command from its own options, before load_scene.
     std::vector<std::pair<std::string, std::string>> settings;
     /// Texts that follow the files, in the same format: their names and texts.
@@ -24,6 +27,9 @@ struct SceneArguments {
 
 /// Adds SCENE..., --format, --scene, --include-path, --profile and --convention.
 void add_scene_arguments(CLI::App& command, SceneArguments& arguments);
+
+/// Adds only --include-path.
+void add_include_path_argument(CLI::App& command, SceneArguments& arguments);
 
 /// Adds only --format, --profile and --convention, for commands whose scene is an option.
 void add_convention_arguments(CLI::App& command, SceneArguments& arguments);
@@ -38,6 +44,7 @@ struct LoadedScene {
     std::vector<SceneText> texts;  ///< one for each of `files`
     /// Name and hash of each text that these include.
     std::vector<std::pair<std::string, std::string>> included;
+    FileReach reach;  ///< of these
 };
 
 /// Reads the files as one scene. Throws a usage error for a setting that is invalid for every scene. Prints
@@ -46,7 +53,8 @@ LoadedScene load_scene(const SceneArguments& arguments, TextReader& reader);
 LoadedScene load_scene(const SceneArguments& arguments);
 
 /// Opens the files that the scene includes again, and adds their texts to `texts`. The texts are valid as
-/// long as the returned files. A file that cannot be opened is omitted.
+/// long as the returned files. A file that cannot be opened is omitted, and one
+/// without a scene's name, whose lines no message quotes.
 std::vector<InputFile> open_included(const LoadedScene& loaded, std::vector<SceneText>& texts);
 
 /// Adds the warnings of prepare() that load() has not reported.

@@ -9,6 +9,7 @@ void add_scene_option(CLI::App& command, SceneOption& option, const char* descri
     repeated(command.add_option("--scene", option.scene.files, description))->option_text("FILE");
     command.add_option("--scene-name", option.scene.scene_name, "The scene to use, if the file has several")
         ->option_text("NAME");
+    add_include_path_argument(command, option.scene);
     add_convention_arguments(command, option.scene);
     add_picture_arguments(command, option.picture);
 }

@@ -62,6 +62,7 @@ class Loader {
         const bool is_wrong = reading_.diagnostics.any_errors();
         std::vector<Diagnostic> diagnostics = reading_.diagnostics.take();
         sort(diagnostics);
+        for (Diagnostic& d : diagnostics) hide_foreign_line(d);
         if (is_wrong) return failure(code, std::move(diagnostics));
         if (options_.progress) options_.progress(1);
         return {std::move(reading_.scene), std::move(diagnostics)};
@@ -115,6 +116,17 @@ class Loader {
             add(Severity::warning, texts_[i].name,
                 fmt::format("read with the conventions of {}, as the first text is", own));
         }
+    }
+
+    // The caller has chosen its own texts; a scene may name any file.
+    void hide_foreign_line(Diagnostic& d) const {
+        const std::vector<std::string>& files = reading_.scene.files;
+        const auto end_of_own =
+            files.begin() + static_cast<std::ptrdiff_t>(
+                                std::min(files.size(), texts_.size() + (options_.profile_text ? 1 : 0)));
+        if (is_scene_name(d.file) || std::find(files.begin(), end_of_own, d.file) != end_of_own) return;
+        d.source_line.clear();
+        d.caret = 0;
     }
 
     void read(std::size_t i) {

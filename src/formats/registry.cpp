@@ -81,6 +81,12 @@ std::string known(std::string_view FormatInfo::*column) {
 
 std::span<const Format> all_formats() { return k_formats; }
 
+bool is_scene_name(std::string_view name) {
+    return has_extension(name, ".inc") ||
+           std::any_of(std::begin(k_formats), std::end(k_formats),
+                       [&](const Format& f) { return has_extension(name, f.info.extensions); });
+}
+
 std::span<const FormatInfo> formats() { return k_infos; }
 
 const Format* find_format(const SceneText& text, std::string& why) {

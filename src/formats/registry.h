@@ -22,6 +22,10 @@ std::span<const Format> all_formats();
 /// The format by the text's `format`, or by the extension of its name. Null and the reason if there is none.
 const Format* find_format(const SceneText& text, std::string& why);
 
+/// Whether a file has the name of a scene or of POV-Ray's includes. Messages quote no lines of other files
+/// that a scene includes, which may be anybody's.
+bool is_scene_name(std::string_view name);
+
 void set_cgfs_defaults(Scene& scene);
 void read_cgfs(LoadState& reading, const ReadText& text);
 

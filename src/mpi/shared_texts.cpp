@@ -23,9 +23,9 @@ std::string take_text(std::string_view& bytes) {
 
 }  // namespace
 
-std::optional<cli::InputFile> RecordingReader::open(const std::string& path, bool included,
+std::optional<cli::InputFile> RecordingReader::open(const std::string& path, const cli::FileReach& reach,
                                                     std::string& why) {
-    auto file = TextReader::open(path, included, why);
+    auto file = TextReader::open(path, reach, why);
     if (file) texts_.emplace_back(path, file->text());
     return file;
 }
@@ -69,7 +69,8 @@ bool GivenReader::is_given_up() {
     return given_up_;
 }
 
-std::optional<cli::InputFile> GivenReader::open(const std::string& path, bool, std::string& why) {
+std::optional<cli::InputFile> GivenReader::open(const std::string& path, const cli::FileReach&,
+                                                std::string& why) {
     take();
     if (given_up_) throw GivenUp();
     const auto text = texts_.find(path);

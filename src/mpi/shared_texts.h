@@ -15,7 +15,8 @@ namespace glint::mpi {
 /// Rank 0: reads files and keeps their bytes until it gives them to the others.
 class RecordingReader : public cli::TextReader {
   public:
-    std::optional<cli::InputFile> open(const std::string& path, bool included, std::string& why) override;
+    std::optional<cli::InputFile> open(const std::string& path, const cli::FileReach& reach,
+                                       std::string& why) override;
     /// Gives the others all that was read.
     void give();
     /// Tells the others that there is nothing to render. False if they have been given the texts already.
@@ -32,7 +33,8 @@ class GivenUp : public std::exception {};
 /// The others: waits for what rank 0 has read. Throws GivenUp.
 class GivenReader : public cli::TextReader {
   public:
-    std::optional<cli::InputFile> open(const std::string& path, bool included, std::string& why) override;
+    std::optional<cli::InputFile> open(const std::string& path, const cli::FileReach& reach,
+                                       std::string& why) override;
     /// For a process that ends before it has opened a text: whether rank 0 gives up, too. Waits for it.
     bool is_given_up();
 

@@ -235,7 +235,7 @@ class ManyIniFiles : public cli::IniFiles {
   public:
     explicit ManyIniFiles(int last) : last_(last) {}
     bool exists(const std::string&) override { return false; }
-    std::string read(const std::string& path) override {
+    std::string read(const std::string& path, bool) override {
         const int number = std::stoi(path);
         std::string text;
         for (int i = 0; i < 100 && number < last_; ++i) text += std::to_string(number + 1) + ".ini\n";

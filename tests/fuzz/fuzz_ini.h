@@ -16,7 +16,7 @@ class FuzzIniFiles : public cli::IniFiles {
   public:
     explicit FuzzIniFiles(std::string_view text) : text_(text) {}
     bool exists(const std::string&) override { return false; }
-    std::string read(const std::string& path) override {
+    std::string read(const std::string& path, bool) override {
         if (path.starts_with("no")) throw cli::Failure(cli::k_bad_input, path + ": no such file");
         return std::string(path == "fuzz.ini" ? text_ : text_.substr(text_.size() / 2));
     }

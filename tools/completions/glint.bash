@@ -94,7 +94,7 @@ _glint() {
                 *) kind=scene ;;
             esac ;;
         compare)
-            options='-h --help --within --fail-percent --hard-fail --diff --vary --scene --scene-name --format --profile --convention -s --size --shading --no-shadows --reflections --aa --seed -t --threads --max-memory --no-causes --json -q --quiet'
+            options='-h --help --within --fail-percent --hard-fail --diff --vary --scene --scene-name --include-path --format --profile --convention -s --size --shading --no-shadows --reflections --aa --seed -t --threads --max-memory --no-causes --json -q --quiet'
             [[ $word == -* ]] || case $before in
                 --within) return ;;
                 --fail-percent) return ;;
@@ -103,6 +103,7 @@ _glint() {
                 --vary) words='pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= transparency= opacity= transparent_shadow= transparency_counts= transparent_surfaces= transparent_epsilon= transparent_shadow_epsilon= min_weight= facing= cones= spot_falloff= clamp_attenuation= attenuate_highlights= light_threshold= area_shading= fog_distance= fog_background= fog_extent= transfer= gamma= rounding= size= shading= shadows= reflections= aa= alpha= seed='; compopt -o nospace 2>/dev/null ;;
                 --scene) kind=scene ;;
                 --scene-name) return ;;
+                --include-path) return ;;
                 --format) words='cgfs epfl csc473 povray nff tachyon glint' ;;
                 --profile) words='cgfs epfl lecture5 light csc473 povray nff tachyon glint' kind=file ;;
                 --convention) words='pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= transparency= opacity= transparent_shadow= transparency_counts= transparent_surfaces= transparent_epsilon= transparent_shadow_epsilon= min_weight= facing= cones= spot_falloff= clamp_attenuation= attenuate_highlights= light_threshold= area_shading= fog_distance= fog_background= fog_extent= transfer= gamma= rounding= size= shading= shadows= reflections= aa= alpha= seed='; compopt -o nospace 2>/dev/null ;;
@@ -134,11 +135,12 @@ _glint() {
                 *) kind=scene ;;
             esac ;;
         grade)
-            options='-h --help --reference --scene --scene-name --format --profile --convention -s --size --shading --no-shadows --reflections --aa --seed --rubric --csv --json --gradescope --sheet -t --threads -q --quiet'
+            options='-h --help --reference --scene --scene-name --include-path --format --profile --convention -s --size --shading --no-shadows --reflections --aa --seed --rubric --csv --json --gradescope --sheet -t --threads -q --quiet'
             [[ $word == -* ]] || case $before in
                 --reference) kind=file ;;
                 --scene) kind=scene ;;
                 --scene-name) return ;;
+                --include-path) return ;;
                 --format) words='cgfs epfl csc473 povray nff tachyon glint' ;;
                 --profile) words='cgfs epfl lecture5 light csc473 povray nff tachyon glint' kind=file ;;
                 --convention) words='pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= transparency= opacity= transparent_shadow= transparency_counts= transparent_surfaces= transparent_epsilon= transparent_shadow_epsilon= min_weight= facing= cones= spot_falloff= clamp_attenuation= attenuate_highlights= light_threshold= area_shading= fog_distance= fog_background= fog_extent= transfer= gamma= rounding= size= shading= shadows= reflections= aa= alpha= seed='; compopt -o nospace 2>/dev/null ;;

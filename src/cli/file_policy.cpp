@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/file_policy.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+
+namespace glint::cli {
+
+namespace fs = std::filesystem;
+
+std::string folder_of(const std::string& path) {
+    const std::size_t slash = path.rfind('/');
+    return slash == std::string::npos ? "." : slash == 0 ? "/" : path.substr(0, slash);
+}
+
+std::string reason_of(int error) { return error == ENOENT ? "no such file" : std::strerror(error); }
+
+bool is_inside(const std::string& path, const std::string& folder) {
+    std::error_code error;
+    const fs::path whole = fs::weakly_canonical(fs::absolute(path, error), error);
+    if (error) return false;
+    const fs::path root = fs::weakly_canonical(fs::absolute(folder, error), error);
+    if (error) return false;
+    const auto [at, rest] = std::mismatch(root.begin(), root.end(), whole.begin(), whole.end());
+    return at == root.end() && rest != whole.end();
+}
+
+NamedFile open_named_file(const std::string& path, const FileReach& reach, std::string& why) {
+    if (reach.is_confined &&
+        std::none_of(reach.folders.begin(), reach.folders.end(),
+                     [&](const std::string& folder) { return is_inside(path, folder); })) {
+        why = "is outside the folders that may be read here";
+        return {};
+    }
+    // Opening a device may already do something, so it is looked at first.
+    struct stat about {};
+    if (::stat(path.c_str(), &about) != 0) {
+        why = reason_of(errno);
+        return {};
+    }
+    NamedFile file;
+    if (S_ISREG(about.st_mode)) {
+        file.descriptor = ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);
+        if (file.descriptor < 0 || ::fstat(file.descriptor, &about) != 0) {
+            why = reason_of(errno);
+            return file;
+        }
+    }
+    if (!S_ISREG(about.st_mode)) {  // it may have been replaced
+        if (file.descriptor >= 0) ::close(file.descriptor);
+        why = S_ISDIR(about.st_mode) ? "is a folder, not a regular file" : "not a regular file";
+        return {};
+    }
+    file.size = static_cast<std::size_t>(about.st_size);
+    return file;
+}
+
+std::optional<std::string> read_named_file(NamedFile file, std::string& why) {
+    constexpr std::size_t step = 1 << 16;  // a size is only what the file says
+    std::string text;
+    while (text.size() < file.size) {
+        const std::size_t size = text.size();
+        text.resize(size + std::min(step, file.size - size));
+        const ssize_t count = ::read(file.descriptor, text.data() + size, text.size() - size);
+        text.resize(size + static_cast<std::size_t>(std::max<ssize_t>(count, 0)));
+        if (count < 0 && errno == EINTR) continue;
+        if (count < 0) {
+            why = reason_of(errno);
+            return std::nullopt;
+        }
+        if (count == 0) break;
+    }
+    return text;
+}
+
+std::optional<std::string> read_named_file(const std::string& path, const FileReach& reach,
+                                           std::string& why) {
+    const NamedFile file = open_named_file(path, reach, why);
+    if (file.descriptor < 0) return std::nullopt;
+    auto text = read_named_file(file, why);
+    ::close(file.descriptor);
+    return text;
+}
+
+std::vector<std::string> included_paths(std::string_view name, std::string_view from,
+                                        std::span<const std::string> folders) {
+    std::vector<std::string> paths{std::string(name)};
+    // In a name it would end the path.
+    if (name.find('\0') != std::string_view::npos) return {};
+    if (name.starts_with('/')) return paths;
+    paths.front().insert(0, from.substr(0, from.rfind('/') + 1));
+    for (const std::string& folder : folders) paths.push_back(folder + "/" + std::string(name));
+    return paths;
+}
+
+}  // namespace glint::cli
