@@ -44,12 +44,20 @@ struct LoadOptions {
     /// not throw.
     Function<void(double)> progress = {};
     CancelFlag cancel = {};  ///< checked at intervals
+    /// Bytes that reading may hold: the scene, and a reader's strings, arrays, objects and tokens. 0:
+    /// default_max_memory() of the length of all texts, with those that they include. At times, up to twice
+    /// as much is allocated.
+    std::uint64_t max_memory = 0;
 };
+
+/// The default of LoadOptions::max_memory for texts of this length in bytes: 2 GiB and 256 times the length;
+/// in the browser build 384 MiB and 64 times the length, at most 768 MiB.
+GLINT_API std::uint64_t default_max_memory(std::uint64_t text_bytes);
 
 /// Reads the texts as one scene, in their order, and validates it. The diagnostics (errors, warnings, notes)
 /// are in the order of the text. Codes of failures: parse; io, if an included text cannot be read;
 /// invalid_scene, if validate() finds errors in the scene that was read; invalid_argument, for invalid
-/// options; cancelled. Never throws. Memory is bounded by a small multiple of the texts' length.
+/// options; cancelled; out_of_memory, with a diagnostic if it was LoadOptions::max_memory. Never throws.
 GLINT_API Result<Scene> load(std::span<const SceneText> texts, const LoadOptions& options = {},
                              Sources* sources = nullptr);
 

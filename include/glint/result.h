@@ -35,7 +35,7 @@ struct Status {
     /// the first error among them, with its place.
     std::string message;
     /// Errors, warnings and notes; a successful call may have warnings and notes. Failures without a place in
-    /// the input (invalid_argument, cancelled, out_of_memory) have a message only.
+    /// the input (invalid_argument, cancelled, out_of_memory but for a budget of load()) have a message only.
     std::vector<Diagnostic> diagnostics;
 
     bool ok() const { return code == ErrorCode::none; }

@@ -248,7 +248,7 @@ class CgfsReader {
     const ReadText& text_;
     Parser p_;
     BlockReader blocks_{p_, k_words, "`sphere`, `light`, `camera` or `background`"};
-    std::map<Look, std::uint32_t> looks_;
+    CountedMap<Look, std::uint32_t> looks_;
     bool has_view_ = false;           // the text sets a property of its camera
     double viewport_[3] = {1, 1, 1};  // width, height, distance
     Vec3 rotation_[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};

@@ -255,10 +255,14 @@ void set_csc473_defaults(Scene& scene) {
 void read_csc473(LoadState& reading, const ReadText& text) { Csc473Reader(reading, text).read(); }
 
 std::optional<Diagnostic> first_csc473_error(const SceneText& text) {
-    const LoadOptions options;
-    LoadState reading(options, nullptr, 1);
+    LoadOptions options;
+    if (const MemoryBudget* memory = MemoryBudget::current()) options.max_memory = memory->limit();
+    LoadState reading(options, nullptr, 1, text.text.size());
+    reading.diagnostics.set_watcher(
+        [&](InputText where, std::size_t offset) { return reading.is_within_memory(where, offset); });
     reading.texts.push_back({text.name, text.text});
     read_csc473(reading, {{text.name, text.text}, 0});
+    if (reading.is_memory_reported) return std::nullopt;  // the reader of the format reports it
     for (Diagnostic& diagnostic : reading.diagnostics.take()) {
         if (diagnostic.severity == Severity::error) return std::move(diagnostic);
     }

@@ -304,8 +304,8 @@ class SceneReader {
     const ReadText& text_;
     Parser& p_;
     DataReader data_;
-    std::set<std::string> own_materials_;
-    std::vector<MaterialUse> uses_;
+    std::set<std::string, std::less<>, Counted<std::string>> own_materials_;
+    CountedVector<MaterialUse> uses_;
 };
 
 }  // namespace

@@ -21,8 +21,8 @@ struct FoundScene {
 
 // Finds the objects of a text, single or in a list, by brackets only: reports no errors
 // here.
-std::vector<FoundScene> find_scenes(std::string_view text) {
-    std::vector<FoundScene> scenes;
+CountedVector<FoundScene> find_scenes(std::string_view text) {
+    CountedVector<FoundScene> scenes;
     Tokenizer tokenizer(text, k_javascript);
     std::size_t depth = 0, scene_depth = 0;
     bool in_list = false;
@@ -99,7 +99,7 @@ class EpflReader {
         return false;
     }
 
-    static std::string names(const std::vector<FoundScene>& scenes) {
+    static std::string names(const CountedVector<FoundScene>& scenes) {
         constexpr std::size_t most = 20;
         std::string all;
         for (std::size_t i = 0; i < scenes.size() && i < most; ++i) {

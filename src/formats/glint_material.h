@@ -94,11 +94,12 @@ class GlintMaterials {
     MaterialKeys keys_of(std::uint32_t index) const;
 
     Scene& scene_;
-    std::map<std::string, Use, std::less<>> undefined_;  // names used and not defined yet
-    std::set<std::uint32_t> unknown_;                    // materials that depend on undefined names
-    std::vector<Change> changes_;                        // of these materials
-    std::unordered_map<std::uint32_t, Origin> origins_;
-    std::set<std::uint32_t, Less> unnamed_;  // materials that may be shared
+    CountedMap<std::string, Use> undefined_;  // names used and not defined yet
+    // Materials that depend on undefined names.
+    std::set<std::uint32_t, std::less<>, Counted<std::uint32_t>> unknown_;
+    CountedVector<Change> changes_;  // of these materials
+    CountedHashMap<std::uint32_t, Origin> origins_;
+    std::set<std::uint32_t, Less, Counted<std::uint32_t>> unnamed_;  // materials that may be shared
     std::string last_name_;
     std::uint32_t last_index_ = k_none;
 };

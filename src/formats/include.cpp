@@ -116,12 +116,7 @@ class Include {
             error(name, fmt::format("at most {} texts make a scene", k_max_texts));
             return std::nullopt;
         }
-        const auto file = static_cast<std::uint16_t>(reading_.texts.size());
-        all.texts.push_back({path, std::move(*text)});
-        all.files.emplace(path, file);
-        reading_.texts.push_back({all.texts.back().name, all.texts.back().text});
-        reading_.scene.files.push_back(path);
-        return file;
+        return reading_.add_text(path, std::move(*text));
     }
 
     void read_text(const Format& format, const ReadText& text) {

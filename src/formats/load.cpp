@@ -26,9 +26,10 @@ Diagnostic without_place(Severity severity, std::string_view file, std::string m
 class Loader {
   public:
     Loader(std::span<const SceneText> texts, const LoadOptions& options, Sources* sources)
-        : texts_(texts), options_(options), reading_(options, sources, std::max(1u, options.max_errors)) {
-        for (const SceneText& text : texts_) bytes_ += text.text.size();
-        if (!options_.progress && options_.cancel == nullptr) return;
+        : texts_(texts),
+          options_(options),
+          bytes_(length_of(texts)),
+          reading_(options, sources, std::max(1u, options.max_errors), bytes_) {
         reading_.diagnostics.set_watcher(
             [this](InputText where, std::size_t offset) { return go_on(where, offset); });
     }
@@ -59,6 +60,7 @@ class Loader {
         }
         if (is_cancelled()) return cancelled();
         if (reading_.is_include_missing) code = ErrorCode::io;
+        if (reading_.is_memory_reported) code = ErrorCode::out_of_memory;
         const bool is_wrong = reading_.diagnostics.any_errors();
         std::vector<Diagnostic> diagnostics = reading_.diagnostics.take();
         sort(diagnostics);
@@ -69,6 +71,12 @@ class Loader {
     }
 
   private:
+    static std::size_t length_of(std::span<const SceneText> texts) {
+        std::size_t bytes = 0;
+        for (const SceneText& text : texts) bytes += text.text.size();
+        return bytes;
+    }
+
     bool is_cancelled() const { return options_.cancel.is_set(); }
 
     // Included texts count as part of the including text.
@@ -79,7 +87,7 @@ class Loader {
             for (std::size_t i = 0; i < reading_.includes.root; ++i) read += texts_[i].text.size();
             options_.progress(static_cast<double>(read) / static_cast<double>(bytes_));
         }
-        return !is_cancelled();
+        return !is_cancelled() && reading_.is_within_memory(where, offset);
     }
 
     void add(Severity severity, std::string_view file, std::string message) {
@@ -133,6 +141,7 @@ class Loader {
         const SceneText& text = texts_[i];
         reading_.includes.root = static_cast<std::uint16_t>(i);
         formats_[i]->read(reading_, {{text.name, text.text}, static_cast<std::uint16_t>(i)});
+        (void)reading_.is_within_memory({text.name, text.text}, text.text.size());
     }
 
     void apply_settings() {
@@ -173,7 +182,7 @@ class Loader {
 
     std::span<const SceneText> texts_;
     const LoadOptions& options_;
-    std::size_t bytes_ = 0;  // of all texts
+    std::size_t bytes_;  // of all texts
     std::vector<const Format*> formats_;
     LoadState reading_;
 };

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "base/diagnostics.h"
+#include "base/memory_budget.h"
 #include "formats/parser.h"
 #include "glint/load.h"
 
@@ -40,10 +41,31 @@ struct Includes {
     std::size_t repeated_bytes = 0;   ///< of texts included again
 };
 
-struct LoadState {
-    LoadState(const LoadOptions& load_options, Sources* text_sources, std::uint32_t max_errors)
-        : options(load_options), sources(text_sources), diagnostics(max_errors) {}
+/// The memory that the load holds, of LoadOptions::max_memory.
+class LoadMemory : public MemoryBudget {
+  public:
+    LoadMemory(const LoadOptions& options, std::uint64_t text_bytes);
+    /// A text is read in addition.
+    void add_text(std::uint64_t bytes);
+    /// Counts what the scene holds now instead of what it held before.
+    void count(const Scene& scene);
+    /// "reading takes more than 64 MiB of memory ..."
+    std::string message() const;
 
+  private:
+    bool is_default_;
+    std::uint64_t text_bytes_, scene_bytes_ = 0;
+};
+
+struct LoadState {
+    LoadState(const LoadOptions& load_options, Sources* text_sources, std::uint32_t max_errors,
+              std::uint64_t text_bytes)
+        : memory(load_options, text_bytes),
+          options(load_options),
+          sources(text_sources),
+          diagnostics(max_errors) {}
+
+    LoadMemory memory;  ///< the first member: the others count in it
     const LoadOptions& options;
     Sources* sources;              ///< null: includes are not possible
     std::vector<InputText> texts;  ///< by SourcePlace::file
@@ -51,9 +73,9 @@ struct LoadState {
     Scene scene;
     Diagnostics diagnostics;
     // An ordered map, so that no choice of names makes lookups slow.
-    std::map<std::string, std::uint32_t, std::less<>> materials;  ///< of all texts, by name
-    std::shared_ptr<GlintMaterials> glint_materials;              ///< created by the first .glint text
-    std::shared_ptr<TachyonState> tachyon;                        ///< created by the first .dat text
+    CountedMap<std::string, std::uint32_t> materials;  ///< of all texts, by name
+    std::shared_ptr<GlintMaterials> glint_materials;   ///< created by the first .glint text
+    std::shared_ptr<TachyonState> tachyon;             ///< created by the first .dat text
     bool camera_given = false, background_given = false;
     bool camera_included = false, background_included = false;  ///< set by an included text
     bool is_include_missing = false;                            ///< a text could not be read
@@ -61,6 +83,13 @@ struct LoadState {
     bool own_ambient_light = false;           ///< the implicit ambient light of EPFL's scenes
     std::optional<ReadText> profile_text;     ///< the caller's profile file
     std::optional<Diagnostic> camera_wanted;  ///< the error to report if no text gives a camera
+
+    /// Stores an included text, and returns its number.
+    std::uint16_t add_text(const std::string& path, std::string text);
+    /// Counts the scene's memory. Beyond the budget: an error at this place, and false. Readers call it, or
+    /// Diagnostics::go_on(), before what they have added can be more than some MiB.
+    bool is_within_memory(InputText where, std::size_t offset, std::size_t length = 1);
+    bool is_memory_reported = false;
 };
 
 inline constexpr std::size_t k_max_texts =
@@ -70,11 +99,16 @@ inline SourcePlace source_place(const ReadText& text, const Token& token) {
     return {token.line, static_cast<std::uint16_t>(token.column < 65535 ? token.column : 65535), text.file};
 }
 
+/// What a name in ItemTexts takes beside its characters, which a table of names may hold, too.
+inline constexpr std::uint64_t k_name_bytes = 112;
+
 /// Stores the place of item `index`, and its name if it has one.
 inline void note(ItemTexts& texts, std::size_t index, SourcePlace place, std::string name = {}) {
     texts.places.resize(index);
     texts.places.push_back(place);
-    if (!name.empty()) texts.names.emplace(static_cast<std::uint32_t>(index), std::move(name));
+    if (name.empty()) return;
+    if (MemoryBudget* budget = MemoryBudget::current()) budget->add(k_name_bytes + 2 * name.capacity());
+    texts.names.emplace(static_cast<std::uint32_t>(index), std::move(name));
 }
 
 }  // namespace glint

@@ -276,9 +276,9 @@ class NffReader {
     Scene& scene_;
     const ReadText& text_;
     Parser p_;
-    std::uint32_t material_ = k_none;        // of the last `f`
-    std::vector<std::size_t> plain_lights_;  // without a colour
-    std::vector<Vec3> patch_;
+    std::uint32_t material_ = k_none;          // of the last `f`
+    CountedVector<std::size_t> plain_lights_;  // without a colour
+    CountedVector<Vec3> patch_;
     bool has_no_fill_ = false;  // an error was reported
 };
 

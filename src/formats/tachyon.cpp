@@ -213,6 +213,12 @@ bool TachyonReader::whole_number(double& value, const Range& range) {
                                  quoted(text_.place.text.substr(at.offset, at.length))));
 }
 
+// False when reading should stop. For lists: at every item.
+bool TachyonReader::go_on() {
+    if (reading_.memory.is_exceeded()) (void)reading_.diagnostics.go_on(text_.place, scanner_.offset());
+    return !reading_.diagnostics.full();
+}
+
 bool TachyonReader::point(Vec3& v) { return number(v.x) && number(v.y) && number(v.z); }
 
 bool TachyonReader::direction(Vec3& v) {

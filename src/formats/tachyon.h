@@ -56,9 +56,9 @@ enum class TachyonLimit : std::uint8_t {
 /// Shared by the texts of one load().
 struct TachyonState {
     // A texture is an index into Scene::materials, which finish_tachyon() fills from `textures`.
-    std::unordered_map<std::string, std::uint32_t> names;
-    std::unordered_map<TachyonTexture, std::uint32_t, TachyonTextureHash> materials;
-    std::vector<std::pair<std::uint32_t, TachyonTexture>> textures;  ///< by material
+    CountedHashMap<std::string, std::uint32_t> names;
+    CountedHashMap<TachyonTexture, std::uint32_t, TachyonTextureHash> materials;
+    CountedVector<std::pair<std::uint32_t, TachyonTexture>> textures;  ///< by material
 
     std::optional<TachyonCamera> camera;
     TachyonShader shader = TachyonShader::full;

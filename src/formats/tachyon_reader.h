@@ -101,6 +101,7 @@ class TachyonReader {
         return expect(upper, name) && color(value);
     }
     bool is_binary(const Token& at);
+    bool go_on();
     bool error(const Token& at, std::string message);
     void warn(const Token& at, std::string message);
     void note_limit(TachyonLimit which, const Token& at);
@@ -115,9 +116,9 @@ class TachyonReader {
     Token object_;                       // the first word of the object
     TachyonScanner::Passage last_body_;  // of the last texture, and its material
     std::uint32_t last_material_ = k_none;
-    std::set<std::string> refused_;            // textures that were reported
-    std::vector<Vec3> coordinates_, normals_;  // of the last vertex array
-    std::vector<Color> colors_;
+    std::set<std::string, std::less<>, Counted<std::string>> refused_;  // textures that were reported
+    CountedVector<Vec3> coordinates_, normals_;                         // of the last vertex array
+    CountedVector<Color> colors_;
     TachyonTexture vertex_texture_;
 };
 

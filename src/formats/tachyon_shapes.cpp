@@ -34,6 +34,7 @@ Color mean(const Color& a, const Color& b, const Color& c) { return (a + b + c) 
 template <class T> void TachyonReader::add(const T& shape, std::uint32_t material) {
     note(scene_.shape_texts, scene_.shapes.size(), source_place(text_, object_));
     scene_.add(shape, material);
+    if (scene_.shapes.size() % 4096 == 0) reading_.memory.count(scene_);
 }
 
 void TachyonReader::add_smooth(const SmoothTriangle& t, std::uint32_t material) {
@@ -101,12 +102,13 @@ bool TachyonReader::read_colored_triangle() {
 bool TachyonReader::read_vertices() {
     double count = 0;
     if (!expect("NUMVERTS", "Numverts") || !whole_number(count, k_count)) return false;
-    const auto read_points = [&](std::vector<Vec3>& list) {
+    const auto read_points = [&](CountedVector<Vec3>& list) {
         list.clear();
-        list.reserve(scanner_.at_most(count));
+        const std::size_t most = scanner_.at_most(count);
+        if (reading_.memory.has_room(MemoryBudget::list_bytes(most, sizeof(Vec3)))) list.reserve(most);
         for (double left = count; left > 0; --left) {
             Vec3 v;
-            if (!point(v)) return false;
+            if (!point(v) || !go_on()) return false;
             list.push_back(v);
         }
         return true;
@@ -123,7 +125,7 @@ bool TachyonReader::read_vertices() {
             colors_.clear();
             for (double left = count; left > 0; --left) {
                 Color c;
-                if (!color(c)) return false;
+                if (!color(c) || !go_on()) return false;
                 colors_.push_back(c);
             }
         } else if (scanner_.accept("TEXTURE")) {
@@ -145,6 +147,8 @@ bool TachyonReader::read_vertices() {
 void TachyonReader::reserve_triangles(std::size_t count) {
     auto& list = scene_.get<SmoothTriangle>();
     if (count <= scene_.shapes.size()) return;
+    constexpr std::uint64_t k_bytes = sizeof(SmoothTriangle) + sizeof(Shape) + sizeof(SourcePlace);
+    if (!reading_.memory.has_room(MemoryBudget::list_bytes(count, k_bytes))) return;
     list.reserve(list.size() + count);
     scene_.shapes.reserve(scene_.shapes.size() + count);
     scene_.shape_texts.places.reserve(scene_.shapes.size() + count);
@@ -178,7 +182,7 @@ bool TachyonReader::read_facets(std::uint32_t& material, bool is_strip) {
     if (!is_strip) {
         reserve_triangles(scanner_.at_most(count));
         for (double left = count; left > 0; --left) {
-            if (!read_corner(corners[0]) || !read_corner(corners[1]) || !read_corner(corners[2]))
+            if (!read_corner(corners[0]) || !read_corner(corners[1]) || !read_corner(corners[2]) || !go_on())
                 return false;
             add_facet(corners[0], corners[1], corners[2]);
         }
@@ -187,7 +191,7 @@ bool TachyonReader::read_facets(std::uint32_t& material, bool is_strip) {
     for (double k = 0; k < count; ++k) {
         corners[0] = corners[1];
         corners[1] = corners[2];
-        if (!read_corner(corners[2])) return false;
+        if (!read_corner(corners[2]) || !go_on()) return false;
         if (k < 2) continue;
         const bool is_odd = static_cast<std::uint64_t>(k) % 2 != 0;
         if (is_odd) {
@@ -240,16 +244,17 @@ bool TachyonReader::read_cylinder() {
 bool TachyonReader::read_polycylinder() {
     double count = 0, radius = 0;
     if (!expect("POINTS", "Points") || !whole_number(count, k_count)) return false;
-    std::vector<Vec3> points;
+    CountedVector<Vec3> points;
     for (double left = count; left > 0; --left) {
         Vec3 p;
-        if (!point(p)) return false;
+        if (!point(p) || !go_on()) return false;
         points.push_back(p);
     }
     std::uint32_t material = k_none;
     if (!number("RAD", "Rad", radius, k_radius) || !texture(material)) return false;
     if (radius == 0) return true;
     for (std::size_t i = 0; i < points.size(); ++i) {
+        if (!go_on()) return false;
         add(Sphere{points[i], radius}, material);
         if (i + 1 < points.size() && points[i] != points[i + 1])
             add(Cylinder{points[i], points[i + 1], radius, false}, material);

@@ -8,6 +8,7 @@ namespace glint::povray {
 
 template <class Shape>
 void Reader::add(const Shape& shape, std::uint32_t material, const Affine* map, const Token& at) {
+    if (scene_.shapes.size() % 1024 == 1023 && !is_within_memory(at)) return;
     std::uint32_t transform = k_none;
     if (map != nullptr) {
         if (scene_.transforms.empty() || !(scene_.transforms.back() == *map)) {

@@ -45,8 +45,8 @@ bool Reader::is_opaque(Word word) {
 }
 
 // A block that is not rendered, after its word.
-Opaque Reader::read_opaque(Word word, const Token& at) {
-    if (word == Word::k_interior) return read_interior(at);
+std::shared_ptr<const Opaque> Reader::read_opaque(Word word, const Token& at) {
+    if (word == Word::k_interior) return make_counted<const Opaque>(read_interior(at));
     if (word == Word::k_function && peek().is('(')) {
         while (!failed_ && !accept(')')) {
             if (peek().kind == TokenKind::end) expected("`)`");
@@ -54,7 +54,7 @@ Opaque Reader::read_opaque(Word word, const Token& at) {
         }
     }
     skip_block();
-    return {word, at, 1, {}};
+    return make_counted<const Opaque>(Opaque{word, at, 1, {}});
 }
 
 // { [identifier] items }, after `interior`
@@ -66,9 +66,9 @@ Opaque Reader::read_interior(const Token& at) {
         const std::string_view name = item.kind == TokenKind::word ? text_of(item) : std::string_view();
         const Value* value =
             !name.empty() && !Names::is_reserved(item.name) ? find_value(item.name) : nullptr;
-        if (const auto* held = value ? std::get_if<Opaque>(value) : nullptr) {
-            out.ior = held->ior;
-            out.missing = held->missing;
+        if (const auto* held = value ? std::get_if<std::shared_ptr<const Opaque>>(value) : nullptr) {
+            out.ior = (*held)->ior;
+            out.missing = (*held)->missing;
         } else if (item.word() == Word::k_ior) {
             out.ior = number();
         } else if (item.word() == Word::k_fade_power) {

@@ -60,7 +60,8 @@ std::array<Line, 4> picture_corners(const Camera& camera) {
 
 // The half spaces that cut a shape, for clips that are boxes or planes.
 std::shared_ptr<const Clip> Reader::clip_of(const Object& clip, const Object& object, const Token& at) {
-    auto out = std::make_shared<Clip>();
+    auto out = make_counted<Clip>();
+    out->map = object.map;
     out->missing = missing(at, "clipped_by");
     out->missing.is_error = true;
     Vec3 lo, hi;
@@ -104,7 +105,7 @@ bool Reader::clip_mesh(const Object& clip, Object& object) {
     if (object.kind != ObjectKind::mesh || object.map || clip.map || !clip.missing.empty() || halves.empty())
         return false;
     const Mesh& mesh = *object.mesh;
-    auto cut = std::make_shared<Mesh>();
+    auto cut = make_counted<Mesh>();
     cut->textures = mesh.textures;
     for (const Mesh::Face& face : mesh.faces) {
         std::vector<Corner> corners;
@@ -130,7 +131,7 @@ bool Reader::clip_mesh(const Object& clip, Object& object) {
             cut->faces.push_back(part);
         }
     }
-    object.count = cut->faces.size();
+    object.count = std::max<std::uint64_t>(cut->faces.size(), 1);
     object.mesh = std::move(cut);
     return true;
 }

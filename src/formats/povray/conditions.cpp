@@ -41,8 +41,7 @@ bool Reader::read_defined() {
         const Value* found = find_value(name.name);
         is_defined = found != nullptr && !std::holds_alternative<std::monostate>(*found);
         if (found != nullptr && peek().is('[')) {
-            Value element_of = *found;
-            const Value* element = read_element(name, element_of);
+            const Value* element = read_element(name);
             is_defined = element != nullptr && !std::holds_alternative<std::monostate>(*element);
         }
     }

@@ -82,17 +82,14 @@ void Reader::read_declare(bool is_local) {
     if (peek().is('[')) {
         std::uint32_t target = name.name;
         Binding* binding = find_binding(target, depth());
-        auto* array = binding ? std::get_if<std::shared_ptr<Array>>(&binding->value) : nullptr;
-        if (array == nullptr) {
+        if (binding == nullptr || !std::holds_alternative<std::shared_ptr<Array>>(binding->value)) {
             error(name, fmt::format("{} is not an array", quoted(names_.name(name.name))));
         } else {
-            const std::shared_ptr<Array> kept = *array;  // its elements stay where they are
-            std::vector<std::uint32_t> indices;
-            while (!failed_ && peek().is('[')) indices.push_back(index());
+            const std::vector<std::uint32_t> indices = read_indices();
             if (!failed_ && expect('=')) {
                 Value assigned = value();
                 binding = failed_ ? nullptr : find_binding(target = name.name, depth());
-                if (binding) assign_element(name, *binding, indices, std::move(assigned));
+                if (binding) assign_element(name, binding->value, indices, std::move(assigned));
             }
         }
     } else if (expect('=')) {
@@ -111,7 +108,7 @@ void Reader::read_macro(const Token& at) {
     }
     Token token = take_raw();
     if (!token.is('(')) return error(token, fmt::format("expected `(`, found {}", describe(token)));
-    auto macro = std::make_shared<Macro>();
+    auto macro = make_counted<Macro>();
     for (token = take_raw(); !token.is(')'); token = take_raw()) {
         if (token.is(',')) continue;
         if (token.kind != TokenKind::word || Names::is_reserved(token.name)) {
@@ -172,19 +169,19 @@ void Reader::read_default() {
                                          describe(item)));
         }
     }
-    default_shared_ = std::make_shared<Texture>(default_texture_);
+    default_shared_ = make_counted<Texture>(default_texture_);
 }
 
 void Reader::read_message(const Token& at) {
     begin_value();
-    const std::string text = string();
+    const String text = string();
     accept(';');
     end_value();
     if (failed_) return;
     if (at.directive() == Word::k_error) {
-        error(at, fmt::format("the text reports an error: {}", quoted(text)));
+        error(at, fmt::format("the text reports an error: {}", quoted(*text)));
     } else if (at.directive() == Word::k_warning) {
-        warn(at, fmt::format("the text warns: {}", quoted(text)));
+        warn(at, fmt::format("the text warns: {}", quoted(*text)));
     }
 }
 

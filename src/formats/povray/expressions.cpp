@@ -189,10 +189,8 @@ Numbers Reader::identifier(const Token& name) {
         error(name, fmt::format("expected a number, found {}{}", describe(name), what_is(name)));
         return {};
     }
-    if (const auto* array = std::get_if<std::shared_ptr<Array>>(value)) {
-        const std::shared_ptr<Array> kept = *array;
-        const Value whole = kept;
-        value = read_element(name, whole);
+    if (std::holds_alternative<std::shared_ptr<Array>>(*value)) {
+        value = read_element(name);
         if (value == nullptr) return {};
         if (const auto* numbers = std::get_if<Numbers>(value)) return *numbers;
     } else if (const auto* numbers = std::get_if<Numbers>(value)) {
@@ -224,10 +222,10 @@ Numbers Reader::full_expression() {
 
 Numbers Reader::comparison() {
     if (begins_string(peek())) {
-        const std::string a = string();
+        const String a = string();
         const Token op = take();
-        const std::string b = string();
-        const int order = a.compare(b);
+        const String b = string();
+        const int order = compare(*a, *b);
         switch (op.kind == TokenKind::symbol ? op.symbol : '\0') {
             case '=':
                 return order == 0;

@@ -237,23 +237,25 @@ Numbers Reader::call(const Token& name) {
             return static_cast<double>(state) / 4294967295.0;
         }
         case Word::k_asc: {
-            const std::string text = string();
-            return text.empty() ? 0.0 : static_cast<double>(static_cast<unsigned char>(text[0]));
+            const String text = string();
+            return text->empty() ? 0.0 : static_cast<double>(static_cast<unsigned char>(text->front()));
         }
         case Word::k_strlen:
-            return static_cast<double>(string().size());
+            return static_cast<double>(string()->size());
         case Word::k_strcmp: {
-            const std::string a = string();
+            const String a = string();
             accept(',');
-            const int order = a.compare(string());
+            const int order = compare(*a, *string());
             return order < 0 ? -1.0 : order > 0 ? 1.0 : 0.0;
         }
         case Word::k_val: {
             const Token at = peek();
-            return value_of(at, string());
+            const String text = string();
+            spend(text->size() / 4);
+            return value_of(at, *text);
         }
         case Word::k_file_exists: {
-            const std::string file = string();
+            const std::string file(*string());
             if (++reading_.includes.count > k_max_includes) {
                 error(name, fmt::format("more than {} includes", k_max_includes));
             }
@@ -302,7 +304,7 @@ Numbers Reader::array_size(const Token& name) {
         error(token, fmt::format("expected an array, found {}{}", describe(token), what_is(token)));
         return {};
     }
-    const std::vector<std::uint32_t> sizes = (*array)->sizes;
+    const CountedVector<std::uint32_t> sizes = (*array)->sizes;
     if (name.word() == Word::k_dimensions) return static_cast<double>(sizes.size());
     accept(',');
     const Token at = peek();

@@ -18,7 +18,7 @@ constexpr std::string_view k_system_folder = "/usr/share/povray-3.7/include/";
 
 void Reader::read_include(const Token& at) {
     begin_value();
-    const std::string name = string();
+    const std::string name(*string());
     // Not by accept(): the token after the file's name must come after the file's own.
     const Frame& frame = frames_.back();
     if (!has_ahead_ && frame.at < frame.end && tokens_[frame.text][frame.at].is(';')) take_raw();
@@ -67,12 +67,7 @@ void Reader::add_text(const Token& at, const std::string& path, std::string text
     if (reading_.texts.size() > k_max_texts) {
         return error(at, fmt::format("at most {} texts make a scene", k_max_texts));
     }
-    const auto number = static_cast<std::uint16_t>(reading_.texts.size());
-    reading_.includes.texts.push_back({path, std::move(text)});
-    reading_.includes.files.emplace(path, number);
-    const Includes::Text& added = reading_.includes.texts.back();
-    reading_.texts.push_back({added.name, added.text});
-    scene_.files.push_back(path);
+    const std::uint16_t number = reading_.add_text(path, std::move(text));
     lex_text(number);
     open_text(at, number);
 }

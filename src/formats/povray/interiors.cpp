@@ -36,7 +36,7 @@ void Reader::note_interior(std::size_t first, const Inherited& own) {
 void Reader::use_interiors() {
     if (!scene_.fog || interiors_.empty()) return;
     using Kind = std::tuple<std::uint32_t, std::int32_t, bool>;  // material, body, hollow
-    std::map<Kind, std::uint32_t> materials;
+    CountedMap<Kind, std::uint32_t> materials;
     const std::size_t given = scene_.materials.size();
     std::vector<bool> used(given);
     auto range = interiors_.begin();
@@ -55,6 +55,8 @@ void Reader::use_interiors() {
                 known->second = static_cast<std::uint32_t>(scene_.materials.size());
                 note(scene_.material_texts, known->second, scene_.material_texts.place(material));
                 scene_.materials.push_back(Material(m));
+                const bool is_time = scene_.materials.size() % 256 == 0;
+                if (is_time && !is_within_memory(tokens_[text_.file].back())) return;
             }
             used[material] = true;
             Material& own = scene_.materials[known->second];

@@ -32,7 +32,12 @@ class Lexer {
         if (static_cast<std::size_t>(end_ - begin_) > 0xfffffff0u) {
             fail(begin_, 1, "texts of 4 GiB and more are not read");
         }
-        while (out_.error.message.empty() && skip_blanks() && at_ != end_) read_token();
+        const MemoryBudget* memory = MemoryBudget::current();
+        // Beyond the budget the rest is not read; the reader reports it.
+        while (out_.error.message.empty() && skip_blanks() && at_ != end_ &&
+               (memory == nullptr || !memory->is_exceeded())) {
+            read_token();
+        }
         if (!out_.error.message.empty()) at_ = begin_ + out_.error.offset;
         add(TokenKind::end, at_);
         return std::move(out_);

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/memory_budget.h"
 #include "formats/povray/words.h"
 
 namespace glint::povray {
@@ -42,10 +43,10 @@ class Names {
     }
 
   private:
-    std::deque<std::string> storage_;
-    std::vector<std::string_view> names_;
-    std::map<std::string_view, std::uint32_t> numbers_;  // ordered: no choice of names makes it slow
-    std::array<std::uint32_t, 1024> recent_{};           // by a hash of the name
+    std::deque<CountedString, Counted<CountedString>> storage_;
+    CountedVector<std::string_view> names_;
+    CountedMap<std::string_view, std::uint32_t> numbers_;  // ordered: no choice of names makes it slow
+    std::array<std::uint32_t, 1024> recent_{};             // by a hash of the name
 };
 
 /// A mistake of the text itself; offset and length are its place.
@@ -56,7 +57,7 @@ struct LexError {
 
 /// The tokens of a text; the last one has the kind `end`.
 struct LexedText {
-    std::vector<Token> tokens;
+    CountedVector<Token> tokens;
     LexError error;
 };
 

@@ -14,19 +14,19 @@ Object Reader::read_light(const Token& word) {
     Object object;
     object.kind = ObjectKind::light;
     object.at = word;
-    auto held = std::make_shared<LightSource>();
+    auto held = make_counted<LightSource>();
     LightSource& source = *held;
     source.light.inner_angle = 30;
     source.light.outer_angle = 45;
     if (!expect('{')) return object;
     if (const Token name = peek(); begins_object(name) && !Names::is_reserved(name.name)) {
-        Object declared = object_of(take());  // another light, to be changed
-        if (!failed_ && declared.kind != ObjectKind::light) {
+        const ObjectPart declared = object_of(take());  // another light, to be changed
+        if (!failed_ && declared->kind != ObjectKind::light) {
             error(name, fmt::format("expected a light, found {}", describe(name)));
         }
         if (failed_) return object;
-        *held = *declared.light;
-        object = std::move(declared);
+        *held = *declared->light;
+        object = *declared;
     } else {
         source.light.position = vector();
         accept(',');
@@ -136,8 +136,9 @@ void Reader::read_looks_like(Object& light) {
     Object look = read_object();
     read_modifiers(look);
     look.is_no_shadow = true;
-    light.parts = std::make_shared<const std::vector<Object>>(1, std::move(look));
-    light.count = 1 + light.parts->front().count;
+    light.count = 1 + look.count;
+    light.parts =
+        make_counted<const CountedVector<ObjectPart>>(1, make_counted<const Object>(std::move(look)));
 }
 
 }  // namespace glint::povray

@@ -203,7 +203,7 @@ void Reader::place_light(const Object& object, const Inherited& own) {
     const Affine to_light = translation(source.light.position);
     const Affine map = own.map ? compose(*own.map, to_light) : to_light;
     look.map = &map;
-    for (const Object& part : *object.parts) place(part, look);
+    for (const ObjectPart& part : *object.parts) place(*part, look);
 }
 
 // The three textures of a face are blended between its corners: by parts of one colour each, whose colours

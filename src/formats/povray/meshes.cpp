@@ -14,11 +14,11 @@ Object Reader::read_mesh(const Token& word) {
     object.kind = ObjectKind::mesh;
     object.at = word;
     if (!expect('{')) return object;
-    auto mesh = std::make_shared<Mesh>();
+    auto mesh = make_counted<Mesh>();
     while (!failed_ && (peek().word() == Word::k_triangle || peek().word() == Word::k_smooth_triangle)) {
         read_mesh_triangle(*mesh);
     }
-    object.count = mesh->faces.size();
+    object.count = std::max<std::uint64_t>(mesh->faces.size(), 1);
     object.mesh = std::move(mesh);
     read_modifiers(object);
     return object;
@@ -43,7 +43,7 @@ void Reader::read_mesh_triangle(Mesh& mesh) {
         if (item.word() == Word::k_texture) {
             face.has_texture = true;
             face.textures.fill(static_cast<std::uint32_t>(mesh.textures.size()));
-            mesh.textures.push_back(std::make_shared<const Texture>(read_texture()));
+            mesh.textures.push_back(make_counted<const Texture>(read_texture()));
         } else if (item.word() == Word::k_uv_vectors) {
             for (int i = 0; i < 3 && !failed_; ++i) {
                 expression();
@@ -62,7 +62,7 @@ Object Reader::read_mesh2(const Token& word) {
     object.kind = ObjectKind::mesh;
     object.at = word;
     if (!expect('{')) return object;
-    auto mesh = std::make_shared<Mesh>();
+    auto mesh = make_counted<Mesh>();
     bool has_normal_indices = false;
     for (bool is_part = true; is_part && !failed_;) {
         const Token item = peek();
@@ -103,7 +103,7 @@ Object Reader::read_mesh2(const Token& word) {
         }
     }
     check_mesh(word, *mesh, has_normal_indices);
-    object.count = mesh->faces.size();
+    object.count = std::max<std::uint64_t>(mesh->faces.size(), 1);
     object.mesh = std::move(mesh);
     read_modifiers(object);
     return object;
@@ -143,8 +143,8 @@ std::size_t Reader::read_count() {
     return failed_ ? 0 : static_cast<std::size_t>(count);
 }
 
-std::vector<Vec3> Reader::read_points() {
-    std::vector<Vec3> points;
+CountedVector<Vec3> Reader::read_points() {
+    CountedVector<Vec3> points;
     if (!expect('{')) return points;
     const std::size_t count = read_count();
     points.reserve(std::min<std::size_t>(count, 1u << 16));
@@ -156,7 +156,7 @@ std::vector<Vec3> Reader::read_points() {
     return points;
 }
 
-void Reader::read_indices(std::array<std::uint32_t, 3>& indices) {
+void Reader::read_face_indices(std::array<std::uint32_t, 3>& indices) {
     if (!expect('<')) return;
     for (std::uint32_t& index : indices) {
         index = read_index();
@@ -177,7 +177,7 @@ void Reader::read_faces(Mesh& mesh) {
     const std::size_t count = read_count();
     for (std::size_t i = 0; i < count && !failed_; ++i) {
         Mesh::Face face;
-        read_indices(face.vertices);
+        read_face_indices(face.vertices);
         accept(',');
         // One texture for the face, or one for each vertex.
         std::size_t textures = 0;
@@ -205,7 +205,7 @@ void Reader::read_normal_indices(Mesh& mesh) {
                                      mesh.faces.size()));
     }
     for (std::size_t i = 0; i < count && !failed_; ++i) {
-        read_indices(mesh.faces[i].normals);
+        read_face_indices(mesh.faces[i].normals);
         mesh.faces[i].has_normals = true;
         accept(',');
     }
@@ -226,7 +226,7 @@ void Reader::read_texture_list(Mesh& mesh) {
                 return error(name, fmt::format("expected `texture`, found {}", describe(name)));
             texture = *held;
         }
-        mesh.textures.push_back(std::make_shared<const Texture>(std::move(texture)));
+        mesh.textures.push_back(make_counted<const Texture>(std::move(texture)));
         accept(',');
     }
     if (!failed_) expect('}');

@@ -117,11 +117,11 @@ void Reader::read_clip(Object& object) {
         if (!begins_object(peek())) return expected("an object or `}`");
         const Object clip = read_object();
         accept(',');
+        if (object.mesh) spend(object.mesh->vertices.size() + object.mesh->faces.size());
         if (!failed_ && !holds(clip, object) && !clip_mesh(clip, object)) {
             const auto cut = clip_of(clip, object, at);
             if (object.clip) object.missing.add(cut->missing);  // two: not known
             object.clip = cut;
-            object.clip_map = object.map;
         }
     }
 }

@@ -33,22 +33,28 @@ bool Reader::begins_object(const Token& token) {
     return povray_meaning(name) == "a shape" || name == "light_group";
 }
 
+// Whether an object begins here that may be a declared one: its name, or `object`.
+bool Reader::begins_declared(const Token& word) {
+    if (Names::is_reserved(word.name)) return word.word() == Word::k_object;
+    return find_value(word.name) != nullptr;
+}
+
 Object Reader::read_object() {
-    const Deeper deeper(*this);
     const Token word = peek();
-    if (!deeper.ok) return {};
-    if (!Names::is_reserved(word.name)) {
-        if (find_value(word.name) == nullptr) return refuse_object(take());
-        return object_of(take());
+    if (begins_declared(word)) {
+        const ObjectPart part = read_part();
+        return part ? *part : Object();
     }
+    const Deeper deeper(*this);
+    if (!deeper.ok) return {};
     take();
+    if (!Names::is_reserved(word.name)) return refuse_object(word);
     switch (word.word()) {
         case Word::k_difference:
         case Word::k_intersection:
             return refuse_object(word);
         case Word::k_union:
         case Word::k_merge:
-        case Word::k_object:
             return read_group(word);
         case Word::k_mesh:
             return read_mesh(word);
@@ -61,19 +67,37 @@ Object Reader::read_object() {
     }
 }
 
-// The object that an identifier or an element of an array stands for.
-Object Reader::object_of(const Token& name) {
-    const Value* value = find_value(name.name);
-    const Value whole = value != nullptr ? *value : Value();
-    if (std::holds_alternative<std::shared_ptr<Array>>(whole)) {
-        value = read_element(name, whole);
-    } else {
-        value = &whole;
+// An object of a group. One that is declared is shared unless modifiers follow. Null after an error.
+ObjectPart Reader::read_part() {
+    const Token word = peek();
+    if (!begins_declared(word)) return make_counted<const Object>(read_object());
+    const Deeper deeper(*this);
+    if (!deeper.ok) return nullptr;
+    take();
+    if (word.word() != Word::k_object) return object_of(word);
+    // The object itself with further modifiers.
+    if (!expect('{')) return nullptr;
+    if (!begins_object(peek())) {
+        expected("an object");
+        return nullptr;
     }
-    if (value == nullptr) return {};
-    if (const auto* held = std::get_if<std::shared_ptr<const Object>>(value)) return **held;
+    ObjectPart part = read_part();
+    accept(',');
+    if (failed_ || accept('}')) return part;
+    auto changed = make_counted<Object>(*part);
+    read_modifiers(*changed);
+    return changed;
+}
+
+// The object that an identifier or an element of an array stands for. Null after an error.
+ObjectPart Reader::object_of(const Token& name) {
+    const Value* value = find_value(name.name);
+    if (value == nullptr) return nullptr;
+    if (std::holds_alternative<std::shared_ptr<Array>>(*value)) value = read_element(name);
+    if (value == nullptr) return nullptr;
+    if (const auto* held = std::get_if<ObjectPart>(value)) return *held;
     error(name, fmt::format("expected an object, found {}, {}", describe(name), povray::describe(*value)));
-    return {};
+    return nullptr;
 }
 
 // A shape of POV-Ray that glint does not render: an error if it becomes part of the scene.
@@ -143,19 +167,22 @@ Object Reader::read_shape(const Token& word) {
             next();
             object.c = vector();
             break;
-        default:
+        default: {
             object.kind = ObjectKind::smooth_triangle;
+            std::array<Vec3, 3> normals;
             object.a = vector();
             next();
-            object.na = vector();
+            normals[0] = vector();
             next();
             object.b = vector();
             next();
-            object.nb = vector();
+            normals[1] = vector();
             next();
             object.c = vector();
             next();
-            object.nc = vector();
+            normals[2] = vector();
+            object.normals = make_counted<const std::array<Vec3, 3>>(normals);
+        }
     }
     check_shape(object);
     read_modifiers(object);
@@ -179,41 +206,32 @@ void Reader::check_shape(Object& object) {
     if (object.s < 0 && object.kind == ObjectKind::cone) object.s = -object.s;
 }
 
-// union, merge and object: objects and modifiers.
+// union and merge: objects and modifiers.
 Object Reader::read_group(const Token& word) {
     Object group;
     group.at = word;
     if (!expect('{')) return group;
-    std::vector<Object> parts;
-    const bool is_object = word.word() == Word::k_object;
+    group.kind = ObjectKind::group;
+    group.is_merge = word.word() == Word::k_merge;
+    group.count = 0;
+    auto parts = make_counted<CountedVector<ObjectPart>>();
     while (!failed_ && begins_object(peek())) {
-        parts.push_back(read_object());
-        accept(',');
-        if (is_object) break;
-    }
-    if (failed_) return group;
-    if (parts.empty()) {
-        expected(is_object ? "an object" : "an object or the name of one");
-        return group;
-    }
-    if (is_object) {
-        // The object itself with further modifiers.
-        group = std::move(parts.front());
-    } else {
-        group.kind = ObjectKind::group;
-        group.is_merge = word.word() == Word::k_merge;
-        group.count = 0;
-        for (const Object& part : parts) {
-            group.count += part.count;
-            group.depth = std::max(group.depth, part.depth + 1);
-        }
+        ObjectPart part = read_part();
+        if (failed_) return group;
+        group.count += part->count;
+        group.depth = std::max(group.depth, part->depth + 1);
         if (group.count > max_shapes()) {
             error(word, fmt::format("more than {} shapes", max_shapes()));
         } else if (group.depth > k_max_depth) {
             error(word, fmt::format("groups are nested more than {} deep", k_max_depth));
         }
-        group.parts = std::make_shared<const std::vector<Object>>(std::move(parts));
+        parts->push_back(std::move(part));
+        accept(',');
     }
+    if (!failed_ && parts->empty()) expected("an object or the name of one");
+    if (failed_) return group;
+    parts->shrink_to_fit();
+    group.parts = std::move(parts);
     read_modifiers(group);
     return group;
 }

@@ -43,7 +43,7 @@ bool is_diagonal(const Affine& map) {
 }  // namespace
 
 SourcePlace Reader::place_of(const Token& token) {
-    std::vector<std::uint32_t>& starts = line_starts_[token.text];
+    CountedVector<std::uint32_t>& starts = line_starts_[token.text];
     const std::string_view text = reading_.texts[token.text].text;
     if (starts.empty()) {
         starts.push_back(0);
@@ -69,6 +69,7 @@ SourcePlace Reader::shape_place(const Token& at) {
 }
 
 void Reader::report(const Missing& missing) {
+    if (!missing.is_error && reading_.diagnostics.warned(missing.name)) return;
     const std::string meaning =
         missing.meaning.empty() ? std::string() : fmt::format(" ({})", missing.meaning);
     if (!missing.is_error) {
@@ -100,7 +101,7 @@ void Reader::place(const Object& object) {
 }
 
 void Reader::place(const Object& object, const Inherited& from) {
-    if (failed_) return;
+    if (failed_ || (++placed_ % 256 == 0 && !is_within_memory(object.at))) return;
     Inherited own = from;
     std::optional<Affine> map;
     if (object.map) {
@@ -110,11 +111,11 @@ void Reader::place(const Object& object, const Inherited& from) {
     // A shape's own texture counts, else that of the group.
     if (object.texture) own.texture = object.texture.get();
     own.is_no_shadow = from.is_no_shadow || object.is_no_shadow;
-    if (object.interior) own.interior = &*object.interior;
+    if (object.interior) own.interior = object.interior.get();
     if (object.kind != ObjectKind::light) inherit_interior(object, own);
     report(object.missing);
     if (object.clip) {
-        const bool is_as_read = !from.map && object.map == object.clip_map && own.is_no_shadow;
+        const bool is_as_read = !from.map && object.map == object.clip->map && own.is_no_shadow;
         if (is_as_read) {
             clips_.push_back(object.clip);
         } else {
@@ -126,7 +127,7 @@ void Reader::place(const Object& object, const Inherited& from) {
             return;
         case ObjectKind::group:
             if (object.is_merge) own.is_merge = true;
-            for (const Object& part : *object.parts) place(part, own);
+            for (const ObjectPart& part : *object.parts) place(*part, own);
             return;
         case ObjectKind::light:
             return place_light(object, own);
@@ -134,7 +135,7 @@ void Reader::place(const Object& object, const Inherited& from) {
             break;
     }
     if (own.texture == nullptr) {
-        if (!default_shared_) default_shared_ = std::make_shared<const Texture>(default_texture_);
+        if (!default_shared_) default_shared_ = make_counted<const Texture>(default_texture_);
         own.texture = default_shared_.get();
     }
     const std::size_t first = scene_.shapes.size();
@@ -202,7 +203,7 @@ void Reader::place_shape(const Object& o, const Inherited& from) {
         default: {
             const auto normal = [&](Vec3 n) { return turned(n == Vec3{0, 0, 0} ? Vec3{1, 0, 0} : n); };
             add(SmoothTriangle{{point(o.a), point(o.b), point(o.c)},
-                               {normal(o.na), normal(o.nb), normal(o.nc)}},
+                               {normal((*o.normals)[0]), normal((*o.normals)[1]), normal((*o.normals)[2])}},
                 material, nullptr, o.at);
         }
     }
@@ -214,7 +215,10 @@ void Reader::place_shape(const Object& o, const Inherited& from) {
 
 void Reader::place_mesh(const Object& o, const Inherited& own) {
     const Mesh& mesh = *o.mesh;
-    std::vector<Vec3> points = mesh.vertices, normals = mesh.normals;
+    // Many vertices without faces take time that the number of shapes does not bound.
+    const std::size_t size = mesh.vertices.size() + mesh.normals.size(), used = 6 * mesh.faces.size();
+    if (size > used && !spend((size - used) / 8)) return;
+    CountedVector<Vec3> points = mesh.vertices, normals = mesh.normals;
     bool is_skewed = false;
     if (own.map) {
         const auto object_from_world = inverse(*own.map);

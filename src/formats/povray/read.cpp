@@ -15,6 +15,7 @@ Reader::Reader(LoadState& reading, const ReadText& text)
 
 void Reader::read() {
     lex_text(text_.file);
+    max_steps_ = k_max_steps + tokens_[text_.file].size();
     Frame frame;
     frame.text = text_.file;
     frame.end = static_cast<std::uint32_t>(tokens_[text_.file].size() - 1);

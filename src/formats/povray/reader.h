@@ -42,9 +42,9 @@ class Reader {
         FrameKind kind = FrameKind::text;
         std::uint16_t text = 0;
         std::uint32_t at = 0, end = 0;
-        std::size_t conditions = 0;         // open when it began
-        std::vector<std::uint32_t> locals;  // to be removed at its end
-        Token call;                         // of the macro or include
+        std::size_t conditions = 0;           // open when it began
+        CountedVector<std::uint32_t> locals;  // to be removed at its end
+        Token call;                           // of the macro or include
     };
     enum class ConditionKind : std::uint8_t { branch, loop_while, loop_for, choice };
     struct Condition {
@@ -92,6 +92,7 @@ class Reader {
     bool at_frame_end() const { return frames_.back().at >= frames_.back().end; }
     Token take_raw();
     bool spend(std::uint64_t steps = 1);
+    bool is_within_memory(const Token& at);
     bool is_marked() const {
         return !marks_.empty() && marks_.back().frames == frames_.size() && marks_.back().braces == braces_;
     }
@@ -105,6 +106,7 @@ class Reader {
     void skip_to_branch(bool to_end_only);
     std::uint32_t find_end(std::uint32_t at, std::uint32_t end) const;
     Binding* find_binding(std::uint32_t& name, std::uint32_t depth);
+    Reference target_of(Reference reference);
     const Value* find_value(std::uint32_t name);
     void bind(std::uint32_t name, std::uint32_t depth, Value value);
     void assign(std::uint32_t name, bool is_local, Value value);
@@ -184,10 +186,11 @@ class Reader {
 
     // strings.cpp
     bool begins_string(const Token& token);
-    std::string string();
-    std::string string_function(Word word);
+    String string();
+    CountedString string_function(Word word);
     std::string format_number(double value, double length, double decimals);
     double value_of(const Token& at, std::string_view text);
+    int compare(std::string_view a, std::string_view b);
 
     // values.cpp
     Value value();
@@ -197,11 +200,13 @@ class Reader {
     Numbers expression_after(Numbers first);
     Value array_value(const Token& at);
     void read_elements(Array& array, std::size_t dimensions, std::size_t& next, bool has_sizes);
+    bool hold(Array& array, const Value& element, const Token& at);
     bool spend_elements(const Token& at, std::uint64_t count);
     std::uint32_t index();
-    const Value* read_element(const Token& name, const Value& array);
+    std::vector<std::uint32_t> read_indices();
+    const Value* read_element(const Token& name);
     const Value* element(const Token& name, const Value& array, std::span<const std::uint32_t> indices);
-    void assign_element(const Token& name, Binding& binding, std::span<const std::uint32_t> indices,
+    void assign_element(const Token& name, Value& whole, std::span<const std::uint32_t> indices,
                         Value assigned);
 
     // colors.cpp
@@ -221,7 +226,7 @@ class Reader {
 
     // blocks.cpp
     static bool is_opaque(Word word);
-    Opaque read_opaque(Word word, const Token& at);
+    std::shared_ptr<const Opaque> read_opaque(Word word, const Token& at);
     Opaque read_interior(const Token& at);
     MaterialValue read_material();
     void skip_block();
@@ -234,8 +239,10 @@ class Reader {
 
     // objects.cpp
     bool begins_object(const Token& token);
+    bool begins_declared(const Token& word);
     Object read_object();
-    Object object_of(const Token& name);
+    ObjectPart read_part();
+    ObjectPart object_of(const Token& name);
     Object read_shape(const Token& word);
     void check_shape(Object& object);
     static bool holds(const Object& clip, const Object& object);
@@ -255,9 +262,9 @@ class Reader {
     void read_mesh_triangle(Mesh& mesh);
     void check_mesh(const Token& at, Mesh& mesh, bool has_normal_indices);
     std::size_t read_count();
-    void read_indices(std::array<std::uint32_t, 3>& indices);
+    void read_face_indices(std::array<std::uint32_t, 3>& indices);
     std::uint32_t read_index();
-    std::vector<Vec3> read_points();
+    CountedVector<Vec3> read_points();
     void read_faces(Mesh& mesh);
     void read_normal_indices(Mesh& mesh);
     void read_texture_list(Mesh& mesh);
@@ -274,7 +281,7 @@ class Reader {
     // sky.cpp
     void read_sky(const Token& at);
     std::shared_ptr<const GradientPattern> read_gradient(std::optional<Affine> map);
-    bool read_color_map(std::vector<ColorMapEntry>& map);
+    bool read_color_map(CountedVector<ColorMapEntry>& map);
 
     // settings.cpp
     void read_statement();
@@ -354,17 +361,18 @@ class Reader {
     Scene& scene_;
     const ReadText& text_;
     Names names_;
-    std::map<std::uint16_t, std::vector<std::uint32_t>> line_starts_;
-    std::vector<std::vector<Token>> tokens_;  // by the number of the text
+    std::map<std::uint16_t, CountedVector<std::uint32_t>> line_starts_;
+    std::vector<CountedVector<Token>> tokens_;  // by the number of the text
     std::vector<LexError> lex_errors_;
     std::vector<Frame> frames_;
-    std::vector<Condition> conditions_;
+    CountedVector<Condition> conditions_;
     std::vector<Mark> marks_;
-    std::vector<std::vector<Binding>> bindings_;  // by name, innermost last
-    std::vector<std::uint32_t> random_;           // the states of seed()
+    CountedVector<CountedVector<Binding>> bindings_;  // by name, innermost last
+    std::vector<std::uint32_t> random_;               // the states of seed()
     Token ahead_;
     bool has_ahead_ = false, failed_ = false;
-    std::uint64_t steps_ = 0, elements_ = 0, shapes_ = 0, tokens_read_ = 0;
+    std::uint64_t max_steps_ = k_max_steps;  // and one for each token of the text
+    std::uint64_t steps_ = 0, elements_ = 0, shapes_ = 0, placed_ = 0;
     int nesting_ = 0, braces_ = 0;
 
     Texture default_texture_;
@@ -374,18 +382,18 @@ class Reader {
     Token gamma_place_, version_place_;
     std::array<double, 5> background_{};
     Color ambient_light_{1, 1, 1};
-    std::vector<ParallelLight> parallel_lights_;
-    std::vector<std::shared_ptr<const Clip>> clips_;
-    std::vector<ShapeInteriors> interiors_;  // in the order of the shapes
+    CountedVector<ParallelLight> parallel_lights_;
+    CountedVector<std::shared_ptr<const Clip>> clips_;
+    CountedVector<ShapeInteriors> interiors_;  // in the order of the shapes
     std::int32_t bodies_ = 0;
-    std::vector<std::uint32_t> glass_;  // shapes that refract
-    Token glass_at_;                    // the last of them
+    CountedVector<std::uint32_t> glass_;  // shapes that refract
+    Token glass_at_;                      // the last of them
     std::optional<CameraItems> camera_, camera_default_;
     struct MaterialKey {
         std::array<double, 33> values{};
         bool operator<(const MaterialKey& other) const { return values < other.values; }
     };
-    std::map<MaterialKey, std::uint32_t> materials_;
+    CountedMap<MaterialKey, std::uint32_t> materials_;
     MaterialKey last_key_;
     std::uint32_t last_material_ = k_none;
     Token last_place_token_;

@@ -16,7 +16,12 @@ void Reader::read_statement() {
         take();
         return;
     }
-    if (begins_object(item)) return place(read_object());
+    if (begins_object(item)) {
+        if (!begins_declared(item)) return place(read_object());
+        const ObjectPart object = read_part();
+        if (object) place(*object);
+        return;
+    }
     switch (item.word()) {
         case Word::k_camera:
             take();

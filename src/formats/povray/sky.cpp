@@ -97,7 +97,7 @@ void Reader::read_sky(const Token& at) {
 
 // VECTOR items, after `gradient`: null for items that a sky cannot have. The rest of the block is read.
 std::shared_ptr<const GradientPattern> Reader::read_gradient(std::optional<Affine> map) {
-    auto gradient = std::make_shared<GradientPattern>();
+    auto gradient = make_counted<GradientPattern>();
     const Token at = peek();
     gradient->axis = vector();
     if (!failed_ && gradient->axis == Vec3{0, 0, 0}) error(at, "expected a gradient other than 0");
@@ -117,7 +117,7 @@ std::shared_ptr<const GradientPattern> Reader::read_gradient(std::optional<Affin
 }
 
 // { [number color] ... }; also [number number color color]. False if the map is the name of one.
-bool Reader::read_color_map(std::vector<ColorMapEntry>& map) {
+bool Reader::read_color_map(CountedVector<ColorMapEntry>& map) {
     if (!expect('{')) return false;
     while (!failed_ && !accept('}')) {
         const Token at = peek();

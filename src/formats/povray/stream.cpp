@@ -42,7 +42,13 @@ bool Reader::spend(std::uint64_t steps) {
         const Token& at = tokens_[frames_.front().text][frames_.front().at];
         if (!reading_.diagnostics.go_on(text_.place, at.offset)) failed_ = true;
     }
-    if (steps_ > k_max_steps + tokens_[text_.file].size() && !failed_) {
+    if (steps_ <= max_steps_ && !reading_.memory.is_exceeded()) return !failed_;
+    if (reading_.memory.is_exceeded() && !failed_) {
+        const Frame& frame = frames_.back();
+        is_within_memory(
+            tokens_[frame.text][std::min<std::size_t>(frame.at, tokens_[frame.text].size() - 1)]);
+    }
+    if (steps_ > max_steps_ && !failed_) {
         const Frame& frame = frames_.back();
         error(tokens_[frame.text][std::min<std::size_t>(frame.at, tokens_[frame.text].size() - 1)],
               fmt::format(
@@ -51,6 +57,15 @@ bool Reader::spend(std::uint64_t steps) {
                   k_max_steps));
     }
     return !failed_;
+}
+
+// Counts what the scene holds. Beyond the budget: an error, and false.
+bool Reader::is_within_memory(const Token& at) {
+    reading_.memory.count(scene_);
+    if (!reading_.memory.is_exceeded() || failed_) return !failed_;
+    error(at, reading_.memory.message());
+    reading_.is_memory_reported = true;
+    return false;
 }
 
 // The next token of a scene: directives and calls of macros before it are carried out.
@@ -159,7 +174,7 @@ void Reader::call_macro(const Token& name, const Macro& macro) {
     }
     const Deeper deeper(*this);
     if (!deeper.ok) return;
-    std::vector<Value> values;
+    CountedVector<Value> values;
     if (!expect('(')) return;
     for (std::size_t i = 0; i < macro.parameters.size() && !failed_; ++i) {
         if (i > 0) accept(',');
@@ -171,7 +186,7 @@ void Reader::call_macro(const Token& name, const Macro& macro) {
         if (token.kind == TokenKind::word && !Names::is_reserved(token.name) && !at_frame_end() &&
             (raw().is(',') || raw().is(')'))) {
             // An identifier alone: the macro may change what it stands for.
-            values.emplace_back(Reference{take().name, depth()});
+            values.emplace_back(target_of({take().name, depth()}));
         } else {
             values.push_back(value());
         }
@@ -191,7 +206,7 @@ void Reader::call_macro(const Token& name, const Macro& macro) {
 // condition; it is the next token.
 void Reader::skip_to_branch(bool to_end_only) {
     Frame& frame = frames_.back();
-    const std::vector<Token>& tokens = tokens_[frame.text];
+    const CountedVector<Token>& tokens = tokens_[frame.text];
     const std::uint32_t from = frame.at;
     std::size_t open = 0;
     for (; frame.at < frame.end; ++frame.at) {
@@ -224,7 +239,7 @@ void Reader::skip_to_branch(bool to_end_only) {
 
 // The index of the `#end` that ends what began before token `at`; `end` if there is none.
 std::uint32_t Reader::find_end(std::uint32_t at, std::uint32_t end) const {
-    const std::vector<Token>& tokens = tokens_[frames_.back().text];
+    const CountedVector<Token>& tokens = tokens_[frames_.back().text];
     std::size_t open = 0;
     for (; at < end; ++at) {
         const Word word = tokens[at].directive();
@@ -239,14 +254,31 @@ std::uint32_t Reader::find_end(std::uint32_t at, std::uint32_t end) const {
 Reader::Binding* Reader::find_binding(std::uint32_t& name, std::uint32_t depth) {
     for (;;) {
         auto& bindings = bindings_[name];
-        std::size_t i = bindings.size();
-        while (i > 0 && bindings[i - 1].depth > depth) --i;
-        if (i == 0) return nullptr;
-        const auto* reference = std::get_if<Reference>(&bindings[i - 1].value);
-        if (reference == nullptr) return &bindings[i - 1];
+        auto at = bindings.end();
+        if (at != bindings.begin() && (at - 1)->depth > depth) {
+            at = std::partition_point(bindings.begin(), bindings.end(),
+                                      [&](const Binding& binding) { return binding.depth <= depth; });
+        }
+        if (at == bindings.begin()) return nullptr;
+        --at;
+        const auto* reference = std::get_if<Reference>(&at->value);
+        if (reference == nullptr) return &*at;
         const Reference next = *reference;  // to a frame outside: this ends
         name = next.name;
         depth = next.depth;
+    }
+}
+
+// The reference that stands for the same without others between: these cannot change while it exists.
+Reference Reader::target_of(Reference reference) {
+    for (;;) {
+        const auto& bindings = bindings_[reference.name];
+        const auto after = std::partition_point(bindings.begin(), bindings.end(),
+                                                [&](const Binding& b) { return b.depth <= reference.depth; });
+        if (after == bindings.begin()) return reference;
+        const auto* next = std::get_if<Reference>(&(after - 1)->value);
+        if (next == nullptr) return reference;
+        reference = *next;
     }
 }
 

@@ -23,48 +23,49 @@ bool Reader::begins_string(const Token& token) {
     }
     if (Names::is_reserved(token.name)) return false;
     const Value* value = find_value(token.name);
-    return value != nullptr && std::holds_alternative<std::shared_ptr<const std::string>>(*value);
+    return value != nullptr && std::holds_alternative<String>(*value);
 }
 
-std::string Reader::string() {
+// Never null.
+String Reader::string() {
+    static const String empty = std::make_shared<const CountedString>();
     const Token token = peek();
     if (!begins_string(token)) {
         const Value* value = token.kind == TokenKind::word && !Names::is_reserved(token.name)
                                  ? find_value(token.name)
                                  : nullptr;
         if (value != nullptr && std::holds_alternative<std::shared_ptr<Array>>(*value)) {
-            const Value array = *value;
-            const Value* element = read_element(take(), array);
-            const auto* text = element ? std::get_if<std::shared_ptr<const std::string>>(element) : nullptr;
-            if (text != nullptr) return **text;
+            const Value* element = read_element(take());
+            const auto* text = element ? std::get_if<String>(element) : nullptr;
+            if (text != nullptr) return *text;
         }
         if (!failed_) expected("a string");
-        return {};
+        return empty;
     }
     take();
     if (token.kind == TokenKind::string) {
         const std::string_view text = text_of(token);
         spend(text.size());
-        return text.size() > k_max_string ? std::string() : string_value(text);
+        return text.size() > k_max_string ? empty : make_counted<const CountedString>(string_value(text));
     }
     if (!Names::is_reserved(token.name)) {
-        return *std::get<std::shared_ptr<const std::string>>(*find_value(token.name));
+        return std::get<String>(*find_value(token.name));
     }
     const Deeper deeper(*this);
-    if (!deeper.ok || !expect('(')) return {};
-    std::string text = string_function(token.word());
+    if (!deeper.ok || !expect('(')) return empty;
+    CountedString text = string_function(token.word());
     if (!failed_) expect(')');
     spend(text.size());
     if (text.size() > k_max_string) error(token, fmt::format("a string of more than {} bytes", k_max_string));
-    return text;
+    return make_counted<const CountedString>(std::move(text));
 }
 
-std::string Reader::string_function(Word word) {
+CountedString Reader::string_function(Word word) {
     switch (word) {
         case Word::k_concat: {
-            std::string text;
+            CountedString text;
             while (!failed_ && !peek().is(')') && text.size() <= k_max_string) {
-                text += string();
+                text += *string();
                 accept(',');
             }
             return text;
@@ -72,22 +73,22 @@ std::string Reader::string_function(Word word) {
         case Word::k_chr: {
             const double code = number();
             const double byte = code > 0 ? std::min(code, 255.0) : 0;  // not a number: 0
-            return std::string(1, static_cast<char>(static_cast<unsigned char>(byte)));
+            return CountedString(1, static_cast<char>(static_cast<unsigned char>(byte)));
         }
         case Word::k_substr: {
-            const std::string text = string();
+            const String text = string();
             accept(',');
             const Token at = peek();
             const double from = argument(), count = number();
-            if (!(from >= 1 && count >= 0 && from - 1 + count <= static_cast<double>(text.size()))) {
+            if (!(from >= 1 && count >= 0 && from - 1 + count <= static_cast<double>(text->size()))) {
                 error(at, "expected a part of the string: its first character, from 1, and its length");
                 return {};
             }
-            return text.substr(static_cast<std::size_t>(from) - 1, static_cast<std::size_t>(count));
+            return text->substr(static_cast<std::size_t>(from) - 1, static_cast<std::size_t>(count));
         }
         case Word::k_strlwr:
         case Word::k_strupr: {
-            std::string text = string();
+            CountedString text = *string();
             for (char& c : text) {
                 if (word == Word::k_strlwr && c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
                 if (word == Word::k_strupr && c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
@@ -96,19 +97,20 @@ std::string Reader::string_function(Word word) {
         }
         case Word::k_str: {
             const double value = argument(), length = argument();
-            return format_number(value, length, number());
+            return CountedString(format_number(value, length, number()));
         }
         case Word::k_vstr: {
             const double terms = argument();
             const Numbers value = promoted(expression(), 5);
             accept(',');
-            const std::string separator = string();
+            const String separator = string();
             accept(',');
             const double length = argument(), decimals = number();
-            std::string text;
+            CountedString text;
             for (std::size_t i = 0; i < 5 && static_cast<double>(i) < terms && text.size() < k_max_string;
                  ++i) {
-                text += (i > 0 ? separator : std::string()) + format_number(value.v[i], length, decimals);
+                if (i > 0) text += *separator;
+                text += format_number(value.v[i], length, decimals);
             }
             return text;
         }
@@ -125,6 +127,12 @@ std::string Reader::format_number(double value, double length, double decimals) 
     const int places = decimals < 0 ? 6 : static_cast<int>(std::clamp(decimals, 0.0, 100.0));
     if (length < 0) return fmt::format("{:0{}.{}f}", value, width, places);
     return fmt::format("{:{}.{}f}", value, width, places);
+}
+
+// As std::string::compare().
+int Reader::compare(std::string_view a, std::string_view b) {
+    spend(std::min(a.size(), b.size()) / 64);
+    return a.compare(b);
 }
 
 double Reader::value_of(const Token& at, std::string_view text) {

@@ -209,12 +209,12 @@ void Reader::read_texture_items(Texture& texture) {
 // The texture `top` over `below`.
 std::shared_ptr<const Texture> Reader::layered(const std::shared_ptr<const Texture>& below, Texture top) {
     top.is_layered = below != nullptr;
-    return std::make_shared<const Texture>(std::move(top));
+    return make_counted<const Texture>(std::move(top));
 }
 
 // The object's texture, to be changed: a copy of the default one if it has none.
 Texture& Reader::own_texture(Object& object) {
-    auto own = std::make_shared<Texture>(object.texture ? *object.texture : default_texture_);
+    auto own = make_counted<Texture>(object.texture ? *object.texture : default_texture_);
     Texture& texture = *own;
     object.texture = std::move(own);
     return texture;

@@ -9,6 +9,7 @@
 #include <variant>
 #include <vector>
 
+#include "base/memory_budget.h"
 #include "formats/povray/lexer.h"
 #include "glint/scene.h"
 
@@ -16,6 +17,9 @@ namespace glint::povray {
 
 /// A colour without its filter and transmit.
 inline Color rgb_of(const std::array<double, 5>& c) { return {c[0], c[1], c[2]}; }
+
+/// A string; copies share it.
+using String = std::shared_ptr<const CountedString>;
 
 /// A number (1 term), a vector (2 to 4), or a colour (5: red, green, blue, filter, transmit).
 struct Numbers {
@@ -50,7 +54,7 @@ class MissingList {
     auto end() const { return list_.end(); }
 
   private:
-    std::vector<Missing> list_;
+    CountedVector<Missing> list_;
 };
 
 struct ColorMapEntry {
@@ -62,7 +66,7 @@ struct ColorMapEntry {
 /// space.
 struct GradientPattern {
     Vec3 axis{0, 1, 0};
-    std::vector<ColorMapEntry> map;
+    CountedVector<ColorMapEntry> map;
     std::optional<Affine> transform;  ///< of the pattern
 };
 
@@ -120,9 +124,9 @@ struct Mesh {
         std::array<std::uint32_t, 3> vertices{}, normals{}, textures{};
         bool has_normals = false, has_texture = false, has_textures = false;  // one texture, or one a corner
     };
-    std::vector<Vec3> vertices, normals;
-    std::vector<Face> faces;
-    std::vector<std::shared_ptr<const Texture>> textures;
+    CountedVector<Vec3> vertices, normals;
+    CountedVector<Face> faces;
+    CountedVector<std::shared_ptr<const Texture>> textures;
 };
 
 struct LightSource {
@@ -139,27 +143,30 @@ struct Clip {
         Vec3 n;
         double d = 0;  ///< dot(n, p) <= d is kept
     };
-    std::vector<HalfSpace> halves;  ///< those that cut, in world space; empty: not known
-    double reach = 0;               ///< of the shape's points, the greatest distance from 0
+    CountedVector<HalfSpace> halves;  ///< those that cut, in world space; empty: not known
+    double reach = 0;                 ///< of the shape's points, the greatest distance from 0
+    std::optional<Affine> map;        ///< Object::map where the clip was read
     Missing missing;
 };
+
+struct Object;
+using ObjectPart = std::shared_ptr<const Object>;
 
 /// An object: a shape, a group of objects, a light, or one that is not rendered. Parts are shared.
 struct Object {
     ObjectKind kind = ObjectKind::group;
     Vec3 a, b, c;         ///< points; sphere: center; plane, disc: normal in b
-    Vec3 na, nb, nc;      ///< the normals of a smooth triangle
     double r = 0, s = 0;  ///< radii; plane: the distance
     bool is_open = false, is_no_shadow = false, is_merge = false;
     Token at;
     std::optional<Affine> map;  ///< world_from_object
     std::shared_ptr<const Texture> texture;
-    std::shared_ptr<const std::vector<Object>> parts;
+    std::shared_ptr<const std::array<Vec3, 3>> normals;  ///< of a smooth triangle
+    std::shared_ptr<const CountedVector<ObjectPart>> parts;
     std::shared_ptr<const Mesh> mesh;
     std::shared_ptr<const LightSource> light;
     std::shared_ptr<const Clip> clip;
-    std::optional<Affine> clip_map;  ///< `map` where the clip was read
-    std::optional<Opaque> interior;
+    std::shared_ptr<const Opaque> interior;
     std::optional<bool> hollow;
     MissingList missing;      ///< what is not rendered of it
     std::uint64_t count = 1;  ///< of shapes in it
@@ -180,7 +187,7 @@ struct Array;
 
 /// A macro: its parameters and its body, as tokens.
 struct Macro {
-    std::vector<std::uint32_t> parameters;
+    CountedVector<std::uint32_t> parameters;
     std::uint16_t text = 0;
     std::uint32_t begin = 0, end = 0;
 };
@@ -193,21 +200,22 @@ struct Reference {
 
 struct MaterialValue {
     std::shared_ptr<const Texture> texture;
-    std::optional<Opaque> interior;
+    std::shared_ptr<const Opaque> interior;
     MissingList missing;
 };
 
 using Value =
-    std::variant<std::monostate, Numbers, std::shared_ptr<const std::string>, std::shared_ptr<Array>,
-                 std::shared_ptr<const Pigment>, std::shared_ptr<const Finish>,
-                 std::shared_ptr<const Texture>, std::shared_ptr<const MaterialValue>,
-                 std::shared_ptr<const Object>, std::shared_ptr<const CameraItems>,
-                 std::shared_ptr<const Affine>, std::shared_ptr<const Macro>, Reference, Opaque>;
+    std::variant<std::monostate, Numbers, String, std::shared_ptr<Array>, std::shared_ptr<const Pigment>,
+                 std::shared_ptr<const Finish>, std::shared_ptr<const Texture>,
+                 std::shared_ptr<const MaterialValue>, std::shared_ptr<const Object>,
+                 std::shared_ptr<const CameraItems>, std::shared_ptr<const Affine>,
+                 std::shared_ptr<const Macro>, Reference, std::shared_ptr<const Opaque>>;
 
-/// Elements in row order; unset ones are monostate.
+/// Elements in row order; unset ones are monostate. Copies share it until one of them is modified.
 struct Array {
-    std::vector<std::uint32_t> sizes;
-    std::vector<Value> elements;
+    CountedVector<std::uint32_t> sizes;
+    CountedVector<Value> elements;
+    int depth = 1;  ///< of arrays within each other
 };
 
 /// "a number", "a texture", ...

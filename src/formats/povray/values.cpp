@@ -13,7 +13,7 @@ namespace glint::povray {
 Value Reader::value() {
     const Token token = peek();
     if (token.kind == TokenKind::number || token.is('<')) return expression();
-    if (begins_string(token)) return std::make_shared<const std::string>(string());
+    if (begins_string(token)) return string();
     if (token.kind != TokenKind::word) return expression();
     const Deeper deeper(*this);
     if (!deeper.ok) return {};
@@ -32,27 +32,27 @@ Value Reader::value() {
             take();
             Pigment pigment = default_texture_.pigment;
             read_pigment(pigment);
-            return std::make_shared<const Pigment>(std::move(pigment));
+            return make_counted<const Pigment>(std::move(pigment));
         }
         case Word::k_finish: {
             take();
             Finish finish = default_texture_.finish;
             read_finish(finish);
-            return std::make_shared<const Finish>(std::move(finish));
+            return make_counted<const Finish>(std::move(finish));
         }
         case Word::k_material:
             take();
-            return std::make_shared<const MaterialValue>(read_material());
+            return make_counted<const MaterialValue>(read_material());
         case Word::k_camera:
             take();
-            return std::make_shared<const CameraItems>(read_camera(token));
+            return make_counted<const CameraItems>(read_camera(token));
         case Word::k_transform:
             take();
-            return std::make_shared<const Affine>(read_transform_block());
+            return make_counted<const Affine>(read_transform_block());
         default:
             break;
     }
-    if (begins_object(token)) return std::make_shared<const Object>(read_object());
+    if (begins_object(token)) return read_part();
     if (begins_number(token) || begins_color(token)) return expression();
     if (is_opaque(token.word())) {
         take();
@@ -67,7 +67,7 @@ Value Reader::identifier_value(const Token& name) {
     const Value* value = find_value(name.name);
     if (value == nullptr) {
         const std::string_view word = names_.name(name.name);
-        if (begins_object(name)) return std::make_shared<const Object>(read_object());
+        if (begins_object(name)) return read_part();
         if (!povray_meaning(word).empty() && !at_frame_end() && raw().is('{')) {  // media, a map, ...
             take();
             return read_opaque(Word::k_none, name);
@@ -76,15 +76,12 @@ Value Reader::identifier_value(const Token& name) {
         return {};
     }
     if (std::holds_alternative<Numbers>(*value)) return expression();
-    if (const auto* array = std::get_if<std::shared_ptr<Array>>(value)) {
-        const Value whole = *array;
+    if (std::holds_alternative<std::shared_ptr<Array>>(*value)) {
+        Value whole = *value;
         take();
-        if (!peek().is('[')) {
-            const Array& from = **std::get_if<std::shared_ptr<Array>>(&whole);
-            if (!spend_elements(name, from.elements.size())) return {};
-            return std::make_shared<Array>(from);
-        }
-        const Value* element = read_element(name, whole);
+        if (!peek().is('[')) return whole;
+        whole = {};  // or a change of the array while its indices are read would copy it
+        const Value* element = read_element(name);
         if (element == nullptr) return {};
         const auto* numbers = std::get_if<Numbers>(element);
         return numbers != nullptr ? expression_after(*numbers) : *element;
@@ -99,9 +96,10 @@ Value Reader::named_value(const Token& name) {
     if (name.kind != TokenKind::word || Names::is_reserved(name.name)) return {};
     const Value* value = find_value(name.name);
     if (value == nullptr) return {};
-    const Value whole = *value;
+    Value whole = *value;
     if (!std::holds_alternative<std::shared_ptr<Array>>(whole) || !peek().is('[')) return whole;
-    const Value* element = read_element(name, whole);
+    whole = {};
+    const Value* element = read_element(name);
     return element != nullptr ? *element : Value();
 }
 
@@ -128,7 +126,7 @@ bool Reader::spend_elements(const Token& at, std::uint64_t count) {
 
 // array[SIZE]... { elements }, also without sizes.
 Value Reader::array_value(const Token& at) {
-    auto array = std::make_shared<Array>();
+    auto array = make_counted<Array>();
     std::uint64_t count = 1;
     while (!failed_ && peek().is('[')) {
         const Token size_at = peek();
@@ -142,6 +140,11 @@ Value Reader::array_value(const Token& at) {
     const bool has_sizes = !array->sizes.empty();
     if (has_sizes) {
         if (!spend_elements(at, count)) return {};
+        if (!reading_.memory.has_room(MemoryBudget::list_bytes(count, sizeof(Value)))) {
+            reading_.memory.add(MemoryBudget::list_bytes(count, sizeof(Value)));
+            is_within_memory(at);
+            return {};
+        }
         array->elements.resize(static_cast<std::size_t>(count));
     }
     if (peek().is('{')) {
@@ -154,6 +157,17 @@ Value Reader::array_value(const Token& at) {
     return array;
 }
 
+// Notes an element of an array. False, with an error, if arrays are too deep within each other.
+bool Reader::hold(Array& array, const Value& element, const Token& at) {
+    if (const auto* inner = std::get_if<std::shared_ptr<Array>>(&element)) {
+        array.depth = std::max(array.depth, (*inner)->depth + 1);
+        if (array.depth > k_max_depth) {
+            error(at, fmt::format("arrays are nested more than {} deep", k_max_depth));
+        }
+    }
+    return !failed_;
+}
+
 // The elements of the last `dimensions` dimensions, in braces.
 void Reader::read_elements(Array& array, std::size_t dimensions, std::size_t& next, bool has_sizes) {
     const Deeper deeper(*this);
@@ -164,7 +178,7 @@ void Reader::read_elements(Array& array, std::size_t dimensions, std::size_t& ne
         } else {
             const Token at = peek();
             Value element = value();
-            if (failed_) return;
+            if (failed_ || !hold(array, element, at)) return;
             if (!has_sizes) {
                 if (!spend_elements(at, 1)) return;
                 array.elements.push_back(std::move(element));
@@ -192,10 +206,18 @@ std::uint32_t Reader::index() {
     return static_cast<std::uint32_t>(value + 1e-8);
 }
 
-const Value* Reader::read_element(const Token& name, const Value& array) {
+std::vector<std::uint32_t> Reader::read_indices() {
     std::vector<std::uint32_t> indices;
     while (!failed_ && peek().is('[')) indices.push_back(index());
-    return failed_ ? nullptr : element(name, array, indices);
+    return indices;
+}
+
+// The element of an array whose name has been read. Null after an error.
+const Value* Reader::read_element(const Token& name) {
+    const std::vector<std::uint32_t> indices = read_indices();
+    static const Value nothing;
+    const Value* array = find_value(name.name);  // the indices may have changed it
+    return failed_ ? nullptr : element(name, array != nullptr ? *array : nothing, indices);
 }
 
 // Null after an error.
@@ -224,10 +246,32 @@ const Value* Reader::element(const Token& name, const Value& from, std::span<con
     return &found;
 }
 
-void Reader::assign_element(const Token& name, Binding& binding, std::span<const std::uint32_t> indices,
+// Copies those of the arrays around the element that others share.
+void Reader::assign_element(const Token& name, Value& whole, std::span<const std::uint32_t> indices,
                             Value assigned) {
-    const Value* found = element(name, binding.value, indices);
-    if (found != nullptr) const_cast<Value&>(*found) = std::move(assigned);  // NOLINT: of our own array
+    if (element(name, whole, indices) == nullptr) return;
+    Value* at = &whole;
+    std::vector<Array*> around;
+    do {
+        auto& held = std::get<std::shared_ptr<Array>>(*at);
+        if (held.use_count() > 1) {
+            if (!spend_elements(name, held->elements.size())) return;
+            held = make_counted<Array>(std::as_const(*held));
+        }
+        std::size_t offset = 0;
+        for (std::size_t i = 0; i < held->sizes.size(); ++i) offset = offset * held->sizes[i] + indices[i];
+        indices = indices.subspan(held->sizes.size());
+        around.push_back(held.get());
+        at = &held->elements[offset];
+    } while (!indices.empty());
+    if (!hold(*around.back(), assigned, name)) return;
+    *at = std::move(assigned);
+    for (std::size_t i = around.size(); --i > 0 && !failed_;) {
+        around[i - 1]->depth = std::max(around[i - 1]->depth, around[i]->depth + 1);
+        if (around[i - 1]->depth > k_max_depth) {
+            error(name, fmt::format("arrays are nested more than {} deep", k_max_depth));
+        }
+    }
 }
 
 }  // namespace glint::povray

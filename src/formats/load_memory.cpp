@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0
+// The memory that a load holds.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "base/memory_limit.h"
+#include "formats/load_state.h"
+
+namespace glint {
+namespace {
+
+constexpr std::uint64_t k_mib = 1u << 20;
+
+template <class T> std::uint64_t bytes_of(const std::vector<T>& list) {
+    return list.capacity() == 0 ? 0 : MemoryBudget::list_bytes(list.capacity(), sizeof(T));
+}
+
+// Names are counted by note().
+std::uint64_t bytes_of(const Scene& scene) {
+    std::uint64_t bytes = bytes_of(scene.lights) + bytes_of(scene.materials) + bytes_of(scene.transforms) +
+                          bytes_of(scene.polygon_vertices) + bytes_of(scene.shapes) +
+                          bytes_of(scene.shape_colors) + bytes_of(scene.light_texts.places) +
+                          bytes_of(scene.material_texts.places) + bytes_of(scene.shape_texts.places);
+#define GLINT_KIND(Type, word) bytes += bytes_of(scene.get<Type>());
+    GLINT_SHAPES(GLINT_KIND)
+#undef GLINT_KIND
+    return bytes;
+}
+
+}  // namespace
+
+std::uint64_t default_max_memory(std::uint64_t text_bytes) {
+#if defined(__wasm__)
+    return std::min(384 * k_mib + 64 * text_bytes, 768 * k_mib);  // of 2 GiB in all
+#else
+    return 2048 * k_mib + 256 * std::min(text_bytes, std::uint64_t{1} << 48);
+#endif
+}
+
+LoadMemory::LoadMemory(const LoadOptions& options, std::uint64_t text_bytes)
+    : MemoryBudget(options.max_memory != 0 ? options.max_memory : default_max_memory(text_bytes)),
+      is_default_(options.max_memory == 0),
+      text_bytes_(text_bytes) {}
+
+void LoadMemory::add_text(std::uint64_t bytes) {
+    text_bytes_ += bytes;
+    if (is_default_) set_limit(default_max_memory(text_bytes_));
+    add(bytes);
+}
+
+void LoadMemory::count(const Scene& scene) {
+    remove(scene_bytes_);
+    scene_bytes_ = bytes_of(scene);
+    add(scene_bytes_);
+}
+
+std::string LoadMemory::message() const {
+    return fmt::format(
+        "reading the scene takes more than {} of memory, {}: max_memory (--max-memory) raises it",
+        memory_text(limit()),
+        is_default_ ? fmt::format("the default for {} bytes of text", text_bytes_)
+                    : std::string("the limit that was given"));
+}
+
+bool LoadState::is_within_memory(InputText where, std::size_t offset, std::size_t length) {
+    memory.count(scene);
+    if (!memory.is_exceeded()) return true;
+    if (!is_memory_reported && !diagnostics.full()) {
+        diagnostics.error(where, offset, length, memory.message());
+        is_memory_reported = true;
+    }
+    return false;
+}
+
+std::uint16_t LoadState::add_text(const std::string& path, std::string text) {
+    const auto number = static_cast<std::uint16_t>(texts.size());
+    memory.add_text(text.size());
+    includes.texts.push_back({path, std::move(text)});
+    includes.files.emplace(path, number);
+    texts.push_back({includes.texts.back().name, includes.texts.back().text});
+    scene.files.push_back(path);
+    return number;
+}
+
+}  // namespace glint
