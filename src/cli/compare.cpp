@@ -124,6 +124,7 @@ int compare_command(CompareArguments& arguments) {
         if (diff->is_standard_output() && !arguments.quiet)
             throw Failure(k_usage, "--diff - needs --quiet: the report goes to standard output, too");
     }
+    arguments.scene.scene.max_memory = arguments.max_memory;
     const std::optional<LoadedScene> scene = load_scene_option(arguments.scene, arguments.quiet);
     DecodedPicture a = read_stored_picture(arguments.files[0], arguments.max_memory);
     DecodedPicture b =

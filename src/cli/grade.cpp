@@ -11,6 +11,7 @@
 #include "cli/grade_report.h"
 #include "cli/grade_sheet.h"
 #include "cli/graded_folders.h"
+#include "cli/memory_size.h"
 #include "cli/picture_file.h"
 #include "cli/print_text.h"
 #include "cli/progress.h"
@@ -191,6 +192,8 @@ Run add_grade(CLI::App& app) {
                     "The right picture; default: the scene's own. With --rubric, only its size is used")
         ->option_text("PICTURE");
     add_scene_option(command, a.scene, "The scene of the task: for the causes and for a rubric's parts");
+    add_memory_argument(command, a.scene.scene.max_memory,
+                        "The most memory that reading the scene may take: 500M, 4G");
     command
         .add_option("--rubric", a.rubric,
                     "Lines of PART POINTS FILE [KEY=VALUE...] (docs/teaching.md): points per part")

@@ -9,6 +9,7 @@
 
 #include "base/text.h"
 #include "cli/failure.h"
+#include "cli/memory_size.h"
 #include "cli/print_error.h"
 #include "cli/repeated_option.h"
 #include "cli/text.h"
@@ -80,6 +81,10 @@ void add_scene_arguments(CLI::App& command, SceneArguments& arguments) {
     command.add_option("--scene", arguments.scene_name, "The scene to use, if the file has several")
         ->option_text("NAME");
     add_include_path_argument(command, arguments);
+    add_memory_argument(
+        command, arguments.max_memory,
+        "The most memory that reading the scene may take: 500M, 4G (default: 2 GiB and 256 times "
+        "the length of its files)");
     add_convention_arguments(command, arguments);
 }
 
@@ -121,6 +126,7 @@ FileReach reach_of_includes(const SceneArguments& arguments) {
 LoadedScene load_scene(const SceneArguments& arguments, TextReader& reader) {
     LoadOptions options;
     options.scene_name = arguments.scene_name;
+    options.max_memory = arguments.max_memory;
     std::optional<InputFile> profile_file;
     add_profile(arguments.profile, options, reader, profile_file);
     add_conventions(arguments, options);

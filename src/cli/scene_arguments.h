@@ -2,6 +2,7 @@
 #pragma once
 // The scene options that all commands share.
 #include <CLI/CLI.hpp>
+#include <cstdint>
 #include <string>
 #include <utility>
 #include <vector>
@@ -19,13 +20,14 @@ struct SceneArguments {
     /// Includes only from the folders of the files and the include paths.
     bool is_confined = false;
     bool is_named_by_file = false;  ///< another file names the files, not the user
+    std::uint64_t max_memory = 0;            // of LoadOptions
     /// Set by the command from its own options, before load_scene.
     std::vector<std::pair<std::string, std::string>> settings;
     /// Texts that follow the files, in the same format: their names and texts.
     std::vector<std::pair<std::string, std::string>> further_texts = {};
 };
 
-/// Adds SCENE..., --format, --scene, --include-path, --profile and --convention.
+/// Adds SCENE..., --format, --scene, --include-path, --max-memory, --profile and --convention.
 void add_scene_arguments(CLI::App& command, SceneArguments& arguments);
 
 /// Adds only --include-path.

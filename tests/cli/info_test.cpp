@@ -25,6 +25,17 @@ TEST(Info, Text) {
     EXPECT_TRUE(contains(r.out.substr(limit, 60), "command line")) << r.out;
 }
 
+TEST(Info, MaxMemory) {
+    const Folder folder;
+    folder.write("a.pov", "union { #while(1) sphere { 0, 1 } #end }");
+    const Finished limited = run(folder, {"info", "a.pov", "--max-memory", "4M"});
+    EXPECT_NE(limited.code, 0);
+    EXPECT_TRUE(contains(limited.err, "a.pov:1:")) << limited.err;
+    EXPECT_TRUE(contains(limited.err, "takes more than 4 MiB of memory")) << limited.err;
+    const Finished wrong = run(folder, {"info", "a.pov", "--max-memory", "4X"});
+    EXPECT_TRUE(contains(wrong.err, "expected a size as 500M or 4G, found '4X'")) << wrong.err;
+}
+
 TEST(Info, Json) {
     const Folder folder;
     folder.write("dark.cgfs", "sphere { center = (1, 2, 3)  radius = 1  color = (255, 0, 0) }");

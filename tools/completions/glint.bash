@@ -9,10 +9,11 @@ _glint() {
     fi
     case $command in
         render)
-            options='-h --help --scene --include-path --format --profile --convention -o --output -s --size --shading --no-shadows --reflections --aa --seed --alpha --aov --crop --transfer --bits -t --threads --isa --resume --part --stats --strict --show -q --quiet'
+            options='-h --help --scene --include-path --max-memory --format --profile --convention -o --output -s --size --shading --no-shadows --reflections --aa --seed --alpha --aov --crop --transfer --bits -t --threads --isa --resume --part --stats --strict --show -q --quiet'
             [[ $word == -* ]] || case $before in
                 --scene) return ;;
                 --include-path) return ;;
+                --max-memory) return ;;
                 --format) words='cgfs epfl csc473 povray nff tachyon glint' ;;
                 --profile) words='cgfs epfl lecture5 light csc473 povray nff tachyon glint' kind=file ;;
                 --convention) words='pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= transparency= opacity= transparent_shadow= transparency_counts= transparent_surfaces= transparent_epsilon= transparent_shadow_epsilon= min_weight= facing= cones= spot_falloff= clamp_attenuation= attenuate_highlights= light_threshold= area_shading= fog_distance= fog_background= fog_extent= transfer= gamma= rounding= size= shading= shadows= reflections= aa= alpha= seed='; compopt -o nospace 2>/dev/null ;;
@@ -33,20 +34,22 @@ _glint() {
                 *) kind=scene ;;
             esac ;;
         info)
-            options='-h --help --scene --include-path --format --profile --convention --json --isa'
+            options='-h --help --scene --include-path --max-memory --format --profile --convention --json --isa'
             [[ $word == -* ]] || case $before in
                 --scene) return ;;
                 --include-path) return ;;
+                --max-memory) return ;;
                 --format) words='cgfs epfl csc473 povray nff tachyon glint' ;;
                 --profile) words='cgfs epfl lecture5 light csc473 povray nff tachyon glint' kind=file ;;
                 --convention) words='pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= transparency= opacity= transparent_shadow= transparency_counts= transparent_surfaces= transparent_epsilon= transparent_shadow_epsilon= min_weight= facing= cones= spot_falloff= clamp_attenuation= attenuate_highlights= light_threshold= area_shading= fog_distance= fog_background= fog_extent= transfer= gamma= rounding= size= shading= shadows= reflections= aa= alpha= seed='; compopt -o nospace 2>/dev/null ;;
                 *) kind=scene ;;
             esac ;;
         convert)
-            options='-h --help --scene --include-path --format --profile --convention -o --output -q --quiet'
+            options='-h --help --scene --include-path --max-memory --format --profile --convention -o --output -q --quiet'
             [[ $word == -* ]] || case $before in
                 --scene) return ;;
                 --include-path) return ;;
+                --max-memory) return ;;
                 --format) words='cgfs epfl csc473 povray nff tachyon glint' ;;
                 --profile) words='cgfs epfl lecture5 light csc473 povray nff tachyon glint' kind=file ;;
                 --convention) words='pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= transparency= opacity= transparent_shadow= transparency_counts= transparent_surfaces= transparent_epsilon= transparent_shadow_epsilon= min_weight= facing= cones= spot_falloff= clamp_attenuation= attenuate_highlights= light_threshold= area_shading= fog_distance= fog_background= fog_extent= transfer= gamma= rounding= size= shading= shadows= reflections= aa= alpha= seed='; compopt -o nospace 2>/dev/null ;;
@@ -54,10 +57,11 @@ _glint() {
                 *) kind=scene ;;
             esac ;;
         check)
-            options='-h --help --scene --include-path --format --profile --convention -s --size --shading --no-shadows --reflections --aa --seed -t --threads --strict --json -q --quiet'
+            options='-h --help --scene --include-path --max-memory --format --profile --convention -s --size --shading --no-shadows --reflections --aa --seed -t --threads --strict --json -q --quiet'
             [[ $word == -* ]] || case $before in
                 --scene) return ;;
                 --include-path) return ;;
+                --max-memory) return ;;
                 --format) words='cgfs epfl csc473 povray nff tachyon glint' ;;
                 --profile) words='cgfs epfl lecture5 light csc473 povray nff tachyon glint' kind=file ;;
                 --convention) words='pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= transparency= opacity= transparent_shadow= transparency_counts= transparent_surfaces= transparent_epsilon= transparent_shadow_epsilon= min_weight= facing= cones= spot_falloff= clamp_attenuation= attenuate_highlights= light_threshold= area_shading= fog_distance= fog_background= fog_extent= transfer= gamma= rounding= size= shading= shadows= reflections= aa= alpha= seed='; compopt -o nospace 2>/dev/null ;;
@@ -70,10 +74,11 @@ _glint() {
                 *) kind=scene ;;
             esac ;;
         explain)
-            options='-h --help --scene --include-path --format --profile --convention -p --pixel --sample --as --origin --why-not --overlay -s --size --shading --no-shadows --reflections --aa --seed --alpha --transfer --bits --isa'
+            options='-h --help --scene --include-path --max-memory --format --profile --convention -p --pixel --sample --as --origin --why-not --overlay -s --size --shading --no-shadows --reflections --aa --seed --alpha --transfer --bits --isa'
             [[ $word == -* ]] || case $before in
                 --scene) return ;;
                 --include-path) return ;;
+                --max-memory) return ;;
                 --format) words='cgfs epfl csc473 povray nff tachyon glint' ;;
                 --profile) words='cgfs epfl lecture5 light csc473 povray nff tachyon glint' kind=file ;;
                 --convention) words='pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= transparency= opacity= transparent_shadow= transparency_counts= transparent_surfaces= transparent_epsilon= transparent_shadow_epsilon= min_weight= facing= cones= spot_falloff= clamp_attenuation= attenuate_highlights= light_threshold= area_shading= fog_distance= fog_background= fog_extent= transfer= gamma= rounding= size= shading= shadows= reflections= aa= alpha= seed='; compopt -o nospace 2>/dev/null ;;
@@ -117,10 +122,11 @@ _glint() {
                 *) kind=file ;;
             esac ;;
         versus)
-            options='-h --help --scene --include-path --format --profile --convention --a --b --match-exponents -o --output --json -s --size --shading --no-shadows --reflections --aa --seed'
+            options='-h --help --scene --include-path --max-memory --format --profile --convention --a --b --match-exponents -o --output --json -s --size --shading --no-shadows --reflections --aa --seed'
             [[ $word == -* ]] || case $before in
                 --scene) return ;;
                 --include-path) return ;;
+                --max-memory) return ;;
                 --format) words='cgfs epfl csc473 povray nff tachyon glint' ;;
                 --profile) words='cgfs epfl lecture5 light csc473 povray nff tachyon glint' kind=file ;;
                 --convention) words='pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= transparency= opacity= transparent_shadow= transparency_counts= transparent_surfaces= transparent_epsilon= transparent_shadow_epsilon= min_weight= facing= cones= spot_falloff= clamp_attenuation= attenuate_highlights= light_threshold= area_shading= fog_distance= fog_background= fog_extent= transfer= gamma= rounding= size= shading= shadows= reflections= aa= alpha= seed='; compopt -o nospace 2>/dev/null ;;

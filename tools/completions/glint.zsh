@@ -30,6 +30,7 @@ _glint() {
                 '*:SCENE:_files -g "*.(cgfs|json|js|pov|nff|dat|glint)"' \
                 '--scene[The scene to use, if the file has several]:NAME: ' \
                 '*--include-path[A folder with files that the scene includes and that are not beside it]:DIR: ' \
+                '--max-memory[The most memory that reading the scene may take: 500M, 4G (default: 2 GiB and 256 times the length of its files)]:SIZE: ' \
                 '--format[The scene'\''s format]:cgfs|epfl|csc473|povray|nff|tachyon|glint:(cgfs epfl csc473 povray nff tachyon glint)' \
                 '--profile[Conventions to start from instead of the format'\''s: cgfs, epfl, lecture5, light, csc473, povray, nff, tachyon and glint]:NAME|FILE:{compadd -- cgfs epfl lecture5 light csc473 povray nff tachyon glint; _files}' \
                 '*--convention[Set one convention (docs/conventions.md lists them; `glint info SCENE` shows the values in force)]:KEY=VALUE:{compadd -S "" -- pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= transparency= opacity= transparent_shadow= transparency_counts= transparent_surfaces= transparent_epsilon= transparent_shadow_epsilon= min_weight= facing= cones= spot_falloff= clamp_attenuation= attenuate_highlights= light_threshold= area_shading= fog_distance= fog_background= fog_extent= transfer= gamma= rounding= size= shading= shadows= reflections= aa= alpha= seed=}' \
@@ -59,6 +60,7 @@ _glint() {
                 '*:SCENE:_files -g "*.(cgfs|json|js|pov|nff|dat|glint)"' \
                 '--scene[The scene to use, if the file has several]:NAME: ' \
                 '*--include-path[A folder with files that the scene includes and that are not beside it]:DIR: ' \
+                '--max-memory[The most memory that reading the scene may take: 500M, 4G (default: 2 GiB and 256 times the length of its files)]:SIZE: ' \
                 '--format[The scene'\''s format]:cgfs|epfl|csc473|povray|nff|tachyon|glint:(cgfs epfl csc473 povray nff tachyon glint)' \
                 '--profile[Conventions to start from instead of the format'\''s: cgfs, epfl, lecture5, light, csc473, povray, nff, tachyon and glint]:NAME|FILE:{compadd -- cgfs epfl lecture5 light csc473 povray nff tachyon glint; _files}' \
                 '*--convention[Set one convention (docs/conventions.md lists them; `glint info SCENE` shows the values in force)]:KEY=VALUE:{compadd -S "" -- pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= transparency= opacity= transparent_shadow= transparency_counts= transparent_surfaces= transparent_epsilon= transparent_shadow_epsilon= min_weight= facing= cones= spot_falloff= clamp_attenuation= attenuate_highlights= light_threshold= area_shading= fog_distance= fog_background= fog_extent= transfer= gamma= rounding= size= shading= shadows= reflections= aa= alpha= seed=}' \
@@ -70,6 +72,7 @@ _glint() {
                 '*:SCENE:_files -g "*.(cgfs|json|js|pov|nff|dat|glint)"' \
                 '--scene[The scene to use, if the file has several]:NAME: ' \
                 '*--include-path[A folder with files that the scene includes and that are not beside it]:DIR: ' \
+                '--max-memory[The most memory that reading the scene may take: 500M, 4G (default: 2 GiB and 256 times the length of its files)]:SIZE: ' \
                 '--format[The scene'\''s format]:cgfs|epfl|csc473|povray|nff|tachyon|glint:(cgfs epfl csc473 povray nff tachyon glint)' \
                 '--profile[Conventions to start from instead of the format'\''s: cgfs, epfl, lecture5, light, csc473, povray, nff, tachyon and glint]:NAME|FILE:{compadd -- cgfs epfl lecture5 light csc473 povray nff tachyon glint; _files}' \
                 '*--convention[Set one convention (docs/conventions.md lists them; `glint info SCENE` shows the values in force)]:KEY=VALUE:{compadd -S "" -- pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= transparency= opacity= transparent_shadow= transparency_counts= transparent_surfaces= transparent_epsilon= transparent_shadow_epsilon= min_weight= facing= cones= spot_falloff= clamp_attenuation= attenuate_highlights= light_threshold= area_shading= fog_distance= fog_background= fog_extent= transfer= gamma= rounding= size= shading= shadows= reflections= aa= alpha= seed=}' \
@@ -81,6 +84,7 @@ _glint() {
                 '*:SCENE:_files -g "*.(cgfs|json|js|pov|nff|dat|glint)"' \
                 '--scene[The scene to use, if the file has several]:NAME: ' \
                 '*--include-path[A folder with files that the scene includes and that are not beside it]:DIR: ' \
+                '--max-memory[The most memory that reading the scene may take: 500M, 4G (default: 2 GiB and 256 times the length of its files)]:SIZE: ' \
                 '--format[The scene'\''s format]:cgfs|epfl|csc473|povray|nff|tachyon|glint:(cgfs epfl csc473 povray nff tachyon glint)' \
                 '--profile[Conventions to start from instead of the format'\''s: cgfs, epfl, lecture5, light, csc473, povray, nff, tachyon and glint]:NAME|FILE:{compadd -- cgfs epfl lecture5 light csc473 povray nff tachyon glint; _files}' \
                 '*--convention[Set one convention (docs/conventions.md lists them; `glint info SCENE` shows the values in force)]:KEY=VALUE:{compadd -S "" -- pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= transparency= opacity= transparent_shadow= transparency_counts= transparent_surfaces= transparent_epsilon= transparent_shadow_epsilon= min_weight= facing= cones= spot_falloff= clamp_attenuation= attenuate_highlights= light_threshold= area_shading= fog_distance= fog_background= fog_extent= transfer= gamma= rounding= size= shading= shadows= reflections= aa= alpha= seed=}' \
@@ -100,6 +104,7 @@ _glint() {
                 '*:SCENE:_files -g "*.(cgfs|json|js|pov|nff|dat|glint)"' \
                 '--scene[The scene to use, if the file has several]:NAME: ' \
                 '*--include-path[A folder with files that the scene includes and that are not beside it]:DIR: ' \
+                '--max-memory[The most memory that reading the scene may take: 500M, 4G (default: 2 GiB and 256 times the length of its files)]:SIZE: ' \
                 '--format[The scene'\''s format]:cgfs|epfl|csc473|povray|nff|tachyon|glint:(cgfs epfl csc473 povray nff tachyon glint)' \
                 '--profile[Conventions to start from instead of the format'\''s: cgfs, epfl, lecture5, light, csc473, povray, nff, tachyon and glint]:NAME|FILE:{compadd -- cgfs epfl lecture5 light csc473 povray nff tachyon glint; _files}' \
                 '*--convention[Set one convention (docs/conventions.md lists them; `glint info SCENE` shows the values in force)]:KEY=VALUE:{compadd -S "" -- pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= transparency= opacity= transparent_shadow= transparency_counts= transparent_surfaces= transparent_epsilon= transparent_shadow_epsilon= min_weight= facing= cones= spot_falloff= clamp_attenuation= attenuate_highlights= light_threshold= area_shading= fog_distance= fog_background= fog_extent= transfer= gamma= rounding= size= shading= shadows= reflections= aa= alpha= seed=}' \
@@ -151,6 +156,7 @@ _glint() {
                 '*:SCENE:_files -g "*.(cgfs|json|js|pov|nff|dat|glint)"' \
                 '--scene[The scene to use, if the file has several]:NAME: ' \
                 '*--include-path[A folder with files that the scene includes and that are not beside it]:DIR: ' \
+                '--max-memory[The most memory that reading the scene may take: 500M, 4G (default: 2 GiB and 256 times the length of its files)]:SIZE: ' \
                 '--format[The scene'\''s format]:cgfs|epfl|csc473|povray|nff|tachyon|glint:(cgfs epfl csc473 povray nff tachyon glint)' \
                 '--profile[Conventions to start from instead of the format'\''s: cgfs, epfl, lecture5, light, csc473, povray, nff, tachyon and glint]:NAME|FILE:{compadd -- cgfs epfl lecture5 light csc473 povray nff tachyon glint; _files}' \
                 '*--convention[Set one convention (docs/conventions.md lists them; `glint info SCENE` shows the values in force)]:KEY=VALUE:{compadd -S "" -- pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= transparency= opacity= transparent_shadow= transparency_counts= transparent_surfaces= transparent_epsilon= transparent_shadow_epsilon= min_weight= facing= cones= spot_falloff= clamp_attenuation= attenuate_highlights= light_threshold= area_shading= fog_distance= fog_background= fog_extent= transfer= gamma= rounding= size= shading= shadows= reflections= aa= alpha= seed=}' \
