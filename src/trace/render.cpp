@@ -5,6 +5,7 @@
 #include <memory>
 #include <set>
 
+#include "base/memory_limit.h"
 #include "base/one_at_a_time.h"
 #include "base/parallel_for.h"
 #include "base/status.h"
@@ -99,6 +100,14 @@ std::string pixels_error(const RenderOptions& options, const Crop& crop) {
     return "the memory for the picture has " + std::to_string(options.pixels->size()) +
            " numbers, and a picture of " + std::to_string(crop.width) + "x" + std::to_string(crop.height) +
            " has " + std::to_string(count_numbers(crop));
+}
+
+// "out of memory: 65536x65536 pixels need 48 GiB"
+std::string memory_error(const RenderOptions& options, const Crop& crop) {
+    std::uint64_t floats = options.pixels ? 0 : 3;
+    for (const Layer layer : options.layers) floats += layer_channels(layer).size();
+    return "out of memory: " + std::to_string(crop.width) + "x" + std::to_string(crop.height) +
+           " pixels need " + memory_text(floats * (count_numbers(crop) / 3) * sizeof(float));
 }
 
 // Calls the caller's callbacks, one at a time.
@@ -203,17 +212,24 @@ Result<Rendering> render_picture(const WorldParts& world, const RenderOptions& o
 }  // namespace
 
 Result<Rendering> render(const World& rendered, const RenderOptions& options) {
-    return result_of([&]() -> Result<Rendering> {
+    Crop crop;
+    Result<Rendering> result = result_of([&]() -> Result<Rendering> {
         const WorldParts& world = rendered.parts();
         const Kernels* kernels = find_kernels(options.isa);
         if (kernels == nullptr) return invalid_argument(no_kernels_error(options.isa));
-        const Crop crop = options.crop.value_or(Crop{world.settings.width, world.settings.height, 0, 0});
+        crop = options.crop.value_or(Crop{world.settings.width, world.settings.height, 0, 0});
         std::string wrong = crop_error(crop, world.settings);
         if (wrong.empty()) wrong = layers_error(world, options.layers);
         if (wrong.empty()) wrong = pixels_error(options, crop);
         if (!wrong.empty()) return invalid_argument(std::move(wrong));
         return render_picture(world, options, *kernels, crop);
     });
+    if (result.code == ErrorCode::out_of_memory && options.keep_image) {
+        return result_of([&]() -> Result<Rendering> {
+            return failure(ErrorCode::out_of_memory, memory_error(options, crop));
+        });
+    }
+    return result;
 }
 
 std::vector<std::string> isa_names() {
