@@ -495,6 +495,7 @@ class SceneState:
         profile: str,
         profile_text: Optional[Tuple[str, bytes]],
         settings: _Settings,
+        max_memory: int,
         folders: Sequence[str],
         includes: str,
         progress: _Report,

@@ -27,6 +27,7 @@ def _load(
     convention: Optional[Mapping[str, object]],
     folders: List[str],
     includes: str,
+    max_memory: int,
     progress: Progress,
 ) -> Scene:
     profile_text = None
@@ -41,6 +42,7 @@ def _load(
             profile,
             profile_text,
             to_list(convention or {}) + to_list(settings),
+            max_memory,
             folders,
             includes,
             report,
@@ -62,14 +64,17 @@ def load(
     shadows: Optional[bool] = None,
     alpha: Optional[bool] = None,
     seed: Optional[int] = None,
+    max_memory: int = 0,
     progress: Progress = None,
 ) -> Scene:
     """The scene of one file, or of several together: .cgfs, .json, .js, .pov, .nff, .dat or .glint.
 
     The keywords are the options of the command. format: if the file's name does not tell; scene_name: of a
     file that holds several; include_path: a folder, or several, with files that the scene includes and that are
-    not beside it; profile: one of glint.profiles, or a file of `key = value` lines.
-    Raises GlintError with the place of each mistake, and FileNotFoundError.
+    not beside it; profile: one of glint.profiles, or a file of `key = value` lines. max_memory: bytes that
+    reading may take; 0: 2 GiB and 256 times the length of the texts.
+    Raises GlintError with the place of each mistake, FileNotFoundError, and MemoryError beyond max_memory, with
+    the place.
     """
     if not paths:
         raise TypeError("load() needs the path of a scene")
@@ -77,7 +82,9 @@ def load(
     settings = dict(
         size=size, aa=aa, shading=shading, reflections=reflections, shadows=shadows, alpha=alpha, seed=seed
     )
-    return _load(texts, scene_name, profile, settings, convention, _folders(include_path), "any", progress)
+    return _load(
+        texts, scene_name, profile, settings, convention, _folders(include_path), "any", max_memory, progress
+    )
 
 
 def _folders(include_path: Union[PathLike, Sequence[PathLike]]) -> List[str]:
@@ -94,15 +101,17 @@ def loads(
     profile: str = "",
     includes: bool = True,
     include_path: Union[PathLike, Sequence[PathLike]] = (),
+    max_memory: int = 0,
 ) -> Scene:
     """The scene of a text: 'cgfs', 'epfl', 'csc473', 'povray', 'nff', 'tachyon' or 'glint'.
 
     name: for messages; a file that the text includes is looked for beside a file of this name, then in
     include_path, a folder or several, and never outside of these folders. includes: False: no file is read.
+    max_memory: as of load().
     """
     texts = [(name, text.encode(), format)]
     reach = "folder" if includes else "none"
-    return _load(texts, scene_name, profile, {}, None, _folders(include_path), reach, None)
+    return _load(texts, scene_name, profile, {}, None, _folders(include_path), reach, max_memory, None)
 
 
 def to_scene(scene: SceneLike) -> Scene:

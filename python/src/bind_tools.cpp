@@ -38,8 +38,9 @@ void load_texts(SceneState& state,
                 const std::vector<std::tuple<std::string, std::string, std::string>>& texts,
                 const std::string& scene_name, const std::string& profile,
                 const std::optional<std::pair<std::string, std::string>>& profile_text,
-                const SettingList& settings, const std::vector<std::string>& folders,
-                const std::string& includes, const py::object& progress) {
+                const SettingList& settings, std::uint64_t max_memory,
+                const std::vector<std::string>& folders, const std::string& includes,
+                const py::object& progress) {
     std::vector<SceneText> views;
     cli::FileReach reach{.is_confined = includes != "any", .folders = folders};
     for (const auto& text : texts) reach.folders.push_back(cli::folder_of(std::get<0>(text)));
@@ -48,6 +49,7 @@ void load_texts(SceneState& state,
     options.scene_name = scene_name;
     options.profile = profile;
     options.settings = settings;
+    options.max_memory = max_memory;
     if (profile_text) options.profile_text = SceneText{profile_text->first, profile_text->second, {}};
     IncludedFiles sources(folders, std::move(reach));
     Result<Scene> result = run(progress, [&](Running& running) {

@@ -30,6 +30,11 @@ def test_errors_have_places(tmp_path):
         glint.load(tmp_path / "none.json")
 
 
+def test_memory_errors_say_what_is_needed():
+    with pytest.raises(MemoryError, match=r"a.pov:1:\d+: .* more than 4 MiB of memory"):
+        glint.loads("union { #while(1) sphere { 0, 1 } #end }", "povray", name="a.pov", max_memory=4 << 20)
+
+
 def test_errors_of_a_scene_made_in_code_name_the_item():
     scene = glint.Scene()
     scene.add(glint.Sphere((0, 0, 0), 1))
