@@ -41,6 +41,8 @@ export interface OpenRequest {
     scene?: string;
     /** Settings that override those of the texts, as with `glint render --convention`: {size: '640x480', aa: '2'}. */
     settings?: Record<string, string>;
+    /** The most bytes that reading may take; default: 384 MiB and 64 times the length of the texts, at most 768 MiB. */
+    maxMemory?: number;
 }
 
 export interface PrepareRequest {
@@ -421,9 +423,17 @@ export function compile(from?: Address): Promise<CompiledModule>;
 /** Creates an instance of glint from a compiled WebAssembly.Module of glint.wasm. */
 export function instantiate(module: CompiledModule): Promise<Glint>;
 
+/**
+ * Thrown where an instance ends in a trap, most likely because its memory ran out, and by all later calls of it and its
+ * scenes. Create a new instance then. `cause` is the trap.
+ */
+export class InstanceError extends Error {
+    readonly cause: unknown;
+}
+
 export interface Glint {
     readonly version: string;
-    /** Bytes of memory that the instance has allocated from its host. It never frees them. */
+    /** Bytes of memory that the instance has allocated from its host, at most 2 GiB. It never frees them. */
     readonly memoryBytes: number;
     /** Reads and prepares a scene. Close it when it is no longer needed. Throws if a string has a lone surrogate. */
     open(request: OpenRequest | string): Scene;

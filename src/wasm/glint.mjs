@@ -45,7 +45,32 @@ export async function instantiate(module) {
     const instance = await WebAssembly.instantiate(module, {wasi_snapshot_preview1: wasi(() => exports.memory)});
     exports = instance.exports;
     exports._initialize();
-    return new Glint(exports);
+    return new Glint(guarded(exports));
+}
+
+/** An instance ended in a trap, or has ended before: nothing can be done with it and its scenes. */
+export class InstanceError extends WebAssembly.RuntimeError {
+    name = 'InstanceError';
+
+    constructor(cause) {
+        super(`glint's instance has ended, most likely because its memory ran out (it has at most 2 GiB): create a new one (${cause.message})`);
+        this.cause = cause;
+    }
+}
+
+/** The exports, whose functions throw InstanceError from the first trap on. */
+function guarded(exports) {
+    let trap = null;
+    const guard = (call) => (...args) => {
+        if (trap !== null) throw new InstanceError(trap);
+        try {
+            return call(...args);
+        } catch (error) {
+            trap = error;
+            throw new InstanceError(error);
+        }
+    };
+    return Object.fromEntries(Object.entries(exports).map(([name, value]) => [name, typeof value === 'function' ? guard(value) : value]));
 }
 
 class Glint {

@@ -10,7 +10,7 @@ import {test} from 'node:test';
 import {pathToFileURL} from 'node:url';
 import {gzipSync} from 'node:zlib';
 
-import {load} from '../../src/wasm/glint.mjs';
+import {InstanceError, load} from '../../src/wasm/glint.mjs';
 
 const glint = await load(pathToFileURL(process.env.GLINT_WASM));
 const {encodePng} = await import(pathToFileURL(join(process.env.GLINT_PACKAGE, 'png.mjs')).href);
@@ -390,6 +390,26 @@ test('closed scenes give their memory back', () => {
     const before = glint.memoryBytes;
     for (let i = 0; i < 50; ++i) draw();
     assert.equal(glint.memoryBytes, before);
+});
+
+test('reading a scene has a limit of memory', () => {
+    const texts = [{name: 'a.pov', text: '#declare A = array[4000000]; sphere { 0, 1 }'}];
+    const limited = glint.open({texts, maxMemory: 1e6});
+    assert.equal(limited.report.ready, false);
+    assert.match(limited.report.diagnostics[0].message, /takes more than .* of memory, the limit that was given/);
+    limited.close();
+    const usual = glint.open({texts: [{name: 'a.pov', text: 'union { #while(1) sphere { 0, 1 } #end }'}]});
+    assert.match(usual.report.diagnostics[0].message, /takes more than 384 MiB of memory/);
+    usual.close();
+});
+
+test('an instance whose memory runs out ends', async () => {
+    const ended = await load(pathToFileURL(process.env.GLINT_WASM));
+    const text = 'union { #while(1) sphere { 0, 1 } #end }';
+    assert.throws(() => ended.open({texts: [{name: 'a.pov', text}], maxMemory: 2 ** 40}), InstanceError);
+    assert.ok(ended.memoryBytes <= 2 ** 31);
+    assert.throws(() => ended.version, /has ended, most likely because its memory ran out/);
+    assert.throws(() => ended.open({texts: []}), InstanceError);
 });
 
 test('the version is the project’s', () => {
