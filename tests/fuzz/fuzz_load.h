@@ -22,10 +22,10 @@ class FuzzSources : public Sources {
 };
 
 /// Loads the text. Returns an error message about the result, or an empty string.
-inline std::string fuzz_load(std::string_view text, std::string format) {
+inline std::string fuzz_load(std::string_view text, std::string format, const LoadOptions& options = {}) {
     const SceneText texts[] = {{"fuzz", text, std::move(format)}};
     FuzzSources sources(text);
-    const Result<Scene> result = load(texts, {}, &sources);
+    const Result<Scene> result = load(texts, options, &sources);
     std::string printed;
     for (const Diagnostic& d : result.diagnostics) printed += to_string(d);
     if (result.has_value() == has_errors(result.diagnostics))
