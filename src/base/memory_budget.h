@@ -2,6 +2,7 @@
 #pragma once
 // The memory that one task may hold, and the containers that count theirs.
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <memory>
 #include <string>
