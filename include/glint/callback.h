@@ -23,10 +23,11 @@ template <class R, class... Args> class Function<R(Args...)> {
     template <class F, std::enable_if_t<is_other<F>, int> = 0>
     Function(F&& callable) {  // NOLINT: intended conversion
         using Held = std::decay_t<F>;
-        if constexpr (std::is_constructible_v<Held, std::nullptr_t>) {
-            if (callable == nullptr) return;  // a pointer or a std::function that holds nothing
+        Held held(std::forward<F>(callable));
+        if constexpr (std::is_constructible_v<Held, std::nullptr_t> && std::is_constructible_v<bool, Held&>) {
+            if (!static_cast<bool>(held)) return;  // a pointer or a std::function that holds nothing
         }
-        object_ = new Held(std::forward<F>(callable));
+        object_ = new Held(std::move(held));
         use_ = &use<Held>;
         call_ = &call<Held>;
     }

@@ -78,7 +78,7 @@ GLINT_API std::uint8_t to_byte(float value, const ByteRule& rule);
 struct DecodeOptions {
     /// Larger pictures are rejected before memory is allocated, because a small file can claim any size.
     std::int64_t max_pixels = std::int64_t{1} << 26;
-    /// Bytes that decode() may take, with the picture and without the file's bytes. 0: 64 MiB, and 24 bytes
+    /// Bytes that decode() may take, with the picture and without the file's bytes. 0: 512 MiB, and 24 bytes
     /// for each pixel. The picture needs 12 bytes a pixel; interlaced PNG needs 4 to 8 more, progressive JPEG
     /// up to 6, and OpenEXR the blocks or a row of tiles with all channels of the file.
     std::uint64_t max_memory = 0;
@@ -93,8 +93,7 @@ struct DecodedImage {
 /// Decodes a PNG, PPM or PGM (P2, P3, P5, P6), OpenEXR or JPEG file; the first bytes decide the format.
 /// Integers v become v / 255 (8 bits; otherwise the file's own maximum) without decoding gamma; transparency
 /// is ignored. So encode() writes the same bytes again. Floats are unchanged, including infinities and NaN
-/// (`note` mentions them). An error
-/// if max_pixels or max_memory is exceeded. Never throws.
+/// (`note` mentions them). An error if max_pixels or max_memory is exceeded. Never throws.
 GLINT_API Result<DecodedImage> decode(std::span<const std::uint8_t> bytes, const DecodeOptions& options = {});
 
 }  // namespace glint

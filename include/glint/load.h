@@ -67,6 +67,7 @@ struct FormatInfo {
     std::string_view extensions;  ///< ".cgfs", space-separated
     std::string_view profile;     ///< the conventions of its source
     std::string_view description;
+    bool uses_size = false;  ///< a scene may depend on the size of its picture
 };
 GLINT_API std::span<const FormatInfo> formats();
 

@@ -12,7 +12,7 @@ std::string memory_text(std::uint64_t bytes) {
     auto number = static_cast<double>(bytes);
     std::size_t unit = 0;
     for (; number >= 1000 && unit + 1 < std::size(units); ++unit) number /= 1024;
-    return fmt::format("{:.3g} {}", number, units[unit]);
+    return fmt::format("{:.3g} {}", number, bytes == 1 ? "byte" : units[unit]);
 }
 
 Status memory_fault(std::uint64_t needed, std::uint64_t allowed, std::string_view doing) {

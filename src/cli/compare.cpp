@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <atomic>
 #include <exception>
 #include <initializer_list>
 #include <memory>
@@ -80,7 +81,9 @@ void write_difference(const OutputFile& output, const CompareArguments& argument
                                 {std::vector<float>(count * k_strip_rows), std::vector<float>(count)});
     std::mutex mutex;
     std::exception_ptr failure;
+    std::atomic<bool> has_failed = false;
     parallel_scratch(strips, scratch, [&](std::size_t strip, Memory& memory) {
+        if (has_failed) return;  // strips that cannot be written would be kept
         try {
             const auto first = static_cast<std::int32_t>(strip) * k_strip_rows,
                        height = std::min(k_strip_rows, b.height - first);
@@ -91,6 +94,7 @@ void write_difference(const OutputFile& output, const CompareArguments& argument
         } catch (...) {
             const std::scoped_lock lock(mutex);
             failure = std::current_exception();
+            has_failed = true;
         }
     });
     if (failure) std::rethrow_exception(failure);

@@ -2,8 +2,12 @@
 // glint convert: converts a scene of any format to .glint.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cstdint>
 #include <cstdio>
 #include <memory>
+#include <optional>
+#include <string_view>
 
 #include "cli/commands.h"
 #include "cli/failure.h"
@@ -38,30 +42,32 @@ void take_output(ConvertArguments& arguments) {
     }
 }
 
+// By the format of a file, or its name.
+bool may_depend_on_size(std::string_view name) {
+    return std::any_of(formats().begin(), formats().end(), [&](const FormatInfo& format) {
+        return format.uses_size &&
+               (name == fmt::format(".{}", format.name) || format.extensions == extension(name));
+    });
+}
+
 // A scene may depend on the picture's size: the camera of Tachyon does, and what a scene of POV-Ray makes of
 // image_width. A .glint file has no such rules, so it holds what they give for one size.
 void warn_of_size(const ConvertArguments& arguments, const LoadedScene& loaded) {
     const Scene& scene = loaded.scene;
-    SceneArguments again = arguments.scene;
-    again.files.clear();
-    again.further_texts.clear();
-    for (const SceneText& text : loaded.texts)
-        again.further_texts.emplace_back(text.name, std::string(text.text));
-    const std::int32_t height = scene.settings.height > 1 ? scene.settings.height / 2 : 2;
-    again.settings.emplace_back("size", fmt::format("{}x{}", scene.settings.width, height));
-    Scene other;
-    try {
-        other = load_scene(again).scene;
-    } catch (const Failure&) {
-        return;  // the message of the scene for that size is printed
+    const bool may_depend = std::any_of(scene.files.begin(), scene.files.end(), may_depend_on_size) ||
+                            may_depend_on_size("." + arguments.scene.format);
+    if (!may_depend) return;
+    const std::int32_t width = scene.settings.width, height = scene.settings.height;
+    std::optional<Scene> other = load_with_size(arguments.scene, loaded, width, std::max(height / 2, 1));
+    if (other) {
+        other->settings.height = height;
+        const Result<std::string> a = write_glint(scene), b = write_glint(*other);
+        if (a && b && *a == *b) return;
     }
-    other.settings.height = scene.settings.height;
-    const Result<std::string> one = write_glint(scene), two = write_glint(other);
-    if (!one || !two || *one == *two) return;
     print_error(
         "{}: warning: the scene depends on the picture's shape: the output is that for {}x{}. Render it at "
         "this size, or at one of the same shape\n",
-        arguments.scene.files.front(), scene.settings.width, scene.settings.height);
+        arguments.scene.files.front(), width, height);
 }
 
 int convert_command(ConvertArguments& arguments) {

@@ -9,6 +9,10 @@
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
+#include <iterator>
+
+#include "formats/povray/standard_includes.h"
+#include "formats/registry.h"
 
 namespace glint::cli {
 
@@ -21,21 +25,38 @@ std::string folder_of(const std::string& path) {
 
 std::string reason_of(int error) { return error == ENOENT ? "no such file" : std::strerror(error); }
 
-bool is_inside(const std::string& path, const std::string& folder) {
+// With links followed; empty if that is not possible.
+fs::path followed_path(const std::string& path) {
     std::error_code error;
-    const fs::path whole = fs::weakly_canonical(fs::absolute(path, error), error);
-    if (error) return false;
-    const fs::path root = fs::weakly_canonical(fs::absolute(folder, error), error);
-    if (error) return false;
-    const auto [at, rest] = std::mismatch(root.begin(), root.end(), whole.begin(), whole.end());
-    return at == root.end() && rest != whole.end();
+    const fs::path whole = fs::absolute(path.empty() ? "." : path, error);
+    if (error) return {};
+    const fs::path canonical = fs::weakly_canonical(whole, error);
+    return error ? fs::path() : canonical;
+}
+
+bool is_inside(const std::string& path, const std::string& folder) {
+    const fs::path whole = followed_path(path), root = followed_path(folder);
+    if (whole.empty() || root.empty()) return false;
+    // The last part of a folder that does not exist is empty if it was written with a slash.
+    const auto end = root.has_filename() ? root.end() : std::prev(root.end());
+    const auto [at, rest] = std::mismatch(root.begin(), end, whole.begin(), whole.end());
+    return at == end && rest != whole.end();
+}
+
+// A link with the name of a scene may lead to any file, of which messages would quote lines.
+bool hides_its_type(const std::string& path) {
+    return is_scene_name(path) && !is_scene_name(followed_path(path).string());
 }
 
 NamedFile open_named_file(const std::string& path, const FileReach& reach, std::string& why) {
-    if (reach.is_confined &&
+    if (reach.is_confined && !is_inside(path, std::string(povray::k_system_folder)) &&
         std::none_of(reach.folders.begin(), reach.folders.end(),
                      [&](const std::string& folder) { return is_inside(path, folder); })) {
         why = "is outside the folders that may be read here";
+        return {};
+    }
+    if (!reach.is_confined && hides_its_type(path)) {
+        why = "is a link to a file that is no scene";
         return {};
     }
     // Opening a device may already do something, so it is looked at first.

@@ -123,13 +123,32 @@ FileReach reach_of_includes(const SceneArguments& arguments) {
     return reach;
 }
 
-LoadedScene load_scene(const SceneArguments& arguments, TextReader& reader) {
+// `profile_file` keeps the text of the profile.
+LoadOptions load_options(const SceneArguments& arguments, TextReader& reader,
+                         std::optional<InputFile>& profile_file) {
     LoadOptions options;
     options.scene_name = arguments.scene_name;
     options.max_memory = arguments.max_memory;
-    std::optional<InputFile> profile_file;
     add_profile(arguments.profile, options, reader, profile_file);
     add_conventions(arguments, options);
+    return options;
+}
+
+std::optional<Scene> load_with_size(const SceneArguments& arguments, const LoadedScene& loaded,
+                                    std::int32_t width, std::int32_t height) {
+    TextReader reader;
+    std::optional<InputFile> profile_file;
+    LoadOptions options = load_options(arguments, reader, profile_file);
+    options.settings.emplace_back("size", fmt::format("{}x{}", width, height));
+    FileSources sources(reader, arguments.include_paths, loaded.reach);
+    Result<Scene> result = load(loaded.texts, options, &sources);
+    if (!result) return std::nullopt;
+    return *std::move(result);
+}
+
+LoadedScene load_scene(const SceneArguments& arguments, TextReader& reader) {
+    std::optional<InputFile> profile_file;
+    const LoadOptions options = load_options(arguments, reader, profile_file);
     const auto inputs = std::count(arguments.files.begin(), arguments.files.end(), "-");
     if (inputs > 1) fail_usage("standard input can be read only once");
     if (inputs == 1 && arguments.format.empty()) fail_usage("a scene on standard input needs --format NAME");

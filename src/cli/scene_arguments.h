@@ -20,7 +20,7 @@ struct SceneArguments {
     /// Includes only from the folders of the files and the include paths.
     bool is_confined = false;
     bool is_named_by_file = false;  ///< another file names the files, not the user
-    std::uint64_t max_memory = 0;            // of LoadOptions
+    std::uint64_t max_memory = 0;   // of LoadOptions
     /// Set by the command from its own options, before load_scene.
     std::vector<std::pair<std::string, std::string>> settings;
     /// Texts that follow the files, in the same format: their names and texts.
@@ -53,6 +53,10 @@ struct LoadedScene {
 /// the errors of the scene and throws Failure (bad input).
 LoadedScene load_scene(const SceneArguments& arguments, TextReader& reader);
 LoadedScene load_scene(const SceneArguments& arguments);
+
+/// The scene again, for a picture of this size; nothing if it has an error then.
+std::optional<Scene> load_with_size(const SceneArguments& arguments, const LoadedScene& loaded,
+                                    std::int32_t width, std::int32_t height);
 
 /// Opens the files that the scene includes again, and adds their texts to `texts`. The texts are valid as
 /// long as the returned files. A file that cannot be opened is omitted, and one

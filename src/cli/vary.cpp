@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/vary.h"
-#include "cli/print_text.h"
 
 #include <fmt/format.h>
 
@@ -10,6 +9,7 @@
 #include "base/text.h"
 #include "cli/compare_report.h"
 #include "cli/failure.h"
+#include "cli/print_text.h"
 #include "cli/progress.h"
 #include "cli/render_or_fail.h"
 #include "cli/text.h"

@@ -15,7 +15,7 @@ namespace glint {
 namespace {
 
 // By default; the same for a picture of bytes as for one of floats.
-constexpr std::uint64_t k_decoding = std::uint64_t{1} << 26, k_decoding_each = 24;
+constexpr std::uint64_t k_decoding = std::uint64_t{1} << 29, k_decoding_each = 24;
 
 bool begins_with(ByteSpan bytes, std::string_view magic) {
     return bytes.size() >= magic.size() &&

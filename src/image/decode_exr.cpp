@@ -11,6 +11,7 @@
 #include <array>
 #include <cstring>
 
+#include "base/one_at_a_time.h"
 #include "image/decoders.h"
 #include "image/exr_header.h"
 #include "image/levels.h"
@@ -61,16 +62,7 @@ std::array<const char*, 3> channels_of(const Imf::ChannelList& list) {
     return names;
 }
 
-}  // namespace
-
-DecodedPicture decode_exr(ByteSpan bytes, const DecoderOptions& options) {
-    const ExrMemory memory = check_exr_header(bytes, options);
-    check_memory(memory.bytes, memory.pixels, options);
-    if (memory.sample_bytes > 0) {
-        const std::uint64_t left = memory_limit(memory.pixels, options) - memory.bytes;
-        Imf::CompositeDeepScanLine::setMaximumSampleCount(
-            static_cast<std::int64_t>(std::max<std::uint64_t>(left / memory.sample_bytes, 1)));
-    }
+DecodedPicture read_exr(ByteSpan bytes, const DecoderOptions& options, const ExrMemory& memory) {
     MemoryStream stream(bytes);
     Imf::InputFile file(stream, 0);
     const ChannelWindow data = window_of(file.header().dataWindow()),
@@ -122,6 +114,36 @@ DecodedPicture decode_exr(ByteSpan bytes, const DecoderOptions& options) {
     }
     if (!all_finite) result.note = "some of its numbers are infinite or NaN";
     return result;
+}
+
+// Sets OpenEXR's limit of samples, which is one for the whole process.
+class DeepLimit {
+  public:
+    explicit DeepLimit(std::uint64_t samples) {
+        set(static_cast<std::int64_t>(std::max<std::uint64_t>(samples, 1)));
+    }
+    ~DeepLimit() { set(before_); }
+    DeepLimit(const DeepLimit&) = delete;
+    DeepLimit& operator=(const DeepLimit&) = delete;
+
+  private:
+    static void set(std::int64_t samples) { Imf::CompositeDeepScanLine::setMaximumSampleCount(samples); }
+    const std::int64_t before_ = Imf::CompositeDeepScanLine::getMaximumSampleCount();
+};
+
+}  // namespace
+
+DecodedPicture decode_exr(ByteSpan bytes, const DecoderOptions& options) {
+    const ExrMemory memory = check_exr_header(bytes, options);
+    check_memory(memory.bytes, memory.pixels, options);
+    if (memory.sample_bytes == 0) return read_exr(bytes, options, memory);
+    static OneAtATime deep_files;
+    DecodedPicture picture;
+    deep_files.run([&] {
+        const DeepLimit limit((memory_limit(memory.pixels, options) - memory.bytes) / memory.sample_bytes);
+        picture = read_exr(bytes, options, memory);
+    });
+    return picture;
 }
 
 }  // namespace glint

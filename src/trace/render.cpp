@@ -106,6 +106,7 @@ std::string pixels_error(const RenderOptions& options, const Crop& crop) {
 std::string memory_error(const RenderOptions& options, const Crop& crop) {
     std::uint64_t floats = options.pixels ? 0 : 3;
     for (const Layer layer : options.layers) floats += layer_channels(layer).size();
+    if (floats == 0) return "out of memory";
     return "out of memory: " + std::to_string(crop.width) + "x" + std::to_string(crop.height) +
            " pixels need " + memory_text(floats * (count_numbers(crop) / 3) * sizeof(float));
 }

@@ -21,9 +21,9 @@ void GLINT_WASM_EXPORT(glint_free)(char* memory);
 
 /// Reads and prepares a scene. The request is JSON: {"texts": [{"name": "a.cgfs", "text": "...", "format":
 /// "cgfs"}], "profile": "cgfs", "scene": "name", "settings": {"size": "640x480"}, "includes": [{"name",
-/// "text"}], "maxMemory": bytes}; only texts with name and text are required. includes are the texts that `include` may find, by
-/// name: the path in the including text, relative to the folder of its own name. Never null; glint_report
-/// describes errors. Must be closed by glint_close.
+/// "text"}], "maxMemory": bytes}; only texts with name and text are required. includes are the texts that
+/// `include` may find, by name: the path in the including text, relative to the folder of its own name. Never
+/// null; glint_report describes errors. Must be closed by glint_close.
 GlintScene* GLINT_WASM_EXPORT(glint_open)(const char* request, std::uint32_t length);
 void GLINT_WASM_EXPORT(glint_close)(GlintScene* scene);
 

@@ -45,7 +45,7 @@ export async function instantiate(module) {
     const instance = await WebAssembly.instantiate(module, {wasi_snapshot_preview1: wasi(() => exports.memory)});
     exports = instance.exports;
     exports._initialize();
-    return new Glint(guarded(exports));
+    return new Glint(checkedExports(exports));
 }
 
 /** An instance ended in a trap, or has ended before: nothing can be done with it and its scenes. */
@@ -59,9 +59,9 @@ export class InstanceError extends WebAssembly.RuntimeError {
 }
 
 /** The exports, whose functions throw InstanceError from the first trap on. */
-function guarded(exports) {
+function checkedExports(exports) {
     let trap = null;
-    const guard = (call) => (...args) => {
+    const checked = (call) => (...args) => {
         if (trap !== null) throw new InstanceError(trap);
         try {
             return call(...args);
@@ -70,7 +70,7 @@ function guarded(exports) {
             throw new InstanceError(error);
         }
     };
-    return Object.fromEntries(Object.entries(exports).map(([name, value]) => [name, typeof value === 'function' ? guard(value) : value]));
+    return Object.fromEntries(Object.entries(exports).map(([name, value]) => [name, typeof value === 'function' ? checked(value) : value]));
 }
 
 class Glint {

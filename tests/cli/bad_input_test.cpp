@@ -81,7 +81,7 @@ TEST(BadInput, Usage) {
         {{"render", "a.cgfs", "--crop", "10x10"}, "WxH+X+Y"},
         {{"render", "a.cgfs", "--size", "64x64", "--crop", "10x10+60+0"}, "64x64"},
         {{"render", "a.cgfs", "--crop", "10x10+2147483647+0"}, "WxH+X+Y"},
-        {{"render", "a.cgfs", "--aov", ""}, "--aov: expected LIST, found nothing"},
+        {{"render", "a.cgfs", "--aov", ""}, "--aov: expected LAYERS, found nothing"},
         {{"render", "a.cgfs", "--aov", "normal,,depth"}, "--aov 'normal,,depth': expected layer names"},
         {{"render", "a.cgfs", "--aov", "normal,"}, "an empty name"},
         {{"render", "a.cgfs", "--aov", "normals"}, "there is no layer 'normals'"},

@@ -124,7 +124,8 @@ TEST(TachyonDropIn, NamesWhatItDoesNotKnow) {
     EXPECT_EQ(failure_of(cli::tachyon_drop_in, {}), "expected the name of a model file");
     EXPECT_EQ(failure_of(cli::tachyon_drop_in, {"a.dat", "-trans_vdm"}),
               "unknown flag '-trans_vdm'; did you mean `-trans_vmd`?");
-    EXPECT_EQ(failure_of(cli::tachyon_drop_in, {"a.dat", "-aasamples"}), "-aasamples: expected a value");
+    EXPECT_EQ(failure_of(cli::tachyon_drop_in, {"a.dat", "-aasamples"}),
+              "-aasamples: expected a value, found nothing");
     EXPECT_EQ(failure_of(cli::tachyon_drop_in, {"a.dat", "-raydepth", "x"}),
               "-raydepth: expected a number >= 0, found 'x'");
     EXPECT_EQ(failure_of(cli::tachyon_drop_in, {"a.dat", "-format", "BMP"}),

@@ -95,6 +95,32 @@ TEST(PovrayArrays, AreCopiedWhenOneIsModified) {
     EXPECT_EQ(spheres[1].center, (Vec3{8, 5, 9}));
 }
 
+// The last word of a macro: the look for an index after it must not leave the macro's names.
+TEST(PovrayArrays, ElementsEndMacros) {
+    const Result<Scene> result = load_text(
+        "#declare P = array[2] { 8, 9 } #declare Q = array[2] { 1, 2 } "
+        "#macro Get() #local P = array[2] { 4, 5 }; P[1] #end #macro At(P, I) P[I] #end "
+        "#macro Named(X) X[1] #end #declare S = array[1] { \"ab\" } #macro Text(T) T[0] #end "
+        "#declare B = array[2] { sphere { 0, 3 } sphere { x, 6 } } "
+        "sphere { 0, Get() } sphere { 0, At(Q, 0) } sphere { 0, Named(Q) } sphere { 0, strlen(Text(S)) } "
+        "object { Named(B) }",
+        "a.pov", {}, nullptr, "povray");
+    ASSERT_TRUE(result) << messages(result);
+    const auto& spheres = result->get<Sphere>();
+    ASSERT_EQ(spheres.size(), 5u);
+    const double radii[] = {5, 1, 2, 2, 6};
+    for (std::size_t i = 0; i < 5; ++i) EXPECT_EQ(spheres[i].radius, radii[i]) << i;
+}
+
+TEST(PovrayArrays, ShapesThatAreNotRenderedAreNoLights) {
+    for (const char* shape : {"torus { 1, 1 }", "blob { }", "superellipsoid { <1, 1> }"}) {
+        const Result<Scene> result =
+            load_text(std::string("light_source { ") + shape + " }", "a.pov", {}, nullptr, "povray");
+        EXPECT_FALSE(result) << shape;
+        EXPECT_TRUE(has_errors(result.diagnostics));
+    }
+}
+
 std::string repeated(std::string_view text, std::size_t times) {
     std::string all;
     for (std::size_t i = 0; i < times; ++i) all += text;

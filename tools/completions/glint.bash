@@ -141,7 +141,7 @@ _glint() {
                 *) kind=scene ;;
             esac ;;
         grade)
-            options='-h --help --reference --scene --scene-name --include-path --format --profile --convention -s --size --shading --no-shadows --reflections --aa --seed --rubric --csv --json --gradescope --sheet -t --threads -q --quiet'
+            options='-h --help --reference --scene --scene-name --include-path --format --profile --convention -s --size --shading --no-shadows --reflections --aa --seed --max-memory --rubric --csv --json --gradescope --sheet -t --threads -q --quiet'
             [[ $word == -* ]] || case $before in
                 --reference) kind=file ;;
                 --scene) kind=scene ;;
@@ -155,6 +155,7 @@ _glint() {
                 --reflections) return ;;
                 --aa) words='N adaptive:N[:T]' ;;
                 --seed) return ;;
+                --max-memory) return ;;
                 --rubric) kind=file ;;
                 --csv) kind=file ;;
                 --json) kind=file ;;

@@ -162,6 +162,7 @@ complete -c glint -n '__fish_seen_subcommand_from grade' -l no-shadows -d 'No sh
 complete -c glint -n '__fish_seen_subcommand_from grade' -l reflections -x -d 'Largest number of successive reflections'
 complete -c glint -n '__fish_seen_subcommand_from grade' -l aa -x -a 'N adaptive:N[:T]' -d 'N x N samples per pixel'
 complete -c glint -n '__fish_seen_subcommand_from grade' -l seed -x -d 'Number of another picture of everything that is sampled'
+complete -c glint -n '__fish_seen_subcommand_from grade' -l max-memory -x -d 'The most memory that reading the scene may take: 500M, 4G'
 complete -c glint -n '__fish_seen_subcommand_from grade' -l rubric -r -F -d 'Lines of PART POINTS FILE [KEY=VALUE...] (docs/teaching.md): points per part'
 complete -c glint -n '__fish_seen_subcommand_from grade' -l csv -r -F -d 'Write the table as CSV'
 complete -c glint -n '__fish_seen_subcommand_from grade' -l json -r -F -d 'Write all figures and causes as JSON'

@@ -188,6 +188,7 @@ _glint() {
                 '--reflections[Largest number of successive reflections]:N: ' \
                 '--aa[N x N samples per pixel]:N|adaptive\:N[\:T]:(N adaptive:N[:T])' \
                 '--seed[Number of another picture of everything that is sampled]:N: ' \
+                '--max-memory[The most memory that reading the scene may take: 500M, 4G]:SIZE: ' \
                 '--rubric[Lines of PART POINTS FILE \[KEY=VALUE...\] (docs/teaching.md): points per part]:FILE:_files' \
                 '--csv[Write the table as CSV]:OUT:_files' \
                 '--json[Write all figures and causes as JSON]:OUT:_files' \

@@ -39,11 +39,9 @@ bool Reader::read_defined() {
     bool is_defined = Names::is_reserved(name.name);
     if (!is_defined) {
         const Value* found = find_value(name.name);
-        is_defined = found != nullptr && !std::holds_alternative<std::monostate>(*found);
-        if (found != nullptr && peek().is('[')) {
-            const Value* element = read_element(name);
-            is_defined = element != nullptr && !std::holds_alternative<std::monostate>(*element);
-        }
+        Value value = found != nullptr ? *found : Value();
+        if (found != nullptr && peek().is('[')) value = read_element(name, std::move(value));
+        is_defined = !failed_ && !std::holds_alternative<std::monostate>(value);
     }
     expect(')');
     return is_defined;

@@ -184,19 +184,19 @@ Numbers Reader::vector_literal() {
 }
 
 Numbers Reader::identifier(const Token& name) {
-    const Value* value = find_value(name.name);
-    if (value == nullptr) {
+    const Value* found = find_value(name.name);
+    if (found == nullptr) {
         error(name, fmt::format("expected a number, found {}{}", describe(name), what_is(name)));
         return {};
     }
-    if (std::holds_alternative<std::shared_ptr<Array>>(*value)) {
-        value = read_element(name);
-        if (value == nullptr) return {};
-        if (const auto* numbers = std::get_if<Numbers>(value)) return *numbers;
-    } else if (const auto* numbers = std::get_if<Numbers>(value)) {
-        return *numbers;
+    if (const auto* numbers = std::get_if<Numbers>(found)) return *numbers;
+    Value value = *found;
+    if (std::holds_alternative<std::shared_ptr<Array>>(value)) {
+        value = read_element(name, std::move(value));
+        if (failed_) return {};
+        if (const auto* numbers = std::get_if<Numbers>(&value)) return *numbers;
     }
-    error(name, fmt::format("expected a number, found {}, {}", describe(name), povray::describe(*value)));
+    error(name, fmt::format("expected a number, found {}, {}", describe(name), povray::describe(value)));
     return {};
 }
 

@@ -9,12 +9,6 @@
 #include "formats/povray/standard_includes.h"
 
 namespace glint::povray {
-namespace {
-
-// The folder of Debian's package povray-includes.
-constexpr std::string_view k_system_folder = "/usr/share/povray-3.7/include/";
-
-}  // namespace
 
 void Reader::read_include(const Token& at) {
     begin_value();

@@ -91,12 +91,12 @@ ObjectPart Reader::read_part() {
 
 // The object that an identifier or an element of an array stands for. Null after an error.
 ObjectPart Reader::object_of(const Token& name) {
-    const Value* value = find_value(name.name);
-    if (value == nullptr) return nullptr;
-    if (std::holds_alternative<std::shared_ptr<Array>>(*value)) value = read_element(name);
-    if (value == nullptr) return nullptr;
-    if (const auto* held = std::get_if<ObjectPart>(value)) return *held;
-    error(name, fmt::format("expected an object, found {}, {}", describe(name), povray::describe(*value)));
+    const Value* found = find_value(name.name);
+    Value value = found != nullptr ? *found : Value();
+    if (std::holds_alternative<std::shared_ptr<Array>>(value)) value = read_element(name, std::move(value));
+    if (failed_) return nullptr;
+    if (const auto* held = std::get_if<ObjectPart>(&value)) return *held;
+    error(name, fmt::format("expected an object, found {}, {}", describe(name), povray::describe(value)));
     return nullptr;
 }
 

@@ -204,7 +204,7 @@ class Reader {
     bool spend_elements(const Token& at, std::uint64_t count);
     std::uint32_t index();
     std::vector<std::uint32_t> read_indices();
-    const Value* read_element(const Token& name);
+    Value read_element(const Token& name, Value array);
     const Value* element(const Token& name, const Value& array, std::span<const std::uint32_t> indices);
     void assign_element(const Token& name, Value& whole, std::span<const std::uint32_t> indices,
                         Value assigned);

@@ -6,6 +6,9 @@
 
 namespace glint::povray {
 
+/// The folder of Debian's package povray-includes.
+inline constexpr std::string_view k_system_folder = "/usr/share/povray-3.7/include/";
+
 struct StandardInclude {
     std::string text;          ///< empty: glint has none of this name
     bool is_complete = false;  ///< it has every identifier of POV-Ray's file

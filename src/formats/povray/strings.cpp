@@ -35,9 +35,9 @@ String Reader::string() {
                                  ? find_value(token.name)
                                  : nullptr;
         if (value != nullptr && std::holds_alternative<std::shared_ptr<Array>>(*value)) {
-            const Value* element = read_element(take());
-            const auto* text = element ? std::get_if<String>(element) : nullptr;
-            if (text != nullptr) return *text;
+            Value array = *value;
+            const Value element = read_element(take(), std::move(array));
+            if (const auto* text = std::get_if<String>(&element)) return *text;
         }
         if (!failed_) expected("a string");
         return empty;

@@ -77,14 +77,12 @@ Value Reader::identifier_value(const Token& name) {
     }
     if (std::holds_alternative<Numbers>(*value)) return expression();
     if (std::holds_alternative<std::shared_ptr<Array>>(*value)) {
-        Value whole = *value;
+        const Value whole = *value;
         take();
         if (!peek().is('[')) return whole;
-        whole = {};  // or a change of the array while its indices are read would copy it
-        const Value* element = read_element(name);
-        if (element == nullptr) return {};
-        const auto* numbers = std::get_if<Numbers>(element);
-        return numbers != nullptr ? expression_after(*numbers) : *element;
+        const Value element = read_element(name, whole);
+        const auto* numbers = std::get_if<Numbers>(&element);
+        return numbers != nullptr ? expression_after(*numbers) : element;
     }
     Value copy = *value;
     take();
@@ -96,11 +94,9 @@ Value Reader::named_value(const Token& name) {
     if (name.kind != TokenKind::word || Names::is_reserved(name.name)) return {};
     const Value* value = find_value(name.name);
     if (value == nullptr) return {};
-    Value whole = *value;
+    const Value whole = *value;
     if (!std::holds_alternative<std::shared_ptr<Array>>(whole) || !peek().is('[')) return whole;
-    whole = {};
-    const Value* element = read_element(name);
-    return element != nullptr ? *element : Value();
+    return read_element(name, whole);
 }
 
 // The rest of an expression whose first operand has been read.
@@ -212,12 +208,12 @@ std::vector<std::uint32_t> Reader::read_indices() {
     return indices;
 }
 
-// The element of an array whose name has been read. Null after an error.
-const Value* Reader::read_element(const Token& name) {
+// The element of an array whose name has been read. Unset after an error. `array` is a copy: if the name is
+// the last word of a macro, the look for a `[` ends the macro, and its parameters and locals.
+Value Reader::read_element(const Token& name, const Value array) {
     const std::vector<std::uint32_t> indices = read_indices();
-    static const Value nothing;
-    const Value* array = find_value(name.name);  // the indices may have changed it
-    return failed_ ? nullptr : element(name, array != nullptr ? *array : nothing, indices);
+    const Value* found = failed_ ? nullptr : element(name, array, indices);
+    return found != nullptr ? *found : Value();
 }
 
 // Null after an error.
