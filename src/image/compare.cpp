@@ -125,7 +125,7 @@ class Measure {
         const std::uint64_t threads =
             std::min<std::uint64_t>(scratch_count(strips, options_.threads), (allowed - whole) / each);
         std::vector<Strip> scratch;
-        scratch.reserve(threads);
+        scratch.reserve(static_cast<std::size_t>(threads));
         while (scratch.size() < threads) scratch.emplace_back(width_, rows);
         rows_.resize(height_);
         similarities_.resize(has_windows_ ? height_ - k_ssim_window + 1 : 0);
