@@ -405,8 +405,10 @@ test('reading a scene has a limit of memory', () => {
 
 test('an instance whose memory runs out ends', async () => {
     const ended = await load(pathToFileURL(process.env.GLINT_WASM));
-    const text = 'union { #while(1) sphere { 0, 1 } #end }';
-    assert.throws(() => ended.open({texts: [{name: 'a.pov', text}], maxMemory: 2 ** 40}), InstanceError);
+    const text = 'sphere { center = (0, 0, 3) radius = 1 color = (255, 0, 0) }';
+    const scene = ended.open({texts: [{name: 'a.cgfs', text}], settings: {size: '16384x16384'}});
+    assert.equal(scene.report.ready, true);
+    assert.throws(() => scene.render(0, 0, 16384, 16384), InstanceError);  // 3 GiB
     assert.ok(ended.memoryBytes <= 2 ** 31);
     assert.throws(() => ended.version, /has ended, most likely because its memory ran out/);
     assert.throws(() => ended.open({texts: []}), InstanceError);
