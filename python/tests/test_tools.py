@@ -276,7 +276,10 @@ def test_a_text_includes_only_files_of_its_folders(tmp_path):
     (tmp_path / "scene").mkdir()
     (tmp_path / "parts").mkdir()
     for name in ("scene/a.glint", "parts/b.glint"):
-        (tmp_path / name).write_text("sphere { center = (0, 0, 4) radius = 1 }")
+        (tmp_path / name).write_text(
+            "camera { position = (0, 0, -4) look_at = (0, 0, 0) fov_x = 50 } light { type = ambient }\n"
+            "sphere { center = (0, 0, 4) radius = 1 }"
+        )
     name = str(tmp_path / "scene" / "s.glint")
     assert len(glint.loads('include "a.glint"', name=name).shapes) == 1
     for outside in ("../parts/b.glint", str(tmp_path / "parts" / "b.glint"), "../none.glint"):
