@@ -52,7 +52,8 @@ py::tuple compare_pictures(const Rendering& a, const Rendering& b, const std::st
     report.passes = d.all.equal == d.all.pixels;
     if (causes && !report.passes && d.not_finite == 0) {
         report.causes = run(progress, [&](Running& running) {
-            return find_causes(picture, reference, shared.get(), cause_options(running, as_floats, max_memory));
+            return find_causes(picture, reference, shared.get(),
+                               cause_options(running, as_floats, max_memory));
         });
     }
     return py::make_tuple(cli::json_report(report), printable_lines(cli::text_report(report)));
