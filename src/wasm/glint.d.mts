@@ -427,7 +427,7 @@ export function instantiate(module: CompiledModule): Promise<Glint>;
  * Thrown where an instance ends in a trap, most likely because its memory ran out, and by all later calls of it and its
  * scenes. Create a new instance then. `cause` is the trap.
  */
-export class InstanceError extends WebAssembly.RuntimeError {
+export class InstanceError extends Error {
     readonly cause: unknown;
 }
 
