@@ -31,11 +31,11 @@ std::uint64_t bytes_of(const Scene& scene) {
 }  // namespace
 
 std::uint64_t default_max_memory(std::uint64_t text_bytes) {
-    text_bytes = std::min(text_bytes, std::uint64_t{1} << 50);  // no text is longer, and no product overflows
+    text_bytes = std::min(text_bytes, std::uint64_t{1} << 48);  // no text is longer, and no product overflows
 #if defined(__wasm__)
     return std::min(384 * k_mib + 64 * text_bytes, 768 * k_mib);  // of 2 GiB in all
 #else
-    return 2048 * k_mib + 256 * std::min(text_bytes, std::uint64_t{1} << 48);
+    return 2048 * k_mib + 256 * text_bytes;
 #endif
 }
 
