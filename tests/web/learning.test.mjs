@@ -15,6 +15,7 @@ async function act(page, action) {
     if (what === 'pin') {
         const [x, y] = rest.split(',').map(Number);
         await clickPicture(page, x, y);
+        await page.getByRole('tab', {name: 'Inspect', selected: true}).waitFor();  // opens with the explanation, some time after the click
         return;
     }
     const text = await sceneText(page);
