@@ -3,6 +3,7 @@
 
 import json
 import subprocess
+import sys
 import warnings
 
 import numpy as np
@@ -33,6 +34,16 @@ def test_errors_have_places(tmp_path):
 def test_memory_errors_say_what_is_needed():
     with pytest.raises(MemoryError, match=r"a.pov:1:\d+: .* more than 4 MiB of memory"):
         glint.loads("union { #while(1) sphere { 0, 1 } #end }", "povray", name="a.pov", max_memory=4 << 20)
+    # In a process of its own, whose memory is limited whatever the machine has.
+    code = (
+        "import resource, glint\n"
+        "resource.setrlimit(resource.RLIMIT_AS, (8 << 30, 8 << 30))\n"
+        f"scene = glint.load({str(CASTLE)!r})\n"
+        "try: scene.render(size=(65536, 65536))\n"
+        "except MemoryError as error: print(error)"
+    )
+    said = subprocess.run([sys.executable, "-c", code], stdout=subprocess.PIPE, text=True, check=True).stdout
+    assert said == "out of memory: 65536x65536 pixels need 48 GiB\n"
 
 
 def test_errors_of_a_scene_made_in_code_name_the_item():
