@@ -48,6 +48,7 @@ class Loader {
             for (const Format& format : all_formats()) {
                 if (format.finish) format.finish(reading_);
             }
+            ask_for_memory(texts_.back());
             if (reading_.camera_wanted && !reading_.camera_given && !reading_.scene.camera.frame) {
                 reading_.diagnostics.add(*reading_.camera_wanted);
             }
@@ -141,6 +142,11 @@ class Loader {
         const SceneText& text = texts_[i];
         reading_.includes.root = static_cast<std::uint16_t>(i);
         formats_[i]->read(reading_, {{text.name, text.text}, static_cast<std::uint16_t>(i)});
+        ask_for_memory(text);
+    }
+
+    // Reports what is too much at the end of a text.
+    void ask_for_memory(const SceneText& text) {
         (void)reading_.is_within_memory({text.name, text.text}, text.text.size());
     }
 
