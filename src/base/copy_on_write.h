@@ -12,6 +12,7 @@ template <class T> bool is_sole_owner(const std::shared_ptr<T>& pointer) {
     if (pointer.use_count() != 1) return false;
     // use_count() does not synchronise with other threads. Creating and destroying a reference synchronises
     // with the threads that destroyed theirs before.
+    // NOLINTNEXTLINE(performance-unnecessary-copy-initialization)
     [[maybe_unused]] const std::shared_ptr<T> pin = pointer;
     return true;
 }

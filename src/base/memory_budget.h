@@ -55,16 +55,16 @@ template <class T> struct Counted {
     template <class Other> Counted(const Counted<Other>&) {}  // NOLINT: as allocators must
     T* allocate(std::size_t n) {
         T* const memory = std::allocator<T>().allocate(n);
-        if (MemoryBudget* budget = MemoryBudget::current()) {
-            budget->add(MemoryBudget::list_bytes(n, sizeof(T)));
-        }
+        if (MemoryBudget* budget = MemoryBudget::current()) budget->add(bytes_of(n));
         return memory;
     }
     void deallocate(T* memory, std::size_t n) {
-        if (MemoryBudget* budget = MemoryBudget::current()) {
-            budget->remove(MemoryBudget::list_bytes(n, sizeof(T)));
-        }
+        if (MemoryBudget* budget = MemoryBudget::current()) budget->remove(bytes_of(n));
         std::allocator<T>().deallocate(memory, n);
+    }
+    static std::uint64_t bytes_of(std::size_t n) {
+        // NOLINTNEXTLINE(bugprone-sizeof-expression): T may be a pointer
+        return MemoryBudget::list_bytes(n, sizeof(T));
     }
     friend bool operator==(const Counted&, const Counted&) { return true; }
 };

@@ -37,7 +37,7 @@ struct KeyedChild {
     std::int64_t key;
     HWY_INLINE KeyedChild(BvhChild child, std::int32_t entry)
         : key(entry * (std::int64_t{1} << 32) + child.bits) {}
-    KeyedChild() {}  // uninitialised: see TraversalStack
+    KeyedChild() {}  // uninitialised: see TraversalStack. NOLINT(modernize-use-equals-default)
     BvhChild child() const { return {static_cast<std::uint32_t>(key)}; }
     std::int32_t entry() const { return static_cast<std::int32_t>(key >> 32); }
     bool is_nearer_than(const KeyedChild& other) const { return key < other.key; }

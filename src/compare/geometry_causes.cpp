@@ -18,7 +18,7 @@ namespace {
 
 using Values = std::span<const double>;
 
-constexpr std::size_t k_max_shapes = 6, k_max_lights = 8;
+constexpr std::size_t k_max_shapes = 6, k_max_moved_lights = 8;
 constexpr double k_light_unit = 0.02, k_camera_unit = 0.01, k_sphere_unit = 0.05;  // of distance or radius
 constexpr double k_axis_unit = 0.02;                                               // of the unit axis
 constexpr double k_view_unit = 0.01, k_color_unit = 0.05;
@@ -50,7 +50,7 @@ std::string way_text(const Scene& scene, Vec3 by) {
 void add_lights(const Scene& scene, std::vector<FittedCause>& causes) {
     if (!is_lit(scene)) return;
     std::size_t count = 0;
-    for (std::uint32_t i = 0; i < scene.lights.size() && count < k_max_lights; ++i) {
+    for (std::uint32_t i = 0; i < scene.lights.size() && count < k_max_moved_lights; ++i) {
         const Light& light = scene.lights[i];
         if (is_ambient(light)) continue;
         ++count;
@@ -80,7 +80,7 @@ void add_lights(const Scene& scene, std::vector<FittedCause>& causes) {
 void add_spots(const Scene& scene, std::vector<FittedCause>& causes) {
     if (!is_lit(scene)) return;
     std::size_t count = 0;
-    for (std::uint32_t i = 0; i < scene.lights.size() && count < k_max_lights; ++i) {
+    for (std::uint32_t i = 0; i < scene.lights.size() && count < k_max_moved_lights; ++i) {
         if (!scene.lights[i].is_spot()) continue;
         ++count;
         const Vec3 was = normalize(scene.lights[i].axis);

@@ -26,7 +26,7 @@ struct Stage {
     double by = 1;
 };
 std::vector<Stage> stages_of(std::int32_t columns, FitStart start) {
-    const std::vector<Stage> last = {{0, 1}, {0, 0.3}, {0, 0.1}};
+    std::vector<Stage> last = {{0, 1}, {0, 0.3}, {0, 0.1}};
     if (start == FitStart::near) return last;
     const int first = std::max(columns / 16, 2);
     std::vector<Stage> stages;

@@ -57,14 +57,14 @@ void add_single_lights(const Scene& scene, std::vector<SceneCause>& causes) {
         if (!is_ambient(scene.lights[i]) && !is_off(scene.lights[i])) lights.push_back(i);
     }
     if (!is_lit(scene) || lights.size() < 2 || lights.size() > k_max_single_lights) return;
-    for (std::size_t k = 0; k < lights.size(); ++k) {
-        const std::string text = light_text(scene, lights[k]);
+    for (const std::uint32_t light : lights) {
+        const std::string text = light_text(scene, light);
         causes.push_back({"light-missing",
                           fmt::format("The light of {} is missing: sum over all lights.", text),
-                          [i = lights[k]](Scene& s) { switch_off(s.lights[i]); }, text, "light-scaled",
-                          [i = lights[k]](Scene& s, double factor) {
-                              s.lights[i].color = s.lights[i].color * factor;
-                              s.lights[i].specular_color = s.lights[i].specular_color * factor;
+                          [light](Scene& s) { switch_off(s.lights[light]); }, text, "light-scaled",
+                          [light](Scene& s, double factor) {
+                              s.lights[light].color = s.lights[light].color * factor;
+                              s.lights[light].specular_color = s.lights[light].specular_color * factor;
                           }});
     }
     for (std::size_t k = 0; lights.size() > 2 && k < lights.size(); ++k) {

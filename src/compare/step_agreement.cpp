@@ -16,14 +16,14 @@ void mark_steps(const BytePicture& picture, std::int32_t y, std::vector<std::uin
         marks[x] = is_step(pixels + 3 * x, pixels + 3 * x + 3);
 }
 
-struct Counts {
+struct StepCounts {
     std::uint32_t steps = 0, near = 0, met = 0;  // steps, pixels near a step, the other's steps among them
 };
 
 void count_steps(const std::vector<std::uint8_t>& mine, const std::vector<std::uint8_t>& others,
-                 Counts& counts) {
+                 StepCounts& counts) {
     const std::size_t last = mine.size() - 1;
-    Counts row;
+    StepCounts row;
     const auto count = [&](std::size_t x, std::uint8_t left, std::uint8_t right) {
         const std::uint32_t near = left | mine[x] | right;
         row.steps += mine[x];
@@ -37,7 +37,7 @@ void count_steps(const std::vector<std::uint8_t>& mine, const std::vector<std::u
 }
 
 // The fraction of the other's steps that are near this picture's, beyond chance.
-double agreement(const Counts& mine, const Counts& others, double pixels) {
+double agreement(const StepCounts& mine, const StepCounts& others, double pixels) {
     const double chance = mine.near / pixels;
     return chance < 1 ? (static_cast<double>(mine.met) / others.steps - chance) / (1 - chance) : 0;
 }
@@ -45,7 +45,7 @@ double agreement(const Counts& mine, const Counts& others, double pixels) {
 }  // namespace
 
 std::optional<StepAgreement> step_agreement(const BytePicture& a, const BytePicture& b, const Rows& rows) {
-    Counts of_a, of_b;
+    StepCounts of_a, of_b;
     std::vector<std::uint8_t> steps_a(static_cast<std::size_t>(a.width)), steps_b = steps_a;
     for (const std::int32_t y : rows) {
         mark_steps(a, y, steps_a);

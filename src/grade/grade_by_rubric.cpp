@@ -67,9 +67,9 @@ class RubricGrader {
 
     void copy_part(std::size_t from, std::size_t to) {
         submissions_.show_same(from, to);
-        for (std::size_t i = 0; i < graded_.size(); ++i) {
-            GradedPart& part = graded_[i].parts[to];
-            part = graded_[i].parts[from];
+        for (auto& graded : graded_) {
+            GradedPart& part = graded.parts[to];
+            part = graded.parts[from];
             const double factor = rows_[to].points / rows_[from].points;
             part.score.points *= factor;
             part.points_alone *= factor;
@@ -91,8 +91,10 @@ class RubricGrader {
             std::map<Wanted, std::vector<Faulty>> groups;
             for (std::size_t i = first; i < last; ++i) {
                 if (is_cancelled()) return cancelled();
-                if (auto faulty = grade_one(i, k, plain))
-                    groups[faulty->judged_by].push_back(*std::move(faulty));
+                auto faulty = grade_one(i, k, plain);
+                if (!faulty) continue;
+                std::vector<Faulty>& group = groups[faulty->judged_by];
+                group.push_back(*std::move(faulty));
             }
             std::size_t done = 0, all = 0;
             for (const auto& [judged_by, group] : groups) all += group.size();
@@ -158,7 +160,7 @@ class RubricGrader {
     // pixels, and returns that picture.
     Wanted judge_with(const FaultChain& chain, const Image& picture, std::size_t i, std::size_t k,
                       const WantedPicture& plain) {
-        const Wanted wanted = render_with(chain, picture, k);
+        Wanted wanted = render_with(chain, picture, k);
         if (!wanted || !still_shows(*wanted, plain)) return nullptr;
         GradedPart& part = graded_[i].parts[k];
         const PartScore score = grade(picture, *wanted, rows_[k].points, options_.threads);
@@ -176,6 +178,7 @@ class RubricGrader {
         const Wanted judged_by = group.front().judged_by;
         const WantedPicture& wanted = judged_by ? *judged_by : plain;
         std::vector<Image> pictures;
+        pictures.reserve(group.size());
         for (Faulty& faulty : group) pictures.push_back(std::move(faulty.picture));
         CauseOptions options;
         options.threads = options_.threads;
@@ -210,6 +213,7 @@ class RubricGrader {
         const bool may_join = chain.empty() || found_with_chain ||
                               (chain.lights == alone.lights && renderer_.keeps_lights(chain));
         if (chain.empty()) both = alone;
+        // NOLINTNEXTLINE(bugprone-branch-clone): what explains the picture comes before what may
         if (may_join && is_explained(both, picture, k)) {
             chain = std::move(both);
         } else if (is_explained(alone, picture, k)) {

@@ -136,7 +136,8 @@ std::vector<float> with_alpha(std::span<const float> rgb, std::span<const float>
 namespace {
 
 // alpha: empty, or of the picture's size.
-Result<std::vector<std::uint8_t>> encode_checked(const Image& image, std::span<const float> alpha,
+Result<std::vector<std::uint8_t>> encode_checked(const Image& image,
+                                                 [[maybe_unused]] std::span<const float> alpha,
                                                  const EncodeOptions& options) {
     switch (options.format) {
         case FileFormat::png:

@@ -71,8 +71,8 @@ Imf::FrameBuffer frame_of(std::string_view channels, const float* values, std::i
         // outside the memory of the rows.
         const auto address =
             reinterpret_cast<std::uintptr_t>(values + c) - row * static_cast<std::size_t>(first_row);
-        frame.insert(std::string(1, channels[c]),
-                     Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(address), pixel, row));
+        auto* base = reinterpret_cast<char*>(address);  // NOLINT(performance-no-int-to-ptr)
+        frame.insert(std::string(1, channels[c]), Imf::Slice(Imf::FLOAT, base, pixel, row));
     }
     return frame;
 }

@@ -131,6 +131,7 @@ constexpr const MaterialCoefficient* coefficient_of(const ItemField<Material>& f
 /// Some order of all materials; of two with the same bits, neither is less.
 inline bool less_bits(const Material& a, const Material& b) {
     for (const ItemField<Material>& field : k_material_fields) {
+        // NOLINTNEXTLINE(modernize-use-nullptr): of clang-tidy 14, which takes the 0 of <=> for a pointer
         if (const auto order = compare_bits(field, a, b); order != 0) return order < 0;
     }
     return false;

@@ -132,7 +132,7 @@ void Reader::read_for(const Token& at) {
     loop.begin = frames_.back().at;
     bind(name.name, depth(), Numbers(from));
     const bool is_run = is_within(from, loop);
-    conditions_.push_back(std::move(loop));
+    conditions_.push_back(loop);
     if (is_run) return;
     skip_to_branch(true);
     leave_condition();
@@ -144,7 +144,7 @@ void Reader::read_switch(const Token& at) {
     if (!expect(')')) return;
     Condition choice{ConditionKind::choice, at};
     choice.choice = value;
-    conditions_.push_back(std::move(choice));
+    conditions_.push_back(choice);
     skip_to_branch(false);
 }
 

@@ -88,7 +88,8 @@ void Reader::read_declare(bool is_local) {
             const std::vector<std::uint32_t> indices = read_indices();
             if (!failed_ && expect('=')) {
                 Value assigned = value();
-                binding = failed_ ? nullptr : find_binding(target = name.name, depth());
+                target = name.name;
+                binding = failed_ ? nullptr : find_binding(target, depth());
                 if (binding) assign_element(name, binding->value, indices, std::move(assigned));
             }
         }

@@ -59,7 +59,6 @@ Numbers Reader::function(const Token& name) {
         case Word::k_u:
             return Numbers(Vec3{1, 0, 0});
         case Word::k_y:
-            return Numbers(Vec3{0, 1, 0});
         case Word::k_v:
             return Numbers(Vec3{0, 1, 0});
         case Word::k_z:

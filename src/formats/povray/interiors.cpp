@@ -54,7 +54,7 @@ void Reader::use_interiors() {
             if (used[material]) {
                 known->second = static_cast<std::uint32_t>(scene_.materials.size());
                 note(scene_.material_texts, known->second, scene_.material_texts.place(material));
-                scene_.materials.push_back(Material(m));
+                scene_.materials.push_back(m);
                 const bool is_time = scene_.materials.size() % 256 == 0;
                 if (is_time && !is_within_memory(tokens_[text_.file].back())) return;
             }

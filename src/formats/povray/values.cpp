@@ -77,7 +77,7 @@ Value Reader::identifier_value(const Token& name) {
     }
     if (std::holds_alternative<Numbers>(*value)) return expression();
     if (std::holds_alternative<std::shared_ptr<Array>>(*value)) {
-        const Value whole = *value;
+        Value whole = *value;
         take();
         if (!peek().is('[')) return whole;
         const Value element = read_element(name, whole);
@@ -94,7 +94,7 @@ Value Reader::named_value(const Token& name) {
     if (name.kind != TokenKind::word || Names::is_reserved(name.name)) return {};
     const Value* value = find_value(name.name);
     if (value == nullptr) return {};
-    const Value whole = *value;
+    Value whole = *value;
     if (!std::holds_alternative<std::shared_ptr<Array>>(whole) || !peek().is('[')) return whole;
     return read_element(name, whole);
 }
@@ -210,6 +210,7 @@ std::vector<std::uint32_t> Reader::read_indices() {
 
 // The element of an array whose name has been read. Unset after an error. `array` is a copy: if the name is
 // the last word of a macro, the look for a `[` ends the macro, and its parameters and locals.
+// NOLINTNEXTLINE(performance-unnecessary-value-param)
 Value Reader::read_element(const Token& name, const Value array) {
     const std::vector<std::uint32_t> indices = read_indices();
     const Value* found = failed_ ? nullptr : element(name, array, indices);
