@@ -102,6 +102,10 @@ struct ExplainedOcclusion {
     struct Occluder {
         std::uint32_t shape = k_none;  ///< in Scene::shapes
         int samples = 0;               ///< of which it is the nearest occluder
+        /// What f loses by them: 1 / samples each, and with OcclusionMethod::fixed 2 N·d / samples for the
+        /// direction d. Where no light is colored, f and these add up to the f of a surface without
+        /// occluders.
+        double weight = 0;
     };
     std::vector<Occluder> occluders;  ///< the shape with the most samples first
 };

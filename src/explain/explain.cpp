@@ -66,11 +66,15 @@ void find_sky_occluders(const WorldParts& world, std::span<const TileRecord::Sky
     const HitList hits = nearest_occluders(world, rays, 1);
     for (std::size_t i = 0; i < blocked.size(); ++i) {
         if (hits.slot[i] == k_none) continue;
-        auto& list = e.rays[blocked[i].ray].hit->occlusion->occluders;
+        ExplainedHit& hit = *e.rays[blocked[i].ray].hit;
+        auto& list = hit.occlusion->occluders;
         const std::uint32_t shape = world.geometry->shape_index[hits.slot[i]];
         auto at = std::find_if(list.begin(), list.end(), [&](const auto& o) { return o.shape == shape; });
-        if (at == list.end()) at = list.insert(list.end(), {shape, 0});
+        if (at == list.end()) at = list.insert(list.end(), {shape, 0, 0});
         ++at->samples;
+        const bool is_fixed = world.occlusion->method == OcclusionMethod::fixed;
+        const double cosine = is_fixed ? 2 * dot(hit.normal, normalize(blocked[i].direction)) : 1;
+        at->weight += cosine / world.occlusion->samples;
     }
     for (ExplainedRay& ray : e.rays) {
         if (!ray.hit || !ray.hit->occlusion) continue;

@@ -136,7 +136,11 @@ Json terms_json(const Scene& scene, const ExplainedHit& hit, const LightTerms& t
     if (material.metallic > 0) json["highlight_tint"] = to_json(terms.highlight_tint);
     if (is_filtered(terms)) json["filter"] = to_json(terms.filter);
     if (!terms.filters.empty()) json["filters"] = filters_json(scene, terms.filters);
-    if (terms.sample >= 0) json["sample"] = terms.sample;
+    if (terms.sample >= 0) {
+        json["sample"] = terms.sample;
+        const Light& light = scene.lights[terms.light];
+        json["weight"] = 1.0 / (light.samples_u * light.samples_v);
+    }
     if (terms.has_ray) json["shadow_ray"] = shadow_ray_json(terms);
     if (terms.blocker) json["blocker"] = blocker_json(scene, *terms.blocker);
     if (!terms.samples.empty()) json["samples"] = samples_json(scene, terms);
@@ -154,10 +158,12 @@ Json secondary_ray_json(const ExplainedSecondaryRay& ray) {
 Json occlusion_json(const Scene& scene, const ExplainedOcclusion& occlusion) {
     Json occluders = Json::array();
     for (const ExplainedOcclusion::Occluder& o : occlusion.occluders)
-        occluders.push_back({{"shape", shape_json(scene, o.shape)}, {"samples", o.samples}});
+        occluders.push_back(
+            {{"shape", shape_json(scene, o.shape)}, {"samples", o.samples}, {"weight", o.weight}});
     return {{"samples", occlusion.samples},      {"blocked", occlusion.blocked},
             {"factor", occlusion.factor},        {"factors", to_json(occlusion.factors)},
             {"light", to_json(occlusion.light)}, {"part", to_json(occlusion.part)},
+            {"direct", scene.occlusion->direct}, {"color", to_json(scene.occlusion->color)},
             {"occluders", std::move(occluders)}};
 }
 

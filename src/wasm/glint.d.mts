@@ -314,7 +314,7 @@ export interface ExplainedHit {
     reflected: ExplainedSecondaryRay;
     transmitted: ExplainedSecondaryRay;
     /** If the scene has occlusion: the light from all directions; part: the contribution to the pixel. */
-    occlusion?: {samples: number; blocked: number; factor: number; factors: Vec3; light: Vec3; part: Vec3; occluders: {shape: NamedItem; samples: number}[]};
+    occlusion?: {samples: number; blocked: number; factor: number; factors: Vec3; light: Vec3; part: Vec3; color: Vec3; direct: number; occluders: {shape: NamedItem; samples: number; weight: number}[]};
 }
 
 export interface ExplainedRay {

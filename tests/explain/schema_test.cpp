@@ -2,6 +2,8 @@
 // explain's JSON is valid by docs/explain.schema.json; supports the parts of JSON Schema that this file uses.
 #include <gtest/gtest.h>
 
+#include <array>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "gallery/scene_file.h"
@@ -65,6 +67,61 @@ class Schema {
     json root_;
 };
 
+// The recipe of docs/explain.md: what its layers are by the rays of the JSON alone.
+json layers_by_recipe(const json& explanation) {
+    std::map<std::string, std::array<double, 3>> sums;
+    for (const json& ray : explanation["rays"]) {
+        const auto add = [&](const std::string& own, const json& color) {
+            std::array<double, 3>& sum = sums[ray["layer"].is_null() ? own : ray["layer"].get<std::string>()];
+            for (std::size_t c = 0; c < 3; ++c) sum[c] += color[c].get<double>();
+        };
+        if (ray.contains("hit")) {
+            const json& hit = ray["hit"];
+            for (const char* part : {"ambient", "diffuse", "specular", "emission"})
+                add(part, hit["parts"][part]);
+            if (hit.contains("occlusion")) add("sky", hit["occlusion"]["part"]);
+        } else {
+            add("background", ray["background"]);
+        }
+        if (ray.contains("fog")) add("fog", ray["fog"]["added"]);
+    }
+    const double samples = explanation["samples"].get<double>() * explanation["samples"].get<double>();
+    json layers = json::object();
+    for (const auto& [name, value] : explanation["layers"].items()) {
+        for (const double sum : sums[name]) layers[name].push_back(static_cast<float>(sum / samples));
+    }
+    return layers;
+}
+
+// The layers added up in their order, in single precision.
+json value_by_recipe(const json& explanation) {
+    float value[3] = {};
+    for (const LayerInfo& info : layer_infos().first(k_light_layers)) {
+        for (std::size_t c = 0; c < 3; ++c)
+            value[c] += explanation["layers"][std::string(info.name)][c].get<float>();
+    }
+    return {value[0], value[1], value[2]};
+}
+
+// f of a surface without occluders, where no transparent surface colors the light.
+void check_occlusion(const json& explanation, const Scene& scene) {
+    for (const json& ray : explanation["rays"]) {
+        if (!ray.contains("hit") || !ray["hit"].contains("occlusion")) continue;
+        const json& occlusion = ray["hit"]["occlusion"];
+        double f = occlusion["factor"];
+        int samples = 0;
+        for (const json& occluder : occlusion["occluders"]) {
+            f += occluder["weight"].get<double>();
+            samples += occluder["samples"].get<int>();
+        }
+        EXPECT_EQ(occlusion["direct"], scene.occlusion->direct);
+        // The directions of the method `fixed` are not the same at each point.
+        const double margin = scene.occlusion->method == OcclusionMethod::fixed ? 0.3 : 1e-12;
+        if (samples != occlusion["blocked"]) continue;
+        EXPECT_NEAR(f, 1, margin);
+    }
+}
+
 TEST(ExplainSchema, HoldsOverTheGallery) {
     std::ifstream file(GLINT_PROJECT_DIR "/docs/explain.schema.json");
     const Schema schema(json::parse(file));
@@ -80,12 +137,19 @@ TEST(ExplainSchema, HoldsOverTheGallery) {
             // The result of the browser's API for a position outside the picture.
             const json failed = {{"pixel", {i, y}}, {"samples", 1}, {"error", explained.message}};
             const std::string text = i < 0 ? failed.dump() : explanation_json(*explained, *scene).value();
-            EXPECT_EQ(schema.fault(json::parse(text)), "") << path << " pixel " << i;
+            const json read = json::parse(text);
+            EXPECT_EQ(schema.fault(read), "") << path << " pixel " << i;
+            if (i >= 0) {
+                EXPECT_EQ(layers_by_recipe(read), read["layers"]) << path << " pixel " << i;
+                EXPECT_EQ(value_by_recipe(read), read["value"]) << path << " pixel " << i;
+                check_occlusion(read, *scene);
+            }
             all += text;
         }
     }
-    for (const char* word : {"\"error\"", "\"blocker\"", "\"limit\"", "\"transmitted\",\"sample\"",
-                             "\"turned_away\"", "\"behind\""})
+    for (const char* word :
+         {"\"error\"", "\"blocker\"", "\"limit\"", "\"transmitted\",\"sample\"", "\"turned_away\"",
+          "\"behind\"", "\"occluders\":[{", "\"added\"", "\"weight\":0.0625"})
         EXPECT_NE(all.find(word), std::string::npos) << word << " was never tested";
     EXPECT_NE(schema.fault(json{{"pixel", {1, 2}}}), "");
     EXPECT_NE(schema.fault(json{{"pixel", {1, 2}}, {"samples", 1}, {"more", 1}}), "");
