@@ -35,6 +35,8 @@ struct ExplainArguments {
     SceneArguments scene;
     PictureArguments picture;
     NumberArguments numbers;
+    double fold = 0.5;
+    bool all = false;
     std::string pixel, sample, form = "text", origin = "top-left", why_not, overlay, isa;
 };
 
@@ -94,6 +96,7 @@ int explain_command(ExplainArguments& arguments) {
     style.from_below = arguments.origin == "bottom-left";
     style.file = encoding_of(arguments.numbers, scene.conventions.byte_rule());
     style.sample = sample_of(arguments, scene.settings.samples);
+    style.fold = arguments.all ? 0 : arguments.fold;
     std::optional<std::uint32_t> light;
     if (!arguments.why_not.empty()) light = find_light("--why-not", arguments.why_not, scene);
 
@@ -150,6 +153,14 @@ Run add_explain(CLI::App& app) {
             "--sample", a.sample,
             "The sample whose rays are printed: its column and row in the pixel; default: the middle one")
         ->option_text("I,J");
+    command
+        .add_option(
+            "--fold", a.fold,
+            "Print secondary rays that add less than N of 255, with those that follow them, as one line; "
+            "default: 0.5")
+        ->check(number_between(0, 255))
+        ->option_text("N");
+    command.add_flag("--all", a.all, "Print every ray, as --fold 0 does");
     command
         .add_option("--as", a.form,
                     "text (default); json (schema in docs/explain.md); printrays: the layout of CSC 473")

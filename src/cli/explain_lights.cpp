@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
 #include <numbers>
 #include <span>
@@ -137,18 +138,9 @@ void add_shadow_samples(IndentedText& text, const Scene& scene, const ExplainSty
                                  color(terms.filter), swatch(style, terms.filter)));
 }
 
-void add_light(IndentedText& text, const Scene& scene, const ExplainStyle& style, const ExplainedHit& hit,
-               const LightTerms& terms, int depth) {
-    const std::string name = light_text(scene, terms.light);
-    const std::string nothing = nothing_text(scene, hit, terms);
+// "L (0, 1, 0), distance 3; N·L = 0.7; R·V = 0.9, to the power 20 = 0.12"
+std::string vectors_text(const Scene& scene, const ExplainedHit& hit, const LightTerms& terms) {
     const Light& light = scene.lights[terms.light];
-    if (!nothing.empty()) {
-        text.line(depth, fmt::format("{}: {}", name, nothing));
-    } else {
-        text.line(depth, fmt::format("{}: diffuse {} + specular {}{}", name, color(terms.diffuse),
-                                     color(terms.specular), swatch(style, terms.diffuse + terms.specular)));
-    }
-    if (!(terms.distance > 0)) return;
     std::string how = fmt::format("L {}", vec(terms.to_light * (1 / terms.distance)));
     if (light.has_position()) how += fmt::format(", distance {}", number(terms.distance));
     if (terms.attenuation != 1) how += fmt::format(", attenuation {}", number(terms.attenuation));
@@ -160,7 +152,21 @@ void add_light(IndentedText& text, const Scene& scene, const ExplainStyle& style
     const double brilliance = material_of(hit, scene).brilliance;
     if (brilliance != 1 && terms.n_l > 0)
         how += fmt::format(", to the power {} = {}", number(brilliance), number(terms.diffuse_factor));
-    text.line(depth + 1, fmt::format("{}; {}", how, highlight_text(scene, hit, terms)));
+    return fmt::format("{}; {}", how, highlight_text(scene, hit, terms));
+}
+
+void add_light(IndentedText& text, const Scene& scene, const ExplainStyle& style, const ExplainedHit& hit,
+               const LightTerms& terms, int depth) {
+    const std::string name = light_text(scene, terms.light);
+    const std::string nothing = nothing_text(scene, hit, terms);
+    if (!nothing.empty()) {
+        text.line(depth, fmt::format("{}: {}", name, nothing));
+    } else {
+        text.line(depth, fmt::format("{}: diffuse {} + specular {}{}", name, color(terms.diffuse),
+                                     color(terms.specular), swatch(style, terms.diffuse + terms.specular)));
+    }
+    if (!(terms.distance > 0)) return;
+    text.line(depth + 1, vectors_text(scene, hit, terms));
     constexpr std::size_t most = 12;
     for (std::size_t i = 0; i < std::min(most, terms.filters.size()); ++i) {
         const ShadowFilter& filter = terms.filters[i];
@@ -175,13 +181,20 @@ void add_light(IndentedText& text, const Scene& scene, const ExplainStyle& style
     if (!terms.samples.empty()) add_shadow_samples(text, scene, style, terms, depth + 1);
 }
 
+double sum_of(const LightTerms& terms) {
+    const Color c = terms.diffuse + terms.specular;
+    return c.r + c.g + c.b;
+}
+
 // The samples of an area light, each of which is a light of its own.
 void add_samples(IndentedText& text, const Scene& scene, const ExplainStyle& style, const ExplainedHit& hit,
                  std::span<const LightTerms> samples, int depth) {
     Color diffuse, specular;
     SamplesByShape blocked;
     std::size_t visible = 0;
+    const LightTerms* brightest = &samples[0];
     for (const LightTerms& terms : samples) {
+        if (sum_of(terms) > sum_of(*brightest)) brightest = &terms;
         diffuse = diffuse + terms.diffuse;
         specular = specular + terms.specular;
         if (terms.blocked)
@@ -195,6 +208,13 @@ void add_samples(IndentedText& text, const Scene& scene, const ExplainStyle& sty
     text.line(depth, fmt::format("{}: diffuse {} + specular {}{}", name, color(diffuse), color(specular),
                                  swatch(style, diffuse + specular)));
     text.line(depth + 1, visible_samples_text(scene, visible, samples.size(), blocked));
+    const auto [least, most] = std::minmax_element(
+        samples.begin(), samples.end(), [](const auto& a, const auto& b) { return a.n_l < b.n_l; });
+    text.line(depth + 1, fmt::format("each sample has 1/{} of the light; N·L = {} to {}", samples.size(),
+                                     number(least->n_l), number(most->n_l)));
+    if (brightest->distance > 0)
+        text.line(depth + 1, fmt::format("sample {}, which adds most: {}", brightest->sample,
+                                         vectors_text(scene, hit, *brightest)));
 }
 
 // The likely fault of the scene if a light adds nothing.

@@ -4,11 +4,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <vector>
 
 #include "base/text.h"
 #include "cli/explain_lights.h"
 #include "cli/explain_numbers.h"
 #include "cli/explain_sum.h"
+#include "math/transform.h"
 #include "scene/material_fields.h"
 
 namespace glint::cli {
@@ -64,19 +67,71 @@ Color through_of(const Material& m) {
 
 double mean(Color c) { return (c.r + c.g + c.b) / 3; }
 
+double largest(Color c) { return std::max({std::abs(c.r), std::abs(c.g), std::abs(c.b)}); }
+
+// What a ray adds to the pixel together with the rays that start where it hits.
+struct Branch {
+    Color light;
+    double most = 0;  // the sum of the largest channels: light of both signs does not cancel
+    int rays = 1;
+};
+
+std::vector<Branch> branches_of(const Explanation& e, bool has_alpha) {
+    std::vector<Branch> branches(e.rays.size());
+    for (std::size_t i = e.rays.size(); i-- > 0;) {
+        const ExplainedRay& ray = e.rays[i];
+        const Color light = (ray.hit ? ray.hit->own_light() : ray.background) + ray.fog;
+        branches[i].light = branches[i].light + light;
+        branches[i].most += largest(light);
+        if (has_alpha && ray.transparent) branches[i].most += largest(ray.weight);  // what alpha loses
+        if (ray.parent < 0 || static_cast<std::size_t>(ray.parent) >= i) continue;
+        Branch& parent = branches[static_cast<std::size_t>(ray.parent)];
+        parent.light = parent.light + branches[i].light;
+        parent.most += branches[i].most;
+        parent.rays += branches[i].rays;
+    }
+    return branches;
+}
+
+std::string_view kind_of(const ExplainedRay& r) {
+    return r.parent < 0    ? "camera ray"
+           : r.straight    ? "ray straight through"
+           : r.transmitted ? "ray through glass"
+                           : "mirror ray";
+}
+
+// Where a secondary ray starts, and why not at P itself. Empty if it is a part of the ray before.
+std::string start_text(const ExplainedRay& r, const ExplainedRay& before, const Scene& scene) {
+    if (r.straight || !before.hit) return {};
+    const Vec3 step = r.origin - before.hit->point;
+    const double distance = length(step);
+    if (distance == 0)
+        return fmt::format("starts at P; a surface nearer than t = {} does not count", number(r.t_min));
+    const double along_n = dot(step, before.hit->normal) / distance;
+    const double along_ray = dot(step, r.direction) / (distance * length(r.direction));
+    const std::string_view way = along_n > 0.999999     ? " along N"
+                                 : along_n < -0.999999  ? " against N"
+                                 : along_ray > 0.999999 ? " along its own direction"
+                                                        : "";
+    return fmt::format(
+        "starts {} from P{}, so that it does not hit the surface at P again (offset {}, epsilon {})",
+        number(distance), way, get_setting(scene, *find_setting("offset")),
+        number(scene.conventions.epsilon));
+}
+
 class Tree {
   public:
     Tree(const Explanation& e, const Scene& scene, const ExplainStyle& style)
-        : e_(e), scene_(scene), style_(style) {}
+        : e_(e), scene_(scene), style_(style), branches_(branches_of(e, scene.settings.alpha)) {}
 
     void add_ray(std::size_t ray, int depth) {
         const ExplainedRay& r = e_.rays[ray];
-        const std::string_view kind = r.parent < 0    ? "camera ray"
-                                      : r.straight    ? "ray straight through"
-                                      : r.transmitted ? "ray through glass"
-                                                      : "mirror ray";
-        text_.line(depth, fmt::format("{} {} from {} towards {}{}", kind, ray, vec(r.origin),
+        text_.line(depth, fmt::format("{} {} from {} towards {}{}", kind_of(r), ray, vec(r.origin),
                                       vec(r.direction), r.parent < 0 ? "" : ", weight " + color(r.weight)));
+        if (r.parent >= 0) {
+            const std::string start = start_text(r, e_.rays[static_cast<std::size_t>(r.parent)], scene_);
+            if (!start.empty()) text_.line(depth + 1, start);
+        }
         if (!r.hit) {
             if (r.beyond_limit)
                 text_.line(depth + 1,
@@ -97,7 +152,12 @@ class Tree {
         add_secondary_ray(r.hit->transmitted, r.hit->transparent ? "straight through" : "glass", depth + 1);
     }
 
-    const std::string& text() const { return text_.text; }
+    // The rays, and how many of them are not shown.
+    std::string text() const {
+        if (folded_.rays == 0) return text_.text;
+        return text_.text + fmt::format("rays not shown: {}, which add {} in all (--all shows them)\n",
+                                        folded_.rays, color(folded_.light));
+    }
 
   private:
     void add_hit(const ExplainedRay& r, int depth) {
@@ -130,11 +190,13 @@ class Tree {
         if (hit.outline != 1)
             text_.line(depth + 1, fmt::format("outline: diffuse light{} times {} at this angle",
                                               hit.occlusion ? " and sky" : "", number(hit.outline)));
-        const Color sum = hit.ambient + hit.diffuse + hit.specular + hit.emission;
-        text_.line(depth + 1, fmt::format("sum: ambient {} + diffuse {} + specular {}{} = {}{}",
+        const Color sky = hit.occlusion ? hit.occlusion->light * hit.outline : Color{};
+        const Color sum = hit.ambient + hit.diffuse + hit.specular + hit.emission + sky;
+        text_.line(depth + 1, fmt::format("sum: ambient {} + diffuse {} + specular {}{}{} = {}{}",
                                           color(hit.ambient), color(hit.diffuse), color(hit.specular),
                                           emits ? " + emission " + color(hit.emission) : std::string(),
-                                          color(sum), swatch(style_, sum)));
+                                          hit.occlusion ? " + sky " + color(sky) : std::string(), color(sum),
+                                          swatch(style_, sum)));
         if (scene_.occlusion && scene_.occlusion->direct != 1)
             text_.line(depth + 1,
                        fmt::format("diffuse and specular include the factor `direct` of the occlusion: {}",
@@ -152,13 +214,15 @@ class Tree {
                                    color(through_of(material_of(hit, scene_)))));
         if (hit.local_share != 1 || r.parent >= 0) {
             const Color part = hit.own_light();
-            text_.line(depth + 1,
-                       fmt::format("own light: {} x {}{} (the rest is mirror and glass): {}{}",
-                                   color(hit.weight), number(hit.local_share),
-                                   hit.highlight_share == hit.local_share
-                                       ? std::string()
-                                       : fmt::format(", highlights x {}", number(hit.highlight_share)),
-                                   color(part), swatch(style_, part)));
+            std::string factors;
+            if (r.parent >= 0 || !(hit.weight == Color{1, 1, 1})) factors += " x weight " + color(hit.weight);
+            if (hit.local_share != 1)
+                factors += fmt::format(" x {} (the rest is what it reflects or lets through)",
+                                       number(hit.local_share));
+            if (hit.highlight_share != hit.local_share)
+                factors += fmt::format(", specular x {} instead", number(hit.highlight_share));
+            text_.line(depth + 1, fmt::format("added to the pixel: sum{} = {}{}", factors, color(part),
+                                              swatch(style_, part)));
         }
     }
 
@@ -183,12 +247,28 @@ class Tree {
                                       number(r.visibility), color(r.fog), swatch(style_, r.fog)));
     }
 
+    void add_branch(std::size_t ray, int depth) {
+        const Branch& branch = branches_[ray];
+        if (!(255 * branch.most < style_.fold)) return add_ray(ray, depth);
+        const ExplainedRay& r = e_.rays[ray];
+        const std::string what =
+            fmt::format("{} {} towards {}, weight {}: hits {}", kind_of(r), ray, vec(r.direction),
+                        color(r.weight), r.hit ? shape_text(scene_, r.hit->shape) : "nothing");
+        if (branch.rays == 1 && branch.most == 0 && !r.hit) return text_.line(depth, what + ", adds nothing");
+        folded_.rays += branch.rays;
+        folded_.light = folded_.light + branch.light;
+        const std::string who =
+            branch.rays == 1 ? "adds" : fmt::format("adds with the {} rays after it", branch.rays - 1);
+        text_.line(depth, fmt::format("{}, {} {}: less than {} of 255", what, who, color(branch.light),
+                                      number(style_.fold)));
+    }
+
     void add_secondary_ray(const ExplainedSecondaryRay& ray, std::string_view what, int depth) {
         switch (ray.state) {
             case SecondaryRayState::none:
                 return;
             case SecondaryRayState::traced:
-                return add_ray(static_cast<std::size_t>(ray.ray), depth);
+                return add_branch(static_cast<std::size_t>(ray.ray), depth);
             case SecondaryRayState::limit:
                 return text_.line(depth, fmt::format("{}: not traced, the limit of {} reflections is reached",
                                                      what, scene_.settings.reflections));
@@ -208,6 +288,8 @@ class Tree {
     const Explanation& e_;
     const Scene& scene_;
     const ExplainStyle& style_;
+    const std::vector<Branch> branches_;
+    Branch folded_{{}, 0, 0};
     IndentedText text_;
 };
 

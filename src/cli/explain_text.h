@@ -14,7 +14,10 @@ struct ExplainStyle {
     bool colors = false;      ///< print swatches in 24-bit terminal colours
     bool from_below = false;  ///< rows are counted from the bottom
     int sample = 0;           ///< the sample whose rays are printed: row * n + column
-    EncodeOptions file;       ///< the encoding of the file's numbers
+    /// Secondary rays that add less than this to each channel, with the rays that follow them, are one line;
+    /// in 255ths. 0: all rays are printed.
+    double fold = 0;
+    EncodeOptions file;  ///< the encoding of the file's numbers
 };
 
 /// The ray tree of a sample, then the pixel's sum.

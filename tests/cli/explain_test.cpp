@@ -82,6 +82,49 @@ TEST(Explain, TheNumbersAreThoseOfTheFileThatRenderWrites) {
     EXPECT_EQ(run(folder, {"explain", k_castle, "-p", "1,1", "--transfer", "gamma"}).code, 2);
 }
 
+TEST(Explain, RaysThatAddLittleAreOneLine) {
+    const Folder folder;
+    const std::string glass = GLINT_SOURCE "/scenes/glint/glass.glint";
+    const auto tell = [&](std::vector<std::string> more) {
+        more.insert(more.begin(), {"explain", glass, "-p", "160,120"});
+        return run(folder, more);
+    };
+    const std::string usual = tell({}).out, all = tell({"--all"}).out;
+    EXPECT_TRUE(contains(usual, "adds with the 6 rays after it (0.000623257, ")) << usual;
+    EXPECT_TRUE(contains(usual, ": less than 0.5 of 255\n")) << usual;
+    EXPECT_TRUE(contains(usual, "\nrays not shown: 7, which add (0.000623257, ")) << usual;
+    EXPECT_FALSE(contains(all, "less than") || contains(all, "not shown")) << all;
+    EXPECT_LT(usual.size(), all.size());
+    EXPECT_EQ(usual.substr(usual.find("\nthe pixel:")), all.substr(all.find("\nthe pixel:")));
+    EXPECT_EQ(tell({"--fold", "0"}).out, all);
+    EXPECT_EQ(tell({"--fold", "0.5"}).out, usual);
+    EXPECT_LT(tell({"--fold", "100"}).out.size(), usual.size());
+    EXPECT_EQ(tell({"--as", "json"}).out, tell({"--as", "json", "--all"}).out);
+    for (const char* wrong : {"nan", "-1", "256", "x"}) EXPECT_EQ(tell({"--fold", wrong}).code, 2) << wrong;
+}
+
+TEST(Explain, TheSamplesOfAnAreaLightAndTheStepOfAMirrorRay) {
+    const Folder folder;
+    folder.write("a.glint",
+                 "camera { position = (0, 3, 6)  look_at = (0, 0, 0) }\n"
+                 "light \"lamp\" { type = parallelogram  position = (0, 4, 0)  side_u = (1, 0, 0)  side_v = "
+                 "(0, 0, 1)  "
+                 "samples_u = 2  samples_v = 2 }\n"
+                 "plane { point = (0, 0, 0)  normal = (0, 1, 0)  color = (1, 0, 0)  mirror = 0.5 }\n");
+    const Finished r = run(folder, {"explain", "a.glint", "-s", "9x9", "-p", "4,6"});
+    EXPECT_EQ(r.code, 0) << r.err;
+    EXPECT_TRUE(contains(r.out, "each sample has 1/4 of the light; N·L = ")) << r.out;
+    EXPECT_TRUE(contains(r.out, ", which adds most: L (")) << r.out;
+    const Finished mirror = run(folder, {"explain", "a.glint", "-s", "9x9", "-p", "4,6", "--all",
+                                         "--convention", "offset=normal", "--convention", "epsilon=0.001"});
+    EXPECT_TRUE(contains(mirror.out,
+                         "starts 0.001 from P along N, so that it does not hit the surface at P again "
+                         "(offset normal, epsilon 0.001)"))
+        << mirror.out;
+    EXPECT_TRUE(contains(mirror.out, "x 0.5 (the rest is what it reflects or lets through) = "))
+        << mirror.out;
+}
+
 TEST(Explain, ListsTheSamples) {
     const Folder folder;
     folder.write("a.glint",

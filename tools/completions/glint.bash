@@ -74,7 +74,7 @@ _glint() {
                 *) kind=scene ;;
             esac ;;
         explain)
-            options='-h --help --scene --include-path --max-memory --format --profile --convention -p --pixel --sample --as --origin --why-not --overlay -s --size --shading --no-shadows --reflections --aa --seed --alpha --transfer --bits --isa'
+            options='-h --help --scene --include-path --max-memory --format --profile --convention -p --pixel --sample --fold --all --as --origin --why-not --overlay -s --size --shading --no-shadows --reflections --aa --seed --alpha --transfer --bits --isa'
             [[ $word == -* ]] || case $before in
                 --scene) return ;;
                 --include-path) return ;;
@@ -84,6 +84,7 @@ _glint() {
                 --convention) words='pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= transparency= opacity= transparent_shadow= transparency_counts= transparent_surfaces= transparent_epsilon= transparent_shadow_epsilon= min_weight= facing= cones= spot_falloff= clamp_attenuation= attenuate_highlights= light_threshold= area_shading= fog_distance= fog_background= fog_extent= transfer= gamma= rounding= size= shading= shadows= reflections= aa= alpha= seed='; compopt -o nospace 2>/dev/null ;;
                 -p|--pixel) return ;;
                 --sample) return ;;
+                --fold) return ;;
                 --as) words='text json printrays' ;;
                 --origin) words='top-left bottom-left' ;;
                 --why-not) return ;;

@@ -110,6 +110,8 @@ _glint() {
                 '*--convention[Set one convention (docs/conventions.md lists them; `glint info SCENE` shows the values in force)]:KEY=VALUE:{compadd -S "" -- pixel_sample= ray_direction= camera_t_min= specular_gate= clamp_cosines= normalize= offset= epsilon= shadow_stops_at_light= mirror= limit= mirror_miss= fresnel= beer= glass_shadow= transparency= opacity= transparent_shadow= transparency_counts= transparent_surfaces= transparent_epsilon= transparent_shadow_epsilon= min_weight= facing= cones= spot_falloff= clamp_attenuation= attenuate_highlights= light_threshold= area_shading= fog_distance= fog_background= fog_extent= transfer= gamma= rounding= size= shading= shadows= reflections= aa= alpha= seed=}' \
                 '(-p --pixel)'{-p,--pixel}'[The pixel, counted from 0 at the top left]:X,Y: ' \
                 '--sample[The sample whose rays are printed: its column and row in the pixel]:I,J: ' \
+                '--fold[Print secondary rays that add less than N of 255, with those that follow them, as one line]:N: ' \
+                '--all[Print every ray, as --fold 0 does]' \
                 '--as[text (default)]:text|json|printrays:(text json printrays)' \
                 '--origin[Where pixel 0,0 is]:top-left|bottom-left:(top-left bottom-left)' \
                 '--why-not[Explain only this light'\''s effect]:LIGHT: ' \
