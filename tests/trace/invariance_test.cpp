@@ -241,7 +241,11 @@ TEST(Render, StopsWhenCancelled) {
         EXPECT_EQ(result.code, ErrorCode::cancelled);
         EXPECT_FALSE(result);
         EXPECT_EQ(result.message, "cancelled");
+#if defined(GLINT_SANITIZED)
+        EXPECT_LT(seconds.count(), 30);  // the whole picture would take an hour
+#else
         EXPECT_LT(seconds.count(), 5);  // the whole picture would take minutes
+#endif
     }
 }
 
