@@ -203,6 +203,13 @@ class Csc473Reader {
                 "glint ignores `refraction`, as CSC 473's own program does: what passes through a surface is "
                 "the fourth number of its `rgbf`");
         }
+        if (attributes.refraction && attributes.finish.refraction != 0 && attributes.pigment.filter > 0 &&
+            attributes.finish.ior == 1) {
+            reading_.diagnostics.warn_once(
+                "ior", text_.place, attributes.refraction->offset, attributes.refraction->length,
+                "`refraction` without an `ior` other than 1, which is that of air: rays go straight through; "
+                "expected, for example, `ior 1.33` (water) or `ior 1.5` (glass)");
+        }
         const auto material = material_of(attributes.pigment, attributes.finish, word);
         note(scene_.shape_texts, scene_.shapes.size(), source_place(text_, word));
         scene_.add(shape, material, transform);

@@ -282,6 +282,13 @@ INSTANTIATE_TEST_SUITE_P(
                "sphere { <0,0,0>, 1 finish { refraction 1 } }",
             {"glint ignores `refraction`, as CSC 473's own program does: what passes through a surface is "
              "the fourth number of its `rgbf`"}},
+        BadText{
+            "refraction_without_ior",
+            CL "sphere { <0,0,0>, 1 pigment { color rgbf <1,1,1,0.9> } finish { $refraction 1 } }\n"
+               "sphere { <0,0,0>, 1 pigment { color rgbf <1,1,1,0.9> } finish { refraction 1 ior 1.5 } }\n"
+               "sphere { <0,0,0>, 1 pigment { color rgbf <1,1,1,0.9> } }",
+            {"`refraction` without an `ior` other than 1, which is that of air: rays go straight through; "
+             "expected, for example, `ior 1.33` (water) or `ior 1.5` (glass)"}},
         BadText{"no_scale",
                 CL "sphere { <0,0,0>, 1 $scale <1, 0, 1> }",
                 {"expected a scale without 0, which would leave nothing of the shape"}},
