@@ -28,9 +28,11 @@ struct CheckOptions {
 
 /// One likely mistake.
 struct Finding {
-    std::string_view id;    ///< one of check_kinds(), such as "camera-inside-shape"
-    Diagnostic diagnostic;  ///< a warning with its place and the numbers involved
-    std::string remedy;     ///< how to correct it
+    std::string_view id;  ///< one of check_kinds(), such as "camera-inside-shape"
+    /// A warning with its place and the numbers involved; a note if the picture is as it should be all the
+    /// same (materials that nothing uses in an exported model).
+    Diagnostic diagnostic;
+    std::string remedy;  ///< how to correct it
 };
 
 /// Looks for mistakes: traces the camera's rays, follows them into mirrors and glass, and renders

@@ -54,23 +54,32 @@ void check_inside(CheckContext& context) {
     }
 }
 
-bool is_left_handed(const Scene& scene) {
+Handedness handedness_of(const Scene& scene) {
     const auto all = profiles();
     const auto profile =
         std::find_if(all.begin(), all.end(), [&](const Profile& p) { return p.name == scene.profile; });
-    return profile != all.end() && profile->left_handed;
+    return profile == all.end() ? Handedness::right : profile->handedness;
+}
+
+// Whether POV-Ray, which computes the right vector from `look_at`, has it on the other side.
+bool is_reversed_in_povray(const CameraFrame& frame) {
+    const Vec3 across = cross(Vec3{0, 1, 0}, frame.forward);
+    const bool mirrored = dot(cross(frame.up, Vec3{0, 0, 1}), frame.right) <= 0;
+    return dot(mirrored ? -across : across, frame.right) < 0;
 }
 
 void check_handedness(CheckContext& context) {
     const Scene& scene = context.scene();
-    if (!scene.camera.frame) return;
+    const Handedness expected = handedness_of(scene);
+    if (!scene.camera.frame || expected == Handedness::either) return;
     const auto& [right, up, forward] = *scene.camera.frame;
     const bool is_left = dot(cross(right, up), forward) > 0;
-    if (is_left == is_left_handed(scene)) return;
+    if (is_left == (expected == Handedness::left)) return;
+    if (expected == Handedness::right_unless_povray && !is_reversed_in_povray(*scene.camera.frame)) return;
     context.report(
         "camera-mirrored", context.at_camera(),
-        fmt::format("the camera's right, up and forward are {}-handed, but the scene's profile, {}, is "
-                    "{}-handed: left and right are exchanged in the picture",
+        fmt::format("the camera's right, up and forward are {}-handed, but the scenes of {} are {}-handed: "
+                    "left and right are exchanged in the picture",
                     is_left ? "left" : "right", scene.profile, is_left ? "right" : "left"),
         "negate the camera's right vector");
 }

@@ -18,15 +18,23 @@ constexpr CheckKind k_kinds[] = {
     {"camera-mirrored", "the camera's axes do not have the handedness of the scene's profile"},
     {"camera-frame-skewed",
      "the camera's axes are not at right angles, or not a rotation where the source needs one"},
+    {"camera-view-too-wide", "the camera sees 150 degrees or more"},
+    {"camera-angle-in-radians", "the angle of view is so small that it is probably in radians"},
     {"light-inside-shape", "a light that adds nothing is inside a closed shape"},
     {"light-behind-everything", "a light is behind every surface that the camera sees"},
     {"light-behind-plane", "a plane is between a light and all that the camera sees"},
     {"light-blocked", "every shadow ray to a light is blocked"},
     {"spot-aimed-elsewhere", "nothing that the camera sees is in the cone of a spot"},
+    {"spot-angle-in-radians", "the angles of a spot are so small that they are probably in radians"},
     {"area-light-faces-away", "nothing that the camera sees is on the bright side of an area light"},
     {"area-light-too-many-samples", "an area light has more samples than the picture can show"},
     {"light-adds-nothing", "no material reflects a light"},
     {"light-too-weak", "a light adds less than half of 1/255 to any pixel"},
+    {"light-attenuated-away", "attenuation leaves almost nothing of a light"},
+    {"light-written-twice", "two lights are equal"},
+    {"light-around-shape", "a shape is inside a spherical light"},
+    {"ambient-too-strong", "ambient light is almost as bright as the light of the lights"},
+    {"occlusion-reach-too-short", "no shape is within the reach of the occlusion"},
     {"light-without-color", "a light is black"},
     {"light-negative", "a channel of a light is below 0"},
     {"light-color-255", "a light's colour looks like bytes"},
@@ -34,6 +42,9 @@ constexpr CheckKind k_kinds[] = {
     {"shape-hidden", "shapes are hidden behind or inside others"},
     {"shape-too-small", "shapes are smaller than a pixel"},
     {"shape-written-twice", "two shapes are the same and in the same place"},
+    {"shape-without-area", "the corners of a shape are on one line"},
+    {"shape-too-flat", "a cylinder or cone is so short that its side is not visible"},
+    {"shape-looks-like-background", "a shape has the color of the background behind it"},
     {"faces-coincide", "faces of two shapes with different materials coincide, and are visible"},
     {"seen-from-behind", "flat surfaces are seen from behind, and the conventions do not turn their normals"},
     {"normals-against-winding", "vertex normals point against the triangle's winding"},
@@ -45,6 +56,10 @@ constexpr CheckKind k_kinds[] = {
     {"material-negative", "light makes a material darker"},
     {"material-almost-black", "a material's colour is below 1/255"},
     {"shininess-zero", "a highlight has the exponent 0"},
+    {"shininess-too-small", "a highlight has an exponent below 1"},
+    {"shininess-too-large", "the exponent of a highlight is so large that it is not visible"},
+    {"glass-without-refraction", "glass has the index of refraction of air"},
+    {"material-invisible", "a transparent material shows nothing"},
     {"finish-unused", "a field of a finish has no effect"},
     {"fog-hides-everything", "no shape is visible through the fog"},
     {"fog-not-visible", "the fog changes no pixel"},
@@ -83,17 +98,22 @@ Result<std::vector<Finding>> run_checks(const Scene& scene, const World& world, 
     std::optional<VisibleHits> visible;
     steps.run([&] { visible.emplace(context); });
     bool sees = false;
-    steps.run([&] { sees = check_camera(context, *visible) && check_fog(context); });
+    steps.run(
+        [&] { sees = check_view_angle(context) && check_camera(context, *visible) && check_fog(context); });
     const auto run_if_seen = [&](const auto& step) {
         steps.run([&] {
             if (sees) step();
         });
     };
     run_if_seen([&] { check_lights(context, *visible); });
-    run_if_seen([&] { check_shapes(context, *visible, check_coincident_shapes(context)); });
+    run_if_seen([&] {
+        std::vector<bool> explained = check_coincident_shapes(context);
+        check_flat_shapes(context, *visible, explained);
+        check_shapes(context, *visible, explained);
+    });
     run_if_seen([&] { check_normals(context, *visible); });
     steps.run([&] { check_vectors(context); });
-    steps.run([&] { check_materials(context); });
+    steps.run([&] { check_materials(context, sees); });
     run_if_seen([&] { check_picture(context, *visible); });
     if (steps.is_cancelled()) return cancelled();
     return context.take();

@@ -14,21 +14,32 @@ inline double least(Color c) { return number::min(c.r, number::min(c.g, c.b)); }
 /// Whether the camera sees anything. False if it sees no bounded shape although there are some: the other
 /// findings about the picture would then be useless.
 bool check_camera(CheckContext& context, const VisibleHits& visible);
+/// The camera's angle of view. False if it is in radians: the other findings about the picture would then be
+/// useless.
+bool check_view_angle(CheckContext& context);
 /// Lights that add nothing, and unusual colours of lights.
 void check_lights(CheckContext& context, const VisibleHits& visible);
 /// Surfaces in the same place, and duplicate shapes. Returns the reported shapes, by index.
 std::vector<bool> check_coincident_shapes(CheckContext& context);
+/// Shapes without an area, which are marked in `explained`, and flat cylinders.
+void check_flat_shapes(CheckContext& context, const VisibleHits& visible, std::vector<bool>& explained);
 /// Shapes that no ray hits, except those whose reason is reported already.
 void check_shapes(CheckContext& context, const VisibleHits& visible, const std::vector<bool>& explained);
 /// Surfaces whose back faces the viewer, and vertex normals on the wrong side of their triangle.
 void check_normals(CheckContext& context, const VisibleHits& visible);
 /// Vectors that their source requires to be unit vectors.
 void check_vectors(CheckContext& context);
-/// Unused materials, and unusual values of materials.
-void check_materials(CheckContext& context);
+/// Unused materials, and unusual values of materials. sees: the camera sees shapes.
+void check_materials(CheckContext& context, bool sees);
 /// Fog that hides everything, and fog that is not visible. False if it hides everything: the other findings
 /// about the picture would then be useless.
 bool check_fog(CheckContext& context);
+/// Ambient light that is as bright as that of the lights.
+void check_ambient_light(CheckContext& context, const VisibleHits& visible);
+/// Shapes in the color of the background.
+void check_background_shapes(CheckContext& context);
+/// Occlusion that darkens nothing.
+void check_occlusion(CheckContext& context);
 /// Findings from a small picture: black, one colour, clamped, epsilon, reflections.
 void check_picture(CheckContext& context, const VisibleHits& visible);
 

@@ -111,15 +111,22 @@ void check_twins(CheckContext& context, std::vector<bool>& covered) {
     }
     std::sort(twins.begin(), twins.end());
     for (const auto& [later, earlier] : twins) covered[later] = covered[earlier] = true;
-    for (std::size_t i = 0; i < twins.size() && i < k_max_reported; ++i) {
+    // Models have such shapes where parts meet, as an atom at the ends of its bonds.
+    const std::size_t most = context.is_model() ? 1 : k_max_reported;
+    for (std::size_t i = 0; i < twins.size() && i < most; ++i) {
         const auto [later, earlier] = twins[i];
-        const std::size_t more = i + 1 == k_max_reported ? twins.size() - k_max_reported : 0;
+        const std::size_t more = i + 1 == most ? twins.size() - most : 0;
         context.report(
             "shape-written-twice", context.at_shape(later),
             fmt::format("{} has the same parameters as {}: only the earlier one is visible{}",
                         context.shape(later), context.shape_and_line(earlier),
-                        more == 0 ? "" : fmt::format("; and {} more shapes are written twice", more)),
-            "remove one of them, or move it to its intended place");
+                        more == 0 ? ""
+                        : more == 1
+                            ? fmt::format("; and so has {}", context.shape_and_line(twins[i + 1].first))
+                            : fmt::format("; and so have {} more shapes, the next {}", more,
+                                          context.shape_and_line(twins[i + 1].first))),
+            "remove one of them, or move it to its intended place",
+            context.is_model() ? Severity::note : Severity::warning);
     }
 }
 
@@ -169,8 +176,8 @@ class Coincidences {
         for (const auto& [pixels, pair] : list) covered[pair.earlier] = covered[pair.later] = true;
         // Of thousands of small pairs, none may be large enough by itself.
         std::size_t named = 1;
-        while (named < list.size() && named<k_max_reported&& static_cast<double>(list[named].first)> least)
-            ++named;
+        const std::size_t most = context_.is_model() ? 1 : k_max_reported;
+        while (named < list.size() && named<most&& static_cast<double>(list[named].first)> least) ++named;
         for (std::size_t i = 0; i < named; ++i) {
             const auto& [pixels, pair] = list[i];
             const std::size_t more = i + 1 == named ? list.size() - named : 0;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 
 #include "base/diagnostics.h"
 #include "base/text.h"
@@ -15,9 +16,21 @@ namespace {
 
 constexpr std::size_t k_max_named = 5;
 constexpr std::size_t k_max_alike = 8;  // findings of one kind
-constexpr std::int32_t k_probe = 24;    // longest side of a picture that counts rays
-constexpr double k_max_rays = 4e6;      // of a picture
-constexpr double k_max_tests = 6e7;     // of rays and shapes, for a picture or a grid of rays
+// Shapes of a scene that is written by hand, and of one that is computed by macros.
+constexpr std::size_t k_by_hand = 64, k_min_computed = 24;
+constexpr std::int32_t k_probe = 24;  // longest side of a picture that counts rays
+constexpr double k_max_rays = 4e6;    // of a picture
+constexpr double k_max_tests = 6e7;   // of rays and shapes, for a picture or a grid of rays
+
+bool is_computed(const Scene& scene) {
+    const std::size_t shapes = scene.shapes.size();
+    if (shapes > k_by_hand) return true;
+    if (shapes < k_min_computed || scene.shape_texts.places.empty()) return false;
+    std::set<std::pair<std::uint64_t, std::uint32_t>> places;
+    for (const SourcePlace& p : scene.shape_texts.places)
+        places.insert({(std::uint64_t{p.file} << 32) | p.line, p.column});
+    return 2 * places.size() <= shapes;
+}
 
 std::string item(std::string_view word, std::uint32_t index, std::string_view name) {
     return name.empty() ? fmt::format("{} {}", word, std::uint64_t{index} + 1)
@@ -42,7 +55,8 @@ CheckContext::CheckContext(const Scene& scene, World prepared, const CheckOption
     : scene_(scene),
       prepared_(std::move(prepared)),
       options_(options),
-      shapes_per_ray_(shapes_per_ray(world(), options.threads)) {}
+      shapes_per_ray_(shapes_per_ray(world(), options.threads)),
+      is_model_(is_computed(scene)) {}
 
 SmallSize CheckContext::grid(std::int32_t longest) const {
     SmallSize size = small_size(scene_.settings, longest);
@@ -97,12 +111,13 @@ FindingPlace CheckContext::at_setting(std::string_view key) const {
             static_cast<std::uint32_t>(*index)};
 }
 
-void CheckContext::report(std::string_view id, FindingPlace about, std::string message, std::string remedy) {
+void CheckContext::report(std::string_view id, FindingPlace about, std::string message, std::string remedy,
+                          Severity severity) {
     SourcePlace place = about.place;
     Finding finding;
     finding.id = id;
     Diagnostic& d = finding.diagnostic;
-    d.severity = Severity::warning;
+    d.severity = severity;
     if (place.line != 0 && place.file < scene_.files.size()) {
         d.file = scene_.files[place.file];
         d.line = place.line;
@@ -110,7 +125,7 @@ void CheckContext::report(std::string_view id, FindingPlace about, std::string m
         d.length = 1;
         for (const SceneText& text : options_.texts) {
             if (text.name != d.file) continue;
-            d = diagnostic_at(Severity::warning, {text.name, text.text}, place, {});
+            d = diagnostic_at(severity, {text.name, text.text}, place, {});
             break;
         }
     } else {
@@ -142,15 +157,29 @@ std::vector<Finding> CheckContext::take() {
         return p.line != q.line ? p.line < q.line : p.column < q.column;
     });
     // A mistake made often is one finding, at its first place.
-    std::map<std::string_view, std::size_t> counts;
-    for (const auto& [place, finding] : findings_) ++counts[finding.id];
+    struct Alike {
+        std::size_t count = 0;
+        SourcePlace first, second;
+    };
+    using Kind = std::pair<std::string_view, Severity>;
+    const auto kind_of = [](const Finding& f) { return Kind{f.id, f.diagnostic.severity}; };
+    std::map<Kind, Alike> kinds;
+    for (const auto& [place, finding] : findings_) {
+        Alike& alike = kinds[kind_of(finding)];
+        if (++alike.count == 1) alike.first = place;
+        if (alike.count == 2) alike.second = place;
+    }
+    const std::size_t most = is_model() ? 1 : k_max_alike;
     std::vector<Finding> list;
     for (auto& [place, finding] : findings_) {
-        std::size_t& count = counts[finding.id];
-        if (count == 0) continue;
-        if (count > k_max_alike) {
-            finding.diagnostic.message += fmt::format("; and {} more like it", count - 1);
-            count = 0;
+        Alike& alike = kinds[kind_of(finding)];
+        if (alike.count == 0) continue;
+        if (alike.count > most) {
+            const bool elsewhere =
+                alike.second.line != alike.first.line || alike.second.file != alike.first.file;
+            finding.diagnostic.message += fmt::format("; and {} more like it{}", alike.count - 1,
+                                                      elsewhere ? line_of(alike.second) : "");
+            alike.count = 0;
         }
         list.push_back(std::move(finding));
     }
@@ -171,6 +200,9 @@ std::string CheckContext::shape_and_line(std::uint32_t i) const {
 }
 std::string CheckContext::light(std::uint32_t i) const {
     return item("light", i, scene_.light_texts.name(i));
+}
+std::string CheckContext::light_and_line(std::uint32_t i) const {
+    return light(i) + line_of(scene_.light_texts.place(i));
 }
 std::string CheckContext::material(std::uint32_t i) const {
     return i >= scene_.materials.size()

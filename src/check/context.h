@@ -54,7 +54,13 @@ class CheckContext {
     Image render_small(std::int32_t longest) { return render_small(prepared_, longest); }
     Image render_small(const Result<World>& world, std::int32_t longest);
 
-    void report(std::string_view id, FindingPlace about, std::string message, std::string remedy);
+    /// A note is about what does not harm the picture.
+    void report(std::string_view id, FindingPlace about, std::string message, std::string remedy,
+                Severity severity = Severity::warning);
+    /// Whether the scene is an exported or computed model: it has more shapes than one that is written by
+    /// hand, or most of its shapes come from the same places in the text, by macros and declared objects.
+    /// Its findings of one kind are one finding.
+    bool is_model() const { return is_model_; }
     /// Whether there is a finding with this id, about any item or about this one.
     bool is_reported(std::string_view id) const;
     bool is_reported(std::string_view id, SceneItem item, std::uint32_t index) const;
@@ -79,6 +85,7 @@ class CheckContext {
     std::string shape(std::uint32_t index) const;
     std::string shape_and_line(std::uint32_t index) const;
     std::string light(std::uint32_t index) const;
+    std::string light_and_line(std::uint32_t index) const;
     std::string material(std::uint32_t index) const;
 
     /// The first few of a list: "sphere 1 (line 3), sphere 2 (line 4) and 98 more".
@@ -97,6 +104,7 @@ class CheckContext {
     const CheckOptions& options_;
     double rays_per_pixel_ = 0;  // of the scene as it is; 0: not rendered yet
     const double shapes_per_ray_;
+    const bool is_model_;
     std::vector<std::pair<SourcePlace, Finding>> findings_;
 };
 

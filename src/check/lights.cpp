@@ -8,69 +8,20 @@
 #include <unordered_map>
 
 #include "check/checks.h"
+#include "check/light_effects.h"
 #include "math/number.h"
 
 namespace glint {
 namespace {
 
-constexpr std::int32_t k_first_look = 160, k_second_look = 480;  // longest side, pixels
 constexpr std::size_t k_max_groups =
     256;  // of lights that are rendered together: one light each, if there are at most 256
-constexpr std::size_t k_full_looks = 8;      // more groups get smaller pictures
-constexpr std::int32_t k_many_samples = 16;  // fewer cost little
-constexpr std::size_t k_max_dark = 256;      // whose reasons are looked for
+constexpr std::size_t k_full_looks = 8;       // more groups get smaller pictures
+constexpr std::int32_t k_usual_samples = 16;  // the default; they cost little
+constexpr std::size_t k_max_dark = 256;       // whose reasons are looked for
 constexpr std::size_t k_max_weak_named = 5;
 constexpr double k_max_leak = 0.01;  // of the picture, and of the points that face the light
 constexpr std::size_t k_max_lit_points = 4096;
-constexpr double k_max_intensity = 10;  // without attenuation; 255 is a byte's
-
-bool is_black(Color c) { return c.r == 0 && c.g == 0 && c.b == 0; }
-
-// How much two pictures differ.
-struct Effect {
-    double most = 0;   // in a channel of a pixel
-    double share = 0;  // of the pixels, where it is visible
-};
-
-Effect effect_of(const Image& a, const Image& b) {
-    Effect effect;
-    std::size_t visible = 0;
-    for (std::size_t i = 0; i + 2 < a.rgb.size() && i + 2 < b.rgb.size(); i += 3) {
-        double here = 0;
-        for (std::size_t c = i; c < i + 3; ++c)
-            here =
-                number::max(here, number::abs(static_cast<double>(a.rgb[c]) - static_cast<double>(b.rgb[c])));
-        effect.most = number::max(effect.most, here);
-        visible += here >= k_half_byte ? 1 : 0;
-    }
-    if (!a.rgb.empty()) effect.share = 3 * static_cast<double>(visible) / static_cast<double>(a.rgb.size());
-    return effect;
-}
-
-// What single lights do to the picture.
-class Effects {
-  public:
-    explicit Effects(CheckContext& context) : context_(context) {}
-
-    /// What the lights together add to the picture.
-    Effect of(std::span<const std::uint32_t> lights, std::int32_t longest) {
-        const auto dark = dark_.find(longest);
-        const Image& unlit = dark == dark_.end()
-                                 ? dark_.emplace(longest, render_with({}, longest)).first->second
-                                 : dark->second;
-        std::vector<Light> list;
-        for (const std::uint32_t index : lights) list.push_back(context_.scene().lights[index]);
-        return effect_of(unlit, render_with(list, longest));
-    }
-
-  private:
-    Image render_with(const std::vector<Light>& lights, std::int32_t longest) {
-        return context_.render_small(with_lights(context_.prepared(), lights), longest);
-    }
-
-    CheckContext& context_;
-    std::map<std::int32_t, Image> dark_;  // by longest side
-};
 
 // Why points that the camera sees get no light from a light.
 struct Blockage {
@@ -212,33 +163,6 @@ void report_dark(CheckContext& context, const VisibleHits& visible, std::uint32_
                          : "move the light, or the shape that blocks it");
 }
 
-// Colours and intensities that are probably mistakes. True if the light is black.
-bool check_light_color(CheckContext& context, std::uint32_t index) {
-    const Light& light = context.scene().lights[index];
-    const FindingPlace place = context.at_light(index);
-    if (is_black(light.color) && (!light.has_specular_color() || is_black(light.specular_color))) {
-        context.report("light-without-color", place,
-                       fmt::format("{} is black: it adds nothing", context.light(index)),
-                       "give it a colour or an intensity, or remove it");
-        return true;
-    }
-    if (least(light.color) < 0) {
-        context.report("light-negative", place,
-                       fmt::format("{} has the colour ({:.4g}, {:.4g}, {:.4g}): it removes light",
-                                   context.light(index), light.color.r, light.color.g, light.color.b),
-                       "give it a colour and an intensity of 0 or more");
-    }
-    if (brightest(light.color) > k_max_intensity && !light.falls_off()) {
-        context.report("light-color-255", place,
-                       fmt::format("{} has the colour ({:.4g}, {:.4g}, {:.4g}), where 1 is the maximum, and "
-                                   "has no attenuation: are "
-                                   "these bytes from 0 to 255?",
-                                   context.light(index), light.color.r, light.color.g, light.color.b),
-                       "divide the colour by 255");
-    }
-    return false;
-}
-
 // An ambient light that the format implies has no place in the file, although other lights have one.
 bool is_implied(const Scene& scene, std::uint32_t index) {
     return !scene.light_texts.places.empty() && scene.light_texts.place(index).line == 0;
@@ -291,7 +215,7 @@ void check_samples(CheckContext& context) {
     std::size_t looks = 0;
     for (std::uint32_t i = 0; i < scene.lights.size() && looks < k_full_looks; ++i) {
         const Light& light = scene.lights[i];
-        if (!light.is_area() || light.samples_u * light.samples_v < k_many_samples) continue;
+        if (!light.is_area() || light.samples_u * light.samples_v <= k_usual_samples) continue;
         if (is_black(light.color) && is_black(light.specular_color)) continue;
         if (is_dark(context, i)) continue;
         ++looks;
@@ -320,17 +244,21 @@ void check_lights(CheckContext& context, const VisibleHits& visible) {
     if (shading == Shading::color || shading == Shading::normals) return;
     std::vector<std::uint32_t> lights, weak;
     for (std::uint32_t i = 0; i < scene.lights.size(); ++i) {
-        if (check_light_color(context, i)) continue;
+        if (!check_light_color(context, i)) continue;
         if (!scene.lights[i].is_ambient())
             lights.push_back(i);
         else if (shading != Shading::diffuse)
             check_ambient(context, i);
     }
+    check_equal_lights(context);
+    check_lights_around(context, visible);
+    Effects effects(context);
+    std::erase_if(lights, [&](std::uint32_t i) { return !check_spot_angle(context, effects, i); });
     const std::size_t groups = std::min(lights.size(), k_max_groups);
     std::int32_t longest = k_first_look;
     for (std::size_t n = groups; n > k_full_looks; n /= 4) longest /= 2;
     std::size_t looked_twice = 0, dark = 0;
-    Effects effects(context);
+    std::vector<std::uint32_t> faint;
     for (std::size_t g = 0; g < groups; ++g) {
         const std::size_t first = g * lights.size() / groups, end = (g + 1) * lights.size() / groups;
         const auto group = std::span<const std::uint32_t>(lights).subspan(first, end - first);
@@ -338,6 +266,8 @@ void check_lights(CheckContext& context, const VisibleHits& visible) {
         if (first_look.most >= k_half_byte) {
             if (group.size() == 1 && first_look.share < k_max_leak && is_shut_off(context, visible, group[0]))
                 report_dark(context, visible, group[0]);
+            else if (group.size() == 1 && first_look.most < k_faint && scene.lights[group[0]].falls_off())
+                faint.push_back(group[0]);
             continue;
         }
         // A highlight may lie between the pixels of a small picture.
@@ -353,6 +283,7 @@ void check_lights(CheckContext& context, const VisibleHits& visible) {
         }
     }
     report_weak(context, effects, weak);
+    check_attenuation(context, visible, effects, faint);
     check_samples(context);
 }
 

@@ -2,13 +2,21 @@
 // Unused materials, and numbers of materials that are probably mistakes.
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "check/checks.h"
+#include "world/primitives.h"
 
 namespace glint {
 namespace {
 
-constexpr double k_max_color = 20;  // 1 is the maximum; a surface that glows may have several times as much
-constexpr double k_min_color = 1.5 / 255;  // a colour from 0 to 1 where the format uses 0 to 255
+constexpr double k_max_color = 20;    // 1 is the maximum; a surface that glows may have several times as much
+constexpr double k_min_glass = 0.01;  // transmission
+// Exporters write exponents up to 100,000 for small highlights. A highlight of a few pixels is a dot.
+constexpr double k_max_shininess = 1e5, k_usual_shininess = 60;
+constexpr std::size_t k_dot = 5, k_max_looks = 8;
+constexpr std::int32_t k_highlight_picture = 480;  // longest side, pixels
+constexpr double k_min_color = 1.5 / 255;          // a colour from 0 to 1 where the format uses 0 to 255
 
 void check_material_color(CheckContext& context, std::uint32_t index) {
     const Material& m = context.scene().materials[index];
@@ -34,6 +42,92 @@ void check_material_color(CheckContext& context, std::uint32_t index) {
                         context.material(index), most),
             "give the colour on the format's scale: where 255 is the maximum, 1 is almost black");
     }
+}
+
+// The number of pixels in which the highlights of a material are visible, with this exponent.
+std::size_t highlight_pixels(CheckContext& context, std::uint32_t index, double shininess) {
+    Material m = context.scene().materials[index];
+    m.shininess = shininess;
+    const Image with = context.render_small(with_material(context.prepared(), index, m), k_highlight_picture);
+    m.specular = {0, 0, 0};
+    const Image without =
+        context.render_small(with_material(context.prepared(), index, m), k_highlight_picture);
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < with.rgb.size() && i < without.rgb.size(); i += 3) {
+        bool differs = false;
+        for (std::size_t c = i; c < i + 3; ++c)
+            differs = differs || number::abs(static_cast<double>(with.rgb[c]) -
+                                             static_cast<double>(without.rgb[c])) > k_half_byte;
+        count += differs ? 1 : 0;
+    }
+    return count;
+}
+
+// Exponents with which a highlight covers everything, or nothing. looks: pictures that may still be rendered.
+void check_shininess(CheckContext& context, std::uint32_t index, std::size_t& looks) {
+    const Material& m = context.scene().materials[index];
+    const FindingPlace place = context.at_material(index);
+    const auto too_small = [&](double shininess) {
+        context.report(
+            "shininess-too-small", place,
+            fmt::format(
+                "{} has the shininess {:.3g}: the highlight S^{:.3g} covers almost all that the light "
+                "reaches. The shininess is an exponent, not a number from 0 to 1",
+                context.material(index), shininess, shininess),
+            "give it a shininess from 1 (wide) to 1000 (small)");
+    };
+    if (brightest(m.phong) >= k_half_byte && m.phong_shininess < 1) return too_small(m.phong_shininess);
+    if (brightest(m.specular) < k_half_byte) return;
+    if (m.shininess == 0) {
+        context.report(
+            "shininess-zero", place,
+            fmt::format("{} has a highlight of shininess 0: S^0 is 1 wherever the light is, not a highlight",
+                        context.material(index)),
+            "give it a shininess from 1 (wide) to 1000 (small), or no specular coefficient");
+    } else if (m.shininess < 1) {
+        too_small(m.shininess);
+    } else if (m.shininess > k_max_shininess && looks > 0) {
+        --looks;
+        const std::size_t now = highlight_pixels(context, index, m.shininess);
+        const std::size_t most = k_dot * std::max<std::size_t>(context.world().lights->size(), 1);
+        if (now > most || highlight_pixels(context, index, k_usual_shininess) <= 4 * most) return;
+        context.report(
+            "shininess-too-large", place,
+            fmt::format("{} has the shininess {:.6g}: its highlights are smaller than a pixel, and {}",
+                        context.material(index), m.shininess,
+                        now == 0 ? "none is visible" : "at most a dot is visible"),
+            "give it a shininess from 1 (wide) to 1000 (small)");
+    }
+}
+
+// Transparent materials that show nothing, and glass that does not refract. solid: a closed shape has it.
+void check_transparency(CheckContext& context, std::uint32_t index, bool solid) {
+    const Scene& scene = context.scene();
+    const Material& m = scene.materials[index];
+    const FindingPlace place = context.at_material(index);
+    // In other formats, `transmission` is all the transparency that there is.
+    if (scene.profile == "glint" && solid && m.transmission > k_min_glass && m.ior == 1) {
+        context.report(
+            "glass-without-refraction", place,
+            fmt::format("{} has the transmission {:.3g} and an ior of 1, which is that of air: rays go "
+                        "straight through it, as if it were not glass",
+                        context.material(index), m.transmission),
+            "give it an ior, 1.33 for water or 1.5 for glass; for transparency without refraction, "
+            "write `transmit` or `filter` instead of `transmission`");
+    }
+    if (!m.is_transparent() || m.hollow || scene.conventions.transparency == Transparency::add) return;
+    const double kept = m.transmit + m.filter * number::min(1.0, least(m.color));
+    const bool shines = brightest(m.specular) > 0 || brightest(m.phong) > 0;
+    if (kept < 1 - k_half_byte || brightest(m.emission) > 0 || m.mirror > 0 || m.mirror_min > 0 ||
+        (shines && scene.conventions.transparency == Transparency::highlights))
+        return;
+    context.report(
+        "material-invisible", place,
+        fmt::format("{} lets all light through ({} = {:.3g}) and has no highlight and no mirror: what "
+                    "has it is invisible",
+                    context.material(index), m.transmit > 0 ? "transmit" : "filter",
+                    m.transmit > 0 ? m.transmit : m.filter),
+        "lower it to 0.9 or less, give it a highlight, or remove the shape");
 }
 
 // Fields that change a term which the material does not have.
@@ -65,29 +159,28 @@ void check_finish(CheckContext& context, std::uint32_t index) {
 
 }  // namespace
 
-void check_materials(CheckContext& context) {
+void check_materials(CheckContext& context, bool sees) {
     const Scene& scene = context.scene();
-    std::vector<bool> used(scene.materials.size());
-    for (const Shape& shape : scene.shapes)
-        if (shape.material != k_none) used[shape.material] = true;
+    std::vector<bool> used(scene.materials.size()), solid(scene.materials.size());
+    for (std::uint32_t i = 0; i < scene.shapes.size(); ++i) {
+        const std::uint32_t material = scene.shapes[i].material;
+        if (material == k_none) continue;
+        used[material] = true;
+        if (scene.materials[material].transmission > 0 && is_closed(scene, i)) solid[material] = true;
+    }
+    std::size_t looks = sees ? k_max_looks : 0;
     const Shading shading = scene.settings.shading;
     const bool highlights = shading == Shading::phong || shading == Shading::blinn_phong;
     for (std::uint32_t i = 0; i < scene.materials.size(); ++i) {
         const FindingPlace place = context.at_material(i);
         if (!used[i]) {
             context.report("material-unused", place, fmt::format("no shape uses {}", context.material(i)),
-                           "assign it to a shape, or remove it");
+                           "assign it to a shape, or remove it",
+                           context.is_model() ? Severity::note : Severity::warning);
             continue;
         }
-        const Material& m = scene.materials[i];
-        if (highlights && m.shininess == 0 && brightest(m.specular) > 0) {
-            context.report(
-                "shininess-zero", place,
-                fmt::format(
-                    "{} has a highlight of shininess 0: S^0 is 1 wherever the light is, not a highlight",
-                    context.material(i)),
-                "give it a shininess from 1 (wide) to 1000 (small), or no specular coefficient");
-        }
+        if (highlights) check_shininess(context, i, looks);
+        check_transparency(context, i, solid[i]);
         check_material_color(context, i);
         check_finish(context, i);
     }

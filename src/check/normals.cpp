@@ -11,6 +11,8 @@
 namespace glint {
 namespace {
 
+constexpr double k_few = 0.01;  // of the smooth triangles of a model
+
 // Of the pixels in which a surface is seen, those in which it is seen from behind.
 struct Views {
     std::size_t front = 0, behind = 0;
@@ -69,13 +71,19 @@ void check_vertex_normals(CheckContext& context) {
         if (backward == 3) against.push_back(i);
         if (backward == 1 || backward == 2) mixed.push_back(i);
     }
+    // The programs that export surfaces make a few such triangles of thousands.
+    const auto severity = [&](const std::vector<std::uint32_t>& list) {
+        const bool few =
+            context.is_model() && static_cast<double>(list.size()) < k_few * static_cast<double>(smooth);
+        return few ? Severity::note : Severity::warning;
+    };
     if (!against.empty()) {
         context.report(
             "normals-against-winding", context.at_shape(against.front()),
             fmt::format("the vertex normals of {} of {} smooth triangles point to the side from which their "
                         "vertices are clockwise: {}",
                         against.size(), smooth, context.some_shapes(against)),
-            "reverse the normals, or the order of the vertices");
+            "reverse the normals, or the order of the vertices", severity(against));
     }
     if (!mixed.empty()) {
         context.report(
@@ -83,7 +91,7 @@ void check_vertex_normals(CheckContext& context) {
             fmt::format("the vertex normals of {} of {} smooth triangles point to different sides of "
                         "them: {}",
                         mixed.size(), smooth, context.some_shapes(mixed)),
-            "make the three normals of a triangle point to one side of it");
+            "make the three normals of a triangle point to one side of it", severity(mixed));
     }
 }
 

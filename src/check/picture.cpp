@@ -88,7 +88,8 @@ double bound_of(const WorldParts& world, std::uint32_t slot) {
                            extended_color<&Material::phong>(world, material);
     Color sum = ambient * world.ambient + extended_color<&Material::emission>(world, material);
     for (const Light& light : *world.lights)
-        sum = sum + diffuse * light.color + specular * light.specular_color;
+        sum = sum + (diffuse * light.color + specular * light.specular_color) * world.direct;
+    if (world.occlusion) sum = sum + diffuse * world.occlusion->color;
     return number::max(sum.r, number::max(sum.g, sum.b));
 }
 
@@ -141,6 +142,8 @@ void check_clamped_shapes(CheckContext& context, const VisibleHits& visible, Tes
         clamped.bound = number::max(clamped.bound, bound_of(context.world(), count.slot));
     }
     for (const auto& [material, clamped] : materials) {
+        // What is reflected makes it bright, not the lights.
+        if (clamped.bound <= k_over) continue;
         const bool single = clamped.shapes.size() == 1;
         context.report(
             "picture-clamped", context.at_shape(clamped.shapes.front()),
@@ -192,6 +195,16 @@ void check_clamped(CheckContext& context, const VisibleHits& visible, const Imag
         if (h.material != most || h.slot == last || !over_at(h.ray)) continue;
         last = h.slot;
         bound = number::max(bound, bound_of(context.world(), h.slot));
+    }
+    if (bound <= k_over) {
+        context.report(
+            "picture-clamped", context.at_material(most),
+            fmt::format(
+                "{}, {} most of all: its own light comes to {:.3g} at most, and what it reflects or lets "
+                "through is added",
+                what, context.material(most), bound),
+            "lower the material's mirror, or what the mirror shows");
+        return;
     }
     context.report(
         "picture-clamped", context.at_material(most),
@@ -282,6 +295,9 @@ void check_picture(CheckContext& context, const VisibleHits& visible) {
     const Image picture = context.render_small(k_small_picture);
     if (picture.rgb.empty() || check_one_color(context, picture)) return;
     check_clamped(context, visible, picture);
+    if (!context.is_reported("picture-clamped")) check_ambient_light(context, visible);
+    check_background_shapes(context);
+    check_occlusion(context);
     check_epsilon(context, visible, picture);
     check_reflections(context, picture);
 }

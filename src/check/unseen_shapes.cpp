@@ -15,7 +15,8 @@ namespace glint {
 namespace {
 
 constexpr std::size_t k_max_lights = 16;
-constexpr std::size_t k_by_hand = 64;  // shapes of a scene that is written by hand, not computed
+constexpr double k_speck = 16;         // pixels a side; a model that is smaller is too small
+constexpr double k_near_corner = 0.9;  // of the way from the middle of a box to its corner
 constexpr std::size_t k_max_enclosed = 8;
 constexpr std::size_t k_max_points = 20000;  // of a generation, whose shadow rays are traced
 
@@ -30,6 +31,11 @@ void mark_shadows(const CheckContext& context, const VisibleHits& visible, std::
     }
 }
 
+Vec3 corner_of(const Bounds& box, int corner) {
+    return {corner & 1 ? box.max.x : box.min.x, corner & 2 ? box.max.y : box.min.y,
+            corner & 4 ? box.max.z : box.min.z};
+}
+
 // The position of shapes in the picture.
 class Frame {
   public:
@@ -39,24 +45,28 @@ class Frame {
     enum class Place : std::uint8_t { not_rendered, outside, tiny, inside };
     Place place_of(const Bounds& box) const {
         int out[5] = {};
-        Extent pixels;
-        bool before = true;
         for (int corner = 0; corner < 8; ++corner) {
-            const Vec3 p{corner & 1 ? box.max.x : box.min.x, corner & 2 ? box.max.y : box.min.y,
-                         corner & 4 ? box.max.z : box.min.z};
-            const auto [x, y, depth] = projection_.coordinates(p);
+            const auto [x, y, depth] = projection_.coordinates(corner_of(box, corner));
             const bool flat = camera_.projection == Projection::orthographic;
             const double half = flat ? 0.5 : depth / 2;
             out[0] += depth <= 0;
             out[1] += x > half, out[2] += x < -half;
             out[3] += y > half, out[4] += y < -half;
-            before = before && depth > 0;
-            const double size = flat ? 1 : depth;
-            if (depth > 0) pixels.add({x / size * width_, y / size * height_, 0});
         }
         if (std::find(std::begin(out), std::end(out), 8) != std::end(out)) return Place::outside;
-        const bool tiny = before && pixels.hi.x - pixels.lo.x < 1 && pixels.hi.y - pixels.lo.y < 1;
-        return tiny ? Place::tiny : Place::inside;
+        return is_within(box, 1) ? Place::tiny : Place::inside;
+    }
+
+    /// Whether the box is in front of the camera and smaller than a square of so many pixels.
+    bool is_within(const Bounds& box, double side) const {
+        Extent pixels;
+        for (int corner = 0; corner < 8; ++corner) {
+            const auto [x, y, depth] = projection_.coordinates(corner_of(box, corner));
+            if (depth <= 0) return false;
+            const double size = camera_.projection == Projection::orthographic ? 1 : depth;
+            pixels.add({x / size * width_, y / size * height_, 0});
+        }
+        return pixels.hi.x - pixels.lo.x < side && pixels.hi.y - pixels.lo.y < side;
     }
 
     /// Whether any camera ray would hit the plane if it were the only shape.
@@ -75,7 +85,7 @@ class Frame {
 };
 
 struct Unseen {
-    std::vector<std::uint32_t> outside, hidden, tiny;
+    std::vector<std::uint32_t> outside, hidden, tiny, thin;
     std::size_t shapes = 0;  // that are rendered at all
 };
 
@@ -109,16 +119,82 @@ Unseen find_unseen(const WorldParts& world, const std::vector<bool>& seen) {
     return unseen;
 }
 
+bool is_most(const Unseen& unseen, const std::vector<std::uint32_t>& list) {
+    return list.size() > unseen.shapes / 2;
+}
+
 // In a scene written by hand every shape should be visible. A model of hundreds of shapes has backs and
 // insides, and continues outside the picture: only its named shapes count, or all if half of them are not
 // visible.
-std::vector<std::uint32_t> worth_naming(const Scene& scene, const Unseen& unseen,
+std::vector<std::uint32_t> worth_naming(const CheckContext& context, const Unseen& unseen,
                                         const std::vector<std::uint32_t>& list, bool half_counts) {
-    if (unseen.shapes <= k_by_hand || (half_counts && list.size() > unseen.shapes / 2)) return list;
+    if (!context.is_model() || (half_counts && is_most(unseen, list))) return list;
     std::vector<std::uint32_t> named;
     std::copy_if(list.begin(), list.end(), std::back_inserter(named),
-                 [&](std::uint32_t shape) { return !scene.shape_texts.name(shape).empty(); });
+                 [&](std::uint32_t shape) { return !context.scene().shape_texts.name(shape).empty(); });
     return named;
+}
+
+// Whether the shapes are triangles of a mesh that is not small itself: a fine mesh looks as it should.
+bool is_fine_mesh(const CheckContext& context, const std::vector<std::uint32_t>& tiny) {
+    if (!context.is_model()) return false;
+    const Scene& scene = context.scene();
+    const WorldParts& world = context.world();
+    std::vector<bool> listed(scene.shapes.size());
+    for (const std::uint32_t shape : tiny) {
+        const ShapeKind kind = scene.shapes[shape].kind;
+        if (kind != ShapeKind::triangle && kind != ShapeKind::smooth_triangle && kind != ShapeKind::polygon)
+            return false;
+        listed[shape] = true;
+    }
+    Extent all;
+    for (std::uint32_t slot = 0; slot < world.geometry->bounded; ++slot) {
+        if (!listed[world.geometry->shape_index[slot]]) continue;
+        const Bounds box = to_bounds(HWY_NAMESPACE::primitive_bounds(*world.geometry, slot));
+        all.add(box.min);
+        all.add(box.max);
+    }
+    return !Frame(world.camera, world.settings).is_within({all.lo, all.hi}, k_speck);
+}
+
+// Whether another shape is in front of some point of a shape's box: of its middle or near its corners.
+bool is_covered(const CheckContext& context, std::uint32_t shape) {
+    const WorldParts& world = context.world();
+    const CameraProjection projection(world.camera);
+    const bool flat = world.camera.projection == Projection::orthographic;
+    RayList rays;
+    std::vector<double> depths;
+    for (std::uint32_t slot = 0; slot < world.geometry->bounded; ++slot) {
+        if (world.geometry->shape_index[slot] != shape) continue;
+        const Bounds box = to_bounds(HWY_NAMESPACE::primitive_bounds(*world.geometry, slot));
+        const Vec3 middle = (box.min + box.max) * 0.5;
+        for (int i = 0; i < 9; ++i) {
+            const Vec3 point = i == 8 ? middle : middle + (corner_of(box, i) - middle) * k_near_corner;
+            const auto [x, y, depth] = projection.coordinates(point);
+            if (!(depth > 0)) continue;
+            const double size = flat ? 1 : depth;
+            const auto ray = HWY_NAMESPACE::viewport_ray(world.camera, x / size, y / size);
+            rays.add(ray.origin, ray.direction, 0);
+            depths.push_back(depth);
+        }
+    }
+    const HitList hits = nearest_hits(world, rays, context.threads());
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        if (hits.slot[i] == k_none || world.geometry->shape_index[hits.slot[i]] == shape) continue;
+        const Vec3 point = rays.origin(i) + rays.direction(i) * hits.t[i];
+        if (projection.coordinates(point).depth < depths[i]) return true;
+    }
+    return false;
+}
+
+// Moves the shapes that nothing is in front of from `hidden` to `thin`: the rays pass beside them.
+void find_thin(const CheckContext& context, Unseen& unseen) {
+    if (context.is_model()) return;
+    const auto thin = std::stable_partition(unseen.hidden.begin(), unseen.hidden.end(), [&](std::uint32_t i) {
+        return context.scene().shapes[i].kind == ShapeKind::plane || is_covered(context, i);
+    });
+    unseen.thin.assign(thin, unseen.hidden.end());
+    unseen.hidden.erase(thin, unseen.hidden.end());
 }
 
 // Which of the first few shapes is inside which other shape.
@@ -141,13 +217,13 @@ std::string enclosure(const CheckContext& context, const WorldParts& world,
 }  // namespace
 
 void check_shapes(CheckContext& context, const VisibleHits& visible, const std::vector<bool>& explained) {
-    const Scene& scene = context.scene();
     const WorldParts& world = context.world();
     std::vector<bool> seen = explained;
     for (const Generation& g : visible.generations)
         for (const SurfaceHit& h : g.hits) seen[h.shape] = true;
     mark_shadows(context, visible, seen);
-    const Unseen unseen = find_unseen(world, seen);
+    Unseen unseen = find_unseen(world, seen);
+    find_thin(context, unseen);
     const std::size_t deep = visible.generations.size() - 1;
     const std::string mirrors =
         deep == 0 ? ""
@@ -158,7 +234,7 @@ void check_shapes(CheckContext& context, const VisibleHits& visible, const std::
     const std::string coarse = context.coarse_grid(VisibleHits::k_longest);
     const auto report = [&](std::string_view id, const std::vector<std::uint32_t>& all,
                             std::string_view where, bool hidden, std::string remedy) {
-        const std::vector<std::uint32_t> list = worth_naming(scene, unseen, all, !hidden);
+        const std::vector<std::uint32_t> list = worth_naming(context, unseen, all, !hidden);
         if (list.empty()) return;
         context.report(id, context.at_shape(list.front()),
                        fmt::format("{} of {} {} {}{}{}: {}{}", list.size(),
@@ -169,12 +245,16 @@ void check_shapes(CheckContext& context, const VisibleHits& visible, const std::
                                                       : ", and no shadow of them is visible",
                                    mirrors, context.some_shapes(list),
                                    (hidden ? enclosure(context, world, list) : "") + coarse),
-                       std::move(remedy));
+                       std::move(remedy),
+                       context.is_model() && !is_most(unseen, all) ? Severity::note : Severity::warning);
     };
     report("shape-outside-view", unseen.outside, "outside the picture", false,
            "move the shapes or the camera, or widen its view");
     report("shape-hidden", unseen.hidden, "hidden behind or inside others", true,
            "move the shape or what hides it, or remove it");
+    report("shape-too-small", unseen.thin, "thinner than a pixel, as the camera sees it", false,
+           "make the shape thicker, turn it, or make the picture larger");
+    if (is_fine_mesh(context, unseen.tiny)) return;
     report("shape-too-small", unseen.tiny, "smaller than a pixel", false,
            "make the shape larger, or the picture, or bring the camera nearer");
 }

@@ -2,6 +2,7 @@
 // glint check: a scene's likely mistakes.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -35,7 +36,7 @@ std::string json_text(const std::vector<Diagnostic>& messages, const std::vector
     using Json = nlohmann::ordered_json;
     Json list = Json::array();
     const auto add = [&](std::string_view id, const Diagnostic& d, std::string_view remedy) {
-        Json item = {{"id", id}, {"severity", "warning"}};
+        Json item = {{"id", id}, {"severity", d.severity == Severity::note ? "note" : "warning"}};
         if (d.line != 0) {
             item["file"] = d.file;
             item["line"] = d.line;
@@ -69,17 +70,22 @@ int check_command(CheckArguments& arguments) {
     if (!result) throw_failure(result);
     const std::vector<Finding>& findings = *result;
     const std::size_t warnings = count_warnings(loaded.warnings);
+    const auto mistakes =
+        static_cast<std::size_t>(std::count_if(findings.begin(), findings.end(), [](const Finding& f) {
+            return f.diagnostic.severity == Severity::warning;
+        }));
+    const std::size_t notes = findings.size() - mistakes;
     if (arguments.json) {
         print_json(json_text(loaded.warnings, findings));
     } else {
         for (const Finding& finding : findings) print_text(to_string(finding));
-        const std::size_t mistakes = findings.size();
         print_text(
-            fmt::format("{}: {}{}\n", fmt::join(arguments.scene.files, " "),
+            fmt::format("{}: {}{}{}\n", fmt::join(arguments.scene.files, " "),
                         mistakes == 0 ? "no likely mistakes found" : counted(mistakes, "likely mistake"),
+                        notes == 0 ? "" : ", " + counted(notes, "note"),
                         warnings == 0 ? "" : ", " + counted(warnings, "warning")));
     }
-    const bool clean = findings.empty() && warnings == 0;
+    const bool clean = mistakes == 0 && warnings == 0;
     return arguments.strict && !clean ? k_bad_input : k_done;
 }
 

@@ -122,5 +122,87 @@ TEST(CheckCamera, Mirrored) {
     EXPECT_EQ(ids_of(pov("-1.33333"), "a.pov"), "camera-mirrored@1");
 }
 
+// POV-Ray's default camera is left-handed, that of exported models is often right-handed; both are right.
+TEST(CheckCamera, NotMirroredInPovRay) {
+    const auto pov = [](std::string_view camera) {
+        return fmt::format(
+            "#version 3.7;\ncamera {{ {} }}\nlight_source {{ <3, 8, -7> rgb 0.7 }}\n"
+            "light_source {{ <3, 8, 7> rgb 0.2 }}\n"
+            "sphere {{ <0, 1, 0>, 1 pigment {{ rgb <0.8, 0.3, 0.2> }} finish {{ ambient 0.2 diffuse 0.7 }} "
+            "}}\n",
+            camera);
+    };
+    for (const std::string_view camera :
+         {"location <0, 2, -9> look_at <0, 1, 0>",
+          "location <0, 2, -9> right x * image_width / image_height look_at <0, 1, 0>",
+          "location <0, 2, 9> right -1.33 * x look_at <0, 1, 0>",
+          "orthographic location <0, 2, 9> right <-4, 0, 0> up <0, 3, 0> look_at <0, 1, 0>",
+          "location <0, 1, 9> direction <0, 0, -1>"})
+        EXPECT_EQ(ids_of(pov(camera), "a.pov"), "") << camera;
+}
+
+// Text that is in CSC 473's part of the language as well: POV-Ray renders it with this right vector, too.
+TEST(CheckCamera, NotMirroredIfPovRayAgrees) {
+    const auto pov = [](const char* right) {
+        return fmt::format(
+            "camera {{ location <0, 2, -9> up <0, 1, 0> right <{}, 0, 0> look_at <0, 1, 0> }}\n"
+            "light_source {{ <3, 8, -7> color rgb <0.7, 0.7, 0.7> }}\n"
+            "sphere {{ <0, 1, 0>, 1 pigment {{ color rgb <0.8, 0.3, 0.2> }} finish {{ ambient 0.2 diffuse "
+            "0.7 }} "
+            "}}\n",
+            right);
+    };
+    EXPECT_EQ(load_text(pov("1.33333"), "a.pov").value().profile, "csc473");
+    EXPECT_EQ(ids_of(pov("1.33333"), "a.pov"), "");
+    EXPECT_EQ(ids_of(pov("-1.33333"), "a.pov"), "");
+}
+
+TEST(CheckCamera, MirroredInTheBook) {
+    const auto book = [](const char* rotation) {
+        return fmt::format(
+            "sphere {{ center = (0.5, 0, 4) radius = 1 color = (200, 100, 50) }}\n"
+            "light {{ type = point intensity = 0.7 position = (2, 3, 0) }}\n"
+            "camera {{ position = (0, 0, 0)\n rotation = ({}) }}",
+            rotation);
+    };
+    EXPECT_EQ(ids_of(book("(1, 0, 0), (0, 1, 0), (0, 0, 1)"), "a.cgfs"), "");
+    EXPECT_EQ(ids_of(book("(-1, 0, 0), (0, 1, 0), (0, 0, 1)"), "a.cgfs"), "camera-mirrored@3");
+}
+
+std::string with_fov(std::string_view fov) {
+    std::string text = k_clean;
+    return text.replace(text.find("fov_x = 50"), 10, fov);
+}
+
+TEST(CheckCamera, SeesTooMuch) {
+    EXPECT_EQ(ids_of(with_fov("fov_x = 175")), "camera-view-too-wide@1");
+    EXPECT_TRUE(has(only_message(with_fov("fov_x = 175")), "sees 175 degrees from left to right"))
+        << only_message(with_fov("fov_x = 175"));
+    EXPECT_FALSE(has(ids_of(with_fov("fov_x = 120")), "camera-"));
+    // Across the other side.
+    EXPECT_TRUE(
+        has(ids_of("render { size = 120 x 360 }\n" + with_fov("fov_y = 160")), "camera-view-too-wide@2"));
+    EXPECT_EQ(ids_of("camera { location <0, 2, -3> look_at <0, 1, 0> angle 170 }\n"
+                     "light_source { <3, 8, -7> rgb 0.7 }\nplane { y, 0 pigment { rgb 0.5 } }\n"
+                     "sphere { <0, 1, 0>, 1 pigment { rgb <0.8, 0.3, 0.2> } }\n",
+                     "a.pov"),
+              "camera-view-too-wide@1");
+}
+
+TEST(CheckCamera, AngleInRadians) {
+    const std::string text = with_fov("fov_x = 0.9");
+    EXPECT_EQ(ids_of(text), "camera-angle-in-radians@1");
+    EXPECT_TRUE(has(only_message(text), "remedy: write the angle in degrees: 51.6")) << only_message(text);
+    EXPECT_EQ(ids_of("camera { location <0, 2, -7> look_at <0, 1, 0> angle 0.7 }\n"
+                     "light_source { <3, 8, -7> rgb 0.7 }\nplane { y, 0 pigment { rgb 0.5 } }\n"
+                     "sphere { <0, 1, 0>, 1 pigment { rgb <0.8, 0.3, 0.2> } }\n",
+                     "a.pov"),
+              "camera-angle-in-radians@1");
+    // From far away, by a telescope.
+    std::string far = with_fov("fov_x = 2");
+    far.replace(far.find("(0, 2, 8)"), 9, "(0, 40, 160)");
+    EXPECT_EQ(ids_of(far), "");
+}
+
 }  // namespace
 }  // namespace glint::test

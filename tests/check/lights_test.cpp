@@ -17,7 +17,7 @@ TEST(CheckLights, InsideAClosedShape) {
 
 TEST(CheckLights, NotInsideALampOfGlassOrWithoutShadows) {
     const std::string lamp =
-        "sphere { center = (-2, 3, 1)  radius = 0.3  transmission = 0.9 }\n"
+        "sphere { center = (-2, 3, 1)  radius = 0.3  transmission = 0.9  ior = 1.5 }\n"
         "light { position = (-2, 3, 1)  intensity = 0.4 }\n";
     EXPECT_EQ(ids_of(k_clean + "conventions { glass_shadow = none }\n" + lamp), "");
     EXPECT_EQ(ids_of(k_clean + "render { shadows = false }\n" + lamp), "");
@@ -234,6 +234,72 @@ TEST(CheckLights, ManyLightsEachOfThemLooked) {
         text += fmt::format("light {{ position = ({}, 6, 4)  intensity = 0.01 }}\n", i * 0.2 - 6);
     text += "light { position = (0, -3, 4) }\n";
     EXPECT_EQ(ids_of(text), "light-behind-plane@67");
+}
+
+TEST(CheckLights, WrittenTwice) {
+    const std::string again = k_clean + "light { intensity = 0.6  position = (3, 6, 5) }\n";
+    EXPECT_EQ(ids_of(again), "light-written-twice@7");
+    EXPECT_TRUE(has(only_message(again), "light 3 is equal to light 'lamp' (line 3)")) << only_message(again);
+    EXPECT_EQ(ids_of(k_clean + "light { type = ambient  intensity = 0.2 }\n"), "light-written-twice@7");
+    for (const std::string_view other :
+         {"position = (3, 6, 5.1)  intensity = 0.3", "position = (3, 6, 5)  intensity = 0.3",
+          "position = (3, 6, 5)  intensity = 0.6  attenuation = (1, 0.01, 0)",
+          "type = directional  direction = (3, 6, 5)  intensity = 0.2"})
+        EXPECT_FALSE(has(ids_of(k_clean + "light { " + std::string(other) + " }\n"), "written-twice"))
+            << other;
+}
+
+TEST(CheckLights, SpotAnglesInRadians) {
+    const auto spot = [](std::string_view target, std::string_view angles) {
+        return k_clean +
+               fmt::format(
+                   "light {{ type = spot  position = (0, 6, 5)  target = {}  {}  intensity = 0.3 }}\n",
+                   target, angles);
+    };
+    // Whether it hits something or not.
+    for (const char* target : {"(0, 0.5, 0)", "(-1.5, 1, 0)"})
+        EXPECT_EQ(ids_of(spot(target, "inner_angle = 0.3  outer_angle = 0.5")), "spot-angle-in-radians@7");
+    const std::string message = only_message(spot("(-1.5, 1, 0)", "inner_angle = 0.3  outer_angle = 0.5"));
+    EXPECT_TRUE(has(message, "0.5 radians are 28.6 degrees")) << message;
+    EXPECT_EQ(ids_of(spot("(0, 0.5, 0)", "inner_angle = 3  outer_angle = 5")), "");
+    // Narrow, but from so far away that it lights a ball.
+    EXPECT_EQ(ids_of(k_clean +
+                     "light { type = spot  position = (0, 60, 70)  target = (-1.5, 1, 0)  inner_angle = 0.5  "
+                     "outer_angle = 0.7  intensity = 0.3 }\n"),
+              "");
+}
+
+TEST(CheckLights, AttenuatedAway) {
+    const auto lamp = [](std::string_view rest) {
+        std::string text = k_clean;
+        const std::string_view old = "light \"lamp\" { position = (3, 6, 5)  intensity = 0.6 }";
+        return text.replace(text.find(old), old.size(),
+                            fmt::format("light \"lamp\" {{ position = (0, 8, 3)  {} }}", rest));
+    };
+    const std::string square = lamp("intensity = 1  attenuation = (0, 0, 1)");
+    EXPECT_EQ(ids_of(square), "light-attenuated-away@3");
+    EXPECT_TRUE(has(only_message(square), "it is 6.76 units away")) << only_message(square);
+    EXPECT_TRUE(has(only_message(square), "raise the intensity about 46 times")) << only_message(square);
+    EXPECT_EQ(ids_of(lamp("intensity = 40  attenuation = (0, 0, 1)")), "");
+    EXPECT_EQ(ids_of(lamp("intensity = 1  attenuation = (1, 0.1, 0.01)")), "");
+    // Dim, but not by attenuation.
+    EXPECT_EQ(ids_of(lamp("intensity = 0.04  attenuation = (1, 0.01, 0)")), "");
+    // Each is faint; together they are not.
+    EXPECT_EQ(ids_of(with_lights(30, "intensity = 0.5  attenuation = (0, 0, 1)")), "");
+}
+
+TEST(CheckLights, AroundAShape) {
+    const auto ball = [](std::string_view rest) {
+        return k_clean + fmt::format("light {{ type = sphere  intensity = 0.3  {} }}\n", rest);
+    };
+    EXPECT_EQ(ids_of(ball("position = (-1.5, 1, 0)  radius = 2")), "light-around-shape@7");
+    EXPECT_EQ(ids_of(ball("position = (-1.5, 1, 0)  radius = 1.2")), "light-around-shape@7");
+    EXPECT_EQ(ids_of(ball("position = (-1.5, 3.2, 1)  radius = 1")), "");
+    // The bulb of a lamp.
+    const std::string lamp = ball("position = (0, 3, 2)  radius = 0.3");
+    EXPECT_EQ(
+        ids_of(lamp + "sphere { center = (0, 3, 2)  radius = 0.25  emission = 1  casts_shadow = false }\n"),
+        "");
 }
 
 }  // namespace

@@ -50,5 +50,56 @@ TEST(CheckMaterials, FinishesWithoutEffect) {
         EXPECT_EQ(ids_of(k_clean + ball + std::string(used) + " }\n"), "") << used;
 }
 
+TEST(CheckMaterials, ShininessOutOfRange) {
+    const auto ball = [](std::string_view shininess) {
+        return k_clean + fmt::format(
+                             "sphere {{ center = (0, 1, 2)  radius = 0.8  diffuse = 0.5  specular = 0.4  "
+                             "shininess = {} }}\n",
+                             shininess);
+    };
+    EXPECT_EQ(ids_of(ball("0.02")), "shininess-too-small@7");
+    EXPECT_EQ(ids_of(ball("200000")), "shininess-too-large@7");
+    EXPECT_TRUE(has(only_message(ball("200000")), "200000: its highlights are smaller than a pixel"))
+        << only_message(ball("200000"));
+    for (const std::string_view fine : {"1", "2000", "100000"}) EXPECT_EQ(ids_of(ball(fine)), "") << fine;
+    EXPECT_EQ(ids_of(k_clean + "sphere { center = (0, 1, 2)  radius = 0.8  phong_color = (0.2, 0.2, 0.2)  "
+                               "phong_shininess = 0.3 }\n"),
+              "shininess-too-small@7");
+    // Not visible, but for another reason.
+    EXPECT_EQ(ids_of("render { shading = diffuse }\n" + ball("200000")), "");
+}
+
+TEST(CheckMaterials, GlassThatDoesNotRefract) {
+    const std::string ball = "sphere { center = (0, 1, 2)  radius = 0.8  diffuse = 0.1  ";
+    EXPECT_EQ(ids_of(k_clean + ball + "transmission = 0.9 }\n"), "glass-without-refraction@7");
+    for (const std::string_view fine :
+         {"transmission = 0.9  ior = 1.5", "transmission = 0.9  ior = 1.01", "transmit = 0.9"})
+        EXPECT_EQ(ids_of(k_clean + ball + std::string(fine) + " }\n"), "") << fine;
+    // A pane, which would not bend the light but once.
+    EXPECT_EQ(ids_of(k_clean +
+                     "disc { center = (0, 1, 2)  normal = (0, 0, 1)  radius = 0.8  transmission = 0.9 }\n"),
+              "");
+    EXPECT_EQ(
+        ids_of(
+            "camera { location <0, 2, 9> up <0, 1, 0> right <1.33, 0, 0> look_at <0, 1, 0> }\n"
+            "light_source { <3, 8, 7> color rgb <0.7, 0.7, 0.7> }\n"
+            "plane { <0, 1, 0>, 0 pigment { color rgb <0.4, 0.5, 0.4> } finish { ambient 0.2 diffuse 0.7 } "
+            "}\n"
+            "sphere { <0, 1, 0>, 1 pigment { color rgbf <0.8, 0.3, 0.2, 0.7> } finish { ambient 0.2 diffuse "
+            "0.7 } }\n",
+            "a.pov"),
+        "");
+}
+
+TEST(CheckMaterials, Invisible) {
+    const std::string ball = "sphere { center = (0, 1, 2)  radius = 0.8  ";
+    EXPECT_EQ(ids_of(k_clean + ball + "transmit = 1 }\n"), "material-invisible@7");
+    EXPECT_EQ(ids_of(k_clean + ball + "filter = 1  color = (1, 1, 1) }\n"), "material-invisible@7");
+    for (const std::string_view fine : {"transmit = 0.95", "transmit = 1  specular = 0.5",
+                                        "transmit = 0.8  mirror = 0.1  filter = 0.2  color = (1, 1, 1)",
+                                        "filter = 1  color = (1, 0.5, 0.5)", "transmit = 1  hollow = true"})
+        EXPECT_EQ(ids_of(k_clean + ball + std::string(fine) + " }\n"), "") << fine;
+}
+
 }  // namespace
 }  // namespace glint::test

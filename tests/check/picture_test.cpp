@@ -180,5 +180,72 @@ TEST(CheckPicture, OneMirrorNeedsOneReflection) {
         "");
 }
 
+TEST(CheckPicture, AmbientLightThatIsTooStrong) {
+    const auto scene = [](std::string_view intensity, std::string_view ambient, std::string_view diffuse) {
+        return fmt::format(
+            "camera {{ position = (0, 2, 8)  look_at = (0, 0.5, 0)  fov_x = 50 }}\n"
+            "light {{ type = ambient  intensity = {0} }}\n"
+            "light {{ position = (3, 6, 5)  intensity = 0.6 }}\n"
+            "plane {{ point = (0, 0, 0)  normal = (0, 1, 0)  color = (0.4, 0.4, 0.4)  ambient = {1}  "
+            "diffuse = {2} }}\n"
+            "sphere {{ center = (0, 1, 0)  radius = 1  color = (0.5, 0.3, 0.2)  ambient = {1}  diffuse = "
+            "{2} }}\n",
+            intensity, ambient, diffuse);
+    };
+    EXPECT_EQ(ids_of(scene("1", "0.9", "0.7")), "ambient-too-strong@2");
+    EXPECT_TRUE(
+        has(only_message(scene("1", "0.9", "0.7")), "is 0.9 times its color, and a light adds only 0.42"))
+        << only_message(scene("1", "0.9", "0.7"));
+    EXPECT_EQ(ids_of(scene("1", "0.3", "0.7")), "");
+    EXPECT_EQ(ids_of(scene("0.3", "0.9", "0.7")), "");
+    // A drawing that is flat on purpose: its terms come to 1.
+    EXPECT_EQ(ids_of(scene("1", "0.8", "0.3")), "");
+}
+
+TEST(CheckPicture, OcclusionWithoutReach) {
+    const auto occlusion = [](std::string_view rest) {
+        return k_clean + fmt::format("occlusion {{ samples = 32  color = (0.3, 0.3, 0.3)  {} }}\n", rest);
+    };
+    EXPECT_EQ(ids_of(occlusion("reach = 0.000001")), "occlusion-reach-too-short@7");
+    EXPECT_EQ(ids_of(occlusion("reach = 0.3")), "");
+    EXPECT_EQ(ids_of(occlusion("")), "");
+    // There is nothing that could be within reach.
+    EXPECT_EQ(
+        ids_of("camera { position = (0, 0, 8)  look_at = (0, 0, 0) }\n"
+               "light { position = (3, 4, 8)  intensity = 0.6 }\nsphere { center = (0, 0, 0)  radius = 1 }\n"
+               "occlusion { samples = 32  color = (0.3, 0.3, 0.3)  reach = 0.000001 }\n"),
+        "");
+}
+
+TEST(CheckPicture, ShapesInTheColorOfTheBackground) {
+    const std::string base =
+        "background = (0.5, 0.6, 0.8)\ncamera { position = (0, 1, 8)  look_at = (0, 1, 0)  fov_x = 50 }\n"
+        "light { type = ambient  intensity = 1 }\nlight { position = (3, 6, 5)  intensity = 0.4 }\n"
+        "sphere { center = (-1.5, 1, 0)  radius = 1  color = (0.8, 0.3, 0.2)  ambient = 0.3  diffuse = 0.9 "
+        "}\n";
+    const std::string ghost =
+        "box { min = (0.5, 0, -0.5)  max = (1.5, 1, 0.5)  color = (0.5, 0.6, 0.8)  ambient = 1  diffuse = ";
+    EXPECT_EQ(ids_of(base + ghost + "0 }\n"), "shape-looks-like-background@6");
+    EXPECT_TRUE(
+        has(only_message(base + ghost + "0 }\n"), "box 2 (line 6) cannot be told from the background"))
+        << only_message(base + ghost + "0 }\n");
+    EXPECT_EQ(ids_of(base + ghost + "0.5 }\n"), "");
+    // In front of a wall of another color it is seen.
+    EXPECT_EQ(ids_of(base + ghost +
+                     "0 }\nplane { point = (0, 0, -3)  normal = (0, 0, 1)  color = (0.3, 0.5, 0.3) }\n"),
+              "");
+    // Black on black; but a moon that is only not lit has its color.
+    const std::string night =
+        "camera { position = (0, 0, 8)  look_at = (0, 0, 0)  fov_x = 50 }\n"
+        "light { type = directional  direction = (0, 0, -1)  intensity = 0.8 }\n"
+        "sphere { center = (-1.5, 0, 0)  radius = 1  color = (0.8, 0.8, 0.8) }\n"
+        "disc { center = (1.5, 1, 0)  normal = (0, 0.2, -1)  radius = 1  color = (0.8, 0.8, 0.8)  ambient = "
+        "0 }\n";
+    EXPECT_FALSE(has(ids_of(night), "looks-like-background")) << ids_of(night);
+    EXPECT_EQ(ids_of(base.substr(base.find('\n') + 1) +
+                     "sphere { center = (1.5, 1, 0)  radius = 0.7  color = (0, 0, 0) }\n"),
+              "shape-looks-like-background@5");
+}
+
 }  // namespace
 }  // namespace glint::test

@@ -172,5 +172,48 @@ triangle { vertices = ((-1, -1, 0), (1, 1, 0), (-1, 1, 0))  color = (0, 1, 0) }
               "");
 }
 
+TEST(CheckShapes, WithoutAnArea) {
+    for (const char* shape : {"triangle { vertices = ((0, 1, 2), (1, 2, 2), (2, 3, 2)) }\n",
+                              "triangle { vertices = ((0.1, 0.1, 2), (0.2, 0.2, 2), (0.3, 0.3, 2)) }\n",
+                              "triangle { vertices = ((0, 1, 2), (0, 1, 2), (0, 1, 2)) }\n",
+                              "polygon { vertices = ((0, 1, 2), (1, 1, 2), (2, 1, 2), (3, 1, 2)) }\n",
+                              "box { min = (0, 1, 2)  max = (0, 1, 3) }\n"})
+        EXPECT_EQ(ids_of(k_clean + shape), "shape-without-area@7") << shape;
+    // A narrow one, and a box that is a pane.
+    EXPECT_EQ(ids_of(k_clean + "triangle { vertices = ((-2, 1, 2), (2, 1, 2), (2, 1.05, 2)) }\n"), "");
+    EXPECT_EQ(ids_of(k_clean + "box { min = (0, 1, 2)  max = (1, 2, 2) }\n"), "");
+}
+
+TEST(CheckShapes, TooFlat) {
+    const auto cylinder = [](std::string_view top, std::string_view radius) {
+        return k_clean +
+               fmt::format("cylinder {{ from = (0, 1, 2)  to = (0, {}, 2)  radius = {} }}\n", top, radius);
+    };
+    EXPECT_EQ(ids_of(cylinder("1.001", "0.4")), "shape-too-flat@7");
+    EXPECT_EQ(ids_of(cylinder("1.001", "0.1")), "shape-too-flat@7");
+    EXPECT_EQ(ids_of(k_clean + "cone { from = (0, 1, 2)  to = (0, 1.001, 2)  radius = (0.4, 0.2) }\n"),
+              "shape-too-flat@7");
+    // A coin, and a needle.
+    EXPECT_EQ(ids_of(cylinder("1.02", "0.4")), "");
+    EXPECT_EQ(ids_of(cylinder("2", "0.02")), "");
+    // A plate that is flat, but large in the picture.
+    EXPECT_EQ(ids_of(k_clean + "cylinder { from = (0, 0.02, 0)  to = (0, 0.04, 0)  radius = 2.5 }\n"), "");
+}
+
+TEST(CheckShapes, ThinIsNotHidden) {
+    // A needle, and a disc and a pane that are seen from the side.
+    for (const char* shape :
+         {"cylinder { from = (-0.07, 1.503, 2)  to = (-0.07, 2.507, 2)  radius = 0.0001 }\n",
+          "disc { center = (0, 2, 2)  normal = (0, 1, 0)  radius = 0.4 }\n",
+          "triangle { vertices = ((0, 2, 2), (0.5, 2, 2), (0, 2, 3)) }\n",
+          "cylinder { from = (0, 2, 2)  to = (0, 2.001, 2)  radius = 0.1 }\n"}) {
+        const std::string text = "render { shadows = false }\n" + k_clean + shape;
+        const std::string found = ids_of(text);
+        EXPECT_TRUE(found == "shape-too-small@8" || found == "shape-too-flat@8") << shape << found;
+    }
+    EXPECT_EQ(ids_of(k_clean + "cylinder { from = (-1.5, 0.5, 0)  to = (-1.5, 1.5, 0)  radius = 0.2 }\n"),
+              "shape-hidden@7");
+}
+
 }  // namespace
 }  // namespace glint::test

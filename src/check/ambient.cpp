@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+// Ambient light that is as bright as the light of the lights.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "check/checks.h"
+#include "world/primitives.h"
+
+namespace glint {
+namespace {
+
+// Of the material's color: the ambient term, the diffuse term of one light, and both.
+constexpr double k_much_ambient = 0.7, k_some_diffuse = 0.2, k_both = 1.25;
+constexpr double k_flat_part = 0.4;    // ambient, of both: shadows have at least this part of the light
+constexpr double k_most_shapes = 0.5;  // of the pixels that show bounded shapes
+
+struct Terms {
+    double ambient = 0, diffuse = 0, color = 0;
+    bool too_much() const {
+        return color > 0 && ambient >= k_much_ambient * color && diffuse >= k_some_diffuse * color &&
+               ambient + diffuse >= k_both * color && ambient >= k_flat_part * (ambient + diffuse);
+    }
+};
+
+Terms terms_of(const CheckContext& context, std::uint32_t slot) {
+    const WorldParts& world = context.world();
+    const auto m = world.surface_values(slot);
+    const auto color_at = [&](int k) { return Color{m[k], m[k + 1], m[k + 2]}; };
+    Terms terms;
+    terms.ambient = brightest(color_at(k_ambient) * world.ambient);
+    terms.color = brightest(color_at(k_color));
+    for (const Light& light : context.scene().lights) {
+        if (light.is_ambient()) continue;
+        terms.diffuse =
+            number::max(terms.diffuse, world.direct * brightest(color_at(k_diffuse) * light.color));
+    }
+    return terms;
+}
+
+}  // namespace
+
+void check_ambient_light(CheckContext& context, const VisibleHits& visible) {
+    const Scene& scene = context.scene();
+    const WorldParts& world = context.world();
+    const Shading shading = scene.settings.shading;
+    if ((shading != Shading::phong && shading != Shading::blinn_phong) || visible.seen().empty()) return;
+    std::vector<std::int8_t> known(scene.shapes.size(), -1);
+    std::size_t flat = 0, all = 0;
+    std::uint32_t first = k_none;
+    for (const SurfaceHit& h : visible.seen()) {
+        // Not skies: planes, and spheres around the camera.
+        if (h.slot >= world.geometry->bounded || (h.behind && is_closed(scene, h.shape))) continue;
+        ++all;
+        std::int8_t& is_flat = known[h.shape];
+        if (is_flat < 0) is_flat = terms_of(context, h.slot).too_much() ? 1 : 0;
+        if (is_flat == 0) continue;
+        ++flat;
+        if (first == k_none) first = h.slot;
+    }
+    if (first == k_none || static_cast<double>(flat) < k_most_shapes * static_cast<double>(all)) return;
+    const Terms terms = terms_of(context, first);
+    const std::uint32_t material = (*world.slot_material)[first];
+    // Where the light is written in the file, else the material.
+    FindingPlace place = context.at_material(material);
+    for (const AmbientLight& light : *world.ambient_lights)
+        if (scene.light_texts.place(light.index).line != 0) place = context.at_light(light.index);
+    context.report(
+        "ambient-too-strong", place,
+        fmt::format(
+            "ambient light is too strong: k_a I_a of {} is {:.2g} times its color, and a light adds only "
+            "{:.2g} times: shadows are {:.0f}% as bright as what is lit, and the shapes look flat",
+            context.material(material), terms.ambient / terms.color, terms.diffuse / terms.color,
+            100 * terms.ambient / (terms.ambient + terms.diffuse)),
+        "lower the intensity of the ambient light, or k_a, so that their product is about 0.1 to 0.3 of the "
+        "color");
+}
+
+}  // namespace glint

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+// What lights add to the picture, found by rendering it with them alone.
+#include <map>
+#include <span>
+#include <vector>
+
+#include "check/checks.h"
+
+namespace glint {
+
+/// The longest sides of the pictures that are rendered, in pixels.
+inline constexpr std::int32_t k_first_look = 160, k_second_look = 480;
+/// A light that adds less than this to every pixel is hardly visible.
+inline constexpr double k_faint = 0.06;
+
+inline bool is_black(Color c) { return c.r == 0 && c.g == 0 && c.b == 0; }
+
+/// How much two pictures differ.
+struct Effect {
+    double most = 0;   ///< in a channel of a pixel
+    double share = 0;  ///< of the pixels, where it is visible
+};
+Effect effect_of(const Image& a, const Image& b);
+
+/// What lights add to the picture.
+class Effects {
+  public:
+    explicit Effects(CheckContext& context) : context_(context) {}
+
+    /// Of some lights of the scene, together.
+    Effect of(std::span<const std::uint32_t> lights, std::int32_t longest);
+    /// Of other lights.
+    Effect of(const std::vector<Light>& lights, std::int32_t longest);
+
+  private:
+    Image render_with(const std::vector<Light>& lights, std::int32_t longest) {
+        return context_.render_small(with_lights(context_.prepared(), lights), longest);
+    }
+
+    CheckContext& context_;
+    std::map<std::int32_t, Image> dark_;  // by longest side
+};
+
+/// Colours and intensities that are probably mistakes. False if the light is black.
+bool check_light_color(CheckContext& context, std::uint32_t index);
+/// Lights that are equal to others.
+void check_equal_lights(CheckContext& context);
+/// Spherical lights that contain shapes.
+void check_lights_around(CheckContext& context, const VisibleHits& visible);
+/// A spot whose angles are probably radians. False if they are: nothing else is said of the light then.
+bool check_spot_angle(CheckContext& context, Effects& effects, std::uint32_t index);
+/// Lights of which attenuation leaves almost nothing. faint: lights that add less than k_faint to any pixel.
+void check_attenuation(CheckContext& context, const VisibleHits& visible, Effects& effects,
+                       std::span<const std::uint32_t> faint);
+
+}  // namespace glint

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: Apache-2.0
+// Values of lights that are probably mistakes: colours, lights that are equal, spheres that contain shapes.
+#include <fmt/format.h>
+
+#include <map>
+
+#include "check/light_effects.h"
+#include "math/number.h"
+#include "math/transform.h"
+#include "scene/light_fields.h"
+#include "world/primitive_bounds-inl.h"
+#include "world/primitives.h"
+
+namespace glint {
+namespace {
+
+constexpr double k_max_intensity = 10;  // without attenuation; 255 is a byte's
+
+// The kind and the fields that it uses.
+std::vector<std::uint64_t> bits_of(const Light& light) {
+    std::vector<std::uint64_t> bits{static_cast<std::uint64_t>(light.kind)};
+    for (const ItemField<Light>& field : k_light_fields)
+        if (applies(field, light)) visit_bits(field, light, [&](std::uint64_t b) { bits.push_back(b); });
+    return bits;
+}
+
+Vec3 absolute(Vec3 v) { return {number::abs(v.x), number::abs(v.y), number::abs(v.z)}; }
+
+// Whether a shape with this box is inside the light.
+bool is_inside_light(const Bounds& box, ShapeKind kind, const Light& light) {
+    const Vec3 half = (box.max - box.min) * 0.5, way = absolute(box.min + half - light.position);
+    // Of a sphere, the greatest radius; else the corner that is farthest away.
+    if (kind == ShapeKind::sphere)
+        return length(way) + number::max(half.x, number::max(half.y, half.z)) < light.radius;
+    return length(way + half) < light.radius;
+}
+
+// The bulb of a lamp may be inside its light: it glows, lets the light through, or casts no shadow.
+bool is_bulb(const Material& m) {
+    return brightest(m.diffuse) <= 0 || brightest(m.emission) > 0 || !m.casts_shadow || m.is_transparent() ||
+           m.transmission > 0;
+}
+
+}  // namespace
+
+bool check_light_color(CheckContext& context, std::uint32_t index) {
+    const Light& light = context.scene().lights[index];
+    const FindingPlace place = context.at_light(index);
+    if (is_black(light.color) && (!light.has_specular_color() || is_black(light.specular_color))) {
+        context.report("light-without-color", place,
+                       fmt::format("{} is black: it adds nothing", context.light(index)),
+                       "give it a colour or an intensity, or remove it");
+        return false;
+    }
+    if (least(light.color) < 0) {
+        context.report("light-negative", place,
+                       fmt::format("{} has the colour ({:.4g}, {:.4g}, {:.4g}): it removes light",
+                                   context.light(index), light.color.r, light.color.g, light.color.b),
+                       "give it a colour and an intensity of 0 or more");
+    }
+    if (brightest(light.color) > k_max_intensity && !light.falls_off()) {
+        context.report("light-color-255", place,
+                       fmt::format("{} has the colour ({:.4g}, {:.4g}, {:.4g}), where 1 is the maximum, and "
+                                   "has no attenuation: are "
+                                   "these bytes from 0 to 255?",
+                                   context.light(index), light.color.r, light.color.g, light.color.b),
+                       "divide the colour by 255");
+    }
+    return true;
+}
+
+void check_equal_lights(CheckContext& context) {
+    const Scene& scene = context.scene();
+    std::map<std::vector<std::uint64_t>, std::uint32_t> known;
+    for (std::uint32_t i = 0; i < scene.lights.size(); ++i) {
+        const Light& light = scene.lights[i];
+        if (is_black(light.color) && (!light.has_specular_color() || is_black(light.specular_color)))
+            continue;
+        const auto [first, is_new] = known.emplace(bits_of(light), i);
+        if (is_new) continue;
+        context.report(
+            "light-written-twice", context.at_light(i),
+            fmt::format("{} is equal to {}, also in its place and color: the two are one light of twice "
+                        "the intensity",
+                        context.light(i), context.light_and_line(first->second)),
+            "remove one of them, or move it to its intended place");
+    }
+}
+
+void check_lights_around(CheckContext& context, const VisibleHits& visible) {
+    const Scene& scene = context.scene();
+    const WorldParts& world = context.world();
+    std::vector<bool> seen(scene.shapes.size());
+    for (const SurfaceHit& h : visible.seen()) seen[h.shape] = true;
+    for (std::uint32_t i = 0; i < scene.lights.size(); ++i) {
+        const Light& light = scene.lights[i];
+        if (!light.is_sphere()) continue;
+        for (std::uint32_t slot = 0; slot < world.geometry->bounded; ++slot) {
+            const std::uint32_t shape = world.geometry->shape_index[slot];
+            if (!seen[shape] || !is_closed(scene, shape)) continue;
+            if (!is_inside_light(to_bounds(HWY_NAMESPACE::primitive_bounds(*world.geometry, slot)),
+                                 scene.shapes[shape].kind, light) ||
+                is_bulb(context.material_of(shape)))
+                continue;
+            context.report(
+                "light-around-shape", context.at_light(i),
+                fmt::format("{} is a sphere of radius {:.4g} around {}: the shape is inside the light, "
+                            "which shines on it from all sides",
+                            context.light(i), light.radius, context.shape_and_line(shape)),
+                "move the light away from the shape, or make its radius smaller");
+            break;
+        }
+    }
+}
+
+}  // namespace glint
