@@ -12,8 +12,8 @@ namespace {
 
 // Of the material's color: the ambient term, the diffuse term of one light, and both.
 constexpr double k_much_ambient = 0.7, k_some_diffuse = 0.2, k_both = 1.25;
-constexpr double k_flat_part = 0.4;    // ambient, of both: shadows have at least this part of the light
-constexpr double k_most_shapes = 0.5;  // of the pixels that show bounded shapes
+constexpr double k_flat_part = 0.4;   // ambient, of both: shadows have at least this part of the light
+constexpr double k_min_shapes = 0.5;  // of the pixels that show bounded shapes
 
 struct Terms {
     double ambient = 0, diffuse = 0, color = 0;
@@ -58,7 +58,7 @@ void check_ambient_light(CheckContext& context, const VisibleHits& visible) {
         ++flat;
         if (first == k_none) first = h.slot;
     }
-    if (first == k_none || static_cast<double>(flat) < k_most_shapes * static_cast<double>(all)) return;
+    if (first == k_none || static_cast<double>(flat) < k_min_shapes * static_cast<double>(all)) return;
     const Terms terms = terms_of(context, first);
     const std::uint32_t material = (*world.slot_material)[first];
     // Where the light is written in the file, else the material.

@@ -69,6 +69,8 @@ std::optional<Axis> axis_of(const Scene& scene, std::uint32_t index) {
         axis = {c.from, c.to, c.radius};
     } else if (shape.kind == ShapeKind::cone) {
         const Cone& c = scene.get<Cone>()[shape.index];
+        // A disc with a hole: Tachyon's rings.
+        if (!c.caps && c.from_radius != c.to_radius) return std::nullopt;
         axis = {c.from, c.to, number::max(c.from_radius, c.to_radius)};
     } else {
         return std::nullopt;

@@ -10,7 +10,7 @@
 namespace glint {
 namespace {
 
-constexpr double k_most_radians = 1.6;           // a little more than a right angle
+constexpr double k_max_radians = 1.6;            // a little more than a right angle
 constexpr double k_degrees = 57.29577951308232;  // of a radian
 // Shares of the picture, and their ratio: a spot of a degree or two is a dot.
 constexpr double k_max_dot = 0.006, k_min_cone = 0.01, k_min_growth = 10;
@@ -62,7 +62,7 @@ Effect Effects::of(const std::vector<Light>& lights, std::int32_t longest) {
 
 bool check_spot_angle(CheckContext& context, Effects& effects, std::uint32_t index) {
     const Light& light = context.scene().lights[index];
-    if (!light.is_spot() || light.outer_angle > k_most_radians) return true;
+    if (!light.is_spot() || light.outer_angle > k_max_radians) return true;
     Light wide = light;
     wide.inner_angle *= k_degrees;
     wide.outer_angle *= k_degrees;

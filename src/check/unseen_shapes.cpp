@@ -157,13 +157,18 @@ bool is_fine_mesh(const CheckContext& context, const std::vector<std::uint32_t>&
     return !Frame(world.camera, world.settings).is_within({all.lo, all.hi}, k_speck);
 }
 
-// Whether another shape is in front of some point of a shape's box: of its middle or near its corners.
-bool is_covered(const CheckContext& context, std::uint32_t shape) {
+// What may hide a bounded shape, by the points of its box that are in the picture: its middle, and points
+// near its corners. hidden: another shape is in front of one of them. thin: only rays beside it pass its
+// middle.
+enum class Reason : std::uint8_t { hidden, thin, outside };
+
+Reason reason_of(const CheckContext& context, std::uint32_t shape) {
     const WorldParts& world = context.world();
     const CameraProjection projection(world.camera);
     const bool flat = world.camera.projection == Projection::orthographic;
     RayList rays;
     std::vector<double> depths;
+    bool middle_is_inside = false;
     for (std::uint32_t slot = 0; slot < world.geometry->bounded; ++slot) {
         if (world.geometry->shape_index[slot] != shape) continue;
         const Bounds box = to_bounds(HWY_NAMESPACE::primitive_bounds(*world.geometry, slot));
@@ -171,8 +176,9 @@ bool is_covered(const CheckContext& context, std::uint32_t shape) {
         for (int i = 0; i < 9; ++i) {
             const Vec3 point = i == 8 ? middle : middle + (corner_of(box, i) - middle) * k_near_corner;
             const auto [x, y, depth] = projection.coordinates(point);
-            if (!(depth > 0)) continue;
             const double size = flat ? 1 : depth;
+            if (!(depth > 0) || number::abs(x) > size / 2 || number::abs(y) > size / 2) continue;
+            middle_is_inside = middle_is_inside || i == 8;
             const auto ray = HWY_NAMESPACE::viewport_ray(world.camera, x / size, y / size);
             rays.add(ray.origin, ray.direction, 0);
             depths.push_back(depth);
@@ -182,19 +188,25 @@ bool is_covered(const CheckContext& context, std::uint32_t shape) {
     for (std::size_t i = 0; i < rays.size(); ++i) {
         if (hits.slot[i] == k_none || world.geometry->shape_index[hits.slot[i]] == shape) continue;
         const Vec3 point = rays.origin(i) + rays.direction(i) * hits.t[i];
-        if (projection.coordinates(point).depth < depths[i]) return true;
+        if (projection.coordinates(point).depth < depths[i]) return Reason::hidden;
     }
-    return false;
+    return middle_is_inside ? Reason::thin : Reason::outside;
 }
 
-// Moves the shapes that nothing is in front of from `hidden` to `thin`: the rays pass beside them.
-void find_thin(const CheckContext& context, Unseen& unseen) {
+// Looks more closely at the shapes that may be hidden.
+void find_reasons(const CheckContext& context, Unseen& unseen) {
     if (context.is_model()) return;
-    const auto thin = std::stable_partition(unseen.hidden.begin(), unseen.hidden.end(), [&](std::uint32_t i) {
-        return context.scene().shapes[i].kind == ShapeKind::plane || is_covered(context, i);
-    });
-    unseen.thin.assign(thin, unseen.hidden.end());
-    unseen.hidden.erase(thin, unseen.hidden.end());
+    std::vector<std::uint32_t> hidden;
+    for (const std::uint32_t shape : unseen.hidden) {
+        const bool plane = context.scene().shapes[shape].kind == ShapeKind::plane;
+        const Reason reason = plane ? Reason::hidden : reason_of(context, shape);
+        auto& list = reason == Reason::hidden ? hidden
+                     : reason == Reason::thin ? unseen.thin
+                                              : unseen.outside;
+        list.push_back(shape);
+    }
+    unseen.hidden = std::move(hidden);
+    std::sort(unseen.outside.begin(), unseen.outside.end());
 }
 
 // Which of the first few shapes is inside which other shape.
@@ -223,7 +235,7 @@ void check_shapes(CheckContext& context, const VisibleHits& visible, const std::
         for (const SurfaceHit& h : g.hits) seen[h.shape] = true;
     mark_shadows(context, visible, seen);
     Unseen unseen = find_unseen(world, seen);
-    find_thin(context, unseen);
+    find_reasons(context, unseen);
     const std::size_t deep = visible.generations.size() - 1;
     const std::string mirrors =
         deep == 0 ? ""

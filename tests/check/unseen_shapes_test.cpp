@@ -193,7 +193,10 @@ TEST(CheckShapes, TooFlat) {
     EXPECT_EQ(ids_of(cylinder("1.001", "0.1")), "shape-too-flat@7");
     EXPECT_EQ(ids_of(k_clean + "cone { from = (0, 1, 2)  to = (0, 1.001, 2)  radius = (0.4, 0.2) }\n"),
               "shape-too-flat@7");
-    // A coin, and a needle.
+    // A ring, a coin, and a needle.
+    EXPECT_EQ(ids_of(k_clean +
+                     "cone { from = (0, 1, 2)  to = (0, 1.000001, 2)  radius = (0.2, 0.4)  caps = false }\n"),
+              "");
     EXPECT_EQ(ids_of(cylinder("1.02", "0.4")), "");
     EXPECT_EQ(ids_of(cylinder("2", "0.02")), "");
     // A plate that is flat, but large in the picture.
@@ -213,6 +216,17 @@ TEST(CheckShapes, ThinIsNotHidden) {
     }
     EXPECT_EQ(ids_of(k_clean + "cylinder { from = (-1.5, 0.5, 0)  to = (-1.5, 1.5, 0)  radius = 0.2 }\n"),
               "shape-hidden@7");
+}
+
+// The corners of its box are in the picture, and the sphere is not.
+TEST(CheckShapes, BesideThePicture) {
+    EXPECT_EQ(ids_of(R"(render { shadows = false }
+camera { position = (0, 0, 8)  look_at = (0, 0, 0)  fov_x = 50 }
+light { position = (3, 6, 5)  intensity = 0.6 }
+sphere { center = (0, 0, 0)  radius = 1 }
+sphere { center = (4.5, 0, 0)  radius = 0.65 }
+)"),
+              "shape-outside-view@5");
 }
 
 }  // namespace
