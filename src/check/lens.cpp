@@ -16,16 +16,27 @@ namespace {
 constexpr double k_widest = 150;       // degrees; at the edge, shapes are stretched by a factor of 15
 constexpr double k_radian_view = 2.1;  // degrees; in radians, 120 degrees
 constexpr double k_degrees_each = 57.29577951308232;
+constexpr std::size_t k_max_things = 2;
+constexpr double k_min_bounded = 0.03;     // of the wide picture
 constexpr std::int32_t k_view_side = 160;  // rays a side
 
-// The number of different things in the picture: shapes, and the background. 3: three or more.
-std::size_t things_seen(const CheckContext& context, const WorldParts& world) {
+struct View {
+    std::size_t things = 0;  // different ones in the picture: shapes, and the background
+    double bounded = 0;      // the share of the picture that shows bounded shapes
+};
+
+View view_of(const CheckContext& context, const WorldParts& world) {
     const RayList rays = camera_rays(world, small_size(world.settings, k_view_side), 0, 0);
     const HitList hits = nearest_hits(world, rays, context.threads());
     std::set<std::uint32_t> seen;
-    for (std::size_t i = 0; i < rays.size() && seen.size() < 3; ++i)
-        seen.insert(hits.slot[i] == k_none ? k_none : world.geometry->shape_index[hits.slot[i]]);
-    return seen.size();
+    std::size_t bounded = 0;
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        const std::uint32_t slot = hits.slot[i];
+        bounded += slot < world.geometry->bounded ? 1 : 0;
+        if (seen.size() <= k_max_things)
+            seen.insert(slot == k_none ? k_none : world.geometry->shape_index[slot]);
+    }
+    return {seen.size(), static_cast<double>(bounded) / static_cast<double>(rays.size())};
 }
 
 // The camera with its angle of `radians` instead of degrees.
@@ -62,16 +73,19 @@ bool check_view_angle(CheckContext& context) {
     const double angle =
         camera.has_fov() ? camera.fov_degrees : 2 * atan2(0.5 * width, focal) * k_degrees_each;
     if (angle > k_radian_view || context.world().geometry->count == 0) return true;
-    const std::size_t now = things_seen(context, context.world());
-    if (now > 1) return true;
+    const View now = view_of(context, context.world());
+    if (now.things > k_max_things) return true;
     const Result<World> wide = with_camera(context.prepared(), in_radians(camera, angle));
-    if (!wide || things_seen(context, wide->parts()) <= now) return true;
-    context.report(
-        "camera-angle-in-radians", context.at_camera(),
-        fmt::format("the camera sees an angle of only {:.4g} degrees, in which there is one thing: is the "
-                    "angle in radians? {:.4g} radians are {:.3g} degrees",
-                    angle, angle, angle * k_degrees_each),
-        fmt::format("write the angle in degrees: {:.3g}", angle * k_degrees_each));
+    if (!wide) return true;
+    const View then = view_of(context, wide->parts());
+    // From so far away that it needs a telescope, a wide view shows almost nothing.
+    if (then.things <= now.things || then.bounded < k_min_bounded) return true;
+    context.report("camera-angle-in-radians", context.at_camera(),
+                   fmt::format("the camera sees an angle of only {:.4g} degrees, in which there {}: is the "
+                               "angle in radians? {:.4g} radians are {:.3g} degrees",
+                               angle, now.things == 1 ? "is one thing" : "are two things", angle,
+                               angle * k_degrees_each),
+                   fmt::format("write the angle in degrees: {:.3g}", angle * k_degrees_each));
     return false;
 }
 

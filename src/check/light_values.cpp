@@ -97,7 +97,8 @@ void check_lights_around(CheckContext& context, const VisibleHits& visible) {
         if (!light.is_sphere()) continue;
         for (std::uint32_t slot = 0; slot < world.geometry->bounded; ++slot) {
             const std::uint32_t shape = world.geometry->shape_index[slot];
-            if (!seen[shape] || !is_closed(scene, shape)) continue;
+            // Of a mesh, a part may be inside.
+            if (!seen[shape] || (context.is_model() && !is_closed(scene, shape))) continue;
             if (!is_inside_light(to_bounds(HWY_NAMESPACE::primitive_bounds(*world.geometry, slot)),
                                  scene.shapes[shape].kind, light) ||
                 is_bulb(context.material_of(shape)))

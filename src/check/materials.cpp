@@ -44,12 +44,19 @@ void check_material_color(CheckContext& context, std::uint32_t index) {
     }
 }
 
-// The number of pixels in which the highlights of a material are visible, with this exponent.
-std::size_t highlight_pixels(CheckContext& context, std::uint32_t index, double shininess) {
+// A highlight of a material: its color and its exponent.
+struct Highlight {
+    Color Material::*color;
+    double Material::*shininess;
+};
+
+// The number of pixels in which a material's highlight is visible, with this exponent.
+std::size_t highlight_pixels(CheckContext& context, std::uint32_t index, Highlight highlight,
+                             double shininess) {
     Material m = context.scene().materials[index];
-    m.shininess = shininess;
+    m.*highlight.shininess = shininess;
     const Image with = context.render_small(with_material(context.prepared(), index, m), k_highlight_picture);
-    m.specular = {0, 0, 0};
+    m.*highlight.color = {0, 0, 0};
     const Image without =
         context.render_small(with_material(context.prepared(), index, m), k_highlight_picture);
     std::size_t count = 0;
@@ -63,38 +70,42 @@ std::size_t highlight_pixels(CheckContext& context, std::uint32_t index, double 
     return count;
 }
 
-// Exponents with which a highlight covers everything, or nothing. looks: pictures that may still be rendered.
+// Exponents with which a highlight covers everything, or nothing. looks: highlights that may still be
+// rendered.
 void check_shininess(CheckContext& context, std::uint32_t index, std::size_t& looks) {
     const Material& m = context.scene().materials[index];
     const FindingPlace place = context.at_material(index);
-    const auto too_small = [&](double shininess) {
-        context.report(
-            "shininess-too-small", place,
-            fmt::format(
-                "{} has the shininess {:.3g}: the highlight S^{:.3g} covers almost all that the light "
-                "reaches. The shininess is an exponent, not a number from 0 to 1",
-                context.material(index), shininess, shininess),
-            "give it a shininess from 1 (wide) to 1000 (small)");
-    };
-    if (brightest(m.phong) >= k_half_byte && m.phong_shininess < 1) return too_small(m.phong_shininess);
-    if (brightest(m.specular) < k_half_byte) return;
-    if (m.shininess == 0) {
-        context.report(
-            "shininess-zero", place,
-            fmt::format("{} has a highlight of shininess 0: S^0 is 1 wherever the light is, not a highlight",
-                        context.material(index)),
-            "give it a shininess from 1 (wide) to 1000 (small), or no specular coefficient");
-    } else if (m.shininess < 1) {
-        too_small(m.shininess);
-    } else if (m.shininess > k_max_shininess && looks > 0) {
+    for (const Highlight highlight : {Highlight{&Material::specular, &Material::shininess},
+                                      Highlight{&Material::phong, &Material::phong_shininess}}) {
+        const double shininess = m.*highlight.shininess;
+        if (!(brightest(m.*highlight.color) > 0)) continue;
+        if (shininess == 0) {
+            return context.report(
+                "shininess-zero", place,
+                fmt::format(
+                    "{} has a highlight of shininess 0: S^0 is 1 wherever the light is, not a highlight",
+                    context.material(index)),
+                "give it a shininess from 1 (wide) to 1000 (small), or no specular coefficient");
+        }
+        if (shininess < 1) {
+            return context.report(
+                "shininess-too-small", place,
+                fmt::format(
+                    "{} has the shininess {:.3g}: the highlight S^{:.3g} covers almost all that the light "
+                    "reaches. The shininess is an exponent, not a number from 0 to 1",
+                    context.material(index), shininess, shininess),
+                "give it a shininess from 1 (wide) to 1000 (small)");
+        }
+        if (shininess <= k_max_shininess || looks == 0) continue;
         --looks;
-        const std::size_t now = highlight_pixels(context, index, m.shininess);
+        const std::size_t now = highlight_pixels(context, index, highlight, shininess);
         const std::size_t most = k_dot * std::max<std::size_t>(context.world().lights->size(), 1);
-        if (now > most || highlight_pixels(context, index, k_usual_shininess) <= 4 * most) return;
-        context.report(
+        if (now > most || highlight_pixels(context, index, highlight, k_usual_shininess) <= 4 * most)
+            continue;
+        return context.report(
             "shininess-too-large", place,
             fmt::format("{} has the shininess {:.6g}: its highlights are smaller than a pixel, and {}",
-                        context.material(index), m.shininess,
+                        context.material(index), shininess,
                         now == 0 ? "none is visible" : "at most a dot is visible"),
             "give it a shininess from 1 (wide) to 1000 (small)");
     }

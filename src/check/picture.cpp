@@ -105,7 +105,8 @@ bool glows(const WorldParts& world, std::uint32_t slot) {
 // Whether a finding about the material's own numbers says why it is clamped.
 bool is_explained(const CheckContext& context, std::uint32_t material) {
     return context.is_reported("material-color-255", SceneItem::material, material) ||
-           context.is_reported("shininess-zero", SceneItem::material, material);
+           context.is_reported("shininess-zero", SceneItem::material, material) ||
+           context.is_reported("shininess-too-small", SceneItem::material, material);
 }
 
 // Shapes that are clamped on most of their pixels; one finding for those of one material. over_at: by the
@@ -160,7 +161,8 @@ void check_clamped_shapes(CheckContext& context, const VisibleHits& visible, Tes
 
 void check_clamped(CheckContext& context, const VisibleHits& visible, const Image& picture) {
     const double over = share(picture, [&](std::size_t i) { return is_over(picture, i); });
-    if (over == 0 || context.is_reported("light-color-255")) return;
+    if (over == 0 || context.is_reported("light-color-255") || context.is_reported("light-written-twice"))
+        return;
     const Scene& scene = context.scene();
     const auto columns = static_cast<std::size_t>(visible.size.width),
                rows = static_cast<std::size_t>(visible.size.height);

@@ -198,7 +198,18 @@ TEST(CheckCamera, AngleInRadians) {
                      "sphere { <0, 1, 0>, 1 pigment { rgb <0.8, 0.3, 0.2> } }\n",
                      "a.pov"),
               "camera-angle-in-radians@1");
+    // With something beside the shape.
+    std::string edge = text;
+    edge.replace(edge.find("(0, 0.5, 0)"), 11, "(-0.5, 1, 0)");
+    EXPECT_EQ(ids_of(edge), "camera-angle-in-radians@1");
     // From far away, by a telescope.
+    EXPECT_EQ(
+        ids_of(
+            "camera { position = (0, 0, 100)  look_at = (0, 0, 0)  fov_x = 1.8 }\n"
+            "light { position = (30, 60, 90)  intensity = 0.6 }\nsphere { center = (0, 0, 0)  radius = 1 }\n"
+            "sphere { center = (0, 40, -900)  radius = 1  color = (1, 0, 0) }\n")
+            .find("camera-"),
+        std::string::npos);
     std::string far = with_fov("fov_x = 2");
     far.replace(far.find("(0, 2, 8)"), 9, "(0, 40, 160)");
     EXPECT_EQ(ids_of(far), "");

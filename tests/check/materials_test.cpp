@@ -65,6 +65,9 @@ TEST(CheckMaterials, ShininessOutOfRange) {
     EXPECT_EQ(ids_of(k_clean + "sphere { center = (0, 1, 2)  radius = 0.8  phong_color = (0.2, 0.2, 0.2)  "
                                "phong_shininess = 0.3 }\n"),
               "shininess-too-small@7");
+    EXPECT_EQ(ids_of(k_clean + "sphere { center = (0, 1, 2)  radius = 0.8  phong_color = (0.2, 0.2, 0.2)  "
+                               "phong_shininess = 200000 }\n"),
+              "shininess-too-large@7");
     // Not visible, but for another reason.
     EXPECT_EQ(ids_of("render { shading = diffuse }\n" + ball("200000")), "");
 }

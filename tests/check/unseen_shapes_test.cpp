@@ -229,5 +229,17 @@ sphere { center = (4.5, 0, 0)  radius = 0.65 }
               "shape-outside-view@5");
 }
 
+TEST(CheckShapes, TheBodyOfALightMayBeOutside) {
+    EXPECT_EQ(ids_of(R"(Begin_Scene
+Resolution 160 120
+Camera Zoom 1 Aspectratio 1 Antialiasing 0 Raydepth 4 Center 0 1 -6 Viewdir 0 -0.1 1 Updir 0 1 0 End_Camera
+Light Center 3 9 -5 Rad 0.2 Color 1 1 1
+Sphere Center 0 0 0 Rad 1 Texture Ambient 0.1 Diffuse 0.7 Specular 0 Opacity 1 Color 0.8 0.3 0.2 TexFunc 0
+End_Scene
+)",
+                     "a.dat"),
+              "");
+}
+
 }  // namespace
 }  // namespace glint::test
