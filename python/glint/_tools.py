@@ -152,7 +152,7 @@ class Finding:
     message: str
     remedy: str
     diagnostic: _glint.Diagnostic
-    """Its place."""
+    """Its place and its severity: 'warning', or 'note' if the picture is as it should be all the same."""
     text: str
 
     def __str__(self) -> str:

@@ -14,7 +14,7 @@
 namespace glint {
 namespace {
 
-constexpr std::size_t k_max_named = 5;
+constexpr std::size_t k_max_named = 5, k_max_named_of_model = 2;
 constexpr std::size_t k_max_alike = 8;  // findings of one kind
 // Shapes of a scene that is written by hand, and of one that is computed by macros.
 constexpr std::size_t k_by_hand = 64, k_min_computed = 24;
@@ -178,7 +178,7 @@ std::vector<Finding> CheckContext::take() {
             const bool elsewhere =
                 alike.second.line != alike.first.line || alike.second.file != alike.first.file;
             finding.diagnostic.message += fmt::format("; and {} more like it{}", alike.count - 1,
-                                                      elsewhere ? line_of(alike.second) : "");
+                                                      elsewhere ? ", the next" + line_of(alike.second) : "");
             alike.count = 0;
         }
         list.push_back(std::move(finding));
@@ -212,7 +212,8 @@ std::string CheckContext::material(std::uint32_t i) const {
 
 std::string CheckContext::some_shapes(const std::vector<std::uint32_t>& shapes) const {
     std::string text;
-    const std::size_t named = shapes.size() <= k_max_named + 1 ? shapes.size() : k_max_named;
+    const std::size_t most = is_model() ? k_max_named_of_model : k_max_named;
+    const std::size_t named = shapes.size() <= most + 1 ? shapes.size() : most;
     for (std::size_t i = 0; i < named; ++i) {
         const bool last = i + 1 == named && named == shapes.size();
         text += i == 0 ? "" : last ? " and " : ", ";

@@ -264,17 +264,18 @@ void check_shapes(CheckContext& context, const VisibleHits& visible, const std::
                             std::string_view where, bool hidden, std::string remedy) {
         const std::vector<std::uint32_t> list = worth_naming(context, unseen, all, !hidden);
         if (list.empty()) return;
-        context.report(id, context.at_shape(list.front()),
-                       fmt::format("{} of {} {} {}{}{}: {}{}", list.size(),
-                                   unseen.shapes == 1 ? "1 shape" : fmt::format("{} shapes", unseen.shapes),
-                                   list.size() == 1 ? "is" : "are", where,
-                                   !knows_shadows     ? ""
-                                   : list.size() == 1 ? ", and no shadow of it is visible"
-                                                      : ", and no shadow of them is visible",
-                                   mirrors, context.some_shapes(list),
-                                   (hidden ? enclosure(context, world, list) : "") + coarse),
-                       std::move(remedy),
-                       context.is_model() && !is_most(unseen, all) ? Severity::note : Severity::warning);
+        context.report(
+            id, context.at_shape(list.front()),
+            fmt::format("{} of {} {} {}{}{}: {}{}", list.size(),
+                        unseen.shapes == 1 ? "1 shape" : fmt::format("{} shapes", unseen.shapes),
+                        list.size() == 1 ? "is" : "are", where,
+                        !knows_shadows     ? ""
+                        : list.size() == 1 ? ", and no shadow of it is visible"
+                                           : ", and no shadow of them is visible",
+                        mirrors, context.some_shapes(list),
+                        (hidden ? enclosure(context, world, list) : "") + coarse),
+            std::move(remedy),
+            context.is_model() && (hidden || !is_most(unseen, all)) ? Severity::note : Severity::warning);
     };
     report("shape-outside-view", unseen.outside, "outside the picture", false,
            "move the shapes or the camera, or widen its view");

@@ -399,6 +399,8 @@ export interface Cause {
 export interface Finding extends Diagnostic {
     id: string;
     remedy: string;
+    /** The picture is as it should be all the same: of exported models. The severity is 'warning'. */
+    note: boolean;
 }
 
 /** The host's WebAssembly.Module, where its types are known. */

@@ -62,6 +62,7 @@ Json findings(const Scene& scene, const std::vector<SceneText>& texts) {
         Json json = to_json(finding.diagnostic);
         json["id"] = finding.id;
         json["remedy"] = finding.remedy;
+        json["note"] = finding.diagnostic.severity == Severity::note;
         list.push_back(std::move(json));
     }
     return list;

@@ -36,8 +36,8 @@ TEST(CheckModels, UnusedMaterialsAreOneNote) {
     EXPECT_EQ(by_hand[0].diagnostic.severity, Severity::warning);
     ASSERT_EQ(ids(model), "material-unused@4");
     EXPECT_EQ(model[0].diagnostic.severity, Severity::note);
-    EXPECT_TRUE(
-        has(to_string(model[0]), "no shape uses material 'spare0' (line 4); and 4 more like it (line 5)"))
+    EXPECT_TRUE(has(to_string(model[0]),
+                    "no shape uses material 'spare0' (line 4); and 4 more like it, the next (line 5)"))
         << to_string(model[0]);
 }
 
@@ -50,6 +50,8 @@ TEST(CheckModels, HiddenAtomsAreOneNote) {
     ASSERT_EQ(ids(model), "shape-hidden@74");
     EXPECT_EQ(model[0].diagnostic.severity, Severity::note);
     EXPECT_TRUE(has(to_string(model[0]), "30 of 100 shapes are hidden")) << to_string(model[0]);
+    EXPECT_TRUE(has(to_string(model[0]), "'core0' (line 74), sphere 'core1' (line 75) and 28 more"))
+        << to_string(model[0]);
 }
 
 TEST(CheckModels, ShapesWrittenTwiceAreOneNote) {

@@ -360,6 +360,7 @@ test('likely mistakes are found, as natively', () => {
     const found = scene.check();
     assert.deepEqual(found, JSON.parse(native(request(['faults/black.glint']), 'check')));
     assert.ok(found.length > 0 && found[0].remedy && found[0].line > 0);
+    assert.equal(found[0].note, false);
     scene.close();
 });
 
