@@ -34,16 +34,16 @@ void mark_shadows(const CheckContext& context, const VisibleHits& visible, std::
 }
 
 // Marks the bodies of lights: shapes that a format makes of a light (Tachyon).
-void mark_lamps(const Scene& scene, std::vector<bool>& seen) {
-    std::set<std::tuple<std::uint32_t, std::uint32_t, std::uint32_t>> lamps;
+void mark_bodies_of_lights(const Scene& scene, std::vector<bool>& seen) {
+    std::set<std::tuple<std::uint32_t, std::uint32_t, std::uint32_t>> of_lights;
     const auto key = [](SourcePlace p) {
         return std::tuple{std::uint32_t{p.file}, p.line, std::uint32_t{p.column}};
     };
     for (const SourcePlace& p : scene.light_texts.places)
-        if (p.line != 0) lamps.insert(key(p));
-    if (lamps.empty()) return;
+        if (p.line != 0) of_lights.insert(key(p));
+    if (of_lights.empty()) return;
     for (std::uint32_t i = 0; i < seen.size(); ++i)
-        if (lamps.contains(key(scene.shape_texts.place(i)))) seen[i] = true;
+        if (of_lights.contains(key(scene.shape_texts.place(i)))) seen[i] = true;
 }
 
 Vec3 corner_of(const Bounds& box, int corner) {
@@ -249,7 +249,7 @@ void check_shapes(CheckContext& context, const VisibleHits& visible, const std::
     for (const Generation& g : visible.generations)
         for (const SurfaceHit& h : g.hits) seen[h.shape] = true;
     mark_shadows(context, visible, seen);
-    mark_lamps(context.scene(), seen);
+    mark_bodies_of_lights(context.scene(), seen);
     Unseen unseen = find_unseen(world, seen);
     find_reasons(context, unseen);
     const std::size_t deep = visible.generations.size() - 1;
