@@ -27,7 +27,6 @@ Image background_of(CheckContext& context) {
     empty.camera = scene.camera;
     empty.background = scene.background;
     empty.gradient = scene.gradient;
-    empty.fog = scene.fog;
     empty.conventions = scene.conventions;
     empty.settings = scene.settings;
     return context.render_small(prepare(empty, {.threads = context.threads()}), k_background_picture);
@@ -37,6 +36,7 @@ Image background_of(CheckContext& context) {
 bool may_look_so(const CheckContext& context, std::uint32_t shape) {
     const Material m = context.material_of(shape);
     if (m.is_transparent() || m.transmission > 0 || m.mirror > 0) return true;
+    if (context.scene().settings.shading == Shading::color) return false;
     const bool glows =
         brightest(m.ambient * context.world().ambient) > k_same_color || brightest(m.emission) > k_same_color;
     return !glows && (brightest(m.diffuse) > k_same_color || brightest(m.specular) > k_same_color ||
@@ -48,7 +48,8 @@ bool may_look_so(const CheckContext& context, std::uint32_t shape) {
 void check_background_shapes(CheckContext& context) {
     const Scene& scene = context.scene();
     const WorldParts& world = context.world();
-    if (scene.settings.shading == Shading::normals) return;
+    // Fog gives distant shapes the color of the background.
+    if (scene.fog || scene.settings.shading == Shading::normals) return;
     const Image picture = context.render_small(k_background_picture);
     const Image background = background_of(context);
     if (picture.rgb.empty() || picture.rgb.size() != background.rgb.size()) return;

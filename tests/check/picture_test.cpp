@@ -230,6 +230,13 @@ TEST(CheckPicture, ShapesInTheColorOfTheBackground) {
         has(only_message(base + ghost + "0 }\n"), "box 2 (line 6) cannot be told from the background"))
         << only_message(base + ghost + "0 }\n");
     EXPECT_EQ(ids_of(base + ghost + "0.5 }\n"), "");
+    EXPECT_EQ(ids_of("render { shading = color }  " + base.substr(0, base.find("light")) + ghost +
+                     "0.5 }\nsphere { center = (-1.5, 1, 0)  radius = 1 }\n"),
+              "shape-looks-like-background@3");
+    // Distant shapes in fog.
+    EXPECT_EQ(ids_of(base + "sphere { center = (2, 1, -60)  radius = 6  color = (0.8, 0.3, 0.2) }\n"
+                            "fog { type = exp2  density = 0.06  color = (0.5, 0.6, 0.8) }\n"),
+              "");
     // In front of a wall of another color it is seen.
     EXPECT_EQ(ids_of(base + ghost +
                      "0 }\nplane { point = (0, 0, -3)  normal = (0, 0, 1)  color = (0.3, 0.5, 0.3) }\n"),
