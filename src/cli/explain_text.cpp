@@ -70,27 +70,27 @@ double mean(Color c) { return (c.r + c.g + c.b) / 3; }
 double largest(Color c) { return std::max({std::abs(c.r), std::abs(c.g), std::abs(c.b)}); }
 
 // What a ray adds to the pixel together with the rays that start where it hits.
-struct Branch {
+struct Subtree {
     Color light;
     double most = 0;  // the sum of the largest channels: light of both signs does not cancel
     int rays = 1;
 };
 
-std::vector<Branch> branches_of(const Explanation& e, bool has_alpha) {
-    std::vector<Branch> branches(e.rays.size());
+std::vector<Subtree> subtrees_of(const Explanation& e, bool has_alpha) {
+    std::vector<Subtree> subtrees(e.rays.size());
     for (std::size_t i = e.rays.size(); i-- > 0;) {
         const ExplainedRay& ray = e.rays[i];
         const Color light = (ray.hit ? ray.hit->own_light() : ray.background) + ray.fog;
-        branches[i].light = branches[i].light + light;
-        branches[i].most += largest(light);
-        if (has_alpha && ray.transparent) branches[i].most += largest(ray.weight);  // what alpha loses
+        subtrees[i].light = subtrees[i].light + light;
+        subtrees[i].most += largest(light);
+        if (has_alpha && ray.transparent) subtrees[i].most += largest(ray.weight);  // what alpha loses
         if (ray.parent < 0 || static_cast<std::size_t>(ray.parent) >= i) continue;
-        Branch& parent = branches[static_cast<std::size_t>(ray.parent)];
-        parent.light = parent.light + branches[i].light;
-        parent.most += branches[i].most;
-        parent.rays += branches[i].rays;
+        Subtree& parent = subtrees[static_cast<std::size_t>(ray.parent)];
+        parent.light = parent.light + subtrees[i].light;
+        parent.most += subtrees[i].most;
+        parent.rays += subtrees[i].rays;
     }
-    return branches;
+    return subtrees;
 }
 
 std::string_view kind_of(const ExplainedRay& r) {
@@ -122,7 +122,7 @@ std::string start_text(const ExplainedRay& r, const ExplainedRay& before, const 
 class Tree {
   public:
     Tree(const Explanation& e, const Scene& scene, const ExplainStyle& style)
-        : e_(e), scene_(scene), style_(style), branches_(branches_of(e, scene.settings.alpha)) {}
+        : e_(e), scene_(scene), style_(style), subtrees_(subtrees_of(e, scene.settings.alpha)) {}
 
     void add_ray(std::size_t ray, int depth) {
         const ExplainedRay& r = e_.rays[ray];
@@ -247,19 +247,20 @@ class Tree {
                                       number(r.visibility), color(r.fog), swatch(style_, r.fog)));
     }
 
-    void add_branch(std::size_t ray, int depth) {
-        const Branch& branch = branches_[ray];
-        if (!(255 * branch.most < style_.fold)) return add_ray(ray, depth);
+    void add_subtree(std::size_t ray, int depth) {
+        const Subtree& subtree = subtrees_[ray];
+        if (!(255 * subtree.most < style_.fold)) return add_ray(ray, depth);
         const ExplainedRay& r = e_.rays[ray];
         const std::string what =
             fmt::format("{} {} towards {}, weight {}: hits {}", kind_of(r), ray, vec(r.direction),
                         color(r.weight), r.hit ? shape_text(scene_, r.hit->shape) : "nothing");
-        if (branch.rays == 1 && branch.most == 0 && !r.hit) return text_.line(depth, what + ", adds nothing");
-        folded_.rays += branch.rays;
-        folded_.light = folded_.light + branch.light;
+        if (subtree.rays == 1 && subtree.most == 0 && !r.hit)
+            return text_.line(depth, what + ", adds nothing");
+        folded_.rays += subtree.rays;
+        folded_.light = folded_.light + subtree.light;
         const std::string who =
-            branch.rays == 1 ? "adds" : fmt::format("adds with the {} rays after it", branch.rays - 1);
-        text_.line(depth, fmt::format("{}, {} {}: less than {} of 255", what, who, color(branch.light),
+            subtree.rays == 1 ? "adds" : fmt::format("adds with the {} rays after it", subtree.rays - 1);
+        text_.line(depth, fmt::format("{}, {} {}: less than {} of 255", what, who, color(subtree.light),
                                       number(style_.fold)));
     }
 
@@ -268,7 +269,7 @@ class Tree {
             case SecondaryRayState::none:
                 return;
             case SecondaryRayState::traced:
-                return add_branch(static_cast<std::size_t>(ray.ray), depth);
+                return add_subtree(static_cast<std::size_t>(ray.ray), depth);
             case SecondaryRayState::limit:
                 return text_.line(depth, fmt::format("{}: not traced, the limit of {} reflections is reached",
                                                      what, scene_.settings.reflections));
@@ -288,8 +289,8 @@ class Tree {
     const Explanation& e_;
     const Scene& scene_;
     const ExplainStyle& style_;
-    const std::vector<Branch> branches_;
-    Branch folded_{{}, 0, 0};
+    const std::vector<Subtree> subtrees_;
+    Subtree folded_{{}, 0, 0};
     IndentedText text_;
 };
 

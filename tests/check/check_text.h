@@ -54,7 +54,8 @@ inline bool has(const std::string& text, std::string_view part) {
 }
 
 /// Lines 1 to 6: a small picture, a camera, two lights and three shapes, with nothing the matter.
-inline const std::string k_clean = R"(render { size = 320 x 240 }  camera { position = (0, 2, 8)  look_at = (0, 0.5, 0)  fov_x = 50 }
+inline const std::string k_clean =
+    R"(render { size = 320 x 240 }  camera { position = (0, 2, 8)  look_at = (0, 0.5, 0)  fov_x = 50 }
 light { type = ambient  intensity = 0.2 }
 light "lamp" { position = (3, 6, 5)  intensity = 0.6 }
 plane { point = (0, 0, 0)  normal = (0, 1, 0)  color = (0.5, 0.5, 0.5)  ambient = 1  diffuse = 0.9 }

@@ -7,7 +7,8 @@
 namespace glint::test {
 
 struct RetiredWord {
-    std::string_view pattern;  ///< a regular expression of POSIX with \b and \w, upper and lower case told apart
+    std::string_view
+        pattern;  ///< a regular expression of POSIX with \b and \w, upper and lower case told apart
     std::string_view instead;  ///< what to write
     /// Prefixes of the paths that are searched, separated by blanks; empty: all paths.
     std::string_view within = {};
