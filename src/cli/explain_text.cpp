@@ -4,14 +4,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <vector>
 
 #include "base/text.h"
 #include "cli/explain_lights.h"
 #include "cli/explain_numbers.h"
+#include "cli/explain_rays.h"
 #include "cli/explain_sum.h"
-#include "math/transform.h"
 #include "scene/material_fields.h"
 
 namespace glint::cli {
@@ -66,58 +65,6 @@ Color through_of(const Material& m) {
 }
 
 double mean(Color c) { return (c.r + c.g + c.b) / 3; }
-
-double largest(Color c) { return std::max({std::abs(c.r), std::abs(c.g), std::abs(c.b)}); }
-
-// What a ray adds to the pixel together with the rays that start where it hits.
-struct Subtree {
-    Color light;
-    double most = 0;  // the sum of the largest channels: light of both signs does not cancel
-    int rays = 1;
-};
-
-std::vector<Subtree> subtrees_of(const Explanation& e, bool has_alpha) {
-    std::vector<Subtree> subtrees(e.rays.size());
-    for (std::size_t i = e.rays.size(); i-- > 0;) {
-        const ExplainedRay& ray = e.rays[i];
-        const Color light = (ray.hit ? ray.hit->own_light() : ray.background) + ray.fog;
-        subtrees[i].light = subtrees[i].light + light;
-        subtrees[i].most += largest(light);
-        if (has_alpha && ray.transparent) subtrees[i].most += largest(ray.weight);  // what alpha loses
-        if (ray.parent < 0 || static_cast<std::size_t>(ray.parent) >= i) continue;
-        Subtree& parent = subtrees[static_cast<std::size_t>(ray.parent)];
-        parent.light = parent.light + subtrees[i].light;
-        parent.most += subtrees[i].most;
-        parent.rays += subtrees[i].rays;
-    }
-    return subtrees;
-}
-
-std::string_view kind_of(const ExplainedRay& r) {
-    return r.parent < 0    ? "camera ray"
-           : r.straight    ? "ray straight through"
-           : r.transmitted ? "ray through glass"
-                           : "mirror ray";
-}
-
-// Where a secondary ray starts, and why not at P itself. Empty if it is a part of the ray before.
-std::string start_text(const ExplainedRay& r, const ExplainedRay& before, const Scene& scene) {
-    if (r.straight || !before.hit) return {};
-    const Vec3 step = r.origin - before.hit->point;
-    const double distance = length(step);
-    if (distance == 0)
-        return fmt::format("starts at P; a surface nearer than t = {} does not count", number(r.t_min));
-    const double along_n = dot(step, before.hit->normal) / distance;
-    const double along_ray = dot(step, r.direction) / (distance * length(r.direction));
-    const std::string_view way = along_n > 0.999999     ? " along N"
-                                 : along_n < -0.999999  ? " against N"
-                                 : along_ray > 0.999999 ? " along its own direction"
-                                                        : "";
-    return fmt::format(
-        "starts {} from P{}, so that it does not hit the surface at P again (offset {}, epsilon {})",
-        number(distance), way, get_setting(scene, *find_setting("offset")),
-        number(scene.conventions.epsilon));
-}
 
 class Tree {
   public:
