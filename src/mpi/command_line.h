@@ -9,8 +9,8 @@
 namespace glint::mpi {
 
 /// Adds the options and the command `render` to an app with the name `k_program`. The hooks must outlive what
-/// is returned.
-cli::Run add_command_line(CLI::App& app, const cli::RenderHooks& hooks);
+/// is returned, which holds the values of the options and must outlive the app.
+[[nodiscard]] cli::Run add_command_line(CLI::App& app, const cli::RenderHooks& hooks);
 
 inline constexpr const char* k_program = "glint-mpi";
 

@@ -234,7 +234,7 @@ TEST_F(CommandLines, OfGlintTachyon) {
 Finished run_mpi(const std::vector<std::string>& arguments) {
     CLI::App app("", mpi::k_program);
     const cli::RenderHooks hooks;
-    mpi::add_command_line(app, hooks);
+    const cli::Run render = mpi::add_command_line(app, hooks);
     const cli::CommandLine line = cli::parse_command_line(app, arguments);
     Finished result;
     result.code = line.error.empty() ? cli::k_done : cli::k_usage;
