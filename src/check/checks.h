@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The checks, one per kind of mistake. Each reports its findings to the context.
+#include <numbers>
+
 #include "check/context.h"
 #include "check/visible_hits.h"
 #include "math/number.h"
 
 namespace glint {
+
+/// For angles that may be meant in radians.
+inline constexpr double k_degrees_per_radian = 180 / std::numbers::pi;
 
 /// The largest and the smallest channel of a colour.
 inline double brightest(Color c) { return number::max(c.r, number::max(c.g, c.b)); }

@@ -177,7 +177,8 @@ class Coincidences {
         // Of thousands of small pairs, none may be large enough by itself.
         std::size_t named = 1;
         const std::size_t most = context_.is_model() ? 1 : k_max_reported;
-        while (named < list.size() && named<most&& static_cast<double>(list[named].first)> least) ++named;
+        while (named < list.size() && (named < most) && static_cast<double>(list[named].first) > least)
+            ++named;
         for (std::size_t i = 0; i < named; ++i) {
             const auto& [pixels, pair] = list[i];
             const std::size_t more = i + 1 == named ? list.size() - named : 0;

@@ -10,6 +10,7 @@
 #include "base/diagnostics.h"
 #include "base/text.h"
 #include "check/visible_hits.h"
+#include "math/number.h"
 
 namespace glint {
 namespace {
@@ -49,6 +50,19 @@ SmallSize small_size(const RenderSettings& settings, std::int32_t longest) {
             std::max<std::int64_t>(1, (2 * side * std::int64_t{longest} + most) / (2 * most)));
     };
     return {scaled(settings.width), scaled(settings.height)};
+}
+
+std::size_t count_differing(const Image& a, const Image& b, double least) {
+    if (a.rgb.size() != b.rgb.size()) return 0;
+    std::size_t count = 0;
+    for (std::size_t i = 0; i + 2 < a.rgb.size(); i += 3) {
+        bool differs = false;
+        for (std::size_t c = i; c < i + 3; ++c)
+            differs =
+                differs || number::abs(static_cast<double>(a.rgb[c]) - static_cast<double>(b.rgb[c])) > least;
+        count += differs ? 1 : 0;
+    }
+    return count;
 }
 
 CheckContext::CheckContext(const Scene& scene, World prepared, const CheckOptions& options)

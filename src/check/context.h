@@ -15,6 +15,9 @@ namespace glint {
 /// Changes of a pixel value below this change no byte.
 inline constexpr double k_half_byte = 0.5 / 255;
 
+/// The number of pixels in which a channel differs by more than `least`; 0 if the pictures have not one size.
+std::size_t count_differing(const Image& a, const Image& b, double least);
+
 /// As findings write it: "(1, 2.5, -3)".
 std::string vector_text(Vec3 v);
 

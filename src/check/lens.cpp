@@ -15,7 +15,6 @@ namespace {
 
 constexpr double k_widest = 150;       // degrees; at the edge, shapes are stretched by a factor of 15
 constexpr double k_radian_view = 2.1;  // degrees; in radians, 120 degrees
-constexpr double k_degrees_each = 57.29577951308232;
 constexpr std::size_t k_max_things = 2;
 constexpr double k_min_bounded = 0.03;     // of the wide picture
 constexpr std::int32_t k_view_side = 160;  // rays a side
@@ -42,10 +41,10 @@ View view_of(const CheckContext& context, const WorldParts& world) {
 // The camera with its angle of `radians` instead of degrees.
 Camera in_radians(Camera camera, double degrees) {
     if (!camera.frame) {
-        camera.fov_degrees *= k_degrees_each;
+        camera.fov_degrees *= k_degrees_per_radian;
         return camera;
     }
-    const double wider = tan_degrees(degrees * k_degrees_each / 2) / tan_degrees(degrees / 2);
+    const double wider = tan_degrees(degrees * k_degrees_per_radian / 2) / tan_degrees(degrees / 2);
     camera.frame->right = camera.frame->right * wider;
     camera.frame->up = camera.frame->up * wider;
     return camera;
@@ -59,7 +58,7 @@ bool check_view_angle(CheckContext& context) {
     const PreparedCamera& c = context.world().camera;
     const double width = length(c.right), height = length(c.up), focal = length(c.forward);
     const bool across = width >= height;
-    const double widest = 2 * atan2(0.5 * std::max(width, height), focal) * k_degrees_each;
+    const double widest = 2 * atan2(0.5 * std::max(width, height), focal) * k_degrees_per_radian;
     if (widest >= k_widest) {
         const double tangent = 0.5 * std::max(width, height) / focal;
         context.report(
@@ -71,7 +70,7 @@ bool check_view_angle(CheckContext& context) {
         return true;
     }
     const double angle =
-        camera.has_fov() ? camera.fov_degrees : 2 * atan2(0.5 * width, focal) * k_degrees_each;
+        camera.has_fov() ? camera.fov_degrees : 2 * atan2(0.5 * width, focal) * k_degrees_per_radian;
     if (angle > k_radian_view || context.world().geometry->count == 0) return true;
     const View now = view_of(context, context.world());
     if (now.things > k_max_things) return true;
@@ -84,8 +83,8 @@ bool check_view_angle(CheckContext& context) {
                    fmt::format("the camera sees an angle of only {:.4g} degrees, in which there {}: is the "
                                "angle in radians? {:.4g} radians are {:.3g} degrees",
                                angle, now.things == 1 ? "is one thing" : "are two things", angle,
-                               angle * k_degrees_each),
-                   fmt::format("write the angle in degrees: {:.3g}", angle * k_degrees_each));
+                               angle * k_degrees_per_radian),
+                   fmt::format("write the angle in degrees: {:.3g}", angle * k_degrees_per_radian));
     return false;
 }
 

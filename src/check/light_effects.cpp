@@ -10,8 +10,7 @@
 namespace glint {
 namespace {
 
-constexpr double k_max_radians = 1.6;            // a little more than a right angle
-constexpr double k_degrees = 57.29577951308232;  // of a radian
+constexpr double k_max_radians = 1.6;  // a little more than a right angle
 // Shares of the picture, and their ratio: a spot of a degree or two is a dot.
 constexpr double k_max_dot = 0.006, k_min_cone = 0.01, k_min_growth = 10;
 constexpr double k_max_faint_sum = 0.1;  // of several faint lights
@@ -64,8 +63,8 @@ bool check_spot_angle(CheckContext& context, Effects& effects, std::uint32_t ind
     const Light& light = context.scene().lights[index];
     if (!light.is_spot() || light.outer_angle > k_max_radians) return true;
     Light wide = light;
-    wide.inner_angle *= k_degrees;
-    wide.outer_angle *= k_degrees;
+    wide.inner_angle *= k_degrees_per_radian;
+    wide.outer_angle *= k_degrees_per_radian;
     const double now = effects.of(std::vector{light}, k_first_look).share,
                  then = effects.of(std::vector{wide}, k_first_look).share;
     if (now > k_max_dot || then < k_min_cone || then < k_min_growth * now) return true;

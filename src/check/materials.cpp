@@ -59,15 +59,7 @@ std::size_t highlight_pixels(CheckContext& context, std::uint32_t index, Highlig
     m.*highlight.color = {0, 0, 0};
     const Image without =
         context.render_small(with_material(context.prepared(), index, m), k_highlight_picture);
-    std::size_t count = 0;
-    for (std::size_t i = 0; i < with.rgb.size() && i < without.rgb.size(); i += 3) {
-        bool differs = false;
-        for (std::size_t c = i; c < i + 3; ++c)
-            differs = differs || number::abs(static_cast<double>(with.rgb[c]) -
-                                             static_cast<double>(without.rgb[c])) > k_half_byte;
-        count += differs ? 1 : 0;
-    }
-    return count;
+    return count_differing(with, without, k_half_byte);
 }
 
 // Exponents with which a highlight covers everything, or nothing. looks: highlights that may still be

@@ -11,18 +11,8 @@ constexpr std::int32_t k_occlusion_picture = 120;  // longest side, pixels
 constexpr double k_darker = 8.0 / 255;             // differences in a channel that count
 constexpr double k_min_darkened = 0.005;           // of the picture
 
-// The share of the pixels in which a channel differs by more than `least`.
 double share_beyond(const Image& a, const Image& b, double least) {
-    if (a.rgb.empty() || a.rgb.size() != b.rgb.size()) return 0;
-    std::size_t count = 0;
-    for (std::size_t i = 0; i < a.rgb.size(); i += 3) {
-        bool differs = false;
-        for (std::size_t c = i; c < i + 3; ++c)
-            differs =
-                differs || number::abs(static_cast<double>(a.rgb[c]) - static_cast<double>(b.rgb[c])) > least;
-        count += differs ? 1 : 0;
-    }
-    return 3 * static_cast<double>(count) / static_cast<double>(a.rgb.size());
+    return 3 * static_cast<double>(count_differing(a, b, least)) / static_cast<double>(a.rgb.size());
 }
 
 }  // namespace
@@ -40,7 +30,7 @@ void check_occlusion(CheckContext& context) {
     };
     const double reach = scene.occlusion->reach;
     const Image now = render_with(reach);
-    if (share_beyond(now, render_with(reach / 1000), k_half_byte) > 0) return;
+    if (now.rgb.empty() || share_beyond(now, render_with(reach / 1000), k_half_byte) > 0) return;
     const double unlimited = share_beyond(now, render_with(number::k_infinity), k_darker);
     if (unlimited < k_min_darkened) return;
     context.report(
