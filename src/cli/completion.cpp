@@ -40,7 +40,8 @@ std::vector<std::string> keys(bool with_profile) {
 
 Completed completed(const CLI::App& app, const CLI::Option& option) {
     using Kind = Completed::Kind;
-    const std::string text = option.get_option_text(), name = option.get_name();
+    const std::string& text = option.get_option_text();
+    const std::string name = option.get_name();
     if (option.get_items_expected_max() == 0) return {};
     if (text == "NAME|FILE") return {Kind::words, strings(profile_names()), true};
     if (text.find('|') != std::string::npos) return {Kind::words, split(text, '|')};

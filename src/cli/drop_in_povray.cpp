@@ -312,7 +312,7 @@ class PovrayArguments {
                                    : format == FileFormat::ppm ? ".ppm"
                                    : format == FileFormat::exr ? ".exr"
                                                                : ".png";
-        const std::string name = (input_ == "-" ? std::string("stdin") : stem(input_)) + ending;
+        std::string name = (input_ == "-" ? std::string("stdin") : stem(input_)) + ending;
         if (output_.empty()) return name;
         std::error_code ignored;
         if (output_ == "-") return output_;

@@ -85,10 +85,9 @@ bool RenderTarget::begin(const Crop& picture, JournalHeader& header, bool has_ho
         if (!arguments_.quiet) print_error("{}  is complete\n", path_);
         return false;
     }
-    if (tiles_ || arguments_.resume) {
-        open_journal(header);
-    } else if (in_strips && (has_hooks || picture_->has_layers())) {
-        // Tiles of other processes come in any order, and a file of layers has them one after the other.
+    // Tiles of other processes come in any order, and a file of layers has them one after the other.
+    const bool out_of_order = in_strips && (has_hooks || picture_->has_layers());
+    if (tiles_ || arguments_.resume || out_of_order) {
         open_journal(header);
     } else if (in_strips) {
         strips_ = picture_->begin_strips(picture.width, picture.height);

@@ -46,7 +46,7 @@ std::string part_note(const RubricRow& row, const GradedPart& part) {
             for (const Cause& cause : part.then)
                 notes.push_back(fmt::format("and then also {}: {}", cause_text(cause), cause.explanation));
         } else if (part.score.not_finite == 0) {
-            notes.push_back("no classic cause");
+            notes.emplace_back("no classic cause");
         }
     }
     return fmt::format("{}", fmt::join(notes, "; "));

@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "base/text.h"
 #include "formats/include.h"
 #include "formats/registry.h"
@@ -123,11 +125,7 @@ void TachyonReader::read_object() {
 void TachyonReader::skip_object() {
     const auto is_beginning = [](std::string_view word) {
         const auto is = [&](std::string_view upper) {
-            if (word.size() != upper.size()) return false;
-            for (std::size_t i = 0; i < word.size(); ++i) {
-                if (TachyonScanner::upper_case(word[i]) != upper[i]) return false;
-            }
-            return true;
+            return std::ranges::equal(word, upper, {}, TachyonScanner::upper_case);
         };
         for (const Object& object : objects()) {
             if (is(object.upper)) return true;

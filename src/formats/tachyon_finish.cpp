@@ -26,10 +26,10 @@ constexpr std::string_view k_limit_texts[] = {
     "glint does not mix the colors of vertices: each triangle has the mean of its three",
     "the endless cylinder ends a million radii from its Center",
     "near the edges of a box that is no cube Tachyon takes the normal of a neighbouring face; glint does not",
-    "the normals of this triangle have different lengths: glint interpolates unit normals, Tachyon the "
-    "normals as they are",
-    "many triangles, this one first, have normals on both sides of their faces: in glint they are partly in "
-    "their own shadow, in Tachyon they are not",
+    ("the normals of this triangle have different lengths: glint interpolates unit normals, Tachyon the "
+     "normals as they are"),
+    ("many triangles, this one first, have normals on both sides of their faces: in glint they are partly in "
+     "their own shadow, in Tachyon they are not"),
 };
 static_assert(std::size(k_limit_texts) == static_cast<std::size_t>(TachyonLimit::count));
 

@@ -175,7 +175,7 @@ constexpr std::strong_ordering compare_bits(const ItemField<Item>& field, const 
 }
 /// True if the field has the same bits in both items.
 template <class Item> constexpr bool same_bits(const ItemField<Item>& field, const Item& a, const Item& b) {
-    return compare_bits(field, a, b) == 0;
+    return std::is_eq(compare_bits(field, a, b));
 }
 
 /// The value as a number, true or false, or as a list of numbers; null if it is absent. Json: the JSON
