@@ -26,6 +26,7 @@ class CMakeBuild(build_ext):
             "GLINT_COMMAND": "OFF",
             "GLINT_TESTS": "OFF",
             "GLINT_INSTALL": "OFF",
+            "GLINT_FILES_TOGETHER": "ON",
         }
         subprocess.check_call(
             ["cmake", "-S", str(ROOT), "-B", str(build), "-G", "Ninja"]
