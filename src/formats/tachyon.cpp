@@ -125,7 +125,8 @@ void TachyonReader::read_object() {
 void TachyonReader::skip_object() {
     const auto is_beginning = [](std::string_view word) {
         const auto is = [&](std::string_view upper) {
-            return std::ranges::equal(word, upper, {}, TachyonScanner::upper_case);
+            return std::equal(word.begin(), word.end(), upper.begin(), upper.end(),
+                              [](char a, char b) { return TachyonScanner::upper_case(a) == b; });
         };
         for (const Object& object : objects()) {
             if (is(object.upper)) return true;
