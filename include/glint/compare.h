@@ -89,6 +89,9 @@ struct CauseReport {
     /// The mean difference of the pictures in 255ths. The border of one pixel counts only if nothing else
     /// differs.
     double difference = 0;
+    /// True if the pictures agree: no channel of a byte differs by more than 1, as rounding does. Then no
+    /// cause is named, unless the bytes were truncated.
+    bool agrees = false;
     /// An observation without a cause: "The picture is one colour throughout, (0, 0, 0)."; empty if none.
     std::string remark;
     std::vector<Cause> causes;  ///< the best first; none if no cause explains enough

@@ -39,7 +39,7 @@ void add_others(std::string& text, const char* how, std::span<const Cause> cause
 // If no cause explains enough: the nearest one.
 void add_nearest(std::string& text, const CompareReport& report) {
     const CauseReport& causes = **report.causes;
-    if (causes.tried == 0) return;
+    if (causes.tried == 0 || (!causes.remark.empty() && !causes.nearest)) return;
     const std::string nearest = causes.nearest
                                     ? fmt::format("the nearest, {}, explains {}", causes.nearest->name,
                                                   share_text(causes.nearest->explained))
@@ -75,7 +75,7 @@ void add_causes(std::string& text, const CompareReport& report) {
         return;
     }
     const Cause& best = causes.causes.front();
-    fmt::format_to(out, "{}{}\n  ({}: explains {} of the difference{})\n", best.perhaps ? "Perhaps: " : "",
+    fmt::format_to(out, "{}{}\n  ({}: explains {} of the difference{})\n", likelihood_text(best),
                    best.explanation, best.name, share_text(best.explained),
                    causes.away_from_edges ? " away from edges" : "");
     for (const Cause& cause : causes.then)
@@ -85,7 +85,7 @@ void add_causes(std::string& text, const CompareReport& report) {
     // What leaves exactly the same cannot be told apart by these pictures.
     const auto lesser = std::find_if(causes.causes.begin() + 1, causes.causes.end(),
                                      [&](const Cause& c) { return c.remaining != best.remaining; });
-    add_others(text, "just as well", {causes.causes.begin() + 1, lesser});
+    add_others(text, "the same picture comes from", {causes.causes.begin() + 1, lesser});
     add_others(text, "less likely", {lesser, causes.causes.end()});
     if (!report.with_scene && best.explained < 0.95) text += "  --scene SCENE tries more causes.\n";
 }
@@ -109,8 +109,10 @@ Json full_cause_json(const Cause& cause) {
 
 Json causes_json(const Result<CauseReport>& result) {
     const CauseReport report = result.value_or(CauseReport{});
-    Json json = {
-        {"tried", report.tried}, {"swapped", report.swapped}, {"away_from_edges", report.away_from_edges}};
+    Json json = {{"agrees", report.agrees},
+                 {"tried", report.tried},
+                 {"swapped", report.swapped},
+                 {"away_from_edges", report.away_from_edges}};
     json["scene_from_a"] = or_null(report.scene_from_a);
     json["scene_from_b"] = or_null(report.scene_from_b);
     if (!result) json["error"] = result.message;
@@ -138,6 +140,11 @@ std::string percent_text(std::uint64_t part, std::uint64_t whole) {
 std::string share_text(double share) {
     const std::string text = fmt::format("{:.3g}%", 100 * share);
     return share < 1 && text == "100%" ? ">99.9%" : text;
+}
+
+std::string likelihood_text(const Cause& cause) {
+    if (!cause.perhaps) return {};
+    return cause.rendered ? "Perhaps: " : "A guess from the pictures alone: ";
 }
 
 std::string text_report(const CompareReport& report) {

@@ -24,9 +24,10 @@ constexpr double k_same_part = 0.1;
 // sample has not about as much of the difference as the whole, by this factor, it is of rows that differ.
 constexpr std::size_t k_confirmed = 5;
 constexpr double k_fair_sample = 2;
-// There is no second cause if all but this fraction of the pixels differ by at most k_faint.
-constexpr int k_faint = 4;
-constexpr double k_faint_pixels = 0.001;
+// Rounding changes a byte by this, quantisation and dithering by at most k_faint.
+constexpr int k_rounding = 1, k_faint = 4;
+// Fewer pixels than this fraction are few: those of ties on edges, for example.
+constexpr double k_few = 0.001;
 // A shift is looked for if a cause that leaves no structure leaves more than this fraction at edges.
 constexpr double k_edges_left = 0.01;
 // A second cause explains at least this fraction more.
@@ -81,7 +82,10 @@ Search CauseFinder::start(const PictureView& picture, BytePicture bytes) const {
         search.sample.rows = sample_of(differing, reference_.width);
     }
     search.structure = structured_pixels(bytes_, search.faulty, search.area);
+    count_differing(search);
     look_at(search);
+    // Truncation changes half of the bytes.
+    if (search.report.agrees && search.differing > 0 && is_few(search.differing)) judge_agreement(search);
     return search;
 }
 
@@ -101,6 +105,23 @@ void CauseFinder::find(std::vector<Search>& searches) {
         if (is_cancelled() && search.is_open()) search.status = cancelled();
         if (search.is_open()) name(search);
     }
+}
+
+void CauseFinder::count_differing(Search& search) const {
+    for (std::size_t i = 0; i < bytes_.rgb.size(); i += 3) {
+        int most = 0;
+        for (std::size_t c = i; c < i + 3; ++c)
+            most = std::max(most, std::abs(int{bytes_.rgb[c]} - int{search.faulty.rgb[c]}));
+        search.differing += most > 0;
+        search.beyond_rounding += most > k_rounding;
+        search.beyond_faint += most > k_faint;
+        if (most > k_rounding && edges_[i / 3] == 0) search.is_on_edges = false;
+    }
+    search.report.agrees = search.beyond_rounding == 0 && !options_.as_floats;
+}
+
+bool CauseFinder::is_few(std::size_t pixels) const {
+    return static_cast<double>(pixels) <= k_few * static_cast<double>(bytes_.rgb.size() / 3);
 }
 
 // What can be said without any cause.
@@ -201,17 +222,6 @@ void CauseFinder::confirm(Search& search) {
     for (CauseCandidate& c : search.found) c.is_confirmed = true;
 }
 
-bool CauseFinder::is_faint(const Search& search) const {
-    std::size_t count = 0;
-    for (std::size_t i = 0; i < bytes_.rgb.size(); i += 3) {
-        int most = 0;
-        for (std::size_t c = i; c < i + 3; ++c)
-            most = std::max(most, std::abs(int{bytes_.rgb[c]} - int{search.faulty.rgb[c]}));
-        count += most > k_faint;
-    }
-    return static_cast<double>(count) <= k_faint_pixels * static_cast<double>(bytes_.rgb.size() / 3);
-}
-
 std::optional<CausePair> CauseFinder::find_pair(Search& search) {
     double least = search.whole.all;
     bool is_explained = false;
@@ -228,12 +238,42 @@ std::optional<CausePair> CauseFinder::find_pair(Search& search) {
 void CauseFinder::name(Search& search) {
     confirm(search);
     std::optional<CausePair> pair;
-    if (trials_ && trials_->rendered() && !is_faint(search)) pair = find_pair(search);
+    if (trials_ && trials_->rendered() && !is_few(search.beyond_faint)) pair = find_pair(search);
     name_causes(search);
     CauseReport& report = search.report;
     if (pair) name_pair(search, *pair);
     if (trials_ && (report.causes.empty() || report.causes.front().perhaps))
         report.where = trials_->where_text(search);
+    judge_agreement(search);
+}
+
+// Pictures that differ by no more than rounding have no cause but truncation. A few pixels on edges have none
+// that is only likely, and a few elsewhere have none that is a guess from the pictures alone.
+void CauseFinder::judge_agreement(Search& search) const {
+    CauseReport& report = search.report;
+    const bool is_explained = !report.causes.empty() && !report.causes.front().perhaps;
+    const std::size_t pixels = bytes_.rgb.size() / 3;
+    if (report.agrees) {
+        if (is_explained && report.causes.front().name == k_rounded_down) return;
+        report.remark =
+            fmt::format("The pictures agree: all pixels are within rounding; {} of {} {} by 1 of 255.",
+                        search.differing, pixels, search.differing == 1 ? "differs" : "differ");
+    } else if (!is_explained && is_few(search.beyond_rounding) && report.remark.empty()) {
+        report.remark =
+            fmt::format("All pixels but {} of {} are within rounding (1 of 255){}.", search.beyond_rounding,
+                        pixels, search.is_on_edges ? ", and these are on edges, where renderers differ" : "");
+        std::erase_if(report.causes, [](const Cause& cause) { return cause.perhaps && !cause.rendered; });
+        if (!search.is_on_edges && !report.causes.empty()) return;
+    } else {
+        return;
+    }
+    report.causes.clear();
+    report.then.clear();
+    report.where.clear();
+    report.nearest.reset();
+    report.away_from_edges = false;
+    search.pair.clear();
+    search.whole = {};  // there is nothing to explain
 }
 
 void CauseFinder::name_pair(Search& search, CausePair& pair) {

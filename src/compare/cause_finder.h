@@ -37,9 +37,11 @@ class CauseFinder {
     PictureSource source(const Search& search, const Rows& rows) const;
     void try_pictures(Search& search);
     void confirm(Search& search);
-    bool is_faint(const Search& search) const;
+    void count_differing(Search& search) const;
+    bool is_few(std::size_t pixels) const;
     std::optional<CausePair> find_pair(Search& search);
     void name(Search& search);
+    void judge_agreement(Search& search) const;
     static void name_pair(Search& search, CausePair& pair);
 
     const BytePicture bytes_;

@@ -69,6 +69,9 @@ struct Search {
 
     /// Pixels with a difference that is no rounding, in groups: what there is to explain.
     std::size_t structure = 0;
+    /// Pixels in which a byte differs at all, by more than rounding, and by more than quantisation does.
+    std::size_t differing = 0, beyond_rounding = 0, beyond_faint = 0;
+    bool is_on_edges = true;  ///< those beyond rounding are on edges of the reference
 
     bool same_view = true;    ///< picture and reference show the same things
     bool has_content = true;  ///< neither of them is one colour throughout

@@ -143,7 +143,7 @@ PictureFault half_shifted() {
 PictureFault anti_aliased() {
     return [](const PictureSource& s, BytePicture& made) -> Detail {
         const auto mixed = mixed_share(s.bytes, s.faulty, s.fit.rows, s.fit.threads);
-        if (mixed && *mixed < k_min_mixed) return std::nullopt;  // edges have moved
+        if (!mixed || *mixed < k_min_mixed) return std::nullopt;  // no edges differ, or they have moved
         const auto changed = changed_edges_share(s.bytes, s.faulty, s.fit.rows, s.fit.threads);
         if (changed && *changed < k_min_changed) return std::nullopt;  // only those of shadows, perhaps
         nearest_between(s.bytes, s.faulty, -1, 1, -1, 1, s.rows, s.fit.threads, made);

@@ -41,21 +41,25 @@ bool has_color(const LineView& view, std::int32_t line, const std::uint8_t* colo
 
 std::string color_text(const std::uint8_t* c) { return fmt::format("({}, {}, {})", c[0], c[1], c[2]); }
 
-// "every second row", "rows 60 to 119", "row 5", "12 rows". `same` marks lines that cannot be told from
-// missing ones.
-std::string lines_text(const std::vector<std::int32_t>& missing, const std::vector<std::uint8_t>& same,
-                       const char* one) {
+struct LinesText {
+    std::string text;  // "every second row", "rows 60 to 119", "row 5", "12 rows"
+    bool is_regular;
+};
+
+// `same` marks lines that cannot be told from missing ones.
+LinesText lines_text(const std::vector<std::int32_t>& missing, const std::vector<std::uint8_t>& same,
+                     const char* one) {
     const std::int32_t first = missing.front(), last = missing.back();
-    if (first == last) return fmt::format("{} {}", one, first);
+    if (first == last) return {fmt::format("{} {}", one, first), true};
     std::int32_t step = 0, gaps = 0;
     for (std::size_t i = 1; i < missing.size(); ++i) {
         step = std::gcd(step, missing[i] - missing[i - 1]);
         for (std::int32_t line = missing[i - 1] + 1; line < missing[i]; ++line) gaps += same[line] == 0;
     }
-    if (gaps == 0) return fmt::format("{}s {} to {}", one, first, last);
-    if (step == 1 || missing.size() == 2) return fmt::format("{} {}s", missing.size(), one);
-    if (step == 2) return fmt::format("every second {}", one);
-    return step == 3 ? fmt::format("every third {}", one) : fmt::format("every {}th {}", step, one);
+    if (gaps == 0) return {fmt::format("{}s {} to {}", one, first, last), false};
+    if (step == 1 || missing.size() == 2) return {fmt::format("{} {}s", missing.size(), one), false};
+    if (step == 2) return {fmt::format("every second {}", one), true};
+    return {step == 3 ? fmt::format("every third {}", one) : fmt::format("every {}th {}", step, one), true};
 }
 
 }  // namespace
@@ -69,7 +73,7 @@ std::optional<MissingLines> missing_lines(const BytePicture& reference, const By
         if (has_color(is, line, first) && !has_color(was, line, was.pixel(line, 0))) color = first;
     }
     if (color == nullptr) return std::nullopt;
-    MissingLines found{std::vector<std::uint8_t>(static_cast<std::size_t>(is.count())), {}};
+    MissingLines found{std::vector<std::uint8_t>(static_cast<std::size_t>(is.count())), {}, false};
     std::vector<std::uint8_t> same = found.marks;
     std::vector<std::int32_t> missing;
     for (std::int32_t line = 0; line < is.count(); ++line) {
@@ -80,9 +84,9 @@ std::optional<MissingLines> missing_lines(const BytePicture& reference, const By
     }
     // What is within k_noise of one colour need not be so of another line's.
     if (missing.empty() || missing.size() == found.marks.size()) return std::nullopt;
-    found.text =
-        fmt::format("{}, {} throughout", lines_text(missing, same, lines == Lines::rows ? "row" : "column"),
-                    color_text(color));
+    const LinesText text = lines_text(missing, same, lines == Lines::rows ? "row" : "column");
+    found.text = fmt::format("{}, {} throughout", text.text, color_text(color));
+    found.is_regular = text.is_regular;
     return found;
 }
 

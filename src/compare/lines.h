@@ -14,6 +14,8 @@ enum class Lines : std::uint8_t { rows, columns };
 struct MissingLines {
     std::vector<std::uint8_t> marks;  ///< one per line
     std::string text;                 ///< "every second row, (0, 0, 0) throughout"
+    /// One line, or every n-th. Others may be lines in which nothing is visible.
+    bool is_regular = false;
 };
 /// Nothing if there are none, or if all lines are like this.
 std::optional<MissingLines> missing_lines(const BytePicture& reference, const BytePicture& faulty,

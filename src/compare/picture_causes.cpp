@@ -47,10 +47,18 @@ const std::vector<PictureCause>& picture_causes() {
         {"rows-missing",
          "Rows are missing ({}): the program wrote nothing there. Check the loop over y, and the length of a "
          "row in bytes.",
-         k_moved, unwritten(Lines::rows)},
+         k_moved, unwritten(Lines::rows, true)},
+        {"rows-missing",
+         "Rows are missing ({}): the program wrote nothing there, or nothing is visible there. Check the "
+         "loop over y, and the camera and the shapes.",
+         k_moved, unwritten(Lines::rows, false), 1},
         {"columns-missing",
          "Columns are missing ({}): the program wrote nothing there. Check the loop over x.", k_moved,
-         unwritten(Lines::columns)},
+         unwritten(Lines::columns, true)},
+        {"columns-missing",
+         "Columns are missing ({}): the program wrote nothing there, or nothing is visible there. Check the "
+         "loop over x, and the camera and the shapes.",
+         k_moved, unwritten(Lines::columns, false), 1},
         {"red-blue-swapped",
          "Red and blue are swapped: the file stores R, G, B, and B, G, R was written (or the reverse).",
          k_moved, permuted(2, 1, 0), 0, false, true},
@@ -109,11 +117,11 @@ const std::vector<PictureCause>& picture_causes() {
          "A gamma of 1/2.2 was applied two times more than in the reference: omit it (or, if the reference "
          "has it, apply it only once, at the end).",
          k_curved, power(1 / (2.2 * 2.2)), 0, false, false, power(2.2 * 2.2)},
-        {"rounded-down",
+        {k_rounded_down,
          "Values are truncated and not rounded to bytes: write floor(255 v + 0.5). The difference is 1/255 "
          "at most.",
          k_curved, whole_part(255, false)},
-        {"rounded-down", "Bytes are floor(256 v) and not 255 v rounded. The difference is 1/255 at most.",
+        {k_rounded_down, "Bytes are floor(256 v) and not 255 v rounded. The difference is 1/255 at most.",
          k_curved, whole_part(256, false)},
         {"not-clamped", "Colours above 1 wrap around to black: clamp to 1 before converting to a byte.",
          k_moved, whole_part(255, true)},

@@ -22,6 +22,8 @@ struct PictureCause {
     bool is_rendered = false;  ///< the causes of a scene have it exactly: not tried if there is a scene
 };
 
+/// Bytes that are truncated: all that it changes is within rounding.
+inline constexpr const char* k_rounded_down = "rounded-down";
 /// Explanations with a direction, which are also those of shifts that are rendered.
 inline constexpr const char* k_shift_text =
     "Everything is shifted by one pixel {}: an index begins at 1, or a coordinate is rounded up.";

@@ -97,10 +97,10 @@ PictureFault dark_specks() {
     };
 }
 
-PictureFault unwritten(Lines lines) {
+PictureFault unwritten(Lines lines, bool regular) {
     return [=](const PictureSource& s, BytePicture& made) -> Detail {
         const std::optional<MissingLines> missing = missing_lines(s.bytes, s.faulty, lines);
-        if (!missing) return std::nullopt;
+        if (!missing || missing->is_regular != regular) return std::nullopt;
         for_each_row(s.rows, s.fit.threads, [&](std::int32_t y) {
             for (std::int32_t x = 0; x < made.width; ++x) {
                 const bool is_missing = missing->marks[lines == Lines::rows ? y : x] != 0;

@@ -41,8 +41,8 @@ PictureFault half_shifted();
 PictureFault anti_aliased();
 /// Except in whole rows or columns that differ.
 PictureFault dark_specks();
-/// Rows or columns that were never written.
-PictureFault unwritten(Lines lines);
+/// Rows or columns that were never written. regular: MissingLines::is_regular.
+PictureFault unwritten(Lines lines, bool regular);
 /// Only if the pictures differ nowhere else.
 PictureFault rim_differs();
 

@@ -378,6 +378,8 @@ export interface Comparison {
     ssim: number | null;
     largest: {value: number; x: number; y: number};
     /** The following are there if causes were asked for (docs/compare.md). */
+    /** No channel of a byte differs by more than 1. */
+    agrees?: boolean;
     remark?: string;
     /** The best first. */
     causes?: Cause[];

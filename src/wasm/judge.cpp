@@ -47,6 +47,7 @@ Json comparison(const std::optional<World>& world, const std::optional<World>& r
     if (faults == nullptr) return json;
     const Result<CauseReport> report = find_causes(picture, wanted, faults, {.threads = 1});
     if (!report) return {{"error", report.message}};
+    json["agrees"] = report->agrees;
     json["remark"] = report->remark;
     json["causes"] = causes_json(report->causes);
     json["then"] = causes_json(report->then);
