@@ -160,7 +160,8 @@ constexpr SceneFault k_lighting[] = {
      "Vectors do not have unit length: normalise L, V, R (or H) before computing dot products."},
     {"back-sides-lit", [](const Scene& s) { return is_lit(s) && s.conventions.clamp_cosines; },
      [](Scene& s) { s.conventions.clamp_cosines = false; },
-     "Light from behind a surface is subtracted: N.L is negative there. Take max(0, N.L) and max(0, R.V)."},
+     "Light from behind a surface makes it darker: N.L is negative there and is added all the same. Use "
+     "max(0, N.L) and max(0, R.V)."},
     {"highlight-behind", [](const Scene& s) { return has_highlights(s) && s.conventions.specular_gate; },
      [](Scene& s) { s.conventions.specular_gate = false; },
      "Highlights appear on sides that face away from the light: add the specular term only where N.L > 0."},

@@ -111,7 +111,7 @@ function Light({light, index}: {light: LightInfo; index: number}) {
 /** Typical values for teaching: the effect of omitting something. */
 const faults = [
     ['epsilon', '0', 'No epsilon', 'Shadow and mirror rays hit their own surface: acne'],
-    ['clamp_cosines', 'false', 'N·L not clamped', 'Light from behind is subtracted'],
+    ['clamp_cosines', 'false', 'N·L not clamped', 'Light from behind makes surfaces darker'],
     ['normalize', 'false', 'No normalisation', 'L, V, R and H keep their lengths'],
     ['specular_gate', 'false', 'Specular without gate', 'Highlights on sides that face away from the light'],
     ['shadow_stops_at_light', 'false', 'Shadows from beyond the light', 'Shapes beyond the light cast shadows, too'],
