@@ -13,6 +13,7 @@
 #include "cli/graded_folders.h"
 #include "cli/memory_size.h"
 #include "cli/picture_file.h"
+#include "cli/picture_sizes.h"
 #include "cli/print_text.h"
 #include "cli/progress.h"
 #include "cli/scene_option.h"
@@ -67,6 +68,8 @@ int grade_pictures(const GradeArguments& arguments, const Scene* scene, const Im
     GradeSheet sheet(outputs.sheet, lay_out_list(count + 1), count + 1);
     sheet.set_label(0, "0 reference");
     sheet.put(0, reference);
+    PictureSizes sizes;
+    sizes.set_wanted(reference);
     auto bar = std::make_unique<ProgressBar>(!arguments.quiet);
     const std::size_t at_a_time =
         std::clamp<std::size_t>(k_pixels_at_a_time / (reference.rgb.size() / 3), 1, k_pictures_at_a_time);
@@ -84,6 +87,7 @@ int grade_pictures(const GradeArguments& arguments, const Scene* scene, const Im
                 read = try_handed_in(entry.path);
                 entry.error = read ? size_fault(read->image, reference) : read.message;
             }
+            if (read) sizes.add(read->image);
             sheet.set_label(i + 1, fmt::format("{} {}", i + 1, entry.name));
             if (read && !entry.error.empty()) sheet.put(i + 1, read->image);
             if (entry.error.empty()) {
@@ -111,6 +115,7 @@ int grade_pictures(const GradeArguments& arguments, const Scene* scene, const Im
         }
     }
     bar.reset();  // its line is free again
+    sizes.check(!arguments.reference.empty());
     if (outputs.table) print_text(text_table(graded));
     write_text(outputs.csv, csv_table(graded));
     write_text(outputs.json, json_table(graded));
@@ -145,6 +150,7 @@ int grade_rubric(const GradeArguments& arguments, const Scene& scene, const std:
     const auto result = grade_by_rubric(scene, rows, arguments.rubric, folders, options);
     bar.reset();  // its line is free again
     if (!result) throw_failure(result);
+    if (!outputs.gradescope) folders.sizes().check(!arguments.reference.empty());
     const std::vector<GradedSubmission>& graded = *result;
     if (outputs.table) print_text(text_table(rows, graded));
     write_text(outputs.csv, csv_table(rows, graded));

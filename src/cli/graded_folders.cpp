@@ -12,6 +12,7 @@ GradedFolders::GradedFolders(const std::vector<Submission>& folders, const std::
     : folders_(folders), rows_(rows.size()), sheet_(sheet) {
     for (std::size_t k = 0; k < rows_; ++k) {
         sheet.set_label(k, rows[k].part);
+        patterns_.push_back(rows[k].file);
         for (std::size_t i = 0; i < folders.size(); ++i)
             sheet.set_label(cell(i, k), fmt::format("{} {}", i + 1, folders[i].name));
     }
@@ -24,12 +25,19 @@ std::vector<std::string> GradedFolders::names() const {
 }
 
 HandedIn GradedFolders::find(std::size_t submission, const RubricRow& row) {
-    return read_handed_in(find_file(folders_[submission], row.file));
+    FoundFile file = find_file(folders_[submission], row.file);
+    if (file.path.empty() && folders_[submission].error.empty())
+        file.error += other_files_text(folders_[submission], patterns_);
+    return read_handed_in(std::move(file));
 }
 
-void GradedFolders::show_wanted(std::size_t row, const Image& wanted) { sheet_.put(row, wanted); }
+void GradedFolders::show_wanted(std::size_t row, const Image& wanted) {
+    sizes_.set_wanted(wanted);
+    sheet_.put(row, wanted);
+}
 
 void GradedFolders::show(std::size_t submission, std::size_t row, const Image& picture, const Image* wanted) {
+    sizes_.add(picture);
     if (wanted != nullptr) {
         sheet_.put(cell(submission, row), picture, *wanted);
     } else {

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "cli/grade_sheet.h"
+#include "cli/picture_sizes.h"
 #include "cli/submissions.h"
 #include "grade/grade_by_rubric.h"
 
@@ -21,12 +22,16 @@ class GradedFolders : public Submissions {
     void show(std::size_t submission, std::size_t row, const Image& picture, const Image* wanted) override;
     void show_same(std::size_t from, std::size_t to) override;
 
+    const PictureSizes& sizes() const { return sizes_; }
+
   private:
     std::size_t cell(std::size_t submission, std::size_t row) const { return (submission + 1) * rows_ + row; }
 
     const std::vector<Submission>& folders_;
     const std::size_t rows_;
+    std::vector<std::string> patterns_;
     GradeSheet& sheet_;
+    PictureSizes sizes_;
 };
 
 /// Reads a picture.

@@ -15,7 +15,12 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string points_text(double points) { return fmt::format("{:.4g}", points); }
+std::string points_text(double points) {
+    std::string text = fmt::format("{:.2f}", points);
+    text.erase(text.find_last_not_of('0') + 1);
+    if (text.ends_with('.')) text.pop_back();
+    return text;
+}
 
 double all_points(const std::vector<RubricRow>& rows) {
     double sum = 0;
@@ -23,8 +28,15 @@ double all_points(const std::vector<RubricRow>& rows) {
     return sum;
 }
 
-std::string names_text(const std::vector<std::string>& names) {
-    return fmt::format("{}", fmt::join(names, " and "));
+// "the mistake ambient-missing of an earlier part is", each name once.
+std::string mistakes_text(const std::vector<std::string>& names) {
+    std::vector<std::string_view> once;
+    for (const std::string& name : names) {
+        if (std::find(once.begin(), once.end(), name) == once.end()) once.push_back(name);
+    }
+    const bool is_one = once.size() == 1;
+    return fmt::format("the mistake{} {} of {} {}", is_one ? "" : "s", fmt::join(once, " and "),
+                       is_one ? "an earlier part" : "earlier parts", is_one ? "is" : "are");
 }
 
 // The reason why a part does not have all its points, and whether it has pixels without a value; empty if
@@ -34,12 +46,13 @@ std::string part_note(const RubricRow& row, const GradedPart& part) {
     std::vector<std::string> notes;
     if (part.score.not_finite > 0) notes.push_back(not_finite_text(part.score.not_finite));
     if (!part.followed.empty())
-        notes.push_back(fmt::format("judged with {} of an earlier part, {} points without",
-                                    names_text(part.followed), points_text(part.points_alone)));
+        notes.push_back(fmt::format("{} not counted again (otherwise {} points)",
+                                    mistakes_text(part.followed), points_text(part.points_alone)));
     if (part.score.points < row.points) {
-        std::string shares = share_text(part.score.share) + " of the pixels are right";
+        std::string shares = share_text(part.score.share) + " of all pixels are right";
         if (!row.without.empty())
-            shares += fmt::format(", {} of those that show it", share_text(part.score.part_share));
+            shares +=
+                fmt::format(", and {} of those that this part changes", share_text(part.score.part_share));
         notes.push_back(std::move(shares));
         if (part.cause) {
             notes.push_back(fmt::format("{}: {}", cause_text(*part.cause), part.cause->explanation));
@@ -83,7 +96,7 @@ Loss costliest(const std::vector<RubricRow>& rubric, const GradedSubmission& sub
 double total_alone(const GradedSubmission& submission) {
     double sum = 0;
     for (const GradedPart& part : submission.parts) sum += part.points_alone;
-    return sum;
+    return rounded_points(sum);
 }
 
 }  // namespace

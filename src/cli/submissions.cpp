@@ -18,6 +18,8 @@ namespace fs = std::filesystem;
 
 constexpr auto k_no_picture = "holds no picture (PNG, PPM, PGM, OpenEXR or JPEG)";
 
+constexpr std::size_t k_max_named = 5;  // of files that no pattern matches
+
 enum class Kind { file, folder, unreadable };
 
 struct Entry {
@@ -162,6 +164,26 @@ FoundFile find_file(const Submission& submission, const std::string& pattern) {
         if (entry.kind != Kind::folder && is_match(entry.name, pattern)) return {entry.path, entry.error};
     }
     return {{}, fmt::format("no file {}", pattern)};
+}
+
+std::string other_files_text(const Submission& submission, const std::vector<std::string>& patterns) {
+    std::vector<std::string> names;
+    const auto add = [&](const Entry& entry, const std::string& folder) {
+        const bool is_used = folder.empty() && std::any_of(patterns.begin(), patterns.end(),
+                                                           [&](auto& p) { return is_match(entry.name, p); });
+        if (entry.kind == Kind::file && !is_used) names.push_back(folder + entry.name);
+    };
+    for (const Entry& entry : list(submission.path).entries) {
+        add(entry, "");
+        if (entry.kind != Kind::folder) continue;
+        for (const Entry& inside : list(entry.path).entries) add(inside, entry.name + "/");
+    }
+    if (names.empty()) return {};
+    const std::size_t named = std::min(names.size(), k_max_named);
+    const std::string more =
+        named < names.size() ? fmt::format(" and {} more", names.size() - named) : std::string();
+    names.resize(named);
+    return fmt::format("; found {}{}", fmt::join(names, ", "), more);
 }
 
 }  // namespace glint::cli

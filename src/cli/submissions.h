@@ -39,4 +39,8 @@ bool is_match(const std::string& name, const std::string& pattern);
 /// The first file of a submission, by name, that matches the pattern.
 FoundFile find_file(const Submission& submission, const std::string& pattern);
 
+/// The files of a submission, and of its folders, that match none of the patterns: they may have wrong names.
+/// "; found castle.jpg, out/phong.png", or an empty text if there are none.
+std::string other_files_text(const Submission& submission, const std::vector<std::string>& patterns);
+
 }  // namespace glint::cli

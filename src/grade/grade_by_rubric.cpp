@@ -70,9 +70,8 @@ class RubricGrader {
         for (auto& graded : graded_) {
             GradedPart& part = graded.parts[to];
             part = graded.parts[from];
-            const double factor = rows_[to].points / rows_[from].points;
-            part.score.points *= factor;
-            part.points_alone *= factor;
+            part.points_alone = points_of(rows_[to].points, part.points_alone / rows_[from].points);
+            part.score.points = points_of(rows_[to].points, part.score.factor);
         }
         report(to, static_cast<double>(graded_.size()));
     }
@@ -259,7 +258,7 @@ class RubricGrader {
 double GradedSubmission::total() const {
     double sum = 0;
     for (const GradedPart& part : parts) sum += part.score.points;
-    return sum;
+    return rounded_points(sum);
 }
 
 Result<std::vector<GradedSubmission>> grade_by_rubric(const Scene& scene, const std::vector<RubricRow>& rows,

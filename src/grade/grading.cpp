@@ -4,8 +4,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 
+#include "compare/lines.h"
 #include "image/levels.h"
 
 namespace glint {
@@ -36,6 +38,12 @@ double points_factor(double share) {
     return std::clamp((share - k_no_share) / (k_full_share - k_no_share), 0.0, 1.0);
 }
 
+double rounded_points(double points) { return std::floor(points * 100 + 0.5) / 100; }
+
+double points_of(double points, double factor) {
+    return factor < 1 ? std::min(rounded_points(points * factor), points) : points;
+}
+
 std::string size_fault(const Image& picture, const Image& wanted) {
     if (picture.width == wanted.width && picture.height == wanted.height) return {};
     return fmt::format("{}x{} pixels, expected {}x{}", picture.width, picture.height, wanted.width,
@@ -55,7 +63,9 @@ PartScore grade(const Image& picture, const WantedPicture& wanted, double points
     score.share = right_share(picture, bytes, wanted.bytes, wanted.counts);
     score.part_share =
         wanted.shows.empty() ? score.share : right_share(picture, bytes, wanted.bytes, wanted.shows);
-    score.points = points * points_factor(std::min(score.share, score.part_share));
+    const bool is_empty = one_color(bytes) && !one_color(wanted.bytes);
+    if (!is_empty) score.factor = points_factor(std::min(score.share, score.part_share));
+    score.points = points_of(points, score.factor);
     return score;
 }
 

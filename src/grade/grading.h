@@ -31,9 +31,10 @@ struct WantedPicture {
 bool is_right(const std::uint8_t* a, const std::uint8_t* b);
 
 struct PartScore {
-    double share = 0;              ///< fraction of right pixels among those that count
-    double part_share = 0;         ///< fraction of right pixels among those that show the part
-    double points = 0;             ///< by the smaller of the two
+    double share = 0;       ///< fraction of right pixels among those that count
+    double part_share = 0;  ///< fraction of right pixels among those that show the part
+    double factor = 0;      ///< of the points, by the smaller of the two; 0 for a picture of one colour
+    double points = 0;      ///< points_of() a part
     std::uint64_t not_finite = 0;  ///< pixels with an infinite or NaN channel: never right
 };
 
@@ -48,5 +49,11 @@ PartScore grade(const Image& picture, const WantedPicture& wanted, double points
 
 /// The factor of the points for a fraction of right pixels: 0 to 1.
 double points_factor(double share);
+
+/// To hundredths.
+double rounded_points(double points);
+
+/// The factor's part of a row's points, rounded to hundredths.
+double points_of(double points, double factor);
 
 }  // namespace glint

@@ -137,5 +137,63 @@ TEST_F(Grade, AByteOrderMarkIsNoPartOfARubric) {
     EXPECT_TRUE(contains(r.err, "wrong.rubric:1:5: error: ")) << r.err;
 }
 
+// A class whose pictures all have another size has no part right, which is not the fault of its lighting.
+TEST_F(Grade, AClassOfAnotherSizeStops) {
+    folder.write("all.rubric", "all 10 *.png\n");
+    for (const char* name : {"in/ada/a.png", "in/ben/a.png"}) draw(name, {});
+    const Finished r = grade({"in", "--scene", k_castle, "--rubric", "all.rubric"});
+    EXPECT_EQ(r.code, 1);
+    EXPECT_TRUE(contains(r.err, "all 2 pictures are 96x72, and the reference is 640x640: use --size 96x72"))
+        << r.err;
+    EXPECT_EQ(r.out, "");
+    const Finished own = grade({"in", "--scene", k_castle, "--size", "80x60"});
+    EXPECT_EQ(own.code, 1);
+    EXPECT_TRUE(contains(own.err, "use --size 96x72")) << own.err;
+    const auto draw_small = [&](const char* name) {
+        const Finished drawn = run(folder, {"render", k_castle, "-s", "80x60", "-q", "-o", name});
+        ASSERT_EQ(drawn.code, 0) << drawn.err;
+    };
+    draw_small("right.png");
+    const Finished other = grade({"in", "--reference", "right.png"});
+    EXPECT_EQ(other.code, 1);
+    EXPECT_TRUE(contains(other.err, "the reference is 80x60: give a reference of that size")) << other.err;
+    // Only one student's is wrong.
+    draw_small("in/ada/a.png");
+    const auto json = graded({"in", "--scene", k_castle, "--rubric", "all.rubric", "--size", "80x60"});
+    EXPECT_EQ(json[0]["total"], 10);
+    EXPECT_TRUE(contains(json[1]["parts"][0]["error"], "96x72 pixels, expected 80x60"));
+}
+
+TEST_F(Grade, FilesOfOtherNamesAreListed) {
+    folder.write("all.rubric", "all 10 right.png\nother 10 left.png\n");
+    draw("in/ada/right.png", {});
+    folder.write("in/ada/left.jpg", "x");
+    draw("in/ada/out/left.png", {});
+    draw("in/ben/right.png", {});
+    const auto json = graded({"in", "--scene", k_castle, "--rubric", "all.rubric", "--size", "96x72"});
+    EXPECT_EQ(json[0]["parts"][1]["error"], "no file left.png; found left.jpg, out/left.png");
+    EXPECT_EQ(json[1]["parts"][1]["error"], "no file left.png");
+}
+
+// Of a dark scene most pixels are black.
+TEST_F(Grade, ABlackPictureHasNoPoints) {
+    const std::string dark = R"(
+camera { position = (0, 0, 7)  look_at = (0, 0, 0)  fov_x = 48 }
+light { type = point  position = (3, 5, 4) }
+sphere { center = (0, 0, 0)  radius = 0.9  color = (0.9, 0.2, 0.2) }
+render { size = 96 x 72 })";
+    folder.write("dark.glint", dark);
+    folder.write("all.rubric", "all 10 *.ppm\n");
+    std::filesystem::create_directories(folder.path("in/ada"));
+    folder.write("in/ada/a.ppm", "P6 96 72 255\n" + std::string(3 * 96 * 72, '\0'));
+    const auto json = graded({"in", "--scene", "dark.glint", "--rubric", "all.rubric"});
+    EXPECT_EQ(json[0]["total"], 0) << json;
+    // Where nothing is visible, black is right.
+    folder.write("night.glint", "sphere { center = (0, 0, 9)  radius = 1 }\n" +
+                                    dark.substr(0, dark.find("light")) + "render { size = 96 x 72 }");
+    const auto night = graded({"in", "--scene", "night.glint", "--rubric", "all.rubric"});
+    EXPECT_EQ(night[0]["total"], 10) << night;
+}
+
 }  // namespace
 }  // namespace glint::test

@@ -7,6 +7,7 @@
 #include <map>
 
 #include "glint/glint.h"
+#include "grade/grading.h"
 
 namespace glint::test {
 namespace {
@@ -122,6 +123,14 @@ TEST(GradeByRubric, NamesThePartThatCannotBeRendered) {
     const auto graded = grade_by_rubric(scene, read_rubric("r", k_rubric).rows, "r", pictures);
     EXPECT_EQ(graded.code, ErrorCode::invalid_argument);
     EXPECT_EQ(graded.message.rfind("r:2: part 'all': ", 0), 0u) << graded.message;
+}
+
+TEST(Points, AreRoundedToHundredths) {
+    EXPECT_EQ(points_of(10, 1.0 / 3), 3.33);
+    EXPECT_EQ(points_of(10, 0), 0);
+    EXPECT_EQ(points_of(0.004, 1), 0.004) << "all points of a row are its points";
+    EXPECT_EQ(points_of(0.004, 0.9), 0);
+    EXPECT_EQ(points_of(0.996, 0.9999), 0.996) << "never more than the row has";
 }
 
 }  // namespace
