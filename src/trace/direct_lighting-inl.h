@@ -11,6 +11,7 @@
 #include "lighting/area_light-inl.h"
 #include "lighting/phong-inl.h"
 #include "simd/sample_hash-inl.h"
+#include "trace/faulty_lighting-inl.h"
 #include "trace/finish-inl.h"
 #include "trace/material-inl.h"
 #include "trace/shadow_rays-inl.h"
@@ -28,6 +29,7 @@ HWY_INLINE LightingRules lighting_rules(const WorldParts& world) {
 
 /// The rules for one light, with what its stages would otherwise have to find out for each vector.
 struct LightRules : LightingRules {
+    static constexpr bool is_faulty = false;
     bool attenuated = false;  // its strength depends on the distance
     bool is_spot = false;
     bool has_emitter_cosine = false;
@@ -49,7 +51,7 @@ struct LightRules : LightingRules {
 /// The rules for a light of the same strength in all directions on surfaces without finishes, which most are:
 /// known when the stages are compiled.
 struct PlainLightRules : LightingRules {
-    static constexpr bool is_spot = false, has_emitter_cosine = false, is_moved = false,
+    static constexpr bool is_faulty = false, is_spot = false, has_emitter_cosine = false, is_moved = false,
                           attenuate_highlights = true, samples_shadow = false;
     static constexpr double light_threshold = 0;
     static constexpr FinishRules finish{};
@@ -63,6 +65,10 @@ struct PlainLightRules : LightingRules {
           color(rules.color),
           specular_color(rules.specular_color) {}
     bool is_constant() const { return !attenuated; }
+};
+/// The rules in a world with a fault.
+struct FaultyLightRules : LightRules {
+    static constexpr bool is_faulty = true;
 };
 HWY_INLINE LightRules light_rules(const WorldParts& world, const PreparedLight& light) {
     const Conventions& c = world.conventions;
@@ -147,7 +153,8 @@ HWY_INLINE LightLanes light_at(const WorldParts& world, const PreparedLight& lig
     const Vector3<Doubles> l = rules.normalize ? to_light / distance : to_light;
     const Vector3<Doubles> normal = load_vector3(surfaces.normal, i),
                            to_eye = load_vector3(surfaces.to_eye, i);
-    const auto c = cosines(normal, l, to_eye, rules);
+    auto c = cosines(normal, l, to_eye, rules);
+    if constexpr (Rules::is_faulty) c = faulty_cosines(world, surfaces, i, to_light, l, rules, c);
     // A light at the surface point has no direction.
     auto lit = first_lanes<double>(surfaces.count - i) && distance > zero;
     Doubles f_att(1);
@@ -235,7 +242,9 @@ inline void sample_light_by(const Rules& rules, const WorldParts& world, const P
 inline void sample_light(const WorldParts& world, const PreparedLight& light, const SurfaceBatch& surfaces,
                          LightSampleBatch& samples, ShadowRayBatch& shadow_rays) {
     const LightRules rules = light_rules(world, light);
-    if (rules.is_plain()) {
+    if (world.fault != TracerFault::none) {
+        sample_light_by(FaultyLightRules{rules}, world, light, surfaces, samples, shadow_rays);
+    } else if (rules.is_plain()) {
         sample_light_by(PlainLightRules(rules), world, light, surfaces, samples, shadow_rays);
     } else {
         sample_light_by(rules, world, light, surfaces, samples, shadow_rays);
@@ -309,10 +318,13 @@ inline void add_light_by(const Rules& rules, const WorldParts& world, const Prep
             store_vector3(select_vector3(lit, sum + more, sum), to, i);
         };
         const Doubles n_l = load(samples.n_l.data() + i);
-        add(radiance.diffuse, diffuse_of(world, material, rules, n_l, strength), filtered);
+        Doubles diffuse_n_l = n_l;
+        if constexpr (Rules::is_faulty) diffuse_n_l = faulty_diffuse(world, material, n_l);
+        add(radiance.diffuse, diffuse_of(world, material, rules, diffuse_n_l, strength), filtered);
         const auto bright = highlights_at(samples, rules, i);
         if (!any(bright) && !rules.finish.phong) continue;
-        const Doubles highlight = expand_load(power, bright);
+        Doubles highlight = expand_load(power, bright);
+        if constexpr (Rules::is_faulty) highlight = faulty_power(world, n_l, highlight);
         power += count(bright);
         const Doubles phong_s = rules.finish.phong ? load(samples.phong_s.data() + i) : Doubles(0);
         add(radiance.specular,
@@ -326,7 +338,9 @@ inline void add_light(const WorldParts& world, const PreparedLight& light, const
                       const LightSampleBatch& samples, const HighlightBatch& highlights,
                       RadianceBatch& radiance) {
     const LightRules rules = light_rules(world, light);
-    if (rules.is_plain()) {
+    if (world.fault != TracerFault::none) {
+        add_light_by(FaultyLightRules{rules}, world, light, surfaces, samples, highlights, radiance);
+    } else if (rules.is_plain()) {
         add_light_by(PlainLightRules(rules), world, light, surfaces, samples, highlights, radiance);
     } else {
         add_light_by(rules, world, light, surfaces, samples, highlights, radiance);

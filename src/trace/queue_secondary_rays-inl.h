@@ -112,8 +112,9 @@ HWY_INLINE void go_straight(const WorldParts& world, const SurfaceBatch& surface
     rays.passed = rays.passed + select(through, one, zero);
 }
 
-/// Queues the mirror and glass rays of the vector of surfaces at index h. plain: are_plain().
-template <bool plain>
+/// Queues the mirror and glass rays of the vector of surfaces at index h. plain: are_plain(). faulty:
+/// mirror rays have the world's fault.
+template <bool plain, bool faulty = false>
 HWY_INLINE void queue_vector(const WorldParts& world, const SurfaceBatch& surfaces, int h,
                              LaneMask<double> hit, bool limited, SecondaryRayBatch& secondary,
                              RayCounts& counts, TileRecord* record) {
@@ -164,7 +165,8 @@ HWY_INLINE void queue_vector(const WorldParts& world, const SurfaceBatch& surfac
 
     const auto reflected = kept(b.reflected, may_start);
     if (any(reflected)) {
-        const SecondaryRay<Doubles> ray = mirrored_ray(surface, glass, rules);
+        SecondaryRay<Doubles> ray = mirrored_ray(surface, glass, rules);
+        if constexpr (faulty) ray = faulty_mirror_ray(surface, ray, world.fault, rules);
         rays.direction = ray.direction;
         rays.origin = ray.origin;
         if (beer) rays.medium = select(from_inside, own, load(surfaces.medium.data() + h));
@@ -214,7 +216,9 @@ inline void queue_secondary_rays(const WorldParts& world, const SurfaceBatch& su
         secondary.transmitted.reserve(end - h);
         for (; h < end; h += lane_count<double>()) {
             const auto hit = first_lanes<double>(end - h);
-            if (plain) {
+            if (world.fault != TracerFault::none) {
+                queue_vector<false, true>(world, surfaces, h, hit, limited, secondary, counts, record);
+            } else if (plain) {
                 queue_vector<true>(world, surfaces, h, hit, limited, secondary, counts, record);
             } else {
                 queue_vector<false>(world, surfaces, h, hit, limited, secondary, counts, record);

@@ -11,6 +11,7 @@
 #include "glint/scene.h"
 #include "lighting/glass-inl.h"
 #include "lighting/phong-inl.h"
+#include "world/tracer_fault.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace glint {
@@ -28,6 +29,21 @@ HWY_INLINE SecondaryRay<T> mirrored_ray(const SurfacePoint<T>& s, M glass, const
         origin =
             select_vector3(glass, offset_ray_origin(s, direction, Offset::facing, rules.epsilon), origin);
     return {origin, direction};
+}
+
+/// The mirror ray with a fault. right: without it.
+template <class T>
+HWY_INLINE SecondaryRay<T> faulty_mirror_ray(const SurfacePoint<T>& s, const SecondaryRay<T>& right,
+                                             TracerFault fault, const Conventions& rules) {
+    Vector3<T> direction = right.direction;
+    if (fault == TracerFault::mirror_into_surface) {
+        direction = s.incoming + s.normal * (T(2) * dot(s.normal, s.incoming));
+    } else if (fault == TracerFault::mirror_negated) {
+        direction = -direction;
+    } else {
+        return right;
+    }
+    return {offset_ray_origin(s, direction, rules.offset, rules.epsilon), direction};
 }
 
 /// The direction of the ray through glass, and the reflected fraction F (Fresnel; 1 for total internal

@@ -10,6 +10,7 @@
 #include "trace/area_shadow-inl.h"
 #include "trace/camera_rays-inl.h"
 #include "trace/direct_lighting-inl.h"
+#include "trace/faulty_hits-inl.h"
 #include "trace/film-inl.h"
 #include "trace/intersect-inl.h"
 #include "trace/layers-inl.h"
@@ -166,6 +167,7 @@ inline bool trace_sample(const WorldParts& world, TileScratch& s) {
         s.secondary.rays.generation = s.rays.generation + 1;
         for (int first = 0; first < s.rays.count; first += k_stream_size) {
             intersect(world, s.rays, first, s.hits);
+            if (is_of_hits(world.fault)) put_faulty_hits(world, s.rays, s.hits);
             if (s.rays.transparent) skip_transparent(world, s.rays, s.hits, s.stepped_rays);
             if (s.rays.generation == 0 && !s.needs_every_stage() && all_missed(s.hits)) return false;
             if (world.occlusion && is_lit(world)) trace_sky(world, s);

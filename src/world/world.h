@@ -13,6 +13,7 @@
 #include "scene/material_color.h"
 #include "world/extended_materials.h"
 #include "world/packed_geometry.h"
+#include "world/tracer_fault.h"
 
 namespace glint {
 
@@ -88,7 +89,8 @@ struct WorldParts {
     Conventions conventions;
     RenderSettings settings;
     FogInteriors interiors;
-    bool last_of_equals = false;  // for check: of shapes hit at the same t, the last one is the hit
+    TracerFault fault = TracerFault::none;  // for compare
+    bool last_of_equals = false;            // for check: of shapes hit at the same t, the last one is the hit
 
     /// A row of the table of materials.
     const double* material(std::uint32_t row) const {

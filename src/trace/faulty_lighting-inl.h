@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+// The lighting equation with a fault (world/tracer_fault.h), in instantiations of the stages of its own.
+#if defined(GLINT_TRACE_FAULTY_LIGHTING_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef GLINT_TRACE_FAULTY_LIGHTING_INL_H_
+#undef GLINT_TRACE_FAULTY_LIGHTING_INL_H_
+#else
+#define GLINT_TRACE_FAULTY_LIGHTING_INL_H_
+#endif
+
+#include "lighting/phong-inl.h"
+#include "trace/material-inl.h"
+#include "trace/surface-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace glint {
+namespace HWY_NAMESPACE {
+
+/// |P - C| of the spheres among a vector of surfaces, 1 of other shapes.
+HWY_INLINE Doubles normal_lengths(const WorldParts& world, const SurfaceBatch& surfaces, int i) {
+    alignas(k_ray_alignment) double lengths[lane_count<double>()];
+    for (int k = 0; k < lane_count<double>(); ++k) {
+        const std::uint32_t slot = surfaces.slot[static_cast<std::size_t>(i + k)];
+        const ShapeClass& shapes = world.geometry->class_of(slot);
+        const bool is_sphere = shapes.kind == ShapeKind::sphere && !shapes.transformed;
+        lengths[k] = is_sphere ? shapes.column(3)[slot - shapes.first] : 1;
+    }
+    return load(lengths);
+}
+
+/// cosines() with the world's fault. to_light: from the surface to the light, of any length. c: without it.
+HWY_INLINE Cosines<Doubles> faulty_cosines(const WorldParts& world, const SurfaceBatch& surfaces, int i,
+                                           Vector3<Doubles> to_light, Vector3<Doubles> l,
+                                           const LightingRules& rules, Cosines<Doubles> c) {
+    const Vector3<Doubles> normal = load_vector3(surfaces.normal, i), v = load_vector3(surfaces.to_eye, i);
+    switch (world.fault) {
+        case TracerFault::light_not_unit:
+            return cosines(normal, to_light, v, rules);
+        case TracerFault::half_not_unit:
+            return rules.shading == Shading::blinn_phong ? Cosines<Doubles>{c.n_l, dot(normal, l + v)} : c;
+        case TracerFault::normal_not_unit:
+            return cosines(normal * normal_lengths(world, surfaces, i), l, v, rules);
+        case TracerFault::normals_reversed:
+            return cosines(-normal, l, v, rules);
+        case TracerFault::reflection_negated:
+            return rules.shading == Shading::phong ? Cosines<Doubles>{c.n_l, -c.s} : c;
+        default:
+            return c;
+    }
+}
+
+/// The cosine of the diffuse term.
+HWY_INLINE Doubles faulty_diffuse(const WorldParts& world, const MaterialLanes& material, Doubles n_l) {
+    if (world.fault != TracerFault::diffuse_to_power) return n_l;
+    return pow(max(n_l, Doubles(0)), material.value(k_shininess));
+}
+
+/// The power of the specular term.
+HWY_INLINE Doubles faulty_power(const WorldParts& world, Doubles n_l, Doubles power) {
+    return world.fault == TracerFault::specular_times_n_l ? power * max(n_l, Doubles(0)) : power;
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace glint
+HWY_AFTER_NAMESPACE();
+
+#endif
