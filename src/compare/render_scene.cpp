@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "compare/render_scene.h"
 
+#include "world/world.h"
+
 namespace glint {
 namespace {
 
@@ -30,8 +32,11 @@ Result<Rendering> render_scene(const Scene& scene, int threads, CancelFlag cance
     return render(prepare(scene, {.threads = threads, .cancel = cancel}), threads, cancel);
 }
 
-Result<Rendering> render_scene(const World& world, const Scene& shading, int threads, CancelFlag cancel) {
-    return render(with_shading(world, shading), threads, cancel);
+Result<Rendering> render_scene(const World& world, const Scene& shading, TracerFault fault, int threads,
+                               CancelFlag cancel) {
+    Result<World> changed = with_shading(world, shading);
+    if (changed && fault != TracerFault::none) WorldAccess::own(*changed).fault = fault;
+    return render(changed, threads, cancel);
 }
 
 }  // namespace glint

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <tuple>
 
+#include "compare/composed_causes.h"
 #include "compare/edges.h"
 #include "compare/picture_causes.h"
 #include "compare/scene_faults.h"
@@ -81,78 +82,6 @@ void add_single_lights(const Scene& scene, std::vector<SceneCause>& causes) {
     }
 }
 
-bool has_diffuse_light(const Scene& scene) {
-    return is_lit(scene) && any_material(scene, [](const Material& m) { return !is_zero(m.diffuse); });
-}
-
-// The diffuse term of lights behind surfaces, with |N.L|: the picture with max(0, N.L) minus the one with
-// N.L.
-std::optional<Image> diffuse_from_behind(Scene scene, const RenderScene& render) {
-    std::erase_if(scene.lights, is_ambient);
-    for_each_material(scene, [](Material& m) { m.specular = {0, 0, 0}; });
-    scene.background = {0, 0, 0};
-    scene.conventions.clamp_cosines = true;
-    std::optional<Image> clamped = render(scene);
-    scene.conventions.clamp_cosines = false;
-    const std::optional<Image> signed_sum = render(scene);
-    if (!clamped || !signed_sum) return std::nullopt;
-    for (std::size_t i = 0; i < clamped->rgb.size(); ++i) clamped->rgb[i] -= signed_sum->rgb[i];
-    return clamped;
-}
-
-// Faults of N.L that no setting makes. Light is a sum, so their pictures are sums, too.
-void add_turned_cosines(const Scene& scene, std::vector<SceneCause>& causes) {
-    if (!has_diffuse_light(scene) || !scene.conventions.clamp_cosines) return;
-    const auto add = [&](const char* name, const char* explanation, bool lit) {
-        SceneCause cause{name, explanation, {}};
-        cause.compose = [lit](const Scene& s, const RenderScene& render) -> std::optional<Image> {
-            Scene base = s;
-            if (!lit) std::erase_if(base.lights, [](const Light& l) { return !is_ambient(l); });
-            std::optional<Image> sum = render(base);
-            const std::optional<Image> behind = diffuse_from_behind(s, render);
-            if (!sum || !behind) return std::nullopt;
-            for (std::size_t i = 0; i < sum->rgb.size(); ++i) sum->rgb[i] += behind->rgb[i];
-            return sum;
-        };
-        causes.push_back(std::move(cause));
-    };
-    add("abs-cosine",
-        "Light from behind a surface is added as if it came from the front: |N.L| is used instead of "
-        "max(0, N.L).",
-        true);
-    add("normals-reversed",
-        "Surfaces are lit from behind and dark in front: N is reversed (a sphere's N is P - C, not C - P), "
-        "or L is reversed.",
-        false);
-}
-
-// Only the diffuse term is of vectors that are not normalised: what else there is, and that term.
-void add_raw_diffuse(const Scene& scene, std::vector<SceneCause>& causes) {
-    if (!has_diffuse_light(scene) || !scene.conventions.normalize || !has_highlights(scene)) return;
-    SceneCause cause{
-        "not-normalized", "L is not of unit length in the diffuse term: normalise it before taking N.L.", {}};
-    cause.compose = [](const Scene& s, const RenderScene& render) -> std::optional<Image> {
-        Scene others = s, diffuse = s;
-        for_each_material(others, [](Material& m) { m.diffuse = {0, 0, 0}; });
-        for_each_material(diffuse, [](Material& m) { m.specular = m.phong = {0, 0, 0}; });
-        for (Light& light : diffuse.lights) {
-            if (is_ambient(light)) switch_off(light);
-        }
-        // What does not depend on normals is in the other picture.
-        for_each_material(diffuse, [](Material& m) { m.emission = {0, 0, 0}; });
-        if (diffuse.fog) diffuse.fog->color = {0, 0, 0};
-        diffuse.background = {0, 0, 0};
-        diffuse.gradient.reset();
-        diffuse.conventions.normalize = false;
-        std::optional<Image> sum = render(others);
-        const std::optional<Image> part = render(diffuse);
-        if (!sum || !part) return std::nullopt;
-        for (std::size_t i = 0; i < sum->rgb.size(); ++i) sum->rgb[i] += part->rgb[i];
-        return sum;
-    };
-    causes.push_back(std::move(cause));
-}
-
 constexpr int k_max_levels = 8;  // of reflection that are tried one by one
 
 void add_reflection_levels(const Scene& scene, std::vector<SceneCause>& causes) {
@@ -210,8 +139,17 @@ std::vector<SceneCause> scene_causes(const Scene& scene) {
     const auto add = [&](std::span<const SceneFault> rows) {
         for (const SceneFault& row : rows) {
             if (row.applies(scene))
-                causes.push_back({row.name, row.explanation, row.put, row.part, row.scaled, row.scale_part,
-                                  row.scale, row.scale_text});
+                causes.push_back({row.name,
+                                  row.explanation,
+                                  row.put,
+                                  row.part,
+                                  row.scaled,
+                                  row.scale_part,
+                                  row.scale,
+                                  row.scale_text,
+                                  {},
+                                  row.reshape,
+                                  row.fault});
         }
     };
     add_single_lights(scene, causes);
@@ -222,6 +160,10 @@ std::vector<SceneCause> scene_causes(const Scene& scene) {
     add_area_samples(scene, causes);
     add(tracing_faults());
     add(medium_faults());
+    add(camera_faults());
+    add(kernel_faults());
+    add_black_shadows(scene, causes);
+    add(shape_faults());
     add_reflection_levels(scene, causes);
     add_shifts("shifted-half-pixel", k_half_shift_text, 0.5, false, causes);
     // Alone it is found in the pictures.

@@ -27,10 +27,12 @@ struct SceneCause {
     std::function<std::string(double factor, bool about)> scale_text = {};
     /// If no setting of the scene makes the fault: its picture as a sum of others. `put` is empty then.
     std::function<std::optional<Image>(const Scene&, const RenderScene&)> compose = {};
-    bool is_of_samples = false;      ///< visible only at edges: needs all pixels
-    bool is_shift = false;           ///< of the whole picture, by a pixel or less
-    bool only_pairs = false;         ///< tried only together with another cause
-    double least = k_min_explained;  ///< CauseCandidate::least
+    void (*reshape)(Scene&) = nullptr;      ///< changes the scene with its shapes
+    TracerFault fault = TracerFault::none;  ///< of the kernels
+    bool is_of_samples = false;             ///< visible only at edges: needs all pixels
+    bool is_shift = false;                  ///< of the whole picture, by a pixel or less
+    bool only_pairs = false;                ///< tried only together with another cause
+    double least = k_min_explained;         ///< CauseCandidate::least
 };
 
 /// The causes that can make a difference to this scene, simple ones first.

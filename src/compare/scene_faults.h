@@ -6,6 +6,7 @@
 #include <string>
 
 #include "glint/scene.h"
+#include "world/tracer_fault.h"
 
 namespace glint {
 
@@ -19,6 +20,8 @@ struct SceneFault {
     void (*scale_part)(Scene&, double) = nullptr;
     void (*scale)(Scene&, double) = nullptr;  ///< then the cause is a factor, and the next its explanation
     std::string (*scale_text)(double, bool) = nullptr;
+    void (*reshape)(Scene&) = nullptr;      ///< changes the scene with its shapes
+    TracerFault fault = TracerFault::none;  ///< of the kernels
 };
 
 /// Of the lighting equation; of spots and area lights; of rays; of fog, transparency and occlusion.
@@ -26,6 +29,10 @@ std::span<const SceneFault> lighting_faults();
 std::span<const SceneFault> light_kind_faults();
 std::span<const SceneFault> tracing_faults();
 std::span<const SceneFault> medium_faults();
+/// Of the camera; of the kernels; of shapes and the reading of files.
+std::span<const SceneFault> camera_faults();
+std::span<const SceneFault> kernel_faults();
+std::span<const SceneFault> shape_faults();
 
 // ---- What rows ask of a scene, and do to it ----
 

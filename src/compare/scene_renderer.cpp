@@ -54,7 +54,15 @@ bool SceneRenderer::is_cancelled() const { return options_.cancel.is_set(); }
 std::optional<RenderedScene> SceneRenderer::render(const FaultyScene& faulty, const PixelGrid& grid) const {
     World world = *world_;
     Scene moved;
-    if (!faulty.spheres.empty()) moved = *with_shapes_;
+    const bool is_moved = !faulty.spheres.empty() || !faulty.reshape.empty();
+    if (is_moved && !with_shapes_) return std::nullopt;
+    if (is_moved) moved = *with_shapes_;
+    if (!faulty.reshape.empty()) {
+        for (const auto reshape : faulty.reshape) reshape(moved);
+        Result<World> prepared = prepare(moved, {.threads = options_.threads});
+        if (!prepared) return std::nullopt;
+        world = *std::move(prepared);
+    }
     for (const SphereChange& change : faulty.spheres) {
         Sphere& sphere = moved.get<Sphere>()[moved.shapes[change.shape].index];
         sphere.center = sphere.center + change.by;
@@ -65,7 +73,7 @@ std::optional<RenderedScene> SceneRenderer::render(const FaultyScene& faulty, co
     }
     Scene shading = faulty.shading;
     set_grid(shading, grid);
-    Result<Rendering> result = render_scene(world, shading, options_.threads, options_.cancel);
+    Result<Rendering> result = render_scene(world, shading, faulty.fault, options_.threads, options_.cancel);
     if (!result) return std::nullopt;
     RenderedScene rendered{std::move(result->image), {}};
     rendered.bytes = to_bytes(rendered.image, options_.threads, rule(shading));

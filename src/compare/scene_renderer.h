@@ -8,6 +8,7 @@
 #include "compare/pixel_grid.h"
 #include "glint/compare.h"
 #include "glint/world.h"
+#include "world/tracer_fault.h"
 
 namespace glint {
 
@@ -23,10 +24,17 @@ struct SphereChange {
     double radius_factor = 1;
 };
 
-/// What faults change: a scene whose shapes are ignored, and its spheres.
+/// What faults change: a scene whose shapes are ignored, its spheres, its other shapes, and the kernels.
 struct FaultyScene {
     Scene shading;
-    std::vector<SphereChange> spheres;
+    std::vector<SphereChange> spheres = {};
+    std::vector<void (*)(Scene&)> reshape = {};  ///< changes of a scene with shapes
+    TracerFault fault = TracerFault::none;
+
+    /// Whether a scene with these shapes, that spheres and reshape do not change, has all faults.
+    bool has_all_in_shading() const {
+        return spheres.empty() && reshape.empty() && fault == TracerFault::none;
+    }
 };
 
 /// Puts a fault into a scene.

@@ -19,7 +19,11 @@ constexpr double k_min_light_multiple = 0.85, k_min_factor = 0.5;
 constexpr double k_max_factor = 16, k_exact_part = 0.001;
 
 FaultEdit edit_of(const SceneCause& cause) {
-    return [put = cause.put](FaultyScene& s) { put(s.shading); };
+    return [put = cause.put, reshape = cause.reshape, fault = cause.fault](FaultyScene& s) {
+        if (put) put(s.shading);
+        if (reshape != nullptr) s.reshape.push_back(reshape);
+        if (fault != TracerFault::none) s.fault = fault;
+    };
 }
 
 // What one unit of a factor is, for a fit of it together with others.

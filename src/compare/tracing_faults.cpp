@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Faults of rays: of shadows, mirrors, glass and the camera.
+// Faults of rays: of shadows, mirrors and glass.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -98,14 +98,6 @@ constexpr SceneFault k_tracing[] = {
      "The background is black: a ray that hits nothing returns the scene's background colour."},
     {"gradient-missing", [](const Scene& s) { return s.gradient.has_value(); },
      [](Scene& s) { s.gradient.reset(); }, "The background has one colour: its gradient is missing."},
-    {"field-of-view",
-     [](const Scene& s) {
-         return !s.camera.frame && s.camera.projection == Projection::perspective &&
-                s.settings.width != s.settings.height;
-     },
-     [](Scene& s) { s.camera.fov_axis = s.camera.fov_axis == FovAxis::x ? FovAxis::y : FovAxis::x; },
-     "The field of view is that of the other side of the picture: its width instead of its height, or the "
-     "reverse."},
 };
 
 }  // namespace

@@ -81,7 +81,7 @@ PartRenderer::PartRenderer(const Scene& scene, int threads)
 Result<Rendering> PartRenderer::render_plain(const Scene& changed) const {
     const bool has_materials = renderer_.scene().shading.materials.size() == scene_.materials.size();
     if (renderer_.is_prepared() && has_materials && changed.conventions.cones == scene_.conventions.cones)
-        return render_scene(renderer_.world(), changed, options_.threads);
+        return render_scene(renderer_.world(), changed, TracerFault::none, options_.threads);
     return render_scene(changed, options_.threads);
 }
 
@@ -184,7 +184,7 @@ std::optional<WantedPicture> PartRenderer::render(const RubricRow& row, const Fa
         }
         const bool is_of_scene = std::all_of(chain.faults.begin(), chain.faults.end(),
                                              [](const NamedFault& f) { return f.edit && !f.of_pictures; });
-        found.has_scene = is_of_scene && renderer_.with_shapes() && with->scene.spheres.empty();
+        found.has_scene = is_of_scene && renderer_.with_shapes() && with->scene.has_all_in_shading();
         if (found.has_scene) {
             found.scene = *renderer_.with_shapes();
             const Scene& from = with->scene.shading;

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "compare/composed_causes.h"
+
+#include "compare/scene_faults.h"
+
+namespace glint {
+namespace {
+
+bool has_diffuse_light(const Scene& scene) {
+    return is_lit(scene) && any_material(scene, [](const Material& m) { return !is_zero(m.diffuse); });
+}
+
+// The diffuse term of lights behind surfaces, with |N.L|: the picture with max(0, N.L) minus the one with
+// N.L.
+std::optional<Image> diffuse_from_behind(Scene scene, const RenderScene& render) {
+    std::erase_if(scene.lights, is_ambient);
+    for_each_material(scene, [](Material& m) { m.specular = {0, 0, 0}; });
+    scene.background = {0, 0, 0};
+    scene.conventions.clamp_cosines = true;
+    std::optional<Image> clamped = render(scene);
+    scene.conventions.clamp_cosines = false;
+    const std::optional<Image> signed_sum = render(scene);
+    if (!clamped || !signed_sum) return std::nullopt;
+    for (std::size_t i = 0; i < clamped->rgb.size(); ++i) clamped->rgb[i] -= signed_sum->rgb[i];
+    return clamped;
+}
+
+}  // namespace
+
+// Light is a sum, so the pictures of these faults are sums, too.
+void add_turned_cosines(const Scene& scene, std::vector<SceneCause>& causes) {
+    if (!has_diffuse_light(scene) || !scene.conventions.clamp_cosines) return;
+    const auto add = [&](const char* name, const char* explanation, bool lit) {
+        SceneCause cause{name, explanation, {}};
+        cause.compose = [lit](const Scene& s, const RenderScene& render) -> std::optional<Image> {
+            Scene base = s;
+            if (!lit) std::erase_if(base.lights, [](const Light& l) { return !is_ambient(l); });
+            std::optional<Image> sum = render(base);
+            const std::optional<Image> behind = diffuse_from_behind(s, render);
+            if (!sum || !behind) return std::nullopt;
+            for (std::size_t i = 0; i < sum->rgb.size(); ++i) sum->rgb[i] += behind->rgb[i];
+            return sum;
+        };
+        causes.push_back(std::move(cause));
+    };
+    add("abs-cosine",
+        "Light from behind a surface is added as if it came from the front: |N.L| is used instead of "
+        "max(0, N.L).",
+        true);
+    add("normals-reversed",
+        "Surfaces are lit from behind and dark in front: N is reversed (a sphere's N is P - C, not C - P), "
+        "or L is reversed.",
+        false);
+}
+
+// What else there is, and that term.
+void add_raw_diffuse(const Scene& scene, std::vector<SceneCause>& causes) {
+    if (!has_diffuse_light(scene) || !scene.conventions.normalize || !has_highlights(scene)) return;
+    SceneCause cause{
+        "not-normalized", "L is not of unit length in the diffuse term: normalise it before taking N.L.", {}};
+    cause.compose = [](const Scene& s, const RenderScene& render) -> std::optional<Image> {
+        Scene others = s, diffuse = s;
+        for_each_material(others, [](Material& m) { m.diffuse = {0, 0, 0}; });
+        for_each_material(diffuse, [](Material& m) { m.specular = m.phong = {0, 0, 0}; });
+        for (Light& light : diffuse.lights) {
+            if (is_ambient(light)) switch_off(light);
+        }
+        // What does not depend on normals is in the other picture.
+        for_each_material(diffuse, [](Material& m) { m.emission = {0, 0, 0}; });
+        if (diffuse.fog) diffuse.fog->color = {0, 0, 0};
+        diffuse.background = {0, 0, 0};
+        diffuse.gradient.reset();
+        diffuse.conventions.normalize = false;
+        std::optional<Image> sum = render(others);
+        const std::optional<Image> part = render(diffuse);
+        if (!sum || !part) return std::nullopt;
+        for (std::size_t i = 0; i < sum->rgb.size(); ++i) sum->rgb[i] += part->rgb[i];
+        return sum;
+    };
+    causes.push_back(std::move(cause));
+}
+
+namespace {
+
+constexpr std::size_t k_max_shadow_lights = 4;  // each is rendered alone
+
+// 1 where a ray hits a surface, else 0.
+std::optional<Image> surfaces_of(Scene scene, const RenderScene& render) {
+    for_each_material(scene, [](Material& m) { m.color = {1, 1, 1}; });
+    scene.settings.shading = Shading::color;
+    scene.settings.reflections = 0;
+    scene.background = {0, 0, 0};
+    scene.gradient.reset();
+    scene.fog.reset();
+    return render(scene);
+}
+
+// The light of one light alone on white surfaces without highlights.
+std::optional<Image> light_of(Scene scene, std::size_t light, const RenderScene& render) {
+    for (std::size_t i = 0; i < scene.lights.size(); ++i) {
+        if (i != light) switch_off(scene.lights[i]);
+    }
+    for_each_material(scene, [](Material& m) {
+        m.diffuse = {1, 1, 1};
+        m.specular = m.phong = m.emission = {0, 0, 0};
+    });
+    scene.background = {0, 0, 0};
+    scene.gradient.reset();
+    return render(scene);
+}
+
+}  // namespace
+
+void add_black_shadows(const Scene& scene, std::vector<SceneCause>& causes) {
+    std::vector<std::size_t> lights;
+    for (std::size_t i = 0; i < scene.lights.size(); ++i) {
+        if (!is_ambient(scene.lights[i]) && !is_off(scene.lights[i])) lights.push_back(i);
+    }
+    if (!has_shadows(scene) || !any_light(scene, is_ambient) || lights.empty() ||
+        lights.size() > k_max_shadow_lights || has_mirrors(scene) || has_glass(scene))
+        return;
+    const auto add = [&](const char* explanation, bool all) {
+        SceneCause cause{"shadow-black", explanation, {}};
+        cause.compose = [lights, all](const Scene& s, const RenderScene& render) -> std::optional<Image> {
+            std::optional<Image> made = render(s);
+            const std::optional<Image> surfaces = surfaces_of(s, render);
+            if (!made || !surfaces) return std::nullopt;
+            std::vector<std::size_t> dark(made->rgb.size());
+            for (const std::size_t light : lights) {
+                const std::optional<Image> lit = light_of(s, light, render);
+                if (!lit) return std::nullopt;
+                for (std::size_t i = 0; i < dark.size(); ++i) dark[i] += lit->rgb[i] == 0;
+            }
+            for (std::size_t i = 0; i < dark.size(); ++i) {
+                const bool is_black = dark[i] >= (all ? lights.size() : 1);
+                if (is_black && surfaces->rgb[i] > 0) made->rgb[i] = 0;
+            }
+            return made;
+        };
+        causes.push_back(std::move(cause));
+    };
+    add("Shadows are black: a light that does not reach a point adds nothing, and the ambient term stays.",
+        true);
+    if (lights.size() > 1)
+        add("Points are black if any light is in shadow: go on with the next light there, do not return "
+            "black.",
+            false);
+}
+
+}  // namespace glint

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+// Causes whose picture is computed from several pictures of the scene.
+#include <vector>
+
+#include "compare/scene_causes.h"
+
+namespace glint {
+
+/// Faults of N.L that no setting makes: |N.L|, and -N.L.
+void add_turned_cosines(const Scene& scene, std::vector<SceneCause>& causes);
+/// Only the diffuse term is of vectors that are not normalised.
+void add_raw_diffuse(const Scene& scene, std::vector<SceneCause>& causes);
+/// Surfaces are black where lights do not reach them, without the ambient term.
+void add_black_shadows(const Scene& scene, std::vector<SceneCause>& causes);
+
+}  // namespace glint

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+// Faults that no setting of a scene makes (world/tracer_fault.h).
+#include "compare/scene_faults.h"
+
+namespace glint {
+namespace {
+
+bool has_phong(const Scene& s) { return has_highlights(s) && s.settings.shading == Shading::phong; }
+bool has_blinn(const Scene& s) { return has_highlights(s) && s.settings.shading == Shading::blinn_phong; }
+bool is_normalized(const Scene& s) { return is_lit(s) && s.conventions.normalize; }
+
+constexpr SceneFault k_kernel[] = {
+    {.name = "light-vector-not-normalized",
+     .applies = is_normalized,
+     .explanation = "L is not of unit length: normalise the vector to the light before taking N.L and R.V.",
+     .fault = TracerFault::light_not_unit},
+    {.name = "half-vector-not-normalized",
+     .applies = [](const Scene& s) { return is_normalized(s) && has_blinn(s); },
+     .explanation = "H is not of unit length: normalise L + V before taking N.H.",
+     .fault = TracerFault::half_not_unit},
+    {.name = "normal-not-normalized",
+     .applies = is_normalized,
+     .explanation = "The normal of a sphere is not of unit length: divide P - C by the radius.",
+     .fault = TracerFault::normal_not_unit},
+    {.name = "normals-reversed",
+     .applies = is_lit,
+     .explanation = "N is reversed where surfaces are lit: a sphere's N is P - C, not C - P. The highlight "
+                    "does not show it, because R is the same.",
+     .fault = TracerFault::normals_reversed},
+    {.name = "reflection-vector-negated",
+     .applies = has_phong,
+     .explanation = "R points the wrong way: it is 2 N (N.L) - L, where L points to the light.",
+     .fault = TracerFault::reflection_negated},
+    {.name = "highlight-times-cosine",
+     .applies = has_highlights,
+     .explanation = "The specular term is multiplied by N.L: it is k_s (R.V)^n, or (N.H)^n, alone.",
+     .fault = TracerFault::specular_times_n_l},
+    {.name = "diffuse-exponent",
+     .applies = has_highlights,
+     .explanation = "The exponent is applied to the diffuse term: it is k_d (N.L), not k_d (N.L)^n.",
+     .fault = TracerFault::diffuse_to_power},
+    {.name = "mirror-direction",
+     .applies = has_mirrors,
+     .explanation = "Mirror rays go into the surface: their direction is D - 2 N (N.D), not D + 2 N (N.D).",
+     .fault = TracerFault::mirror_into_surface},
+    {.name = "mirror-direction",
+     .applies = has_mirrors,
+     .explanation = "Mirror rays go backwards: their direction is D - 2 N (N.D), not its opposite.",
+     .fault = TracerFault::mirror_negated},
+    {.name = "last-shape-hit",
+     .applies = [](const Scene&) { return true; },
+     .explanation = "The last shape that a ray hits is drawn, not the nearest: keep a hit only if its t is "
+                    "below the least so far.",
+     .fault = TracerFault::last_shape},
+    {.name = "first-shape-hit",
+     .applies = [](const Scene&) { return true; },
+     .explanation = "The first shape in the scene that a ray hits is drawn, not the nearest: test all shapes "
+                    "and keep the least t.",
+     .fault = TracerFault::first_shape},
+    {.name = "hits-behind-camera",
+     .applies = [](const Scene&) { return true; },
+     .explanation = "Shapes behind the start of a ray are hit: ignore hits with t < 0.",
+     .fault = TracerFault::behind_start},
+};
+
+}  // namespace
+
+std::span<const SceneFault> kernel_faults() { return k_kernel; }
+
+}  // namespace glint

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: Apache-2.0
+// Mistakes of another ray tracer (small_tracer.h) that no edit of the scene makes.
+#include "compare/planted_faults.h"
+#include "compare/small_tracer.h"
+
+namespace glint::test {
+namespace {
+
+struct Case {
+    const char* name;
+    Mistakes mistakes;
+    bool blinn = false, mirrors = false;
+    double fov_factor = 0;  // of the angle, if not 0
+};
+
+SmallScene table(bool blinn, bool mirrors) {
+    SmallScene s;
+    s.eye = {0.4, 1.6, 7};
+    s.lamps = {{4, 6, 5}, {-5, 4, 6}};
+    s.blinn = blinn;
+    const double mirror = mirrors ? 0.4 : 0;
+    s.balls = {{{-1.3, 1.2, 0.4}, 1.2, {0.8, 0.3, 0.2}, 0.5, 25, mirror},
+               {{0.5, 0.8, 1.6}, 0.8, {0.3, 0.7, 0.3}, 0.4, 10, mirror},
+               {{1.7, 1.4, -0.8}, 1.4, {0.3, 0.4, 0.8}, 0.6, 40, mirror}};
+    return s;
+}
+
+SmallScene row(bool blinn, bool mirrors) {
+    SmallScene s;
+    s.eye = {0, 1.2, 6};
+    s.fov_y = 48;
+    s.lamps = {{-3, 5, 3}};
+    s.lamp = 0.8;
+    s.blinn = blinn;
+    s.background = {0.7, 0.6, 0.4};
+    const double mirror = mirrors ? 0.3 : 0;
+    s.balls = {{{1.2, 0.7, 1.4}, 0.7, {0.9, 0.8, 0.2}, 0.5, 20, mirror},
+               {{0.1, 1.5, -1}, 1.5, {0.2, 0.6, 0.7}, 0.5, 30, mirror},
+               {{-1.4, 0.6, 0.8}, 0.6, {0.7, 0.3, 0.6}, 0.3, 8, mirror}};
+    s.width = 72;
+    s.height = 54;
+    return s;
+}
+
+Image picture(const SmallScene& scene, const Mistakes& mistakes) {
+    return as_file(SmallTracer(scene, mistakes).draw());
+}
+
+const std::vector<Case>& cases() {
+    static const std::vector<Case> all = {
+        {"light-vector-not-normalized", {.l_raw = true}, true},
+        {"half-vector-not-normalized", {.h_raw = true}, true},
+        {"normal-not-normalized", {.n_raw = true}},
+        {"normals-reversed", {.n_reversed = true}},
+        {"reflection-vector-negated", {.r_negated = true}},
+        {"highlight-times-cosine", {.specular_times_cosine = true}},
+        {"highlight-times-cosine", {.specular_times_cosine = true}, true},
+        {"diffuse-exponent", {.diffuse_to_power = true}},
+        {"eye-at-origin", {.v_from_origin = true}},
+        {"eye-direction-fixed", {.v_fixed = true}, true},
+        {"shadow-black", {.black_shadow = true}},
+        {"mirror-direction", {.mirror_plus = true}, false, true},
+        {"mirror-direction", {.mirror_negated = true}, false, true},
+        {"last-shape-hit", {.last_hit = true}},
+        {"first-shape-hit", {.first_hit = true}},
+        {"hits-behind-camera", {.accepts_behind = true}},
+        {"colors-truncated", {.integer_colors = true}},
+        {"attenuation-added", {.distance_power = 1}},
+        {"attenuation-added", {.distance_power = 2}},
+        {"aspect-missing", {.x_factor = 0.75}},
+        {"aspect-missing", {.y_factor = 4.0 / 3}},
+        {"aspect-inverted", {.x_factor = 0.5625}},
+        {"field-of-view-doubled", {}, false, false, 2},
+        {"field-of-view-halved", {}, false, false, 0.5},
+        {"field-of-view-radians", {}, false, false, 57.29577951308232},
+    };
+    return all;
+}
+
+// First, or as the cause of the same picture: if R is negated there are hardly any highlights.
+bool is_among_the_best(const CauseReport& report, const std::string& name) {
+    for (const Cause& cause : report.causes) {
+        if (cause.explained < report.causes[0].explained - 0.001) break;
+        if (cause.name == name) return true;
+    }
+    return false;
+}
+
+TEST(CausesOfTracers, WithoutAMistakeThePicturesAgree) {
+    for (const SmallScene& scene : {table(false, true), row(true, true)}) {
+        const Image right = draw_text(text_of(scene));
+        const CauseReport report = find_causes(picture(scene, {}), right).value();
+        EXPECT_TRUE(report.difference < 0.02) << report.difference;
+    }
+}
+
+TEST(CausesOfTracers, AreNamedFirst) {
+    for (const auto& make : {table, row}) {
+        for (const Case& c : cases()) {
+            const SmallScene scene = make(c.blinn, c.mirrors);
+            Mistakes mistakes = c.mistakes;
+            if (c.fov_factor != 0) {
+                const double half = scene.fov_y / 2 * 3.14159265358979323846 / 180;
+                mistakes.plane_factor = std::tan(half * c.fov_factor) / std::tan(half);
+            }
+            const Scene read = read_scene(text_of(scene));
+            const Result<CauseReport> report =
+                find_causes(picture(scene, mistakes), as_file(draw(read)), &read);
+            EXPECT_TRUE(report && !report->causes.empty()) << c.name;
+            EXPECT_FALSE(report->causes[0].perhaps) << all_causes(report);
+            EXPECT_TRUE(is_among_the_best(*report, c.name)) << c.name << "\n" << all_causes(report);
+        }
+    }
+}
+
+// Other numbers of the same scene: no mistake of the table is named surely.
+TEST(CausesOfTracers, AreNotNamedForOtherNumbers) {
+    for (const auto& make : {table, row}) {
+        const Scene read = read_scene(text_of(make(false, false)));
+        const Image right = as_file(draw(read));
+        const auto expect_none = [&](const char* what, const SmallScene& scene, const Mistakes& mistakes) {
+            const CauseReport report = find_causes(picture(scene, mistakes), right, &read).value();
+            for (const Cause& cause : report.causes) {
+                const bool is_of_table = std::any_of(cases().begin(), cases().end(),
+                                                     [&](const Case& c) { return cause.name == c.name; });
+                EXPECT_FALSE(is_of_table && !cause.perhaps) << what << "\n" << all_causes(report);
+                EXPECT_FALSE(is_of_table && &cause == &report.causes[0]) << what << "\n"
+                                                                         << all_causes(report);
+            }
+        };
+        expect_none("stretched", make(false, false), {.x_factor = 0.88});
+        expect_none("another angle", make(false, false), {.plane_factor = 1.3});
+        SmallScene dim = make(false, false), sharp = dim, moved = dim, near = dim;
+        dim.lamp *= 0.7;
+        for (SmallBall& ball : sharp.balls) ball.shininess *= 1.6;
+        moved.balls[1].center.x += 0.3;
+        for (Vec3& lamp : near.lamps) lamp = lamp * 0.8;
+        expect_none("dim", dim, {});
+        expect_none("sharp", sharp, {});
+        expect_none("moved", moved, {});
+        expect_none("near", near, {});
+    }
+}
+
+TEST(CausesOfTracers, CylindersOfAnotherLength) {
+    const std::string head = R"(
+background = (0.2, 0.3, 0.5)
+camera { position = (1, 5, 8)  look_at = (0, 1, 0)  fov_y = 40 }
+light { type = ambient }
+light { type = point  position = (3, 6, 5)  intensity = 0.7 }
+plane { point = (0, 0, 0)  normal = (0, 1, 0)  color = (0.6, 0.6, 0.5)  ambient = 0.2 }
+)";
+    const auto text = [&](double lower, double upper, bool caps) {
+        const auto cylinder = [&](double x, double z, double radius) {
+            const auto end = [&](double y) {
+                return "(" + std::to_string(x) + ", " + std::to_string(y) + ", " + std::to_string(z) + ")";
+            };
+            return "cylinder { from = " + end(lower) + "  to = " + end(upper) +
+                   "  radius = " + std::to_string(radius) + (caps ? "  caps = true" : "  caps = false") +
+                   "  color = (0.8, 0.3, 0.2)  ambient = 0.2 }\n";
+        };
+        return head + cylinder(-1.2, 0, 0.7) + cylinder(1.1, 0.5, 0.5) + "render { size = 72 x 54 }\n";
+    };
+    const Scene right = read_scene(text(0.6, 1.8, true));
+    const Image picture = as_file(draw(right));
+    const auto expect = [&](const std::string& wrong, const char* name) {
+        const CauseReport report = find_causes(draw_text(wrong), picture, &right).value();
+        EXPECT_EQ(first_cause(report), name) << all_causes(report);
+        EXPECT_FALSE(!report.causes.empty() && report.causes[0].perhaps) << name;
+    };
+    expect(text(0, 2.4, true), "cylinder-height");
+    expect(text(0.9, 1.5, true), "cylinder-height");
+    expect(text(-900, 900, false), "cylinder-unbounded");
+    expect(text(0.6, 1.8, false), "caps-missing");
+    const CauseReport other = find_causes(draw_text(text(0.6, 1.5, true)), picture, &right).value();
+    for (const Cause& cause : other.causes) EXPECT_TRUE(cause.perhaps) << all_causes(other);
+}
+
+}  // namespace
+}  // namespace glint::test

@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+// A ray tracer of spheres and a floor as a student writes it, in scalar code of its own, with mistakes to
+// switch on. The pictures of its scene without a mistake are those of glint within rounding.
+#include <cmath>
+#include <optional>
+#include <vector>
+
+#include "glint/glint.h"
+#include "math/transform.h"
+
+namespace glint::test {
+
+struct Mistakes {
+    bool l_raw = false, h_raw = false, n_raw = false;  ///< not normalised
+    bool n_reversed = false, r_negated = false, v_from_origin = false, v_fixed = false;
+    bool specular_times_cosine = false, diffuse_to_power = false, black_shadow = false;
+    bool mirror_plus = false, mirror_negated = false;
+    bool last_hit = false, first_hit = false, accepts_behind = false;
+    bool integer_colors = false;
+    int distance_power = 0;             ///< light divided by d^this
+    double x_factor = 1, y_factor = 1;  ///< of the picture plane
+    double plane_factor = 1;            ///< of both
+};
+
+struct SmallBall {
+    Vec3 center;
+    double radius;
+    Color color;
+    double specular, shininess, mirror;
+};
+
+struct SmallScene {
+    Vec3 eye;  ///< looks along -z
+    double fov_y = 40;
+    Color background{0.2, 0.3, 0.5};
+    double ambient = 0.2;
+    std::vector<Vec3> lamps;
+    double lamp = 0.5;
+    bool blinn = false;
+    bool floor = true;  ///< y = 0, grey
+    std::vector<SmallBall> balls;
+    int width = 80, height = 60;
+};
+
+/// The scene in glint's language.
+inline std::string text_of(const SmallScene& s) {
+    const auto v = [](Vec3 p) {
+        return "(" + std::to_string(p.x) + ", " + std::to_string(p.y) + ", " + std::to_string(p.z) + ")";
+    };
+    const auto n = [](double x) { return std::to_string(x); };
+    std::string text = "background = " + v({s.background.r, s.background.g, s.background.b}) +
+                       "\ncamera { position = " + v(s.eye) +
+                       "  look_at = " + v({s.eye.x, s.eye.y, s.eye.z - 1}) + "  fov_y = " + n(s.fov_y) +
+                       " }\n";
+    text += "light { type = ambient  intensity = 1 }\n";
+    for (const Vec3& lamp : s.lamps)
+        text += "light { type = point  position = " + v(lamp) + "  intensity = " + n(s.lamp) + " }\n";
+    if (s.floor)
+        text +=
+            "plane { point = (0, 0, 0)  normal = (0, 1, 0)  color = (0.6, 0.6, 0.6)  diffuse = 1  "
+            "specular = 0  shininess = 1  ambient = " +
+            n(s.ambient) + " }\n";
+    for (const SmallBall& b : s.balls)
+        text += "sphere { center = " + v(b.center) + "  radius = " + n(b.radius) +
+                "  color = " + v({b.color.r, b.color.g, b.color.b}) +
+                "  diffuse = 1  ambient = " + n(s.ambient) +
+                "  specular_color = " + v({b.specular, b.specular, b.specular}) +
+                "  shininess = " + n(b.shininess) + "  mirror = " + n(b.mirror) + " }\n";
+    text += std::string("conventions { mirror_miss = background  facing = none }\nrender { size = ") +
+            n(s.width).substr(0, 2) + " x " + n(s.height).substr(0, 2) +
+            "  reflections = 3  shading = " + (s.blinn ? "blinn-phong" : "phong") + " }\n";
+    return text;
+}
+
+class SmallTracer {
+  public:
+    SmallTracer(const SmallScene& scene, const Mistakes& mistakes) : s_(scene), m_(mistakes) {}
+
+    Image draw() const {
+        Image image{s_.width, s_.height, {}};
+        const double half = std::tan(s_.fov_y / 2 * k_pi / 180) * m_.plane_factor;
+        const double aspect = static_cast<double>(s_.width) / s_.height;
+        for (int y = 0; y < s_.height; ++y) {
+            for (int x = 0; x < s_.width; ++x) {
+                const Vec3 d{(2 * (x + 0.5) / s_.width - 1) * half * aspect * m_.x_factor,
+                             (1 - 2 * (y + 0.5) / s_.height) * half * m_.y_factor, -1};
+                const Color c = trace(s_.eye, normalize(d), 0);
+                for (const double v : {c.r, c.g, c.b}) image.rgb.push_back(static_cast<float>(v));
+            }
+        }
+        return image;
+    }
+
+  private:
+    static constexpr double k_pi = 3.14159265358979323846, k_epsilon = 1e-6;
+    struct Hit {
+        double t;
+        int shape;  // -1: the floor
+    };
+
+    // Shape i, where 0 is the floor.
+    std::optional<double> hit(int i, Vec3 o, Vec3 d, double least) const {
+        if (i == 0) {
+            if (!s_.floor || d.y == 0) return std::nullopt;
+            const double t = -o.y / d.y;
+            return t > least ? std::optional(t) : std::nullopt;
+        }
+        const SmallBall& b = s_.balls[static_cast<std::size_t>(i - 1)];
+        const Vec3 co = o - b.center;
+        const double a = dot(d, d), half = dot(co, d), c = dot(co, co) - b.radius * b.radius;
+        const double root = half * half - a * c;
+        if (root < 0) return std::nullopt;
+        for (const double t : {(-half - std::sqrt(root)) / a, (-half + std::sqrt(root)) / a}) {
+            if (t > least) return t;
+        }
+        return std::nullopt;
+    }
+    std::optional<Hit> nearest(Vec3 o, Vec3 d) const {
+        std::optional<Hit> best;
+        const double least = m_.accepts_behind ? -1e300 : k_epsilon;
+        for (int i = 0; i <= static_cast<int>(s_.balls.size()); ++i) {
+            const std::optional<double> t = hit(i, o, d, least);
+            if (!t || (best && m_.first_hit)) continue;
+            if (!best || m_.last_hit || *t < best->t) best = Hit{*t, i};
+        }
+        return best;
+    }
+    bool is_blocked(Vec3 from, Vec3 to) const {
+        for (int i = 0; i <= static_cast<int>(s_.balls.size()); ++i) {
+            const std::optional<double> t = hit(i, from, to - from, k_epsilon);
+            if (t && *t < 1) return true;
+        }
+        return false;
+    }
+    static double whole(double v) { return std::floor(v); }
+
+    Color trace(Vec3 o, Vec3 d, int depth) const {
+        const std::optional<Hit> at = nearest(o, d);
+        if (!at) return s_.background;
+        const Vec3 p = o + d * at->t;
+        const bool is_ball = at->shape > 0;
+        const SmallBall b = is_ball ? s_.balls[static_cast<std::size_t>(at->shape - 1)]
+                                    : SmallBall{{}, 1, {0.6, 0.6, 0.6}, 0, 1, 0};
+        Color color = b.color;
+        if (m_.integer_colors) color = {whole(color.r), whole(color.g), whole(color.b)};
+        const Vec3 normal = is_ball ? (p - b.center) / b.radius : Vec3{0, 1, 0};
+        const Color local = light(p, d, m_.n_raw && is_ball ? p - b.center : normal, b, color, depth);
+        if (b.mirror <= 0 || depth == 3) return local;
+        Vec3 r = d - normal * (2 * dot(normal, d));
+        if (m_.mirror_plus) r = d + normal * (2 * dot(normal, d));
+        if (m_.mirror_negated) r = -r;
+        return local * (1 - b.mirror) + trace(p, r, depth + 1) * b.mirror;
+    }
+
+    Color light(Vec3 p, Vec3 d, Vec3 n, const SmallBall& b, Color color, int depth) const {
+        Color sum = color * s_.ambient;
+        Vec3 v = -d;
+        if (m_.v_from_origin && depth == 0) v = normalize(-p);
+        if (m_.v_fixed && depth == 0) v = {0, 0, 1};
+        if (m_.n_reversed) n = -n;
+        for (const Vec3& lamp : s_.lamps) {
+            if (is_blocked(p, lamp)) {
+                if (m_.black_shadow) return {0, 0, 0};
+                continue;
+            }
+            const Vec3 to_light = lamp - p;
+            const Vec3 l = m_.l_raw ? to_light : normalize(to_light);
+            const double n_l = dot(n, l);
+            if (n_l <= 0) continue;
+            double s;
+            if (s_.blinn) {
+                s = dot(n, m_.h_raw ? l + v : normalize(l + v));
+            } else {
+                const Vec3 r = n * (2 * n_l) - l;
+                s = dot(m_.r_negated ? -r : r, v);
+            }
+            const double strength = s_.lamp / std::pow(length(to_light), m_.distance_power);
+            const double diffuse = m_.diffuse_to_power ? std::pow(n_l, b.shininess) : n_l;
+            double shine = s > 0 ? b.specular * std::pow(s, b.shininess) : 0;
+            if (m_.specular_times_cosine) shine *= n_l;
+            sum = sum + color * (diffuse * strength) + Color{shine, shine, shine} * strength;
+        }
+        return sum;
+    }
+
+    const SmallScene& s_;
+    const Mistakes m_;
+};
+
+}  // namespace glint::test
