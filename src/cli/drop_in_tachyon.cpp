@@ -106,6 +106,7 @@ class TachyonArguments {
             fail(fmt::format("unknown flag {}{}", glint::quoted(word), did_you_mean(word, known)));
         }
         std::vector<std::string> values;
+        values.reserve(static_cast<std::size_t>(flag->values));
         for (int i = 0; i < flag->values; ++i) values.push_back(value_of(word));
         if (!flag->mode.empty()) {
             modes_ += fmt::format(" {}", flag->mode);

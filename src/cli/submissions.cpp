@@ -96,6 +96,7 @@ std::vector<Submission> with_names_apart(std::vector<Named> all) {
         }
     }
     std::vector<Submission> submissions;
+    submissions.reserve(all.size());
     for (Named& n : all) submissions.push_back(std::move(n.submission));
     return submissions;
 }

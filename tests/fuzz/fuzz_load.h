@@ -1,12 +1,23 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The fuzzing of texts: load them and check the result.
+#include <algorithm>
 #include <string>
 #include <string_view>
 
 #include "glint/load.h"
 
 namespace glint::test {
+
+/// A format's name in the first line, and a text of that format after it.
+struct NamedText {
+    std::string format;
+    std::string_view text;
+};
+inline NamedText split_format(std::string_view data) {
+    const std::size_t end = std::min(data.find('\n'), data.size());
+    return {std::string(data.substr(0, end)), data.substr(std::min(end + 1, data.size()))};
+}
 
 /// The texts that may be included: a part of the text itself, under any name. At most 200 bytes.
 class FuzzSources : public Sources {

@@ -38,14 +38,15 @@ extern "C" int LLVMFuzzerInitialize(int*, char***) {
 }
 
 extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t size) {
-    const std::string_view all(reinterpret_cast<const char*>(data), size);
-    const std::size_t line = std::min(all.find('\n'), size);
+    const glint::test::NamedText named =
+        glint::test::split_format({reinterpret_cast<const char*>(data), size});
+    const auto has_its_name = [&](const glint::FormatInfo& format) { return format.name == named.format; };
+    if (std::ranges::none_of(glint::formats(), has_its_name)) return 0;  // an error without a place
     glint::LoadOptions options;
     options.max_memory = k_budget;
     held = peak = 0;
     is_counting = true;
-    const std::string wrong = glint::test::fuzz_load(all.substr(std::min(line + 1, size)),
-                                                     std::string(all.substr(0, line)), options);
+    const std::string wrong = glint::test::fuzz_load(named.text, named.format, options);
     is_counting = false;
     if (wrong.empty() && peak <= static_cast<std::int64_t>(k_most)) return 0;
     std::fprintf(stderr, "%s\n%lld bytes at a time\n", wrong.c_str(), static_cast<long long>(peak));

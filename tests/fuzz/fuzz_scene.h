@@ -8,19 +8,10 @@
 #include <string_view>
 
 #include "formats/scene_fingerprint.h"
+#include "fuzz/fuzz_load.h"
 #include "glint/glint.h"
 
 namespace glint::test {
-
-/// A format's name in the first line, and a text of that format after it.
-struct NamedText {
-    std::string format;
-    std::string_view text;
-};
-inline NamedText split_format(std::string_view data) {
-    const std::size_t end = std::min(data.find('\n'), data.size());
-    return {std::string(data.substr(0, end)), data.substr(std::min(end + 1, data.size()))};
-}
 
 /// Loads the text; if it is a scene, writes it and loads it again. Returns the first difference, or an empty
 /// string.
