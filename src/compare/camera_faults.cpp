@@ -9,7 +9,7 @@ namespace glint {
 namespace {
 
 constexpr double k_degrees_per_radian = 57.29577951308232;
-constexpr double k_far = 1e6;  // of an eye that is in one direction from everywhere
+constexpr double k_eye_far = 1e6;  // of an eye that is in one direction from everywhere
 
 bool is_wide_or_high(const Scene& s) {
     return s.camera.projection == Projection::perspective && s.settings.width != s.settings.height;
@@ -68,7 +68,7 @@ constexpr SceneFault k_camera[] = {
     {"eye-direction-fixed", sees_highlights,
      [](Scene& s) {
          const PreparedCamera camera = prepare_camera(s.camera, s.settings);
-         s.camera.lighting_eye = camera.position - normalize(camera.forward) * k_far;
+         s.camera.lighting_eye = camera.position - normalize(camera.forward) * k_eye_far;
      },
      "Highlights have the same V everywhere, the camera's direction. It is the vector from P to the camera."},
 };
