@@ -548,7 +548,12 @@ def grade_by_rubric(
     find: Callable[[int, str], Tuple[str, str, Optional[Rendering]]],
     progress: _Report,
 ) -> Tuple[
-    List[Tuple[str, float]], List[List[Tuple[float, str, Optional[str], str, float, Tuple[str, ...]]]]
+    List[Tuple[str, float]],
+    List[
+        Tuple[
+            List[Tuple[float, str, Optional[str], str, float, Tuple[str, ...]]], Tuple[Tuple[str, float], ...]
+        ]
+    ],
 ]: ...
 def submission_folders(folder: str) -> List[Tuple[str, str, str]]: ...
 def is_match(name: str, pattern: str) -> bool: ...

@@ -32,9 +32,9 @@ class GradedPart:
     explanation: str
     """What that cause is, and how to correct it."""
     points_alone: float
-    """The points without regard to mistakes of earlier parts."""
+    """The points if mistakes that cost another part were counted here, too."""
     followed: Tuple[str, ...] = ()
-    """The causes of earlier parts with which the picture was judged, because that gives more points."""
+    """The causes, counted in other parts, with which the picture was judged, because that gives more points."""
 
 
 @dataclasses.dataclass(frozen=True)
@@ -43,10 +43,14 @@ class Graded:
 
     name: str
     parts: Tuple[GradedPart, ...]
+    penalties: Tuple[Tuple[str, float], ...] = ()
+    """The cause and the points of each penalty of the rubric."""
 
     @property
     def points(self) -> float:
-        return sum(part.points for part in self.parts)
+        """Of all parts, less the penalties; at least 0."""
+        points = sum(part.points for part in self.parts)
+        return max(0.0, points - sum(points for _, points in self.penalties))
 
 
 Submissions = Union[PathLike, Mapping[str, Any]]
@@ -160,6 +164,7 @@ def _grade_by_rubric(
                 GradedPart(part, points, most, error, cause, explanation, alone, followed)
                 for (part, most), (points, error, cause, explanation, alone, followed) in zip(rows, parts)
             ),
+            penalties,
         )
-        for name, parts in zip(names, graded)
+        for name, (parts, penalties) in zip(names, graded)
     ]

@@ -89,11 +89,11 @@ py::list grade_causes(const std::vector<RenderingPointer>& pictures, const Rende
     return list;
 }
 
-std::vector<RubricRow> rubric_rows(const std::string& name, const std::string& text) {
-    RubricResult rubric = read_rubric(name, text);
-    if (!rubric.diagnostics.empty())
-        raise({ErrorCode::parse, rubric.diagnostics.front().message, rubric.diagnostics});
-    return std::move(rubric.rows);
+Rubric load_rubric(const std::string& name, const std::string& text) {
+    RubricResult read = read_rubric(name, text);
+    if (!read.diagnostics.empty())
+        raise({ErrorCode::parse, read.diagnostics.front().message, read.diagnostics});
+    return std::move(read.rubric);
 }
 
 // Submissions whose pictures a function of Python finds.
@@ -127,25 +127,28 @@ py::tuple part_tuple(const GradedPart& part) {
                           py::tuple(py::cast(part.followed)));
 }
 
-// (name, points) of each part, and for each submission what part_tuple() gives for each part.
-py::tuple grade_class(SceneState& state, const std::string& rubric, const std::string& text,
+// (name, points) of each part, and for each submission what part_tuple() gives for each part, and (cause,
+// points) of each penalty.
+py::tuple grade_class(SceneState& state, const std::string& name, const std::string& text,
                       const std::vector<std::string>& names, const py::function& find,
                       const py::object& progress) {
     const auto scene = state.shared_scene();
-    const std::vector<RubricRow> rows = rubric_rows(rubric, text);
+    const Rubric rubric = load_rubric(name, text);
     PythonSubmissions submissions(names, find);
     const auto graded = value_or_raise(run(progress, [&](Running& running) {
         RubricOptions options;
         options.progress = running.report();
         options.cancel = &running.cancel;
-        return grade_by_rubric(*scene, rows, rubric, submissions, options);
+        return grade_by_rubric(*scene, rubric, submissions, options);
     }));
     py::list parts, results;
-    for (const RubricRow& row : rows) parts.append(py::make_tuple(row.part, row.points));
+    for (const RubricRow& row : rubric.rows) parts.append(py::make_tuple(row.part, row.points));
     for (const GradedSubmission& submission : graded) {
-        py::list list;
+        py::list list, penalties;
         for (const GradedPart& part : submission.parts) list.append(part_tuple(part));
-        results.append(list);
+        for (const RubricPenalty& penalty : submission.penalties)
+            penalties.append(py::make_tuple(penalty.cause, penalty.points));
+        results.append(py::make_tuple(list, py::tuple(penalties)));
     }
     return py::make_tuple(parts, results);
 }

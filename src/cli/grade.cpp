@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "base/text.h"
+#include "cli/class_summary.h"
 #include "cli/commands.h"
 #include "cli/failure.h"
 #include "cli/grade_outputs.h"
@@ -17,6 +18,7 @@
 #include "cli/print_text.h"
 #include "cli/progress.h"
 #include "cli/scene_option.h"
+#include "cli/student_results.h"
 #include "cli/submissions.h"
 #include "grade/part_renderer.h"
 
@@ -27,6 +29,7 @@ constexpr auto k_grade_examples = R"(Examples:
   glint grade handed_in --scene castle.json --reference castle.png
   glint grade handed_in --scene castle.json --csv grades.csv --sheet sheet.png
   glint grade handed_in --scene castle.json --rubric rt2.rubric --csv grades.csv
+  glint grade handed_in --scene castle.json --rubric rt2.rubric --summary class.html
   glint grade ada --scene castle.json --rubric rt2.rubric --gradescope results.json)";
 // In memory: of large pictures fewer.
 constexpr std::size_t k_pictures_at_a_time = 32, k_pixels_at_a_time = std::size_t{1} << 26;
@@ -35,6 +38,8 @@ struct GradeArguments {
     std::string folder, reference, rubric;
     GradeOutputNames outputs;
     SceneOption scene;
+    std::string visibility = "visible";
+    bool pictures = false, hide_causes = false;
     bool quiet = false;
     int threads = 0;
 };
@@ -66,6 +71,7 @@ int grade_pictures(const GradeArguments& arguments, const Scene* scene, const Im
     const std::size_t count = submissions.size();
     std::vector<GradedPicture> graded;
     GradeSheet sheet(outputs.sheet, lay_out_list(count + 1), count + 1);
+    PartPictures small(outputs.summary.has_value(), count);
     sheet.set_label(0, "0 reference");
     sheet.put(0, reference);
     PictureSizes sizes;
@@ -89,13 +95,17 @@ int grade_pictures(const GradeArguments& arguments, const Scene* scene, const Im
             }
             if (read) sizes.add(read->image);
             sheet.set_label(i + 1, fmt::format("{} {}", i + 1, entry.name));
-            if (read && !entry.error.empty()) sheet.put(i + 1, read->image);
+            if (read && !entry.error.empty()) {
+                sheet.put(i + 1, read->image);
+                small.put(i, read->image);
+            }
             if (entry.error.empty()) {
                 CompareOptions options;
                 options.threads = arguments.threads;
                 entry.difference = compare(read->image, reference, options).value();
                 entry.not_finite = count_not_finite(read->image);
                 sheet.put(i + 1, read->image, reference);
+                small.put(i, read->image, reference);
                 if (entry.not_finite == 0) {
                     pictures.push_back(std::move(read->image));
                     whose.push_back(i);
@@ -119,43 +129,52 @@ int grade_pictures(const GradeArguments& arguments, const Scene* scene, const Im
     if (outputs.table) print_text(text_table(graded));
     write_text(outputs.csv, csv_table(graded));
     write_text(outputs.json, json_table(graded));
+    if (outputs.summary) write_text(outputs.summary, class_summary(graded, small));
     sheet.write(arguments.threads);
     return k_done;
 }
 
 // ---- By a rubric ----
 
-std::vector<RubricRow> load_rubric(const std::string& path) {
+Rubric load_rubric(const std::string& path) {
     std::string why;
     const auto file = InputFile::open(path, why);
     if (!file) throw Failure(k_bad_input, fmt::format("{}: {}", path, why));
-    RubricResult rubric = read_rubric(path, file->text());
-    print(rubric.diagnostics);
-    if (!rubric.diagnostics.empty()) throw Failure(k_bad_input, {});
-    return std::move(rubric.rows);
+    RubricResult read = read_rubric(path, file->text());
+    print(read.diagnostics);
+    if (!read.diagnostics.empty()) throw Failure(k_bad_input, {});
+    return std::move(read.rubric);
 }
 
-int grade_rubric(const GradeArguments& arguments, const Scene& scene, const std::vector<RubricRow>& rows,
+int grade_rubric(const GradeArguments& arguments, const Scene& scene, const Rubric& rubric,
                  const GradeOutputs& outputs) {
+    const std::vector<RubricRow>& rows = rubric.rows;
     const std::vector<Submission> submissions =
-        outputs.gradescope ? std::vector{Submission{arguments.folder, arguments.folder, {}}}
-                           : list_folders(arguments.folder);
+        outputs.is_of_one() ? std::vector{Submission{arguments.folder, arguments.folder, {}}}
+                            : list_folders(arguments.folder);
     const std::size_t cells = (submissions.size() + 1) * rows.size();
     GradeSheet sheet(outputs.sheet, lay_out_table(submissions.size(), rows.size()), cells);
     auto bar = std::make_unique<ProgressBar>(!arguments.quiet);
-    GradedFolders folders(submissions, rows, sheet);
+    PartPictures small(arguments.pictures || outputs.summary, submissions.size() * rows.size());
+    GradedFolders folders(submissions, rows, sheet, small);
     RubricOptions options;
     options.threads = arguments.threads;
     options.progress = [&](double fraction) { bar->update(fraction); };
-    const auto result = grade_by_rubric(scene, rows, arguments.rubric, folders, options);
+    const auto result = grade_by_rubric(scene, rubric, folders, options);
     bar.reset();  // its line is free again
     if (!result) throw_failure(result);
-    if (!outputs.gradescope) folders.sizes().check(!arguments.reference.empty());
+    if (!outputs.is_of_one()) folders.sizes().check(!arguments.reference.empty());
     const std::vector<GradedSubmission>& graded = *result;
     if (outputs.table) print_text(text_table(rows, graded));
     write_text(outputs.csv, csv_table(rows, graded));
     write_text(outputs.json, json_table(rows, graded));
-    if (outputs.gradescope) write_text(outputs.gradescope, gradescope_results(rows, graded.front()));
+    if (outputs.summary) write_text(outputs.summary, class_summary(rubric, graded, small));
+    const StudentResultOptions student{arguments.visibility, !arguments.hide_causes,
+                                       arguments.pictures ? &small : nullptr};
+    if (outputs.gradescope)
+        write_text(outputs.gradescope, gradescope_results(rubric, graded.front(), student));
+    if (outputs.prairielearn)
+        write_text(outputs.prairielearn, prairielearn_results(rubric, graded.front(), student));
     sheet.write(arguments.threads);
     return k_done;
 }
@@ -167,9 +186,15 @@ int grade_command(GradeArguments& arguments) {
         throw Failure(k_usage, "--rubric needs --scene FILE, which its parts are rendered from");
     if (!arguments.outputs.gradescope.empty() && arguments.rubric.empty())
         throw Failure(k_usage, "--gradescope needs --rubric FILE, whose parts are the tests");
+    if (!arguments.outputs.prairielearn.empty() && arguments.rubric.empty())
+        throw Failure(k_usage, "--prairielearn needs --rubric FILE, whose parts are the tests");
+    const bool is_of_one = !arguments.outputs.gradescope.empty() || !arguments.outputs.prairielearn.empty();
+    if ((arguments.pictures || arguments.hide_causes) && !is_of_one)
+        throw Failure(k_usage, fmt::format("{} needs --gradescope OUT or --prairielearn OUT",
+                                           arguments.pictures ? "--pictures" : "--hide-causes"));
     const GradeOutputs outputs(arguments.outputs, arguments.folder);
-    std::vector<RubricRow> rows;
-    if (!arguments.rubric.empty()) rows = load_rubric(arguments.rubric);
+    Rubric rubric;
+    if (!arguments.rubric.empty()) rubric = load_rubric(arguments.rubric);
     arguments.scene.scene.is_confined = true;  // it may be a submission
     std::optional<LoadedScene> loaded = load_scene_option(arguments.scene, arguments.quiet);
     Image reference;
@@ -178,7 +203,7 @@ int grade_command(GradeArguments& arguments) {
         loaded->scene.settings.width = reference.width;
         loaded->scene.settings.height = reference.height;
     }
-    if (!rows.empty()) return grade_rubric(arguments, loaded->scene, rows, outputs);
+    if (!rubric.rows.empty()) return grade_rubric(arguments, loaded->scene, rubric, outputs);
     if (reference.rgb.empty()) reference = render_reference(loaded->scene, arguments.threads);
     return grade_pictures(arguments, loaded ? &loaded->scene : nullptr, reference, outputs);
 }
@@ -210,6 +235,23 @@ Run add_grade(CLI::App& app) {
         .add_option("--gradescope", a.outputs.gradescope,
                     "Write Gradescope's results.json; DIR is the folder of one submission. Needs --rubric")
         ->option_text("OUT");
+    command
+        .add_option("--prairielearn", a.outputs.prairielearn,
+                    "Write PrairieLearn's results.json; DIR is the folder of one submission. Needs --rubric")
+        ->option_text("OUT");
+    command.add_flag("--pictures", a.pictures,
+                     "In these results: each wrong picture, and its difference from the right one");
+    command.add_flag("--hide-causes", a.hide_causes,
+                     "In these results: points, without the causes of what is wrong");
+    command
+        .add_option("--visibility", a.visibility,
+                    "Of Gradescope's tests: visible, hidden, after_due_date or after_published")
+        ->option_text("WHEN")
+        ->check(CLI::IsMember({"visible", "hidden", "after_due_date", "after_published"}));
+    command
+        .add_option("--summary", a.outputs.summary,
+                    "Write a web page: each mistake of the class with its submissions and some pictures")
+        ->option_text("OUT.html");
     command
         .add_option("--sheet", a.outputs.sheet,
                     "Write a PNG of all pictures, each above four times its difference, with the table's "

@@ -28,11 +28,15 @@ GradeOutputs::GradeOutputs(const GradeOutputNames& names, const std::string& fol
     if (!names.csv.empty()) csv.emplace("--csv", names.csv);
     if (!names.json.empty()) json.emplace("--json", names.json);
     if (!names.gradescope.empty()) gradescope.emplace("--gradescope", names.gradescope);
+    if (!names.prairielearn.empty()) prairielearn.emplace("--prairielearn", names.prairielearn);
+    if (!names.summary.empty()) summary.emplace("--summary", names.summary);
     if (!names.sheet.empty()) sheet.emplace(png_output("--sheet", names.sheet));
     table = true;
     for (const auto& [option, path, file] : {std::tuple("--csv", &names.csv, &csv),
                                              {"--json", &names.json, &json},
                                              {"--gradescope", &names.gradescope, &gradescope},
+                                             {"--prairielearn", &names.prairielearn, &prairielearn},
+                                             {"--summary", &names.summary, &summary},
                                              {"--sheet", &names.sheet, &sheet}}) {
         if (!*file) continue;
         if ((*file)->is_standard_output()) table = false;

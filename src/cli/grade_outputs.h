@@ -10,7 +10,7 @@ namespace glint::cli {
 
 /// As the user named them; empty: not requested.
 struct GradeOutputNames {
-    std::string csv, json, gradescope, sheet;
+    std::string csv, json, gradescope, prairielearn, sheet, summary;
 };
 
 /// The destinations of the results other than standard output; checked before the work begins.
@@ -22,7 +22,10 @@ class GradeOutputs {
     GradeOutputs(const GradeOutputs&) = delete;
     GradeOutputs& operator=(const GradeOutputs&) = delete;
 
-    std::optional<OutputFile> csv, json, gradescope, sheet;
+    /// Whether there are results for one student: the folder is one submission.
+    bool is_of_one() const { return gradescope || prairielearn; }
+
+    std::optional<OutputFile> csv, json, gradescope, prairielearn, sheet, summary;
     bool table;  ///< print the table on standard output, if no file goes there
 };
 

@@ -27,7 +27,5 @@ std::string json_table(const std::vector<GradedPicture>& pictures);
 std::string text_table(const std::vector<RubricRow>& rows, const std::vector<GradedSubmission>& submissions);
 std::string csv_table(const std::vector<RubricRow>& rows, const std::vector<GradedSubmission>& submissions);
 std::string json_table(const std::vector<RubricRow>& rows, const std::vector<GradedSubmission>& submissions);
-/// The file that Gradescope reads: a test for each part.
-std::string gradescope_results(const std::vector<RubricRow>& rows, const GradedSubmission& submission);
 
 }  // namespace glint::cli

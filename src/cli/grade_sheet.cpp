@@ -4,17 +4,12 @@
 #include <fmt/format.h>
 
 #include "cli/failure.h"
+#include "cli/part_pictures.h"
 #include "cli/render_or_fail.h"
 #include "cli/text.h"
 #include "glint/compare.h"
 
 namespace glint::cli {
-namespace {
-
-constexpr double k_gain = 4;  // of the differences
-
-}  // namespace
-
 GradeSheet::GradeSheet(const std::optional<OutputFile>& output, const std::optional<SheetLayout>& layout,
                        std::size_t cells)
     : output_(output) {
@@ -44,7 +39,8 @@ void GradeSheet::put(std::size_t cell, const Image& picture) {
 void GradeSheet::put(std::size_t cell, const Image& picture, const Image& wanted) {
     if (cells_.empty()) return;
     put(cell, picture);
-    cells_[cell].difference = scaled_down(difference_image(picture, wanted, k_gain).value(), layout_.side);
+    cells_[cell].difference =
+        scaled_down(difference_image(picture, wanted, k_difference_gain).value(), layout_.side);
 }
 
 void GradeSheet::write(int threads) const {

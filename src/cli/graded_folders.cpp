@@ -8,8 +8,8 @@
 namespace glint::cli {
 
 GradedFolders::GradedFolders(const std::vector<Submission>& folders, const std::vector<RubricRow>& rows,
-                             GradeSheet& sheet)
-    : folders_(folders), rows_(rows.size()), sheet_(sheet) {
+                             GradeSheet& sheet, PartPictures& pictures)
+    : folders_(folders), rows_(rows.size()), sheet_(sheet), pictures_(pictures) {
     for (std::size_t k = 0; k < rows_; ++k) {
         sheet.set_label(k, rows[k].part);
         patterns_.push_back(rows[k].file);
@@ -40,14 +40,19 @@ void GradedFolders::show(std::size_t submission, std::size_t row, const Image& p
     sizes_.add(picture);
     if (wanted != nullptr) {
         sheet_.put(cell(submission, row), picture, *wanted);
+        pictures_.put(submission * rows_ + row, picture, *wanted);
     } else {
         sheet_.put(cell(submission, row), picture);
+        pictures_.put(submission * rows_ + row, picture);
     }
 }
 
 void GradedFolders::show_same(std::size_t from, std::size_t to) {
     sheet_.copy(from, to);
-    for (std::size_t i = 0; i < folders_.size(); ++i) sheet_.copy(cell(i, from), cell(i, to));
+    for (std::size_t i = 0; i < folders_.size(); ++i) {
+        sheet_.copy(cell(i, from), cell(i, to));
+        pictures_.copy(i * rows_ + from, i * rows_ + to);
+    }
 }
 
 HandedIn read_handed_in(FoundFile file) {

@@ -1,20 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// Submissions that are folders, and the sheet of their pictures.
+// Submissions that are folders, and small pictures of what is in them.
 #include <vector>
 
 #include "cli/grade_sheet.h"
+#include "cli/part_pictures.h"
 #include "cli/picture_sizes.h"
 #include "cli/submissions.h"
 #include "grade/grade_by_rubric.h"
 
 namespace glint::cli {
 
-/// The sheet has a row of cells for the wanted pictures and one for each submission.
+/// The sheet has a row of cells for the wanted pictures and one for each submission; `pictures` has a cell
+/// for each row of each submission.
 class GradedFolders : public Submissions {
   public:
     GradedFolders(const std::vector<Submission>& folders, const std::vector<RubricRow>& rows,
-                  GradeSheet& sheet);
+                  GradeSheet& sheet, PartPictures& pictures);
 
     std::vector<std::string> names() const override;
     HandedIn find(std::size_t submission, const RubricRow& row) override;
@@ -31,6 +33,7 @@ class GradedFolders : public Submissions {
     const std::size_t rows_;
     std::vector<std::string> patterns_;
     GradeSheet& sheet_;
+    PartPictures& pictures_;
     PictureSizes sizes_;
 };
 

@@ -26,7 +26,8 @@ class Submissions {
     virtual ~Submissions() = default;
     /// Their names, in the order of the results.
     virtual std::vector<std::string> names() const = 0;
-    /// The picture that submission number `submission` has for the row.
+    /// The picture that submission number `submission` has for the row. It is called twice for the pictures
+    /// of programs with faults.
     virtual HandedIn find(std::size_t submission, const RubricRow& row) = 0;
 
     // What is judged, for a contact sheet.
@@ -35,7 +36,7 @@ class Submissions {
     /// A picture that was handed in, and the one that the row requires; null if it has another size.
     virtual void show(std::size_t /*submission*/, std::size_t /*row*/, const Image& /*picture*/,
                       const Image* /*wanted*/) {}
-    /// Row number `to` has the pictures of an earlier row.
+    /// Row number `to` has the pictures of row number `from`, which have been shown.
     virtual void show_same(std::size_t /*from*/, std::size_t /*to*/) {}
 };
 
@@ -46,15 +47,19 @@ struct GradedPart {
     PartScore score;
     std::optional<Cause> cause;  ///< of the difference
     std::vector<Cause> then;     ///< further causes, together with the first
-    /// The causes of earlier parts with which the picture was judged, because that gives more points; none if
+    /// The faults of the program with which the picture was judged, because that gives more points; none if
     /// it was judged as it is.
     std::vector<std::string> followed;
+    /// For each of these, the part that it costs points, or "a penalty"; empty: none.
+    std::vector<std::string> counted_in;
     double points_alone = 0;  ///< the points without them
 };
 
 struct GradedSubmission {
     std::string name;
-    std::vector<GradedPart> parts;  ///< as the rubric's rows
+    std::vector<GradedPart> parts;         ///< as the rubric's rows
+    std::vector<RubricPenalty> penalties;  ///< for faults of the program, each once
+    /// The parts' points less the penalties, at least 0, to hundredths.
     double total() const;
 };
 
@@ -64,10 +69,10 @@ struct RubricOptions {
     CancelFlag cancel = {};
 };
 
-/// Grades all parts of all submissions. `rubric` is the rubric's name, for messages. Fails if a part cannot
-/// be rendered.
-Result<std::vector<GradedSubmission>> grade_by_rubric(const Scene& scene, const std::vector<RubricRow>& rows,
-                                                      const std::string& rubric, Submissions& submissions,
+/// Grades all parts of all submissions. The points do not depend on the order of the rubric's rows. Fails if
+/// a part cannot be rendered.
+Result<std::vector<GradedSubmission>> grade_by_rubric(const Scene& scene, const Rubric& rubric,
+                                                      Submissions& submissions,
                                                       const RubricOptions& options = {});
 
 }  // namespace glint

@@ -63,8 +63,8 @@ PartScore grade(const Image& picture, const WantedPicture& wanted, double points
     score.share = right_share(picture, bytes, wanted.bytes, wanted.counts);
     score.part_share =
         wanted.shows.empty() ? score.share : right_share(picture, bytes, wanted.bytes, wanted.shows);
-    const bool is_empty = one_color(bytes) && !one_color(wanted.bytes);
-    if (!is_empty) score.factor = points_factor(std::min(score.share, score.part_share));
+    score.is_empty = one_color(bytes) && !one_color(wanted.bytes);
+    if (!score.is_empty) score.factor = points_factor(std::min(score.share, score.part_share));
     score.points = points_of(points, score.factor);
     return score;
 }

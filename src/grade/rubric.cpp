@@ -9,6 +9,7 @@
 
 #include "base/diagnostics.h"
 #include "base/text.h"
+#include "compare/cause_names.h"
 #include "glint/conventions.h"
 
 namespace glint {
@@ -56,24 +57,19 @@ std::string setting_fault(std::string_view key, std::string_view value) {
 class LineReader {
   public:
     /// line: of the whole text.
-    LineReader(InputText whole, std::string_view line, std::vector<RubricRow>& rows, Diagnostics& diagnostics)
-        : whole_(whole), line_(line), rows_(rows), diagnostics_(diagnostics) {}
+    LineReader(InputText whole, std::string_view line, Rubric& rubric, Diagnostics& diagnostics)
+        : whole_(whole), line_(line), rubric_(rubric), diagnostics_(diagnostics) {}
 
     void read() {
         std::vector<Word> words;
         if (!split(words) || words.empty()) return;
         if (words[0].text.empty()) return fail(words[0], "the part has no name");
+        // A part may be called "penalty", too: its second word is a number.
+        if (words[0].text == "penalty" && words.size() > 1 && !is_number(words[1].text))
+            return read_penalty(words);
         if (words.size() < 3) return fail(words.back(), "expected PART POINTS FILE [KEY=VALUE...]");
         RubricRow row{std::string(words[0].text), 0, std::string(words[2].text), {}, {}, line_number()};
-        const std::string_view points = words[1].text;
-        const auto [end, error] =
-            fast_float::from_chars(points.data(), points.data() + points.size(), row.points);
-        if (error != std::errc() || end != points.data() + points.size() || !(row.points > 0) ||
-            row.points > k_max_points) {
-            return fail(words[1],
-                        fmt::format("expected the part's points, a number above 0 and at most {}, found {}",
-                                    k_max_points, quoted(points)));
-        }
+        if (!take_points(words[1], "part's", row.points)) return;
         if (row.file.empty())
             return fail(words[2], "expected the file of a submission, such as *.png, found nothing");
         RubricSettings* settings = &row.settings;
@@ -86,10 +82,41 @@ class LineReader {
         }
         if (settings == &row.without && row.without.empty())
             return fail(words.back(), "expected KEY=VALUE after `without`");
-        rows_.push_back(std::move(row));
+        rubric_.rows.push_back(std::move(row));
     }
 
   private:
+    static bool is_number(std::string_view text) {
+        double value = 0;
+        return fast_float::from_chars(text.data(), text.data() + text.size(), value).ec == std::errc();
+    }
+
+    bool take_points(const Word& word, std::string_view whose, double& value) {
+        const std::string_view text = word.text;
+        const auto [end, error] = fast_float::from_chars(text.data(), text.data() + text.size(), value);
+        if (error == std::errc() && end == text.data() + text.size() && value > 0 && value <= k_max_points)
+            return true;
+        fail(word, fmt::format("expected the {} points, a number above 0 and at most {}, found {}", whose,
+                               k_max_points, quoted(text)));
+        return false;
+    }
+
+    void read_penalty(const std::vector<Word>& words) {
+        const std::string_view cause = words[1].text;
+        const std::vector<std::string_view>& names = cause_names();
+        if (std::find(names.begin(), names.end(), cause) == names.end()) {
+            return fail(words[1], fmt::format("there is no cause {}", quoted(cause)) +
+                                      did_you_mean(cause, names) + ": docs/compare.md lists the causes");
+        }
+        if (words.size() != 3) return fail(words.back(), "expected penalty CAUSE POINTS");
+        RubricPenalty penalty{std::string(cause), 0};
+        if (!take_points(words[2], "penalty's", penalty.points)) return;
+        const bool is_twice = std::any_of(rubric_.penalties.begin(), rubric_.penalties.end(),
+                                          [&](const RubricPenalty& p) { return p.cause == cause; });
+        if (is_twice) return fail(words[1], fmt::format("{} has a penalty already", quoted(cause)));
+        rubric_.penalties.push_back(std::move(penalty));
+    }
+
     // Words, or texts between quotes; nothing from # on. False if a quote is not closed.
     bool split(std::vector<Word>& words) {
         for (std::size_t i = 0; i < line_.size() && line_[i] != '#';) {
@@ -137,7 +164,7 @@ class LineReader {
 
     InputText whole_;
     std::string_view line_;
-    std::vector<RubricRow>& rows_;
+    Rubric& rubric_;
     Diagnostics& diagnostics_;
 };
 
@@ -145,15 +172,16 @@ class LineReader {
 
 RubricResult read_rubric(std::string_view name, std::string_view text) {
     RubricResult result;
+    result.rubric.name = name;
     Diagnostics diagnostics;
     if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);  // a byte order mark
     for (std::string_view rest = text; !rest.empty() && !diagnostics.full();) {
         const std::size_t end = std::min(rest.find('\n'), rest.size());
-        LineReader({name, text}, rest.substr(0, end), result.rows, diagnostics).read();
+        LineReader({name, text}, rest.substr(0, end), result.rubric, diagnostics).read();
         rest.remove_prefix(std::min(end + 1, rest.size()));
     }
     result.diagnostics = diagnostics.take();
-    if (result.rows.empty() && result.diagnostics.empty()) {
+    if (result.rubric.rows.empty() && result.diagnostics.empty()) {
         Diagnostic d;
         d.file = name;
         d.line = d.column = 1;

@@ -26,8 +26,20 @@ struct RubricRow {
     std::uint32_t line = 0;   ///< in the rubric, from 1
 };
 
+/// A line of a rubric: penalty CAUSE POINTS
+struct RubricPenalty {
+    std::string cause;  ///< one of cause_names()
+    double points = 0;  ///< taken off once, instead of those of a part
+};
+
+struct Rubric {
+    std::string name;  ///< for messages
+    std::vector<RubricRow> rows;
+    std::vector<RubricPenalty> penalties;
+};
+
 struct RubricResult {
-    std::vector<RubricRow> rows;          ///< of valid lines
+    Rubric rubric;                        ///< of valid lines
     std::vector<Diagnostic> diagnostics;  ///< with line and column; reading stops after 20
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// glint grade --rubric: one fault of a program costs the points of one part; the results for Gradescope.
+// glint grade --rubric: one fault of a program costs the points of one part.
 #include "cli/grade.h"
 #include "glint/image.h"
 
@@ -158,8 +158,9 @@ TEST_F(Follow, AMissingLightAndThenAnotherFaultOfLights) {
                                    std::filesystem::copy_options::overwrite_existing);
     draw("in/ben/castle_shadows.png", {"--reflections", "0", "--convention", "shadow_stops_at_light=false"});
     const auto json = by_rubric("in");
-    EXPECT_EQ(json[0]["parts"][1]["cause"]["name"], "light-missing") << json;
-    for (const int k : {2, 3, 5, 6})
+    EXPECT_EQ(json[0]["parts"][4]["cause"]["name"], "light-missing") << json;
+    EXPECT_EQ(json[0]["parts"][1]["counted_in"], nlohmann::json({"sum of lights"})) << json;
+    for (const int k : {1, 2, 3, 5, 6})
         EXPECT_EQ(json[0]["parts"][k]["points"], json[0]["parts"][k]["of"]) << k << json;
     EXPECT_EQ(json[1]["parts"][3]["points"], 10) << json;
     EXPECT_EQ(json[1]["parts"][5]["cause"]["name"], "shadow-past-light") << json;
@@ -196,30 +197,46 @@ TEST_F(Follow, ARowWithoutACauseSaysSo) {
     EXPECT_TRUE(contains(csv, ",no classic cause,25.00,65.00\r\n")) << csv;
 }
 
-TEST_F(Follow, GradescopeResults) {
-    hand_in("ada");
-    draw("ada/castle_shadows.png", {"--reflections", "0", "--no-shadows"});
-    std::filesystem::remove(folder.path("ada/castle_diffuse.png"));
-    std::filesystem::create_directories(folder.path("ada/sources"));  // still one submission
-    const Finished r = grade({"ada", "--scene", k_castle, "--rubric", k_rubric, "--size", "96x72",
-                              "--gradescope", "results.json"});
-    EXPECT_EQ(r.code, 0) << r.err;
-    const auto json = nlohmann::json::parse(folder.read("results.json"));
-    EXPECT_EQ(json["visibility"], "visible");
-    EXPECT_EQ(json["output"], "Most points are lost by: shadows-missing (25 of 90).");
-    ASSERT_EQ(json["tests"].size(), 7u);
-    double score = 0, most = 0;
-    for (const auto& test : json["tests"]) {
-        EXPECT_TRUE(test["name"].is_string() && test["output"].is_string()) << test;
-        EXPECT_EQ(test["status"], test["score"] == test["max_score"] ? "passed" : "failed");
-        score += test["score"].get<double>();
-        most += test["max_score"].get<double>();
+TEST_F(Follow, TheOrderOfTheLinesDoesNotCount) {
+    hand_in_of("in/ada", castle_without_ambient(), {"--no-shadows"});
+    hand_in("in/ben");
+    turn_around("in/ben");
+    std::vector<std::string> lines;
+    std::ifstream in(k_rubric);
+    for (std::string line; std::getline(in, line);) lines.insert(lines.begin(), line + "\n");
+    std::string text;
+    for (const std::string& line : lines) text += line;
+    folder.write("turned.rubric", text);
+    const auto json = by_rubric("in");
+    const auto turned = graded({"in", "--scene", k_castle, "--rubric", "turned.rubric", "--size", "96x72"});
+    for (const int i : {0, 1}) {
+        EXPECT_EQ(json[i]["total"], turned[i]["total"]) << json << turned;
+        for (const auto& part : json[i]["parts"]) {
+            const auto same = std::find_if(turned[i]["parts"].begin(), turned[i]["parts"].end(),
+                                           [&](const auto& p) { return p["part"] == part["part"]; });
+            ASSERT_NE(same, turned[i]["parts"].end());
+            EXPECT_EQ(*same, part);
+        }
     }
-    EXPECT_EQ(score, 50);
-    EXPECT_EQ(most, 90);
-    EXPECT_EQ(json["tests"][1]["output"], "no file *diffuse*.png");
-    EXPECT_EQ(json["tests"][0]["output"], "All points.");
-    EXPECT_TRUE(contains(json["tests"][5]["output"], "Shadows are missing")) << json;
+}
+
+TEST_F(Follow, APenaltyInTheRubric) {
+    hand_in_of("in/ada", castle_without_ambient(), {});
+    std::ifstream in(k_rubric);
+    const std::string text{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+    folder.write("p.rubric", text + "penalty ambient-missing 3\n");
+    write_black("in/ada/castle_ambient.png");
+    const Finished r = grade({"in", "--scene", k_castle, "--rubric", "p.rubric", "--size", "96x72", "--json",
+                              "p.json", "--csv", "p.csv"});
+    EXPECT_EQ(r.code, 0) << r.err;
+    const auto json = nlohmann::json::parse(folder.read("p.json"));
+    // The black picture is no picture of a program that lacks the ambient term only: it shows nothing.
+    EXPECT_EQ(json[0]["total"], 82) << json;
+    EXPECT_EQ(json[0]["penalties"],
+              nlohmann::json::parse(R"([{"cause": "ambient-missing", "points": 3.0}])"));
+    EXPECT_TRUE(contains(r.out, "\nada: 3 points off for ambient-missing\n")) << r.out;
+    EXPECT_TRUE(contains(folder.read("p.csv"), " | 3 points off for ambient-missing\","))
+        << folder.read("p.csv");
 }
 
 }  // namespace

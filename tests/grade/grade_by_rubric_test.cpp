@@ -80,12 +80,12 @@ Pictures some_class() {
 TEST(GradeByRubric, PicturesInMemory) {
     Pictures pictures = some_class();
     const Scene scene = some_scene();
-    const std::vector<RubricRow> rows = read_rubric("r", k_rubric).rows;
-    ASSERT_EQ(rows.size(), 3u);
+    const Rubric rubric = read_rubric("r", k_rubric).rubric;
+    ASSERT_EQ(rubric.rows.size(), 3u);
     std::vector<double> fractions;
     RubricOptions options;
     options.progress = [&](double fraction) { fractions.push_back(fraction); };
-    const auto graded = grade_by_rubric(scene, rows, "r", pictures, options);
+    const auto graded = grade_by_rubric(scene, rubric, pictures, options);
     ASSERT_TRUE(graded) << graded.message;
     ASSERT_EQ(graded->size(), 3u);
     const GradedSubmission &ada = (*graded)[0], &bob = (*graded)[1], &eve = (*graded)[2];
@@ -101,7 +101,7 @@ TEST(GradeByRubric, PicturesInMemory) {
     EXPECT_TRUE(std::is_sorted(fractions.begin(), fractions.end()));
     EXPECT_EQ(fractions.back(), 1);
     EXPECT_EQ(pictures.shown,
-              (std::vector<std::string>{"row 0", "0,0", "1,0", "2,0?", "row 1", "0,1", "2,1", "0=2"}));
+              (std::vector<std::string>{"row 1", "0,1", "2,1", "row 0", "0,0", "1,0", "2,0?", "0=2"}));
 }
 
 TEST(GradeByRubric, CanBeCancelled) {
@@ -111,7 +111,7 @@ TEST(GradeByRubric, CanBeCancelled) {
     pictures.found = [&] { cancel = ++calls == 2; };
     RubricOptions options;
     options.cancel = &cancel;
-    EXPECT_EQ(grade_by_rubric(some_scene(), read_rubric("r", k_rubric).rows, "r", pictures, options).code,
+    EXPECT_EQ(grade_by_rubric(some_scene(), read_rubric("r", k_rubric).rubric, pictures, options).code,
               ErrorCode::cancelled);
     EXPECT_EQ(calls, 2);
 }
@@ -120,9 +120,9 @@ TEST(GradeByRubric, NamesThePartThatCannotBeRendered) {
     Pictures pictures = some_class();
     Scene scene = some_scene();
     scene.get<Sphere>().front().radius = -1;
-    const auto graded = grade_by_rubric(scene, read_rubric("r", k_rubric).rows, "r", pictures);
+    const auto graded = grade_by_rubric(scene, read_rubric("r", k_rubric).rubric, pictures);
     EXPECT_EQ(graded.code, ErrorCode::invalid_argument);
-    EXPECT_EQ(graded.message.rfind("r:2: part 'all': ", 0), 0u) << graded.message;
+    EXPECT_EQ(graded.message.rfind("r:3: part 'diffuse': ", 0), 0u) << graded.message;
 }
 
 TEST(Points, AreRoundedToHundredths) {

@@ -142,7 +142,7 @@ _glint() {
                 *) kind=scene ;;
             esac ;;
         grade)
-            options='-h --help --reference --scene --scene-name --include-path --format --profile --convention -s --size --shading --no-shadows --reflections --aa --seed --max-memory --rubric --csv --json --gradescope --sheet -t --threads -q --quiet'
+            options='-h --help --reference --scene --scene-name --include-path --format --profile --convention -s --size --shading --no-shadows --reflections --aa --seed --max-memory --rubric --csv --json --gradescope --prairielearn --pictures --hide-causes --visibility --summary --sheet -t --threads -q --quiet'
             [[ $word == -* ]] || case $before in
                 --reference) kind=file ;;
                 --scene) kind=scene ;;
@@ -161,6 +161,9 @@ _glint() {
                 --csv) kind=file ;;
                 --json) kind=file ;;
                 --gradescope) kind=file ;;
+                --prairielearn) kind=file ;;
+                --visibility) return ;;
+                --summary) kind=file ;;
                 --sheet) kind=file ;;
                 -t|--threads) return ;;
                 *) kind=folder ;;

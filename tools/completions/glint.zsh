@@ -195,6 +195,11 @@ _glint() {
                 '--csv[Write the table as CSV]:OUT:_files' \
                 '--json[Write all figures and causes as JSON]:OUT:_files' \
                 '--gradescope[Write Gradescope'\''s results.json]:OUT:_files' \
+                '--prairielearn[Write PrairieLearn'\''s results.json]:OUT:_files' \
+                '--pictures[In these results: each wrong picture, and its difference from the right one]' \
+                '--hide-causes[In these results: points, without the causes of what is wrong]' \
+                '--visibility[Of Gradescope'\''s tests: visible, hidden, after_due_date or after_published]:WHEN: ' \
+                '--summary[Write a web page: each mistake of the class with its submissions and some pictures]:OUT.html:_files' \
                 '--sheet[Write a PNG of all pictures, each above four times its difference, with the table'\''s numbers and names]:OUT.png:_files' \
                 '(-t --threads)'{-t,--threads}'[Number of threads]:N: ' \
                 '(-q --quiet)'{-q,--quiet}'[No warnings and no progress]' ;;
