@@ -51,8 +51,15 @@ class Mistakes {
     void add(const std::string& name, const std::string& explanation, double points, Example example) {
         auto at = std::find_if(all_.begin(), all_.end(), [&](const Mistake& m) { return m.name == name; });
         if (at == all_.end()) at = all_.insert(all_.end(), {name, explanation, 0, {}});
+        if (at->explanation.empty()) at->explanation = explanation;
         at->points += points;
         at->examples.push_back(std::move(example));
+    }
+    bool has(const std::string& name, std::size_t submission) const {
+        const auto at =
+            std::find_if(all_.begin(), all_.end(), [&](const Mistake& m) { return m.name == name; });
+        return at != all_.end() && std::any_of(at->examples.begin(), at->examples.end(),
+                                               [&](const Example& e) { return e.submission == submission; });
     }
     // Those of most submissions first, and of as many by name.
     std::vector<Mistake> sorted() && {
@@ -69,6 +76,13 @@ class Mistakes {
 
 std::string safe(std::string_view text) { return html_text(printable(std::string(text))); }
 
+// For links: without spaces.
+std::string anchor(const std::string& name) {
+    std::string text = html_text(name);
+    std::replace(text.begin(), text.end(), ' ', '-');
+    return text;
+}
+
 std::string figure(const Example& example) {
     std::string html = fmt::format("<figure><img alt=\"The picture\" src=\"{}\">", example.picture->picture);
     if (!example.picture->difference.empty()) {
@@ -79,7 +93,7 @@ std::string figure(const Example& example) {
 }
 
 std::string section(const Mistake& mistake) {
-    std::string html = fmt::format("<h2 id=\"{0}\">{0}</h2>\n", safe(mistake.name));
+    std::string html = fmt::format("<h2 id=\"{}\">{}</h2>\n", anchor(mistake.name), safe(mistake.name));
     if (!mistake.explanation.empty()) html += fmt::format("<p>{}</p>\n", safe(mistake.explanation));
     std::vector<std::string> names;
     for (const Example& e : mistake.examples) {
@@ -115,8 +129,8 @@ std::string page(const std::vector<Mistake>& mistakes, std::size_t submissions, 
     if (has_points) html += "<th class=\"number\">points lost";
     html += "\n";
     for (const Mistake& m : mistakes) {
-        html += fmt::format("<tr><td><a href=\"#{0}\">{0}</a><td class=\"number\">{1}", safe(m.name),
-                            m.submissions());
+        html += fmt::format("<tr><td><a href=\"#{}\">{}</a><td class=\"number\">{}", anchor(m.name),
+                            safe(m.name), m.submissions());
         if (has_points) html += fmt::format("<td class=\"number\">{}", points_text(m.points));
         html += "\n";
     }
@@ -142,6 +156,16 @@ std::string class_summary(const Rubric& rubric, const std::vector<GradedSubmissi
         }
         for (const RubricPenalty& penalty : s.penalties)
             mistakes.add(penalty.cause, "", penalty.points, {i, s.name, nullptr});
+        // Those that cost nothing because their part was not handed in.
+        for (const Cause& fault : s.faults) {
+            for (std::size_t k = 0; k < rubric.rows.size() && !mistakes.has(fault.name, i); ++k) {
+                const std::vector<std::string>& followed = s.parts[k].followed;
+                if (std::find(followed.begin(), followed.end(), fault.name) == followed.end()) continue;
+                mistakes.add(fault.name, fault.explanation, 0,
+                             {i, fmt::format("{}, {}", s.name, rubric.rows[k].part),
+                              pictures.find(i * rubric.rows.size() + k)});
+            }
+        }
     }
     return page(std::move(mistakes).sorted(), submissions.size(), true);
 }

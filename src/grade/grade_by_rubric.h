@@ -59,6 +59,7 @@ struct GradedSubmission {
     std::string name;
     std::vector<GradedPart> parts;         ///< as the rubric's rows
     std::vector<RubricPenalty> penalties;  ///< for faults of the program, each once
+    std::vector<Cause> faults;             ///< of the program: those with which other parts can be judged
     /// The parts' points less the penalties, at least 0, to hundredths.
     double total() const;
 };

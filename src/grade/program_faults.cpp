@@ -33,25 +33,4 @@ void ProgramFaults::add(FaultSet set) {
     if (!is_known) sets.push_back(std::move(set));
 }
 
-std::vector<std::optional<std::size_t>> parts_that_pay(const std::vector<PartLosses>& parts,
-                                                       const std::vector<bool>& is_free) {
-    std::vector<std::optional<std::size_t>> pays(is_free.size());
-    std::vector<bool> is_taken(parts.size());
-    for (std::size_t fault = 0; fault < is_free.size(); ++fault) {
-        if (is_free[fault]) continue;
-        // A part that pays for another fault only if no other part is spoiled.
-        for (const bool of_taken : {false, true}) {
-            if (pays[fault]) break;
-            double most = 0;
-            for (std::size_t k = 0; k < parts.size(); ++k) {
-                if (is_taken[k] != of_taken || !(parts[k].lost_factors[fault] > most)) continue;
-                most = parts[k].lost_factors[fault];
-                pays[fault] = k;
-            }
-        }
-        if (pays[fault]) is_taken[*pays[fault]] = true;
-    }
-    return pays;
-}
-
 }  // namespace glint

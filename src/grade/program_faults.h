@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// The faults of a student's program, and the parts of the rubric that each costs.
-#include <optional>
+// The faults of a student's program.
 #include <string>
 #include <vector>
 
@@ -33,19 +32,5 @@ struct JudgedPart {
     PartScore score;
     std::vector<std::size_t> followed;  ///< these faults; none: by the plain picture
 };
-
-/// Why a part does not have its points, by fault of the program.
-struct PartLosses {
-    bool is_handed_in = true;
-    JudgedPart best;                   ///< with all faults that help
-    std::vector<JudgedPart> lacking;   ///< by fault: with all but this one
-    std::vector<double> lost_factors;  ///< by fault: of the points, what is lost without it, 0 to 1
-};
-
-/// The part that each fault costs: of the parts without another fault's cost, the one that it spoils most,
-/// and of equally spoiled ones the first. `parts` are in judging order; `is_free` marks the faults that cost
-/// none. Nothing for a fault that spoils no part.
-std::vector<std::optional<std::size_t>> parts_that_pay(const std::vector<PartLosses>& parts,
-                                                       const std::vector<bool>& is_free);
 
 }  // namespace glint

@@ -148,6 +148,7 @@ TEST_F(StudentResults, SummaryOfAClass) {
     EXPECT_TRUE(contains(html, "<td class=\"number\">50\n")) << html;
     EXPECT_TRUE(contains(html, "The points are provisional")) << html;
     EXPECT_TRUE(contains(html, "<figcaption>ben, shadows</figcaption>")) << html;
+    EXPECT_TRUE(contains(html, "<a href=\"#not-handed-in\">not handed in</a>")) << html;
     // Without a rubric.
     draw("pictures/eve.png", {"--no-shadows"});
     draw("pictures/max.png", {});

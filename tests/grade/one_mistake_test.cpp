@@ -10,8 +10,8 @@
 #include "compare/render_scene.h"
 #include "compare/scene_faults.h"
 #include "glint/glint.h"
+#include "grade/count_faults.h"
 #include "grade/grade_by_rubric.h"
-#include "grade/program_faults.h"
 #include "grade/rubric_order.h"
 
 namespace glint::test {
