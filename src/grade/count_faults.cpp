@@ -20,13 +20,13 @@ bool is_named(const std::vector<Cause>& causes, const std::string& name) {
 
 // `paid`: the causes of the faults that the part pays for; those found in it come after them, if they are
 // of what no known fault explains.
-void name_causes(GradedPart& part, std::vector<Cause> paid, bool is_all_explained) {
+void name_causes(GradedPart& part, const std::vector<Cause>& paid, bool is_all_explained) {
     const std::vector<Cause> found = all_causes(part);
     std::vector<Cause> causes;
-    for (Cause& cause : paid) {  // with the share that it explains here, if it was found here
+    for (const Cause& cause : paid) {  // with the share that it explains here, if it was found here
         const auto here =
             std::find_if(found.begin(), found.end(), [&](const Cause& c) { return c.name == cause.name; });
-        causes.push_back(here == found.end() ? std::move(cause) : *here);
+        causes.push_back(here == found.end() ? cause : *here);
     }
     if (!is_all_explained) {
         for (const Cause& cause : found) {
@@ -101,7 +101,7 @@ void count_faults(const ProgramFaults& program, const Rubric& rubric, const std:
             part.followed.push_back(program.all[fault].cause.name);
             part.counted_in.push_back(counted_in(fault));
         }
-        name_causes(part, std::move(causes), losses[n].best.score.factor >= 1);
+        name_causes(part, causes, losses[n].best.score.factor >= 1);
     }
 }
 
