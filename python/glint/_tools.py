@@ -131,15 +131,19 @@ def explain(
     seed: Optional[int] = None,
     convention: Optional[Mapping[str, object]] = None,
     sample: Optional[int] = None,
+    fold: float = 0.5,
 ) -> Explanation:
     """Why pixel (x, y), from the top left, has its color: its rays and each term of their light.
 
     The result has them as attributes, and as the text that `glint explain` prints. The other keywords are those
-    of Scene.render(). sample: which of N x N the text is about; default: the middle one.
+    of Scene.render(). sample: which of N x N the text is about; default: the middle one. fold: in the text,
+    secondary rays that add less than this, in 255ths, are one line; 0: all are printed.
     """
+    if not fold >= 0:
+        raise ValueError(f"fold must be 0 or more, not {fold}")
     settings = dict(size=size, aa=aa, shading=shading, reflections=reflections, shadows=shadows, seed=seed)
     listed = to_list(settings) + to_list(convention or {})
-    data, text = to_scene(scene)._state.explain(x, y, listed, sample, None)
+    data, text = to_scene(scene)._state.explain(x, y, listed, sample, fold, None)
     return Explanation(json.loads(data), text)
 
 

@@ -112,7 +112,7 @@ std::shared_ptr<Rendering> render_scene(SceneState& state, const SettingList& se
 
 // JSON, and the text that `glint explain` prints.
 py::tuple explain_pixel(SceneState& state, std::int32_t x, std::int32_t y, const SettingList& settings,
-                        std::optional<int> sample, const py::object& progress) {
+                        std::optional<int> sample, double fold, const py::object& progress) {
     Snapshot snapshot = state.prepare(settings, progress);
     if (!settings.empty()) {
         auto changed = std::make_shared<Scene>(*snapshot.scene);
@@ -123,6 +123,7 @@ py::tuple explain_pixel(SceneState& state, std::int32_t x, std::int32_t y, const
     const int n = scene.settings.samples;
     cli::ExplainStyle style;
     style.sample = sample.value_or(n / 2 * n + n / 2);
+    style.fold = fold;
     if (style.sample < 0 || style.sample >= n * n) throw py::index_error("sample out of range");
     style.file.set_rule(scene.conventions.byte_rule());
     // JSON explains all samples, the text one.

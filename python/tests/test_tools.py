@@ -153,6 +153,21 @@ def test_explains_samples_as_the_command_does(aa):
         glint.explain(scene, 32, 40, aa=2, sample=4)
 
 
+def test_explanations_fold_faint_rays():
+    path = ROOT / "scenes" / "glint" / "glass.glint"
+    scene = glint.load(path, size=(640, 480))
+    for fold in (0.5, 0):
+        text = subprocess.run(
+            [COMMAND, "explain", path, "-s", "640x480", "-p", "320,240", "--fold", str(fold)],
+            check=True, stdout=subprocess.PIPE, text=True,
+        ).stdout  # fmt: skip
+        assert glint.explain(scene, 320, 240, fold=fold).text == text
+    folded, whole = glint.explain(scene, 320, 240), glint.explain(scene, 320, 240, fold=0)
+    assert folded.data == whole.data and len(folded.text) < len(whole.text)
+    with pytest.raises(ValueError, match="fold must be 0 or more"):
+        glint.explain(scene, 320, 240, fold=-1)
+
+
 def test_explains_as_the_command_does():
     scene = glint.load(CASTLE, size=(640, 640))
     explanation = glint.explain(scene, 320, 350)

@@ -35,7 +35,7 @@ struct ExplainArguments {
     SceneArguments scene;
     PictureArguments picture;
     NumberArguments numbers;
-    double fold = 0.5;
+    double fold = k_default_fold;
     bool all = false;
     std::string pixel, sample, form = "text", origin = "top-left", why_not, overlay, isa;
 };

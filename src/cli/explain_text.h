@@ -10,13 +10,16 @@ namespace glint::cli {
 /// --aa up to which samples are listed one by one.
 constexpr int k_max_listed_samples = 8;
 
+/// Half a step of a byte: what less adds is not visible.
+inline constexpr double k_default_fold = 0.5;
+
 struct ExplainStyle {
     bool colors = false;      ///< print swatches in 24-bit terminal colours
     bool from_below = false;  ///< rows are counted from the bottom
     int sample = 0;           ///< the sample whose rays are printed: row * n + column
     /// Secondary rays that add less than this to each channel, with the rays that follow them, are one line;
     /// in 255ths. 0: all rays are printed.
-    double fold = 0;
+    double fold = k_default_fold;
     EncodeOptions file;  ///< the encoding of the file's numbers
 };
 
