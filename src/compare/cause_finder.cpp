@@ -130,6 +130,7 @@ void CauseFinder::look_at(Search& search) const {
     search.same_view = !agreement || agreement->one_way >= k_same_view;
     const std::optional<std::string> color = one_color(search.faulty), of_b = one_color(bytes_);
     search.has_content = color.has_value() == of_b.has_value();
+    search.is_one_color = color.has_value();
     if (search.has_content) return;
     search.report.remark =
         color ? fmt::format("The picture is one colour throughout, {}: nothing is visible.", *color)

@@ -55,6 +55,10 @@ std::vector<CauseCandidate> explaining(const Search& search, bool calm) {
             return true;
         return c.cause.explained < c.least || (calm && c.freedom > 0);
     });
+    // If several give a picture of one colour, it does not tell which.
+    if (search.is_one_color && list.size() > 1) {
+        for (CauseCandidate& c : list) c.cause.perhaps = true;
+    }
     for (int freedom = 0; freedom < 2; ++freedom) {
         if (explains(list, freedom, k_explained_well))
             std::erase_if(list, [&](const CauseCandidate& c) { return c.freedom > freedom; });

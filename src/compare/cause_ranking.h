@@ -73,8 +73,9 @@ struct Search {
     std::size_t differing = 0, beyond_rounding = 0, beyond_faint = 0;
     bool is_on_edges = true;  ///< those beyond rounding are on edges of the reference
 
-    bool same_view = true;    ///< picture and reference show the same things
-    bool has_content = true;  ///< neither of them is one colour throughout
+    bool same_view = true;      ///< picture and reference show the same things
+    bool has_content = true;    ///< neither of them is one colour throughout
+    bool is_one_color = false;  ///< the picture is, whether the reference is or not
     /// The flip or turn after which they show the same things, if only then, and how well their steps agree.
     std::optional<Cause> turn;
     double agreement_turned = 0;

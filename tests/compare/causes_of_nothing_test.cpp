@@ -68,6 +68,21 @@ TEST(CausesOfNothing, OneColourThatAFaultMakes) {
     EXPECT_TRUE(has(report.remark, "one colour")) << report.remark;
 }
 
+// A dark reference, and a picture of another scene that is black: several faults give black, so none is
+// certain.
+TEST(CausesOfNothing, BlackForADarkReferenceIsNeverCertain) {
+    const std::string text =
+        "camera { position = (0, 0, 6)  look_at = (0, 0, 0)  fov_x = 32 }\nrender { size = 40 x 30 }\n"
+        "background = (0.008, 0.008, 0.012)\nlight { type = ambient  intensity = 0.02 }\n"
+        "sphere { center = (0, 0, 0)  radius = 1.4  color = (0.75, 0.12, 0.1)  diffuse = 0.8 }\n";
+    const Scene scene = read_scene(text);
+    const Image right = draw_text(text);
+    for (const Scene* with : {static_cast<const Scene*>(nullptr), &scene}) {
+        for (const Cause& cause : find_causes(filled(right, 0, 0, 0), right, with).value().causes)
+            EXPECT_TRUE(cause.perhaps) << cause.name;
+    }
+}
+
 TEST(CausesOfNothing, AnotherScene) {
     int named = 0, reported = 0;
     for (const TestScene& scene : scenes_to_test()) {
