@@ -4,10 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <iterator>
 
 #include "base/text.h"
-#include "cli/grade_json.h"
 #include "cli/html_text.h"
 #include "cli/rubric_notes.h"
 #include "cli/text.h"
@@ -120,8 +118,7 @@ std::string page(const std::vector<Mistake>& mistakes, std::size_t submissions, 
         "<!DOCTYPE html>\n<html lang=\"en\">\n<meta charset=\"utf-8\">\n"
         "<meta name=\"viewport\" content=\"width=device-width\">\n<title>The mistakes of a class</title>\n"
         "<style>{}</style>\n<h1>The mistakes of a class</h1>\n<p>{}. {} Beside each picture is its "
-        "difference "
-        "from the right one, four times as bright.</p>\n",
+        "difference from the right one, four times as bright.</p>\n",
         k_style, counted(submissions, "submission"),
         has_points ? k_review_text : "A cause is the likeliest one: look at the pictures.");
     if (mistakes.empty()) return html + "<p>No mistakes were found.</p>\n</html>\n";

@@ -61,13 +61,11 @@ std::string part_note(const RubricRow& row, const GradedPart& part, bool with_ca
             shares +=
                 fmt::format(", and {} of those that this part changes", share_text(part.score.part_share));
         notes.push_back(std::move(shares));
-        if (!with_causes) {
-            // The teacher hides them.
-        } else if (part.cause) {
+        if (with_causes && part.cause) {
             notes.push_back(fmt::format("{}: {}", cause_text(*part.cause), part.cause->explanation));
             for (const Cause& cause : part.then)
                 notes.push_back(fmt::format("and then also {}: {}", cause_text(cause), cause.explanation));
-        } else if (part.score.not_finite == 0) {
+        } else if (with_causes && part.score.not_finite == 0) {
             notes.emplace_back("no classic cause");
         }
     }

@@ -105,8 +105,8 @@ class LineReader {
         const std::string_view cause = words[1].text;
         const std::vector<std::string_view>& names = cause_names();
         if (std::find(names.begin(), names.end(), cause) == names.end()) {
-            return fail(words[1], fmt::format("there is no cause {}", quoted(cause)) +
-                                      did_you_mean(cause, names) + ": docs/compare.md lists the causes");
+            return fail(words[1], fmt::format("docs/compare.md has no cause {}", quoted(cause)) +
+                                      did_you_mean(cause, names));
         }
         if (words.size() != 3) return fail(words.back(), "expected penalty CAUSE POINTS");
         RubricPenalty penalty{std::string(cause), 0};

@@ -230,8 +230,8 @@ TEST(Penalties, NamesAreChecked) {
     for (const Diagnostic& d : read.diagnostics)
         text += fmt::format("{}:{}: {}\n", d.line, d.column, d.message);
     EXPECT_EQ(text,
-              "1:9: there is no cause 'gama-applied'; did you mean `gamma-applied`?: docs/compare.md lists "
-              "the causes\n2:9: expected penalty CAUSE POINTS\n3:14: expected the penalty's points, a number "
+              "1:9: docs/compare.md has no cause 'gama-applied'; did you mean `gamma-applied`?\n2:9: "
+              "expected penalty CAUSE POINTS\n3:14: expected the penalty's points, a number "
               "above 0 and at most 1000000, found '0'\n5:9: 'acne' has a penalty already\n");
     ASSERT_EQ(read.rubric.rows.size(), 1u) << "a part that is called penalty";
     EXPECT_EQ(read.rubric.rows[0].part, "penalty");
