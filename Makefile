@@ -28,7 +28,7 @@ help:
 started := $(shell date +%s)
 demo: build
 	@$(glint) render scenes/epfl/castle.json --size 640x640 --reflections 4 -o castle.png
-	@echo 'Why is the pixel 320,350 this colour?'
+	@echo 'Why is the pixel 320,350 this color?'
 	@$(glint) explain scenes/epfl/castle.json --size 640x640 --reflections 4 -p 320,350
 	@echo "The picture is $$PWD/castle.png; the demo took $$(($$(date +%s) - $(started))) s. What to try next:"
 	@echo '  $(glint) render scenes/cgfs/three_mirrors.cgfs --show     # the picture in the terminal'

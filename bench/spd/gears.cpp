@@ -46,7 +46,7 @@ void write_gear(SceneWriter& out, const Gear& gear) {
     out.polygon(outline(gear, -gear.thickness, -1));
 }
 
-// A pseudo-random colour whose largest channel is 1.
+// A pseudo-random color whose largest channel is 1.
 Color gear_color(int x, int y, int z) {
     const auto part = [](int n) { return 0.01 + n / 7.0 - n / 7; };
     const Color c{part((x * 3 + y * 2 + z + 1) * 5), part((y * 3 + z * 2 + x + 1) * 3),

@@ -37,7 +37,7 @@ class PovWriter final : public SceneWriter {
         }
     }
 
-    // All shapes of one glass are one union with one interior. POV-Ray applies the factor 1 - T to the colour
+    // All shapes of one glass are one union with one interior. POV-Ray applies the factor 1 - T to the color
     // itself.
     void surface(const Surface& s) override {
         end();

@@ -83,7 +83,7 @@ class EXPORT_SCENE_OT_rt2(bpy.types.Operator, _Export):
     collection: StringProperty(name="Collection", default="",
                                description="What is exported; empty: scene_custom if there is one, else everything")
     light_color: EnumProperty(name="Light", default="color", items=(
-        ("color", "Colour", "The light's colour, as the course's script writes it"),
+        ("color", "Color", "The light's color, as the course's script writes it"),
         ("classical", "Intensity", "The light's intensity at the camera's target")))
 
     def execute(self, context):

@@ -24,7 +24,7 @@ class GlintSceneSettings(bpy.types.PropertyGroup):
         ("blinn-phong", "Blinn-Phong", "Highlights by N.H"),
         ("phong", "Phong", "Highlights by R.V; exponents of shader nodes are divided by 4"),
         ("diffuse", "Diffuse", "No highlights"),
-        ("color", "Color", "The surfaces' colours alone"),
+        ("color", "Color", "The surfaces' colors alone"),
         ("normals", "Normals", "0.5 (N + 1)")), default=Options.shading)
     facing: EnumProperty(name="Turned normals", items=(
         ("all", "All", "Both sides of every surface are lit, as in Blender"),

@@ -44,7 +44,7 @@ struct PixelCounts {
 struct LargestDifference {
     double value = 0;            ///< in 255ths
     std::int32_t x = 0, y = 0;   ///< from the top left
-    float a[3] = {}, b[3] = {};  ///< the pixel's colours
+    float a[3] = {}, b[3] = {};  ///< the pixel's colors
 };
 
 struct PictureDifference {
@@ -92,7 +92,7 @@ struct CauseReport {
     /// True if the pictures agree: no channel of a byte differs by more than 1, as rounding does. Then no
     /// cause is named, unless the bytes were truncated.
     bool agrees = false;
-    /// An observation without a cause: "The picture is one colour throughout, (0, 0, 0)."; empty if none.
+    /// An observation without a cause: "The picture is one color throughout, (0, 0, 0)."; empty if none.
     std::string remark;
     std::vector<Cause> causes;  ///< the best first; none if no cause explains enough
     /// A second cause, if one cause does not explain the whole difference: it explains it together with the

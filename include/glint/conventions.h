@@ -34,12 +34,12 @@ enum class Offset : std::uint8_t { ray, normal, facing, direction, scale };
 /// mirror: blend: (1-a) local + a reflected; add: local + a reflected.
 enum class MirrorRule : std::uint8_t { blend, add };
 
-/// The colour of a surface at the limit of reflections. keep: its whole local colour, as if it were neither
+/// The color of a surface at the limit of reflections. keep: its whole local color, as if it were neither
 /// mirror nor transparent (CGFS, RT2). drop: as if the mirror reflected black (POV-Ray). background: what
 /// a ray that hits nothing sees is added for each secondary ray, without its coefficient (Tachyon).
 enum class LimitRule : std::uint8_t { keep, drop, background };
 
-/// The colour of a mirror ray that hits nothing.
+/// The color of a mirror ray that hits nothing.
 enum class MissRule : std::uint8_t { background, black };
 
 /// The part of glass's transmitted light that is reflected instead. schlick: depends on the angle (CSC 473).
@@ -55,7 +55,7 @@ enum class GlassShadow : std::uint8_t { opaque, none };
 enum class Transparency : std::uint8_t { highlights, blend, add };
 
 /// The opacity of a transparent surface. whole: 1 - filter - transmit (POV-Ray from 3.7 on). brightest: 1 -
-/// transmit - filter times the greatest channel of the colour (POV-Ray before).
+/// transmit - filter times the greatest channel of the color (POV-Ray before).
 enum class OpacityRule : std::uint8_t { whole, brightest };
 
 /// The shadows of transparent surfaces. opaque: as of any other surface. none: no shadow (Tachyon's
@@ -152,7 +152,7 @@ struct RenderSettings {
     bool shadows = true;
     std::int32_t reflections = 4;  ///< maximum generations of mirror and glass rays, 0 to k_max_reflections
     std::int32_t samples = 1;      ///< n: n x n samples per pixel, 1 to k_max_samples
-    /// If set, only pixels whose colour with one sample differs by more than this, in any channel, from that
+    /// If set, only pixels whose color with one sample differs by more than this, in any channel, from that
     /// of a neighbour left, right, above or below have n x n samples; the others have one. 0 to 1e6.
     std::optional<double> aa_threshold = {};
     /// The background, where it is seen directly or through glass, is left out: pixels have its share as

@@ -113,7 +113,7 @@ struct ExplainedOcclusion {
 struct ExplainedHit {
     std::uint32_t shape = k_none;     ///< in Scene::shapes
     std::uint32_t material = k_none;  ///< in Scene::materials; k_none: the default material
-    std::optional<Color> color;       ///< the shape's own colour, in place of the material's
+    std::optional<Color> color;       ///< the shape's own color, in place of the material's
     Vec3 point, normal, to_eye;       ///< N as used for shading, unit; V
     bool behind = false;              ///< the ray came from the back of the shape
     bool turned = false;              ///< N was flipped towards the ray
@@ -121,7 +121,7 @@ struct ExplainedHit {
     double mirror = 0;                ///< a in the direction of the ray
     /// The factor of ambient and diffuse light and of emission; the rest is mirror and glass.
     double local_share = 1;
-    Color ambient;                   ///< k_a I_a; for shading color or normals, the shown colour
+    Color ambient;                   ///< k_a I_a; for shading color or normals, the shown color
     std::vector<LightTerms> lights;  ///< in scene order, without ambient lights
     double outline = 1;              ///< the factor of the outline (Material::outline)
     Color diffuse, specular;         ///< sums over the lights; the diffuse one times `outline`
@@ -171,7 +171,7 @@ struct ExplainedRay {
 struct SampleDifference {
     std::int32_t x = -1, y = -1;  ///< the neighbour; -1: the picture has one pixel
     double difference = 0;        ///< of the channel that differs most
-    Color own, neighbor;          ///< the colours with one sample
+    Color own, neighbor;          ///< the colors with one sample
 };
 
 /// All data of one pixel. Rays are in the order of summation: by sample, then by generation. The sum of a
@@ -210,7 +210,7 @@ enum class LightReason : std::uint8_t {
     adds,
     blocked,        ///< something is between it and the point
     behind,         ///< N·L <= 0, and there is no highlight
-    no_color,       ///< its colour times k_d is black, and there is no highlight
+    no_color,       ///< its color times k_d is black, and there is no highlight
     faded,          ///< f_att is 0
     in_surface,     ///< the light is at the surface point, so it has no direction
     outside_cone,   ///< beyond the spot's outer angle
@@ -222,7 +222,7 @@ GLINT_API LightReason reason(const LightTerms& terms);
 /// The reason why there is a highlight or not, regardless of blockers.
 enum class HighlightReason : std::uint8_t {
     adds,
-    none,         ///< k_s times the light's specular colour is black
+    none,         ///< k_s times the light's specular color is black
     unshaded,     ///< the shading has no highlights
     behind,       ///< N·L <= 0, which the convention specular_gate excludes
     turned_away,  ///< S <= 0: the reflected light points away from the eye
@@ -232,7 +232,7 @@ GLINT_API HighlightReason highlight_reason(const LightTerms& terms, const Explai
                                            const Scene& scene);
 
 /// The material of a hit: the scene's, or the default if the scene has no material with that index; with the
-/// shape's own colour, if it has one.
+/// shape's own color, if it has one.
 GLINT_API Material material_of(const ExplainedHit& hit, const Scene& scene);
 
 /// The names of these values in JSON and messages: "turned_away". "unknown" for invalid values.

@@ -94,7 +94,7 @@ struct LayerImage {
 
 /// A layer as a picture for display: light and albedo unchanged; normals as 0.5 (N + 1); depth from white
 /// (nearest) to dark (farthest), black for no hit; position scaled to the layer's range; shadow and alpha as
-/// grey; a distinct colour for each object and material. An error if the layer's channels or values do not
+/// grey; a distinct color for each object and material. An error if the layer's channels or values do not
 /// match its kind and size. Never throws.
 GLINT_API Result<Image> viewable(const LayerImage& layer);
 

@@ -176,7 +176,7 @@ struct Light {
 enum class FogKind : std::uint8_t { linear, exp, exp2 };
 
 /// Fog, and depth cueing: of the light that comes from distance d, the part f is seen, and 1 - f of the fog's
-/// colour is added. linear: f = (end - d) / (end - start); exp: exp(-density (d - start)); exp2:
+/// color is added. linear: f = (end - d) / (end - start); exp: exp(-density (d - start)); exp2:
 /// exp(-(density (d - start))^2); at least `transmit` and 0, at most 1. The conventions fog_distance,
 /// fog_background and fog_extent say what d is, whether the background is in the fog, and whether the insides
 /// of objects are. (POV-Ray, Tachyon; measured)
@@ -226,7 +226,7 @@ struct BackgroundGradient {
     Vec3 up{0, 1, 0};  ///< any length but 0
     double bottom = 0, top = 1;
     Color bottom_color{1, 1, 1}, top_color{0.2, 0.4, 0.8};
-    /// Beyond `bottom` and `top` the colours repeat (POV-Ray's sky_sphere with `gradient`).
+    /// Beyond `bottom` and `top` the colors repeat (POV-Ray's sky_sphere with `gradient`).
     bool repeats = false;
 
     friend bool operator==(const BackgroundGradient&, const BackgroundGradient&) = default;
@@ -236,7 +236,7 @@ struct BackgroundGradient {
 inline constexpr std::int32_t k_max_interior = 1'000'000'000;
 
 struct Material {
-    Color color{0.8, 0.8, 0.8};       ///< the colour in shading mode `color`
+    Color color{0.8, 0.8, 0.8};       ///< the color in shading mode `color`
     Color ambient{0.08, 0.08, 0.08};  ///< k_a
     Color diffuse{0.64, 0.64, 0.64};  ///< k_d
     Color specular{0, 0, 0};          ///< k_s
@@ -282,7 +282,7 @@ struct Material {
     constexpr bool is_transparent() const { return filter > 0 || transmit > 0; }
 };
 
-/// A shape's own colour, in single precision; NaN: none. See Scene::shape_colors.
+/// A shape's own color, in single precision; NaN: none. See Scene::shape_colors.
 struct ShapeColor {
     static constexpr float k_unset = __builtin_nanf("");
     float r = k_unset, g = k_unset, b = k_unset;
@@ -327,8 +327,8 @@ struct Scene {
     std::vector<Affine> transforms;      ///< world_from_object, invertible
     std::vector<Vec3> polygon_vertices;  ///< referred to by Polygons
     std::vector<Shape> shapes;  ///< in scene order: of two shapes hit at the same t, the first counts
-    /// By shape; a shorter list leaves the other shapes without a colour of their own. A shape with one looks
-    /// as if it had with_color(its material, its colour), in 12 bytes instead of a material.
+    /// By shape; a shorter list leaves the other shapes without a color of their own. A shape with one looks
+    /// as if it had with_color(its material, its color), in 12 bytes instead of a material.
     std::vector<ShapeColor> shape_colors;
 
     Conventions conventions;
@@ -345,7 +345,7 @@ struct Scene {
     template <class T> std::vector<T>& get() { return std::get<std::vector<T>>(parameters); }
     template <class T> const std::vector<T>& get() const { return std::get<std::vector<T>>(parameters); }
 
-    /// The shape's own colour, if it has one.
+    /// The shape's own color, if it has one.
     std::optional<Color> shape_color(std::uint32_t shape) const {
         if (shape >= shape_colors.size() || !shape_colors[shape].is_set()) return std::nullopt;
         return shape_colors[shape].color();
@@ -388,8 +388,8 @@ template <class T> std::uint32_t Scene::add(const T& shape, std::uint32_t materi
     return static_cast<std::uint32_t>(shapes.size() - 1);
 }
 
-/// The material with another colour. Its ambient, diffuse and specular coefficients stay the same multiples
-/// of the colour, if they are multiples of it; of a black colour, black coefficients become the usual
+/// The material with another color. Its ambient, diffuse and specular coefficients stay the same multiples
+/// of the color, if they are multiples of it; of a black color, black coefficients become the usual
 /// multiples (0.1, 0.8 and 0).
 GLINT_API Material with_color(const Material& material, Color color);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// Points, directions, colours and affine maps: plain values, in double.
+// Points, directions, colors and affine maps: plain values, in double.
 
 namespace glint {
 

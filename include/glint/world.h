@@ -75,7 +75,7 @@ GLINT_API Result<World> with_material(const World& world, std::uint32_t index, c
 /// number differs from before, this takes a pass over all shapes.
 GLINT_API Result<World> with_materials(const World& world, std::span<const Material> materials);
 
-/// Replaces the colours of all shapes, as Scene::shape_colors; an error if there are more colours than
+/// Replaces the colors of all shapes, as Scene::shape_colors; an error if there are more colors than
 /// shapes. Takes a pass over all shapes.
 GLINT_API Result<World> with_shape_colors(const World& world, std::span<const ShapeColor> colors);
 
@@ -91,7 +91,7 @@ GLINT_API Status assign_material(World& world, std::span<const std::uint32_t> sh
 /// boxes of its nodes. rebuilt: built a new one.
 enum class ShapeEdit : std::uint8_t { none, refitted, rebuilt };
 
-/// Updates the parameters, transforms, materials and colours of shapes from `scene`. changed: their indices
+/// Updates the parameters, transforms, materials and colors of shapes from `scene`. changed: their indices
 /// in Scene::shapes. All other shapes must be those of the World; other parts of the scene are not read. The
 /// hierarchy is refitted. It is rebuilt if a shape's kind changes, or whether it has a transform, or the
 /// number of a polygon's triangles; if the number of shapes differs, in which case all shapes are taken from
@@ -129,7 +129,7 @@ struct WorldMemory {
     std::size_t boxes = 0;      ///< the bounds of single shapes
     std::size_t indices = 0;    ///< indices of shapes and materials
     std::size_t hierarchy = 0;  ///< the nodes over the boxes
-    std::size_t colors = 0;     ///< the colours of shapes that have their own
+    std::size_t colors = 0;     ///< the colors of shapes that have their own
     std::size_t materials = 0;  ///< and lights
     std::size_t packed = 0;     ///< the number of packed shapes; each triangle of a polygon counts
     std::size_t total() const { return shapes + boxes + indices + hierarchy + colors + materials; }

@@ -92,7 +92,7 @@ void bind_settings(py::module_& m, SceneClass& cls) {
             [](SceneState& s, const py::object& color) {
                 s.set_background(to_color(color, "background", k_channel));
             },
-            "The colour where nothing is hit, linear RGB")
+            "The color where nothing is hit, linear RGB")
         .def_property(
             "camera", &SceneState::camera,
             [](SceneState& s, const std::shared_ptr<CameraBox>& camera) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// Numbers, points and colours between Python and glint. Python's classes are in glint/_values.py.
+// Numbers, points and colors between Python and glint. Python's classes are in glint/_values.py.
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
 

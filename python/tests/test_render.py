@@ -82,7 +82,7 @@ def test_alpha(scene):
     assert np.array_equal(image.array, plain.array * alpha) and image != plain
     assert np.array_equal(plain.layers["background"], plain.array * (1 - alpha))
     png = image.to_bytes()
-    assert png[25] == 6 and plain.to_bytes()[25] == 2  # the header's colour type: with and without alpha
+    assert png[25] == 6 and plain.to_bytes()[25] == 2  # the header's color type: with and without alpha
     scene.settings["alpha"] = True
     assert scene.render() == image and scene.render(alpha=False) == plain
     with pytest.raises(glint.GlintError, match="alpha"):

@@ -12,7 +12,7 @@ namespace glint {
 /// For angles that may be meant in radians.
 inline constexpr double k_degrees_per_radian = 180 / std::numbers::pi;
 
-/// The largest and the smallest channel of a colour.
+/// The largest and the smallest channel of a color.
 inline double brightest(Color c) { return number::max(c.r, number::max(c.g, c.b)); }
 inline double least(Color c) { return number::min(c.r, number::min(c.g, c.b)); }
 
@@ -22,7 +22,7 @@ bool check_camera(CheckContext& context, const VisibleHits& visible);
 /// The camera's angle of view. False if it is in radians: the other findings about the picture would then be
 /// useless.
 bool check_view_angle(CheckContext& context);
-/// Lights that add nothing, and unusual colours of lights.
+/// Lights that add nothing, and unusual colors of lights.
 void check_lights(CheckContext& context, const VisibleHits& visible);
 /// Surfaces in the same place, and duplicate shapes. Returns the reported shapes, by index.
 std::vector<bool> check_coincident_shapes(CheckContext& context);
@@ -45,7 +45,7 @@ void check_ambient_light(CheckContext& context, const VisibleHits& visible);
 void check_background_shapes(CheckContext& context);
 /// Occlusion that darkens nothing.
 void check_occlusion(CheckContext& context);
-/// Findings from a small picture: black, one colour, clamped, epsilon, reflections.
+/// Findings from a small picture: black, one color, clamped, epsilon, reflections.
 void check_picture(CheckContext& context, const VisibleHits& visible);
 
 }  // namespace glint

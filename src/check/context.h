@@ -94,7 +94,7 @@ class CheckContext {
     /// The first few of a list: "sphere 1 (line 3), sphere 2 (line 4) and 98 more".
     std::string some_shapes(const std::vector<std::uint32_t>& shapes) const;
 
-    /// The material of a shape, with the shape's own colour.
+    /// The material of a shape, with the shape's own color.
     Material material_of(std::uint32_t shape) const;
 
   private:

@@ -42,7 +42,7 @@ class Effects {
     std::map<std::int32_t, Image> dark_;  // by longest side
 };
 
-/// Colours and intensities that are probably mistakes. False if the light is black.
+/// Colors and intensities that are probably mistakes. False if the light is black.
 bool check_light_color(CheckContext& context, std::uint32_t index);
 /// Lights that are equal to others.
 void check_equal_lights(CheckContext& context);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Values of lights that are probably mistakes: colours, lights that are equal, spheres that contain shapes.
+// Values of lights that are probably mistakes: colors, lights that are equal, spheres that contain shapes.
 #include <fmt/format.h>
 
 #include <map>
@@ -49,22 +49,22 @@ bool check_light_color(CheckContext& context, std::uint32_t index) {
     if (is_black(light.color) && (!light.has_specular_color() || is_black(light.specular_color))) {
         context.report("light-without-color", place,
                        fmt::format("{} is black: it adds nothing", context.light(index)),
-                       "give it a colour or an intensity, or remove it");
+                       "give it a color or an intensity, or remove it");
         return false;
     }
     if (least(light.color) < 0) {
         context.report("light-negative", place,
-                       fmt::format("{} has the colour ({:.4g}, {:.4g}, {:.4g}): it removes light",
+                       fmt::format("{} has the color ({:.4g}, {:.4g}, {:.4g}): it removes light",
                                    context.light(index), light.color.r, light.color.g, light.color.b),
-                       "give it a colour and an intensity of 0 or more");
+                       "give it a color and an intensity of 0 or more");
     }
     if (brightest(light.color) > k_max_intensity && !light.falls_off()) {
         context.report("light-color-255", place,
-                       fmt::format("{} has the colour ({:.4g}, {:.4g}, {:.4g}), where 1 is the maximum, and "
+                       fmt::format("{} has the color ({:.4g}, {:.4g}, {:.4g}), where 1 is the maximum, and "
                                    "has no attenuation: are "
                                    "these bytes from 0 to 255?",
                                    context.light(index), light.color.r, light.color.g, light.color.b),
-                       "divide the colour by 255");
+                       "divide the color by 255");
     }
     return true;
 }

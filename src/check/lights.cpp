@@ -143,8 +143,8 @@ void report_dark(CheckContext& context, const VisibleHits& visible, std::uint32_
     if (b.blocker == k_none || 2 * b.blocked < b.reflecting) {
         return context.report(
             "light-adds-nothing", place,
-            fmt::format(
-                "{} adds nothing to the picture: no material that the camera sees reflects its colour", name),
+            fmt::format("{} adds nothing to the picture: no material that the camera sees reflects its color",
+                        name),
             "give the materials diffuse or specular coefficients, or remove the light");
     }
     if (b.beyond) {

@@ -16,7 +16,7 @@ constexpr double k_min_glass = 0.01;  // transmission
 constexpr double k_max_shininess = 1e5, k_usual_shininess = 60;
 constexpr std::size_t k_dot = 5, k_max_looks = 8;
 constexpr std::int32_t k_highlight_picture = 480;  // longest side, pixels
-constexpr double k_min_color = 1.5 / 255;          // a colour from 0 to 1 where the format uses 0 to 255
+constexpr double k_min_color = 1.5 / 255;          // a color from 0 to 1 where the format uses 0 to 255
 
 void check_material_color(CheckContext& context, std::uint32_t index) {
     const Material& m = context.scene().materials[index];
@@ -25,22 +25,22 @@ void check_material_color(CheckContext& context, std::uint32_t index) {
         number::max(brightest(m.color), number::max(brightest(m.ambient), brightest(m.diffuse)));
     if (least(m.color) < 0 || least(m.ambient) < 0 || least(m.diffuse) < 0 || least(m.specular) < 0) {
         context.report("material-negative", place,
-                       fmt::format("{} has a colour or a coefficient below 0: light makes it darker",
+                       fmt::format("{} has a color or a coefficient below 0: light makes it darker",
                                    context.material(index)),
-                       "give it colours from 0 to 1");
+                       "give it colors from 0 to 1");
     }
     if (most > k_max_color) {
         context.report(
             "material-color-255", place,
-            fmt::format("{} has a colour of {:.4g}, where 1 is the maximum: are these bytes from 0 to 255?",
+            fmt::format("{} has a color of {:.4g}, where 1 is the maximum: are these bytes from 0 to 255?",
                         context.material(index), most),
-            "divide the colour by 255");
+            "divide the color by 255");
     } else if (most > 0 && most <= k_min_color) {
         context.report(
             "material-almost-black", place,
-            fmt::format("{} has a colour of at most {:.2g}, which is no more than 1 of 255: it looks black",
+            fmt::format("{} has a color of at most {:.2g}, which is no more than 1 of 255: it looks black",
                         context.material(index), most),
-            "give the colour on the format's scale: where 255 is the maximum, 1 is almost black");
+            "give the color on the format's scale: where 255 is the maximum, 1 is almost black");
     }
 }
 

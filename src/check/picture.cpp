@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Findings from a small picture: black, one colour, clamped, changed by another epsilon or one more
+// Findings from a small picture: black, one color, clamped, changed by another epsilon or one more
 // reflection.
 #include <fmt/format.h>
 
@@ -45,7 +45,7 @@ bool is_over(const Image& image, std::size_t i) {
     return image.rgb[i] > k_over || image.rgb[i + 1] > k_over || image.rgb[i + 2] > k_over;
 }
 
-// True if the picture is black, or has one colour: then no other finding about it is useful.
+// True if the picture is black, or has one color: then no other finding about it is useful.
 bool check_one_color(CheckContext& context, const Image& picture) {
     float least[3] = {picture.rgb[0], picture.rgb[1], picture.rgb[2]},
           most[3] = {least[0], least[1], least[2]};
@@ -56,13 +56,12 @@ bool check_one_color(CheckContext& context, const Image& picture) {
     for (int c = 0; c < 3; ++c)
         if (clamped(most[c]) - clamped(least[c]) > k_half_byte) return false;
     if (clamped(most[0]) < k_half_byte && clamped(most[1]) < k_half_byte && clamped(most[2]) < k_half_byte) {
-        context.report(
-            "picture-black", {}, "the whole picture is black, although shapes are in it",
-            "check that a light reaches them, and that their colours and coefficients are above 0");
+        context.report("picture-black", {}, "the whole picture is black, although shapes are in it",
+                       "check that a light reaches them, and that their colors and coefficients are above 0");
     } else {
         context.report(
             "picture-one-color", {},
-            fmt::format("the whole picture has one colour, ({:.3g}, {:.3g}, {:.3g}), although shapes are in "
+            fmt::format("the whole picture has one color, ({:.3g}, {:.3g}, {:.3g}), although shapes are in "
                         "it",
                         most[0], most[1], most[2]),
             "check that the shapes differ from the background, and that the light is not so strong that all "

@@ -263,7 +263,7 @@ class PovrayArguments {
         if (!rest.empty()) numbers.bits = number(rest, word, 16) > 8 ? 16 : 8;
     }
     void fail_gray(const std::string& word) const {
-        fail(fmt::format("{}: glint-povray writes colours only", glint::quoted(word)));
+        fail(fmt::format("{}: glint-povray writes colors only", glint::quoted(word)));
     }
 
     void set_quality(double quality) {

@@ -43,7 +43,7 @@ constexpr DropInOption k_povray_options[] = {
     {"-F", "Render, and write nothing"},
     {"+A[N], -A", "Anti-aliasing where neighbours differ by N (0.3), or none (default)"},
     {"+R[N]", "The samples of such a pixel, along a side; default: 3"},
-    {"+Q[N]", "Quality: 0 and 1 are colours only, 2 and 3 have no shadows, to 11 everything"},
+    {"+Q[N]", "Quality: 0 and 1 are colors only, 2 and 3 have no shadows, to 11 everything"},
     {"+WT[N]", "Threads; default: one per processor"},
     {"+UA", "Write an alpha channel"},
     {"+L[FOLDER]", "A folder of included files"},

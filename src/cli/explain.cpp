@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// glint explain: explains the colour of a pixel.
+// glint explain: explains the color of a pixel.
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -141,7 +141,7 @@ int explain_command(ExplainArguments& arguments) {
 }  // namespace
 
 Run add_explain(CLI::App& app) {
-    CLI::App& command = *app.add_subcommand("explain", "Explain the colour of a pixel");
+    CLI::App& command = *app.add_subcommand("explain", "Explain the color of a pixel");
     const auto arguments = std::make_shared<ExplainArguments>();
     ExplainArguments& a = *arguments;
     add_scene_arguments(command, a.scene);

@@ -40,7 +40,7 @@ std::string nothing_text(const Scene& scene, const ExplainedHit& hit, const Ligh
         case LightReason::no_color:
             return highlight_reason(terms, hit, scene) == HighlightReason::turned_away
                        ? "k_d is black here, and the highlight points away from the eye"
-                       : "the light's colour times the surface's is black";
+                       : "the light's color times the surface's is black";
         case LightReason::faded:
             return "too far: its attenuation is 0";
         case LightReason::in_surface:
@@ -88,7 +88,7 @@ std::string first_highlight_text(const Scene& scene, const ExplainedHit& hit, co
             return fmt::format("{} = {}, to the power {} = {}", cosine_name(scene), number(terms.s),
                                number(material_of(hit, scene).shininess), number(terms.power));
         case HighlightReason::none:
-            return "no highlight: k_s or the light's specular colour is black";
+            return "no highlight: k_s or the light's specular color is black";
         case HighlightReason::unshaded:
             return "this shading has no highlights";
         case HighlightReason::behind:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// Numbers, vectors and colours in an explanation, and its indented lines.
+// Numbers, vectors and colors in an explanation, and its indented lines.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -23,7 +23,7 @@ inline std::string color(const float (&c)[3]) {
                                         : fmt::format("({}, {}, {})", c[0], c[1], c[2]);
 }
 
-// A coloured block to print after the numbers of a colour.
+// A colored block to print after the numbers of a color.
 inline std::string swatch(const ExplainStyle& style, double r, double g, double b) {
     if (!style.colors) return {};
     return fmt::format("  \x1b[48;2;{};{};{}m    \x1b[0m", to_byte(static_cast<float>(r)),

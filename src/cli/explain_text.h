@@ -14,7 +14,7 @@ constexpr int k_max_listed_samples = 8;
 inline constexpr double k_default_fold = 0.5;
 
 struct ExplainStyle {
-    bool colors = false;      ///< print swatches in 24-bit terminal colours
+    bool colors = false;      ///< print swatches in 24-bit terminal colors
     bool from_below = false;  ///< rows are counted from the bottom
     int sample = 0;           ///< the sample whose rays are printed: row * n + column
     /// Secondary rays that add less than this to each channel, with the rays that follow them, are one line;
@@ -43,7 +43,7 @@ std::size_t camera_ray(const Explanation& explanation, int sample);
 
 /// "(0.5, 0.25, 0)", or one number for grey.
 std::string color_text(Color c);
-/// A coloured block if the style has colours, else an empty text.
+/// A colored block if the style has colors, else an empty text.
 std::string swatch(const ExplainStyle& style, Color c);
 
 /// "sphere 'ball' (castle.json:12:5)"; without the parts that are unknown.

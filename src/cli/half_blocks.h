@@ -6,7 +6,7 @@
 
 namespace glint::cli {
 
-/// The picture as text for a terminal: 24-bit colours, two pixels per character ("▀": the upper half block).
+/// The picture as text for a terminal: 24-bit colors, two pixels per character ("▀": the upper half block).
 /// It is scaled down by averaging if it is wider than `columns`.
 std::string half_blocks(const Image& image, int columns, const ByteRule& rule);
 

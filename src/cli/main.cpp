@@ -24,7 +24,7 @@ constexpr auto k_short_help =
   glint info SCENE            say what a scene holds
   glint convert SCENE OUT     write it in glint's own language
   glint check SCENE           name its likely mistakes
-  glint explain SCENE -p X,Y  say why a pixel has its colour
+  glint explain SCENE -p X,Y  say why a pixel has its color
   glint compare A.png B.png   compare a picture with a reference: where and why they differ
   glint --help                all commands
 

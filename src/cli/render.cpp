@@ -188,7 +188,7 @@ Run add_render(CLI::App& app, const RenderHooks& hooks) {
     command.add_option("--stats", a.stats, "Write times, rays and memory as JSON")->option_text("FILE.json");
     command.add_flag("--strict", a.strict,
                      "Treat warnings as errors: exit code 1, and no picture is written");
-    command.add_flag("--show", a.show, "Also show the picture in the terminal, in 24-bit colours");
+    command.add_flag("--show", a.show, "Also show the picture in the terminal, in 24-bit colors");
     command.add_flag("-q,--quiet", a.quiet, "Print only errors");
     command.footer(k_render_examples);
     return [arguments, &hooks] { return render_command(*arguments, hooks); };

@@ -30,7 +30,7 @@ std::string rounded(Color c) {
 Json vec_json(Vec3 v) { return {v.x, v.y, v.z}; }
 Json color_json(Color c) { return {c.r, c.g, c.b}; }
 
-// The shapes with a colour of their own.
+// The shapes with a color of their own.
 std::size_t count_colored(const Scene& scene) {
     return static_cast<std::size_t>(std::count_if(scene.shape_colors.begin(), scene.shape_colors.end(),
                                                   [](const ShapeColor& c) { return c.is_set(); }));
@@ -61,7 +61,7 @@ std::string text_of(std::int32_t n) { return fmt::format("{}", n); }
 std::string text_of(bool value) { return value ? "true" : "false"; }
 std::string text_of(const auto& value) { return fmt::format("({:.6g})", fmt::join(numbers_of(value), ", ")); }
 
-// What a light's kind needs beyond its colour.
+// What a light's kind needs beyond its color.
 std::string light_details(const Light& light) {
     std::string text;
     for (const ItemField<Light>& field : k_light_fields) {

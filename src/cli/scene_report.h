@@ -18,7 +18,7 @@ struct SceneReport {
 std::string text_report(const SceneReport& report);
 std::string json_report(const SceneReport& report);
 
-/// The sum of the lights' colours times their intensities.
+/// The sum of the lights' colors times their intensities.
 Color sum_of_lights(const Scene& scene);
 
 /// The origin of a setting's value: "profile cgfs", "castle.json:3:5", "command line", "code".

@@ -139,7 +139,7 @@ std::string explained_json(const Side& side, const LargestDifference& pixel) {
     return explanation_json(*explanation, side.loaded.scene, file).value();
 }
 
-// Whether the pixel's neighbours have nearly its colour in the displayed picture.
+// Whether the pixel's neighbours have nearly its color in the displayed picture.
 bool is_inside(const Image& image, std::int32_t x, std::int32_t y) {
     const auto at = [&](std::int32_t u, std::int32_t v) {
         return &image.rgb[3 * (static_cast<std::size_t>(v) * static_cast<std::size_t>(image.width) +

@@ -133,8 +133,8 @@ void CauseFinder::look_at(Search& search) const {
     search.is_one_color = color.has_value();
     if (search.has_content) return;
     search.report.remark =
-        color ? fmt::format("The picture is one colour throughout, {}: nothing is visible.", *color)
-              : fmt::format("The reference is one colour throughout, {}: nothing is visible.", *of_b);
+        color ? fmt::format("The picture is one color throughout, {}: nothing is visible.", *color)
+              : fmt::format("The reference is one color throughout, {}: nothing is visible.", *of_b);
 }
 
 void CauseFinder::step() {

@@ -47,7 +47,7 @@ std::vector<CauseCandidate> explaining(const Search& search, bool calm) {
         c.cause.perhaps = !c.is_exact || c.freedom > 0;
     }
     std::erase_if(list, [&](const CauseCandidate& c) {
-        // A picture of one colour has no content, so a cause has to give exactly that picture.
+        // A picture of one color has no content, so a cause has to give exactly that picture.
         if (!search.has_content) return c.left.all > 0;
         // Flexible candidates change only edges.
         if (c.is_strange && !c.is_exact &&
@@ -55,7 +55,7 @@ std::vector<CauseCandidate> explaining(const Search& search, bool calm) {
             return true;
         return c.cause.explained < c.least || (calm && c.freedom > 0);
     });
-    // If several give a picture of one colour, it does not tell which.
+    // If several give a picture of one color, it does not tell which.
     if (search.is_one_color && list.size() > 1) {
         for (CauseCandidate& c : list) c.cause.perhaps = true;
     }

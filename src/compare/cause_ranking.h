@@ -74,7 +74,7 @@ struct Search {
     bool is_on_edges = true;  ///< those beyond rounding are on edges of the reference
 
     bool same_view = true;      ///< picture and reference show the same things
-    bool has_content = true;    ///< neither of them is one colour throughout
+    bool has_content = true;    ///< neither of them is one color throughout
     bool is_one_color = false;  ///< the picture is, whether the reference is or not
     /// The flip or turn after which they show the same things, if only then, and how well their steps agree.
     std::optional<Cause> turn;

@@ -11,7 +11,7 @@ namespace {
 
 // A speck is darker by more than k_darker; k_calm of its neighbours differ by at most k_same. In 255ths.
 constexpr int k_darker = 8, k_same = 2, k_calm = 2;
-// What is mixed of two colours differs by more than this, or a tenth of their difference, from both.
+// What is mixed of two colors differs by more than this, or a tenth of their difference, from both.
 constexpr int k_mixed = 4;
 
 // Differences of a pixel: the smallest and the largest channel of faulty - reference.

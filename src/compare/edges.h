@@ -13,7 +13,7 @@ std::string direction_text(int dx, int dy);
 
 /// Clamps every channel of `faulty` to the range of the reference in the
 /// neighbourhood [x + left, x + right] x [y + up, y + down]. This is what other samples in the pixels
-/// could give: at the border of two colours anything between them, elsewhere the same colour.
+/// could give: at the border of two colors anything between them, elsewhere the same color.
 /// Fills these rows of `out`.
 void nearest_between(const BytePicture& reference, const BytePicture& faulty, int left, int right, int up,
                      int down, const Rows& rows, int threads, BytePicture& out);

@@ -183,7 +183,7 @@ void add_sphere(const SceneRenderer& renderer, std::uint32_t shape, std::vector<
                       }});
 }
 
-// A coefficient as so much of the material's colour.
+// A coefficient as so much of the material's color.
 double ratio(const Color& coefficient, const Color& color) {
     return largest(color) > 0 ? largest(coefficient) / largest(color) : 1;
 }
@@ -212,7 +212,7 @@ void add_material(const Scene& scene, std::uint32_t index, std::vector<FittedCau
                               m.specular = clamped(m.specular + by * ratio(was.specular, was.color));
                       },
                       [=](Values v, bool) {
-                          return fmt::format("{} has the colour {}, and in the reference {}.", name,
+                          return fmt::format("{} has the color {}, and in the reference {}.", name,
                                              text_of(clamped(was.color + Color{v[0], v[1], v[2]})),
                                              text_of(was.color));
                       }});
@@ -226,7 +226,7 @@ void add_background(const Scene& scene, std::vector<FittedCause>& causes) {
                               s.shading.fog->color = s.shading.fog->color + Color{v[0], v[1], v[2]};
                           },
                           [was = scene.fog->color](Values v, bool) {
-                              return fmt::format("The fog has the colour {}, and in the reference {}.",
+                              return fmt::format("The fog has the color {}, and in the reference {}.",
                                                  text_of(was + Color{v[0], v[1], v[2]}), text_of(was));
                           }});
     }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// Causes with numbers that are fitted by rendering: another position, size or colour.
+// Causes with numbers that are fitted by rendering: another position, size or color.
 #include <vector>
 
 #include "compare/fitted_cause.h"
@@ -9,7 +9,7 @@
 namespace glint {
 
 /// Lights, the camera and spheres with another position or size, materials and the background with another
-/// colour. Spheres and materials are only those of the first shapes of `shares`.
+/// color. Spheres and materials are only those of the first shapes of `shares`.
 std::vector<FittedCause> geometry_causes(const SceneRenderer& renderer,
                                          const std::vector<ShapeShare>& shares);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// Fits positions, sizes and colours to a picture.
+// Fits positions, sizes and colors to a picture.
 #include <functional>
 #include <span>
 #include <vector>

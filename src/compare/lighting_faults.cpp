@@ -117,11 +117,11 @@ constexpr SceneFault k_lighting[] = {
      [](Scene& s) { for_each_light(s, [](Light& l) {
                         l.specular_color = {1, 1, 1};
                     }); },
-     "The specular term is not multiplied by the light's colour and intensity: highlights are white for "
+     "The specular term is not multiplied by the light's color and intensity: highlights are white for "
      "every light. Multiply the whole sum k_d (N.L) + k_s (R.V)^n by it."},
     {"highlight-surface-color", has_highlights,
      [](Scene& s) { for_each_material(s, [](Material& m) { m.specular = m.specular * m.color; }); },
-     "Highlights have the surface's colour: the specular term is also multiplied by the diffuse colour."},
+     "Highlights have the surface's color: the specular term is also multiplied by the diffuse color."},
     {"highlight-not-surface-color", has_highlights,
      [](Scene& s) {
          for_each_material(s, [](Material& m) {
@@ -129,7 +129,7 @@ constexpr SceneFault k_lighting[] = {
              m.specular = {grey, grey, grey};
          });
      },
-     "Highlights are white, and in the reference they have the surface's colour: multiply the specular term "
+     "Highlights are white, and in the reference they have the surface's color: multiply the specular term "
      "by it."},
     {"ambient-per-light", [](const Scene& s) { return any_light(s, is_ambient) && s.lights.size() > 2; },
      [](Scene& s) {
@@ -152,9 +152,9 @@ constexpr SceneFault k_lighting[] = {
      [](Scene& s) { for_each_light(s, [](Light& l) { l.attenuation = {}; }); },
      "Light does not decrease with distance: divide by c0 + c1 d + c2 d^2."},
     {"flat-color", is_lit, [](Scene& s) { s.settings.shading = Shading::color; },
-     "There is no lighting at all: surfaces show their plain colour."},
+     "There is no lighting at all: surfaces show their plain color."},
     {"normals-shown", is_lit, [](Scene& s) { s.settings.shading = Shading::normals; },
-     "Surfaces show their normals as colours, 0.5 (N + 1): a picture for debugging."},
+     "Surfaces show their normals as colors, 0.5 (N + 1): a picture for debugging."},
     {"not-normalized", [](const Scene& s) { return is_lit(s) && s.conventions.normalize; },
      [](Scene& s) { s.conventions.normalize = false; },
      "Vectors do not have unit length: normalise L, V, R (or H) before computing dot products."},

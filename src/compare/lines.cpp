@@ -82,7 +82,7 @@ std::optional<MissingLines> missing_lines(const BytePicture& reference, const By
         found.marks[line] = same[line] == 0;
         if (same[line] == 0) missing.push_back(line);
     }
-    // What is within k_noise of one colour need not be so of another line's.
+    // What is within k_noise of one color need not be so of another line's.
     if (missing.empty() || missing.size() == found.marks.size()) return std::nullopt;
     const LinesText text = lines_text(missing, same, lines == Lines::rows ? "row" : "column");
     found.text = fmt::format("{}, {} throughout", text.text, color_text(color));

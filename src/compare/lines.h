@@ -10,7 +10,7 @@ namespace glint {
 
 enum class Lines : std::uint8_t { rows, columns };
 
-/// Rows or columns with one colour throughout, the same in all of them, where the reference varies.
+/// Rows or columns with one color throughout, the same in all of them, where the reference varies.
 struct MissingLines {
     std::vector<std::uint8_t> marks;  ///< one per line
     std::string text;                 ///< "every second row, (0, 0, 0) throughout"
@@ -25,7 +25,7 @@ std::optional<MissingLines> missing_lines(const BytePicture& reference, const By
 std::vector<std::uint8_t> differing_lines(const BytePicture& reference, const BytePicture& faulty,
                                           Lines lines);
 
-/// The only colour of a picture, up to k_noise; nothing if it has more.
+/// The only color of a picture, up to k_noise; nothing if it has more.
 std::optional<std::string> one_color(const BytePicture& picture);
 
 }  // namespace glint

@@ -72,7 +72,7 @@ void scale_occlusion(Scene& s, double factor) { s.occlusion->color = s.occlusion
 
 constexpr SceneFault k_media[] = {
     {"fog-missing", has_fog, [](Scene& s) { s.fog.reset(); },
-     "The fog is missing: mix the light that arrives at the camera with the fog's colour, by the distance."},
+     "The fog is missing: mix the light that arrives at the camera with the fog's color, by the distance."},
     {"fog-background", has_fog,
      [](Scene& s) { s.conventions.fog_background = !s.conventions.fog_background; },
      "The background is in the fog, and in the reference it is not, or the reverse."},
@@ -113,7 +113,7 @@ constexpr SceneFault k_media[] = {
     {"transparency-missing", has_transparency,
      [](Scene& s) { for_each_material(s, [](Material& m) { m.filter = m.transmit = 0; }); },
      "Transparent surfaces are opaque: continue the ray straight on, and add what it sees times transmit + "
-     "filter * colour."},
+     "filter * color."},
     {"transparent-shadow-opaque", has_other_shadow<TransparentShadow::opaque>,
      set_shadow<TransparentShadow::opaque>,
      "Transparent surfaces cast opaque shadows: they must let light through."},
@@ -122,7 +122,7 @@ constexpr SceneFault k_media[] = {
      "Transparent surfaces cast no shadow, and in the reference they do."},
     {"transparent-shadow-colored", has_other_shadow<TransparentShadow::colored>,
      set_shadow<TransparentShadow::colored>,
-     "The light that passes transparent surfaces is multiplied by transmit + filter * colour of each, and in "
+     "The light that passes transparent surfaces is multiplied by transmit + filter * color of each, and in "
      "the reference it is not."},
     {"filter-not-tinted", has_filter,
      [](Scene& s) {
@@ -131,8 +131,8 @@ constexpr SceneFault k_media[] = {
              m.filter = 0;
          });
      },
-     "What is seen through transparent surfaces does not have their colour: `filter` multiplies it by the "
-     "colour, unlike `transmit`."},
+     "What is seen through transparent surfaces does not have their color: `filter` multiplies it by the "
+     "color, unlike `transmit`."},
     {"transmit-tinted",
      [](const Scene& s) {
          return is_shaded(s) && any_material(s, [](const Material& m) { return m.transmit > 0; });
@@ -143,7 +143,7 @@ constexpr SceneFault k_media[] = {
              m.transmit = 0;
          });
      },
-     "What is seen through transparent surfaces has their colour: `transmit` is not multiplied by it, unlike "
+     "What is seen through transparent surfaces has their color: `transmit` is not multiplied by it, unlike "
      "`filter`."},
     {"transparency-highlights", has_other_transparency<Transparency::highlights>,
      set_transparency<Transparency::highlights>,
@@ -160,7 +160,7 @@ constexpr SceneFault k_media[] = {
          rule = rule == OpacityRule::whole ? OpacityRule::brightest : OpacityRule::whole;
      },
      "The opacity of transparent surfaces is 1 - filter - transmit, and in the reference the filter is "
-     "multiplied by the brightest channel of the colour, or the reverse."},
+     "multiplied by the brightest channel of the color, or the reverse."},
     {"transparency-counts", has_transparency,
      [](Scene& s) { s.conventions.transparency_counts = !s.conventions.transparency_counts; },
      "A ray through a transparent surface counts as a reflection, and in the reference it does not, or the "
@@ -172,7 +172,7 @@ constexpr SceneFault k_media[] = {
          else  // it stays, because `direct` applies to other lights
              s.occlusion->color = {0, 0, 0};
      },
-     "The light from all directions is missing: k_d times its colour, times the part that no shape blocks.",
+     "The light from all directions is missing: k_d times its color, times the part that no shape blocks.",
      "the light from all directions", "occlusion-scaled", scale_occlusion},
     {"occlusion-missing", [](const Scene& s) { return has_occlusion(s) && s.occlusion->direct != 1; },
      [](Scene& s) { s.occlusion.reset(); },

@@ -165,7 +165,7 @@ std::optional<CausePair> PairSearch::find(const Search& search) {
         add(trial, std::move(pair.before), std::move(pair.after));
     }
     std::vector<CauseCandidate> firsts = trial.coarse.found;
-    for (const CauseCandidate& found : search.found) {  // positions and colours, fitted to more pixels
+    for (const CauseCandidate& found : search.found) {  // positions and colors, fitted to more pixels
         const bool is_known = std::any_of(firsts.begin(), firsts.end(), [&](const CauseCandidate& c) {
             return c.cause.name == found.cause.name;
         });

@@ -101,7 +101,7 @@ const std::vector<PictureCause>& picture_causes() {
          "it, apply it only once, at the end).",
          k_curved, power(1 / 2.2), 0, false, false, power(2.2)},
         {"gamma-missing",
-         "The reference has the sRGB curve and the picture does not (or its colours were decoded once too "
+         "The reference has the sRGB curve and the picture does not (or its colors were decoded once too "
          "often): apply the curve once, at the end.",
          k_curved, curved(srgb_decoded), 0, false, false, curved(srgb_encode)},
         {"gamma-missing",
@@ -123,7 +123,7 @@ const std::vector<PictureCause>& picture_causes() {
          k_curved, whole_part(255, false)},
         {k_rounded_down, "Bytes are floor(256 v) and not 255 v rounded. The difference is 1/255 at most.",
          k_curved, whole_part(256, false)},
-        {"not-clamped", "Colours above 1 wrap around to black: clamp to 1 before converting to a byte.",
+        {"not-clamped", "Colors above 1 wrap around to black: clamp to 1 before converting to a byte.",
          k_moved, whole_part(255, true)},
         {"light-intensity",
          "Everything is {} times as bright: a light's intensity, or a factor of all lights.", k_min_fit,
@@ -132,7 +132,7 @@ const std::vector<PictureCause>& picture_causes() {
          "{} of 255 was added to every channel: a constant light was added, or a term was added twice.",
          k_min_fit, raised()},
         {"background",
-         "One colour was replaced by another and nothing else differs: {}. Usually it is the background.",
+         "One color was replaced by another and nothing else differs: {}. Usually it is the background.",
          k_min_fit, recolored()},
         {"shifted-half-pixel", k_half_shift_text, k_min_fit, half_shifted(), 1, false, false, {}, true},
         {"acne",

@@ -43,7 +43,7 @@ template <class Change> void change_values(const PictureSource& s, BytePicture& 
     });
 }
 
-// A pair of colours: of the reference, of the faulty picture. As one number, which sorts fast.
+// A pair of colors: of the reference, of the faulty picture. As one number, which sorts fast.
 using Pair = std::array<std::uint8_t, 6>;
 std::uint64_t number_of(const std::uint8_t* was, const std::uint8_t* is) {
     std::uint64_t number = 0;

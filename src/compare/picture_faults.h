@@ -63,7 +63,7 @@ PictureFault scaled();
 PictureFault raised();
 /// floor(value * scale) as a byte: its lowest eight bits if it wraps, else at most 255.
 PictureFault whole_part(double scale, bool wraps);
-/// One colour is replaced by another: the commonest change of the pixels that differ.
+/// One color is replaced by another: the commonest change of the pixels that differ.
 PictureFault recolored();
 
 /// The factor k by which `part` must be multiplied for rest + k part to be `faulty`, by least

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Faults of cylinders, of the numbers of colours, and of attenuation that a scene does not have.
+// Faults of cylinders, of the numbers of colors, and of attenuation that a scene does not have.
 #include <cmath>
 
 #include "compare/scene_faults.h"
@@ -83,14 +83,14 @@ constexpr SceneFault k_shapes[] = {
          for_each_material(s, divide_as_integers);
          s.background = whole(s.background);
      },
-     "Colours are divided as integers, so that each channel is 0 or 1: divide by 255.0."},
+     "Colors are divided as integers, so that each channel is 0 or 1: divide by 255.0."},
     {"colors-truncated",
      [](const Scene& s) {
          return has_part(s.background) &&
                 any_material(s, [](const Material& m) { return has_part(m.color); });
      },
      [](Scene& s) { for_each_material(s, divide_as_integers); },
-     "Colours of materials are divided as integers, so that each channel is 0 or 1: divide by 255.0."},
+     "Colors of materials are divided as integers, so that each channel is 0 or 1: divide by 255.0."},
     {"attenuation-added", has_plain_lights,
      [](Scene& s) {
          attenuate(s, {0, 1, 0});

@@ -7,7 +7,7 @@
 
 namespace glint {
 
-/// How well the steps of colour between neighbours in a row agree in two pictures: 1 if all steps of one are
+/// How well the steps of color between neighbours in a row agree in two pictures: 1 if all steps of one are
 /// within a pixel of the other's, about 0 by chance.
 struct StepAgreement {
     double one_way = 0;  ///< the steps of the picture that agrees better: the other may have more

@@ -35,8 +35,8 @@ constexpr SceneFault k_tracing[] = {
      "Objects behind a light cast a shadow, too: a shadow ray to a point light ends at the light, so only "
      "hits before it (t < distance) count."},
     {"reflections-missing", has_mirrors, [](Scene& s) { s.settings.reflections = 0; },
-     "Mirrors are missing: trace the ray reflected at N, and mix the colour that it returns with the "
-     "surface's own colour."},
+     "Mirrors are missing: trace the ray reflected at N, and mix the color that it returns with the "
+     "surface's own color."},
     {"reflections-added",
      [](const Scene& s) {
          return s.settings.reflections == 0 &&
@@ -55,12 +55,12 @@ constexpr SceneFault k_tracing[] = {
     {"mirror-limit-dark",
      [](const Scene& s) { return has_mirrors(s) && s.conventions.limit != LimitRule::drop; },
      [](Scene& s) { s.conventions.limit = LimitRule::drop; },
-     "Mirrors are too dark where the recursion ends: at the last level return the surface's own colour, not "
+     "Mirrors are too dark where the recursion ends: at the last level return the surface's own color, not "
      "mixed with black."},
     {"mirror-limit-bright",
      [](const Scene& s) { return has_mirrors(s) && s.conventions.limit != LimitRule::keep; },
      [](Scene& s) { s.conventions.limit = LimitRule::keep; },
-     "Mirrors are too bright where the recursion ends: at the last level mix the surface's own colour with "
+     "Mirrors are too bright where the recursion ends: at the last level mix the surface's own color with "
      "black."},
     {"mirror-miss-black",
      [](const Scene& s) { return has_mirrors(s) && s.conventions.mirror_miss != MissRule::black; },
@@ -73,12 +73,12 @@ constexpr SceneFault k_tracing[] = {
      "A reflected ray that hits nothing returns the background, and in the reference black."},
     {"mirror-added", [](const Scene& s) { return has_mirrors(s) && s.conventions.mirror != MirrorRule::add; },
      [](Scene& s) { s.conventions.mirror = MirrorRule::add; },
-     "Mirrors are too bright: the reflected colour is added to the local one. Mix the two: (1 - a) local + "
+     "Mirrors are too bright: the reflected color is added to the local one. Mix the two: (1 - a) local + "
      "a reflected."},
     {"mirror-blended",
      [](const Scene& s) { return has_mirrors(s) && s.conventions.mirror != MirrorRule::blend; },
      [](Scene& s) { s.conventions.mirror = MirrorRule::blend; },
-     "Mirrors are too dark: the reflected colour is mixed with the local one, and in the reference it is "
+     "Mirrors are too dark: the reflected color is mixed with the local one, and in the reference it is "
      "added."},
     {"glass-missing", has_glass,
      [](Scene& s) { for_each_material(s, [](Material& m) { m.transmission = 0; }); },
@@ -95,9 +95,9 @@ constexpr SceneFault k_tracing[] = {
      [](Scene& s) {
          s.background = {0, 0, 0};
      },
-     "The background is black: a ray that hits nothing returns the scene's background colour."},
+     "The background is black: a ray that hits nothing returns the scene's background color."},
     {"gradient-missing", [](const Scene& s) { return s.gradient.has_value(); },
-     [](Scene& s) { s.gradient.reset(); }, "The background has one colour: its gradient is missing."},
+     [](Scene& s) { s.gradient.reset(); }, "The background has one color: its gradient is missing."},
 };
 
 }  // namespace

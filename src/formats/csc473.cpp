@@ -139,7 +139,7 @@ class Csc473Reader {
         PovColor color;
         if (!vector(light.position) || !read_pov_color(p_, color)) return false;
         if (!p_.accept('}')) {
-            refuse_word(p_, "`}` after the light's colour", {});
+            refuse_word(p_, "`}` after the light's color", {});
             return false;
         }
         light.color = light.specular_color = color.rgb;

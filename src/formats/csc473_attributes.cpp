@@ -68,7 +68,7 @@ bool read_pigment(Parser& p, PovColor& pigment) {
     if (!read_pov_color(p, pigment)) {
         p.skip_to_close('}');
     } else if (!p.accept('}')) {
-        refuse_word(p, "`}` after the colour", {});
+        refuse_word(p, "`}` after the color", {});
         p.skip_to_close('}');
     }
     return true;

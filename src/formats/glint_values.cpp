@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The values of glint's own language: colours, names, words.
+// The values of glint's own language: colors, names, words.
 #include <fmt/format.h>
 
 #include "formats/glint_text.h"

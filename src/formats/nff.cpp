@@ -42,7 +42,7 @@ class NffReader {
                 Severity::warning, text_.place, text_.place.text.size(), 1,
                 "no view `v`: the camera is at the origin and looks along the negative z axis");
         }
-        // Lights without a colour have the intensity 1 / sqrt(number of lights), as the format defines.
+        // Lights without a color have the intensity 1 / sqrt(number of lights), as the format defines.
         const double intensity =
             1 / number::sqrt(static_cast<double>(number::max<std::size_t>(scene_.lights.size(), 1)));
         for (const std::size_t i : plain_lights_) {
@@ -277,7 +277,7 @@ class NffReader {
     const ReadText& text_;
     Parser p_;
     std::uint32_t material_ = k_none;          // of the last `f`
-    CountedVector<std::size_t> plain_lights_;  // without a colour
+    CountedVector<std::size_t> plain_lights_;  // without a color
     CountedVector<Vec3> patch_;
     bool has_no_fill_ = false;  // an error was reported
 };

@@ -36,7 +36,7 @@ constexpr Meaning k_meanings[] = {
      "marble onion pattern pigment_map pigment_pattern planar quilted radial ripples slope spherical "
      "spiral1 spiral2 spotted square tiles triangular turbulence warp waves wood wrinkles color_map "
      "colour_map quick_color quick_colour frequency phase "},
-    {"a way to write a colour", " colour filter green red blue rgbft rgbt srgb srgbf srgbft srgbt transmit "},
+    {"a way to write a color", " colour filter green red blue rgbft rgbt srgb srgbf srgbft srgbt transmit "},
     {"a property of a finish",
      " albedo brilliance conserve_energy crand diffuse_albedo emission exponent fresnel irid metallic phong "
      "phong_size use_alpha "},

@@ -18,7 +18,7 @@ struct TachyonTexture {
     double ambient = 0.1, diffuse = 0.9, specular = 0, opacity = 1;
     double outline = 0, outline_width = 0;
     double phong = 0, phong_size = 100;
-    bool is_metal = false;         ///< the highlight has the surface's colour
+    bool is_metal = false;         ///< the highlight has the surface's color
     bool fades_at_angles = false;  ///< TransMode R3D
     Color color{1, 1, 1};
     friend bool operator==(const TachyonTexture&, const TachyonTexture&) = default;

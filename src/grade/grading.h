@@ -34,7 +34,7 @@ struct PartScore {
     double share = 0;              ///< fraction of right pixels among those that count
     double part_share = 0;         ///< fraction of right pixels among those that show the part
     double factor = 0;             ///< of the points, by the smaller of the two; 0 if is_empty
-    bool is_empty = false;         ///< the picture is of one colour, and the right one is not
+    bool is_empty = false;         ///< the picture is of one color, and the right one is not
     double points = 0;             ///< points_of() a part
     std::uint64_t not_finite = 0;  ///< pixels with an infinite or NaN channel: never right
 };

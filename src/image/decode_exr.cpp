@@ -57,7 +57,7 @@ std::array<const char*, 3> channels_of(const Imf::ChannelList& list) {
         const Imf::Channel* channel = list.findChannel(name);
         if (channel == nullptr) throw Undecodable("the OpenEXR file has no channels R, G, B, and no Y");
         if (channel->xSampling != 1 || channel->ySampling != 1)
-            throw Undecodable("the OpenEXR file has colour at fewer pixels than light (subsampling)");
+            throw Undecodable("the OpenEXR file has color at fewer pixels than light (subsampling)");
     }
     return names;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// JPEG by libjpeg(-turbo), grey or colour, 8 bits.
+// JPEG by libjpeg(-turbo), grey or color, 8 bits.
 #include <algorithm>
 #include <csetjmp>
 #include <cstdio>  // jpeglib.h needs it
@@ -112,7 +112,7 @@ DecodedPicture decode_jpeg(ByteSpan bytes, const DecoderOptions& options) {
         }
         jpeg_finish_decompress(&file.info);
     });
-    result.note = "JPEG changes colours a little";
+    result.note = "JPEG changes colors a little";
     return result;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// PNG by libpng: any colour type, 1 to 16 bits, interlaced or not.
+// PNG by libpng: any color type, 1 to 16 bits, interlaced or not.
 #include <png.h>
 
 #include <csetjmp>
@@ -69,9 +69,9 @@ template <class Body> void guard_jumps(Png& file, Reading& reading, Body&& body)
     body();
 }
 
-// Requests channels of 8 or 16 bits: RGBA for every colour type.
+// Requests channels of 8 or 16 bits: RGBA for every color type.
 void ask_for_rgba(const Png& file, int bits) {
-    png_set_expand(file.png);  // palettes, greys with few bits, a transparent colour
+    png_set_expand(file.png);  // palettes, greys with few bits, a transparent color
     png_set_gray_to_rgb(file.png);
     png_set_add_alpha(file.png, bits == 16 ? 0xffff : 0xff, PNG_FILLER_AFTER);
 }

@@ -40,7 +40,7 @@ void write_chunk(ByteFile& file, std::string_view type, const Bytes& data) {
     file.write(chunk);
 }
 
-// PNG's alpha is straight: the colour is that of the opaque part. Alpha itself is linear.
+// PNG's alpha is straight: the color is that of the opaque part. Alpha itself is linear.
 void quantize_straight(const float* rgba, std::size_t pixels, const EncodeOptions& options,
                        std::uint8_t* out) {
     const std::size_t bytes = options.bits / 8;
@@ -114,7 +114,7 @@ class PngEncoder : public StripEncoder {
         : width_(width), strips_(count_strips(height)), options_(options), alpha_(alpha), file_(file) {
         constexpr std::uint8_t signature[] = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
         file_.write(signature);
-        Bytes header(13);  // width, height, bits, colour type 2 (RGB) or 6 (RGBA), deflate, filters by row,
+        Bytes header(13);  // width, height, bits, color type 2 (RGB) or 6 (RGBA), deflate, filters by row,
                            // not interlaced
         put32(header.data(), static_cast<std::uint32_t>(width));
         put32(header.data() + 4, static_cast<std::uint32_t>(height));

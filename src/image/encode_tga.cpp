@@ -15,7 +15,7 @@ class TgaEncoder : public UncompressedEncoder {
         const auto low = [](std::int32_t n) { return static_cast<std::uint8_t>(n & 0xff); };
         const auto high = [](std::int32_t n) { return static_cast<std::uint8_t>(n >> 8 & 0xff); };
         std::array<std::uint8_t, 18> header{};
-        header[2] = 2;  // true colour, not compressed
+        header[2] = 2;  // true color, not compressed
         header[12] = low(width);
         header[13] = high(width);
         header[14] = low(height);

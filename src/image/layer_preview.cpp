@@ -11,7 +11,7 @@
 namespace glint {
 namespace {
 
-// A distinct colour for every number except 0; neighbours in the scene get different ones.
+// A distinct color for every number except 0; neighbours in the scene get different ones.
 void put_id(float id, float* rgb) {
     std::fill_n(rgb, 3, 0.0f);
     if (!(id >= 1 && id < 0x1p32f)) return;

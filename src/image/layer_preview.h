@@ -11,11 +11,11 @@ namespace glint {
 class LayerPreview {
   public:
     explicit LayerPreview(Layer layer) : layer_(layer) {}
-    /// Whether colours depend on the range of all values: then scan() comes before convert().
+    /// Whether colors depend on the range of all values: then scan() comes before convert().
     bool needs_scan() const { return layer_ == Layer::depth || layer_ == Layer::position; }
     /// Takes note of the values of some pixels; whole rows.
     void scan(std::span<const float> values);
-    /// The colours of some pixels, whole rows: 3 floats a pixel.
+    /// The colors of some pixels, whole rows: 3 floats a pixel.
     void convert(std::span<const float> values, float* rgb) const;
 
   private:

@@ -40,7 +40,7 @@ template <class T> HWY_INLINE T schlick(T cosine, T ior) {
     return f0 + (T(1) - f0) * (m * m * (m * m) * m);
 }
 
-/// Beer's law: the fraction of a colour channel that remains after a distance in glass of this tint.
+/// Beer's law: the fraction of a color channel that remains after a distance in glass of this tint.
 /// absorption: of a black tint, per unit of length (CSC 473: 0.15).
 template <class T> HWY_INLINE T beer(T tint, T absorption, T distance) {
     return exp(-((T(1) - tint) * absorption * distance));

@@ -251,7 +251,7 @@ constexpr Row k_rows[] = {
                                     true),
     word_row<&C::limit, k_limits>(
         "limit",
-        "the last permitted surface shows its local colour completely, or as if its mirror saw black, or "
+        "the last permitted surface shows its local color completely, or as if its mirror saw black, or "
         "with the background added for each ray",
         true),
     word_row<&C::mirror_miss, k_misses>("mirror_miss",

@@ -18,7 +18,7 @@
 
 namespace glint {
 
-/// The use of a colour. It decides from which channel value on a warning asks whether the numbers are bytes.
+/// The use of a color. It decides from which channel value on a warning asks whether the numbers are bytes.
 enum class ColorUse : std::uint8_t { surface, coefficient, light };
 
 // The types of fields. A visitor must have a function for each, or it does not compile.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// A material's coefficients as multiples of its colour.
+// A material's coefficients as multiples of its color.
 #include <array>
 #include <optional>
 
@@ -13,8 +13,8 @@ inline constexpr int k_color_factors = 3;
 /// The c from 0 to 1 with c * color == k, bit for bit, that has the fewest decimals.
 std::optional<double> find_coefficient(Color color, Color k);
 
-/// The factors by which the ambient, diffuse and specular coefficients are multiples of the colour, in this
-/// order; NaN for one that is not. Of a black colour, black coefficients have the usual factors.
+/// The factors by which the ambient, diffuse and specular coefficients are multiples of the color, in this
+/// order; NaN for one that is not. Of a black color, black coefficients have the usual factors.
 std::array<double, k_color_factors> find_color_factors(
     Color color, const std::array<Color, k_color_factors>& coefficients);
 

@@ -27,9 +27,9 @@ enum class ScenePart : std::uint8_t { settings, camera, background, lights, mate
 std::vector<Mistake> find_mistakes(const Scene& scene, ScenePart part);
 /// The errors of a material. index: its index in messages.
 std::vector<Mistake> find_mistakes(const Material& material, std::uint32_t index);
-/// The errors of shapes' own colours: at most 20.
+/// The errors of shapes' own colors: at most 20.
 std::vector<Mistake> find_mistakes(std::span<const ShapeColor> colors);
-/// The errors of some shapes: of their parameters, transforms, material indices and colours. materials: the
+/// The errors of some shapes: of their parameters, transforms, material indices and colors. materials: the
 /// number of materials. At most 20 errors, in the order of the list.
 std::vector<Mistake> find_mistakes(const Scene& scene, std::span<const std::uint32_t> shapes,
                                    std::size_t materials, int threads);

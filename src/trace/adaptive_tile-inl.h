@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Adaptive sampling (docs/lighting.md): one sample for each pixel, then n x n samples for those whose colour
+// Adaptive sampling (docs/lighting.md): one sample for each pixel, then n x n samples for those whose color
 // differs from that of a neighbour.
 #if defined(GLINT_TRACE_ADAPTIVE_TILE_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLINT_TRACE_ADAPTIVE_TILE_INL_H_
@@ -14,10 +14,10 @@ HWY_BEFORE_NAMESPACE();
 namespace glint {
 namespace HWY_NAMESPACE {
 
-/// The numbers of a colour with one sample: with the setting alpha, alpha is the fourth, else 0.
+/// The numbers of a color with one sample: with the setting alpha, alpha is the fourth, else 0.
 constexpr int k_compared = 4;
 
-/// Traces n x n samples of the listed pixels, and writes their colours to `rgb`, one after the other.
+/// Traces n x n samples of the listed pixels, and writes their colors to `rgb`, one after the other.
 inline void trace_listed(const WorldParts& world, const TileJob& job, const PixelList& pixels, int n,
                          TileScratch& s, float* rgb) {
     if (!trace_samples(world, job, &pixels, n, s))
@@ -35,7 +35,7 @@ inline TileJob with_border(const TileJob& job) {
     return wider;
 }
 
-/// The colours with one sample of the tile's pixels and of those around it.
+/// The colors with one sample of the tile's pixels and of those around it.
 class OneSampleColors {
   public:
     OneSampleColors(const WorldParts& world, const TileJob& job, float* memory)

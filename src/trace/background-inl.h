@@ -20,12 +20,12 @@ HWY_INLINE bool has_gradient(const WorldParts& world) {
     return world.gradient.has_value() && world.settings.shading != Shading::normals;
 }
 
-/// The colour of rays that hit nothing, without gradient.
+/// The color of rays that hit nothing, without gradient.
 HWY_INLINE Color miss_color(const WorldParts& world) {
     return world.settings.shading == Shading::normals ? Color{0, 0, 1} : world.background;
 }
 
-/// The colours of a vector of rays that hit nothing.
+/// The colors of a vector of rays that hit nothing.
 HWY_INLINE Vector3<Doubles> gradient_color(const BackgroundGradient& gradient, const RayBatch& rays,
                                            int ray) {
     const bool sphere = gradient.kind == GradientKind::sphere;

@@ -157,7 +157,7 @@ struct SurfaceBatch {
 
     BatchColumn<std::uint32_t> slot, material;
     // The values of the materials as lighting reads them (MaterialLanes): hit h has row[h] of `rows`. These
-    // are the World's rows and `material`, or, in scenes with colours by shape, the two columns below.
+    // are the World's rows and `material`, or, in scenes with colors by shape, the two columns below.
     const double* rows = nullptr;
     const std::uint32_t* row = nullptr;
     std::vector<double> colored_rows;

@@ -25,7 +25,7 @@ struct PixelLanes {
     HWY_INLINE PixelLanes(const double* numbers, LaneMask<double> m)
         : pixels(numbers), set(m), are_adjacent(all(load(numbers) == Doubles(numbers[0]) + iota() || !m)) {}
 
-    /// Adds colours, one after the other, to the pixels' sums in a layer.
+    /// Adds colors, one after the other, to the pixels' sums in a layer.
     template <class... Colors> HWY_INLINE void add(Film& film, Layer layer, const Colors&... colors) const {
         double* sums[3] = {film.of(layer, 0), film.of(layer, 1), film.of(layer, 2)};
         if (are_adjacent) {
@@ -55,7 +55,7 @@ HWY_INLINE LaneMask<double> see_through(const RayBatch& rays, int ray, LaneMask<
     return rays.generation == 0 ? missed : missed && load(rays.straight.data() + ray) > Doubles(0);
 }
 
-/// For alpha: adds the weights of rays that show the background; of a coloured weight, the mean.
+/// For alpha: adds the weights of rays that show the background; of a colored weight, the mean.
 inline void add_transparency(const RayBatch& rays, int ray, LaneMask<double> seen, double visibility,
                              Film& film) {
     for (std::uint32_t bits = to_bits(seen); bits != 0; bits &= bits - 1) {
@@ -70,7 +70,7 @@ inline void add_transparency(const RayBatch& rays, int ray, LaneMask<double> see
     }
 }
 
-/// Adds a colour that rays see to their pixels. layer: that of camera rays.
+/// Adds a color that rays see to their pixels. layer: that of camera rays.
 HWY_INLINE void add_seen(const RayBatch& rays, int ray, LaneMask<double> set, Layer layer,
                          const Vector3<Doubles>& color, Film& film) {
     if (!any(set)) return;
@@ -133,14 +133,14 @@ inline void add_misses(const WorldParts& world, const RayBatch& rays, const HitB
     });
 }
 
-/// The colours of a vector of surfaces in the unlit shading modes.
+/// The colors of a vector of surfaces in the unlit shading modes.
 HWY_INLINE Vector3<Doubles> unlit_color(const WorldParts& world, const SurfaceBatch& surfaces, int h) {
     if (world.settings.shading == Shading::normals)
         return (load_vector3(surfaces.normal, h) + lanes_of(Vec3{1, 1, 1})) * Doubles(0.5);
     return MaterialLanes(surfaces, h).color(k_color);
 }
 
-/// Adds the colours of surfaces to their pixels, in the unlit shading modes.
+/// Adds the colors of surfaces to their pixels, in the unlit shading modes.
 inline void add_unlit(const WorldParts& world, const SurfaceBatch& surfaces, Film& film) {
     film.touch(Layer::ambient);
     for (int h = 0; h < surfaces.count; h += lane_count<double>()) {

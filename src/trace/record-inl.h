@@ -115,7 +115,7 @@ inline void record_rays(const WorldParts& world, const RayBatch& rays, const Hit
     }
 }
 
-/// Records the colours of the unlit shading modes, after add_unlit().
+/// Records the colors of the unlit shading modes, after add_unlit().
 inline void record_unlit(const WorldParts& world, const SurfaceBatch& surfaces, TileRecord& record) {
     for_each_hit(surfaces, [&](int h, int lanes) HWY_ATTR {
         const Vector3Elements shown(unlit_color(world, surfaces, h));

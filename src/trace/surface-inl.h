@@ -171,7 +171,7 @@ HWY_INLINE double max_coordinate(const PackedGeometry& geometry, std::uint32_t s
     return reach;
 }
 
-/// Writes the values of the hits' materials with the colours of their shapes. Consecutive hits of one shape
+/// Writes the values of the hits' materials with the colors of their shapes. Consecutive hits of one shape
 /// share a row.
 inline void color_surfaces(const WorldParts& world, SurfaceBatch& surfaces) {
     surfaces.colored_rows.resize(std::size_t{k_batch_size} * k_material_values);

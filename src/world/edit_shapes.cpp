@@ -83,7 +83,7 @@ class ShapeEditor {
         }
     }
 
-    // Sets `colors_` if a shape has a colour of its own, or had one.
+    // Sets `colors_` if a shape has a color of its own, or had one.
     void prepare_colors(WorldParts& parts) {
         if (parts.slot_color->empty()) {
             const bool any = std::any_of(changed_.begin(), changed_.end(), [&](std::uint32_t shape) {
@@ -242,7 +242,7 @@ class ShapeEditor {
     const std::span<const std::uint32_t> changed_;
     const PrepareOptions& options_;
     Primitives primitives_;                      // of the changed polygons
-    std::vector<float>* colors_ = nullptr;       // of the World, if it has colours to be edited
+    std::vector<float>* colors_ = nullptr;       // of the World, if it has colors to be edited
     std::vector<std::uint32_t> first_triangle_;  // by changed shape, if the scene has polygons
 };
 

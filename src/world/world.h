@@ -67,7 +67,7 @@ struct WorldParts {
     CopyOnWrite<PackedGeometry> geometry;
     CopyOnWrite<std::vector<std::uint32_t>> slot_material;  // by slot, padded: the row in `materials`
     CopyOnWrite<std::vector<double>> materials;  // k_material_values each; the default material is last
-    // By slot, padded: r, g, b of the shape's own colour, NaN without one; empty: no shape has one.
+    // By slot, padded: r, g, b of the shape's own color, NaN without one; empty: no shape has one.
     CopyOnWrite<std::vector<float>> slot_color;
     // By row of `materials`: the factors of find_color_factors(); empty like slot_color.
     CopyOnWrite<std::vector<double>> color_factors;
@@ -109,13 +109,13 @@ struct WorldParts {
     const double* extended_row(std::uint32_t row) const {
         return extended->data() + static_cast<std::size_t>(row) * k_extended_values;
     }
-    /// The own colour of a slot's shape; not set if it has none.
+    /// The own color of a slot's shape; not set if it has none.
     ShapeColor color_of(std::uint32_t slot) const {
         if (slot_color->empty()) return {};
         const float* c = slot_color->data() + 3 * std::size_t{slot};
         return {c[0], c[1], c[2]};
     }
-    /// Writes the k_material_values of a slot's shape: its material's row, with the shape's own colour.
+    /// Writes the k_material_values of a slot's shape: its material's row, with the shape's own color.
     void write_surface_values(std::uint32_t slot, double* to) const {
         const std::uint32_t row = (*slot_material)[slot];
         std::copy_n(material(row), k_material_values, to);

@@ -22,7 +22,7 @@ TEST(CheckMaterials, ColorsOfTheWrongScale) {
     EXPECT_EQ(ids_of(lit, "a.cgfs"), "");
     EXPECT_EQ(ids_of(lit + "sphere { center = (0, 1, 3)  radius = 0.4  color = (1, 0.5, 0) }\n", "a.cgfs"),
               "material-almost-black@3");
-    // Black is a colour.
+    // Black is a color.
     EXPECT_EQ(ids_of(lit + "sphere { center = (0, 1, 3)  radius = 0.4  color = (0, 0, 0) }\n", "a.cgfs"), "");
 }
 

@@ -103,7 +103,7 @@ TEST_F(Compare, SaysWhatNoCauseExplains) {
     folder.write("none.cgfs", "light { type = ambient  intensity = 0.2 }\n");
     ASSERT_EQ(run(folder, {"render", "none.cgfs", "-s", "80x60", "-q", "-o", "none.png"}).code, 0);
     const Finished r = compare({"none.png", "right.png"});
-    EXPECT_TRUE(contains(r.out, "The picture is one colour throughout, (255, 255, 255): ")) << r.out;
+    EXPECT_TRUE(contains(r.out, "The picture is one color throughout, (255, 255, 255): ")) << r.out;
     const Finished drawn = compare({"none.png", "right.png", "--scene", "a.cgfs"});
     EXPECT_TRUE(contains(drawn.out, "\n  Of the causes the nearest, ")) << drawn.out;
     const auto json = nlohmann::json::parse(compare({"dark.png", "right.png", "--json"}).out);

@@ -19,7 +19,7 @@ TEST(Explain, TellsOfAPixel) {
     EXPECT_TRUE(r.out.starts_with("pixel 320,440 of 640x640\ncamera ray 0 from (25, -37, 13.5)")) << r.out;
     EXPECT_TRUE(contains(r.out, "castle.json:")) << r.out;
     EXPECT_TRUE(contains(r.out, "\nthe pixel\n")) << r.out;
-    EXPECT_FALSE(contains(r.out, "\x1b[")) << "colours, though this is no terminal";
+    EXPECT_FALSE(contains(r.out, "\x1b[")) << "colors, though this is no terminal";
     EXPECT_EQ(folder.count(), 0);
 }
 

@@ -65,10 +65,10 @@ TEST_F(Grade, SaysWhatNoCauseExplains) {
     folder.write("in/two.ppm", ppm);
     const Finished r = grade({"in", "--reference", "right.png", "--json", "t.json"});
     EXPECT_EQ(r.code, 0) << r.err;
-    EXPECT_TRUE(contains(r.out, "The picture is one colour throughout, (32, 64, 96)")) << r.out;
+    EXPECT_TRUE(contains(r.out, "The picture is one color throughout, (32, 64, 96)")) << r.out;
     const auto json = nlohmann::json::parse(folder.read("t.json"));
     ASSERT_EQ(json.size(), 2u);
-    EXPECT_TRUE(contains(json[1]["remark"], "one colour throughout"));
+    EXPECT_TRUE(contains(json[1]["remark"], "one color throughout"));
     EXPECT_TRUE(json[1]["causes"].empty());
 }
 

@@ -119,7 +119,7 @@ const PicturePlant k_picture_plants[] = {
 class PlantedInPixels : public ::testing::TestWithParam<int> {};
 
 TEST_P(PlantedInPixels, AreNamedFirst) {
-    // Brighter, for some colours to be above 1.
+    // Brighter, for some colors to be above 1.
     const std::string text = with_light(test_scenes()[GetParam()].text, 2.5);
     const Scene reference_scene = read_scene(text);
     const Image drawn = draw(reference_scene), reference = as_file(drawn);

@@ -216,7 +216,7 @@ const Planted k_of_occlusion[] = {
      [](Scene& s) {
          s.occlusion->color = {0, 0, 0};
      },
-     "times its colour", [](Scene& s) { s.occlusion->direct = 0.6; }},
+     "times its color", [](Scene& s) { s.occlusion->direct = 0.6; }},
     {"occlusion-scaled", [](Scene& s) { s.occlusion->color = s.occlusion->color * 0.5; }, "0.5 times"},
     {"occlusion-unblocked", [](Scene& s) { s.occlusion->reach = 1e-12; }},
     {"occlusion-reach", [](Scene& s) { s.occlusion->reach = std::numeric_limits<double>::infinity(); }},

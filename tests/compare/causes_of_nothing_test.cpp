@@ -35,7 +35,7 @@ bool names(const CauseReport& report, const char* name) {
                        [&](const Cause& c) { return c.name == name; });
 }
 
-TEST(CausesOfNothing, OneColour) {
+TEST(CausesOfNothing, OneColor) {
     for (const TestScene& scene : scenes_to_test()) {
         const Scene reference_scene = read_scene(scene.text);
         const Image right = draw_text(scene.text);
@@ -44,19 +44,19 @@ TEST(CausesOfNothing, OneColour) {
                                            {filled(right, 0.2f, 0.4f, 0.6f), "(51, 102, 153)"}}) {
             for (const Scene* with : {static_cast<const Scene*>(nullptr), &reference_scene}) {
                 const CauseReport report = find_causes(faulty, right, with).value();
-                EXPECT_TRUE(has(report.remark, "The picture is one colour throughout")) << report.remark;
+                EXPECT_TRUE(has(report.remark, "The picture is one color throughout")) << report.remark;
                 EXPECT_TRUE(has(report.remark, text)) << report.remark;
                 EXPECT_TRUE(report.causes.empty()) << scene.name << all_causes(report);
             }
             const CauseReport reverse = find_causes(right, faulty).value();
-            EXPECT_TRUE(has(reverse.remark, "The reference is one colour throughout")) << reverse.remark;
+            EXPECT_TRUE(has(reverse.remark, "The reference is one color throughout")) << reverse.remark;
             EXPECT_TRUE(reverse.causes.empty()) << all_causes(reverse);
         }
     }
 }
 
-// A fault that makes just that one colour is a cause all the same.
-TEST(CausesOfNothing, OneColourThatAFaultMakes) {
+// A fault that makes just that one color is a cause all the same.
+TEST(CausesOfNothing, OneColorThatAFaultMakes) {
     const std::string text =
         "camera { position = (0, 0, 0)  look_at = (0, 0, -1)  fov_x = 50 }\nrender { size = 40 x 30 }\nlight "
         "{ type = ambient  intensity = 0.5 }\n"
@@ -65,7 +65,7 @@ TEST(CausesOfNothing, OneColourThatAFaultMakes) {
     const Image right = draw_text(text);
     const CauseReport report = find_causes(filled(right, 0, 0, 0), right, &scene).value();
     EXPECT_EQ(first_cause(report), "ambient-missing") << all_causes(report);
-    EXPECT_TRUE(has(report.remark, "one colour")) << report.remark;
+    EXPECT_TRUE(has(report.remark, "one color")) << report.remark;
 }
 
 // A dark reference, and a picture of another scene that is black: several faults give black, so none is
@@ -167,8 +167,8 @@ TEST(CausesOfNothing, RowsAndColumnsThatAreMissing) {
     }
 }
 
-// A row of one colour in the picture, and of nearly that colour, though not of one, in the reference.
-TEST(CausesOfNothing, ARowThatIsNearlyOneColour) {
+// A row of one color in the picture, and of nearly that color, though not of one, in the reference.
+TEST(CausesOfNothing, ARowThatIsNearlyOneColor) {
     Image right = filled({8, 8, std::vector<float>(192)}, 0.4f, 0.4f, 0.4f), faulty = right;
     for (int x = 0; x < 8; ++x) {
         for (int c = 0; c < 3; ++c) {
@@ -205,7 +205,7 @@ TEST(CausesOfNothing, TheRimAlone) {
         const CauseReport missing = find_causes(blackened(right, top), right).value();
         EXPECT_GT(missing.difference, 0);
         EXPECT_GT(missing.tried, 0);
-        // Of a row that is background, black is another colour as well as nothing.
+        // Of a row that is background, black is another color as well as nothing.
         EXPECT_TRUE(names(missing, "rows-missing") || names(missing, "rim"))
             << scene.name << all_causes(missing);
         Image faulty = right;

@@ -113,7 +113,7 @@ TEST(CausesPairs, WithAShift) {
     }
 }
 
-// Without mirrors and without the ambient term hardly any step of the colours stays.
+// Without mirrors and without the ambient term hardly any step of the colors stays.
 TEST(CausesPairs, ThatLookLikeAnotherScene) {
     const std::string bright = replaced(k_scene, "mirror = 0.4", "mirror = 0.9");
     const Scene scene = read_scene(bright);

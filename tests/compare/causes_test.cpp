@@ -43,7 +43,7 @@ std::string with_other_model(const std::string& text) {
                : replaced(text, "shading = blinn-phong", "shading = phong");
 }
 
-// Highlights of intensity 1 whatever the light's: its specular colour is multiplied by the intensity.
+// Highlights of intensity 1 whatever the light's: its specular color is multiplied by the intensity.
 std::string with_white_highlights(const std::string& text) {
     std::string out = text;
     for (const auto& [intensity, color] : {std::pair{"0\\.6", "1.6666666666666667"}, {"0\\.2", "5"}}) {

@@ -40,7 +40,7 @@ TEST(Nff, TheViewsLinesComeInAnyOrder) {
     EXPECT_EQ(s.background, (Color{1, 1, 1}));
 }
 
-TEST(Nff, LightsWithoutAColourGetADefaultIntensity) {
+TEST(Nff, LightsWithoutAColorGetADefaultIntensity) {
     const Scene s = scene_of(VIEW "l 1 2 3\nl 4 5 6 0.5 0.25 1\nl 7 8 9\nl 0 0 1\n" FILL "s 0 0 0 1\n");
     ASSERT_EQ(s.lights.size(), 4u);
     EXPECT_EQ(s.lights[0].kind, LightKind::point);

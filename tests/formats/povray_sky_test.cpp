@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// sky_sphere of POV-Ray: a gradient of two colours is the scene's background gradient.
+// sky_sphere of POV-Ray: a gradient of two colors is the scene's background gradient.
 #include "formats/povray_text.h"
 
 namespace glint::test {

@@ -12,7 +12,7 @@
 namespace glint::test {
 namespace {
 
-/// The surfaces that a ray hits: their local colours c_i and mirror coefficients a_i, in order.
+/// The surfaces that a ray hits: their local colors c_i and mirror coefficients a_i, in order.
 struct Chain {
     std::vector<double> color, mirror;
 };
@@ -70,7 +70,7 @@ TEST(MirrorSum, HasTwoReadingsAtTheLimit) {
     }
 }
 
-// A ray with the directions +x, +y, -x, +y between four spheres, each with one colour in any light.
+// A ray with the directions +x, +y, -x, +y between four spheres, each with one color in any light.
 Scene zigzag(const Chain& chain) {
     Scene scene;
     apply_profile(scene, "epfl");

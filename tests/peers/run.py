@@ -47,7 +47,7 @@ def read_ppm(path):
 
 
 def read_png(path):
-    """Width, height and the bytes of a PNG file with 8 bits a channel and alpha, the colours multiplied by alpha."""
+    """Width, height and the bytes of a PNG file with 8 bits a channel and alpha, the colors multiplied by alpha."""
     data = path.read_bytes()
     at, packed, width, height = 8, b"", 0, 0
     while at < len(data):

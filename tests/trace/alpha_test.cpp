@@ -80,7 +80,7 @@ TEST(Alpha, BlackBehindGlassIsOpaque) {
     EXPECT_EQ(of(alpha, Layer::alpha)[20], 0);
 }
 
-// Shapes of all kinds: opaque, mirrors, and glass without a colour.
+// Shapes of all kinds: opaque, mirrors, and glass without a color.
 Scene mixture() {
     Random random(23);
     Scene scene = random_scene(random, 40, 6);

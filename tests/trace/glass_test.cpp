@@ -185,7 +185,7 @@ TEST(Glass, EqualsTheRecursionForEveryRule) {
     }
 }
 
-// A pane of glass in front of a coloured wall, seen perpendicularly: each part of its light is known.
+// A pane of glass in front of a colored wall, seen perpendicularly: each part of its light is known.
 Scene pane(double thickness) {
     Scene scene;
     set_size(scene, 9, 9);
@@ -205,7 +205,7 @@ Scene pane(double thickness) {
     return scene;
 }
 
-// The colours of the pane's front and back, and of the wall behind it.
+// The colors of the pane's front and back, and of the wall behind it.
 void expect_pane(const Scene& scene, Color back, Color wall) {
     const Color own = Color{0.1, 0.2, 0.3} * 0.25;
     const Image image = render_scene(scene);

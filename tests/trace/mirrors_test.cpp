@@ -137,7 +137,7 @@ TEST(Mirrors, TheSumEqualsTheRecursionForEveryRule) {
 }
 
 TEST(Mirrors, TwoFacingMirrorsAreAGeometricSeries) {
-    // Between two equal plane mirrors all generations have the same local colour. The pixel is
+    // Between two equal plane mirrors all generations have the same local color. The pixel is
     // local (1 - a) (1 + a + a^2 + ...) + a^N local.
     for (const int n : {0, 1, 3, 64, 1000}) {
         for (const LimitRule limit : {LimitRule::keep, LimitRule::drop}) {

@@ -62,7 +62,7 @@ for (const {paths, settings} of pictures) {
         const native = nativeFloats(request(paths, settings), 0, 0, report.width, report.height);
         assert.equal(here.length, native.length);
         const isBlack = paths[0].endsWith('faults/black.glint');  // on purpose
-        assert.equal(new Set(here).size > 100, !isBlack, 'a picture of more than a few colours');
+        assert.equal(new Set(here).size > 100, !isBlack, 'a picture of more than a few colors');
         const differing = here.findIndex((value, i) => !Object.is(value, native[i]));
         assert.equal(differing, -1, `float ${differing}: ${here[differing]}, natively ${native[differing]}`);
     });

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A shape with a colour of its own looks, to the bit, as if it had a material of that colour.
+// A shape with a color of its own looks, to the bit, as if it had a material of that color.
 #include <limits>
 
 #include "gallery/scene_file.h"
@@ -13,7 +13,7 @@ namespace {
 
 constexpr float k_no_number = std::numeric_limits<float>::quiet_NaN();
 
-// Gives three of four shapes a colour of their own.
+// Gives three of four shapes a color of their own.
 void color_shapes(Scene& scene, unsigned seed) {
     Random random(seed);
     for (std::uint32_t i = 0; i < scene.shapes.size(); ++i) {
@@ -22,7 +22,7 @@ void color_shapes(Scene& scene, unsigned seed) {
     }
 }
 
-// The same scene with a material for each colour.
+// The same scene with a material for each color.
 Scene with_materials_instead(Scene scene) {
     for (std::uint32_t i = 0; i < scene.shapes.size(); ++i) {
         const auto color = scene.shape_color(i);
@@ -64,7 +64,7 @@ Scene uncolored_scene(unsigned seed, int count) {
     scene.materials[0].color = {0.9, 0.6, 0.3};
     for (auto* k : {&scene.materials[0].ambient, &scene.materials[0].diffuse, &scene.materials[0].specular})
         *k = scene.materials[0].color * 0.7;
-    scene.materials[1].specular = {1, 1, 1};  // no multiple of the colour: stays
+    scene.materials[1].specular = {1, 1, 1};  // no multiple of the color: stays
     scene.materials[1].mirror = 0.4;
     scene.materials[2] = with_color(Material{}, {});  // black
     scene.materials[2].transmission = 0.5;

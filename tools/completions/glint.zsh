@@ -7,7 +7,7 @@ _glint() {
             'info:Print a scene'\''s contents and the conventions in force'
             'convert:Convert a scene of any format to .glint; its picture stays the same, bit for bit'
             'check:List a scene'\''s likely mistakes, each with its line and remedy'
-            'explain:Explain the colour of a pixel'
+            'explain:Explain the color of a pixel'
             'compare:Compare a picture with a reference and explain the difference'
             'versus:Render a scene with two sets of conventions, and explain the pixel that differs most'
             'grade:Compare every picture of a folder with a reference, or with a rubric'\''s parts'
@@ -52,7 +52,7 @@ _glint() {
                 '--part[Render only every Nth tile, beginning with the Kth, to OUT.tiles]:K/N: ' \
                 '--stats[Write times, rays and memory as JSON]:FILE.json:_files' \
                 '--strict[Treat warnings as errors: exit code 1, and no picture is written]' \
-                '--show[Also show the picture in the terminal, in 24-bit colours]' \
+                '--show[Also show the picture in the terminal, in 24-bit colors]' \
                 '(-q --quiet)'{-q,--quiet}'[Print only errors]' ;;
         info)
             _arguments \

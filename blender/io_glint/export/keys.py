@@ -36,7 +36,7 @@ def of_phong(material, world):
 
 
 def of_course(material):
-    """The keys of a material of RT2's list: coefficients of its colour."""
+    """The keys of a material of RT2's list: coefficients of its color."""
     return {key: value for key, value in material.items() if key != "name"}
 
 
@@ -51,7 +51,7 @@ def bounded(keys, report, item):
 
 
 def bounded_color(color, report, item):
-    """A colour within what glint takes."""
+    """A color within what glint takes."""
     return bounded({"color": color}, report, item)["color"]
 
 

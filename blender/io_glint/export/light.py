@@ -5,7 +5,7 @@ import math
 from . import nodes
 from .text import block, number, vector
 
-MAX_PRODUCT = 1e6  # what glint takes as intensity times colour
+MAX_PRODUCT = 1e6  # what glint takes as intensity times color
 MAX_SCALE = 1e4
 SOFT = 0.05
 
@@ -15,7 +15,7 @@ def describe(ob):
 
 
 def power(data, report, item):
-    """(colour, energy): the light's, times its Emission node if it has nodes."""
+    """(color, energy): the light's, times its Emission node if it has nodes."""
     color, energy = tuple(data.color), data.energy
     if hasattr(data, "exposure"):  # from 4.5
         energy *= 2.0 ** data.exposure
@@ -27,7 +27,7 @@ def power(data, report, item):
             tint, strength = nodes.NodeReader(report, item).emission(node)
             color, energy = tuple(a * b for a, b in zip(color, tint)), energy * strength
         else:
-            report.warn(item, "its nodes cannot be exported; its own colour and power are used")
+            report.warn(item, "its nodes cannot be exported; its own color and power are used")
     return color, energy
 
 
@@ -38,7 +38,7 @@ def classical(kind, color, energy):
 
 
 def _intensity(light):
-    """(intensity, colour of 0 to 1) of a colour of any size and sign."""
+    """(intensity, color of 0 to 1) of a color of any size and sign."""
     top = max((abs(c) for c in light), default=0.0)
     return (top, tuple(c / top for c in light)) if top else (0.0, (1.0, 1.0, 1.0))
 

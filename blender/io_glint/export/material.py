@@ -21,7 +21,7 @@ def phong_of(material, report):
         return phong.Phong(color=phong.BLACK)
     found = nodes.NodeReader(report, describe(material)).material(node)
     if found is None:
-        report.warn(describe(material), f"its shader ({node.bl_label}) cannot be exported; its viewport colour is used")
+        report.warn(describe(material), f"its shader ({node.bl_label}) cannot be exported; its viewport color is used")
         return viewport
     return found
 

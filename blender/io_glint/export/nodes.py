@@ -44,7 +44,7 @@ class NodeReader:
         self.report, self.item = report, item
 
     def value(self, node, default, *names):
-        """A number or a colour (three floats) of the first of these sockets."""
+        """A number or a color (three floats) of the first of these sockets."""
         socket = _socket(node, *names)
         if socket is None:
             return default
@@ -59,7 +59,7 @@ class NodeReader:
         if source.type in ("TEX_IMAGE", "TEX_ENVIRONMENT"):
             mean = mean_color(source.image)
             if mean is not None:
-                self.report.warn(self.item, f"the image at '{socket.name}' is exported as its mean colour")
+                self.report.warn(self.item, f"the image at '{socket.name}' is exported as its mean color")
                 return _fit(mean, plain)
         self.report.warn(self.item, f"the {source.bl_label} node at '{socket.name}' cannot be exported; "
                                     "the socket's own value is used")
@@ -73,7 +73,7 @@ class NodeReader:
         return convert(self, node, depth)
 
     def emission(self, node):
-        """(colour, strength) of an Emission or Background node."""
+        """(color, strength) of an Emission or Background node."""
         return self.value(node, phong.WHITE, "Color"), self.value(node, 1.0, "Strength")
 
 
@@ -82,7 +82,7 @@ def _plain(value):
 
 
 def _fit(value, like):
-    """A colour where a colour is wanted, a number (the mean, as Blender converts) where a number is."""
+    """A color where a color is wanted, a number (the mean, as Blender converts) where a number is."""
     if isinstance(like, tuple):
         return value if isinstance(value, tuple) else (float(value),) * 3
     return 0.2126 * value[0] + 0.7152 * value[1] + 0.0722 * value[2] if isinstance(value, tuple) else float(value)
@@ -93,7 +93,7 @@ def _linear(c):
 
 
 def mean_color(image):
-    """The mean linear colour of an image, from evenly spaced pixels; None if it has none."""
+    """The mean linear color of an image, from evenly spaced pixels; None if it has none."""
     if image is None or not image.has_data and not image.size[0]:
         return None
     count = image.size[0] * image.size[1]

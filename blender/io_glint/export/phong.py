@@ -3,7 +3,7 @@
 
 Sources: the exponent of Blinn-Phong for a GGX or Beckmann width alpha is 2/alpha^2 - 2 (Walter et al. 2007, CSC 473);
 (n + 2)/8 is the peak of the normalised Blinn-Phong lobe over Lambert's 1/pi. Roughness below 0.3 mirrors; glint's
-mirrors are sharp, so w fades them out, and half of what is lost comes back as body colour.
+mirrors are sharp, so w fades them out, and half of what is lost comes back as body color.
 """
 from dataclasses import dataclass, fields, replace
 
@@ -13,7 +13,7 @@ MIN_MIRROR = 0.02
 
 @dataclass(frozen=True)
 class Phong:
-    """Colours are linear. k_a is not here: it is k_d times the world's radiance, plus emission (ambient())."""
+    """Colors are linear. k_a is not here: it is k_d times the world's radiance, plus emission (ambient())."""
 
     diffuse: tuple = BLACK
     specular: tuple = BLACK
@@ -24,7 +24,7 @@ class Phong:
     transmission: float = 0.0
     transmission_color: tuple = WHITE
     ior: float = 1.0
-    color: tuple = (0.8, 0.8, 0.8)  # what it is called: the base colour
+    color: tuple = (0.8, 0.8, 0.8)  # what it is called: the base color
 
 
 def _scaled(color, factor):
@@ -38,7 +38,7 @@ def exponent(roughness):
 
 
 def principled(color, metallic=0.0, roughness=0.5, specular=0.5, transmission=0.0, ior=1.45, emission=BLACK):
-    """The Principled BSDF. color: linear; the others: 0 to 1, except ior and emission (colour times strength)."""
+    """The Principled BSDF. color: linear; the others: 0 to 1, except ior and emission (color times strength)."""
     m, t, r = metallic, transmission, roughness
     f0 = tuple(0.08 * specular * (1 - m) + c * m for c in color)
     top = max(max(f0), 1e-9)
@@ -69,7 +69,7 @@ def glossy(color, roughness):
 
 
 def glass(color, ior):
-    """Tinted at both surfaces by Blender and once by glint: the square of the colour."""
+    """Tinted at both surfaces by Blender and once by glint: the square of the color."""
     return Phong(specular=(0.5, 0.5, 0.5), shininess=2000.0, transmission=1.0,
                  transmission_color=tuple(c * c for c in color), ior=ior, color=tuple(color))
 

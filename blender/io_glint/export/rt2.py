@@ -188,7 +188,7 @@ class RT2Scene:
             color = tuple(c * self.options.light_scale / squared for c in light.classical(data.type, *power))
             self.report.warn(described, "RT2's lights do not fall off: its intensity is that at the camera's target")
         if not all(abs(c) <= light.MAX_PRODUCT for c in color):
-            self.report.warn(described, "left out: its colour has numbers that glint does not take")
+            self.report.warn(described, "left out: its color has numbers that glint does not take")
             return
         self.found["lights"].append((place, {"position": _rounded(position), "color": _rounded(color)}))
 

@@ -4,7 +4,7 @@ from . import course
 
 
 def of_keys(name, keys, report, item):
-    """An RT2 material, a colour and coefficients, of .glint keys. What that loses is reported."""
+    """An RT2 material, a color and coefficients, of .glint keys. What that loses is reported."""
     color = tuple(keys.get("color", (0.8, 0.8, 0.8)))
     top = max(color) or 1.0
     out = {"name": name, "color": [round(c, 6) for c in color]}
@@ -18,7 +18,7 @@ def of_keys(name, keys, report, item):
         if any(abs(a - out[key] * c) > 0.02 for a, c in zip(absolute, color)):
             hues.append(key)
     if hues:
-        report.warn(item, f"RT2 has one colour a material: its {' and '.join(hues)} colour is that of the surface")
+        report.warn(item, f"RT2 has one color a material: its {' and '.join(hues)} color is that of the surface")
     out["specular"] = min(out["specular"], 1.0)
     out["shininess"] = round(keys.get("shininess", 1.0), 6)
     out["mirror"] = round(keys.get("mirror", 0.0), 6)

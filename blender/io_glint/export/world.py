@@ -17,5 +17,5 @@ def radiance(world, report):
     if node.type in ("BACKGROUND", "EMISSION"):
         color, strength = nodes.NodeReader(report, item).emission(node)
         return keys.bounded_color(tuple(c * strength for c in color), report, item)
-    report.warn(item, f"its shader ({node.bl_label}) cannot be exported; its viewport colour is used")
+    report.warn(item, f"its shader ({node.bl_label}) cannot be exported; its viewport color is used")
     return tuple(world.color)

@@ -89,7 +89,7 @@ class Materials(SceneTest):
         material.node_tree.links.new(texture.outputs["Color"], material.node_tree.nodes["Principled BSDF"].inputs["Base Color"])
         self.add("cube", material=material)
         self.assertEqual(self.keys("textured")["color"], "(0.5, 0.5, 0)")
-        self.assertTrue(any("mean colour" in w for w in self.warnings))
+        self.assertTrue(any("mean color" in w for w in self.warnings))
 
     def test_unknown_shaders_are_named(self):
         material = self.shader("ShaderNodeBsdfToon", "toon")

@@ -119,7 +119,7 @@ bool Reader::clip_mesh(const Object& clip, Object& object) {
             for (const Corner& c : corners) is_cut = is_cut || dot(half.n, c.point) > half.d;
             if (is_cut) corners = part_in(corners, half);
         }
-        if (is_cut && face.has_textures && corners.size() >= whole) return false;  // three colours to blend
+        if (is_cut && face.has_textures && corners.size() >= whole) return false;  // three colors to blend
         for (std::size_t i = 2; i < corners.size(); ++i) {
             Mesh::Face part = face;
             const auto first = static_cast<std::uint32_t>(cut->vertices.size());

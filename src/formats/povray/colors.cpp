@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Colours: rgb, rgbft, srgb, components by name, identifiers.
+// Colors: rgb, rgbft, srgb, components by name, identifiers.
 #include <fmt/format.h>
 
 #include "formats/povray/reader.h"
@@ -25,7 +25,7 @@ bool Reader::begins_color(const Token& token) {
     }
 }
 
-// A colour; a number or a vector of three counts as one if `from_numbers`.
+// A color; a number or a vector of three counts as one if `from_numbers`.
 std::array<double, 5> Reader::color(bool from_numbers) {
     std::array<double, 5> out{0, 0, 0, 0, 0};
     if (peek().word() == Word::k_color || peek().word() == Word::k_colour) {
@@ -80,13 +80,13 @@ std::array<double, 5> Reader::color(bool from_numbers) {
                 break;
             default: {
                 if (is_any || !begins_number(peek())) {
-                    if (!is_any) expected("a colour");
+                    if (!is_any) expected("a color");
                     return out;
                 }
                 Numbers value = expression();
                 if (!value.is_color()) {
                     if (!from_numbers && !failed_) {
-                        error(first, "expected a colour (`rgb` before the numbers)");
+                        error(first, "expected a color (`rgb` before the numbers)");
                         return out;
                     }
                     value = promoted(value, value.terms < 3 ? 3 : value.terms);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Expressions: numbers, vectors and colours of up to five terms.
+// Expressions: numbers, vectors and colors of up to five terms.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -330,7 +330,7 @@ std::string_view describe(const Value& value) {
                                                    "a transform", "a macro",
                                                    "a parameter", "a block that glint does not render"};
     if (const auto* numbers = std::get_if<Numbers>(&value)) {
-        return numbers->terms == 1 ? "a number" : numbers->is_color() ? "a colour" : "a vector";
+        return numbers->terms == 1 ? "a number" : numbers->is_color() ? "a color" : "a vector";
     }
     return k_names[value.index()];
 }

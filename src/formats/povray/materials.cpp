@@ -145,11 +145,11 @@ void Reader::report_texture(const Inherited& own, const Token& at) {
     const bool is_mirror = largest(f.reflection_max) > 0;
     check(is_mirror && f.reflection_fresnel, "fresnel", "of a reflection");
     check(is_mirror && largest(f.reflection_max) > 1, "reflection", "above 1");
-    // The two colours are the same but for their size.
+    // The two colors are the same but for their size.
     const double least = largest(f.reflection_min), most = largest(f.reflection_max);
     const Color a = f.reflection_min * most, b = f.reflection_max * least;
     const double apart = number::abs(a.r - b.r) + number::abs(a.g - b.g) + number::abs(a.b - b.b);
-    check(is_mirror && least > 0 && apart > 1e-9, "reflection", "of two colours");
+    check(is_mirror && least > 0 && apart > 1e-9, "reflection", "of two colors");
     check(is_mirror && f.reflection_exponent != 1, "reflection_exponent", "");
     check(is_mirror && f.conserve_energy, "conserve_energy", "");
 }
@@ -206,7 +206,7 @@ void Reader::place_light(const Object& object, const Inherited& own) {
     for (const ObjectPart& part : *object.parts) place(*part, look);
 }
 
-// The three textures of a face are blended between its corners: by parts of one colour each, whose colours
+// The three textures of a face are blended between its corners: by parts of one color each, whose colors
 // differ by at most 1.5 of 255, or more if the three corners have very different ones.
 void Reader::add_blended_face(const Object& o, const Inherited& own, const Mesh::Face& face,
                               std::span<const Vec3> points, std::span<const Vec3> normals) {

@@ -98,7 +98,7 @@ void Reader::read_fog(const Token& at) {
             report({"turbulence", "of a fog", item});
             expression();
         } else {
-            error(item, fmt::format("expected `distance`, a colour, `fog_type` or `}}`, found {}{}",
+            error(item, fmt::format("expected `distance`, a color, `fog_type` or `}}`, found {}{}",
                                     describe(item), what_is(item)));
         }
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// sky_sphere: a gradient of two colours becomes the scene's background gradient.
+// sky_sphere: a gradient of two colors becomes the scene's background gradient.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -38,7 +38,7 @@ std::optional<Along> along(const GradientPattern& gradient, const std::optional<
     return out;
 }
 
-// Nothing if the engine's gradient, of two colours, is not the same.
+// Nothing if the engine's gradient, of two colors, is not the same.
 std::optional<BackgroundGradient> background_of(const Pigment& pigment, const std::optional<Affine>& sky) {
     BackgroundGradient out;
     if (!pigment.missing) {
@@ -92,7 +92,7 @@ void Reader::read_sky(const Token& at) {
     scene_.gradient.reset();
     if (pigment && is_one) scene_.gradient = background_of(*pigment, map);
     scene_.gradient_place = place_of(at);
-    if (!scene_.gradient) report({"sky_sphere", "other than a gradient of two colours", at});
+    if (!scene_.gradient) report({"sky_sphere", "other than a gradient of two colors", at});
 }
 
 // VECTOR items, after `gradient`: null for items that a sky cannot have. The rest of the block is read.

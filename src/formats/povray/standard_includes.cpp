@@ -13,7 +13,7 @@ struct NamedColor {
     Color color;
 };
 
-// The colours of colors.inc.
+// The colors of colors.inc.
 constexpr NamedColor k_colors[] = {
     {"Aquamarine", {0.439216, 0.858824, 0.576471}},
     {"BakersChoc", {0.36, 0.2, 0.09}},

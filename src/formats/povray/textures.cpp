@@ -47,7 +47,7 @@ void Reader::read_pigment(Pigment& pigment) {
         }
         take();
         if (item.kind != TokenKind::word) {
-            return error(item, fmt::format("expected a colour or a pattern, found {}", describe(item)));
+            return error(item, fmt::format("expected a color or a pattern, found {}", describe(item)));
         }
         pigment.missing = missing(item, text_of(item));
         pigment.missing->meaning = "a pattern";
@@ -133,7 +133,7 @@ void Reader::read_finish(Finish& finish) {
     }
 }
 
-// A colour, or { [min,] max items }, after `reflection`.
+// A color, or { [min,] max items }, after `reflection`.
 void Reader::read_reflection(Finish& finish) {
     if (!peek().is('{')) {
         finish.reflection_min = finish.reflection_max = rgb_of(color(true));

@@ -15,13 +15,13 @@
 
 namespace glint::povray {
 
-/// A colour without its filter and transmit.
+/// A color without its filter and transmit.
 inline Color rgb_of(const std::array<double, 5>& c) { return {c[0], c[1], c[2]}; }
 
 /// A string; copies share it.
 using String = std::shared_ptr<const CountedString>;
 
-/// A number (1 term), a vector (2 to 4), or a colour (5: red, green, blue, filter, transmit).
+/// A number (1 term), a vector (2 to 4), or a color (5: red, green, blue, filter, transmit).
 struct Numbers {
     std::array<double, 5> v{};
     int terms = 1;
@@ -130,7 +130,7 @@ struct Mesh {
 };
 
 struct LightSource {
-    Light light;  ///< position, colour and kind; the direction of spots and parallel lights is point_at -
+    Light light;  ///< position, color and kind; the direction of spots and parallel lights is point_at -
                   ///< position
     Vec3 point_at{0, 0, 1};
     bool is_parallel = false, is_area = false;

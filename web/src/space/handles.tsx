@@ -15,7 +15,7 @@ export interface Handle {
     name: string;
     what: Movable;
     point: Vec3;
-    /** A light is shown in its colour. */
+    /** A light is shown in its color. */
     color?: string;
 }
 

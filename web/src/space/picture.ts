@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Renders the view in space with the scene that the page has open: coarse while it is turned, then fine. Colours are those of
+// Renders the view in space with the scene that the page has open: coarse while it is turned, then fine. Colors are those of
 // the surfaces, lit from the viewer and by the scene's lights, so that nothing is black; borders of objects are drawn.
 import {type Pool, Stopped} from '../engine/pool';
 import type {Layered, Rect} from '../engine/protocol';

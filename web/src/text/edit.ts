@@ -11,7 +11,7 @@ export interface Edit {
 
 /** A light as given in its text. */
 export interface LightText {
-    /** The factor of its colour, or the largest channel if the format has no factor. */
+    /** The factor of its color, or the largest channel if the format has no factor. */
     intensity: number;
     setIntensity(value: number): Edit[];
     /** Null if the format cannot say the field, or not in this text. */
@@ -65,7 +65,7 @@ export function number(value: number): string {
 /** The length of a vector. */
 export const length = (v: Vec3) => Math.hypot(...v);
 
-/** Scales a colour to this largest channel; black becomes grey. */
+/** Scales a color to this largest channel; black becomes grey. */
 export function withLargest(color: Vec3, value: number): Vec3 {
     const largest = Math.max(...color.map(Math.abs));
     return largest === 0 ? [value, value, value] : (color.map((c) => (c * value) / largest) as Vec3);

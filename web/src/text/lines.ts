@@ -30,7 +30,7 @@ export const nff: SceneFormat = {
         if (word !== 'l' || !values.every(Number.isFinite)) return null;
         if (values.length !== 3 && values.length !== 6) return null;
         const place = values.slice(0, 3) as Vec3;
-        // The total brightness of lights without a colour is the square root of their number.
+        // The total brightness of lights without a color is the square root of their number.
         const count = text.match(/^l[ \t]/gm)?.length ?? 1;
         const color = (values.length === 6 ? values.slice(3) : Array(3).fill(1 / Math.sqrt(count))) as Vec3;
         const line = (p: Vec3, c: Vec3): Edit[] => [{from: offset, to: end, insert: `l ${plain(p)} ${plain(c)}`}];

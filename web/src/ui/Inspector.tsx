@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Explains a pixel: the sum of its colour, its ray tree, and each term of each light.
+// Explains a pixel: the sum of its color, its ray tree, and each term of each light.
 import type {Explanation, ExplainedHit, ExplainedRay, LightTerms, Vec3} from 'glint-wasm';
 import type {ComponentChildren} from 'preact';
 
@@ -25,7 +25,7 @@ function Sum({explanation}: {explanation: Explanation}) {
     const layers = layerNames.filter((name) => !isBlack(explanation.layers[name]));
     const most = Math.max(1, ...explanation.value, ...[0, 1, 2].map((c) => layers.reduce((sum, name) => sum + Math.max(0, explanation.layers[name][c]!), 0)));
     return (
-        <section class="sum" aria-label="Sum of the colour">
+        <section class="sum" aria-label="Sum of the color">
             {(['red', 'green', 'blue'] as const).map((channel, c) => (
                 <div class="bar-row" key={channel}>
                     <span>{channel}</span>
@@ -208,7 +208,7 @@ export function Inspector() {
         return (
             <div class="empty">
                 <p><b>Click a pixel</b> of the picture to take it apart.</p>
-                <p class="note">You see its rays, every term of the lighting equation, and how they add up to its colour. With the keyboard: focus the picture, point with the arrow keys, press Enter.</p>
+                <p class="note">You see its rays, every term of the lighting equation, and how they add up to its color. With the keyboard: focus the picture, point with the arrow keys, press Enter.</p>
                 <SpaceInPanel />
             </div>
         );

@@ -10,7 +10,7 @@ import {itemName} from './words';
 
 const plain: Record<string, string> = {
     ambient: 'ambient, k_a', diffuse: 'diffuse, k_d', specular: 'specular, k_s', shininess: 'shininess, n', mirror: 'mirror, a',
-    reflective: 'mirror, a', ior: 'refraction, ior', color: 'colour', diffuse_color: 'k_d', ambient_color: 'k_a', specular_color: 'k_s',
+    reflective: 'mirror, a', ior: 'refraction, ior', color: 'color', diffuse_color: 'k_d', ambient_color: 'k_a', specular_color: 'k_s',
     filter: 'filter (tinted)', transmit: 'transmit (clear)',
     emission: 'emission, k_e', emission_color: 'k_e',
 };

@@ -8,7 +8,7 @@ export function Welcome() {
     if (!isFirstVisit.value) return null;
     return (
         <section class="welcome" aria-label="What this page is">
-            <p>glint draws a described scene by ray tracing, in this page, and shows why each pixel has its colour.</p>
+            <p>glint draws a described scene by ray tracing, in this page, and shows why each pixel has its color.</p>
             <div class="presets">
                 <button class="button" onClick={openBookScene}>The book’s scene</button>
                 <button class="button" onClick={() => void openLesson('')}>A lesson</button>

@@ -6,7 +6,7 @@ import {itemName, layerNames, lightName} from './words';
 
 const hues = ['red', 'orange', 'yellow', 'green', 'green', 'green', 'cyan', 'blue', 'blue', 'violet', 'magenta', 'red'];
 
-/** A plain name of a colour: "dark red" is red, greys are grey, black or white by their brightness. */
+/** A plain name of a color: "dark red" is red, greys are grey, black or white by their brightness. */
 export function colorName(color: Vec3): string {
     const high = Math.max(...color), low = Math.min(...color);
     if (high <= 0.02) return 'black';
@@ -71,7 +71,7 @@ export function sentence(explanation: Explanation): string {
         if (reason === 'behind') parts.push(`${phrase(lightName(light))} is behind the surface`);
         if (reason === 'faded') parts.push(`${phrase(lightName(light))} is too far to add anything`);
         if (reason === 'in_surface') parts.push(`${phrase(lightName(light))} is at the very point`);
-        if (reason === 'no_color') parts.push(`${phrase(lightName(light))} has no colour that this surface reflects`);
+        if (reason === 'no_color') parts.push(`${phrase(lightName(light))} has no color that this surface reflects`);
     }
     const text = parts.join('; ');
     return `${text[0]!.toUpperCase()}${text.slice(1)}.`;

@@ -33,14 +33,14 @@ export const shortVector = (v: Vec3) => `(${v.map(short).join(', ')})`;
 
 export const isBlack = (color: Vec3) => color.every((c) => c === 0);
 
-/** A linear colour as CSS. */
+/** A linear color as CSS. */
 export const css = (color: Vec3) => hex(color.map((c) => Math.round(255 * Math.max(0, Math.min(1, c)))) as Vec3);
 
 export const reasons: Record<LightTerms['reason'], string> = {
     adds: 'adds light',
     blocked: 'is blocked',
     behind: 'is behind the surface (N·L ≤ 0)',
-    no_color: 'adds nothing: its colour times the surface’s is black',
+    no_color: 'adds nothing: its color times the surface’s is black',
     faded: 'is too far: its attenuation is 0',
     in_surface: 'is at the hit point itself',
     faint: 'is too faint here: the convention light_threshold leaves it out',
