@@ -32,6 +32,9 @@ struct ShadowFilter {
 /// A sample of an area light that shines from its centre, with its shadow ray.
 struct ShadowSample {
     std::int32_t sample = 0;  ///< row * samples_u + column
+    /// Its factor in LightTerms::visible (and filter), which is the sum over the visible samples. The weights
+    /// of all samples add up to 1; a sample between two regions of different fineness may count in both.
+    double weight = 0;
     Vec3 position;
     bool blocked = false;
     Vec3 origin, direction;  ///< of the ray, as in LightTerms

@@ -76,8 +76,8 @@ std::string samples_text(const Scene& scene, std::string_view what, const Sample
 
 // "12 of 16 samples visible; blocked by box 2: 0, 1, 4; by sphere 1: 8"
 std::string visible_samples_text(const Scene& scene, std::size_t visible, std::size_t all,
-                                 const SamplesByShape& blocked) {
-    std::string text = fmt::format("{} of {} samples visible", visible, all);
+                                 const SamplesByShape& blocked, std::string_view weights = {}) {
+    std::string text = fmt::format("{} of {} samples visible{}", visible, all, weights);
     if (!blocked.empty()) text += "; " + samples_text(scene, "blocked", blocked);
     return text;
 }
@@ -114,6 +114,14 @@ std::string highlight_text(const Scene& scene, const ExplainedHit& hit, const Li
     return text;
 }
 
+// ", with weights from 0.0156 to 0.25"; empty if all are equal.
+std::string weights_text(std::span<const ShadowSample> samples) {
+    const auto [least, most] = std::minmax_element(
+        samples.begin(), samples.end(), [](const auto& a, const auto& b) { return a.weight < b.weight; });
+    if (least->weight == most->weight) return {};
+    return fmt::format(", with weights from {} to {}", number(least->weight), number(most->weight));
+}
+
 // The samples of an area light that shines from its centre.
 void add_shadow_samples(IndentedText& text, const Scene& scene, const ExplainStyle& style,
                         const LightTerms& terms, int depth) {
@@ -132,7 +140,8 @@ void add_shadow_samples(IndentedText& text, const Scene& scene, const ExplainSty
         }
     }
     text.line(depth, fmt::format("visible part {}: {}", number(terms.visible),
-                                 visible_samples_text(scene, visible, terms.samples.size(), blocked)));
+                                 visible_samples_text(scene, visible, terms.samples.size(), blocked,
+                                                      weights_text(terms.samples))));
     if (colored.empty()) return;
     text.line(depth, fmt::format("{}; together: times {}{}", samples_text(scene, "colored", colored),
                                  color(terms.filter), swatch(style, terms.filter)));

@@ -99,6 +99,7 @@ Json samples_json(const Scene& scene, const LightTerms& terms) {
     Json list = Json::array();
     for (const ShadowSample& sample : terms.samples) {
         Json json = {{"sample", sample.sample},
+                     {"weight", sample.weight},
                      {"position", to_json(sample.position)},
                      {"blocked", sample.blocked},
                      {"shadow_ray", shadow_ray_json(sample)}};

@@ -8,8 +8,10 @@
 #define GLINT_TRACE_AREA_SHADOW_INL_H_
 #endif
 
+#include <array>
 #include <bit>
 #include <type_traits>
+#include <vector>
 
 #include "glint/render.h"
 #include "trace/direct_lighting-inl.h"
@@ -53,27 +55,63 @@ template <class Value> class VisiblePart {
 
     /// The value of the grid. If it needs samples that have not been traced, they are wanted, and the value
     /// has no meaning.
-    Value value() { return region(0, 0, grid_.columns - 1, grid_.rows - 1, 0); }
+    Value value() { return value_of(whole()); }
     bool wants_samples() const { return wants_; }
+    /// Adds to weights[sample] the factor with which the sample counts in value(), which wants no samples.
+    void add_weights(std::vector<double>& weights) const { add_weights(whole(), 1, weights); }
 
   private:
-    Value region(int u1, int v1, int u2, int v2, int level) {
-        const int corners[4] = {sample(u1, v1), sample(u2, v1), sample(u2, v2), sample(u1, v2)};
-        bool traced = true;
-        Value values[4];
+    struct Region {
+        int u1, v1, u2, v2, level;  // the first and the last column and row
+    };
+    struct Corners {
+        int sample[4];  // neighbours follow each other
+        Value value[4];
+        bool traced;
+    };
+
+    Region whole() const { return {0, 0, grid_.columns - 1, grid_.rows - 1, 0}; }
+
+    Corners corners_of(const Region& r) const {
+        Corners corners{
+            {sample(r.u1, r.v1), sample(r.u2, r.v1), sample(r.u2, r.v2), sample(r.u1, r.v2)}, {}, true};
         for (int k = 0; k < 4; ++k) {
-            traced = traced && shadow_.is_traced(corners[k], surface_);
-            values[k] = value_of(corners[k]);
+            corners.traced = corners.traced && shadow_.is_traced(corners.sample[k], surface_);
+            corners.value[k] = value_of(corners.sample[k]);
         }
-        if (!traced) want(corners);
-        const bool small = u2 - u1 <= 1 && v2 - v1 <= 1;
-        const bool divided = level < grid_.adaptive || (traced && neighbours_differ(values));
-        if (small || !divided) return (values[0] + values[1] + values[2] + values[3]) * 0.25;
-        const int u = (u1 + u2) / 2, v = (v1 + v2) / 2, next_u = (u1 + u2 + 1) / 2,
-                  next_v = (v1 + v2 + 1) / 2;
-        return (region(u1, v1, u, v, level + 1) + region(next_u, v1, u2, v, level + 1) +
-                region(u1, next_v, u, v2, level + 1) + region(next_u, next_v, u2, v2, level + 1)) *
+        return corners;
+    }
+
+    bool is_divided(const Region& r, const Corners& corners) const {
+        if (r.u2 - r.u1 <= 1 && r.v2 - r.v1 <= 1) return false;
+        return r.level < grid_.adaptive || (corners.traced && neighbours_differ(corners.value));
+    }
+
+    static std::array<Region, 4> quarters_of(const Region& r) {
+        const int u = (r.u1 + r.u2) / 2, v = (r.v1 + r.v2) / 2, next_u = (r.u1 + r.u2 + 1) / 2,
+                  next_v = (r.v1 + r.v2 + 1) / 2, level = r.level + 1;
+        return {Region{r.u1, r.v1, u, v, level}, Region{next_u, r.v1, r.u2, v, level},
+                Region{r.u1, next_v, u, r.v2, level}, Region{next_u, next_v, r.u2, r.v2, level}};
+    }
+
+    Value value_of(const Region& r) {
+        const Corners corners = corners_of(r);
+        if (!corners.traced) want(corners.sample);
+        if (!is_divided(r, corners))
+            return (corners.value[0] + corners.value[1] + corners.value[2] + corners.value[3]) * 0.25;
+        const std::array<Region, 4> quarters = quarters_of(r);
+        return (value_of(quarters[0]) + value_of(quarters[1]) + value_of(quarters[2]) +
+                value_of(quarters[3])) *
                0.25;
+    }
+
+    void add_weights(const Region& r, double weight, std::vector<double>& weights) const {
+        const Corners corners = corners_of(r);
+        if (is_divided(r, corners)) {
+            for (const Region& quarter : quarters_of(r)) add_weights(quarter, 0.25 * weight, weights);
+            return;
+        }
+        for (const int corner : corners.sample) weights[static_cast<std::size_t>(corner)] += 0.25 * weight;
     }
 
     int sample(int u, int v) const { return v * grid_.columns + u; }

@@ -158,10 +158,24 @@ inline std::vector<ShadowFilter> recorded_filters(const WorldParts& world, const
     return filters;
 }
 
+/// The factors with which the samples of an area light count in its visible part, by sample. strength: of the
+/// light at the surface, without its shadow.
+inline std::vector<double> sample_weights(const WorldParts& world, const PreparedLight& light,
+                                          AreaShadowBatch& shadow, int surface, double strength) {
+    std::vector<double> weights(static_cast<std::size_t>(light.area.count()));
+    const LightDifference difference(light.color, strength);
+    if (world.colors_shadows())
+        VisiblePart<Color>(light.area, shadow, surface, difference).add_weights(weights);
+    else
+        VisiblePart<double>(light.area, shadow, surface, difference).add_weights(weights);
+    return weights;
+}
+
 /// The samples of an area light whose shadow rays were traced for the surface at index h + k.
 inline std::vector<ShadowSample> recorded_samples(const WorldParts& world, const PreparedLight& light,
-                                                  const SurfaceBatch& surfaces, const AreaShadowBatch& shadow,
-                                                  int h, int k, const TileRecord& record) {
+                                                  const SurfaceBatch& surfaces, AreaShadowBatch& shadow,
+                                                  int h, int k, double strength, const TileRecord& record) {
+    const std::vector<double> weights = sample_weights(world, light, shadow, h + k, strength);
     std::vector<ShadowSample> list;
     for (int sample = 0; sample < light.area.count(); ++sample) {
         if (!shadow.is_traced(sample, h + k)) continue;
@@ -171,6 +185,7 @@ inline std::vector<ShadowSample> recorded_samples(const WorldParts& world, const
             light.jitter ? moved_sample(world, light, sample, surfaces, h) : lanes_of(fixed);
         ShadowSample& traced = list.emplace_back();
         traced.sample = sample;
+        traced.weight = weights[static_cast<std::size_t>(sample)];
         traced.position = Vector3Elements(at).vec3(k);
         traced.blocked = !shadow.is_visible(sample, h + k);
         traced.origin = Vector3Elements(ray.origin).vec3(k);
@@ -188,7 +203,7 @@ inline std::vector<ShadowSample> recorded_samples(const WorldParts& world, const
 /// Records one light, after its terms have been added.
 inline void record_light(const WorldParts& world, const PreparedLight& light, const SurfaceBatch& surfaces,
                          const LightSampleBatch& samples, const ShadowRayBatch& shadow_rays,
-                         const AreaShadowBatch& area_shadow, TileRecord& record) {
+                         AreaShadowBatch& area_shadow, TileRecord& record) {
     const LightRules rules = light_rules(world, light);
     int rays = 0;
     for_each_hit(surfaces, [&](int h, int lanes) HWY_ATTR {
@@ -207,7 +222,8 @@ inline void record_light(const WorldParts& world, const PreparedLight& light, co
         const LaneElements distance(at.distance), f_att(at.attenuation), spot(at.spot), n_l(at.cosines.n_l),
             cosine(at.cosines.s), powers(power), phong_s(at.phong_s),
             phong_power(phong_power_of(world, material, rules.finish, phong, rules)),
-            factor(diffuse_factor(world, material, rules.finish, at.cosines.n_l, rules));
+            factor(diffuse_factor(world, material, rules.finish, at.cosines.n_l, rules)),
+            unshadowed(at.strength());
         const std::uint32_t may_add = to_bits(at.lit), lit = lit_bits(samples, h);
         for (int k = 0; k < lanes; ++k) {
             LightTerms r;
@@ -240,7 +256,8 @@ inline void record_light(const WorldParts& world, const PreparedLight& light, co
                 ++rays;
             }
             if (r.may_add && rules.samples_shadow) {
-                r.samples = recorded_samples(world, light, surfaces, area_shadow, h, k, record);
+                r.samples =
+                    recorded_samples(world, light, surfaces, area_shadow, h, k, unshadowed[k], record);
                 r.visible = area_shadow.fraction[static_cast<std::size_t>(h + k)];
                 if (world.colors_shadows()) r.filter = color_at(samples.filter, h + k);
             }

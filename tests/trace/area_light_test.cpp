@@ -228,6 +228,7 @@ TEST(AreaLights, QuarteringTracesFewerSamples) {
     Scene full = scene;
     full.lights[1].adaptive = k_all_levels;
     const std::optional<World> full_world = make_world(full);
+    int uneven = 0;
     for (int y = 0; y < 61; y += 3) {
         for (int x = 0; x < 83; x += 4) {
             const Explanation few = explain(scene, *world, x, y).value(),
@@ -236,6 +237,14 @@ TEST(AreaLights, QuarteringTracesFewerSamples) {
             if (hit == nullptr || !hit->lights[0].may_add) continue;
             const LightTerms &a = hit->lights[0], &b = first_hit(every)->lights[0];
             ASSERT_GE(a.samples.size(), 4u);
+            double sum = 0, part = 0;
+            for (const ShadowSample& sample : a.samples) {
+                sum += sample.weight;
+                part += sample.blocked ? 0 : sample.weight;
+            }
+            ASSERT_EQ(sum, 1);
+            ASSERT_EQ(part, a.visible);
+            uneven += a.samples[0].weight != a.samples.back().weight ? 1 : 0;
             if (a.samples.size() == 4) {
                 ASSERT_EQ(a.visible, a.samples[0].blocked ? 0 : 1);
             }
@@ -244,6 +253,7 @@ TEST(AreaLights, QuarteringTracesFewerSamples) {
             }
         }
     }
+    EXPECT_GT(uneven, 5);
 }
 
 // A light so dim that light and shadow differ by at most 0.1 is not divided.

@@ -116,6 +116,10 @@ TEST(ColoredAreaShadows, QuarteringDependsOnTheColor) {
     EXPECT_GT(rays(0.96), rays(0.97));  // by 0.12
 }
 
+bool nearly(Color a, Color b) {
+    return std::abs(a.r - b.r) < 1e-12 && std::abs(a.g - b.g) < 1e-12 && std::abs(a.b - b.b) < 1e-12;
+}
+
 TEST(ColoredAreaShadows, ExplainedAsDrawn) {
     for (const std::int32_t adaptive : {0, k_all_levels}) {
         Scene scene = panel_and_discs(5, 4);
@@ -135,6 +139,11 @@ TEST(ColoredAreaShadows, ExplainedAsDrawn) {
                     if (!ray.hit) continue;
                     const LightTerms& terms = ray.hit->lights.at(0);
                     ASSERT_EQ(terms.diffuse, ray.hit->diffuse);
+                    Color part;
+                    for (const ShadowSample& sample : terms.samples) {
+                        if (!sample.blocked) part = part + sample.filter * sample.weight;
+                    }
+                    ASSERT_TRUE(!terms.may_add || nearly(part, terms.filter)) << x << ',' << y;
                     if (ray.generation > 0 || !terms.may_add) continue;
                     seen += terms.visible;
                     ++tested;
