@@ -16,9 +16,12 @@ constexpr double k_max_outline = 0.1;                // of its outline: pixels o
 constexpr std::size_t k_min_background_pixels = 12;  // smaller shapes are not examined
 
 struct Look {
-    std::size_t all = 0, same = 0;              // pixels
+    std::size_t all = 0, same = 0, lit = 0;     // pixels; lit: not black
     std::size_t outline = 0, before_other = 0;  // neighbours of these pixels
 };
+
+// A channel as a picture shows it: white at most.
+double shown(float channel) { return number::min(static_cast<double>(channel), 1.0); }
 
 // The scene without its shapes.
 Image background_of(CheckContext& context) {
@@ -33,10 +36,11 @@ Image background_of(CheckContext& context) {
 }
 
 // Surfaces that show what is behind or before them, and those that would be visible if a light reached them.
-bool may_look_so(const CheckContext& context, std::uint32_t shape) {
+// lit: a light reaches most of the shape.
+bool may_look_so(const CheckContext& context, std::uint32_t shape, bool lit) {
     const Material m = context.material_of(shape);
     if (m.is_transparent() || m.transmission > 0 || m.mirror > 0) return true;
-    if (context.scene().settings.shading == Shading::color) return false;
+    if (lit || context.scene().settings.shading == Shading::color) return false;
     const bool glows =
         brightest(m.ambient * context.world().ambient) > k_same_color || brightest(m.emission) > k_same_color;
     return !glows && (brightest(m.diffuse) > k_same_color || brightest(m.specular) > k_same_color ||
@@ -71,11 +75,14 @@ void check_background_shapes(CheckContext& context) {
             ++look.all;
             const std::size_t i = 3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(size.width) +
                                        static_cast<std::size_t>(x));
-            bool same = true;
-            for (std::size_t c = i; c < i + 3; ++c)
-                same = same && number::abs(static_cast<double>(picture.rgb[c]) -
-                                           static_cast<double>(background.rgb[c])) < k_same_color;
+            bool same = true, lit = false;
+            for (std::size_t c = i; c < i + 3; ++c) {
+                const double color = shown(picture.rgb[c]);
+                same = same && number::abs(color - shown(background.rgb[c])) < k_same_color;
+                lit = lit || color > k_same_color;
+            }
             look.same += same ? 1 : 0;
+            look.lit += lit ? 1 : 0;
             const auto beside = [&](std::int32_t u, std::int32_t v) {
                 if (u < 0 || v < 0 || u >= size.width || v >= size.height) return;
                 const std::uint32_t other = shape_at(u, v);
@@ -96,7 +103,7 @@ void check_background_shapes(CheckContext& context) {
         };
         if (part(look.same, look.all) < k_min_same || part(look.before_other, look.outline) > k_max_outline)
             continue;
-        if (may_look_so(context, i)) continue;
+        if (may_look_so(context, i, part(look.lit, look.all) > k_min_same)) continue;
         found.push_back(i);
         pixels += look.all;
     }

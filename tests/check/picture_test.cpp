@@ -241,6 +241,18 @@ TEST(CheckPicture, ShapesInTheColorOfTheBackground) {
     EXPECT_EQ(ids_of(base + ghost +
                      "0 }\nplane { point = (0, 0, -3)  normal = (0, 0, 1)  color = (0.3, 0.5, 0.3) }\n"),
               "");
+    // White in light that is too strong, before white; and in light that is not.
+    const auto on_white = [](const std::string& light) {
+        return "background = (1, 1, 1)\ncamera { position = (0, 0, 8)  look_at = (0, 0, 0)  fov_x = 50 }\n" +
+               light +
+               "disc { center = (-1.5, 0, 0)  normal = (0, 0, 1)  radius = 1  color = (0.8, 0.3, 0.3) }\n"
+               "disc { center = (1.5, 0, 0)  normal = (0, 0, 1)  radius = 1  color = (1, 1, 1)  ambient = 0 "
+               "}\n";
+    };
+    const std::string strong = "light { type = directional  direction = (0, 0, 1)  intensity = 2.2 }\n";
+    EXPECT_TRUE(has(ids_of(on_white(strong)), "shape-looks-like-background@5")) << ids_of(on_white(strong));
+    const std::string gentle = "light { type = directional  direction = (0, 0, 1)  intensity = 0.9 }\n";
+    EXPECT_EQ(ids_of(on_white(gentle)), "");
     // Black on black; but a moon that is only not lit has its color.
     const std::string night =
         "camera { position = (0, 0, 8)  look_at = (0, 0, 0)  fov_x = 50 }\n"
