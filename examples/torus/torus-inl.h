@@ -8,17 +8,15 @@
 #endif
 
 #include "geometry/ray-inl.h"
+#include "geometry/traits.h"
 #include "glint/shapes.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace glint {
 namespace HWY_NAMESPACE {
 
-struct TorusGeometry {
+struct TorusGeometry : GeometryTraits {
     static constexpr int k_values = 2;  // radius of the ring, radius of the tube
-    static constexpr bool k_bounded = true;
-    static constexpr bool k_bakes_transform = false;
-    static constexpr bool k_filtered = false;
 
     static void pack(const Torus& torus, double* p) { p[0] = torus.radius, p[1] = torus.tube; }
     static bool is_open(const Torus&) { return false; }

@@ -80,12 +80,41 @@ void check_validation() {
     expect(glint::has_errors(glint::validate(scene)), "a negative tube is refused", 0, 0);
 }
 
+// A light inside the tube, in a torus that the check's ray leaves, enters again and leaves: no convex shape.
+void check_inside() {
+    const glint::Vec3 along = glint::normalize({0.5773, 0.6211, 0.5301}),
+                      axis = glint::normalize(glint::cross(along, {0, 0, 1})),
+                      across = glint::cross(along, axis);
+    glint::Affine turned;  // x becomes along, y becomes axis
+    const glint::Vec3 columns[3] = {along, axis, across};
+    for (int c = 0; c < 3; ++c) {
+        turned.m[0][c] = columns[c].x;
+        turned.m[1][c] = columns[c].y;
+        turned.m[2][c] = columns[c].z;
+    }
+    glint::Scene scene;
+    scene.settings.width = scene.settings.height = 80;
+    scene.camera.position = axis * 6;
+    scene.transforms = {turned};
+    scene.add(glint::Torus{1, 0.3}, glint::k_none, 0);
+    const auto finds = [&](glint::Vec3 light) {
+        scene.lights = {{.position = light}};
+        for (const glint::Finding& finding : glint::check(scene).value()) {
+            if (finding.id == "light-inside-shape") return true;
+        }
+        return false;
+    };
+    expect(finds(along * -1), "the light is in the tube", 0, 0);
+    expect(!finds({0, 0, 0}), "the light is in the hole", 0, 0);
+}
+
 }  // namespace
 
 int main() {
     check_ring();
     check_language();
     check_validation();
+    check_inside();
     std::printf("%d failures\n", failures);
     return failures == 0 ? 0 : 1;
 }

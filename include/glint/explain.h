@@ -116,6 +116,7 @@ struct ExplainedOcclusion {
 struct ExplainedHit {
     std::uint32_t shape = k_none;     ///< in Scene::shapes
     std::uint32_t material = k_none;  ///< in Scene::materials; k_none: the default material
+    std::uint32_t element = 0;        ///< the part of the shape: the triangle of a polygon, from 0
     std::optional<Color> color;       ///< the shape's own color, in place of the material's
     Vec3 point, normal, to_eye;       ///< N as used for shading, unit; V
     bool behind = false;              ///< the ray came from the back of the shape

@@ -23,9 +23,9 @@ struct Terms {
     }
 };
 
-Terms terms_of(const CheckContext& context, std::uint32_t slot) {
+Terms terms_of(const CheckContext& context, SurfaceId id) {
     const WorldParts& world = context.world();
-    const auto m = world.surface_values(slot);
+    const auto m = surface_values(world, id);
     const auto color_at = [&](int k) { return Color{m[k], m[k + 1], m[k + 2]}; };
     Terms terms;
     terms.ambient = brightest(color_at(k_ambient) * world.ambient);
@@ -47,20 +47,20 @@ void check_ambient_light(CheckContext& context, const VisibleHits& visible) {
     if ((shading != Shading::phong && shading != Shading::blinn_phong) || visible.seen().empty()) return;
     std::vector<std::int8_t> known(scene.shapes.size(), -1);
     std::size_t flat = 0, all = 0;
-    std::uint32_t first = k_none;
+    SurfaceId first;
     for (const SurfaceHit& h : visible.seen()) {
         // Not skies: planes, and spheres around the camera.
-        if (h.slot >= world.geometry->bounded || (h.behind && is_closed(scene, h.shape))) continue;
+        if (!world.geometry->is_bounded(h.surface) || (h.behind && is_closed(scene, h.shape))) continue;
         ++all;
         std::int8_t& is_flat = known[h.shape];
-        if (is_flat < 0) is_flat = terms_of(context, h.slot).too_much() ? 1 : 0;
+        if (is_flat < 0) is_flat = terms_of(context, h.surface).too_much() ? 1 : 0;
         if (is_flat == 0) continue;
         ++flat;
-        if (first == k_none) first = h.slot;
+        if (!first.exists()) first = h.surface;
     }
-    if (first == k_none || static_cast<double>(flat) < k_min_shapes * static_cast<double>(all)) return;
+    if (!first.exists() || static_cast<double>(flat) < k_min_shapes * static_cast<double>(all)) return;
     const Terms terms = terms_of(context, first);
-    const std::uint32_t material = (*world.slot_material)[first];
+    const std::uint32_t material = material_row(world, first);
     // Where the light is written in the file, else the material.
     FindingPlace place = context.at_material(material);
     for (const AmbientLight& light : *world.ambient_lights)

@@ -61,10 +61,9 @@ void check_background_shapes(CheckContext& context) {
     const RayList rays = camera_rays(world, size, 0, 0);
     const HitList hits = nearest_hits(world, rays, context.threads());
     const auto shape_at = [&](std::int32_t x, std::int32_t y) {
-        const std::uint32_t slot =
-            hits.slot[static_cast<std::size_t>(y) * static_cast<std::size_t>(size.width) +
-                      static_cast<std::size_t>(x)];
-        return slot == k_none ? k_none : world.geometry->shape_index[slot];
+        const SurfaceId id = hits.surface[static_cast<std::size_t>(y) * static_cast<std::size_t>(size.width) +
+                                          static_cast<std::size_t>(x)];
+        return id.exists() ? world.geometry->shape_of(id) : k_none;
     };
     std::vector<Look> looks(scene.shapes.size());
     for (std::int32_t y = 0; y < size.height; ++y) {

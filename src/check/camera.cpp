@@ -37,7 +37,7 @@ bool is_enclosure(const WorldParts& world, std::uint32_t shape) {
             return true;
     for (std::uint32_t slot = world.geometry->bounded; slot < world.geometry->count; ++slot) {
         const ShapeClass& planes = world.geometry->class_of(slot);
-        const auto value = [&](int k) { return planes.column(k)[slot - planes.first]; };
+        const auto value = [&](int k) { return planes.value(k, slot); };
         if (cuts({value(0), value(1), value(2)}, {value(3), value(4), value(5)}, enclosure)) return true;
     }
     return false;
@@ -94,7 +94,7 @@ bool check_camera(CheckContext& context, const VisibleHits& visible) {
     bool planes = false;
     for (const Generation& g : visible.generations) {
         for (const SurfaceHit& h : g.hits) {
-            if (h.slot < world.geometry->bounded) return true;
+            if (world.geometry->is_bounded(h.surface)) return true;
             planes = true;
         }
     }

@@ -203,16 +203,16 @@ class Coincidences {
         const HitList first = nearest_hits(world_, rays, context_.threads());
         // Of two that are hit at the same t, the later.
         World from_behind = context_.prepared();
-        WorldAccess::own(from_behind).last_of_equals = true;
+        WorldAccess::own(from_behind).ties = TieRule::last;
         const HitList last = nearest_hits(from_behind.parts(), rays, context_.threads());
 
         RayList beyond;
         std::vector<SurfaceHit> hits, before;
         for (std::size_t i = 0; i < rays.size(); ++i) {
-            if (first.slot[i] == k_none) continue;
+            if (!first.surface[i].exists()) continue;
             const SurfaceHit hit = surface_hit(world_, rays, first, i);
             hits.push_back(hit);
-            if (last.slot[i] != first.slot[i]) {
+            if (last.surface[i] != first.surface[i]) {
                 consider(hit, surface_hit(world_, rays, last, i));
                 continue;
             }
@@ -225,7 +225,7 @@ class Coincidences {
         }
         const HitList second = nearest_hits(world_, beyond, context_.threads());
         for (std::size_t i = 0; i < beyond.size(); ++i)
-            if (second.slot[i] != k_none) consider(before[i], surface_hit(world_, beyond, second, i));
+            if (second.surface[i].exists()) consider(before[i], surface_hit(world_, beyond, second, i));
         return hits;
     }
 
@@ -233,7 +233,7 @@ class Coincidences {
         if (a.shape == b.shape) return;
         const double along = dot(a.normal, b.normal);
         if (number::abs(along) < 1 - k_parallel) return;
-        const auto first = world_.surface_values(a.slot), second = world_.surface_values(b.slot);
+        const auto first = surface_values(world_, a.surface), second = surface_values(world_, b.surface);
         // Two faces of equal materials show no difference, unless light goes through them.
         const bool same = along > 0 && first == second;
         if (same && !(first[k_transmission] > 0)) return;

@@ -30,10 +30,9 @@ View view_of(const CheckContext& context, const WorldParts& world) {
     std::set<std::uint32_t> seen;
     std::size_t bounded = 0;
     for (std::size_t i = 0; i < rays.size(); ++i) {
-        const std::uint32_t slot = hits.slot[i];
-        bounded += slot < world.geometry->bounded ? 1 : 0;
-        if (seen.size() <= k_max_things)
-            seen.insert(slot == k_none ? k_none : world.geometry->shape_index[slot]);
+        const SurfaceId id = hits.surface[i];
+        bounded += world.geometry->is_bounded(id) ? 1 : 0;
+        if (seen.size() <= k_max_things) seen.insert(id.exists() ? world.geometry->shape_of(id) : k_none);
     }
     return {seen.size(), static_cast<double>(bounded) / static_cast<double>(rays.size())};
 }

@@ -31,8 +31,8 @@ struct Blockage {
     bool beyond = false;  // most of those meet it beyond the light
 };
 
-bool reflects(const WorldParts& world, std::uint32_t slot, const Light& light) {
-    const auto m = world.surface_values(slot);
+bool reflects(const WorldParts& world, SurfaceId id, const Light& light) {
+    const auto m = surface_values(world, id);
     const Color diffuse{m[k_diffuse], m[k_diffuse + 1], m[k_diffuse + 2]};
     const Color specular{m[k_specular], m[k_specular + 1], m[k_specular + 2]};
     return !is_black(diffuse * light.color) || !is_black(specular * light.specular_color);
@@ -48,15 +48,15 @@ Blockage find_blockage(const CheckContext& context, const VisibleHits& visible, 
     found.points = shadows.points;
     found.facing = shadows.rays.size();
     found.in_cone = shadows.in_cone;
-    for (const std::uint32_t slot : shadows.slot) found.reflecting += reflects(world, slot, light) ? 1 : 0;
+    for (const SurfaceId id : shadows.surface) found.reflecting += reflects(world, id, light) ? 1 : 0;
     if (!world.settings.shadows || !light.casts_shadows) return found;
     const HitList hits = nearest_occluders(world, shadows.rays, context.threads());
     const bool may_pass = light.has_position() && !shadows.from_light;
     std::unordered_map<std::uint32_t, Count> counts;
-    for (std::size_t i = 0; i < hits.slot.size(); ++i) {
-        if (hits.slot[i] == k_none || !reflects(world, shadows.slot[i], light)) continue;
+    for (std::size_t i = 0; i < hits.surface.size(); ++i) {
+        if (!hits.surface[i].exists() || !reflects(world, shadows.surface[i], light)) continue;
         ++found.blocked;
-        const std::uint32_t shape = world.geometry->shape_index[hits.slot[i]];
+        const std::uint32_t shape = world.geometry->shape_of(hits.surface[i]);
         Count& count = counts[shape];
         ++count.all;
         count.beyond += may_pass && hits.t[i] > 1 ? 1 : 0;

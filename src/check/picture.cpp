@@ -78,9 +78,9 @@ template <auto Member> Color extended_color(const WorldParts& world, std::uint32
 }
 
 // The maximum of a shape's material: k_a I_a + k_e + the sum over the lights of k_d I_d + (k_s + k_p) I_s.
-double bound_of(const WorldParts& world, std::uint32_t slot) {
-    const std::uint32_t material = (*world.slot_material)[slot];
-    const auto m = world.surface_values(slot);
+double bound_of(const WorldParts& world, SurfaceId id) {
+    const std::uint32_t material = material_row(world, id);
+    const auto m = surface_values(world, id);
     const Color ambient{m[k_ambient], m[k_ambient + 1], m[k_ambient + 2]};
     const Color diffuse{m[k_diffuse], m[k_diffuse + 1], m[k_diffuse + 2]};
     const Color specular = Color{m[k_specular], m[k_specular + 1], m[k_specular + 2]} +
@@ -93,9 +93,9 @@ double bound_of(const WorldParts& world, std::uint32_t slot) {
 }
 
 // True if a shape glows on purpose: its ambient term and its emission alone are above 1.
-bool glows(const WorldParts& world, std::uint32_t slot) {
-    const std::uint32_t material = (*world.slot_material)[slot];
-    const auto m = world.surface_values(slot);
+bool glows(const WorldParts& world, SurfaceId id) {
+    const std::uint32_t material = material_row(world, id);
+    const auto m = surface_values(world, id);
     const Color glow = Color{m[k_ambient], m[k_ambient + 1], m[k_ambient + 2]} * world.ambient +
                        extended_color<&Material::emission>(world, material);
     return number::max(glow.r, number::max(glow.g, glow.b)) > k_over;
@@ -114,13 +114,14 @@ template <class Test>
 void check_clamped_shapes(CheckContext& context, const VisibleHits& visible, Test over_at) {
     struct Count {
         std::size_t all = 0, over = 0;
-        std::uint32_t material = 0, slot = 0;
+        std::uint32_t material = 0;
+        SurfaceId surface;
     };
     std::map<std::uint32_t, Count> counts;
     for (const SurfaceHit& h : visible.seen()) {
         Count& count = counts[h.shape];
         count.material = h.material;
-        count.slot = h.slot;
+        count.surface = h.surface;
         ++count.all;
         count.over += over_at(h.ray) ? 1 : 0;
     }
@@ -132,14 +133,14 @@ void check_clamped_shapes(CheckContext& context, const VisibleHits& visible, Tes
     std::map<std::uint32_t, Clamped> materials;
     for (const auto& [shape, count] : counts) {
         if (static_cast<double>(count.all) < k_min_shape * static_cast<double>(visible.rays())) continue;
-        if (2 * count.over <= count.all || glows(context.world(), count.slot) ||
+        if (2 * count.over <= count.all || glows(context.world(), count.surface) ||
             is_explained(context, count.material))
             continue;
         Clamped& clamped = materials[count.material];
         clamped.shapes.push_back(shape);
         clamped.all += count.all;
         clamped.over += count.over;
-        clamped.bound = number::max(clamped.bound, bound_of(context.world(), count.slot));
+        clamped.bound = number::max(clamped.bound, bound_of(context.world(), count.surface));
     }
     for (const auto& [material, clamped] : materials) {
         // What is reflected makes it bright, not the lights.
@@ -191,11 +192,11 @@ void check_clamped(CheckContext& context, const VisibleHits& visible, const Imag
     }
     if (is_explained(context, most)) return;
     double bound = 0;
-    std::uint32_t last = k_none;
+    SurfaceId last;
     for (const SurfaceHit& h : visible.seen()) {
-        if (h.material != most || h.slot == last || !over_at(h.ray)) continue;
-        last = h.slot;
-        bound = number::max(bound, bound_of(context.world(), h.slot));
+        if (h.material != most || h.surface == last || !over_at(h.ray)) continue;
+        last = h.surface;
+        bound = number::max(bound, bound_of(context.world(), h.surface));
     }
     if (bound <= k_over) {
         context.report(

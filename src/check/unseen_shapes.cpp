@@ -28,8 +28,8 @@ void mark_shadows(const CheckContext& context, const VisibleHits& visible, std::
     if (!world.settings.shadows) return;
     for (std::size_t l = 0; l < world.lights->size() && l < k_max_lights; ++l) {
         const ShadowRays shadows = shadow_rays(world, visible, (*world.lights)[l], k_max_points);
-        for (const std::uint32_t slot : nearest_occluders(world, shadows.rays, context.threads()).slot)
-            if (slot != k_none) seen[world.geometry->shape_index[slot]] = true;
+        for (const SurfaceId id : nearest_occluders(world, shadows.rays, context.threads()).surface)
+            if (id.exists()) seen[world.geometry->shape_of(id)] = true;
     }
 }
 
@@ -116,7 +116,7 @@ Unseen find_unseen(const WorldParts& world, const std::vector<bool>& seen) {
                 place, frame.place_of(to_bounds(HWY_NAMESPACE::primitive_bounds(*world.geometry, slot))));
         } else {
             const ShapeClass& planes = world.geometry->class_of(slot);
-            const auto value = [&](int k) { return planes.column(k)[slot - planes.first]; };
+            const auto value = [&](int k) { return planes.value(k, slot); };
             const bool met = frame.may_see({value(0), value(1), value(2)}, {value(3), value(4), value(5)});
             place = met ? Place::inside : Place::outside;
         }
@@ -201,7 +201,7 @@ Reason reason_of(const CheckContext& context, std::uint32_t shape) {
     }
     const HitList hits = nearest_hits(world, rays, context.threads());
     for (std::size_t i = 0; i < rays.size(); ++i) {
-        if (hits.slot[i] == k_none || world.geometry->shape_index[hits.slot[i]] == shape) continue;
+        if (!hits.surface[i].exists() || world.geometry->shape_of(hits.surface[i]) == shape) continue;
         const Vec3 point = rays.origin(i) + rays.direction(i) * hits.t[i];
         if (projection.coordinates(point).depth < depths[i]) return Reason::hidden;
     }

@@ -33,7 +33,7 @@ std::vector<SurfaceHit> surface_hits(const WorldParts& world, const RayList& ray
     const HitList found = nearest_hits(world, rays, threads);
     std::vector<SurfaceHit> hits;
     for (std::size_t i = 0; i < rays.size(); ++i) {
-        if (found.slot[i] != k_none) hits.push_back(surface_hit(world, rays, found, i));
+        if (found.surface[i].exists()) hits.push_back(surface_hit(world, rays, found, i));
     }
     return hits;
 }
@@ -56,18 +56,19 @@ bool shines_towards(const Light& light, Vec3 point) {
 SurfaceHit surface_hit(const WorldParts& world, const RayList& rays, const HitList& hits, std::size_t ray) {
     SurfaceHit h;
     h.ray = ray;
-    h.slot = hits.slot[ray];
-    h.shape = world.geometry->shape_index[h.slot];
-    h.material = (*world.slot_material)[h.slot];
-    h.turned = world.flips_normal(h.slot);
+    h.surface = hits.surface[ray];
+    h.shape = world.geometry->shape_of(h.surface);
+    h.material = material_row(world, h.surface);
+    h.turned = flips_normal(world, h.surface);
     h.incoming = rays.direction(ray);
     h.point = rays.origin(ray) + h.incoming * hits.t[ray];
-    h.normal = primitive_normal(*world.geometry, h.slot, h.point);
-    h.behind = world.hits_from_behind(h.slot, h.normal, h.incoming);
+    const SurfaceNormals normals = surface_normals(*world.geometry, h.surface, h.point);
+    h.normal = normals.shading;
+    h.behind = hits_from_behind(world, normals, h.incoming);
     if (h.behind && h.turned) h.normal = -h.normal;
     h.magnitude = largest(rays.origin(ray)) + largest(h.point);
-    if (h.slot < world.geometry->bounded) {
-        const Bounds box = to_bounds(primitive_bounds(*world.geometry, h.slot));
+    if (world.geometry->is_bounded(h.surface)) {
+        const Bounds box = to_bounds(primitive_bounds(*world.geometry, h.surface.slot));
         h.magnitude += std::max(largest(box.min), largest(box.max));
     }
     return h;
@@ -159,7 +160,7 @@ ShadowRays shadow_rays(const WorldParts& world, const VisibleHits& visible, cons
             ++found.points;
             if (!(glint::dot(h.normal, to_light) > 0)) continue;
             found.in_cone += shines_towards(light, h.point) ? 1 : 0;
-            found.slot.push_back(h.slot);
+            found.surface.push_back(h.surface);
             const auto ray = shadow_ray(surface_point(h), light, triple_of(to_light), rules);
             found.rays.add(vec_of(ray.origin), vec_of(ray.direction), ray.t_min, ray.t_max);
         }
@@ -175,27 +176,27 @@ std::vector<std::uint32_t> shapes_along(const WorldParts& world, Vec3 point, Vec
         RayList ray;
         ray.add(point, direction, t_min);
         const HitList hit = nearest_hits(world, ray, 1);
-        if (hit.slot[0] == k_none) break;
-        shapes.push_back(world.geometry->shape_index[hit.slot[0]]);
+        if (!hit.surface[0].exists()) break;
+        shapes.push_back(world.geometry->shape_of(hit.surface[0]));
         t_min = hit.t[0];
     }
     return shapes;
 }
 
 std::vector<std::uint32_t> shapes_around(const CheckContext& context, Vec3 point) {
-    // The closed kinds are convex: a ray from inside meets one of them once, in any direction.
+    // A ray from inside a closed shape meets it an odd number of times, in any direction.
     const Vec3 way{0.5773, 0.6211, 0.5301};
-    const auto once = [&](Vec3 direction) {
-        std::vector<std::uint32_t> met = shapes_along(context.world(), point, direction), single;
+    const auto around = [&](Vec3 direction) {
+        std::vector<std::uint32_t> met = shapes_along(context.world(), point, direction), odd;
         std::sort(met.begin(), met.end());
-        for (std::size_t i = 0; i < met.size(); ++i) {
-            const bool repeated =
-                (i > 0 && met[i - 1] == met[i]) || (i + 1 < met.size() && met[i + 1] == met[i]);
-            if (!repeated && is_closed(context.scene(), met[i])) single.push_back(met[i]);
+        for (auto at = met.begin(); at != met.end();) {
+            const auto next = std::upper_bound(at, met.end(), *at);
+            if ((next - at) % 2 != 0 && is_closed(context.scene(), *at)) odd.push_back(*at);
+            at = next;
         }
-        return single;
+        return odd;
     };
-    const std::vector<std::uint32_t> one = once(way), other = once(-way);
+    const std::vector<std::uint32_t> one = around(way), other = around(-way);
     std::vector<std::uint32_t> both;
     std::set_intersection(one.begin(), one.end(), other.begin(), other.end(), std::back_inserter(both));
     return both;

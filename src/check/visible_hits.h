@@ -6,6 +6,7 @@
 
 #include "check/context.h"
 #include "trace/ray_list.h"
+#include "world/appearance.h"
 
 namespace glint {
 
@@ -13,7 +14,8 @@ namespace glint {
 struct SurfaceHit {
     Vec3 point, normal;  // unit normal, flipped towards the ray if the conventions say so
     Vec3 incoming;       // the ray's direction
-    std::uint32_t slot = 0, shape = 0, material = 0;
+    SurfaceId surface;
+    std::uint32_t shape = 0, material = 0;
     std::size_t ray = 0;   // the index of the ray
     bool turned = false;   // the conventions flip this shape's normal
     double magnitude = 0;  // as in SurfacePoint
@@ -56,11 +58,11 @@ class VisibleHits {
 /// The shadow rays of a light for the visible points, as the renderer traces them, for at most `most` hits
 /// per generation.
 struct ShadowRays {
-    RayList rays;                     // of the points that face the light
-    std::vector<std::uint32_t> slot;  // of the point of each ray
-    std::size_t in_cone = 0;          // of these points: those in whose direction it shines
-    bool from_light = false;          // otherwise from the point (t = 0) to the light (t = 1)
-    std::size_t points = 0;           // number of points examined
+    RayList rays;                    // of the points that face the light
+    std::vector<SurfaceId> surface;  // of the point of each ray
+    std::size_t in_cone = 0;         // of these points: those in whose direction it shines
+    bool from_light = false;         // otherwise from the point (t = 0) to the light (t = 1)
+    std::size_t points = 0;          // number of points examined
 };
 ShadowRays shadow_rays(const WorldParts& world, const VisibleHits& visible, const Light& light,
                        std::size_t most);

@@ -27,9 +27,9 @@ std::optional<Blocker> find_blocker(const WorldParts& world, const Terms& terms,
         RayList ray;
         ray.add(origin, direction, t_min, t_max);
         const HitList hit = nearest_occluders(world, ray, 1);
-        if (hit.slot[0] == k_none) return std::nullopt;
+        if (!hit.surface[0].exists()) return std::nullopt;
         const Vec3 at = origin + direction * hit.t[0];
-        return Blocker{world.geometry->shape_index[hit.slot[0]], length(at - shaded), at};
+        return Blocker{world.geometry->shape_of(hit.surface[0]), length(at - shaded), at};
     };
     std::optional<Blocker> blocker;
     // The same line in the opposite direction.
@@ -65,10 +65,10 @@ void find_sky_occluders(const WorldParts& world, std::span<const TileRecord::Sky
     for (const TileRecord::SkyRay& ray : blocked) rays.add(ray.origin, ray.direction, ray.t_min, ray.t_max);
     const HitList hits = nearest_occluders(world, rays, 1);
     for (std::size_t i = 0; i < blocked.size(); ++i) {
-        if (hits.slot[i] == k_none) continue;
+        if (!hits.surface[i].exists()) continue;
         ExplainedHit& hit = *e.rays[blocked[i].ray].hit;
         auto& list = hit.occlusion->occluders;
-        const std::uint32_t shape = world.geometry->shape_index[hits.slot[i]];
+        const std::uint32_t shape = world.geometry->shape_of(hits.surface[i]);
         auto at = std::find_if(list.begin(), list.end(), [&](const auto& o) { return o.shape == shape; });
         if (at == list.end()) at = list.insert(list.end(), {shape, 0, 0});
         ++at->samples;

@@ -8,6 +8,7 @@
 #endif
 
 #include "geometry/ray-inl.h"
+#include "geometry/traits.h"
 #include "glint/shapes.h"
 #include "math/transform.h"
 
@@ -15,11 +16,8 @@ HWY_BEFORE_NAMESPACE();
 namespace glint {
 namespace HWY_NAMESPACE {
 
-struct BoxGeometry {
+struct BoxGeometry : GeometryTraits {
     static constexpr int k_values = 6;  // min, max
-    static constexpr bool k_bounded = true;
-    static constexpr bool k_bakes_transform = false;
-    static constexpr bool k_filtered = false;
 
     static void pack(const Box& c, double* p) {
         p[0] = c.min.x, p[1] = c.min.y, p[2] = c.min.z;

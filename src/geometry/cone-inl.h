@@ -8,17 +8,16 @@
 #endif
 
 #include "geometry/axial-inl.h"
+#include "geometry/traits.h"
 #include "glint/shapes.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace glint {
 namespace HWY_NAMESPACE {
 
-struct ConeGeometry {
+struct ConeGeometry : GeometryTraits {
     static constexpr int k_values =
         10;  // from, unit axis, height, radius at from, growth of the radius per unit, caps (0 or 1)
-    static constexpr bool k_bounded = true;
-    static constexpr bool k_bakes_transform = false;
     static constexpr bool k_filtered = true;
 
     static void pack(const Cone& c, double* p) {

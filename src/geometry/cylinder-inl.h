@@ -8,16 +8,15 @@
 #endif
 
 #include "geometry/axial-inl.h"
+#include "geometry/traits.h"
 #include "glint/shapes.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace glint {
 namespace HWY_NAMESPACE {
 
-struct CylinderGeometry {
+struct CylinderGeometry : GeometryTraits {
     static constexpr int k_values = 9;  // from, unit axis, height, radius, caps (0 or 1)
-    static constexpr bool k_bounded = true;
-    static constexpr bool k_bakes_transform = false;
     static constexpr bool k_filtered = true;
 
     static void pack(const Cylinder& c, double* p) {

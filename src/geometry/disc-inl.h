@@ -8,6 +8,7 @@
 #endif
 
 #include "geometry/ray-inl.h"
+#include "geometry/traits.h"
 #include "glint/shapes.h"
 #include "math/extent.h"
 #include "math/transform.h"
@@ -16,11 +17,8 @@ HWY_BEFORE_NAMESPACE();
 namespace glint {
 namespace HWY_NAMESPACE {
 
-struct DiscGeometry {
+struct DiscGeometry : GeometryTraits {
     static constexpr int k_values = 7;  // center, unit normal, radius
-    static constexpr bool k_bounded = true;
-    static constexpr bool k_bakes_transform = false;
-    static constexpr bool k_filtered = false;
 
     static void pack(const Disc& disc, double* p) {
         const Vec3 n = glint::normalize(disc.normal);

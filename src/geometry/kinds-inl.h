@@ -26,17 +26,14 @@ namespace HWY_NAMESPACE {
 struct PolygonGeometry : TriangleGeometry {};
 template <class Geometry> inline constexpr bool k_is_packed = !std::is_same_v<Geometry, PolygonGeometry>;
 
-/// Kinds whose formula uses a TriangleGeometry::ShearedRay, and whose bounds are computed when needed.
-template <class Geometry>
-inline constexpr bool k_is_triangle =
-    std::is_same_v<Geometry, TriangleGeometry> || std::is_same_v<Geometry, SmoothTriangleGeometry>;
-
-/// Kinds whose formula costs no more than the test of their bounds, for one ray.
-template <class Geometry>
-inline constexpr bool k_is_cheap = k_is_triangle<Geometry> || std::is_same_v<Geometry, SphereGeometry>;
-
-/// Kinds with tests that are cheaper than their formula: quick_test() and ParallelTest.
-template <class Geometry> inline constexpr bool k_has_quick_test = std::is_same_v<Geometry, SphereGeometry>;
+/// The normal of the face at a point, of any length; shading: the kind's normal there.
+template <class Geometry, class T> HWY_INLINE Vector3<T> face_normal(const T* p, const Vector3<T>& shading) {
+    if constexpr (requires { Geometry::face_normal(p); }) {
+        return Geometry::face_normal(p);
+    } else {
+        return shading;
+    }
+}
 
 /// Calls visitor.visit<Geometry>() for the geometry of a kind, with or without a transform. Kinds that apply
 /// the transform to their own parameters (k_bakes_transform) are never packed with one.

@@ -8,6 +8,7 @@
 #endif
 
 #include "geometry/ray-inl.h"
+#include "geometry/traits.h"
 #include "glint/shapes.h"
 #include "math/transform.h"
 
@@ -15,11 +16,10 @@ HWY_BEFORE_NAMESPACE();
 namespace glint {
 namespace HWY_NAMESPACE {
 
-struct PlaneGeometry {
+struct PlaneGeometry : GeometryTraits {
     static constexpr int k_values = 6;  // point nearest to the origin, unit normal
     static constexpr bool k_bounded = false;
     static constexpr bool k_bakes_transform = true;
-    static constexpr bool k_filtered = false;
 
     static void pack(const Plane& plane, double* p) {
         const Vec3 n = glint::normalize(plane.normal);

@@ -8,17 +8,18 @@
 #endif
 
 #include "geometry/ray-inl.h"
+#include "geometry/traits.h"
 #include "glint/shapes.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace glint {
 namespace HWY_NAMESPACE {
 
-struct SphereGeometry {
+struct SphereGeometry : GeometryTraits {
     static constexpr int k_values = 4;  // center, radius
-    static constexpr bool k_bounded = true;
-    static constexpr bool k_bakes_transform = false;
     static constexpr bool k_filtered = true;
+    static constexpr bool k_cheap = true;
+    static constexpr bool k_quick = true;
 
     static void pack(const Sphere& s, double* p) {
         p[0] = s.center.x, p[1] = s.center.y, p[2] = s.center.z, p[3] = s.radius;

@@ -8,17 +8,16 @@
 #endif
 
 #include "geometry/ray-inl.h"
+#include "geometry/traits.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace glint {
 namespace HWY_NAMESPACE {
 
 /// Packed as the values of the shape, then object_from_world row by row (12 values).
-template <class Geometry> struct Transformed {
+template <class Geometry> struct Transformed : GeometryTraits {
     static constexpr int k_values = Geometry::k_values + 12;
     static constexpr bool k_bounded = Geometry::k_bounded;
-    static constexpr bool k_bakes_transform = false;
-    static constexpr bool k_filtered = false;
 
     template <class T> static HWY_INLINE Vector3<T> linear(const T* m, Vector3<T> v) {
         return {m[0] * v.x + m[1] * v.y + m[2] * v.z, m[4] * v.x + m[5] * v.y + m[6] * v.z,

@@ -8,6 +8,7 @@
 #endif
 
 #include "geometry/ray-inl.h"
+#include "geometry/traits.h"
 #include "glint/shapes.h"
 #include "math/transform.h"
 
@@ -16,11 +17,15 @@ namespace glint {
 namespace HWY_NAMESPACE {
 
 /// The normal is on the counter-clockwise side: (b - a) × (c - a).
-struct TriangleGeometry {
+struct TriangleGeometry : GeometryTraits {
     static constexpr int k_values = 9;  // a, b, c
-    static constexpr bool k_bounded = true;
+    static constexpr int k_bounds_values = 9;
+    static constexpr bool k_stores_box = false;
     static constexpr bool k_bakes_transform = true;
     static constexpr bool k_filtered = true;
+    static constexpr bool k_shares_filter = true;
+    static constexpr bool k_sheared = true;
+    static constexpr bool k_cheap = true;
 
     static void pack(const Triangle& triangle, double* p) {
         for (const Vec3& v : triangle.vertices) *p++ = v.x, *p++ = v.y, *p++ = v.z;
@@ -167,11 +172,8 @@ struct TriangleGeometry {
 };
 
 /// A triangle whose vertex normals are interpolated by the point's barycentric coordinates.
-struct SmoothTriangleGeometry {
+struct SmoothTriangleGeometry : TriangleGeometry {
     static constexpr int k_values = 18;  // a, b, c, and their normals
-    static constexpr bool k_bounded = true;
-    static constexpr bool k_bakes_transform = true;
-    static constexpr bool k_filtered = true;
 
     static void pack(const SmoothTriangle& triangle, double* p) {
         for (const Vec3& v : triangle.vertices) *p++ = v.x, *p++ = v.y, *p++ = v.z;
@@ -195,19 +197,13 @@ struct SmoothTriangleGeometry {
                                  hi);
     }
 
-    template <class T> static HWY_INLINE Hit<T> hit(const T* p, const Ray<T>& ray, T t_min) {
-        return TriangleGeometry::hit(p, ray, t_min);
+    /// The normal of the plane, of any length. It decides from which side a ray comes by winding.
+    template <class T> static HWY_INLINE Vector3<T> face_normal(const T* p) {
+        return cross(vector3(p + 3) - vector3(p), vector3(p + 6) - vector3(p));
     }
-    template <class F> using Filter = TriangleGeometry::Filter<F>;
-    template <class T, class Permutation>
-    static HWY_INLINE Hit<T> hit_sheared(const T* p, const TriangleGeometry::ShearedRay<T>& sheared,
-                                         const Vector3<T>& d, const Permutation& permute, T t_min) {
-        return TriangleGeometry::hit_sheared(p, sheared, d, permute, t_min);
-    }
-
     template <class T> static HWY_INLINE Vector3<T> normal(const T* p, Vector3<T> point) {
         const Vector3<T> a = vector3(p) - point, b = vector3(p + 3) - point, c = vector3(p + 6) - point;
-        const Vector3<T> n = cross(vector3(p + 3) - vector3(p), vector3(p + 6) - vector3(p));
+        const Vector3<T> n = face_normal(p);
         const T u = dot(cross(b, c), n), v = dot(cross(c, a), n), w = dot(cross(a, b), n);
         return normalize(vector3(p + 9) * u + vector3(p + 12) * v + vector3(p + 15) * w);
     }

@@ -14,6 +14,7 @@
 #include "glint/tiles.h"
 #include "glint/vec.h"
 #include "trace/columns.h"
+#include "trace/hit_columns.h"
 
 namespace glint {
 
@@ -133,8 +134,13 @@ class RayBatch : public RayFields<GrowingColumn> {
 struct HitBatch {
     int first = 0;
     int count = 0;
-    StreamColumn<double> t;            // t_max for a miss
-    StreamColumn<std::uint32_t> slot;  // k_none for a miss
+    StreamColumn<double> t;                     // t_max for a miss
+    StreamColumn<std::uint32_t> slot, element;  // of the surface; k_none and 0 for a miss
+
+    HitColumns columns() { return {t.data(), slot.data(), element.data()}; }
+    SurfaceId surface(int i) const {
+        return {slot[static_cast<std::size_t>(i)], element[static_cast<std::size_t>(i)]};
+    }
 };
 
 /// Entries [begin, end) of a HitBatch, at most k_batch_size, whose hits are shaded together.
@@ -156,6 +162,7 @@ struct SurfaceBatch {
     std::array<GroupEnd, k_batch_size> group_end;
 
     BatchColumn<std::uint32_t> slot, material;
+    BatchColumn<std::uint32_t> element;  // 0 throughout if no shape has several (start())
     // The values of the materials as lighting reads them (MaterialLanes): hit h has row[h] of `rows`. These
     // are the World's rows and `material`, or, in scenes with colors by shape, the two columns below.
     const double* rows = nullptr;
@@ -172,6 +179,14 @@ struct SurfaceBatch {
     BatchColumn<double> path, hash;                 // the ray's, if hashes are wanted: 32-bit words
     BatchColumn<double> weight[3], target, medium;  // the ray's (RayFields)
     BatchColumn<double> point[3], normal[3], incoming[3], to_eye[3], magnitude;
+
+    /// Before the surfaces of a World's tile are collected.
+    void start(bool has_elements) {
+        if (!has_elements) element.fill(0);
+    }
+    SurfaceId surface(int h) const {
+        return {slot[static_cast<std::size_t>(h)], element[static_cast<std::size_t>(h)]};
+    }
 };
 
 /// The diffuse and specular light reflected by the surfaces, summed over the lights.
@@ -256,8 +271,9 @@ struct ShadowRayBatch {
 struct SteppedRays {
     int count = 0;
     BatchColumn<double> origin[3], direction[3], t_min, t_max;
-    BatchColumn<double> t;            // of the nearest hit
-    BatchColumn<std::uint32_t> slot;  // likewise; k_none: none
+    // The nearest hits, as in HitBatch.
+    BatchColumn<double> t;
+    BatchColumn<std::uint32_t> slot, element;
     std::array<int, k_batch_size> number;
 
     /// Adds ray i of the span, from t_min on.
@@ -272,6 +288,10 @@ struct SteppedRays {
         t_max[k] = rays.t_max[i];
         number[k] = i;
         ++count;
+    }
+    HitColumns hits() { return {t.data(), slot.data(), element.data()}; }
+    SurfaceId surface(int i) const {
+        return {slot[static_cast<std::size_t>(i)], element[static_cast<std::size_t>(i)]};
     }
     Vec3 direction_of(int i) const {  // of any length
         const auto k = static_cast<std::size_t>(i);

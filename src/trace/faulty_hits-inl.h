@@ -10,6 +10,7 @@
 
 #include "geometry/kinds-inl.h"
 #include "trace/batches.h"
+#include "world/packed_values-inl.h"
 #include "world/world.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -29,16 +30,16 @@ struct FaultyTest {
 
     bool is_preferred(double t, int i) const {
         const std::size_t at = static_cast<std::size_t>(i);
-        const std::uint32_t other = hits.slot[at];
-        if (other == k_none || world.fault == TracerFault::behind_start) return t < hits.t[at];
+        const SurfaceId other = hits.surface(i);
+        if (!other.exists() || world.fault == TracerFault::behind_start) return t < hits.t[at];
         const std::uint32_t mine = world.geometry->shape_index[slot],
-                            theirs = world.geometry->shape_index[other];
+                            theirs = world.geometry->shape_of(other);
         if (mine == theirs) return t < hits.t[at];
         return (mine > theirs) == (world.fault == TracerFault::last_shape);
     }
     template <class Geometry> HWY_INLINE void visit() {
         Doubles p[Geometry::k_values];
-        for (int k = 0; k < Geometry::k_values; ++k) p[k] = Doubles(shapes.column(k)[slot - shapes.first]);
+        broadcast_values<Geometry::k_values>(shapes, slot, p);
         const bool behind = world.fault == TracerFault::behind_start;
         for (int i = 0; i < hits.count; i += lane_count<double>()) {
             const int ray = hits.first + i;
@@ -51,8 +52,7 @@ struct FaultyTest {
             for (; bits != 0; bits &= bits - 1) {
                 const int k = __builtin_ctz(bits);
                 if (!is_preferred(t[k], i + k)) continue;
-                hits.t[static_cast<std::size_t>(i + k)] = t[k];
-                hits.slot[static_cast<std::size_t>(i + k)] = slot;
+                hits.columns().set(i + k, t[k], world.geometry->surface_of(slot));
             }
         }
     }

@@ -72,12 +72,12 @@ HWY_INLINE void trace_any(const Bvh& bvh, SlabRays& slab_rays, int count, int ma
 /// (any_hit only).
 template <bool any>
 HWY_INLINE void trace_chunk(const WorldParts& world, const RaySpan& rays, int count, int max_packet,
-                            double* t, std::uint32_t* slot, std::uint8_t* occluded, bool parallel) {
+                            HitColumns nearest, std::uint8_t* occluded, bool parallel) {
     const PackedGeometry& geometry = *world.geometry;
     SlabRays slab_rays;
     prepare_rays(rays, count, slab_rays);
     std::uint32_t occluder = k_none;
-    const HitResult result{world, slab_rays, t, slot, occluded, &occluder};
+    const HitResult result{world, slab_rays, nearest, occluded, &occluder};
     ShearedRays sheared_rays(rays);
     QuickRays quick_rays(rays, count, parallel);
     ShapeTests tests{geometry, rays, slab_rays, result, sheared_rays, quick_rays};
@@ -91,15 +91,11 @@ HWY_INLINE void trace_chunk(const WorldParts& world, const RaySpan& rays, int co
         trace_nearest(geometry.bvh, slab_rays, count, max_packet, tests);
 }
 
-void nearest_hit(const WorldParts& world, const RaySpan& rays, int count, int packet, double* t,
-                 std::uint32_t* slot) {
-    for (int i = 0; i < count; ++i) {
-        t[i] = rays.t_max[i];
-        slot[i] = k_none;
-    }
+void nearest_hit(const WorldParts& world, const RaySpan& rays, int count, int packet, HitColumns hits) {
+    for (int i = 0; i < count; ++i) hits.set(i, rays.t_max[i], {});
     for (int first = 0; first < count; first += SlabRays::k_max_rays) {
         trace_chunk<false>(world, from(rays, first), number::min(SlabRays::k_max_rays, count - first), packet,
-                           t + first, slot + first, nullptr, false);
+                           hits.from(first), nullptr, false);
     }
 }
 
@@ -127,7 +123,8 @@ void any_hit(const WorldParts& world, const RaySpan& rays, int count, int packet
             t[i] = rays.t_max[first + i];
             occluded[first + i] = 0;
         }
-        trace_chunk<true>(world, from(rays, first), n, packet, t, nullptr, occluded + first, parallel);
+        trace_chunk<true>(world, from(rays, first), n, packet, {t, nullptr, nullptr}, occluded + first,
+                          parallel);
     }
 }
 

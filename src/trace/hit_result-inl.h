@@ -8,7 +8,8 @@
 #endif
 
 #include "bvh/slab-inl.h"
-#include "world/world.h"
+#include "trace/hit_columns.h"
+#include "world/appearance.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace glint {
@@ -18,36 +19,33 @@ namespace HWY_NAMESPACE {
 struct HitResult {
     const WorldParts& world;
     SlabRays& slab_rays;
-    double* t;                // by ray: the smallest t so far; initially t_max
-    std::uint32_t* slot;      // nearest_hit: initially k_none
+    HitColumns nearest;       // t: the smallest so far, initially t_max; the others for nearest_hit only
     std::uint8_t* occluded;   // any_hit only; null for nearest_hit
     std::uint32_t* occluder;  // any_hit: the slot of the last occluder found
 
-    /// Whether slot a precedes slot b in a tie: by the order in the scene, then by the order of the polygon's
-    /// triangles.
-    HWY_INLINE bool precedes(std::uint32_t a, std::uint32_t b) const {
+    /// Whether surface a precedes b in a tie.
+    HWY_INLINE bool precedes(SurfaceId a, SurfaceId b) const {
         const PackedGeometry& geometry = *world.geometry;
-        const std::uint32_t shape_a = geometry.shape_index[a], shape_b = geometry.shape_index[b];
-        if (shape_a == shape_b) return geometry.piece[a] < geometry.piece[b];
-        return (shape_a < shape_b) != world.last_of_equals;
+        const bool first = geometry.precedes(a, b);
+        return world.ties == TieRule::first || geometry.shape_of(a) == geometry.shape_of(b) ? first : !first;
     }
 
-    /// Stores a hit at new_t <= t[ray]. t[ray] may still be t_max.
-    HWY_INLINE void accept(int ray, double new_t, std::uint32_t new_slot) const {
+    /// Stores a hit at new_t <= t of the ray. That may still be t_max.
+    HWY_INLINE void accept(int ray, double new_t, SurfaceId id) const {
         if (occluded != nullptr) {
-            if (new_t != t[ray]) occlude(ray, new_slot);
+            if (new_t != nearest.t[ray]) occlude(ray, id);
             return;
         }
-        if (new_t == t[ray] && (slot[ray] == k_none || precedes(slot[ray], new_slot))) return;
-        t[ray] = new_t;
-        slot[ray] = new_slot;
+        const SurfaceId present = nearest.surface(ray);
+        if (new_t == nearest.t[ray] && (!present.exists() || precedes(present, id))) return;
+        nearest.set(ray, new_t, id);
         slab_rays.t_max[ray] = float_above(new_t);
     }
     /// any_hit: stores a hit at a t below t_max.
-    HWY_INLINE void occlude(int ray, std::uint32_t new_slot) const {
-        if (!world.casts_shadow(new_slot)) return;
+    HWY_INLINE void occlude(int ray, SurfaceId id) const {
+        if (!casts_shadow(world, id)) return;
         occluded[ray] = 1;
-        *occluder = new_slot;
+        *occluder = id.slot;
         slab_rays.t_max[ray] = -std::numeric_limits<float>::infinity();
     }
 };

@@ -2,7 +2,7 @@
 // Intersection of rays with shapes. This file defines the hit rule:
 //   A ray hits a shape at t if the shape's formula finds an intersection and the ray intersects the shape's
 //   padded bounds according to the slab expression of the hierarchy. t is clamped to the interval of the
-//   bounds and must be in (t_min, t_max). The nearest hit is the one with the least (t, index in the scene).
+//   bounds and must be in (t_min, t_max). The nearest hit is the one with the least (t, shape, element).
 // The rule does not depend on the grouping of rays into packets or on the tree.
 #if defined(GLINT_TRACE_HIT_RULE_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLINT_TRACE_HIT_RULE_INL_H_
@@ -90,18 +90,13 @@ struct ShapeTests {
         });
     }
 
-    template <class Geometry, class T>
-    HWY_INLINE void broadcast_values(const ShapeClass& shapes, std::uint32_t slot, T* p) const {
-        for (int k = 0; k < Geometry::k_values; ++k) p[k] = T(shapes.column(k)[slot - shapes.first]);
-    }
-
     /// The shape's formula for a vector of rays.
     template <class Geometry> HWY_INLINE Hit<Doubles> formula(const Doubles* p, int i, Doubles t_min) {
-        if constexpr (k_is_triangle<Geometry>) {
+        if constexpr (Geometry::k_sheared) {
             const auto sheared = sheared_rays.lanes(i);
             const int axis = sheared_rays.common_axis(i);
             if (axis >= 0) {
-                const TriangleGeometry::UniformPermutation<Doubles> permute{axis};
+                const typename Geometry::template UniformPermutation<Doubles> permute{axis};
                 return Geometry::hit_sheared(p, sheared, ray_lanes(i).direction, permute, t_min);
             }
         }
@@ -109,9 +104,9 @@ struct ShapeTests {
     }
     /// The shape's formula for one ray and a vector of shapes.
     template <class Geometry> HWY_INLINE Hit<Doubles> formula_of_ray(const Doubles* p, int i, Doubles t_min) {
-        if constexpr (k_is_triangle<Geometry>) {
+        if constexpr (Geometry::k_sheared) {
             const auto sheared = sheared_rays.one(i);
-            const TriangleGeometry::UniformPermutation<Doubles> permute{sheared_rays.axis(i)};
+            const typename Geometry::template UniformPermutation<Doubles> permute{sheared_rays.axis(i)};
             return Geometry::hit_sheared(p, sheared, one_ray(i).direction, permute, t_min);
         } else {
             return Geometry::hit(p, one_ray(i), t_min);
@@ -126,20 +121,22 @@ struct ShapeTests {
         const Doubles t_min = load(rays.t_min + i);
         const auto hit = formula<Geometry>(p, i, t_min);
         const Doubles t = min(max(hit.t, entry), exit);
-        bits &= to_bits(hit.valid && t > t_min && t <= load(result.t + i));
+        bits &= to_bits(hit.valid && t > t_min && t <= load(result.nearest.t + i));
         if (bits == 0) return;
+        const SurfaceId id = geometry.surface_of(slot);
         if (result.occluded == nullptr) {
             // Store all nearer hits at once.
-            const Doubles best = load(result.t + i);
+            const Doubles best = load(result.nearest.t + i);
             const auto nearer = t < best && from_bits<double>(bits);
-            store(select(nearer, t, best), result.t + i);
+            store(select(nearer, t, best), result.nearest.t + i);
             alignas(64) float t_max[lane_count<float>()] = {};
             store_narrow(t, t_max);
             store(floats_above(load(t_max)), t_max);
             const std::uint32_t done = to_bits(nearer);
             for (std::uint32_t b = done; b != 0; b &= b - 1) {
                 const int lane = __builtin_ctz(b);
-                result.slot[i + lane] = slot;
+                result.nearest.slot[i + lane] = id.slot;
+                result.nearest.element[i + lane] = id.element;
                 slab_rays.t_max[i + lane] = t_max[lane];
             }
             bits &= ~done;
@@ -149,7 +146,7 @@ struct ShapeTests {
         store(t, lanes);
         for (; bits != 0; bits &= bits - 1) {
             const int lane = __builtin_ctz(bits);
-            result.accept(i + lane, lanes[lane], slot);
+            result.accept(i + lane, lanes[lane], id);
         }
     }
 
@@ -162,11 +159,11 @@ struct ShapeTests {
             std::uint32_t bits = meets(packet, packet_slab(packet, boxes.lo, boxes.hi)) & first_bits(n);
             if (bits == 0) continue;
             SharedFilters<Geometry> filters;
-            if constexpr (k_is_triangle<Geometry>) {
+            if constexpr (Geometry::k_shares_filter) {
                 if (packet.common_origin)
                     bits &= filters.prepare(shapes, packet, origin(packet), first + s, n);
             }
-            if constexpr (k_has_quick_test<Geometry>) {
+            if constexpr (Geometry::k_quick) {
                 if (quick_rays.parallel()) filters.prepare(shapes, quick_rays, first + s, n);
             }
             for (; bits != 0; bits &= bits - 1)
@@ -178,10 +175,10 @@ struct ShapeTests {
     template <class Geometry>
     HWY_NOINLINE void single_shape(const ShapeClass& shapes, const RayPacket& packet, std::uint32_t slot) {
         SharedFilters<Geometry> filters;
-        if constexpr (k_is_triangle<Geometry>) {
+        if constexpr (Geometry::k_shares_filter) {
             if (packet.common_origin && filters.prepare(shapes, packet, origin(packet), slot, 1) == 0) return;
         }
-        if constexpr (k_has_quick_test<Geometry>) {
+        if constexpr (Geometry::k_quick) {
             if (quick_rays.parallel()) filters.prepare(shapes, quick_rays, slot, 1);
         }
         packet_shape<Geometry>(shapes, packet, packet.unfinished(),
@@ -201,7 +198,7 @@ struct ShapeTests {
             const FilteredRays filtered =
                 filter_rays(shapes, packet, quick_rays, active, filters, slot, lane);
             for (std::uint64_t hit = filtered.hit; hit != 0; hit &= hit - 1)
-                result.occlude(packet.first + __builtin_ctzll(hit), slot);
+                result.occlude(packet.first + __builtin_ctzll(hit), geometry.surface_of(slot));
             active = filtered.may_hit;
             if (active == 0) return;
         }
@@ -214,7 +211,7 @@ struct ShapeTests {
             const Slab slab = box_slab(packet, i, lo, hi);
             bits &= to_bits(meets(slab_rays, i, slab));
             if (bits == 0) continue;
-            if (!loaded) broadcast_values<Geometry>(shapes, slot, p);
+            if (!loaded) broadcast_values<Geometry::k_values>(shapes, slot, p);
             loaded = true;
             alignas(64) float entry[lanes], exit[lanes];
             store(slab.entry, entry);
@@ -230,7 +227,7 @@ struct ShapeTests {
     template <class Geometry>
     HWY_NOINLINE void many_rays_unbounded(const ShapeClass& shapes, std::uint32_t slot, int count) {
         Doubles p[Geometry::k_values];
-        broadcast_values<Geometry>(shapes, slot, p);
+        broadcast_values<Geometry::k_values>(shapes, slot, p);
         const Doubles infinity(std::numeric_limits<double>::infinity());
         for (int i = 0; i < count; i += lane_count<double>()) {
             const std::uint32_t bits = first_bits(number::min(count - i, lane_count<double>()));
@@ -264,8 +261,10 @@ struct ShapeTests {
         std::uint32_t slot, bits;
         HWY_INLINE ShapeLanes(const ShapeClass& shapes, std::uint32_t first, std::uint32_t count)
             : slot(first), bits(first_bits(number::min(static_cast<int>(count), lane_count<double>()))) {
-            for (int k = 0; k < Geometry::k_values; ++k)
-                p[k] = load(shapes.column(k) + (slot - shapes.first));
+            load_values<Geometry::k_values>(shapes, slot, p);
+        }
+        SurfaceId surface(const PackedGeometry& geometry, int lane) const {
+            return geometry.surface_of(slot + static_cast<std::uint32_t>(lane));
         }
     };
 
@@ -287,7 +286,7 @@ struct ShapeTests {
             std::uint8_t candidates[64];  // by ray: bits of shapes
             std::uint64_t tested = active;
             bool quick = false;
-            if constexpr (k_has_quick_test<Geometry>) {
+            if constexpr (Geometry::k_quick) {
                 quick = quick_rays.usable();
                 if (quick) tested = test_quickly(some, first_ray, active, candidates);
             }
@@ -335,7 +334,7 @@ struct ShapeTests {
         for (; hit != 0; hit &= hit - 1) {
             const int r = __builtin_ctzll(hit);
             for (std::uint32_t bits = hits[r]; bits != 0; bits &= bits - 1)
-                result.occlude(first_ray + r, some.slot + static_cast<std::uint32_t>(__builtin_ctz(bits)));
+                result.occlude(first_ray + r, some.surface(geometry, __builtin_ctz(bits)));
             active &= ~finished_bit(first_ray, r);
         }
         return may_hit & active;
@@ -347,7 +346,7 @@ struct ShapeTests {
                                 std::uint32_t bits, int i) {
         const Doubles t_min(rays.t_min[i]);
         RaySlab boxes;
-        if constexpr (!k_is_cheap<Geometry>) {
+        if constexpr (!Geometry::k_cheap) {
             meet_boxes<Geometry>(shapes, some.slot, i, boxes);
             bits &= boxes.meets;
             if (bits == 0) return;
@@ -355,20 +354,20 @@ struct ShapeTests {
         const auto hit = formula_of_ray<Geometry>(some.p, i, t_min);
         bits &= to_bits(hit.valid);
         if (bits == 0) return;
-        if constexpr (k_is_cheap<Geometry>) {
+        if constexpr (Geometry::k_cheap) {
             meet_boxes<Geometry>(shapes, some.slot, i, boxes);
             bits &= boxes.meets;
         }
         const Doubles t = min(max(hit.t, widen(boxes.entry)), widen(boxes.exit));
-        bits &= to_bits(t > t_min && t <= Doubles(result.t[i]));
+        bits &= to_bits(t > t_min && t <= Doubles(result.nearest.t[i]));
         if (bits == 0) return;
         alignas(64) double lanes[lane_count<double>()];
         store(t, lanes);
         for (; bits != 0; bits &= bits - 1) {
             const int lane = __builtin_ctz(bits);
             // An earlier lane may have reduced the limit.
-            if (lanes[lane] <= result.t[i])
-                result.accept(i, lanes[lane], some.slot + static_cast<std::uint32_t>(lane));
+            if (lanes[lane] <= result.nearest.t[i])
+                result.accept(i, lanes[lane], some.surface(geometry, lane));
         }
     }
 };

@@ -17,15 +17,14 @@ namespace glint {
 namespace HWY_NAMESPACE {
 
 /// See Kernels::nearest_hit and Kernels::any_hit (trace/kernels.h).
-void nearest_hit(const WorldParts& world, const RaySpan& rays, int count, int packet, double* t,
-                 std::uint32_t* slot);
+void nearest_hit(const WorldParts& world, const RaySpan& rays, int count, int packet, HitColumns hits);
 void any_hit(const WorldParts& world, const RaySpan& rays, int count, int packet, std::uint8_t* occluded);
 
 /// Finds the nearest hits of a stream: of the rays from index `first`, at most k_stream_size.
 inline void intersect(const WorldParts& world, const RayBatch& rays, int first, HitBatch& hits) {
     hits.first = first;
     hits.count = number::min(k_stream_size, rays.count - first);
-    nearest_hit(world, rays.span(first), hits.count, k_packet_size, hits.t.data(), hits.slot.data());
+    nearest_hit(world, rays.span(first), hits.count, k_packet_size, hits.columns());
 }
 
 /// Determines which shadow rays are occluded.

@@ -9,6 +9,7 @@
 
 #include "bvh/rays.h"
 #include "glint/render.h"
+#include "trace/hit_columns.h"
 #include "trace/tile.h"
 #include "world/world.h"
 
@@ -17,11 +18,10 @@ namespace glint {
 struct Kernels {
     const char* isa;
 
-    /// For rays [0, count): the smallest t in (t_min, t_max) and the slot hit there (k_none: no hit; t is
-    /// then t_max). Of equal t, the shape that is first in the scene. Packets have up to `packet` rays (1 to
+    /// For rays [0, count): the smallest t in (t_min, t_max) and the surface hit there. Of equal t, the shape
+    /// that is first in the scene, and of one shape the first element. Packets have up to `packet` rays (1 to
     /// k_packet_size); the result does not depend on it.
-    void (*nearest_hit)(const WorldParts&, const RaySpan& rays, int count, int packet, double* t,
-                        std::uint32_t* slot);
+    void (*nearest_hit)(const WorldParts&, const RaySpan& rays, int count, int packet, HitColumns hits);
 
     /// occluded[i] = 1 if anything is hit in (t_min, t_max), else 0.
     void (*any_hit)(const WorldParts&, const RaySpan& rays, int count, int packet, std::uint8_t* occluded);

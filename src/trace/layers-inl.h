@@ -43,7 +43,8 @@ inline void store_first_hits(const WorldParts& world, const RayBatch& rays, cons
             first_hits.albedo[c][p] = material[k_diffuse + c];
         }
         first_hits.depth[p] = t * length(Vector3<double>{d[0][p], d[1][p], d[2][p]});
-        first_hits.object[p] = static_cast<double>(world.geometry->shape_index[surfaces.slot[h]]) + 1;
+        first_hits.object[p] =
+            static_cast<double>(world.geometry->shape_of(surfaces.surface(static_cast<int>(h)))) + 1;
         first_hits.material[p] = static_cast<double>(surfaces.material[h]) + 1;
         ++h;
     }

@@ -10,14 +10,14 @@
 #include "bvh/ray_packet-inl.h"
 #include "geometry/kinds-inl.h"
 #include "trace/quick_rays-inl.h"
-#include "world/world.h"
+#include "world/packed_values-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace glint {
 namespace HWY_NAMESPACE {
 
 /// The filters of a vector of triangles for a packet whose rays have a common origin. They are computed once
-/// per leaf instead of once per ray. Empty for other shapes than these and spheres.
+/// per leaf instead of once per ray. Empty for kinds that do not share filters, except spheres.
 template <class Geometry> class SharedFilters {
   public:
     /// Computes the filters of slots [first, first + count), count <= lanes. Returns a bit for each shape
@@ -26,9 +26,8 @@ template <class Geometry> class SharedFilters {
                                      std::uint32_t first, int count) {
         int i = 0;
         do {
-            Doubles p[9];
-            for (int k = 0; k < 9; ++k)
-                p[k] = load(shapes.column(k) + (first - shapes.first) + static_cast<std::uint32_t>(i));
+            Doubles p[Geometry::k_bounds_values];
+            load_values<Geometry::k_bounds_values>(shapes, first + static_cast<std::uint32_t>(i), p);
             const auto f = TriangleGeometry::Filter<Doubles>::from_one_origin(p, lanes_of(origin));
             const Doubles values[10] = {f.ab.x, f.ab.y, f.ab.z, f.bc.x, f.bc.y,
                                         f.bc.z, f.ca.x, f.ca.y, f.ca.z, f.slack};
@@ -51,7 +50,7 @@ template <class Geometry> class SharedFilters {
     }
 
   private:
-    alignas(64) float value_[10][k_is_triangle<Geometry> ? lane_count<float>() : 1];
+    alignas(64) float value_[10][Geometry::k_shares_filter ? lane_count<float>() : 1];
 };
 
 /// The filters of a vector of spheres for parallel rays.
@@ -62,9 +61,8 @@ template <> class SharedFilters<SphereGeometry> {
     /// Computes the filters of slots [first, first + count), count <= lanes.
     HWY_INLINE void prepare(const ShapeClass& shapes, const QuickRays& rays, std::uint32_t first, int count) {
         for (int i = 0; i < count; i += lane_count<double>()) {
-            Doubles p[4];
-            for (int k = 0; k < 4; ++k)
-                p[k] = load(shapes.column(k) + (first - shapes.first) + static_cast<std::uint32_t>(i));
+            Doubles p[SphereGeometry::k_values];
+            load_values<SphereGeometry::k_values>(shapes, first + static_cast<std::uint32_t>(i), p);
             const auto f = SphereGeometry::ParallelTest<Doubles>::of(p, rays.frame(), Test::k_single_slack,
                                                                      Doubles(rays.start_along()));
             const Doubles values[6] = {f.center.x, f.center.y, f.center.z, f.reach_2, f.inner_2, f.ahead};
@@ -104,14 +102,14 @@ HWY_INLINE FilteredRays filter_rays(const ShapeClass& shapes, const RayPacket& p
         passed.may_hit |= active & std::uint64_t{to_bits(filter.may_hit(direction))} << r;
     };
     const auto direction = [&](int r) HWY_ATTR { return columns(packet.rays.direction, packet.first + r); };
-    if constexpr (k_is_triangle<Geometry>) {
+    if constexpr (Geometry::k_shares_filter) {
         if (packet.common_origin) {
             const Filter filter = shared.one(lane);
             for (int r = 0; r < packet.count; r += lanes) pass(filter, direction(r), r);
             return passed;
         }
     }
-    if constexpr (k_has_quick_test<Geometry>) {
+    if constexpr (Geometry::k_quick) {
         if (quick.parallel()) {
             const auto filter = shared.one(lane);
             for (int r = 0; r < packet.count; r += lanes) {
@@ -124,8 +122,7 @@ HWY_INLINE FilteredRays filter_rays(const ShapeClass& shapes, const RayPacket& p
         }
     }
     Floats q[Geometry::k_values];
-    for (int k = 0; k < Geometry::k_values; ++k)
-        q[k] = Floats(static_cast<float>(shapes.column(k)[slot - shapes.first]));
+    broadcast_values<Geometry::k_values, float>(shapes, slot, q);
     const auto& origin = packet.rays.origin;
     if (packet.common_origin) {
         const int i = packet.first;

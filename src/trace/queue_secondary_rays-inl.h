@@ -93,8 +93,7 @@ HWY_INLINE Doubles material_numbers(const std::uint32_t* material) {
 /// The objects that rays are inside after they have passed a vector of surfaces (FogInteriors).
 HWY_INLINE Doubles passed_interiors(const WorldParts& world, const SurfaceBatch& surfaces, int h) {
     alignas(k_ray_alignment) double words[lane_count<double>()];
-    for (int k = 0; k < lane_count<double>(); ++k)
-        words[k] = world.interior_word(surfaces.slot[static_cast<std::size_t>(h + k)]);
+    for (int k = 0; k < lane_count<double>(); ++k) words[k] = interior_word(world, surfaces.surface(h + k));
     return to_doubles(to_words(load(surfaces.interiors.data() + h)) ^ to_words(load(words)));
 }
 

@@ -5,6 +5,7 @@
 
 #include "base/parallel_for.h"
 #include "trace/kernels.h"
+#include "world/appearance.h"
 
 namespace glint {
 namespace {
@@ -28,27 +29,29 @@ RaySpan RayList::from(std::size_t i) const {
 
 HitList nearest_hits(const WorldParts& world, const RayList& rays, int threads) {
     const Kernels& kernels = available_kernels().front();
-    HitList hits{std::vector<double>(rays.size()), std::vector<std::uint32_t>(rays.size())};
+    HitList hits{std::vector<double>(rays.size()), std::vector<SurfaceId>(rays.size())};
     parallel_for((rays.size() + k_chunk - 1) / k_chunk, threads, [&](std::size_t chunk) {
         // The kernels write whole vectors: results of one chunk must not overwrite those of the next.
         double t[k_chunk + k_ray_padding];
-        std::uint32_t slot[k_chunk + k_ray_padding];
+        std::uint32_t slot[k_chunk + k_ray_padding], element[k_chunk + k_ray_padding];
+        const HitColumns columns{t, slot, element};
         const std::size_t first = chunk * k_chunk, count = std::min(k_chunk, rays.size() - first);
-        kernels.nearest_hit(world, rays.from(first), static_cast<int>(count), k_packet_size, t, slot);
+        kernels.nearest_hit(world, rays.from(first), static_cast<int>(count), k_packet_size, columns);
         std::copy_n(t, count, hits.t.begin() + static_cast<std::ptrdiff_t>(first));
-        std::copy_n(slot, count, hits.slot.begin() + static_cast<std::ptrdiff_t>(first));
+        for (std::size_t i = 0; i < count; ++i)
+            hits.surface[first + i] = columns.surface(static_cast<int>(i));
     });
     return hits;
 }
 
 HitList nearest_occluders(const WorldParts& world, const RayList& rays, int threads) {
-    const auto passes = [&](std::uint32_t slot) { return slot != k_none && !world.casts_shadow(slot); };
+    const auto passes = [&](SurfaceId id) { return id.exists() && !casts_shadow(world, id); };
     HitList hits = nearest_hits(world, rays, threads);
     for (;;) {
         RayList on;
         std::vector<std::size_t> numbers;
         for (std::size_t i = 0; i < rays.size(); ++i) {
-            if (!passes(hits.slot[i])) continue;
+            if (!passes(hits.surface[i])) continue;
             on.add(rays.origin(i), rays.direction(i), hits.t[i], rays.t_max(i));
             numbers.push_back(i);
         }
@@ -56,7 +59,7 @@ HitList nearest_occluders(const WorldParts& world, const RayList& rays, int thre
         const HitList next = nearest_hits(world, on, threads);
         for (std::size_t k = 0; k < numbers.size(); ++k) {
             hits.t[numbers[k]] = next.t[k];
-            hits.slot[numbers[k]] = next.slot[k];
+            hits.surface[numbers[k]] = next.surface[k];
         }
     }
 }

@@ -31,10 +31,10 @@ class RayList {  // NOLINT(bugprone-reserved-identifier): the compiler's own, in
     std::vector<double> columns_[8];
 };
 
-/// The nearest hit of each ray. For a miss, slot is k_none and t is the ray's t_max.
+/// The nearest hit of each ray. For a miss, t is the ray's t_max.
 struct HitList {
     std::vector<double> t;
-    std::vector<std::uint32_t> slot;
+    std::vector<SurfaceId> surface;
 };
 HitList nearest_hits(const WorldParts& world, const RayList& rays, int threads);
 /// The nearest hit among shapes that cast shadows.

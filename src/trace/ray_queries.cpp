@@ -50,14 +50,16 @@ Result<std::vector<RayHit>> nearest_hits(const World& world, std::span<const Ray
         for_chunks(rays, threads, [&](std::size_t first, std::span<const Ray> some) {
             const RayColumns columns(some);
             double t[k_rays_at_once + k_ray_padding];
-            std::uint32_t slot[k_rays_at_once + k_ray_padding];
-            kernels.nearest_hit(parts, columns.span(), static_cast<int>(some.size()), k_packet_size, t, slot);
+            std::uint32_t slot[k_rays_at_once + k_ray_padding], element[k_rays_at_once + k_ray_padding];
+            const HitColumns found{t, slot, element};
+            kernels.nearest_hit(parts, columns.span(), static_cast<int>(some.size()), k_packet_size, found);
             for (std::size_t i = 0; i < some.size(); ++i) {
                 RayHit& hit = hits[first + i];
                 hit.t = t[i];
-                if (slot[i] == k_none) continue;
-                hit.shape = geometry.shape_index[slot[i]];
-                hit.normal = primitive_normal(geometry, slot[i], some[i].origin + some[i].direction * t[i]);
+                const SurfaceId id = found.surface(static_cast<int>(i));
+                if (!id.exists()) continue;
+                hit.shape = geometry.shape_of(id);
+                hit.normal = surface_normals(geometry, id, some[i].origin + some[i].direction * t[i]).shading;
             }
         });
         return hits;

@@ -50,14 +50,16 @@ template <class Visit> inline void for_each_hit(const SurfaceBatch& surfaces, co
 inline ExplainedHit recorded_hit(const WorldParts& world, const SurfaceBatch& surfaces, std::size_t h) {
     const auto i = static_cast<int>(h);
     ExplainedHit hit;
-    hit.shape = world.geometry->shape_index[surfaces.slot[h]];
+    const SurfaceId id = surfaces.surface(i);
+    hit.shape = world.geometry->shape_of(id);
+    hit.element = id.element;
     hit.material = surfaces.material[h];
-    if (const ShapeColor color = world.color_of(surfaces.slot[h]); color.is_set()) hit.color = color.color();
+    if (const ShapeColor color = own_color(world, id); color.is_set()) hit.color = color.color();
     hit.point = vec3_at(surfaces.point, i);
     hit.normal = vec3_at(surfaces.normal, i);
     hit.to_eye = vec3_at(surfaces.to_eye, i);
     hit.behind = surfaces.behind[h] > 0;
-    hit.turned = hit.behind && world.flips_normal(surfaces.slot[h]);
+    hit.turned = hit.behind && flips_normal(world, id);
     hit.weight = color_at(surfaces.weight, i);
     return hit;
 }
@@ -66,7 +68,7 @@ inline bool is_lit(const WorldParts& world) {
     return world.settings.shading != Shading::color && world.settings.shading != Shading::normals;
 }
 
-/// Records a range of rays and their hits, after compute_surfaces() and apply_beer_law().
+/// Records a range of rays and their hits, after color_surfaces() and apply_beer_law().
 inline void record_rays(const WorldParts& world, const RayBatch& rays, const HitBatch& hits, RayRange range,
                         const SurfaceBatch& surfaces, TileRecord& record) {
     record.batch.clear();
@@ -131,8 +133,8 @@ template <class Terms>
 inline ShadowFilter recorded_filter(const WorldParts& world, const TileRecord::ShadowStep& step,
                                     const Terms& terms, Vec3 shaded) {
     const Vec3 at = terms.origin + terms.direction * step.t;
-    return {world.geometry->shape_index[step.slot], glint::length(at - shaded), at,
-            world.shadow_factor(step.slot)};
+    return {world.geometry->shape_of(step.surface), glint::length(at - shaded), at,
+            shadow_factor(world, step.surface)};
 }
 /// The transparent surfaces on the way of a shadow ray, from P.
 inline std::vector<ShadowFilter> recorded_filters(const WorldParts& world, const Light& light, int ray,

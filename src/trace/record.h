@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "glint/explain.h"
+#include "world/surface_id.h"
 
 namespace glint {
 
@@ -41,7 +42,7 @@ struct TileRecord {
 
     struct ShadowStep {
         int ray;  // in the ShadowRayBatch
-        std::uint32_t slot;
+        SurfaceId surface;
         double t;
     };
     std::vector<ShadowStep> shadow_steps;  // the transparent surfaces on the shadow rays of the current light

@@ -10,6 +10,7 @@
 
 #include "trace/intersect-inl.h"
 #include "trace/record.h"
+#include "world/appearance.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace glint {
@@ -22,7 +23,7 @@ inline constexpr int k_max_steps = 4096;
 
 /// Finds the nearest hits of the stepped rays.
 inline void intersect_steps(const WorldParts& world, SteppedRays& steps) {
-    nearest_hit(world, steps.span(), steps.count, k_packet_size, steps.t.data(), steps.slot.data());
+    nearest_hit(world, steps.span(), steps.count, k_packet_size, steps.hits());
 }
 
 /// Computes the factors of the light of shadow rays that are not occluded: the product over the transparent
@@ -41,18 +42,18 @@ inline void filter_light(const WorldParts& world, ShadowRayBatch& rays, SteppedR
         int left = 0;
         for (int k = 0; k < steps.count; ++k) {
             const auto at = static_cast<std::size_t>(k);
-            if (steps.slot[at] == k_none) continue;
+            const SurfaceId id = steps.surface(k);
+            if (!id.exists()) continue;
             const auto i = static_cast<std::size_t>(steps.number[at]);
-            if (world.colors_light(steps.slot[at])) {
-                const Color factor = world.shadow_factor(steps.slot[at]);
+            if (colors_light(world, id)) {
+                const Color factor = shadow_factor(world, id);
                 const double factors[] = {factor.r, factor.g, factor.b};
                 double most = 0;
                 for (std::size_t c = 0; c < 3; ++c) {
                     rays.filter[c][i] *= factors[c];
                     most = number::max(most, rays.filter[c][i]);
                 }
-                if (record != nullptr)
-                    record->shadow_steps.push_back({steps.number[at], steps.slot[at], steps.t[at]});
+                if (record != nullptr) record->shadow_steps.push_back({steps.number[at], id, steps.t[at]});
                 if (most < k_min_filter) {
                     rays.occluded[i] = 1;
                     continue;
@@ -96,8 +97,8 @@ inline void skip_transparent(const WorldParts& world, RayBatch& rays, HitBatch& 
     const bool camera = rays.generation == 0;
     if (camera && rules.transparent_surfaces > 0) return;
     const RaySpan span = rays.span(hits.first);
-    const auto skips = [&](std::uint32_t slot) {
-        return slot != k_none && world.is_transparent((*world.slot_material)[slot]);
+    const auto skips = [&](SurfaceId id) {
+        return id.exists() && world.is_transparent(material_row(world, id));
     };
     // Counts a generation. Returns whether the ray ends.
     const auto end_ray = [&](int i) {
@@ -110,28 +111,25 @@ inline void skip_transparent(const WorldParts& world, RayBatch& rays, HitBatch& 
     for (int first = 0; first < hits.count; first += k_batch_size) {
         steps.count = 0;
         const int end = number::min(first + k_batch_size, hits.count);
-        const auto go_on_behind = [&](int i, double t, std::uint32_t slot) {
-            const auto h = static_cast<std::size_t>(i);
-            hits.t[h] = t;
-            hits.slot[h] = slot;
-            if (!skips(slot)) return false;
+        const auto go_on_behind = [&](int i, double t, SurfaceId id) {
+            hits.columns().set(i, t, id);
+            if (!skips(id)) return false;
             if (!end_ray(i)) return true;
-            hits.t[h] = span.t_max[i];
-            hits.slot[h] = k_none;
+            hits.columns().set(i, span.t_max[i], {});
             return false;
         };
         for (int i = first; i < end; ++i) {
-            const auto h = static_cast<std::size_t>(i);
             if (!camera && rays.passed[static_cast<std::size_t>(hits.first + i)] < rules.transparent_surfaces)
                 continue;
-            if (go_on_behind(i, hits.t[h], hits.slot[h])) steps.add(span, i, hits.t[h]);
+            const double t = hits.t[static_cast<std::size_t>(i)];
+            if (go_on_behind(i, t, hits.surface(i))) steps.add(span, i, t);
         }
         for (int step = 0; steps.count > 0 && step < k_max_steps; ++step) {
             intersect_steps(world, steps);
             int left = 0;
             for (int k = 0; k < steps.count; ++k) {
                 const auto at = static_cast<std::size_t>(k);
-                if (go_on_behind(steps.number[at], steps.t[at], steps.slot[at])) steps.go_on(k, left++);
+                if (go_on_behind(steps.number[at], steps.t[at], steps.surface(k))) steps.go_on(k, left++);
             }
             steps.count = left;
         }

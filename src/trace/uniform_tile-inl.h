@@ -9,15 +9,17 @@
 
 #include "trace/area_shadow-inl.h"
 #include "trace/camera_rays-inl.h"
+#include "trace/collect_hits-inl.h"
+#include "trace/color_surfaces-inl.h"
 #include "trace/direct_lighting-inl.h"
 #include "trace/faulty_hits-inl.h"
 #include "trace/film-inl.h"
 #include "trace/intersect-inl.h"
 #include "trace/layers-inl.h"
+#include "trace/locate_surfaces-inl.h"
 #include "trace/occlusion-inl.h"
 #include "trace/queue_secondary_rays-inl.h"
 #include "trace/ray_hash-inl.h"
-#include "trace/surface-inl.h"
 #include "trace/tile_culling-inl.h"
 #include "trace/transparency-inl.h"
 
@@ -106,7 +108,8 @@ template <class Visit> inline void for_each_range(const HitBatch& hits, const Vi
 /// Collects the hits of a range and computes their surfaces.
 inline void find_surfaces(const WorldParts& world, RayRange range, TileScratch& s) {
     collect_hits(world, s.rays, s.hits, range, s.surfaces);
-    compute_surfaces(world, s.surfaces);
+    locate_surfaces(world, s.surfaces);
+    color_surfaces(world, s.surfaces);
 }
 
 /// Traces the light from all directions for the surfaces of a whole stream: more of their rays start near
@@ -198,6 +201,7 @@ inline bool trace_samples(const WorldParts& world, const TileJob& job, const Pix
     const bool alpha =
         world.settings.alpha || (job.layers != nullptr && job.layers->of(Layer::alpha) != nullptr);
     s.film.clear(alpha);
+    s.surfaces.start(world.geometry->has_elements());
     s.rays.alpha = s.secondary.rays.alpha = alpha;
     s.rays.transparent = s.secondary.rays.transparent = world.has_transparency();
     if (list == nullptr && is_jittered(world, n)) {

@@ -14,7 +14,7 @@ EditIndex make_edit_index(const PackedGeometry& geometry) {
     for (std::size_t i = 0; i < geometry.scene_shapes; ++i) index.first[i + 1] += index.first[i];
     resize_in_huge_pages(index.slots, geometry.count);
     for (std::uint32_t slot = 0; slot < geometry.count; ++slot)
-        index.slots[index.first[geometry.shape_index[slot]] + geometry.piece_of(slot)] = slot;
+        index.slots[index.first[geometry.shape_index[slot]] + geometry.element_of(slot)] = slot;
     index.links = find_links(geometry.bvh, geometry.bounded);
     index.built_cost = find_cost(geometry.bvh);
     return index;

@@ -16,7 +16,7 @@ namespace glint {
 struct EditIndex {
     std::vector<std::uint32_t>
         first;  // by shape: the position of its first entry in `slots`; one more at the end
-    std::vector<std::uint32_t> slots;  // sorted by shape, then by piece
+    std::vector<std::uint32_t> slots;  // sorted by shape, then by element
     BvhLinks links;
     BvhCost built_cost;  // when the hierarchy was built
 

@@ -105,13 +105,13 @@ class ShapeEditor {
     }
 
     // first_triangle: used for polygons only.
-    Primitive primitive(std::uint32_t shape, std::uint32_t first_triangle, std::size_t piece) const {
+    Primitive primitive(std::uint32_t shape, std::uint32_t first_triangle, std::size_t element) const {
         if (scene_.shapes[shape].kind != ShapeKind::polygon) return {shape, k_none, 0};
-        return primitives_.list()[first_triangle + piece];
+        return primitives_.list()[first_triangle + element];
     }
-    // Primitive `piece` of changed shape i.
-    Primitive changed_primitive(std::size_t i, std::size_t piece) const {
-        return primitive(changed_[i], first_triangle_.empty() ? 0 : first_triangle_[i], piece);
+    // Primitive `element` of changed shape i.
+    Primitive changed_primitive(std::size_t i, std::size_t element) const {
+        return primitive(changed_[i], first_triangle_.empty() ? 0 : first_triangle_[i], element);
     }
 
     // Whether the changed shapes have the same number and classes of primitives as before.
@@ -120,10 +120,10 @@ class ShapeEditor {
         parallel_chunks(changed_.size(), options_.threads, [&](std::size_t i) {
             const auto slots = geometry.edit_index->slots_of(changed_[i]);
             bool same = slots.size() == count_primitives(i);
-            for (std::size_t piece = 0; same && piece < slots.size(); ++piece) {
-                const ShapeClass& shapes = geometry.class_of(slots[piece]);
+            for (std::size_t element = 0; same && element < slots.size(); ++element) {
+                const ShapeClass& shapes = geometry.class_of(slots[element]);
                 same = 2 * static_cast<int>(shapes.kind) + (shapes.transformed ? 1 : 0) ==
-                       primitives_.class_of(changed_primitive(i, piece));
+                       primitives_.class_of(changed_primitive(i, element));
             }
             if (!same) all = false;
         });
@@ -161,10 +161,11 @@ class ShapeEditor {
         };
         for (std::size_t i = 0; i < changed_.size(); ++i) {
             const auto slots = geometry.edit_index->slots_of(changed_[i]);
-            for (std::size_t piece = 0; piece < slots.size(); ++piece) {
-                write(changed_primitive(i, piece), slots[piece], geometry, rows);
-                if (slots[piece] < geometry.bounded)
-                    refit_item(geometry.bvh, geometry.edit_index->links, slots[piece], bounds, geometry.cost);
+            for (std::size_t element = 0; element < slots.size(); ++element) {
+                write(changed_primitive(i, element), slots[element], geometry, rows);
+                if (slots[element] < geometry.bounded)
+                    refit_item(geometry.bvh, geometry.edit_index->links, slots[element], bounds,
+                               geometry.cost);
             }
         }
     }
@@ -190,7 +191,7 @@ class ShapeEditor {
             if (!is_changed.empty() && !is_changed[shape]) return;
             const auto at = static_cast<std::uint32_t>(slot);
             const std::uint32_t first = first_triangle.empty() ? 0 : first_triangle[shape];
-            write(primitive(shape, first, geometry.piece_of(at)), at, geometry, rows);
+            write(primitive(shape, first, geometry.element_of(at)), at, geometry, rows);
         });
         refit_all(
             geometry.bvh,

@@ -6,28 +6,28 @@
 #include <span>
 
 #include "geometry/kinds-inl.h"
+#include "world/appearance.h"
+#include "world/packed_values-inl.h"
 
 namespace glint {
 namespace {
 
 using namespace HWY_NAMESPACE;
 
-// Whether a closed shape or a half-space contains a point: a ray from inside meets it from behind. A closed
-// shape is convex, so that any direction does; the boundary of a half-space is met by one of two opposite
-// ones.
+// Whether a closed shape or a half-space contains a point: the first surface that a ray from inside meets is
+// met from behind. Any direction meets a closed shape, convex or not; one of two opposite ones meets the
+// boundary of a half-space.
 class Contains {
   public:
-    Contains(const ShapeClass& shapes, std::uint32_t item, Vec3 point)
-        : shapes_(shapes), item_(item), point_(point) {}
+    Contains(const ShapeClass& shapes, std::uint32_t slot, Vec3 point)
+        : shapes_(shapes), slot_(slot), point_(point) {}
     bool result() const { return result_; }
-    template <class Geometry> void visit() {
-        if constexpr (!k_is_triangle<Geometry>) test<Geometry>();
-    }
+    template <class Geometry> void visit() { test<Geometry>(); }
 
   private:
     template <class Geometry> void test() {
         double p[Geometry::k_values];
-        for (int k = 0; k < Geometry::k_values; ++k) p[k] = shapes_.column(k)[item_];
+        broadcast_values<Geometry::k_values>(shapes_, slot_, p);
         const Vector3<double> origin{point_.x, point_.y, point_.z};
         for (const double side : {1.0, -1.0}) {
             const Vector3<double> d{0.36 * side, 0.48 * side, 0.8 * side};
@@ -39,7 +39,7 @@ class Contains {
     }
 
     const ShapeClass& shapes_;
-    std::uint32_t item_;
+    std::uint32_t slot_;
     Vec3 point_;
     bool result_ = false;
 };
@@ -74,14 +74,14 @@ std::uint32_t find_camera_interiors(const WorldParts& parts) {
         for (std::uint32_t item = 0; item < shapes.count; ++item) {
             const std::uint32_t slot = shapes.first + item;
             if (slot < geometry.boxed && !is_within_box(geometry, slot, origins.points[0])) continue;
-            if (geometry.is_open(slot) && !is_space) continue;
+            if (geometry.is_open(geometry.surface_of(slot)) && !is_space) continue;
             bool contains = true;
             for (const Vec3 point : origins.all()) {
-                Contains test(shapes, item, point);
+                Contains test(shapes, slot, point);
                 if (contains) visit_geometry(shapes.kind, shapes.transformed, test);
                 contains = contains && test.result();
             }
-            if (contains) interiors ^= parts.interior_word(slot);
+            if (contains) interiors ^= interior_word(parts, geometry.surface_of(slot));
         }
     }
     return interiors;

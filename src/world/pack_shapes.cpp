@@ -23,6 +23,7 @@ class Packer {
     Packer(const Scene& scene, bool cones, const PrepareOptions& options)
         : options_(options), primitives_(scene) {
         primitives_.add_all(cones);
+        has_elements_ = !scene.get<Polygon>().empty();
         geometry_.scene_shapes = static_cast<std::uint32_t>(scene.shapes.size());
         geometry_.has_cones = !scene.get<Cone>().empty();
     }
@@ -133,7 +134,8 @@ class Packer {
             resize_in_huge_pages(geometry_.box_hi[a], geometry_.boxed + k_ray_padding);
         }
         resize_in_huge_pages(geometry_.shape_index, padded);
-        resize_in_huge_pages(geometry_.piece, padded);
+        if (has_elements_) resize_in_huge_pages(geometry_.element, padded);
+        resize_in_huge_pages(geometry_.open, padded);
     }
 
     // Prefetches the data of the next leaves in steps; see Primitives::prefetch_shape().
@@ -158,6 +160,7 @@ class Packer {
     const PrepareOptions& options_;
     Primitives primitives_;
     PackedGeometry geometry_;
+    bool has_elements_ = false;
     std::vector<BvhItem> leaves_;      // the bounded primitives, in leaf order when the hierarchy is built
     std::vector<std::uint32_t> slot_;  // by position in leaf order
     std::vector<std::uint32_t> unbounded_;  // the unbounded primitives, by class
@@ -179,8 +182,8 @@ void write_primitive(const Primitives& primitives, const Primitive& primitive, c
     for (int k = 0; k < n; ++k)
         to[static_cast<std::size_t>(k) * shapes.stride] = values[static_cast<std::size_t>(k)];
     geometry.shape_index[slot] = primitive.shape;
-    geometry.piece[slot] =
-        primitive.piece | (primitives.is_open(primitive) ? PackedGeometry::k_open_shape : 0);
+    if (geometry.has_elements()) geometry.element[slot] = primitive.element;
+    geometry.open[slot] = primitives.is_open(primitive) ? 1 : 0;
     if (slot >= geometry.boxed) return;
     for (int a = 0; a < 3; ++a) {
         geometry.box_lo[a][slot] = box.lo[a];

@@ -9,6 +9,7 @@
 #include "bvh/refit.h"
 #include "glint/shapes.h"
 #include "glint/vec.h"
+#include "world/surface_id.h"
 
 namespace glint {
 
@@ -25,11 +26,12 @@ struct ShapeClass {
     std::uint32_t stride = 0;  // count plus a vector of padding
     std::vector<double> values;
     const double* column(int k) const { return values.data() + static_cast<std::size_t>(k) * stride; }
+    double value(int k, std::uint32_t slot) const { return column(k)[slot - first]; }
 };
 
-/// Slots are the positions of packed shapes; each triangle of a polygon has its own. The bounded ones are in
-/// the hierarchy's leaf order within their class; the unbounded ones follow. All arrays by slot are padded by
-/// vector.
+/// Slots are the positions of packed shapes; each triangle of a polygon has a slot of its own. The bounded
+/// ones are in the hierarchy's leaf order within their class; the unbounded ones follow. All arrays by slot
+/// are padded by vector.
 struct PackedGeometry {
     std::vector<ShapeClass> classes;          // bounded classes first
     std::uint32_t boxed = 0;                  // slots below this have a stored box
@@ -38,29 +40,29 @@ struct PackedGeometry {
     Bvh bvh;                                  // its leaves refer to slots
     std::vector<float> box_lo[3], box_hi[3];  // by slot: the shape's padded bounds; computed for triangles
     std::vector<std::uint32_t> shape_index;   // by slot: the index in Scene::shapes
-    std::vector<std::uint32_t> piece;         // by slot: the polygon's triangle, from 0; k_open_shape
+    std::vector<std::uint32_t> element;       // by slot: SurfaceId::element; empty: 0
+    std::vector<std::uint8_t> open;           // by slot: 1 if the shape encloses no space
     std::uint32_t scene_shapes = 0;           // the number of the scene's shapes
     bool has_cones = false;                   // the scene has cones, packed or omitted by the conventions
     std::shared_ptr<SharedEditIndex> shared_index;  // of this geometry and its copies
     std::shared_ptr<const EditIndex> edit_index;    // set by the first edit
     BvhCost cost;  // of the current hierarchy; kept up to date once there is an edit_index
 
-    static constexpr std::uint32_t k_open_shape = 0x80000000u;
-    std::uint32_t piece_of(std::uint32_t slot) const { return piece[slot] & ~k_open_shape; }
-    /// Whether the shape encloses no space: `facing = open` applies to it.
-    bool is_open(std::uint32_t slot) const { return (piece[slot] & k_open_shape) != 0; }
-
-    bool is_smooth_triangle(std::uint32_t slot) const {
-        return class_of(slot).kind == ShapeKind::smooth_triangle;
-    }
-    /// Of a smooth triangle a, b, c: (b - a) x (c - a), of any length.
-    Vec3 face_normal(std::uint32_t slot) const {
-        const ShapeClass& shapes = class_of(slot);
-        const std::uint32_t item = slot - shapes.first;
-        const auto vertex = [&](int k) {
-            return Vec3{shapes.column(k)[item], shapes.column(k + 1)[item], shapes.column(k + 2)[item]};
-        };
-        return cross(vertex(3) - vertex(0), vertex(6) - vertex(0));
+    /// Whether a shape may have several elements.
+    bool has_elements() const { return !element.empty(); }
+    std::uint32_t element_of(std::uint32_t slot) const { return has_elements() ? element[slot] : 0; }
+    SurfaceId surface_of(std::uint32_t slot) const { return {slot, element_of(slot)}; }
+    /// The index in Scene::shapes of a surface's shape.
+    std::uint32_t shape_of(SurfaceId id) const { return shape_index[id.slot]; }
+    /// Whether a surface is in the hierarchy.
+    bool is_bounded(SurfaceId id) const { return id.slot < bounded; }
+    /// Whether a surface's shape encloses no space: `facing = open` applies to it.
+    bool is_open(SurfaceId id) const { return open[id.slot] != 0; }
+    /// Whether surface a comes before b where a ray hits both at one t: by the order of the shapes in the
+    /// scene, then by the order of their elements.
+    bool precedes(SurfaceId a, SurfaceId b) const {
+        const std::uint32_t shape_a = shape_of(a), shape_b = shape_of(b);
+        return shape_a != shape_b ? shape_a < shape_b : a.element < b.element;
     }
 
     /// The class of a slot.
@@ -75,7 +77,11 @@ struct PackedGeometry {
     }
 };
 
-/// The unit normal of a slot's shape at a point of it.
-Vec3 primitive_normal(const PackedGeometry& geometry, std::uint32_t slot, Vec3 point);
+/// The normals of a surface at a point of it, not turned to any ray.
+struct SurfaceNormals {
+    Vec3 shading;  // unit; interpolated if the shape has vertex normals
+    Vec3 face;     // that of the face, of any length: it tells which side a ray comes from
+};
+SurfaceNormals surface_normals(const PackedGeometry& geometry, SurfaceId id, Vec3 point);
 
 }  // namespace glint

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The padded boxes of packed shapes, by the hit rule: stored, or computed from the values of triangles.
+// The padded boxes of packed shapes, by the hit rule: stored, or computed from the values.
 #if defined(GLINT_WORLD_PRIMITIVE_BOUNDS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLINT_WORLD_PRIMITIVE_BOUNDS_INL_H_
 #undef GLINT_WORLD_PRIMITIVE_BOUNDS_INL_H_
@@ -10,12 +10,28 @@
 #include "geometry/kinds-inl.h"
 #include "math/aabb.h"
 #include "world/packed_geometry.h"
+#include "world/packed_values-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 #define GLINT_NUMBER_NAMESPACE HWY_NAMESPACE
 #include "math/padding_templates-inl.h"
 namespace glint {
 namespace HWY_NAMESPACE {
+
+/// The padded box of a shape whose box is not stored.
+struct ComputedBox {
+    const ShapeClass& shapes;
+    std::uint32_t slot;
+    Aabb box;
+    template <class Geometry> void visit() {
+        if constexpr (!Geometry::k_stores_box) {
+            double p[Geometry::k_bounds_values];
+            broadcast_values<Geometry::k_bounds_values>(shapes, slot, p);
+            const auto [lo, hi] = Geometry::packed_bounds(p);
+            box = padded_box({lo.x, lo.y, lo.z}, {hi.x, hi.y, hi.z});
+        }
+    }
+};
 
 /// The padded box of a bounded slot's shape.
 inline Aabb primitive_bounds(const PackedGeometry& geometry, std::uint32_t slot) {
@@ -25,11 +41,10 @@ inline Aabb primitive_bounds(const PackedGeometry& geometry, std::uint32_t slot)
             box.lo[a] = geometry.box_lo[a][slot], box.hi[a] = geometry.box_hi[a][slot];
         return box;
     }
-    const ShapeClass& triangles = geometry.class_of(slot);
-    double p[9];  // their first values are the vertices
-    for (int k = 0; k < 9; ++k) p[k] = triangles.column(k)[slot - triangles.first];
-    const auto [lo, hi] = TriangleGeometry::packed_bounds(p);
-    return padded_box({lo.x, lo.y, lo.z}, {hi.x, hi.y, hi.z});
+    const ShapeClass& shapes = geometry.class_of(slot);
+    ComputedBox computed{shapes, slot, {}};
+    visit_geometry(shapes.kind, shapes.transformed, computed);
+    return computed.box;
 }
 
 /// padded_box (math/aabb.h) lane by lane: the sides of one axis.
@@ -46,13 +61,12 @@ template <class Geometry> struct PrimitiveBounds {
 
     HWY_INLINE PrimitiveBounds(const PackedGeometry& geometry, const ShapeClass& shapes, std::uint32_t first,
                                [[maybe_unused]] int count) {
-        if constexpr (k_is_triangle<Geometry>) {
+        if constexpr (!Geometry::k_stores_box) {
             int i = 0;
             do {
-                Doubles p[9];
-                for (int k = 0; k < 9; ++k)
-                    p[k] = load(shapes.column(k) + (first - shapes.first) + static_cast<std::uint32_t>(i));
-                const auto packed_bounds = TriangleGeometry::packed_bounds(p);
+                Doubles p[Geometry::k_bounds_values];
+                load_values<Geometry::k_bounds_values>(shapes, first + static_cast<std::uint32_t>(i), p);
+                const auto packed_bounds = Geometry::packed_bounds(p);
                 pad_sides(packed_bounds.lo.x, packed_bounds.hi.x, computed_[0] + i, computed_[3] + i);
                 pad_sides(packed_bounds.lo.y, packed_bounds.hi.y, computed_[1] + i, computed_[4] + i);
                 pad_sides(packed_bounds.lo.z, packed_bounds.hi.z, computed_[2] + i, computed_[5] + i);
@@ -68,7 +82,7 @@ template <class Geometry> struct PrimitiveBounds {
     PrimitiveBounds& operator=(const PrimitiveBounds&) = delete;
 
   private:
-    alignas(64) float computed_[6][k_is_triangle<Geometry> ? lane_count<float>() : 1];
+    alignas(64) float computed_[6][Geometry::k_stores_box ? 1 : lane_count<float>()];
 };
 
 }  // namespace HWY_NAMESPACE

@@ -23,7 +23,7 @@ struct TraitsOf {
         traits.bakes_transform = Geometry::k_bakes_transform;
         traits.values = Geometry::k_values;
         traits.bounded = Geometry::k_bounded;
-        traits.stores_box = traits.bounded && !k_is_triangle<Geometry>;
+        traits.stores_box = traits.bounded && Geometry::k_stores_box;
     }
 };
 

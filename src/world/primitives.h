@@ -18,14 +18,14 @@ inline constexpr int k_primitive_classes = 2 * k_shape_kinds;
 struct Primitive {
     std::uint32_t shape = 0;          // the index in Scene::shapes
     std::uint32_t triangle = k_none;  // for a polygon: the index in Primitives::triangles
-    std::uint32_t piece = 0;          // for a polygon: the triangle's number
+    std::uint32_t element = 0;        // SurfaceId::element: for a polygon, the triangle's number
 };
 
 /// Properties of a class.
 struct ClassTraits {
     int values = 0;          // number of values of a packed primitive
     bool bounded = true;     // it has a box
-    bool stores_box = true;  // false for triangles, whose box is computed
+    bool stores_box = true;  // else it is computed
     bool bakes_transform = false;
 };
 using AllClassTraits = std::array<ClassTraits, k_primitive_classes>;

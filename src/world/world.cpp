@@ -63,7 +63,8 @@ WorldMemory memory_usage(const World& world) {
     WorldMemory m;
     for (const ShapeClass& c : geometry.classes) m.shapes += bytes(c.values);
     for (int a = 0; a < 3; ++a) m.boxes += bytes(geometry.box_lo[a]) + bytes(geometry.box_hi[a]);
-    m.indices = bytes(geometry.shape_index) + bytes(geometry.piece) + bytes(*parts.slot_material);
+    m.indices = bytes(geometry.shape_index) + bytes(geometry.element) + bytes(geometry.open) +
+                bytes(*parts.slot_material);
     if (geometry.edit_index) m.indices += geometry.edit_index->bytes();
     m.packed = geometry.count;
     m.hierarchy = bytes(geometry.bvh.nodes);

@@ -56,13 +56,18 @@ struct AmbientLight {
 };
 
 /// The objects that rays are inside, for FogExtent::outside_objects. A set of objects is the exclusive or of
-/// their words (WorldParts::interior_word): 0 is the empty set, and a surface that is passed adds its object
-/// or removes it. Two objects never have the same word; more have the word 0 in one of 2^32 cases.
+/// their words (interior_word() of world/appearance.h): 0 is the empty set, and a surface that is passed adds
+/// its object or removes it. Two objects never have the same word; more have the word 0 in one of 2^32 cases.
 struct FogInteriors {
     bool tracked = false;      // rays know theirs: a surface lets light through, or the camera is inside
     std::uint32_t camera = 0;  // the objects that contain the camera
 };
 
+/// Which surface is hit if a ray hits several at one t, in the order of PackedGeometry::precedes(). `last` is
+/// for shapes only: of one shape's elements, the first one is hit.
+enum class TieRule : std::uint8_t { first, last };
+
+/// world/appearance.h answers what depends on a surface.
 struct WorldParts {
     CopyOnWrite<PackedGeometry> geometry;
     CopyOnWrite<std::vector<std::uint32_t>> slot_material;  // by slot, padded: the row in `materials`
@@ -90,7 +95,7 @@ struct WorldParts {
     RenderSettings settings;
     FogInteriors interiors;
     TracerFault fault = TracerFault::none;  // for compare
-    bool last_of_equals = false;            // for check: of shapes hit at the same t, the last one is the hit
+    TieRule ties = TieRule::first;          // for check
 
     /// A row of the table of materials.
     const double* material(std::uint32_t row) const {
@@ -109,32 +114,6 @@ struct WorldParts {
     const double* extended_row(std::uint32_t row) const {
         return extended->data() + static_cast<std::size_t>(row) * k_extended_values;
     }
-    /// The own color of a slot's shape; not set if it has none.
-    ShapeColor color_of(std::uint32_t slot) const {
-        if (slot_color->empty()) return {};
-        const float* c = slot_color->data() + 3 * std::size_t{slot};
-        return {c[0], c[1], c[2]};
-    }
-    /// Writes the k_material_values of a slot's shape: its material's row, with the shape's own color.
-    void write_surface_values(std::uint32_t slot, double* to) const {
-        const std::uint32_t row = (*slot_material)[slot];
-        std::copy_n(material(row), k_material_values, to);
-        const ShapeColor color = color_of(slot);
-        if (!color.is_set()) return;
-        const double channels[3] = {color.r, color.g, color.b};
-        const double* factors = color_factors->data() + std::size_t{row} * k_color_factors;
-        for (int c = 0; c < 3; ++c) {
-            to[k_color + c] = channels[c];
-            for (int i = 0; i < k_color_factors; ++i) {  // of k_ambient, k_diffuse and k_specular
-                if (factors[i] == factors[i]) to[3 * i + c] = factors[i] * channels[c];
-            }
-        }
-    }
-    std::array<double, k_material_values> surface_values(std::uint32_t slot) const {
-        std::array<double, k_material_values> values{};
-        write_surface_values(slot, values.data());
-        return values;
-    }
     /// The number of the scene's materials; the default material follows them.
     std::uint32_t scene_materials() const {
         return static_cast<std::uint32_t>(materials->size() / k_material_values - 1);
@@ -146,59 +125,13 @@ struct WorldParts {
     }
     bool is_transparent(std::uint32_t row) const {
         if (!has_transparency()) return false;
-        const double* const values = extended->data() + static_cast<std::size_t>(row) * k_extended_values;
+        const double* const values = extended_row(row);
         return values[k_extended_value<&Material::filter>] > 0 ||
                values[k_extended_value<&Material::transmit>] > 0;
     }
     /// Whether transparent surfaces color the light that passes them.
     bool colors_shadows() const {
         return has_transparency() && conventions.transparent_shadow == TransparentShadow::colored;
-    }
-    /// The word of the object to which a slot's shape belongs (FogInteriors); 0: it is hollow.
-    std::uint32_t interior_word(std::uint32_t slot) const {
-        std::uint32_t number = geometry->shape_index[slot];
-        if (!extended->empty()) {
-            const double* const values = extended_row((*slot_material)[slot]);
-            if (values[k_extended_value<&Material::hollow>] > 0) return 0;
-            const double interior = values[k_extended_value<&Material::interior>];
-            if (interior > 0) number = 0x80000000u | static_cast<std::uint32_t>(interior);
-        }
-        return lowbias32(number + 1);
-    }
-    /// Whether the conventions flip the normal of a slot's shape towards the incoming ray.
-    bool flips_normal(std::uint32_t slot) const {
-        return conventions.facing == Facing::all || conventions.facing == Facing::winding ||
-               (conventions.facing == Facing::open && geometry->is_open(slot));
-    }
-    /// Whether a ray of this direction hits a slot's shape from behind. normal: at the hit, not flipped.
-    bool hits_from_behind(std::uint32_t slot, Vec3 normal, Vec3 incoming) const {
-        const bool by_winding = conventions.facing == Facing::winding && geometry->is_smooth_triangle(slot);
-        return dot(by_winding ? geometry->face_normal(slot) : normal, incoming) > 0;
-    }
-    /// Whether the conventions and the material let a slot's shape block light.
-    bool casts_shadow(std::uint32_t slot) const {
-        if (!no_shadow->empty() && (*no_shadow)[(*slot_material)[slot]] != 0) return false;
-        if (conventions.transparent_shadow != TransparentShadow::opaque &&
-            is_transparent((*slot_material)[slot]))
-            return false;
-        return conventions.glass_shadow != GlassShadow::none ||
-               !(material((*slot_material)[slot])[k_transmission] > 0);
-    }
-    /// With colors_shadows(): whether a slot's shape, which does not block light, colors it.
-    bool colors_light(std::uint32_t slot) const {
-        const std::uint32_t row = (*slot_material)[slot];
-        return is_transparent(row) && (no_shadow->empty() || (*no_shadow)[row] == 0);
-    }
-    /// The factor of light that passes a slot's transparent shape: transmit + filter * color.
-    Color shadow_factor(std::uint32_t slot) const {
-        const std::uint32_t row = (*slot_material)[slot];
-        const double* const values = extended->data() + static_cast<std::size_t>(row) * k_extended_values;
-        const ShapeColor own = color_of(slot);
-        const double* const k = material(row) + k_color;
-        const Color color = own.is_set() ? own.color() : Color{k[0], k[1], k[2]};
-        const double filter = values[k_extended_value<&Material::filter>],
-                     transmit = values[k_extended_value<&Material::transmit>];
-        return {transmit + filter * color.r, transmit + filter * color.g, transmit + filter * color.b};
     }
 };
 

@@ -8,11 +8,12 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <random>
+#include <set>
 
 #include "explain/added_up.h"
 #include "gallery/scene_file.h"
 #include "trace/kernels.h"
-#include "world/world.h"
+#include "world/appearance.h"
 
 namespace glint::test {
 namespace {
@@ -26,13 +27,13 @@ std::vector<double> occluders(const World& world, const LightTerms& terms) {
             {terms.origin.x},    {terms.origin.y},    {terms.origin.z}, {terms.direction.x},
             {terms.direction.y}, {terms.direction.z}, {t_min},          {terms.t_max}};
         double t[1 + k_ray_padding];
-        std::uint32_t slot[1 + k_ray_padding];
+        std::uint32_t slot[1 + k_ray_padding], element[1 + k_ray_padding];
         available_kernels().front().nearest_hit(
             world.parts(),
             {columns[0], columns[1], columns[2], columns[3], columns[4], columns[5], columns[6], columns[7]},
-            1, 1, t, slot);
+            1, 1, {t, slot, element});
         if (slot[0] == k_none) return met;
-        if (world.parts().casts_shadow(slot[0])) met.push_back(t[0]);
+        if (casts_shadow(world.parts(), {slot[0], element[0]})) met.push_back(t[0]);
         t_min = t[0];
     }
 }
@@ -171,6 +172,24 @@ TEST(Explain, APlaneUnderOneLight) {
     EXPECT_EQ(terms.blocker->shape, 1u);
     EXPECT_NEAR(terms.blocker->distance, 1.5, 1e-6) << "the sphere's near side, seen from P";
     EXPECT_NEAR(e.value[0], 0.1f, 1e-7f);
+}
+
+TEST(Explain, ThePartOfAPolygon) {
+    Scene scene;
+    scene.polygon_vertices = {{-2, -2, 0}, {2, -2, 0}, {2, 2, 0}, {-2, 2, 0}};
+    scene.add(Sphere{.center = {0, 0, -9}, .radius = 1});
+    scene.add(Polygon{0, 4});
+    scene.camera.position = {0, 0, 4};
+    scene.settings.width = scene.settings.height = 33;
+    const Result<World> world = prepare(scene);
+    ASSERT_TRUE(world);
+    std::set<std::uint32_t> elements;
+    for (const int x : {4, 28}) {
+        const ExplainedHit hit = explain(scene, *world, x, 14).value().rays[0].hit.value();
+        EXPECT_EQ(hit.shape, 1u);
+        elements.insert(hit.element);
+    }
+    EXPECT_EQ(elements, (std::set<std::uint32_t>{0, 1}));
 }
 
 TEST(Explain, ASpotAndItsCone) {

@@ -81,7 +81,7 @@ inline BruteHit brute_nearest(const World& world, Vec3 o, Vec3 d, double t_min, 
             if (!(t > t_min && t < t_max)) continue;
             // Ties within a polygon go to the triangle that was cut off first.
             const auto order = [&](std::uint32_t s) {
-                return std::pair(geometry.shape_index[s], geometry.piece_of(s));
+                return std::pair(geometry.shape_index[s], geometry.element_of(s));
             };
             if (t < best.t || (t == best.t && order(slot) < order(best.slot))) best = {t, slot};
         }
@@ -96,6 +96,7 @@ inline Hits brute_hits(const World& world, const Rays& rays) {
             brute_nearest(world, rays.origin(i), rays.direction(i), rays.t_min(i), rays.t_max(i));
         hits.t.push_back(h.t);
         hits.slot.push_back(h.slot);
+        hits.element.push_back(h.slot == k_none ? 0 : world.parts().geometry->element_of(h.slot));
     }
     return hits;
 }

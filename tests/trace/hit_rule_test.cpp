@@ -19,7 +19,7 @@ void expect_same(const Hits& expected, const Hits& got, const World& world, cons
         const auto at = static_cast<std::size_t>(i);
         const bool same =
             std::bit_cast<std::uint64_t>(expected.t[at]) == std::bit_cast<std::uint64_t>(got.t[at]) &&
-            expected.slot[at] == got.slot[at];
+            expected.slot[at] == got.slot[at] && expected.element[at] == got.element[at];
         if (same || ++wrong > 3) continue;
         const Vec3 o = rays.origin(i), d = rays.direction(i);
         const auto name = [&](std::uint32_t slot) {
@@ -333,6 +333,7 @@ TEST(HitRule, InvalidRaysMissAndDoNotAffectOthers) {
                 if (where[i] < 0) continue;
                 got.t.push_back(all.t[i]);
                 got.slot.push_back(all.slot[i]);
+                got.element.push_back(all.element[i]);
                 const std::uint32_t slot = expected.slot[static_cast<std::size_t>(where[i])];
                 wrong += (occluded[i] != 0) != (slot != k_none);
             }

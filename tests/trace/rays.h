@@ -41,15 +41,18 @@ class Rays {
 
 struct Hits {
     std::vector<double> t;
-    std::vector<std::uint32_t> slot;
+    std::vector<std::uint32_t> slot, element;
 };
 
 inline Hits nearest_hits(const Kernels& kernels, const World& world, const Rays& rays, int packet) {
     const auto padded = static_cast<std::size_t>(rays.size() + k_ray_padding);
-    Hits hits{std::vector<double>(padded), std::vector<std::uint32_t>(padded)};
-    kernels.nearest_hit(world.parts(), rays.span(), rays.size(), packet, hits.t.data(), hits.slot.data());
+    Hits hits{std::vector<double>(padded), std::vector<std::uint32_t>(padded),
+              std::vector<std::uint32_t>(padded)};
+    kernels.nearest_hit(world.parts(), rays.span(), rays.size(), packet,
+                        {hits.t.data(), hits.slot.data(), hits.element.data()});
     hits.t.resize(static_cast<std::size_t>(rays.size()));
     hits.slot.resize(static_cast<std::size_t>(rays.size()));
+    hits.element.resize(static_cast<std::size_t>(rays.size()));
     return hits;
 }
 

@@ -50,8 +50,10 @@ TEST(Scratch, NothingIsReadPastTheRaysPadding) {  // reported by the address san
             for (const Kernels& kernels : available_kernels()) {
                 const auto t = std::make_unique<double[]>(padded);
                 const auto slot = std::make_unique<std::uint32_t[]>(padded);
+                const auto element = std::make_unique<std::uint32_t[]>(padded);
                 const auto occluded = std::make_unique<std::uint8_t[]>(padded);
-                kernels.nearest_hit(world->parts(), exact.span(), count, k_packet_size, t.get(), slot.get());
+                kernels.nearest_hit(world->parts(), exact.span(), count, k_packet_size,
+                                    {t.get(), slot.get(), element.get()});
                 kernels.any_hit(world->parts(), exact.span(), count, k_packet_size, occluded.get());
                 int hit = 0, dark = 0;
                 for (int i = 0; i < count; ++i) {

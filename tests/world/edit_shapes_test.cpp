@@ -335,7 +335,7 @@ TEST(EditShapes, TiesWithinAPolygonDoNotDependOnTheHierarchy) {
         const World again = world_of(scene);
         EXPECT_TRUE(draw_the_same(world, again)) << round;
         differing_orders +=
-            how == ShapeEdit::refitted && world.parts().geometry->piece != again.parts().geometry->piece;
+            how == ShapeEdit::refitted && world.parts().geometry->element != again.parts().geometry->element;
     }
     EXPECT_GT(differing_orders, 5) << "nothing was tested";
 }

@@ -7,6 +7,7 @@
 
 #include "trace/hit_rule.h"
 #include "trace/worlds.h"
+#include "world/appearance.h"
 #include "world/primitive_bounds-inl.h"
 
 namespace glint::test {
@@ -124,7 +125,7 @@ TEST(Prepare, FlippedNormals) {
         const std::optional<World> world = make_world(scene);
         std::vector<bool> by_shape(scene.shapes.size());
         for (std::uint32_t slot = 0; slot < world->parts().geometry->count; ++slot) {
-            by_shape[world->parts().geometry->shape_index[slot]] = world->parts().flips_normal(slot);
+            by_shape[world->parts().geometry->shape_index[slot]] = flips_normal(world->parts(), {slot, 0});
         }
         return by_shape;
     };

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+// The properties of a kind of shape that choose how it is stored and tested.
+
+namespace glint {
+
+/// The usual properties. The geometry of a kind (geometry/kinds-inl.h) derives from this struct and declares
+/// those again that differ.
+struct GeometryTraits {
+    /// It has finite bounds.
+    static constexpr bool k_bounded = true;
+    /// Its box is stored. Otherwise Geometry::packed_bounds() computes it from the first
+    /// Geometry::k_bounds_values packed values, which takes less memory.
+    static constexpr bool k_stores_box = true;
+    /// An affine map of the shape is a shape of the same kind, which apply_transform() returns.
+    static constexpr bool k_bakes_transform = false;
+    /// It has a Filter in single precision that rejects rays early.
+    static constexpr bool k_filtered = false;
+    /// Its Filter can be computed once for all rays from one origin: Filter::from_one_origin().
+    static constexpr bool k_shares_filter = false;
+    /// Its formula has a form for rays that are prepared once: ShearedRay and hit_sheared().
+    static constexpr bool k_sheared = false;
+    /// Its formula costs no more than the test of its box, for one ray.
+    static constexpr bool k_cheap = false;
+    /// It has tests that are cheaper than its formula: quick_test() and ParallelTest.
+    static constexpr bool k_quick = false;
+};
+
+}  // namespace glint

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+// The stage that finds the material and the color of the surfaces.
+#if defined(GLINT_TRACE_COLOR_SURFACES_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef GLINT_TRACE_COLOR_SURFACES_INL_H_
+#undef GLINT_TRACE_COLOR_SURFACES_INL_H_
+#else
+#define GLINT_TRACE_COLOR_SURFACES_INL_H_
+#endif
+
+#include "trace/batches.h"
+#include "world/appearance.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace glint {
+namespace HWY_NAMESPACE {
+
+/// Writes the values of the hits' materials with the colors of their shapes. Consecutive hits of one surface
+/// share a row.
+inline void write_colored_rows(const WorldParts& world, SurfaceBatch& surfaces) {
+    surfaces.colored_rows.resize(std::size_t{k_batch_size} * k_material_values);
+    std::uint32_t* rows = surfaces.colored_row.data();
+    std::uint32_t row = 0;
+    for (int h = 0; h < surfaces.count; ++h) {
+        const SurfaceId id = surfaces.surface(h);
+        if (h == 0 || id != surfaces.surface(h - 1)) {
+            if (h > 0) ++row;
+            write_surface_values(world, id,
+                                 surfaces.colored_rows.data() + std::size_t{row} * k_material_values);
+        }
+        rows[h] = row;
+    }
+    std::fill_n(rows + surfaces.count, k_ray_padding, row);
+    surfaces.rows = surfaces.colored_rows.data();
+    surfaces.row = rows;
+}
+
+/// Finds the material of each surface, and the values of materials that lighting reads.
+inline void color_surfaces(const WorldParts& world, SurfaceBatch& surfaces) {
+    const int count = surfaces.count;
+    if (count == 0) return;
+    std::uint32_t* const materials = surfaces.material.data();
+    for (int h = 0; h < count; h += lane_count<double>()) {
+        const bool same = all_same(surfaces.slot.data() + h);
+        for (int k = 0; k < lane_count<double>(); ++k)
+            materials[h + k] = same && k > 0 ? materials[h] : material_row(world, surfaces.surface(h + k));
+    }
+    // Vectors may extend past the last surface, because groups start at any index.
+    std::fill_n(materials + count, k_ray_padding, materials[count - 1]);
+    surfaces.rows = world.materials->data();
+    surfaces.row = materials;
+    if (!world.slot_color->empty()) write_colored_rows(world, surfaces);
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace glint
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+// What a World's materials, colors and conventions say about a surface.
+#include <algorithm>
+#include <array>
+
+#include "world/world.h"
+
+namespace glint {
+
+/// The row of the surface's material in WorldParts::materials.
+inline std::uint32_t material_row(const WorldParts& world, SurfaceId id) {
+    return (*world.slot_material)[id.slot];
+}
+
+/// The surface's own color; not set if it has none.
+inline ShapeColor own_color(const WorldParts& world, SurfaceId id) {
+    if (world.slot_color->empty()) return {};
+    const float* c = world.slot_color->data() + 3 * std::size_t{id.slot};
+    return {c[0], c[1], c[2]};
+}
+
+/// Writes the k_material_values of a surface: its material's row, with its own color.
+inline void write_surface_values(const WorldParts& world, SurfaceId id, double* to) {
+    const std::uint32_t row = material_row(world, id);
+    std::copy_n(world.material(row), k_material_values, to);
+    const ShapeColor color = own_color(world, id);
+    if (!color.is_set()) return;
+    const double channels[3] = {color.r, color.g, color.b};
+    const double* factors = world.color_factors->data() + std::size_t{row} * k_color_factors;
+    for (int c = 0; c < 3; ++c) {
+        to[k_color + c] = channels[c];
+        for (int i = 0; i < k_color_factors; ++i) {  // of k_ambient, k_diffuse and k_specular
+            if (factors[i] == factors[i]) to[3 * i + c] = factors[i] * channels[c];
+        }
+    }
+}
+inline std::array<double, k_material_values> surface_values(const WorldParts& world, SurfaceId id) {
+    std::array<double, k_material_values> values{};
+    write_surface_values(world, id, values.data());
+    return values;
+}
+
+/// The color of the surface: its own or its material's.
+inline Color surface_color(const WorldParts& world, SurfaceId id) {
+    const ShapeColor own = own_color(world, id);
+    const double* const k = world.material(material_row(world, id)) + k_color;
+    return own.is_set() ? own.color() : Color{k[0], k[1], k[2]};
+}
+
+/// The word of the object to which the surface belongs (FogInteriors); 0: it is hollow.
+inline std::uint32_t interior_word(const WorldParts& world, SurfaceId id) {
+    std::uint32_t number = world.geometry->shape_of(id);
+    if (!world.extended->empty()) {
+        const double* const values = world.extended_row(material_row(world, id));
+        if (values[k_extended_value<&Material::hollow>] > 0) return 0;
+        const double interior = values[k_extended_value<&Material::interior>];
+        if (interior > 0) number = 0x80000000u | static_cast<std::uint32_t>(interior);
+    }
+    return lowbias32(number + 1);
+}
+
+/// Whether the conventions flip the surface's normal towards the incoming ray.
+inline bool flips_normal(const WorldParts& world, SurfaceId id) {
+    const Facing facing = world.conventions.facing;
+    return facing == Facing::all || facing == Facing::winding ||
+           (facing == Facing::open && world.geometry->is_open(id));
+}
+
+/// Whether a ray of this direction hits a surface with these normals from behind.
+inline bool hits_from_behind(const WorldParts& world, const SurfaceNormals& normals, Vec3 incoming) {
+    const bool by_winding = world.conventions.facing == Facing::winding;
+    return dot(by_winding ? normals.face : normals.shading, incoming) > 0;
+}
+
+/// Whether a row's material lets its surfaces block light, apart from transparent ones.
+inline bool casts_shadow_by_row(const WorldParts& world, std::uint32_t row) {
+    return world.no_shadow->empty() || (*world.no_shadow)[row] == 0;
+}
+
+/// Whether the conventions and the material let the surface block light.
+inline bool casts_shadow(const WorldParts& world, SurfaceId id) {
+    const std::uint32_t row = material_row(world, id);
+    const Conventions& rules = world.conventions;
+    if (!casts_shadow_by_row(world, row)) return false;
+    if (rules.transparent_shadow != TransparentShadow::opaque && world.is_transparent(row)) return false;
+    return rules.glass_shadow != GlassShadow::none || !(world.material(row)[k_transmission] > 0);
+}
+
+/// With colors_shadows(): whether the surface, which does not block light, colors it.
+inline bool colors_light(const WorldParts& world, SurfaceId id) {
+    const std::uint32_t row = material_row(world, id);
+    return world.is_transparent(row) && casts_shadow_by_row(world, row);
+}
+
+/// The factor of light that passes a transparent surface: transmit + filter * color.
+inline Color shadow_factor(const WorldParts& world, SurfaceId id) {
+    const double* const values = world.extended_row(material_row(world, id));
+    const Color color = surface_color(world, id);
+    const double filter = values[k_extended_value<&Material::filter>],
+                 transmit = values[k_extended_value<&Material::transmit>];
+    return {transmit + filter * color.r, transmit + filter * color.g, transmit + filter * color.b};
+}
+
+}  // namespace glint

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "geometry/kinds-inl.h"
+#include "world/packed_geometry.h"
+#include "world/packed_values-inl.h"
+
+namespace glint {
+namespace {
+
+using namespace HWY_NAMESPACE;
+
+struct NormalsOf {
+    const ShapeClass& shapes;
+    std::uint32_t slot;
+    Vector3<double> point, shading, face;
+    template <class Geometry> void visit() {
+        double p[Geometry::k_values];
+        broadcast_values<Geometry::k_values>(shapes, slot, p);
+        shading = Geometry::normal(p, point);
+        face = face_normal<Geometry>(p, shading);
+    }
+};
+
+}  // namespace
+
+SurfaceNormals surface_normals(const PackedGeometry& geometry, SurfaceId id, Vec3 point) {
+    const ShapeClass& shapes = geometry.class_of(id.slot);
+    NormalsOf of{shapes, id.slot, {point.x, point.y, point.z}, {}, {}};
+    visit_geometry(shapes.kind, shapes.transformed, of);
+    return {{of.shading.x, of.shading.y, of.shading.z}, {of.face.x, of.face.y, of.face.z}};
+}
+
+}  // namespace glint
