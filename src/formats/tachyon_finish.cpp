@@ -33,13 +33,14 @@ constexpr std::string_view k_limit_texts[] = {
 };
 static_assert(std::size(k_limit_texts) == static_cast<std::size_t>(TachyonLimit::count));
 
-Material material_of(const TachyonTexture& t, const TachyonState& state) {
+// metal: the factor of the highlights of metal, which do not depend on the light's color.
+Material material_of(const TachyonTexture& t, const TachyonState& state, double metal) {
     const double highlight = t.phong > k_min_contribution ? t.phong : 0;
     Material m;
     m.color = state.shader == TachyonShader::lowest ? Color{1, 1, 1} : t.color;
     m.ambient = t.color * t.ambient;
     m.diffuse = t.color * t.diffuse;
-    m.specular = t.is_metal ? t.color * highlight : Color{highlight, highlight, highlight};
+    m.specular = t.is_metal ? t.color * (highlight * metal) : Color{highlight, highlight, highlight};
     m.tinted_highlight = !t.is_metal;
     m.shininess = t.phong_size;
     m.mirror = t.specular > k_min_contribution ? t.specular : 0;
@@ -91,9 +92,10 @@ void finish_tachyon(LoadState& reading) {
     if (!reading.tachyon) return;
     TachyonState& state = *reading.tachyon;
     Scene& scene = reading.scene;
+    const bool has_occlusion = state.occlusion && state.shader == TachyonShader::full;
     for (const auto& [material, texture] : state.textures)
-        scene.materials[material] = material_of(texture, state);
-    if (state.occlusion && state.shader == TachyonShader::full) {
+        scene.materials[material] = material_of(texture, state, has_occlusion ? 1 : state.light_scale);
+    if (has_occlusion) {
         scene.occlusion = *state.occlusion;
         scene.occlusion->direct = state.light_scale;
         scene.occlusion_place = state.occlusion_place;

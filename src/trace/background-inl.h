@@ -28,9 +28,15 @@ HWY_INLINE Color miss_color(const WorldParts& world) {
 /// The colors of a vector of rays that hit nothing.
 HWY_INLINE Vector3<Doubles> gradient_color(const BackgroundGradient& gradient, const RayBatch& rays,
                                            int ray) {
-    const bool sphere = gradient.kind == GradientKind::sphere;
-    const Vector3<Doubles> from =
-        sphere ? normalize(load_vector3(rays.direction, ray)) : load_vector3(rays.origin, ray);
+    Vector3<Doubles> from = load_vector3(rays.direction, ray);
+    if (gradient.kind == GradientKind::sphere) {
+        from = normalize(from);
+    } else {
+        // A ray that goes straight through a surface starts there.
+        const Vector3<Doubles> origin = load_vector3(rays.origin, ray);
+        const bool passed = rays.transparent && rays.generation > 0;
+        from = passed ? origin + from * load(rays.start.data() + ray) : origin;
+    }
     Doubles v = (dot(from, lanes_of(gradient.up)) - Doubles(gradient.bottom)) /
                 Doubles(gradient.top - gradient.bottom);
     if (gradient.repeats) {

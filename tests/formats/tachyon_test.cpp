@@ -304,6 +304,22 @@ TEST(Tachyon, AMetalsHighlightHasTheSurfacesColor) {
     EXPECT_TRUE(s.materials[0].tinted_highlight);
 }
 
+// Its highlight does not depend on the light's color, but on the scale of all light.
+TEST(Tachyon, AMetalsHighlightIsRescaled) {
+    const auto specular_with = [](const char* shader) {
+        const std::string mode = std::string("Shader_Mode ") + shader +
+                                 " Ambient_Occlusion Ambient_Color 1 1 1 Rescale_Direct 0.5 Samples 8 "
+                                 "End_Shader_Mode ";
+        const Scene s =
+            dat_scene(DAT_SCENE + mode +
+                      "Sphere Center 0 0 0 Rad 1 Texture Ambient 0 Diffuse 1 Specular 0 Opacity 1 "
+                      "Phong Metal 0.5 Phong_size 9 Color 1 0.5 0 TexFunc 0");
+        return s.materials[1].specular * (s.occlusion ? s.occlusion->direct : 1);
+    };
+    EXPECT_EQ(specular_with("Full"), (Color{0.25, 0.125, 0}));
+    EXPECT_EQ(specular_with("Medium"), (Color{0.25, 0.125, 0}));
+}
+
 TEST(Tachyon, FlatShadersShowColors) {
     const Scene low = dat_scene(DAT_SCENE "Shader_Mode Low End_Shader_Mode Background 1 1 1");
     EXPECT_EQ(low.settings.shading, Shading::color);

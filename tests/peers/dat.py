@@ -79,4 +79,9 @@ RULES = [
          "Sphere Center -1.2 0.8 0 Rad 0.8 t Sphere Center 1 0.8 0 Rad 0 t\n"),
     rule("metal", "Sphere Center 0 1.2 -1 Rad 1 " + texture("0.9 0.6 0.2", phong="Metal 0.8", size=12),
          head="Directional_Light Direction -1 -2 1.5 Color 1 1 1\n" + FLOOR),
-]
+    rule("metal_rescaled", "Sphere Center 0 1.2 -1 Rad 1 " + texture("0.9 0.6 0.2", phong="Metal 0.8", size=12),
+         mode="Shader_Mode Medium Ambient_Occlusion Ambient_Color 0.5 0.5 0.4 Rescale_Direct 0.6 Samples 12 End_Shader_Mode"),
+] + [rule(f"ortho_plane_{name}", "Background_Gradient Sky_Ortho_Plane UpDir 0 1 0 TopVal 2 BottomVal -1 TopColor 0.1 0.2 0.9 "
+          "BottomColor 0.9 0.8 0.3\n" + GLASS + "Sphere Center 1.3 0.9 -0.6 Rad 0.6 " + texture("0.3 0.6 0.9", specular=0.6),
+          projection=projection, zoom=zoom, head=LIGHTS)
+     for name, projection, zoom in (("perspective", "", 1.5), ("orthographic", "Orthographic", 0.2))]
