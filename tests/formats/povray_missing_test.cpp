@@ -65,6 +65,32 @@ TEST(PovRayMissing, MaterialsAndGroupsOfLights) {
         << "its shapes are missing";
 }
 
+// Each has an effect only beside another property.
+TEST(PovRayMissing, EffectsOfMirrorsAreNamedWhereThereAreSome) {
+    const std::string mirror = "plane { y, -1 finish { reflection .3 } }\n";
+    EXPECT_EQ(said("sphere { 0, 1 no_reflection }"), "");
+    EXPECT_EQ(said(mirror + "sphere { 0, 1 no_reflection off }"), "");
+    for (const std::string& text :
+         {mirror + "sphere { 0, 1 no_reflection }", "union { sphere { 0, 1 } no_reflection }\n" + mirror}) {
+        EXPECT_NE(said(text).find("warning: glint does not render `no_reflection`"), std::string::npos)
+            << said(text);
+    }
+    const std::string keeps = "finish { reflection .3 conserve_energy } }";
+    EXPECT_EQ(said("sphere { 0, 1 " + keeps), "");
+    EXPECT_EQ(said("sphere { 0, 1 pigment { rgbt <1, 1, 1, .5> } finish { conserve_energy } }"), "");
+    EXPECT_NE(said("sphere { 0, 1 pigment { rgbt <1, 1, 1, .5> } " + keeps).find("`conserve_energy`"),
+              std::string::npos);
+}
+
+TEST(PovRayMissing, ParallelLightsThatFade) {
+    const std::string light = "light_source { 3*y, 1 parallel point_at 0 fade_distance 2 ";
+    EXPECT_NE(said(light + "fade_power 1 }\nsphere { 0, 1 }")
+                  .find("2:1: warning: glint does not render `fade_distance` (of a parallel light)"),
+              std::string::npos)
+        << said(light + "fade_power 1 }\nsphere { 0, 1 }");
+    EXPECT_EQ(said(light + "}\nsphere { 0, 1 }"), "");
+}
+
 TEST(PovRayMissing, ParallelLightsWithShapesBeyondTheirPlane) {
     const std::string light = "light_source { 3*y, 1 parallel point_at 0 }\nplane { y, -1 }\n";
     EXPECT_EQ(said(light + "sphere { 0, 1 } cylinder { -x, x, 2.9 }"), "");

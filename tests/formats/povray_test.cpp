@@ -228,14 +228,14 @@ TEST(PovRay, MeshesAreCutByBoxes) {
 TEST(PovRay, TheCameraIsLeftHandedAndAppliedAtItsEnd) {
     Scene scene = povray_scene("camera { look_at <0, 0, 5> location <0, 0, -5> angle 90 }\nsphere { 0, 1 }");
     ASSERT_TRUE(scene.camera.frame);
-    expect_vec(scene.camera.frame->right, {4.0 / 3, 0, 0});
+    expect_vec(scene.camera.frame->right, {1.33, 0, 0});
     expect_vec(scene.camera.frame->up, {0, 1, 0});
-    expect_vec(scene.camera.frame->forward, {0, 0, 2.0 / 3});
+    expect_vec(scene.camera.frame->forward, {0, 0, 1.33 / 2});
     scene = povray_scene("camera { right -x*2 look_at <0, 0, 1> }\nsphere { 0, 1 }");
     expect_vec(scene.camera.frame->right, {-2, 0, 0});
     scene = povray_scene("camera { orthographic location <0, 0, -5> look_at 0 }\nsphere { 0, 1 }");
     EXPECT_EQ(scene.camera.projection, Projection::orthographic);
-    EXPECT_NEAR(scene.camera.frame->right.x, 5 * 4.0 / 3, k_pov_near);
+    EXPECT_NEAR(scene.camera.frame->right.x, 5 * 1.33, k_pov_near);
     scene = povray_scene("sphere { 0, 1 }");
     expect_vec(scene.camera.frame->forward, {0, 0, 1});
 }
@@ -254,6 +254,8 @@ TEST(PovRay, LightsFogAndBackground) {
     EXPECT_EQ(scene.lights[1].outer_angle, 20);
     EXPECT_EQ(scene.lights[1].color, (Color{2, 1, .5}));
     EXPECT_FALSE(scene.lights[1].casts_shadows);
+    EXPECT_EQ(scene.lights[1].specular_color, (Color{0, 0, 0})) << "no highlights, either";
+    EXPECT_EQ(scene.lights[2].specular_color, (Color{1, 1, 1}));
     EXPECT_EQ(scene.lights[2].kind, LightKind::directional);
     EXPECT_EQ(scene.lights[2].to_light, (Vec3{0, 5, 0}));
     EXPECT_EQ(scene.lights[3].color, (Color{2, 2, 2}));

@@ -16,6 +16,13 @@ def rule(name, objects, head="#version 3.6;\n" + CAMERA + LIGHT):
     return Rule("pov_" + name, "povray", head + objects, "")
 
 
+def camera(name, items, depth=0):
+    """With a camera of these items, or without one; depth: the balls are moved by it."""
+    balls = "".join(f"sphere {{ <{x}, 0, {z + depth}>, 0.9 pigment {{ rgb <0.9, 0.3, 0.2> }} finish {{ phong 0.7 }} }}\n"
+                    for x, z in ((-1, 0), (1.2, 0.5)))
+    return rule("camera_" + name, FLOOR + balls, head="#version 3.6;\n" + (items and f"camera {{ {items} }}\n") + LIGHT)
+
+
 def sky(name, items):
     return rule("sky_" + name, f"sky_sphere {{ {items} }}\nsphere {{ y, 0.8 pigment {{ rgb 0.2 }} finish {{ reflection 0.6 }} }}\n")
 
@@ -56,4 +63,17 @@ RULES = [
          f"cylinder {{ <-0.5, 0.7, 0.2>, <-0.5, 1, 0.2>, 0.4 {GLAZE} }}\n" +
          "".join(f"disc {{ <{x}, 0.8, 0.3>, <0.3, 0.5, -1>, 0.4 {GLAZE} }}\ndisc {{ <{x}, {0.8 + gap}, 0.3>, <0.3, 0.5, -1>, 0.4 {GLAZE} }}\n"
                  for x, gap in ((0.7, 0.00004), (1.5, 0.0006), (2.3, 0.006)))),
+    # The default `right` is 1.33.
+    camera("right", "location <0, 1, -4> look_at <0, 0.8, 0>"),
+    camera("right_angle", "location <0, 1, -4> look_at <0, 0.8, 0> angle 60"),
+    camera("right_direction", "location <0, 1, -4> direction 1.5*z"),
+    camera("right_orthographic", "orthographic location <0, 1, -4> look_at <0, 0.8, 0>"),
+    camera("right_orthographic_angle", "orthographic location <0, 1, -4> look_at <0, 0.8, 0> angle 50"),
+    camera("none", "", depth=4),
+    rule("shadowless", FLOOR + "light_source { <-4, 3, -2>, rgb 0.5 }\nlight_source { <2, 3, -5>, rgb 0.7 parallel shadowless }\n"
+         "light_source { <2, 3, -5>, rgb 0.5 shadowless }\nsphere { <-1, 0, 0>, 0.9 finish { specular 0.4 phong 0.7 metallic } " +
+         "pigment { rgb <0.9, 0.3, 0.2> } }\n", head="#version 3.6;\n" + CAMERA),
+    rule("conserve_energy", FLOOR + "sphere { <-1, 0, 0>, 0.9 pigment { rgb <0.3, 0.6, 0.9> } finish { phong 0.7 "
+         "reflection { 0.1, 0.8 } conserve_energy } }\nsphere { <1, 0, 0>, 0.7 pigment { rgbt <1, 0.3, 0.2, 0.5> } "
+         "finish { conserve_energy } }\n"),
 ]

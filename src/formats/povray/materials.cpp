@@ -151,7 +151,7 @@ void Reader::report_texture(const Inherited& own, const Token& at) {
     const double apart = number::abs(a.r - b.r) + number::abs(a.g - b.g) + number::abs(a.b - b.b);
     check(is_mirror && least > 0 && apart > 1e-9, "reflection", "of two colors");
     check(is_mirror && f.reflection_exponent != 1, "reflection_exponent", "");
-    check(is_mirror && f.conserve_energy, "conserve_energy", "");
+    check(is_mirror && is_transparent && f.conserve_energy, "conserve_energy", "");
 }
 
 void Reader::place_light(const Object& object, const Inherited& own) {
@@ -163,12 +163,16 @@ void Reader::place_light(const Object& object, const Inherited& own) {
         light.position = transform_point(*own.map, light.position);
         point_at = transform_point(*own.map, point_at);
     }
+    // Lights without shadows give no highlights (POV-Ray, measured).
+    if (!light.casts_shadows) light.specular_color = {0, 0, 0};
     const Vec3 axis = point_at - light.position;
     const bool has_axis = !(axis == Vec3{0, 0, 0});
     if (source.is_parallel) {
         if (light.is_spot()) report({"spotlight", "that is parallel", call_place(object.at)});
         light.kind = LightKind::directional;
         light.to_light = has_axis ? -axis : Vec3{0, 0, -1};
+        if (light.fade_distance > 0 && light.fade_power > 0)
+            report({"fade_distance", "of a parallel light", call_place(object.at)});
         light.fade_distance = light.fade_power = 0;
         if (light.casts_shadows) {
             parallel_lights_.push_back({light.position, normalize(light.to_light), call_place(object.at)});

@@ -82,9 +82,12 @@ bool Reader::read_modifier(Object& object) {
             return true;
         case Word::k_double_illuminate:
         case Word::k_no_image:
-        case Word::k_no_reflection:
             take();
             if (flag()) object.missing.add(missing(item, to_string(item.word())));
+            return true;
+        case Word::k_no_reflection:
+            take();
+            object.no_reflection = flag() ? std::optional(item) : std::nullopt;
             return true;
         case Word::k_hollow:
             take();

@@ -114,6 +114,7 @@ void Reader::place(const Object& object, const Inherited& from) {
     if (object.interior) own.interior = object.interior.get();
     if (object.kind != ObjectKind::light) inherit_interior(object, own);
     report(object.missing);
+    if (object.no_reflection && !no_reflection_) no_reflection_ = call_place(*object.no_reflection);
     if (object.clip) {
         const bool is_as_read = !from.map && object.map == object.clip->map && own.is_no_shadow;
         if (is_as_read) {

@@ -44,7 +44,7 @@ RenderSettings Reader::scene_size(const Token&) {
 void set_povray_defaults(Scene& scene) {
     scene.camera.position = {0, 0, 0};
     scene.camera.look_at = {0, 0, 1};
-    scene.camera.frame = CameraFrame{{4.0 / 3, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    scene.camera.frame = CameraFrame{{povray::k_default_right, 0, 0}, {0, 1, 0}, {0, 0, 1}};
     scene.background = {0, 0, 0};
 }
 

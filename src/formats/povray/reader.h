@@ -331,6 +331,7 @@ class Reader {
         Token at;
     };
     void check_parallel_lights();
+    void check_no_reflection();
 
     // glass.cpp
     double glass_of(const Inherited& own) const;
@@ -383,6 +384,7 @@ class Reader {
     std::array<double, 5> background_{};
     Color ambient_light_{1, 1, 1};
     CountedVector<ParallelLight> parallel_lights_;
+    std::optional<Token> no_reflection_;  // the first object with it
     CountedVector<std::shared_ptr<const Clip>> clips_;
     CountedVector<ShapeInteriors> interiors_;  // in the order of the shapes
     std::int32_t bodies_ = 0;

@@ -188,6 +188,15 @@ bool Reader::set(std::string_view name, const Token& at, std::string_view value)
 }
 
 // What the whole text decides.
+// `no_reflection` matters only where something reflects.
+void Reader::check_no_reflection() {
+    const auto reflects = [](const Material& m) {
+        return m.mirror > 0 || m.mirror_min > 0 || m.transmission > 0;
+    };
+    if (no_reflection_ && std::any_of(scene_.materials.begin(), scene_.materials.end(), reflects))
+        report({"no_reflection", "", *no_reflection_});
+}
+
 void Reader::finish_settings() {
     if (failed_) return;
     const bool has_camera = camera_ || camera_default_;
@@ -205,6 +214,7 @@ void Reader::finish_settings() {
         scene_.lights.push_back(ambient);
     }
     check_parallel_lights();
+    check_no_reflection();
     check_glass();
     check_clips();
     use_interiors();

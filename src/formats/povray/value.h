@@ -168,15 +168,19 @@ struct Object {
     std::shared_ptr<const Clip> clip;
     std::shared_ptr<const Opaque> interior;
     std::optional<bool> hollow;
+    std::optional<Token> no_reflection;
     MissingList missing;      ///< what is not rendered of it
     std::uint64_t count = 1;  ///< of shapes in it
     int depth = 1;            ///< of groups
 };
 
+/// The width of the default camera's picture, whose height is 1: not 4/3 (POV-Ray, measured).
+inline constexpr double k_default_right = 1.33;
+
 struct CameraItems {
     bool is_orthographic = false, has_right = false, has_up = false, has_angle = false;
     std::optional<Vec3> look_at;
-    Vec3 location{0, 0, 0}, direction{0, 0, 1}, up{0, 1, 0}, right{4.0 / 3, 0, 0}, sky{0, 1, 0};
+    Vec3 location{0, 0, 0}, direction{0, 0, 1}, up{0, 1, 0}, right{k_default_right, 0, 0}, sky{0, 1, 0};
     double angle = 0;
     std::optional<Affine> map;
     Token at;
