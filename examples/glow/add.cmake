@@ -8,7 +8,7 @@ add_line(src/scene/material_fields.h before "    {\"brilliance\", \"brilliance\"
   "    {\"glow\", \"glow\", \"glow\", color_field(&Material::glow, k_tint, ColorUse::coefficient),
      \"light that the surface gives off\"},\n")
 # 2. Its formula: in the ambient layer.
-add_line(src/trace/film-inl.h replace "    return material.color(k_ambient) * lanes_of(world.ambient);"
+add_line(src/trace/film/film-inl.h replace "    return material.color(k_ambient) * lanes_of(world.ambient);"
   "    const Vector3<Doubles> ambient = material.color(k_ambient) * lanes_of(world.ambient);
     if (!world.uses<&Material::glow>()) return ambient;
     return ambient + ExtendedLanes(world, material).color<&Material::glow>();")

@@ -26,7 +26,7 @@ add_line(src/scene/light_fields.h before "    {\"attenuation\", \"attenuation\",
     {\"shaft_radius\", \"shaft_radius\", \"shaft radius\", number_field(&Light::shaft_radius, k_length), \"of the cylinder around the axis\",
      &Light::is_shaft},\n")
 # 4. Its formula.
-add_line(src/trace/direct_lighting-inl.h before "    const auto faces"
+add_line(src/trace/lighting/direct_lighting-inl.h before "    const auto faces"
   "    if (light.is_shaft()) {
         const Vector3<Doubles> from_center = load_vector3(surfaces.point, i) - lanes_of(light.center);
         const Doubles along = dot(from_center, to_light) / distance;

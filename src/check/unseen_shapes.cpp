@@ -9,7 +9,7 @@
 #include "check/checks.h"
 #include "math/extent.h"
 #include "math/number.h"
-#include "trace/camera_rays-inl.h"
+#include "trace/rays/camera_rays-inl.h"
 #include "world/camera_projection.h"
 #include "world/primitive_bounds-inl.h"
 

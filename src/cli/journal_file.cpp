@@ -16,7 +16,7 @@
 #include "cli/failure.h"
 #include "cli/file_policy.h"
 #include "cli/output_file.h"
-#include "trace/assemble.h"
+#include "trace/film/assemble.h"
 
 namespace glint::cli {
 namespace {

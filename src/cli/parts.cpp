@@ -11,7 +11,7 @@
 #include "base/text.h"
 #include "cli/failure.h"
 #include "cli/picture_output.h"
-#include "trace/assemble.h"
+#include "trace/film/assemble.h"
 
 namespace glint::cli {
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cstdlib>
 
-#include "trace/camera_rays-inl.h"
+#include "trace/rays/camera_rays-inl.h"
 #include "world/prepare_camera.h"
 
 namespace glint {

@@ -9,7 +9,7 @@
 #include "mpi/messages.h"
 #include "mpi/renderer.h"
 #include "mpi/supply.h"
-#include "trace/assemble.h"
+#include "trace/film/assemble.h"
 
 namespace glint::mpi {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Lanes<T>: a vector of as many T as fit a register, with the operators and the names of math/number.h.
 // The only file that includes highway.h; its neighbours include this one. Compiled once per target by
-// foreach_target.h (trace/kernels.cpp, trace/hit_kernels.cpp). Of Highway, only operations that IEEE 754
+// foreach_target.h (trace/kernels.cpp, trace/hits/hit_kernels.cpp). Of Highway, only operations that IEEE 754
 // defines exactly: no MulAdd family, no Approximate*, no SumOfLanes; Min and Max only if they equal a
 // comparison and a select.
 #if defined(GLINT_SIMD_LANES_INL_H_) == defined(HWY_TARGET_TOGGLE)

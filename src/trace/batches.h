@@ -14,7 +14,7 @@
 #include "glint/tiles.h"
 #include "glint/vec.h"
 #include "trace/columns.h"
-#include "trace/hit_columns.h"
+#include "trace/hits/hit_columns.h"
 
 namespace glint {
 
@@ -75,7 +75,7 @@ class RayBatch : public RayFields<GrowingColumn> {
     int count = 0;
     bool alpha = false;        // alpha is wanted
     bool transparent = false;  // the scene has transparent surfaces
-    bool hashed = false;       // hashes are wanted (trace/ray_hash-inl.h)
+    bool hashed = false;       // hashes are wanted (trace/rays/ray_hash-inl.h)
     bool tracked = false;      // rays know the objects that they are inside (FogInteriors)
 
     void clear() {

@@ -9,7 +9,7 @@
 
 #include "bvh/rays.h"
 #include "glint/render.h"
-#include "trace/hit_columns.h"
+#include "trace/hits/hit_columns.h"
 #include "trace/tile.h"
 #include "world/world.h"
 

@@ -8,10 +8,10 @@
 #define GLINT_TRACE_RECORD_INL_H_
 #endif
 
-#include "trace/area_shadow-inl.h"
-#include "trace/direct_lighting-inl.h"
-#include "trace/film-inl.h"
-#include "trace/occlusion-inl.h"
+#include "trace/film/film-inl.h"
+#include "trace/lighting/ambient_occlusion-inl.h"
+#include "trace/lighting/area_shadow-inl.h"
+#include "trace/lighting/direct_lighting-inl.h"
 #include "trace/record.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -64,10 +64,6 @@ inline ExplainedHit recorded_hit(const WorldParts& world, const SurfaceBatch& su
     return hit;
 }
 
-inline bool is_lit(const WorldParts& world) {
-    return world.settings.shading != Shading::color && world.settings.shading != Shading::normals;
-}
-
 /// Records a range of rays and their hits, after color_surfaces() and apply_beer_law().
 inline void record_rays(const WorldParts& world, const RayBatch& rays, const HitBatch& hits, RayRange range,
                         const SurfaceBatch& surfaces, TileRecord& record) {
@@ -93,9 +89,9 @@ inline void record_rays(const WorldParts& world, const RayBatch& rays, const Hit
         ray.t = hits.t[static_cast<std::size_t>(i)];
         ray.weight = camera ? Color{1, 1, 1} : color_at(rays.weight, number);
         ray.inside_object =
-            rays.tracked && is_lit(world) && rays.interiors[static_cast<std::size_t>(number)] > 0;
+            rays.tracked && world.has_lighting() && rays.interiors[static_cast<std::size_t>(number)] > 0;
         if (ray.t < k_infinity) {
-            if (world.fog && is_lit(world)) {
+            if (world.fog && world.has_lighting()) {
                 const auto h = static_cast<int>(record.batch.size());
                 ray.visibility = surfaces.visibility[record.batch.size()];
                 ray.fog = color_at(surfaces.fog, h);

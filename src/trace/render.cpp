@@ -10,9 +10,9 @@
 #include "base/parallel_for.h"
 #include "base/status.h"
 #include "glint/render.h"
-#include "trace/assemble.h"
+#include "trace/film/assemble.h"
+#include "trace/film/light_layers.h"
 #include "trace/kernels.h"
-#include "trace/light_layers.h"
 #include "world/light_alone.h"
 
 namespace glint {

@@ -7,21 +7,24 @@
 #define GLINT_TRACE_UNIFORM_TILE_INL_H_
 #endif
 
-#include "trace/area_shadow-inl.h"
-#include "trace/camera_rays-inl.h"
-#include "trace/collect_hits-inl.h"
-#include "trace/color_surfaces-inl.h"
-#include "trace/direct_lighting-inl.h"
-#include "trace/faulty_hits-inl.h"
-#include "trace/film-inl.h"
-#include "trace/intersect-inl.h"
-#include "trace/layers-inl.h"
-#include "trace/locate_surfaces-inl.h"
-#include "trace/occlusion-inl.h"
-#include "trace/queue_secondary_rays-inl.h"
-#include "trace/ray_hash-inl.h"
-#include "trace/tile_culling-inl.h"
-#include "trace/transparency-inl.h"
+#include "trace/film/film-inl.h"
+#include "trace/film/layers-inl.h"
+#include "trace/hits/faulty_hits-inl.h"
+#include "trace/hits/intersect-inl.h"
+#include "trace/hits/skip_transparent-inl.h"
+#include "trace/lighting/absorption-inl.h"
+#include "trace/lighting/ambient_occlusion-inl.h"
+#include "trace/lighting/area_shadow-inl.h"
+#include "trace/lighting/direct_lighting-inl.h"
+#include "trace/lighting/fog-inl.h"
+#include "trace/lighting/shadow_visibility-inl.h"
+#include "trace/rays/camera_rays-inl.h"
+#include "trace/rays/ray_hash-inl.h"
+#include "trace/rays/tile_culling-inl.h"
+#include "trace/secondary/queue_secondary_rays-inl.h"
+#include "trace/surface/collect_hits-inl.h"
+#include "trace/surface/color_surfaces-inl.h"
+#include "trace/surface/locate_surfaces-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace glint {
@@ -35,7 +38,7 @@ inline void light_from(const WorldParts& world, const PreparedLight& light, Tile
         find_visibility(world, s.shadow_rays, s.stepped_rays, s.record);
         if (first_hits != nullptr) count_tested(s.surfaces, s.light_samples, *first_hits);
         if (world.colors_shadows()) store_filters(s.shadow_rays, s.surfaces.count, s.light_samples);
-        apply_occlusion(s.shadow_rays, s.surfaces.count, s.light_samples);
+        apply_shadows(s.shadow_rays, s.surfaces.count, s.light_samples);
         if (first_hits != nullptr) count_unoccluded(world, s.surfaces, s.light_samples, *first_hits);
         s.counts.shadow += static_cast<std::uint64_t>(s.shadow_rays.count);
     } else if (light_rules(world, light).samples_shadow) {
@@ -141,7 +144,7 @@ inline void shade(const WorldParts& world, RayRange range, TileScratch& s) {
     find_surfaces(world, range, s);
     if (s.rays.generation == 0 && s.first_hits.wanted)
         store_first_hits(world, s.rays, s.hits, range, s.surfaces, s.first_hits);
-    if (!is_lit(world)) {
+    if (!world.has_lighting()) {
         add_misses(world, s.rays, s.hits, range, s.film);
         add_unlit(world, s.surfaces, s.film);
         if (s.record != nullptr) {
@@ -173,7 +176,7 @@ inline bool trace_sample(const WorldParts& world, TileScratch& s) {
             if (is_of_hits(world.fault)) put_faulty_hits(world, s.rays, s.hits);
             if (s.rays.transparent) skip_transparent(world, s.rays, s.hits, s.stepped_rays);
             if (s.rays.generation == 0 && !s.needs_every_stage() && all_missed(s.hits)) return false;
-            if (world.occlusion && is_lit(world)) trace_sky(world, s);
+            if (world.occlusion && world.has_lighting()) trace_sky(world, s);
             for_each_range(s.hits, [&](RayRange range) { shade(world, range, s); });
         }
         std::swap(s.rays, s.secondary.rays);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// From points of the world to the picture: the inverse of viewport_ray (trace/camera_rays-inl.h).
+// From points of the world to the picture: the inverse of viewport_ray (trace/rays/camera_rays-inl.h).
 #include "math/transform.h"
 #include "world/world.h"
 

@@ -32,7 +32,7 @@ enum MaterialValue : int {
     k_material_values = 22,
 };
 
-/// The camera as viewport_ray (trace/camera_rays-inl.h) needs it.
+/// The camera as viewport_ray (trace/rays/camera_rays-inl.h) needs it.
 struct PreparedCamera {
     Projection projection = Projection::perspective;
     Vec3 position, right, up, forward;
@@ -97,6 +97,10 @@ struct WorldParts {
     TracerFault fault = TracerFault::none;  // for compare
     TieRule ties = TieRule::first;          // for check
 
+    /// Whether the shading mode has light.
+    bool has_lighting() const {
+        return settings.shading != Shading::color && settings.shading != Shading::normals;
+    }
     /// A row of the table of materials.
     const double* material(std::uint32_t row) const {
         return materials->data() + static_cast<std::size_t>(row) * k_material_values;

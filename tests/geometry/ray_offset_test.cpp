@@ -70,7 +70,7 @@ TYPED_TEST(Reintersect, NeverUnderGlintsConvention) {
         shape_case.pack(p);
         const auto hit = formula_hit<Geometry, double>(p, o, d, 0);
         if (!hit.valid) continue;
-        // The same as in trace/surface-inl.h.
+        // The same as in trace/surface/surface-inl.h.
         const plain::Vector3<double> point = triple_of<double>(o) + triple_of<double>(d) * hit.t;
         plain::Vector3<double> normal = Geometry::normal(p, point);
         if (plain::dot(normal, triple_of<double>(d)) > 0) normal = -normal;

@@ -49,7 +49,7 @@ std::set<std::string> find_batches(const std::string& text, const std::string& p
 
 // The table of the document.
 Stages listed_stages(const std::string& document) {
-    static const std::regex row(R"(\| `(\w+)` \| `([\w-]+\.h)` \|([^|\n]*)\|([^|\n]*)\|)");
+    static const std::regex row(R"(\| `(\w+)` \| `([\w/-]+\.h)` \|([^|\n]*)\|([^|\n]*)\|)");
     Stages stages;
     for (std::sregex_iterator i(document.begin(), document.end(), row), end; i != end; ++i)
         stages[(*i)[1]] = {(*i)[2], find_batches((*i)[3], k_batch), find_batches((*i)[4], k_batch)};
@@ -70,9 +70,9 @@ void find_stages(const std::string& file, const std::string& text, Stages& stage
 
 Stages declared_stages() {
     Stages stages;
-    for (const fs::directory_entry& entry :
-         fs::directory_iterator(fs::path(GLINT_PROJECT_DIR) / "src/trace")) {
-        const std::string name = entry.path().filename().string();
+    const fs::path folder = fs::path(GLINT_PROJECT_DIR) / "src/trace";
+    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder)) {
+        const std::string name = fs::relative(entry.path(), folder).generic_string();
         if (name.ends_with("-inl.h")) find_stages(name, read_project_file("src/trace/" + name), stages);
     }
     return stages;

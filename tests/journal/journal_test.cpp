@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "journal/hash.h"
-#include "trace/assemble.h"
+#include "trace/film/assemble.h"
 #include "trace/pictures.h"
 
 namespace glint::test {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The frustum of a tile contains its camera rays, for every position of a ray in its pixel.
-#include "trace/tile_culling-inl.h"
+#include "trace/rays/tile_culling-inl.h"
 
 #include <gtest/gtest.h>
 

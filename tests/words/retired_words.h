@@ -45,7 +45,7 @@ inline const std::vector<RetiredWord>& retired_words() {
         {R"(\bOwnBoxes\b|\bown_box(es)?\b)", "PrimitiveBounds, primitive_bounds"},
         {R"(\bPixelSums\b|\bpixel_sums\b|\bfold_pixels\b|\bfilm_part\b)", "Film, resolve, film_value"},
         {R"(\b(take_shadows|reach_hits|put_shadow_rays)\b)",
-         "apply_occlusion, make_shadow_rays, store_shadow_rays"},
+         "apply_shadows, make_shadow_rays, store_shadow_rays"},
         {R"(\b(k_share|shade_share|SeenSurfaces|see_surfaces|start_alike)\b)",
          "k_batch_size, shade_batch, FirstHits, store_first_hits, start_uniform"},
         {R"(\b(count_asked|count_unblocked)\b)", "count_tested, count_unoccluded"},

@@ -97,19 +97,19 @@ TEST(Words, AreFound) {
         return std::any_of(retired_words().begin(), retired_words().end(),
                            [&](const RetiredWord& word) { return !find_word(texts, word).empty(); });
     };
-    EXPECT_TRUE(at("src/trace/hit_kernels-inl.h", "// a beam meets every box"));
-    EXPECT_TRUE(at("src/trace/hit_kernels-inl.h", "constexpr int k_least_beam = 8;"));
+    EXPECT_TRUE(at("src/trace/hits/hit_kernels-inl.h", "// a beam meets every box"));
+    EXPECT_TRUE(at("src/trace/hits/hit_kernels-inl.h", "constexpr int k_least_beam = 8;"));
     EXPECT_TRUE(at("include/glint/explain.h", "inline constexpr int k_most_explained_rays = 1;"));
     EXPECT_TRUE(at("src/geometry/ray-inl.h", "struct Candidate {"));
     EXPECT_TRUE(at("include/glint/explain.h", "enum class BranchState : std::uint8_t {"));
     EXPECT_TRUE(at("src/simd/vec3-inl.h", "template <class T> struct Triple {"));
-    EXPECT_TRUE(at("src/trace/film-inl.h", "store_triple(sum, sums, first);"));
+    EXPECT_TRUE(at("src/trace/film/film-inl.h", "store_triple(sum, sums, first);"));
     EXPECT_TRUE(at("src/trace/render.cpp", "// the kernels that draw pictures"));
     EXPECT_TRUE(at("include/glint/check.h", "///< looked at now and then"));
     EXPECT_TRUE(at("web/src/store/state.ts", "export const machinery = {};"));
     EXPECT_FALSE(at("docs/lighting.md", "a beam that meets the surface at an angle"));
     EXPECT_FALSE(at("docs/checks.md", "a sky or a room"));
-    EXPECT_FALSE(at("src/trace/hit_kernels-inl.h", "// a ray packet"));
+    EXPECT_FALSE(at("src/trace/hits/hit_kernels-inl.h", "// a ray packet"));
     EXPECT_EQ(find_word({{"docs/a.md", {"x", "a Cuboid"}}}, {R"(\bCuboid\b)", "Box"}),
               (std::vector<std::string>{"docs/a.md:2: Cuboid: write Box"}));
 }

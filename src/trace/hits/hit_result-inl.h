@@ -8,7 +8,7 @@
 #endif
 
 #include "bvh/slab-inl.h"
-#include "trace/hit_columns.h"
+#include "trace/hits/hit_columns.h"
 #include "world/appearance.h"
 
 HWY_BEFORE_NAMESPACE();

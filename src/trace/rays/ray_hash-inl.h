@@ -10,7 +10,7 @@
 #include <algorithm>
 
 #include "simd/sample_hash-inl.h"
-#include "trace/camera_rays-inl.h"
+#include "trace/rays/camera_rays-inl.h"
 #include "trace/tile.h"
 #include "world/world.h"
 

@@ -9,7 +9,7 @@
 
 #include "bvh/ray_packet-inl.h"
 #include "geometry/kinds-inl.h"
-#include "trace/quick_rays-inl.h"
+#include "trace/hits/quick_rays-inl.h"
 #include "world/packed_values-inl.h"
 
 HWY_BEFORE_NAMESPACE();

@@ -7,11 +7,11 @@
 #define GLINT_TRACE_QUEUE_SECONDARY_RAYS_INL_H_
 #endif
 
-#include "trace/ray_hash-inl.h"
-#include "trace/ray_weights-inl.h"
+#include "trace/rays/ray_hash-inl.h"
 #include "trace/record-inl.h"
-#include "trace/secondary_rays-inl.h"
-#include "trace/surface-inl.h"
+#include "trace/secondary/ray_weights-inl.h"
+#include "trace/secondary/secondary_rays-inl.h"
+#include "trace/surface/surface-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace glint {

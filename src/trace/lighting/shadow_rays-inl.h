@@ -68,7 +68,7 @@ HWY_INLINE void store_shadow_rays(const ShadowRay<Doubles>& ray, bool one_origin
 }
 
 /// Clears the lit bits of the surfaces whose shadow ray is occluded. surfaces: their number.
-inline void apply_occlusion(const ShadowRayBatch& shadow_rays, int surfaces, LightSampleBatch& samples) {
+inline void apply_shadows(const ShadowRayBatch& shadow_rays, int surfaces, LightSampleBatch& samples) {
     const std::uint8_t* occluded = shadow_rays.occluded.data();
     for (int i = 0; i < surfaces; i += lane_count<double>()) {
         std::uint8_t& lit = samples.lit[static_cast<std::size_t>(i / lane_count<double>())];

@@ -9,7 +9,7 @@
 #endif
 
 #include "lighting/finish-inl.h"
-#include "trace/material-inl.h"
+#include "trace/surface/material-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace glint {

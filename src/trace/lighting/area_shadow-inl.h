@@ -14,8 +14,8 @@
 #include <vector>
 
 #include "glint/render.h"
-#include "trace/direct_lighting-inl.h"
-#include "trace/transparency-inl.h"
+#include "trace/lighting/direct_lighting-inl.h"
+#include "trace/lighting/shadow_visibility-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace glint {

@@ -7,8 +7,8 @@
 #define GLINT_TRACE_LAYERS_INL_H_
 #endif
 
-#include "trace/direct_lighting-inl.h"
-#include "trace/film-inl.h"
+#include "trace/film/film-inl.h"
+#include "trace/lighting/direct_lighting-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace glint {
@@ -60,7 +60,7 @@ inline void count_lit(const SurfaceBatch& surfaces, const LightSampleBatch& samp
     }
 }
 /// For the layer `shadow`: counts the lights with a shadow ray to the surface of a camera ray. All count as
-/// occluded until apply_occlusion() has run; count_unoccluded() then subtracts the others.
+/// occluded until apply_shadows() has run; count_unoccluded() then subtracts the others.
 inline void count_tested(const SurfaceBatch& surfaces, const LightSampleBatch& samples,
                          FirstHits& first_hits) {
     count_lit(surfaces, samples, first_hits.tested, 1);

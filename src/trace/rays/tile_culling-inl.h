@@ -8,7 +8,7 @@
 #endif
 
 #include "simd/vec3-inl.h"
-#include "trace/camera_rays-inl.h"
+#include "trace/rays/camera_rays-inl.h"
 #include "trace/tile.h"
 #include "world/world.h"
 

@@ -8,8 +8,8 @@
 #endif
 
 #include "lighting/phong-inl.h"
-#include "trace/material-inl.h"
-#include "trace/surface-inl.h"
+#include "trace/surface/material-inl.h"
+#include "trace/surface/surface-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace glint {

@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 // Light from all directions (Occlusion of glint/scene.h): the part that arrives at the surfaces, by any-hit
-// rays (trace/occlusion_rays-inl.h), and what the surfaces reflect of it.
-#if defined(GLINT_TRACE_OCCLUSION_INL_H_) == defined(HWY_TARGET_TOGGLE)
-#ifdef GLINT_TRACE_OCCLUSION_INL_H_
-#undef GLINT_TRACE_OCCLUSION_INL_H_
+// rays (trace/lighting/ambient_occlusion_rays-inl.h), and what the surfaces reflect of it.
+#if defined(GLINT_TRACE_AMBIENT_OCCLUSION_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef GLINT_TRACE_AMBIENT_OCCLUSION_INL_H_
+#undef GLINT_TRACE_AMBIENT_OCCLUSION_INL_H_
 #else
-#define GLINT_TRACE_OCCLUSION_INL_H_
+#define GLINT_TRACE_AMBIENT_OCCLUSION_INL_H_
 #endif
 
 #include <algorithm>
 
-#include "trace/material-inl.h"
-#include "trace/occlusion_rays-inl.h"
-#include "trace/transparency-inl.h"
+#include "trace/lighting/ambient_occlusion_rays-inl.h"
+#include "trace/lighting/shadow_visibility-inl.h"
+#include "trace/surface/material-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace glint {

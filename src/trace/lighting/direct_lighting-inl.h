@@ -11,11 +11,11 @@
 #include "lighting/area_light-inl.h"
 #include "lighting/phong-inl.h"
 #include "simd/sample_hash-inl.h"
-#include "trace/faulty_lighting-inl.h"
-#include "trace/finish-inl.h"
-#include "trace/material-inl.h"
-#include "trace/shadow_rays-inl.h"
-#include "trace/surface-inl.h"
+#include "trace/lighting/faulty_lighting-inl.h"
+#include "trace/lighting/shadow_rays-inl.h"
+#include "trace/surface/finish-inl.h"
+#include "trace/surface/material-inl.h"
+#include "trace/surface/surface-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace glint {

@@ -7,10 +7,10 @@
 #define GLINT_TRACE_FILM_INL_H_
 #endif
 
-#include "trace/background-inl.h"
-#include "trace/camera_rays-inl.h"
-#include "trace/fog-inl.h"
-#include "trace/ray_weights-inl.h"
+#include "trace/film/background-inl.h"
+#include "trace/lighting/fog-inl.h"
+#include "trace/rays/camera_rays-inl.h"
+#include "trace/secondary/ray_weights-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace glint {

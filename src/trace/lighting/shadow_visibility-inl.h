@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// The stages that only scenes with transparent surfaces (Material::filter, transmit) have: rays that pass
-// surfaces beyond the limit of shaded ones, and shadow rays whose light the surfaces on their way color.
-#if defined(GLINT_TRACE_TRANSPARENCY_INL_H_) == defined(HWY_TARGET_TOGGLE)
-#ifdef GLINT_TRACE_TRANSPARENCY_INL_H_
-#undef GLINT_TRACE_TRANSPARENCY_INL_H_
+// The stages that find what shadow rays meet: occluders, and transparent surfaces that color the light.
+#if defined(GLINT_TRACE_SHADOW_VISIBILITY_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef GLINT_TRACE_SHADOW_VISIBILITY_INL_H_
+#undef GLINT_TRACE_SHADOW_VISIBILITY_INL_H_
 #else
-#define GLINT_TRACE_TRANSPARENCY_INL_H_
+#define GLINT_TRACE_SHADOW_VISIBILITY_INL_H_
 #endif
 
-#include "trace/intersect-inl.h"
+#include <bit>
+
+#include "trace/hits/intersect-inl.h"
+#include "trace/hits/skip_transparent-inl.h"
 #include "trace/record.h"
 #include "world/appearance.h"
 
@@ -18,14 +20,6 @@ namespace HWY_NAMESPACE {
 
 /// A light whose factor is below this in every channel counts as blocked.
 inline constexpr double k_min_filter = 0x1p-10;
-/// The surfaces along a ray that are counted or skipped, at most.
-inline constexpr int k_max_steps = 4096;
-
-/// Finds the nearest hits of the stepped rays.
-inline void intersect_steps(const WorldParts& world, SteppedRays& steps) {
-    nearest_hit(world, steps.span(), steps.count, k_packet_size, steps.hits());
-}
-
 /// Computes the factors of the light of shadow rays that are not occluded: the product over the transparent
 /// surfaces on the way, in the order of t. Surfaces at equal t count once, the first in the scene; those
 /// within Conventions::transparent_shadow_epsilon behind it do not count.
@@ -74,7 +68,7 @@ inline void find_visibility(const WorldParts& world, ShadowRayBatch& rays, Stepp
     if (world.colors_shadows()) filter_light(world, rays, steps, record);
 }
 
-/// Stores the factors of the shadow rays by surface. Before apply_occlusion().
+/// Stores the factors of the shadow rays by surface. Before apply_shadows().
 inline void store_filters(const ShadowRayBatch& rays, int surfaces, LightSampleBatch& samples) {
     int first = 0;
     for (int i = 0; i < surfaces; i += lane_count<double>()) {
@@ -84,55 +78,6 @@ inline void store_filters(const ShadowRayBatch& rays, int surfaces, LightSampleB
         for (std::size_t c = 0; c < 3; ++c)
             store(expand_load(rays.filter[c].data() + first, lit), samples.filter[c].data() + i);
         first += std::popcount(bits);
-    }
-}
-
-/// Lets the rays of a stream that have passed as many transparent surfaces as the conventions shade go on to
-/// the next surface that is not transparent. A surface that is passed in this way is of the next generation
-/// if transparency counts; a ray beyond the limit of generations then hits nothing with
-/// LimitRule::background.
-inline void skip_transparent(const WorldParts& world, RayBatch& rays, HitBatch& hits, SteppedRays& steps) {
-    const Conventions& rules = world.conventions;
-    if (rules.transparent_surfaces >= k_max_sample_rays) return;
-    const bool camera = rays.generation == 0;
-    if (camera && rules.transparent_surfaces > 0) return;
-    const RaySpan span = rays.span(hits.first);
-    const auto skips = [&](SurfaceId id) {
-        return id.exists() && world.is_transparent(material_row(world, id));
-    };
-    // Counts a generation. Returns whether the ray ends.
-    const auto end_ray = [&](int i) {
-        if (camera || !rules.transparency_counts || rules.limit != LimitRule::background) return false;
-        double& level = rays.level[static_cast<std::size_t>(hits.first + i)];
-        if (level >= world.settings.reflections) return true;
-        level += 1;
-        return false;
-    };
-    for (int first = 0; first < hits.count; first += k_batch_size) {
-        steps.count = 0;
-        const int end = number::min(first + k_batch_size, hits.count);
-        const auto go_on_behind = [&](int i, double t, SurfaceId id) {
-            hits.columns().set(i, t, id);
-            if (!skips(id)) return false;
-            if (!end_ray(i)) return true;
-            hits.columns().set(i, span.t_max[i], {});
-            return false;
-        };
-        for (int i = first; i < end; ++i) {
-            if (!camera && rays.passed[static_cast<std::size_t>(hits.first + i)] < rules.transparent_surfaces)
-                continue;
-            const double t = hits.t[static_cast<std::size_t>(i)];
-            if (go_on_behind(i, t, hits.surface(i))) steps.add(span, i, t);
-        }
-        for (int step = 0; steps.count > 0 && step < k_max_steps; ++step) {
-            intersect_steps(world, steps);
-            int left = 0;
-            for (int k = 0; k < steps.count; ++k) {
-                const auto at = static_cast<std::size_t>(k);
-                if (go_on_behind(steps.number[at], steps.t[at], steps.surface(k))) steps.go_on(k, left++);
-            }
-            steps.count = left;
-        }
     }
 }
 

@@ -2,11 +2,11 @@
 // The rays of the light from all directions: their directions, and the order in which they are traced. With
 // fixed directions, all surfaces of a block trace the rays of one sample together. Hashed directions differ
 // from surface to surface, so the rays of many samples are sorted by direction first.
-#if defined(GLINT_TRACE_OCCLUSION_RAYS_INL_H_) == defined(HWY_TARGET_TOGGLE)
-#ifdef GLINT_TRACE_OCCLUSION_RAYS_INL_H_
-#undef GLINT_TRACE_OCCLUSION_RAYS_INL_H_
+#if defined(GLINT_TRACE_AMBIENT_OCCLUSION_RAYS_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef GLINT_TRACE_AMBIENT_OCCLUSION_RAYS_INL_H_
+#undef GLINT_TRACE_AMBIENT_OCCLUSION_RAYS_INL_H_
 #else
-#define GLINT_TRACE_OCCLUSION_RAYS_INL_H_
+#define GLINT_TRACE_AMBIENT_OCCLUSION_RAYS_INL_H_
 #endif
 
 #include <algorithm>
@@ -14,8 +14,8 @@
 
 #include "simd/elementary-inl.h"
 #include "simd/sample_hash-inl.h"
-#include "trace/intersect-inl.h"
-#include "trace/surface-inl.h"
+#include "trace/hits/intersect-inl.h"
+#include "trace/surface/surface-inl.h"
 #include "world/prepare_sky.h"
 
 HWY_BEFORE_NAMESPACE();

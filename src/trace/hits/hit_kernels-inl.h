@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Nearest-hit and any-hit queries: divides rays into packets, which traverse the hierarchy together.
-// trace/hit_rule-inl.h defines a hit.
+// trace/hits/hit_rule-inl.h defines a hit.
 #if defined(GLINT_TRACE_HIT_KERNELS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLINT_TRACE_HIT_KERNELS_INL_H_
 #undef GLINT_TRACE_HIT_KERNELS_INL_H_
@@ -10,8 +10,8 @@
 
 #include "bvh/traverse-inl.h"
 #include "bvh/traverse_any-inl.h"
-#include "trace/hit_rule-inl.h"
-#include "trace/intersect-inl.h"
+#include "trace/hits/hit_rule-inl.h"
+#include "trace/hits/intersect-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace glint {

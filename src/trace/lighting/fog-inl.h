@@ -7,6 +7,7 @@
 #define GLINT_TRACE_FOG_INL_H_
 #endif
 
+#include "math/transform.h"
 #include "simd/elementary-inl.h"
 #include "simd/vec3-inl.h"
 #include "trace/batches.h"
@@ -38,9 +39,8 @@ struct FoggedBackground {
     Color background, fog;
 };
 inline FoggedBackground fogged_background(const WorldParts& world, Color color, bool inside) {
-    const Shading shading = world.settings.shading;
-    const bool lit = shading != Shading::color && shading != Shading::normals;
-    if (!world.fog || !world.conventions.fog_background || !lit || inside) return {1, color, {}};
+    if (!world.fog || !world.conventions.fog_background || !world.has_lighting() || inside)
+        return {1, color, {}};
     const double f = world.fog->transmit;
     return {f, color * f, world.fog->color * (1 - f)};
 }

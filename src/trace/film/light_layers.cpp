@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "trace/light_layers.h"
+#include "trace/film/light_layers.h"
 
 #include <algorithm>
 

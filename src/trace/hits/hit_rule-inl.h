@@ -11,9 +11,9 @@
 #define GLINT_TRACE_HIT_RULE_INL_H_
 #endif
 
-#include "trace/hit_result-inl.h"
-#include "trace/packet_filters-inl.h"
-#include "trace/sheared_rays-inl.h"
+#include "trace/hits/hit_result-inl.h"
+#include "trace/hits/packet_filters-inl.h"
+#include "trace/hits/sheared_rays-inl.h"
 #include "world/primitive_bounds-inl.h"
 
 HWY_BEFORE_NAMESPACE();
