@@ -162,14 +162,35 @@ void CauseFinder::render_scene(std::vector<Search>& searches) {
         report.swapped = from_a < near && from_b > near;
         if (report.swapped) search.target = &bytes_;
     }
+    if (rendered && !options_.as_floats) take_out_rounding(searches, rendered->bytes);
+}
+
+// The reference may be of a program that rounds differently. If the scene's own picture is the reference
+// within rounding, its bytes stand for the reference's: also in the pictures to be explained, where these
+// have the reference's. Else every cause would seem to leave the differences of rounding.
+void CauseFinder::take_out_rounding(std::vector<Search>& searches, const BytePicture& rendered) {
+    for (std::size_t i = 0; i < bytes_.rgb.size(); ++i) {
+        if (std::abs(int{bytes_.rgb[i]} - int{rendered.rgb[i]}) > k_rounding) return;
+    }
+    is_of_scene_ = true;
+    for (Search& search : searches) {
+        // Pictures that agree with the reference have nothing to be explained.
+        if (!search.is_open() || search.report.agrees) continue;
+        for (std::size_t i = 0; i < bytes_.rgb.size(); ++i) {
+            if (search.faulty.rgb[i] == bytes_.rgb[i]) search.faulty.rgb[i] = rendered.rgb[i];
+        }
+        search.whole = distance(search.faulty, rendered, search.area);
+    }
+    std::copy(rendered.rgb.begin(), rendered.rgb.end(), bytes_.rgb.begin());
 }
 
 // What the causes that are seen in pictures are made from: the scene's floats know what bytes have lost,
 // if it draws this very picture.
 PictureSource CauseFinder::source(const Search& search, const Rows& rows) const {
     const CauseReport& report = search.report;
-    const bool by_scene = trials_ && trials_->rendered() &&
-                          (report.swapped || *report.scene_from_b < k_same_part * report.difference);
+    const bool by_scene =
+        trials_ && trials_->rendered() &&
+        (report.swapped || is_of_scene_ || *report.scene_from_b < k_same_part * report.difference);
     return {by_scene ? PictureView(trials_->rendered()->image) : reference_,
             by_scene ? trials_->rendered()->bytes : bytes_,
             *search.target,

@@ -34,6 +34,7 @@ class CauseFinder {
     void look_at(Search& search) const;
     void step();
     void render_scene(std::vector<Search>& searches);
+    void take_out_rounding(std::vector<Search>& searches, const BytePicture& rendered);
     PictureSource source(const Search& search, const Rows& rows) const;
     void try_pictures(Search& search);
     void confirm(Search& search);
@@ -44,7 +45,8 @@ class CauseFinder {
     void judge_agreement(Search& search) const;
     static void name_pair(Search& search, CausePair& pair);
 
-    const BytePicture bytes_;
+    BytePicture bytes_;
+    bool is_of_scene_ = false;  // `bytes_` are those of the scene's own picture
     const PictureView reference_;
     const std::vector<std::uint8_t> edges_;
     const Scene* const scene_;

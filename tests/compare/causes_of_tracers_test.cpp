@@ -113,6 +113,51 @@ TEST(CausesOfTracers, AreNamedFirst) {
     }
 }
 
+// A program that rounds halves up, and 0.7 times 255 is 178.5 for it, as for one with doubles: its background
+// differs from the scene's own picture by 1, mistake or not.
+Image rounded_half_up(Image image) {
+    for (float& v : image.rgb)
+        v = static_cast<float>(std::floor(255 * std::clamp(static_cast<double>(v), 0.0, 1.0) + 0.50001) /
+                               255);
+    return image;
+}
+
+TEST(CausesOfTracers, AreNamedAloneByProgramsThatRoundDifferently) {
+    for (const char* const name : {"highlight-times-cosine", "colors-truncated", "first-shape-hit"}) {
+        const Case& c = *std::find_if(cases().begin(), cases().end(),
+                                      [&](const Case& each) { return std::string(each.name) == name; });
+        const SmallScene scene = row(c.blinn, c.mirrors);
+        const Scene read = read_scene(text_of(scene));
+        const Image right = rounded_half_up(SmallTracer(scene, {}).draw()),
+                    wrong = rounded_half_up(SmallTracer(scene, c.mistakes).draw());
+        ASSERT_NE(right.rgb, as_file(draw(read)).rgb) << "the same rounding";
+        const Result<CauseReport> report = find_causes(wrong, right, &read);
+        ASSERT_TRUE(report && !report->causes.empty()) << c.name;
+        EXPECT_FALSE(report->causes[0].perhaps) << all_causes(report);
+        EXPECT_EQ(report->causes[0].name, name) << all_causes(report);
+        EXPECT_TRUE(report->then.empty()) << all_causes(report);
+        EXPECT_GT(report->causes[0].explained, 0.99) << all_causes(report);
+    }
+}
+
+// What is left of a highlight that is all edges is not overlooked: here one is missing, and all is brighter.
+TEST(CausesOfTracers, AreNotSureIfTheyLeaveHighlights) {
+    SmallScene scene = row(false, false);
+    scene.width = 160;
+    scene.height = 120;
+    for (SmallBall& ball : scene.balls) ball.shininess *= 4;
+    Scene read = read_scene(text_of(scene));
+    read.settings.width = scene.width;
+    read.settings.height = scene.height;
+    SmallScene other = scene;
+    other.ambient *= 1.5;
+    other.balls[1].specular = 0;
+    const Image wrong = picture(other, {});
+    const CauseReport report = find_causes(wrong, as_file(draw(read)), &read).value();
+    ASSERT_FALSE(report.causes.empty());
+    EXPECT_TRUE(report.causes[0].perhaps || !report.then.empty()) << all_causes(report);
+}
+
 // Other numbers of the same scene: no mistake of the table is named surely.
 TEST(CausesOfTracers, AreNotNamedForOtherNumbers) {
     for (const auto& make : {table, row}) {
