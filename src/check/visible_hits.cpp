@@ -7,9 +7,9 @@
 #include "geometry/kinds-inl.h"
 #include "math/elementary.h"
 #include "math/transform.h"
+#include "trace/lighting/shadow_rays-inl.h"
 #include "trace/rays/camera_rays-inl.h"
 #include "trace/secondary/secondary_rays-inl.h"
-#include "trace/lighting/shadow_rays-inl.h"
 #include "world/primitive_bounds-inl.h"
 #include "world/primitives.h"
 
