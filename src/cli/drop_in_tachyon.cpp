@@ -44,7 +44,8 @@ class TachyonArguments {
   private:
     // What the flags set, in Tachyon's format. The order of the lights' flags does not matter.
     std::string settings_text() const {
-        std::string modes = modes_, text;
+        // The shader comes first; of several, the last counts (Tachyon, measured).
+        std::string modes = shader_ + modes_, text;
         double sky = add_sky_;
         if (auto_sky_ > 0) {
             sky = auto_sky_;
@@ -108,6 +109,7 @@ class TachyonArguments {
         std::vector<std::string> values;
         values.reserve(static_cast<std::size_t>(flag->values));
         for (int i = 0; i < flag->values; ++i) values.push_back(value_of(word));
+        if (is_shader(flag->mode)) return void(shader_ = fmt::format(" {}", flag->mode));
         if (!flag->mode.empty()) {
             modes_ += fmt::format(" {}", flag->mode);
             for (const std::string& value : values)
@@ -115,6 +117,10 @@ class TachyonArguments {
             return;
         }
         apply(*flag, word, values);
+    }
+
+    static bool is_shader(std::string_view mode) {
+        return mode == "Full" || mode == "Medium" || mode == "Low" || mode == "Lowest";
     }
 
     void apply(const ForeignFlag& flag, const std::string& word, const std::vector<std::string>& values) {
@@ -186,7 +192,7 @@ class TachyonArguments {
     const std::vector<std::string>& words_;
     std::size_t next_ = 0;
     DropIn parsed_;
-    std::string modes_;
+    std::string shader_, modes_;
     bool writes_ = true;
     double light_scale_ = 1, auto_sky_ = 0, add_sky_ = 0;
     int sky_samples_ = k_sky_samples;

@@ -48,8 +48,24 @@ TEST(TachyonDropIn, TakesVmdsCommandLine) {
     EXPECT_TRUE(has_setting(d, {"reflections", "7"}));
     EXPECT_TRUE(has_setting(d, {"shading", "phong"}));
     ASSERT_EQ(d.render.scene.further_texts.size(), 1u);
-    EXPECT_EQ(d.render.scene.further_texts[0].second, "Shader_Mode Trans_VMD Medium End_Shader_Mode\n");
+    EXPECT_EQ(d.render.scene.further_texts[0].second, "Shader_Mode Medium Trans_VMD End_Shader_Mode\n");
     EXPECT_TRUE(d.warnings.empty());
+}
+
+// The text that the flags become is one that the reader takes, whatever their order.
+TEST(TachyonDropIn, TakesShadersAfterOtherModes) {
+    const std::string scene = "Begin_Scene Resolution 4 4 Sphere Center 0 0 5 Rad 1 t End_Scene";
+    for (const std::vector<std::string>& words :
+         {std::vector<std::string>{"a.dat", "-trans_vmd", "-shadow_filter_off", "-mediumshade"},
+          {"a.dat", "-fullshade", "-mediumshade", "-trans_vmd", "-shadow_filter_off"},
+          {"-mediumshade", "-trans_vmd", "a.dat", "-shadow_filter_off"}}) {
+        const DropIn d = cli::tachyon_drop_in(words);
+        const std::string& modes = d.render.scene.further_texts.at(0).second;
+        EXPECT_EQ(modes, "Shader_Mode Medium Trans_VMD Shadow_Filter_Off End_Shader_Mode\n");
+        const SceneText texts[] = {{"a.dat", scene, "tachyon"}, {"command line", modes, "tachyon"}};
+        const auto loaded = load(texts);
+        EXPECT_TRUE(loaded) << to_string(loaded);
+    }
 }
 
 TEST(TachyonDropIn, SetsTheLightOfTheSky) {
@@ -72,13 +88,13 @@ TEST(TachyonDropIn, TakesTheLinesOfUsers) {
     };
     EXPECT_EQ(text_of({"-aasamples", "12", "a.dat", "-format", "TARGA", "-o", "a.dat.tga"}), "");
     EXPECT_EQ(text_of({"a.dat", "-aasamples", "4", "-trans_vmd", "-mediumshade", "-format", "TARGA"}),
-              "Shader_Mode Trans_VMD Medium End_Shader_Mode\n");
+              "Shader_Mode Medium Trans_VMD End_Shader_Mode\n");
     EXPECT_EQ(text_of({"a.dat", "-fullshade", "-shade_phong", "-trans_vmd", "-aasamples", "32", "-res",
                        "1080", "1080"}),
               "Shader_Mode Full Trans_VMD End_Shader_Mode\n");
     EXPECT_EQ(text_of({"a.dat", "-trans_vmd", "-shade_blinn", "-fullshade", "-aasamples", "10",
                        "-rescale_lights", "0.5", "-add_skylight", "0.8"}),
-              "Shader_Mode Trans_VMD Full Rescale_Direct 0.5 End_Shader_Mode\n"
+              "Shader_Mode Full Trans_VMD Rescale_Direct 0.5 End_Shader_Mode\n"
               "Sky_Light NumSamples 128 Color 0.8 0.8 0.8\n");
     EXPECT_EQ(text_of({"a.dat", "-trans_vmd", "-shadow_filter_off", "-fog_vmd", "-numthreads", "4"}),
               "Shader_Mode Trans_VMD Shadow_Filter_Off Fog_VMD End_Shader_Mode\n");
