@@ -48,6 +48,9 @@ struct LoadOptions {
     /// default_max_memory() of the length of all texts, with those that they include. At times, up to twice
     /// as much is allocated.
     std::uint64_t max_memory = 0;
+    /// Identifiers that a scene in POV-Ray's language finds declared, and their values; also `clock`. Other
+    /// formats have no use for them.
+    std::vector<std::pair<std::string, double>> declared = {};
 };
 
 /// The default of LoadOptions::max_memory for texts of this length in bytes: 2 GiB and 256 times the length;

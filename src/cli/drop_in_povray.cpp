@@ -10,6 +10,7 @@
 
 #include "base/text.h"
 #include "cli/drop_in.h"
+#include "cli/drop_in_words.h"
 #include "cli/failure.h"
 #include "cli/file_policy.h"
 #include "cli/foreign_table.h"
@@ -22,14 +23,6 @@ namespace {
 
 constexpr int k_max_ini_depth = 10, k_max_ini_files = 1000;
 
-std::string trimmed(std::string_view text) {
-    while (!text.empty() && (text.front() == ' ' || text.front() == '\t')) text.remove_prefix(1);
-    while (!text.empty() && (text.back() == ' ' || text.back() == '\t' || text.back() == '\r'))
-        text.remove_suffix(1);
-    if (text.size() > 1 && text.front() == '"' && text.back() == '"') text = text.substr(1, text.size() - 2);
-    return std::string(text);
-}
-
 class PovrayArguments {
   public:
     explicit PovrayArguments(IniFiles& files) : files_(files) {}
@@ -40,6 +33,9 @@ class PovrayArguments {
                 parsed_.wants_help = true;
             } else if (word == "--version" || word == "-version") {
                 parsed_.wants_version = true;
+            } else if (!word.empty() &&
+                       (word[0] == '+' || word[0] == '-' || word.find('=') < word.find(' '))) {
+                for (const std::string& option : split_options(word, true)) read(option);
             } else {
                 read(word);
             }
@@ -90,7 +86,7 @@ class PovrayArguments {
         bool is_wanted = true;
         for (int line = 1; !rest.empty(); ++line) {
             const std::size_t end = std::min(rest.find('\n'), rest.size());
-            const std::string text = trimmed(rest.substr(0, std::min(end, rest.find(';'))));
+            const std::string text = trimmed_value(without_comment(rest.substr(0, end)));
             rest.remove_prefix(std::min(end + 1, rest.size()));
             place_ = fmt::format("{}:{}", path, line);
             // In a name it would end the message.
@@ -108,7 +104,12 @@ class PovrayArguments {
 
     // Key = Value, or switches.
     void read_line(const std::string& text) {
-        if (text.find('=') != std::string::npos) return read(text);
+        const bool is_key = text[0] != '+' && text[0] != '-' && text.find('=') != std::string::npos;
+        if (is_key) return read(text);
+        if (text.find('=') != std::string::npos) {
+            for (const std::string& option : split_options(text, true)) read(option);
+            return;
+        }
         for (std::size_t i = 0; i < text.size();) {
             const std::size_t end = std::min(text.find_first_of(" \t", i), text.size());
             if (end > i) read(text.substr(i, end - i));
@@ -120,11 +121,13 @@ class PovrayArguments {
         if (word.size() > 1 && (word[0] == '+' || word[0] == '-')) {
             const PovraySwitch* known = find_povray_switch(std::string_view(word).substr(1));
             if (known == nullptr) return unknown(fmt::format("unknown switch {}", glint::quoted(word)));
-            return set(known->id, word.substr(1 + known->letters.size()), word[0] == '+', word);
+            return set(known->id, trimmed_value(word.substr(1 + known->letters.size())), word[0] == '+',
+                       word);
         }
         const std::size_t equals = word.find('=');
         if (equals != std::string::npos) {
-            const std::string key = trimmed(word.substr(0, equals)), value = trimmed(word.substr(equals + 1));
+            const std::string key = trimmed_value(word.substr(0, equals)),
+                              value = trimmed_value(word.substr(equals + 1));
             const PovraySwitch* known = find_povray_key(key);
             if (known == nullptr) return unknown(fmt::format("unknown key {}", glint::quoted(key)));
             return set_key(*known, value, word);
@@ -212,14 +215,18 @@ class PovrayArguments {
                 if (value.empty()) fail(fmt::format("{}: expected a folder", glint::quoted(word)));
                 return void(folders_.push_back(value));
             case PovrayKey::clock:
-                if (!value.empty() && number(value, word, 1e12) == 0) return;
-                return fail(fmt::format("{}: glint-povray has no animation clock", glint::quoted(word)));
+                return declare("clock", value, word);
             case PovrayKey::animation:
                 return fail(
                     fmt::format("{}: glint-povray renders one picture, no animation", glint::quoted(word)));
             case PovrayKey::part:
                 return fail(fmt::format("{}: glint-povray renders whole pictures", glint::quoted(word)));
-            case PovrayKey::declare:
+            case PovrayKey::declare: {
+                const std::size_t equals = value.find('=');
+                if (equals == std::string::npos || equals == 0)
+                    return fail(fmt::format("{}: expected NAME=NUMBER", glint::quoted(word)));
+                return declare(value.substr(0, equals), trimmed_value(value.substr(equals + 1)), word);
+            }
             case PovrayKey::header:
                 return fail(fmt::format("{}: glint-povray does not change the scene", glint::quoted(word)));
             case PovrayKey::file_gamma:
@@ -232,6 +239,18 @@ class PovrayArguments {
             case PovrayKey::unused:
                 return;
         }
+    }
+
+    // A number that the scene finds declared.
+    void declare(const std::string& name, const std::string& value, const std::string& word) {
+        double number = 0;
+        const char* const end = value.data() + value.size();
+        if (value.empty() || read_any_number(value.data(), end, number) != end ||
+            !(number >= -1e12 && number <= 1e12))
+            return fail(fmt::format("{}: expected a number", glint::quoted(word)));
+        auto& declared = parsed_.render.scene.declared;
+        std::erase_if(declared, [&](const auto& d) { return d.first == name; });
+        declared.emplace_back(name, number);
     }
 
     // N8, N16, T, P, E; the bits follow the letter.

@@ -47,11 +47,12 @@ constexpr DropInOption k_povray_options[] = {
     {"+WT[N]", "Threads; default: one per processor"},
     {"+UA", "Write an alpha channel"},
     {"+L[FOLDER]", "A folder of included files"},
+    {"+K[N]", "The scene's clock"},
     {"-V", "Print only errors"},
     {"-D, -P, -C, -J, +X, +AM[N], +MB[N]",
      "Accepted, as others of display, pause and method; no effect on the picture"},
     {"FILE.ini, FILE.ini[SECTION]", "Options from a file"},
-    {"KEY=VALUE", "An option by its name in .ini files, as Width=800"},
+    {"KEY=VALUE", "An option by its name in .ini files, as Width=800; also Declare=NAME=NUMBER"},
     {"--help", "Print this help"},
     {"--version", "Print the version"},
 };

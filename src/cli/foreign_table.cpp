@@ -89,6 +89,7 @@ constexpr ForeignFlag k_others[] = {
 // Longer switches before those that they begin with.
 constexpr PovraySwitch k_povray[] = {
     {"WT", "Work_Threads", PovrayKey::threads},
+    {"WL", "Warning_Level", PovrayKey::unused},
     {"W", "Width", PovrayKey::width},
     {"HI", "Include_Header", PovrayKey::header},
     {"H", "Height", PovrayKey::height},
@@ -146,7 +147,6 @@ constexpr PovraySwitch k_povray[] = {
     {"", "Display_Gamma", PovrayKey::unused},
     {"", "File_Gamma", PovrayKey::file_gamma},
     {"", "Declare", PovrayKey::declare},
-    {"", "Warning_Level", PovrayKey::unused},
     {"", "Warning_Console", PovrayKey::console},
     {"", "Debug_Console", PovrayKey::console},
     {"", "Fatal_Console", PovrayKey::console},

@@ -129,6 +129,7 @@ LoadOptions load_options(const SceneArguments& arguments, TextReader& reader,
     LoadOptions options;
     options.scene_name = arguments.scene_name;
     options.max_memory = arguments.max_memory;
+    options.declared = arguments.declared;
     add_profile(arguments.profile, options, reader, profile_file);
     add_conventions(arguments, options);
     return options;

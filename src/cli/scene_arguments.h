@@ -25,6 +25,7 @@ struct SceneArguments {
     std::vector<std::pair<std::string, std::string>> settings;
     /// Texts that follow the files, in the same format: their names and texts.
     std::vector<std::pair<std::string, std::string>> further_texts = {};
+    std::vector<std::pair<std::string, double>> declared = {};  // of LoadOptions
 };
 
 /// Adds SCENE..., --format, --scene, --include-path, --max-memory, --profile and --convention.

@@ -230,6 +230,42 @@ TEST_F(Povray, ReadsIniFiles) {
     EXPECT_EQ(cli::povray_drop_in({folder_.path("ase.ini"), "Width=50"}).render.picture.size, "50x303");
 }
 
+// As Blender writes them; POV-Ray takes both kinds of quotes.
+TEST_F(Povray, TakesQuotesInIniFiles) {
+    folder_.write("quotes.ini",
+                  "Input_File_Name='a;b.pov' ; a comment\nOutput_File_Name=\"x y.png\"\n+W60 +H40 "
+                  "Antialias=on +L'a folder'\n");
+    const DropIn d = cli::povray_drop_in({folder_.path("quotes.ini")});
+    EXPECT_EQ(d.render.scene.files.at(0), "a;b.pov");
+    EXPECT_EQ(d.render.output, "x y.png");
+    EXPECT_EQ(d.render.picture.size, "60x40");
+    EXPECT_EQ(d.render.picture.aa, "adaptive:3:0.1");
+    EXPECT_EQ(d.render.scene.include_paths.at(0), "a folder");
+    EXPECT_EQ(cli::povray_drop_in({"+I\"a.pov\"", "+O'b c.png'"}).render.output, "b c.png");
+}
+
+TEST_F(Povray, TakesSeveralOptionsInOneArgument) {
+    for (const std::vector<std::string>& words :
+         {std::vector<std::string>{"+Ia.pov +Ox.png  +W60", "+H40 -A"},
+          {"Input_File_Name=a.pov Output_File_Name=x.png", "Width=60 +H40 +WL0"}}) {
+        const DropIn d = cli::povray_drop_in(words);
+        EXPECT_EQ(d.render.scene.files.at(0), "a.pov");
+        EXPECT_EQ(d.render.output, "x.png");
+        EXPECT_EQ(d.render.picture.size, "60x40");
+    }
+    EXPECT_EQ(cli::povray_drop_in({"my scene.pov"}).render.scene.files.at(0), "my scene.pov");
+}
+
+TEST_F(Povray, DeclaresNumbers) {
+    using Declared = std::vector<std::pair<std::string, double>>;
+    const DropIn d = cli::povray_drop_in({"+Ia.pov", "+K0.5", "Declare=Big=-1e2", "Declare=Big=3"});
+    EXPECT_EQ(d.render.scene.declared, (Declared{{"clock", .5}, {"Big", 3}}));
+    EXPECT_EQ(failure_of(cli::povray_drop_in, {"a.pov", "Declare=Big=Foo"}),
+              "'Declare=Big=Foo': expected a number");
+    EXPECT_EQ(failure_of(cli::povray_drop_in, {"a.pov", "Declare=Big"}),
+              "'Declare=Big': expected NAME=NUMBER");
+}
+
 TEST_F(Povray, NamesWhatItDoesNotKnow) {
     EXPECT_EQ(failure_of(cli::povray_drop_in, {"+W40"}), "expected the name of a scene: +Iscene.pov");
     EXPECT_EQ(failure_of(cli::povray_drop_in, {"a.pov", "+Zork"}), "unknown switch '+Zork'");

@@ -9,7 +9,7 @@ _glint-povray() {
         +I*|+O*|+L*) start=${word:0:2} ;;
         [-+]*)
             [[ $word == +* ]] && compopt -o nospace 2>/dev/null
-            mapfile -t COMPREPLY < <(compgen -W '+I +O +W +H +FN +FT +FP +FE -F +A -A +R +Q +WT +UA +L -V -D -P -C -J +X +AM +MB --help --version' -- "$word")
+            mapfile -t COMPREPLY < <(compgen -W '+I +O +W +H +FN +FT +FP +FE -F +A -A +R +Q +WT +UA +L +K -V -D -P -C -J +X +AM +MB --help --version' -- "$word")
             return ;;
     esac
     compopt -o filenames 2>/dev/null

@@ -15,6 +15,7 @@ complete -c glint-povray -a +Q -d 'Quality: 0 and 1 are colors only, 2 and 3 hav
 complete -c glint-povray -a +WT -d 'Threads; default: one per processor'
 complete -c glint-povray -a +UA -d 'Write an alpha channel'
 complete -c glint-povray -a +L -d 'A folder of included files'
+complete -c glint-povray -a +K -d 'The scene\'s clock'
 complete -c glint-povray -s V -d 'Print only errors'
 complete -c glint-povray -s D -d 'Accepted, as others of display, pause and method; no effect on the picture'
 complete -c glint-povray -s P -d 'Accepted, as others of display, pause and method; no effect on the picture'

@@ -5,8 +5,8 @@ _glint-povray() {
     esac
     case $PREFIX in
         +I*|+O*|+L*) compset -P '[+]?'; _files ;;
-        +*) compadd -S '' -- +I +O +W +H +FN +FT +FP +FE -F +A -A +R +Q +WT +UA +L -V -D -P -C -J +X +AM +MB --help --version ;;
-        -*) compadd -- +I +O +W +H +FN +FT +FP +FE -F +A -A +R +Q +WT +UA +L -V -D -P -C -J +X +AM +MB --help --version ;;
+        +*) compadd -S '' -- +I +O +W +H +FN +FT +FP +FE -F +A -A +R +Q +WT +UA +L +K -V -D -P -C -J +X +AM +MB --help --version ;;
+        -*) compadd -- +I +O +W +H +FN +FT +FP +FE -F +A -A +R +Q +WT +UA +L +K -V -D -P -C -J +X +AM +MB --help --version ;;
         *) _files -g "*.(pov|ini)" ;;
     esac
 }

@@ -72,16 +72,19 @@ Numbers Reader::function(const Token& name) {
         case Word::k_true:
         case Word::k_yes:
         case Word::k_on:
-        case Word::k_clock_delta:
-        case Word::k_initial_frame:
-        case Word::k_final_frame:
-        case Word::k_frame_number:
             return 1.0;
         case Word::k_false:
         case Word::k_no:
         case Word::k_off:
+            return 0.0;
         case Word::k_clock:
+            return clock().value_or(0);
         case Word::k_clock_on:
+            return clock() ? 1.0 : 0.0;
+        case Word::k_clock_delta:
+        case Word::k_initial_frame:
+        case Word::k_final_frame:
+        case Word::k_frame_number:
         case Word::k_initial_clock:
         case Word::k_final_clock:
             return 0.0;

@@ -20,11 +20,30 @@ void Reader::read() {
     frame.text = text_.file;
     frame.end = static_cast<std::uint32_t>(tokens_[text_.file].size() - 1);
     frames_.push_back(std::move(frame));
+    declare_numbers();
     if (tokens_[text_.file].size() == 1 && lex_errors_[text_.file].message.empty()) {
         expected("an object, `camera`, `light_source`, `background` or a directive");
     }
     while (!failed_ && peek().kind != TokenKind::end && !reading_.diagnostics.full()) read_statement();
     finish_settings();
+}
+
+// What the caller declares.
+void Reader::declare_numbers() {
+    for (const auto& [name, value] : reading_.options.declared) {
+        const std::uint32_t number = names_.number_of(name);
+        if (Names::is_reserved(number)) continue;
+        if (bindings_.size() < names_.size()) bindings_.resize(names_.size());
+        bind(number, 0, Numbers(value));
+    }
+}
+
+std::optional<double> Reader::clock() const {
+    std::optional<double> clock;
+    for (const auto& [name, value] : reading_.options.declared) {
+        if (name == "clock") clock = value;
+    }
+    return clock;
 }
 
 // The size of the picture: the command's, else that of the profile.

@@ -34,6 +34,8 @@ class Reader {
     void read();
 
   private:
+    void declare_numbers();
+
     // stream.cpp
 
     enum class FrameKind : std::uint8_t { text, include, macro };
@@ -183,6 +185,7 @@ class Reader {
     Numbers call(const Token& name);
     Numbers array_size(const Token& name);
     RenderSettings scene_size(const Token& at);
+    std::optional<double> clock() const;
 
     // strings.cpp
     bool begins_string(const Token& token);
