@@ -387,7 +387,6 @@ INSTANTIATE_TEST_SUITE_P(
         BadText{"LoneEnd", L "$#end", {"this `#end` has nothing to end"}},
         BadText{
             "Cylinder", L "$cylinder { x, x, 1 }", {"expected two ends at different points of a cylinder"}},
-        BadText{"Division", "#declare A = 1 $/ 0;", {"expected a divisor other than 0"}},
         BadText{"Error", "$#error \"no\"", {"the text reports an error: 'no'"}},
         BadText{
             "Array", "#declare A = array[2];\n#declare B = $A[2];", {"expected an index below 2, found 2"}},

@@ -63,6 +63,11 @@ RULES = [
          f"cylinder {{ <-0.5, 0.7, 0.2>, <-0.5, 1, 0.2>, 0.4 {GLAZE} }}\n" +
          "".join(f"disc {{ <{x}, 0.8, 0.3>, <0.3, 0.5, -1>, 0.4 {GLAZE} }}\ndisc {{ <{x}, {0.8 + gap}, 0.3>, <0.3, 0.5, -1>, 0.4 {GLAZE} }}\n"
                  for x, gap in ((0.7, 0.00004), (1.5, 0.0006), (2.3, 0.006)))),
+    # Spellings that POV-Ray takes beside those of its documentation.
+    rule("spellings", "declare P = pigment { rgb <0.9, 0.3, 0.2> }\n#declare B = sphere { 0, 0.7 texture { P finish { phong 0.5 } } }\n"
+         "#declare M = mesh2 { vertex_vectors { 3, <-2, 0, 1>, <0, 2, 1>, <2, 0, 1> } face_indices { 1, <0, 1, 2> } }\n" + FLOOR +
+         "sphere { B translate -x }\nmesh2 { M texture { P } }\nfog { distance 20 color color rgb <0.3, 0.5, 0.8> }\n"
+         "sphere { <1, 0, 0>, 0.6 pigment { rgbt 1 } finish { ambient 0 diffuse 0 refraction 1 ior 1.5 } hollow }\n"),
     # The default `right` is 1.33.
     camera("right", "location <0, 1, -4> look_at <0, 0.8, 0>"),
     camera("right_angle", "location <0, 1, -4> look_at <0, 0.8, 0> angle 60"),

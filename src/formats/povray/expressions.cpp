@@ -11,6 +11,8 @@
 namespace glint::povray {
 namespace {
 
+constexpr double k_greatest = 1e300;
+
 // A number that counts as false in POV-Ray.
 bool is_false(double x) { return x < 1e-10 && x > -1e-10; }
 
@@ -48,14 +50,15 @@ Numbers Reader::combine(char op, const Token& at, Numbers a, Numbers b) {
                 a.v[i] *= b.v[i];
                 break;
             default:
-                // Terms of a vector that are 0 / 0 are those that no scene uses: a filter, a transmit.
-                if (b.v[i] == 0 && (terms == 1 || a.v[i] != 0)) {
-                    error(at, "expected a divisor other than 0");
-                    return a;
+                // Divided by 0, anything is POV-Ray's greatest number (measured: also -1 and 0). But terms of
+                // a vector that are 0 / 0 are those that no scene uses: a filter, a transmit.
+                if (b.v[i] != 0) {
+                    a.v[i] /= b.v[i];
+                } else if (terms == 1 || a.v[i] != 0) {
+                    a.v[i] = k_greatest;
                 }
-                if (b.v[i] != 0) a.v[i] /= b.v[i];
         }
-        if (!(a.v[i] <= 1e300 && a.v[i] >= -1e300)) {
+        if (!(a.v[i] <= k_greatest && a.v[i] >= -k_greatest)) {
             error(at, "the result is not a finite number below 1e300");
             return Numbers();
         }

@@ -65,8 +65,8 @@ class Lexer {
             if (is_blank(*at_)) {
                 ++at_;
             } else if (*at_ == '/' && after(1) == '/') {
-                const void* line_end = std::memchr(at_, '\n', static_cast<std::size_t>(end_ - at_));
-                at_ = line_end ? static_cast<const char*>(line_end) : end_;
+                // A line may end with CR alone.
+                while (at_ != end_ && *at_ != '\n' && *at_ != '\r') ++at_;
             } else if (*at_ == '/' && after(1) == '*') {
                 if (!skip_comment()) return false;
             } else {

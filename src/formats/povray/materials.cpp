@@ -135,6 +135,7 @@ void Reader::report_texture(const Inherited& own, const Token& at) {
     if (is_transparent && own.interior) report(own.interior->missing);
     check(is_transparent && own.interior && own.interior->ior != 1 && !(glass_of(own) > 0), "ior",
           "refraction");
+    check(is_transparent && f.has_no_refraction, "refraction", "of 0");
     check(is_transparent && own.is_merge, "merge", "of transparent surfaces");
     check(is_transparent && texture.is_layered, "layered textures", "transparent textures over others");
     check(f.metallic < 0 || f.metallic > 1 || f.reflection_metallic < 0 || f.reflection_metallic > 1,

@@ -14,6 +14,7 @@ Object Reader::read_mesh(const Token& word) {
     object.kind = ObjectKind::mesh;
     object.at = word;
     if (!expect('{')) return object;
+    if (begins_declared(peek()) && begins_object(peek())) return read_copy();
     auto mesh = make_counted<Mesh>();
     while (!failed_ && (peek().word() == Word::k_triangle || peek().word() == Word::k_smooth_triangle)) {
         read_mesh_triangle(*mesh);
@@ -62,6 +63,7 @@ Object Reader::read_mesh2(const Token& word) {
     object.kind = ObjectKind::mesh;
     object.at = word;
     if (!expect('{')) return object;
+    if (begins_declared(peek()) && begins_object(peek())) return read_copy();
     auto mesh = make_counted<Mesh>();
     bool has_normal_indices = false;
     for (bool is_part = true; is_part && !failed_;) {

@@ -89,6 +89,15 @@ ObjectPart Reader::read_part() {
     return changed;
 }
 
+// NAME modifiers }, after the word of its kind: `sphere { Ball translate x }`.
+Object Reader::read_copy() {
+    const ObjectPart part = read_part();
+    if (!part) return {};
+    Object copy = *part;
+    read_modifiers(copy);
+    return copy;
+}
+
 // The object that an identifier or an element of an array stands for. Null after an error.
 ObjectPart Reader::object_of(const Token& name) {
     const Value* found = find_value(name.name);
@@ -116,6 +125,7 @@ Object Reader::read_shape(const Token& word) {
     Object object;
     object.at = word;
     if (!expect('{')) return object;
+    if (begins_declared(peek()) && begins_object(peek())) return read_copy();
     const auto next = [&] { return accept(','); };
     switch (word.word()) {
         case Word::k_sphere:

@@ -112,6 +112,7 @@ void Reader::place(const Object& object, const Inherited& from) {
     if (object.texture) own.texture = object.texture.get();
     own.is_no_shadow = from.is_no_shadow || object.is_no_shadow;
     if (object.interior) own.interior = object.interior.get();
+    if (!own.interior && object.texture) own.interior = object.texture->finish.interior.get();
     if (object.kind != ObjectKind::light) inherit_interior(object, own);
     report(object.missing);
     if (object.no_reflection && !no_reflection_) no_reflection_ = call_place(*object.no_reflection);

@@ -245,6 +245,7 @@ class Reader {
     bool begins_declared(const Token& word);
     Object read_object();
     ObjectPart read_part();
+    Object read_copy();
     ObjectPart object_of(const Token& name);
     Object read_shape(const Token& word);
     void check_shape(Object& object);

@@ -39,6 +39,9 @@ void Reader::read_statement() {
         case Word::k_default:  // without `#`
             take();
             return read_default();
+        case Word::k_declare:
+            take();
+            return read_declare(false);
         case Word::k_sky_sphere:
             take();
             return read_sky(item);
@@ -81,7 +84,9 @@ void Reader::read_fog(const Token& at) {
     while (!failed_ && !accept('}')) {
         if (accept(',') || read_transform_item(map)) continue;
         const Token item = peek();
-        if (begins_color(item) || (begins_number(item) && item.kind == TokenKind::word)) {
+        // POV-Ray takes `color` twice here, and only here; color() takes the second one.
+        const bool has_word = accept(Word::k_color) || accept(Word::k_colour);
+        if (has_word || begins_color(item) || (begins_number(item) && item.kind == TokenKind::word)) {
             const std::array<double, 5> c = color(true);
             fog.color = {c[0], c[1], c[2]};
             fog.transmit = std::clamp(c[4], 0.0, 1.0);

@@ -118,9 +118,13 @@ void Reader::read_finish(Finish& finish) {
                 skip_block();
                 break;
             case Word::k_ior:
-                number();
+                finish.interior = make_counted<const Opaque>(Opaque{Word::k_interior, item, number(), {}});
                 break;
             default: {
+                if (item.kind == TokenKind::word && text_of(item) == "refraction") {
+                    finish.has_no_refraction = number() == 0;
+                    break;
+                }
                 const auto held = named<Finish>(item);
                 if (held == nullptr) {
                     return error(item, fmt::format("expected an item of a finish or `}}`, found {}{}",
@@ -195,6 +199,8 @@ void Reader::read_texture_items(Texture& texture) {
                 item.kind == TokenKind::word && !Names::is_reserved(item.name) && find_value(item.name);
             if (const auto held = named<Texture>(item)) {
                 texture = *held;
+            } else if (const auto pigment = named<Pigment>(item)) {
+                texture.pigment = *pigment;
             } else if (!is_name && item.kind == TokenKind::word) {
                 texture.missing.add(missing(item, text_of(item)));  // a map of textures, tiles, ...
                 skip_rest();

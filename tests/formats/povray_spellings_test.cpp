@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+// What POV-Ray accepts in other places or spellings than its documentation has.
+#include "formats/povray_text.h"
+
+namespace glint::test {
+namespace {
+
+const std::string k_red = "pigment { rgb <1, 0, 0> }";
+
+TEST(PovRaySpellings, DeclareNeedsNoHash) {
+    EXPECT_EQ(povray_scene("declare R = 3;\nsphere { 0, R }").get<Sphere>().at(0).radius, 3);
+}
+
+TEST(PovRaySpellings, ATextureMayBeAPigment) {
+    const Scene s =
+        povray_scene("#declare P = " + k_red + "\nsphere { 0, 1 texture { P finish { diffuse 1 } } }");
+    EXPECT_EQ(s.materials.at(s.shapes.at(0).material).diffuse, (Color{1, 0, 0}));
+}
+
+TEST(PovRaySpellings, TheWordOfAShapeTakesADeclaredOne) {
+    EXPECT_EQ(
+        povray_scene("#declare B = sphere { 0, 1 }\nsphere { B translate 2*x }").get<Sphere>().at(0).center,
+        (Vec3{2, 0, 0}));
+    const std::string mesh = "mesh { triangle { 0, x, y } }",
+                      mesh2 = "mesh2 { vertex_vectors { 3, 0, x, y } face_indices { 1, <0, 1, 2> } }";
+    for (const std::string& text : {mesh, mesh2}) {
+        const std::string word = text.substr(0, text.find(' '));
+        EXPECT_EQ(povray_scene("#declare M = " + text + "\n" + word + " { M " + k_red + " }").shapes.size(),
+                  povray_scene(text).shapes.size());
+    }
+}
+
+TEST(PovRaySpellings, AFogTakesColorTwice) {
+    const Scene s = povray_scene("fog { distance 9 color color rgb <1, .5, 0> }\nsphere { 0, 1 }");
+    ASSERT_TRUE(s.fog);
+    EXPECT_EQ(s.fog->color, (Color{1, .5, 0}));
+}
+
+// `ior` in a finish is that of the interior; an interior { } counts more.
+TEST(PovRaySpellings, RefractionInAFinish) {
+    const auto ior = [](const std::string& items) {
+        const Scene s = povray_scene("sphere { 0, 1 pigment { rgbt 1 } " + items + " }");
+        return s.materials.at(s.shapes.at(0).material).ior;
+    };
+    EXPECT_EQ(ior("finish { refraction 1 ior 1.5 }"), ior("interior { ior 1.5 }"));
+    EXPECT_EQ(ior("finish { ior 1.25 } interior { ior 1.5 }"), ior("interior { ior 1.5 }"));
+    const auto said = messages(read_povray("sphere { 0, 1 pigment { rgbt .5 } finish { ior 1.5 } }"));
+    EXPECT_NE(said.find("warning: glint does not render `ior`"), std::string::npos) << said;
+    EXPECT_EQ(messages(read_povray("sphere { 0, 1 finish { refraction 0 ior 1.5 } }")), "");
+}
+
+TEST(PovRaySpellings, LinesMayEndWithCarriageReturnAlone) {
+    EXPECT_EQ(
+        povray_scene("// a comment\rsphere { 0, 2 } // another\rsphere { 0, 3 }\r").get<Sphere>().size(), 2u);
+}
+
+TEST(PovRaySpellings, DivisionByZeroIsAGreatNumber) {
+    const Scene s = povray_scene(
+        "#declare A = 1/0; #declare B = -1/0; #declare C = 0/0; #declare V = <1, 2, 3>/<0, 1, 2>;\n"
+        "#if (A > 1e100 & B > 1e100 & C > 1e100 & V.x > 1e100) sphere { 0, V.y } #end");
+    ASSERT_EQ(s.get<Sphere>().size(), 1u);
+    EXPECT_EQ(s.get<Sphere>()[0].radius, 2);
+}
+
+TEST(PovRaySpellings, CallersDeclareNumbers) {
+    LoadOptions options;
+    options.declared = {{"Big", 3}, {"clock", .5}, {"sphere", 4}};
+    const SceneText text{
+        "a.pov", "#ifdef (Big) sphere { 0, Big + clock } #end sphere { 0, 1 + clock_on + frame_number }",
+        "povray"};
+    const auto scene = load({&text, 1}, options);
+    ASSERT_TRUE(scene) << to_string(scene);
+    ASSERT_EQ(scene->get<Sphere>().size(), 2u);
+    EXPECT_EQ(scene->get<Sphere>()[0].radius, 3.5);
+    EXPECT_EQ(scene->get<Sphere>()[1].radius, 2);
+}
+
+}  // namespace
+}  // namespace glint::test
