@@ -240,6 +240,15 @@ TEST(PovRay, TheCameraIsLeftHandedAndAppliedAtItsEnd) {
     expect_vec(scene.camera.frame->forward, {0, 0, 1});
 }
 
+TEST(PovRay, SmoothTrianglesWithNormalsOnBothSidesAreLeftOut) {
+    const std::string triangle = "smooth_triangle { 0, -z, x, -z, y, ";
+    EXPECT_EQ(povray_scene(triangle + "<.5, 0, -.1> }").get<SmoothTriangle>().size(), 1u);
+    const std::string text = "sphere { 0, 1 } " + triangle + "<.5, 0, .1> }";
+    EXPECT_EQ(povray_scene(text).get<SmoothTriangle>().size(), 0u);
+    EXPECT_NE(messages(read_povray(text)).find("warning: normals on both sides of a smooth triangle"),
+              std::string::npos);
+}
+
 TEST(PovRay, LightsFogAndBackground) {
     const Scene scene = povray_scene(
         "light_source { x, rgb <1, .5, .25>*2 spotlight point_at 3*x radius 10 falloff 20 tightness 2 "

@@ -63,6 +63,9 @@ RULES = [
          f"cylinder {{ <-0.5, 0.7, 0.2>, <-0.5, 1, 0.2>, 0.4 {GLAZE} }}\n" +
          "".join(f"disc {{ <{x}, 0.8, 0.3>, <0.3, 0.5, -1>, 0.4 {GLAZE} }}\ndisc {{ <{x}, {0.8 + gap}, 0.3>, <0.3, 0.5, -1>, 0.4 {GLAZE} }}\n"
                  for x, gap in ((0.7, 0.00004), (1.5, 0.0006), (2.3, 0.006)))),
+    rule("smooth_triangle_sides", FLOOR + "".join(
+        f"smooth_triangle {{ <{x}, 0, 0>, {a}, <{x + 1.4}, 0, 0>, {b}, <{x + 0.7}, 1.8, 0>, <0, 0.2, -1> pigment {{ rgb <0.9, 0.6, 0.3> }} }}\n"
+        for x, a, b in ((-2, "<-0.4, 0, -1>", "<0.4, 0, -1>"), (-0.4, "<-0.4, 0, 0.2>", "<0.4, 0, -1>"), (1.1, "<-0.4, 0, 1>", "<0.4, 0, 1>")))),
     # Spellings that POV-Ray takes beside those of its documentation.
     rule("spellings", "declare P = pigment { rgb <0.9, 0.3, 0.2> }\n#declare B = sphere { 0, 0.7 texture { P finish { phong 0.5 } } }\n"
          "#declare M = mesh2 { vertex_vectors { 3, <-2, 0, 1>, <0, 2, 1>, <2, 0, 1> } face_indices { 1, <0, 1, 2> } }\n" + FLOOR +

@@ -203,6 +203,11 @@ void Reader::place_shape(const Object& o, const Inherited& from) {
             add(Triangle{{point(o.a), point(o.b), point(o.c)}}, material, nullptr, o.at);
             break;
         default: {
+            if (has_normals_on_both_sides({o.a, o.b, o.c}, *o.normals)) {
+                warn_once("normals on both sides", o.at,
+                          "normals on both sides of a smooth triangle: as in POV-Ray, it is left out");
+                break;
+            }
             const auto normal = [&](Vec3 n) { return turned(n == Vec3{0, 0, 0} ? Vec3{1, 0, 0} : n); };
             add(SmoothTriangle{{point(o.a), point(o.b), point(o.c)},
                                {normal((*o.normals)[0]), normal((*o.normals)[1]), normal((*o.normals)[2])}},

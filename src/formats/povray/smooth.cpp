@@ -34,6 +34,16 @@ int part_count(const Vec3 (&n)[3]) {
 
 }  // namespace
 
+bool has_normals_on_both_sides(const std::array<Vec3, 3>& vertices, const std::array<Vec3, 3>& normals) {
+    const Vec3 face = cross(vertices[1] - vertices[0], vertices[2] - vertices[0]);
+    bool front = false, back = false;
+    for (const Vec3& n : normals) {
+        front = front || dot(n, face) > 0;
+        back = back || dot(n, face) < 0;
+    }
+    return front && back;
+}
+
 // POV-Ray mixes the three normals in the mesh's space, glint the unit vectors after the transform. In small
 // parts of the triangle, whose normals have nearly the same length, both are the same.
 void Reader::add_smooth(const SmoothTriangle& whole, std::uint32_t material, const Token& at) {

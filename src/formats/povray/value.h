@@ -181,6 +181,9 @@ struct Object {
 /// The width of the default camera's picture, whose height is 1: not 4/3 (POV-Ray, measured).
 inline constexpr double k_default_right = 1.33;
 
+/// Of a smooth triangle: POV-Ray leaves those out (measured).
+bool has_normals_on_both_sides(const std::array<Vec3, 3>& vertices, const std::array<Vec3, 3>& normals);
+
 struct CameraItems {
     bool is_orthographic = false, has_right = false, has_up = false, has_angle = false;
     std::optional<Vec3> look_at;
