@@ -263,8 +263,8 @@ struct ShapeTests {
             : slot(first), bits(first_bits(number::min(static_cast<int>(count), lane_count<double>()))) {
             load_values<Geometry::k_values>(shapes, slot, p);
         }
-        SurfaceId surface(const PackedGeometry& geometry, int lane) const {
-            return geometry.surface_of(slot + static_cast<std::uint32_t>(lane));
+        SurfaceId surface(const PackedGeometry& packed, int lane) const {
+            return packed.surface_of(slot + static_cast<std::uint32_t>(lane));
         }
     };
 
