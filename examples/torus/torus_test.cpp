@@ -82,8 +82,8 @@ void check_validation() {
 
 // A light inside the tube, in a torus that the check's ray leaves, enters again and leaves: no convex shape.
 void check_inside() {
-    const glint::Vec3 along = glint::normalize({0.5773, 0.6211, 0.5301}),
-                      axis = glint::normalize(glint::cross(along, {0, 0, 1})),
+    const auto unit = [](glint::Vec3 v) { return v * (1 / std::sqrt(glint::dot(v, v))); };
+    const glint::Vec3 along = unit({0.5773, 0.6211, 0.5301}), axis = unit(glint::cross(along, {0, 0, 1})),
                       across = glint::cross(along, axis);
     glint::Affine turned;  // x becomes along, y becomes axis
     const glint::Vec3 columns[3] = {along, axis, across};
